@@ -1,0 +1,45 @@
+# Everything below sets itself up: a machine with Python 3.11 and make is enough.
+PYTHON ?= $(shell command -v python3.11 || command -v python3)
+BIN = .venv/bin
+READY = .venv/.ready
+
+.PHONY: run test check format bench docs results sample clean help
+
+help:  ## show these lines
+	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 12
+
+run: $(READY)  ## set up and serve the live page on 127.0.0.1
+	$(BIN)/pointpred serve
+
+test: $(READY)  ## set up and run every test
+	$(BIN)/python -m pytest -n 2 -q
+
+check: $(READY)  ## lint, format and types
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+
+format: $(READY)  ## let ruff put the code in order
+	$(BIN)/ruff check --fix .
+	$(BIN)/ruff format .
+
+bench: $(READY)  ## print the cost of each pipeline beside plain Python and a naive refit
+	$(BIN)/python -m benchmarks.per_event
+
+docs: $(READY)  ## write the generated pages of docs/ again
+	$(BIN)/python -m benchmarks.pages
+
+results: $(READY)  ## write docs/results.md from the recordings in POINTPRED_RECORDINGS and the sample
+	$(BIN)/python -m benchmarks.results
+
+sample: $(READY)  ## generate the embedded sample again (same bytes)
+	$(BIN)/python -m pointpred.datasets.sample
+
+clean:  ## remove the environment and every cache
+	rm -rf .venv .mypy_cache .ruff_cache .pytest_cache .hypothesis build dist *.egg-info
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +
+
+$(READY): pyproject.toml constraints.txt
+	$(PYTHON) -m venv .venv
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt --editable '.[dev]'
+	touch $(READY)

@@ -1,0 +1,21 @@
+"""pointpred predicts where a pointing movement will end while it is still going on."""
+
+from pointpred.columns import EventColumns, MotionColumns, PredictionColumns
+from pointpred.events import Motion, PointerEvent, Prediction
+from pointpred.pipeline import Pipeline, run
+from pointpred.registry import REGISTRY, build
+
+__version__ = "0.1.0"
+
+__all__ = [
+    "REGISTRY",
+    "EventColumns",
+    "Motion",
+    "MotionColumns",
+    "Pipeline",
+    "PointerEvent",
+    "Prediction",
+    "PredictionColumns",
+    "build",
+    "run",
+]

@@ -1,0 +1,86 @@
+"""How a law is compiled, and the switch that runs the same source as plain Python.
+
+Every law is a module-level function on floats and flat float64 arrays. ``law`` compiles it with numba:
+no fastmath (the compiled law must agree with its source), no GIL (trials run in threads), cached on disk.
+
+numba notices that the file of a law has changed, but not that a law it *calls*, or a constant it reads,
+has changed in another file. Each law therefore caches in a folder named after its own code and
+everything it reaches, so an upgraded installation never runs yesterday's machine code.
+
+Environment: ``POINTPRED_COMPILED=0`` runs plain Python; ``POINTPRED_CACHE_DIR`` moves the cache.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from types import CodeType, FunctionType, ModuleType
+from typing import Any, TypeVar, cast
+
+COMPILED = os.environ.get("POINTPRED_COMPILED", "1") != "0"
+"""False when laws run as plain Python (the reference the compiled ones are tested against)."""
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+_fingerprints: dict[int, str] = {}
+
+
+def law(function: Function) -> Function:
+    """Compile a law, or return it as it is when ``POINTPRED_COMPILED=0``."""
+    if not COMPILED:
+        return function
+    import numba
+
+    config: Any = numba.config
+
+    plain = cast(FunctionType, function)
+    fingerprint = _fingerprint(plain)
+    # The cache's place is fixed when the decorator runs: set it for that moment only.
+    elsewhere, config.CACHE_DIR = config.CACHE_DIR, str(_cache_folder() / fingerprint)
+    try:
+        compiled = numba.njit(cache=True, nogil=True, error_model="numpy")(plain)
+    finally:
+        config.CACHE_DIR = elsewhere
+    _fingerprints[id(compiled)] = fingerprint
+    return cast(Function, compiled)
+
+
+def _cache_folder() -> Path:
+    """The folder of compiled code: chosen by the user, else the user's cache, else a temporary folder."""
+    chosen = os.environ.get("POINTPRED_CACHE_DIR")
+    if chosen:
+        return Path(chosen)
+    cache = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "pointpred"
+    try:
+        cache.mkdir(parents=True, exist_ok=True)
+    except OSError:
+        return Path(tempfile.gettempdir()) / f"pointpred-{os.getuid() if hasattr(os, 'getuid') else 'user'}"
+    if os.access(cache, os.W_OK):
+        return cache
+    return Path(tempfile.gettempdir()) / f"pointpred-{os.getuid() if hasattr(os, 'getuid') else 'user'}"
+
+
+def _fingerprint(function: FunctionType) -> str:
+    """A digest of a law's code, the laws it calls and the constants it reads."""
+    code = function.__code__
+    parts = [function.__module__, code.co_code.hex(), _constants(code)]
+    for name in code.co_names:
+        value = function.__globals__.get(name)
+        if isinstance(value, ModuleType):
+            parts += [_value(getattr(value, other, None)) for other in code.co_names]
+        else:
+            parts.append(_value(value))
+    return hashlib.blake2b("\n".join(parts).encode(), digest_size=12).hexdigest()
+
+
+def _constants(code: CodeType) -> str:
+    return repr([constant for constant in code.co_consts if not isinstance(constant, CodeType)])
+
+
+def _value(value: object) -> str:
+    if isinstance(value, int | float | str | tuple):
+        return repr(value)
+    return _fingerprints.get(id(value), "")

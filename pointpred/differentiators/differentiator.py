@@ -1,0 +1,71 @@
+"""What all differentiators share: the sampling rules, and events in, motions out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import ClassVar
+
+from pointpred.columns import EventColumns, MotionColumns
+from pointpred.differentiators import sampling
+from pointpred.events import Motion, PointerEvent
+from pointpred.stage import CompiledStage
+
+NONE = float("nan")
+REFUSED_ROW = (NONE, NONE, NONE, NONE, NONE, NONE, NONE, 0.0, 0.0, 0.0)
+"""What a step returns for an event it refuses; its memory is then unchanged."""
+
+
+class Differentiator(CompiledStage):
+    """A ``Stage[PointerEvent, Motion]`` around a compiled ``step(memory, t, x, y, dx, dy, buttons)``.
+
+    A child gives ``step``, ``loop`` and ``at``, the place of the sampling state in the memory.
+    """
+
+    width = 10
+    at: int
+    step: ClassVar[Callable[..., tuple[float, ...]]]
+
+    def update(self, event: PointerEvent, /) -> Motion:
+        """Consume one event and return the motion after it.
+
+        Raises EventOrderError when time runs backwards and EventError when a value is not finite or out of
+        range; the memory is then unchanged.
+        """
+        t, x, y, vx, vy, ax, ay, settled, start, counts = self.consume(event)
+        return Motion(t, x, y, vx, vy, ax, ay, settled == 1.0, start == 1.0, counts == 1.0)
+
+    def consume(self, event: PointerEvent) -> tuple[float, ...]:
+        """``update``, with the motion as the plain row that a pipeline hands to its predictor."""
+        dx, dy = event.dx, event.dy
+        row = type(self).step(
+            self._memory,
+            event.t,
+            event.x,
+            event.y,
+            NONE if dx is None else dx,
+            NONE if dy is None else dy,
+            event.buttons,
+        )
+        if row[0] != row[0]:
+            raise sampling.explain(event, float(self._memory[self.at + sampling.T]))
+        return row
+
+    def run(self, events: EventColumns) -> MotionColumns:
+        """Consume a table of events; when a row is refused the error names it and nothing is consumed."""
+        kept = self._memory.copy()
+        motions = MotionColumns(self.walk(events.begin, events.table))
+        refused = motions.t != motions.t
+        if refused.any():
+            row = int(refused.argmax())
+            self._memory = kept
+            raise self.explain_row(events, row)
+        return motions
+
+    def explain_row(self, events: EventColumns, row: int) -> Exception:
+        """Why a row of a table was refused."""
+        begins = events.begin[: row + 1].nonzero()[0]
+        first = int(begins[-1]) if len(begins) else 0
+        before = events.t[first:row]
+        last_t = float(before[-1]) if len(before) else float(self._memory[self.at + sampling.T])
+        reason = sampling.explain(next(events.rows(row, row + 1).events()), last_t)
+        return type(reason)(f"row {row}: {reason}")

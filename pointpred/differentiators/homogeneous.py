@@ -1,0 +1,183 @@
+"""The homogeneous differentiator (HOMD), thesis section 2.3.1, equation (2.2)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import ceil
+from typing import Literal
+
+import numpy as np
+
+from pointpred.columns import BoolArray, FloatArray
+from pointpred.compiled import law
+from pointpred.differentiators import sampling
+from pointpred.differentiators.differentiator import REFUSED_ROW, Differentiator
+from pointpred.errors import ParameterError
+from pointpred.stage import Parameter, check
+
+ORDER_MOST = 8
+
+# Parameters, after those of sampling.
+ORDER, ALPHA, STEP_S, HOLD, GAIN = 4, 5, 6, 7, 8
+AT = GAIN + ORDER_MOST  # sampling state
+ZX = AT + sampling.STATES  # estimates of u, u', ... in m, m/s, ...
+ZY = ZX + ORDER_MOST
+SLOPE = ZY + ORDER_MOST  # last z_n' of x and y: the acceleration when the order is 2
+STATES = sampling.STATES + 2 * ORDER_MOST + 2
+
+
+@law
+def advance(memory: FloatArray, z: int, before: float, now: float, h: float, steps: int) -> float:
+    """Integrate (2.2) by explicit Euler over ``steps`` sub-steps of ``h`` s; returns the last slope of z_n.
+
+    Between two samples the measured position is either held at the new one or runs on the line.
+    """
+    order = int(memory[ORDER])
+    slope = 0.0
+    for i in range(steps):
+        y = now if memory[HOLD] == 1.0 else before + (now - before) * (i / steps)
+        error = memory[z] - y
+        size = abs(error)
+        scale = size ** memory[ALPHA] if size > 0.0 else 0.0
+        push = error
+        for j in range(order):
+            push *= scale
+            carried = memory[z + j + 1] if j + 1 < order else 0.0
+            slope = carried - memory[GAIN + j] * push
+            memory[z + j] += h * slope
+    return slope
+
+
+@law
+def step(
+    memory: FloatArray, t: float, x: float, y: float, dx: float, dy: float, buttons: float
+) -> tuple[float, float, float, float, float, float, float, float, float, float]:
+    """One event through the differentiator of both axes."""
+    verdict, dt, before_u, before_v, start = sampling.accept(memory, AT, t, x, y, dx, dy, buttons)
+    if verdict == sampling.REFUSED:
+        return REFUSED_ROW
+    if verdict == sampling.RESTARTED:
+        memory[ZX : SLOPE + 2] = 0.0
+        memory[ZX] = memory[AT + sampling.U]
+        memory[ZY] = memory[AT + sampling.V]
+    elif verdict == sampling.MOVED:
+        steps = ceil(dt / memory[STEP_S])
+        h = dt / steps
+        memory[SLOPE] = advance(memory, ZX, before_u, memory[AT + sampling.U], h, steps)
+        memory[SLOPE + 1] = advance(memory, ZY, before_v, memory[AT + sampling.V], h, steps)
+    second = memory[ORDER] == 2.0
+    return (
+        t,
+        x,
+        y,
+        memory[ZX + 1],
+        memory[ZY + 1],
+        memory[SLOPE] if second else memory[ZX + 2],
+        memory[SLOPE + 1] if second else memory[ZY + 2],
+        1.0 if memory[AT + sampling.SEEN] > memory[ORDER] else 0.0,
+        1.0 if start else 0.0,
+        memory[AT + sampling.COUNTS],
+    )
+
+
+@law
+def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
+    """The same step over a table."""
+    for i in range(len(rows)):
+        if begin[i]:
+            memory[first:] = 0.0
+        motion = step(memory, rows[i, 0], rows[i, 1], rows[i, 2], rows[i, 3], rows[i, 4], rows[i, 5])
+        for j in range(len(motion)):
+            out[i, j] = motion[j]
+
+
+def gains(gain_lambda: float, gain_xi: float, order: int) -> list[float]:
+    """The gains k_1 ... k_n: coefficients of (s + lambda)(s + lambda xi) ... (s + lambda xi^(n-1)).
+
+    >>> gains(5.0, 2.0, 4)
+    [75.0, 1750.0, 15000.0, 40000.0]
+    """
+    roots = [-gain_lambda * gain_xi**i for i in range(order)]
+    return [float(k) for k in np.poly(roots)[1:]]
+
+
+class HomogeneousDifferentiator(Differentiator):
+    """Homogeneous finite-time differentiator of any order from 2 to 8 (HOMD), one for each axis.
+
+    Assumes a position that is smooth between samples. It is homogeneous, not scale free: gains that suit
+    metres make another filter of pixels. Explicit Euler costs grow with the gap between events.
+
+    z_j' = z_(j+1) - k_j |e|^(1 + j alpha) sgn e, e = z_1 - y, z_(n+1) = 0; velocity is z_2, acceleration z_3
+    (for order 2 the last slope of z_2). ``alpha`` 0 is the linear high-gain observer, -1/order Levant's
+    sliding-mode differentiator.
+
+    Parameters: ``gain_lambda`` 1/s and ``gain_xi`` place the poles, or ``gains`` gives k_1 ... k_n;
+    ``alpha`` in [-1/order, 0]; ``step_s`` the longest Euler step; ``between`` what the position does between
+    two samples, ``"line"`` or ``"hold"``;
+    ``cpi``, ``dpi``, ``gap_s``, ``pause_s`` as for all differentiators.
+    Memory: 43 floats. Raises ParameterError, and EventError and EventOrderError from ``update``.
+
+    Reference: Khalin 2022, section 2.3.1, equation (2.2), with the sign of the discrete last line corrected;
+    Perruquetti, Floquet, Moulay 2008; Levant 2003 for alpha = -1/n.
+
+    >>> from pointpred import PointerEvent
+    >>> differentiator = HomogeneousDifferentiator()
+    >>> for i in range(300):
+    ...     motion = differentiator.update(PointerEvent(i / 1000, 2.0 * i, 0.0))
+    >>> round(motion.vx, 2)  # 2000 px/s at 96 dpi
+    0.53
+    """
+
+    parameters = (
+        *sampling.PARAMETERS,
+        Parameter("order", "", 2, ORDER_MOST, "number of estimated quantities: position, velocity, ..."),
+        Parameter("gain_lambda", "1/s", 1e-3, 1e4, "slowest pole of the linear law"),
+        Parameter("gain_xi", "", 1e-3, 1e2, "ratio of neighbouring poles"),
+        Parameter("alpha", "", -0.5, 0.0, "degree of homogeneity: 0 linear, -1/order sliding mode"),
+        Parameter("step_s", "s", 1e-5, 1e-1, "longest Euler step; longer gaps are cut into sub-steps"),
+    )
+    step = staticmethod(step)
+    loop = staticmethod(loop)
+    at = AT
+
+    def __init__(
+        self,
+        *,
+        order: int = 4,
+        gain_lambda: float = 5.0,
+        gain_xi: float = 2.0,
+        alpha: float = -0.2,
+        gains: Sequence[float] | None = None,
+        step_s: float = 0.0015,
+        between: Literal["line", "hold"] = "line",
+        cpi: float | None = None,
+        dpi: float = 96.0,
+        gap_s: float = 0.1,
+        pause_s: float = 0.3,
+    ) -> None:
+        values = {"order": order, "gain_lambda": gain_lambda, "gain_xi": gain_xi, "alpha": alpha}
+        check(self.parameters, {**values, "step_s": step_s, **sampling.named(cpi, dpi, gap_s, pause_s)})
+        if order != int(order):
+            raise ParameterError(f"order must be a whole number, received {order!r}")
+        if alpha * order < -1.0 - 1e-12:
+            raise ParameterError(f"alpha must lie in [-1/order, 0] = [{-1 / order:g}, 0], received {alpha!r}")
+        if between not in ("line", "hold"):
+            raise ParameterError(f"between must be 'line' or 'hold', received {between!r}")
+        chosen = _check_gains(gains, order) if gains is not None else _gains(gain_lambda, gain_xi, order)
+        self.gains = tuple(chosen)
+        padded = [*chosen, *([0.0] * (ORDER_MOST - len(chosen)))]
+        own = [float(order), float(alpha), float(step_s), 1.0 if between == "hold" else 0.0, *padded]
+        super().__init__([*sampling.settings(cpi, dpi, gap_s, pause_s), *own], STATES)
+
+
+_gains = gains  # the constructor's parameter of the same name hides the function
+
+
+def _check_gains(gains: Sequence[float], order: int) -> list[float]:
+    """Given gains must be one positive number an order, and make a stable linear law."""
+    if len(gains) != order or not all(k > 0.0 and np.isfinite(k) for k in gains):
+        raise ParameterError(f"gains must be {order} positive numbers, received {list(gains)!r}")
+    slowest = float(np.max(np.roots([1.0, *gains]).real))
+    if slowest >= 0.0:
+        raise ParameterError(f"gains {list(gains)!r} make an unstable law: a pole has real part {slowest:g}")
+    return [float(k) for k in gains]

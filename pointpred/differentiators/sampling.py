@@ -1,0 +1,100 @@
+"""From events to clean samples: what every differentiator does before its own law.
+
+Equal times are one event, gaps restart, time backwards is refused, counts become metres, and the start of a
+movement is noticed. The rules are those of the public interface, so all differentiators share them.
+"""
+
+from __future__ import annotations
+
+from math import isfinite, isnan
+
+from pointpred.columns import FloatArray
+from pointpred.compiled import law
+from pointpred.errors import EventError, EventOrderError, ParameterError
+from pointpred.events import PointerEvent
+from pointpred.stage import Parameter
+
+METRES_PER_INCH = 0.0254
+LARGEST = 1e9
+"""Bound on the magnitude of positions (px), counts and times (s): beyond it arithmetic means nothing."""
+
+# Parameters, first in the memory of every differentiator.
+METRES_PER_COUNT, METRES_PER_PX, GAP_S, PAUSE_S = 0, 1, 2, 3
+SETTINGS = 4
+
+# State, relative to `at`: started, time, cursor, buttons, motor position (m), samples since the restart,
+# whether the last motor increment came from counts.
+STARTED, T, X, Y, BUTTONS, U, V, SEEN, COUNTS = 0, 1, 2, 3, 4, 5, 6, 7, 8
+STATES = 9
+
+REFUSED, MERGED, RESTARTED, MOVED = -1, 0, 1, 2
+
+PARAMETERS = (
+    Parameter("cpi", "counts per inch", 1.0, 1e6, "resolution of the device; None: counts are not used"),
+    Parameter("dpi", "px per inch", 1.0, 1e5, "resolution of the screen, used where counts are not"),
+    Parameter("gap_s", "s", 1e-3, 1e3, "a longer gap between events means that the device was still"),
+    Parameter("pause_s", "s", 1e-3, 1e3, "the first event after a longer pause starts a movement"),
+)
+
+
+@law
+def accept(
+    memory: FloatArray, at: int, t: float, x: float, y: float, dx: float, dy: float, buttons: float
+) -> tuple[int, float, float, float, bool]:
+    """Take one event in: (verdict, dt in s, motor position before the step in m, movement started)."""
+    none = dx != dx or dy != dy
+    if not (abs(t) <= LARGEST and abs(x) <= LARGEST and abs(y) <= LARGEST and 0.0 <= buttons <= LARGEST):
+        return REFUSED, 0.0, 0.0, 0.0, False
+    if not none and not (abs(dx) <= LARGEST and abs(dy) <= LARGEST):
+        return REFUSED, 0.0, 0.0, 0.0, False
+    started = memory[at + STARTED] == 1.0
+    if started and t < memory[at + T]:
+        return REFUSED, 0.0, 0.0, 0.0, False
+    dt = t - memory[at + T]
+    before_u, before_v = memory[at + U], memory[at + V]
+    released = int(memory[at + BUTTONS]) & ~int(buttons) != 0
+    start = not started or released or dt > memory[PAUSE_S]
+    counted = not none and memory[METRES_PER_COUNT] > 0.0
+    if started and counted:
+        memory[at + U] += dx * memory[METRES_PER_COUNT]
+        memory[at + V] += dy * memory[METRES_PER_COUNT]
+    elif started:
+        memory[at + U] += (x - memory[at + X]) * memory[METRES_PER_PX]
+        memory[at + V] += (y - memory[at + Y]) * memory[METRES_PER_PX]
+    memory[at + STARTED] = 1.0
+    memory[at + T], memory[at + X], memory[at + Y] = t, x, y
+    memory[at + BUTTONS] = buttons
+    memory[at + COUNTS] = 1.0 if counted else 0.0
+    if started and dt == 0.0:
+        return MERGED, 0.0, before_u, before_v, start
+    if not started or dt > memory[GAP_S]:
+        memory[at + SEEN] = 1.0
+        return RESTARTED, dt, before_u, before_v, start
+    memory[at + SEEN] += 1.0
+    return MOVED, dt, before_u, before_v, start
+
+
+def settings(cpi: float | None, dpi: float, gap_s: float, pause_s: float) -> list[float]:
+    """The shared parameters as they stand first in the memory."""
+    return [0.0 if cpi is None else METRES_PER_INCH / cpi, METRES_PER_INCH / dpi, gap_s, pause_s]
+
+
+def explain(event: PointerEvent, last_t: float) -> EventError:
+    """Why an event was refused, in words."""
+    if isfinite(event.t) and abs(event.t) <= LARGEST and event.t < last_t:
+        return EventOrderError(f"t must not run backwards: received {event.t!r} s after {last_t!r} s")
+    for name in ("t", "x", "y", "dx", "dy", "buttons"):
+        value = getattr(event, name)
+        if value is None:
+            continue
+        low = 0.0 if name == "buttons" else -LARGEST
+        if isnan(value) or not low <= value <= LARGEST:
+            return EventError(f"{name} must lie in [{low:g}, {LARGEST:g}], received {value!r}")
+    return EventError(f"event refused: {event!r}")
+
+
+def named(cpi: float | None, dpi: float, gap_s: float, pause_s: float) -> dict[str, float]:
+    """The shared parameters by name, to be checked; refuses a pause shorter than a gap."""
+    if pause_s < gap_s:
+        raise ParameterError(f"pause_s must be at least gap_s = {gap_s:g} s, received {pause_s:g} s")
+    return {"cpi": 1.0 if cpi is None else cpi, "dpi": dpi, "gap_s": gap_s, "pause_s": pause_s}

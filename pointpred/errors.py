@@ -1,0 +1,39 @@
+"""Everything pointpred raises on purpose: one family, each member also the matching builtin."""
+
+from __future__ import annotations
+
+
+class PointpredError(Exception):
+    """The root: catch this to catch every error pointpred raises on purpose."""
+
+
+class ParameterError(PointpredError, ValueError):
+    """A parameter is unknown, of the wrong kind or outside its bounds."""
+
+
+class EventError(PointpredError, ValueError):
+    """An event cannot be used: a value is not finite or out of range. The stage is unchanged."""
+
+
+class EventOrderError(EventError):
+    """An event lies before the one already accepted. The stage is unchanged."""
+
+
+class RecordingError(PointpredError, ValueError):
+    """A recording cannot be read: the message names the file, the row and what was expected."""
+
+
+class InfeasibleError(PointpredError, ArithmeticError):
+    """A design problem is proved to have no solution."""
+
+
+class UndecidedError(PointpredError, ArithmeticError):
+    """A solver could neither solve a design problem nor prove it infeasible."""
+
+
+class CertificateError(PointpredError, ArithmeticError):
+    """A claimed certificate fails when its eigenvalues are recomputed."""
+
+
+class SourceError(PointpredError, OSError):
+    """A device or another live source cannot be opened or has gone."""

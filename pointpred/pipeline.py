@@ -1,0 +1,53 @@
+"""A differentiator and a predictor, joined: events in, predictions out."""
+
+from __future__ import annotations
+
+from typing import Self
+
+from pointpred.columns import EventColumns, PredictionColumns
+from pointpred.differentiators import Differentiator
+from pointpred.events import PointerEvent, Prediction
+from pointpred.predictors import Predictor
+
+
+class Pipeline:
+    """A ``Stage[PointerEvent, Prediction | None]``: the differentiator's motion feeds the predictor."""
+
+    def __init__(self, name: str, differentiator: Differentiator, predictor: Predictor) -> None:
+        self.name = name
+        self.differentiator = differentiator
+        self.predictor = predictor
+
+    def update(self, event: PointerEvent, /) -> Prediction | None:
+        """Consume one event; ``None`` where nothing is justified now.
+
+        Raises EventOrderError when time runs backwards and EventError when a value is not finite or out of
+        range; the pipeline is then unchanged.
+        """
+        return self.predictor.consume(self.differentiator.consume(event))
+
+    def reset(self) -> None:
+        """Forget every event: the next one starts a movement."""
+        self.differentiator.reset()
+        self.predictor.reset()
+
+    def fresh(self) -> Self:
+        """Return a pipeline with the same parameters and no memory."""
+        return type(self)(self.name, self.differentiator.fresh(), self.predictor.fresh())
+
+
+def run(pipeline: Pipeline, columns: EventColumns) -> PredictionColumns:
+    """Consume a table of events and return a row of predictions for each.
+
+    A row is NaN but for ``t`` where ``update`` gives ``None``.
+
+    Continues from the pipeline's memory, so chunks equal the whole; a row marked ``begin`` resets first.
+    Raises EventOrderError or EventError naming the row; nothing is then consumed.
+    """
+    kept = pipeline.differentiator.__copy__()
+    motions = pipeline.differentiator.run(columns)
+    try:
+        return pipeline.predictor.run(motions, columns.begin)
+    except ValueError:
+        pipeline.differentiator = kept
+        raise

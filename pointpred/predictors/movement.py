@@ -1,0 +1,53 @@
+"""The movement so far: what nearly every predictor needs to know before its own law."""
+
+from __future__ import annotations
+
+from math import hypot, inf
+
+from pointpred.columns import FloatArray
+from pointpred.compiled import law
+
+STILL_M_S = 0.002
+"""Below this speed of the hand nothing moves: two counts a second of a coarse mouse."""
+CORRECTIVE_FRACTION = 0.2
+"""A movement slower than this share of its peak is corrective (thesis 2.5.6: a fifth)."""
+
+# State, relative to `at`: known, last sample, first sample of the movement, peak speed, px travelled.
+KNOWN, T, X, Y, T0, X0, Y0, PEAK, PATH = 0, 1, 2, 3, 4, 5, 6, 7, 8
+STATES = 9
+
+STILL, BALLISTIC, CORRECTIVE = 0.0, 1.0, 2.0
+
+
+@law
+def follow(
+    memory: FloatArray, at: int, t: float, x: float, y: float, vx: float, vy: float, start: float
+) -> tuple[bool, bool, float]:
+    """Take one motion in: (accepted, a movement starts here, dt in s since the motion before).
+
+    Not accepted, and the memory unchanged: a value that is not finite, or a time before the last one.
+    """
+    size = abs(t) + abs(x) + abs(y) + abs(vx) + abs(vy)
+    if not size < inf or (memory[at + KNOWN] == 1.0 and t < memory[at + T]):
+        return False, False, 0.0
+    new = start == 1.0 or memory[at + KNOWN] == 0.0
+    dt = 0.0 if new else t - memory[at + T]
+    if new:
+        memory[at + T0], memory[at + X0], memory[at + Y0] = t, x, y
+        memory[at + PEAK] = 0.0
+        memory[at + PATH] = 0.0
+    else:
+        memory[at + PATH] += hypot(x - memory[at + X], y - memory[at + Y])
+    memory[at + KNOWN] = 1.0
+    memory[at + T], memory[at + X], memory[at + Y] = t, x, y
+    memory[at + PEAK] = max(memory[at + PEAK], hypot(vx, vy))
+    return True, new, dt
+
+
+@law
+def phase(memory: FloatArray, at: int, vx: float, vy: float) -> float:
+    """The phase by speed alone: still, ballistic above a fifth of the peak, corrective below."""
+    speed = hypot(vx, vy)
+    if speed < STILL_M_S:
+        return STILL
+    return BALLISTIC if speed >= CORRECTIVE_FRACTION * memory[at + PEAK] else CORRECTIVE

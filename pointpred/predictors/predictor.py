@@ -1,0 +1,57 @@
+"""What all predictors share: motions in, predictions or ``None`` out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import ClassVar
+
+import msgspec
+import numpy as np
+
+from pointpred.columns import BoolArray, MotionColumns, PredictionColumns, prediction_of
+from pointpred.errors import EventError
+from pointpred.events import Motion, Prediction
+from pointpred.stage import CompiledStage
+
+NONE = float("nan")
+REFUSED = (NONE, NONE, NONE, NONE, NONE, NONE, NONE)
+"""What a step returns for a motion it refuses: even the phase is NaN; its memory is then unchanged."""
+
+PHASE = 7
+
+
+class Predictor(CompiledStage):
+    """A ``Stage[Motion, Prediction | None]`` around a compiled law.
+
+    ``step(memory, t, x, y, vx, vy, ax, ay, settled, start)`` returns (x, y, sxx, sxy, syy, remaining_s,
+    phase); x is NaN where nothing is justified, the phase is NaN where the motion is refused.
+    """
+
+    width = 8
+    step: ClassVar[Callable[..., tuple[float, ...]]]
+
+    def update(self, motion: Motion, /) -> Prediction | None:
+        """Consume one motion and return the prediction after it, or ``None`` where none is justified.
+
+        Raises EventError for a motion that is not finite or lies before the last; nothing is then changed.
+        """
+        return self.consume(msgspec.structs.astuple(motion))
+
+    def consume(self, row: tuple[float, ...]) -> Prediction | None:
+        """``update`` for a motion that is still the plain row a differentiator made."""
+        t, x, y, vx, vy, ax, ay, settled, start, _ = row
+        values = type(self).step(self._memory, t, x, y, vx, vy, ax, ay, float(settled), float(start))
+        if values[6] != values[6]:
+            raise EventError(f"motion must be finite and not before the last one, received {row!r}")
+        return prediction_of(t, values)
+
+    def run(self, motions: MotionColumns, begin: BoolArray) -> PredictionColumns:
+        """Consume a table of motions; when a row is refused the error names it and nothing is consumed."""
+        kept = self._memory.copy()
+        table = self.walk(begin, motions.table)
+        refused = np.isnan(table[:, PHASE])
+        if refused.any():
+            self._memory = kept
+            row = int(refused.argmax())
+            raise EventError(f"row {row}: motion must be finite and not before the last one")
+        return PredictionColumns(table)

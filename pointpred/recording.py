@@ -1,0 +1,86 @@
+"""A recording in memory: what a source yields and the scorer consumes. All trials lie in one event table."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from pointpred.columns import EventColumns
+from pointpred.errors import RecordingError
+
+UNKNOWN = float("nan")
+
+
+class Trial(msgspec.Struct, frozen=True):
+    """Who moved, towards what. The target's centre and width are px, NaN where unknown.
+
+    ``clean`` is the set's own judgement for papers that exclude trials, ``None`` where nobody judged;
+    ``condition`` holds whatever else the recording knows (device, block, distance, transfer function).
+    """
+
+    user: str
+    trial: str
+    target_x: float = UNKNOWN
+    target_y: float = UNKNOWN
+    target_w: float = UNKNOWN
+    clean: bool | None = None
+    condition: dict[str, str | float] = {}
+
+
+class Skip(msgspec.Struct, frozen=True):
+    """A trial that was left out, and why; ``row`` counts the file's data rows from 0."""
+
+    trial: str
+    reason: str
+    row: int | None = None
+
+
+class Provenance(msgspec.Struct, frozen=True):
+    """What the file said about itself, before it was brought to px, y down and seconds."""
+
+    format: str
+    unit: str = "px"
+    origin: str = "top left"
+    y_axis: str = "down"
+    clock: str = "seconds from the trial's start"
+    dpi: float = 96.0
+    cpi: float | None = None
+
+
+IN_MEMORY = Provenance("memory")
+
+
+class Recording(msgspec.Struct, frozen=True):
+    """Trials one after another: rows ``offsets[i]`` up to ``offsets[i + 1]`` are ``trials[i]``."""
+
+    name: str
+    events: EventColumns
+    offsets: NDArray[np.int64]
+    trials: tuple[Trial, ...]
+    skipped: tuple[Skip, ...] = ()
+    provenance: Provenance = IN_MEMORY
+
+    @classmethod
+    def of(
+        cls,
+        name: str,
+        parts: Sequence[EventColumns],
+        trials: Sequence[Trial],
+        skipped: Sequence[Skip] = (),
+        provenance: Provenance = IN_MEMORY,
+    ) -> Recording:
+        """A recording from one table a trial; raises RecordingError when the numbers do not match."""
+        if len(parts) != len(trials):
+            raise RecordingError(f"{name}: {len(parts)} event tables for {len(trials)} trials")
+        offsets = np.concatenate([[0], np.cumsum([len(part) for part in parts])]).astype(np.int64)
+        table = np.concatenate([part.table for part in parts]) if parts else np.empty((0, 6))
+        begin = np.zeros(len(table), dtype=np.bool_)
+        begin[offsets[:-1][np.diff(offsets) > 0]] = True
+        return cls(name, EventColumns(table, begin), offsets, tuple(trials), tuple(skipped), provenance)
+
+    def rows(self, trial: int) -> EventColumns:
+        """The events of one trial."""
+        return self.events.rows(int(self.offsets[trial]), int(self.offsets[trial + 1]))

@@ -1,0 +1,81 @@
+"""The names users type, and what each builds: the command line, the server, the scorer, the docs read it."""
+
+from __future__ import annotations
+
+import difflib
+from typing import Any
+
+import msgspec
+
+from pointpred.differentiators import DIFFERENTIATORS
+from pointpred.errors import ParameterError
+from pointpred.pipeline import Pipeline
+from pointpred.predictors import HoldPredictor, Predictor
+from pointpred.stage import Parameter, defaults
+
+
+class Entry(msgspec.Struct, frozen=True):
+    """A name: its predictor, what it sets differently from the classes' defaults, and where it comes from."""
+
+    name: str
+    predictor: type[Predictor]
+    title: str
+    reference: str
+    differentiator: str = "homogeneous"
+    preset: dict[str, Any] = {}
+
+
+REGISTRY: dict[str, Entry] = {
+    entry.name: entry
+    for entry in (Entry("hold", HoldPredictor, "no prediction: the cursor's own position", "the floor"),)
+}
+
+
+def parameters(name: str) -> dict[str, tuple[Parameter, Any]]:
+    """Every parameter of a name with its value unless set otherwise, predictor's first."""
+    entry = _entry(name)
+    found: dict[str, tuple[Parameter, Any]] = {}
+    for stage in (entry.predictor, DIFFERENTIATORS[entry.differentiator]):
+        for parameter in stage.parameters:
+            value = entry.preset.get(parameter.name, defaults(stage)[parameter.name])
+            found[parameter.name] = (parameter, value)
+    return found
+
+
+def build(name: str, *, cpi: float | None = None, dpi: float = 96.0, **parameters: Any) -> Pipeline:
+    """Return a fresh pipeline for a name of the registry.
+
+    ``cpi``: counts per inch of the device; with it motor motion comes from the events' counts, without it
+    from the cursor and ``dpi`` (px per inch). Other parameters go to the predictor or the differentiator
+    that has them; ``differentiator`` names another differentiator. Raises ParameterError.
+
+    >>> build("hold").name
+    'hold'
+    """
+    entry = _entry(name)
+    chosen = parameters.pop("differentiator", entry.differentiator)
+    if chosen not in DIFFERENTIATORS:
+        raise ParameterError(_unknown("differentiator", chosen, list(DIFFERENTIATORS)))
+    stages = (entry.predictor, DIFFERENTIATORS[chosen])
+    known = [parameter.name for stage in stages for parameter in stage.parameters]
+    for given in parameters:
+        if given not in known:
+            raise ParameterError(_unknown(f"parameter of {name}", given, known))
+    settings = {k: v for k, v in entry.preset.items() if k in known} | parameters
+    predictor, differentiator = (
+        {p.name: settings[p.name] for p in stage.parameters if p.name in settings} for stage in stages
+    )
+    differentiator |= {"cpi": cpi, "dpi": dpi}
+    return Pipeline(name, stages[1](**differentiator), stages[0](**predictor))
+
+
+def _entry(name: str) -> Entry:
+    if name not in REGISTRY:
+        raise ParameterError(_unknown("predictor", name, list(REGISTRY)))
+    return REGISTRY[name]
+
+
+def _unknown(kind: str, name: object, known: list[str]) -> str:
+    near = difflib.get_close_matches(str(name), known, 1)
+    hint = f"; did you mean {near[0]!r}?" if near else ""
+    return f"unknown {kind} {name!r}{hint} Known: {', '.join(known)}"

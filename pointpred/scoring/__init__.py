@@ -1,0 +1,1 @@
+"""How good a predictor is: trials, replay, metrics, statistics, report."""

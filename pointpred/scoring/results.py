@@ -1,0 +1,58 @@
+"""What a scoring run yields: a row a trial, so that every table and figure is a view of the same numbers."""
+
+from __future__ import annotations
+
+import msgspec
+
+from pointpred.columns import FloatArray
+from pointpred.recording import Skip, Trial
+
+PATH_FRACTIONS = (0.10, 0.25, 0.50, 0.75, 0.90, 0.95, 1.00)
+"""Shares of the way along the line from start to end at which the 2-D error is read."""
+TIME_FRACTIONS = (0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9)
+"""Shares of the time from onset to arrival at which the 2-D error is read."""
+AXIS_FRACTIONS = tuple(round(0.05 * i, 2) for i in range(1, 21))
+"""Shares of the way along the longer axis in the thesis's single-axis protocol."""
+
+
+class ScoredTrial(msgspec.Struct, frozen=True):
+    """A trial that was scored, with what the statistics group by. Distances px, times s."""
+
+    trial: Trial
+    distance_px: float
+    onset_s: float
+    arrival_s: float
+    """Time from onset to arrival."""
+    submovements: bool
+    """Whether the highest speed peak is less than 5 times the next."""
+    events: int
+    """Events scored: from the onset on."""
+
+
+class PredictorErrors(msgspec.Struct, frozen=True):
+    """Errors of one predictor in px, a row a trial of the set, in the set's order."""
+
+    name: str
+    time_averaged: FloatArray
+    """(trials,)"""
+    by_time: FloatArray
+    """(trials, TIME_FRACTIONS)"""
+    by_path: FloatArray
+    """(trials, PATH_FRACTIONS)"""
+    single_axis: FloatArray
+    """(trials, AXIS_FRACTIONS): absolute error along the longer axis"""
+    coverage: FloatArray
+    """(trials,): share of events with a prediction; elsewhere the cursor's position was scored"""
+    us_per_event: float
+    """Cost of the whole pipeline in the batch, microseconds of one core."""
+
+
+class SetScore(msgspec.Struct, frozen=True):
+    """One recording scored with several predictors."""
+
+    name: str
+    trials: tuple[ScoredTrial, ...]
+    skipped: tuple[Skip, ...]
+    predictors: tuple[PredictorErrors, ...]
+    simulated: bool = False
+    """True where people were simulated: every title says so."""

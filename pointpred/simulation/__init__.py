@@ -1,0 +1,1 @@
+"""The closed pointing loop with seeded people."""

@@ -1,0 +1,109 @@
+"""The contract between the rooms: a stage consumes one sample and returns its answer.
+
+Each law is one function ``step(memory, sample...)`` on a flat float64 array: parameters first, then what
+the stage remembers, which is all zeros while it remembers nothing. ``update`` calls the step once; ``loop``
+calls the same step over a table. There is no second implementation.
+"""
+
+from __future__ import annotations
+
+import copy
+import inspect
+from collections.abc import Callable
+from typing import Any, ClassVar, Protocol, Self, TypeVar, runtime_checkable
+
+import msgspec
+import numpy as np
+
+from pointpred.columns import BoolArray, FloatArray
+from pointpred.errors import ParameterError
+
+In = TypeVar("In", contravariant=True)
+Out = TypeVar("Out", covariant=True)
+
+
+@runtime_checkable
+class Stage(Protocol[In, Out]):
+    """Consumes samples one by one."""
+
+    def update(self, sample: In, /) -> Out:
+        """Consume one sample and return the new answer; a sample that is refused changes nothing."""
+        ...
+
+    def reset(self) -> None:
+        """Forget every sample."""
+        ...
+
+    def fresh(self) -> Self:
+        """Return a stage with the same parameters and no memory."""
+        ...
+
+
+class Parameter(msgspec.Struct, frozen=True):
+    """What a user may set: its unit, its closed bounds and what it does."""
+
+    name: str
+    unit: str
+    low: float
+    high: float
+    meaning: str
+
+
+class CompiledStage:
+    """What all stages share whose law is compiled: the flat memory, reset, fresh, and the walk over rows.
+
+    A child names its ``parameters`` (checked against the bounds), its ``loop`` over a table, and the width
+    of the rows the loop writes.
+    """
+
+    parameters: ClassVar[tuple[Parameter, ...]] = ()
+    width: ClassVar[int]
+    loop: ClassVar[Callable[..., None]]
+
+    def __init__(self, settings: list[float], states: int) -> None:
+        """Lay out the memory: ``settings`` first, then ``states`` zeros."""
+        self._first = len(settings)
+        self._memory = np.array([*settings, *([0.0] * states)], dtype=np.float64)
+
+    def reset(self) -> None:
+        """Forget every sample: the memory is replaced whole."""
+        memory = self._memory.copy()
+        memory[self._first :] = 0.0
+        self._memory = memory
+
+    def fresh(self) -> Self:
+        """Return a stage with the same parameters and no memory."""
+        twin = copy.copy(self)
+        twin.reset()
+        return twin
+
+    def __copy__(self) -> Self:
+        twin = type(self).__new__(type(self))
+        twin.__dict__.update(self.__dict__)
+        twin._memory = self._memory.copy()
+        return twin
+
+    def walk(self, begin: BoolArray, rows: FloatArray) -> FloatArray:
+        """Run the law over rows, resetting before each row marked ``begin``; continues from the memory."""
+        out = np.empty((len(rows), self.width))
+        type(self).loop(self._memory, self._first, begin, rows, out)
+        return out
+
+
+def check(parameters: tuple[Parameter, ...], values: dict[str, Any]) -> None:
+    """Raise ParameterError for a value that is not a number within its bounds."""
+    for parameter in parameters:
+        value = values[parameter.name]
+        if isinstance(value, bool) or not isinstance(value, int | float | np.integer | np.floating):
+            raise ParameterError(f"{parameter.name} must be a number ({parameter.unit}), received {value!r}")
+        if not parameter.low <= value <= parameter.high:
+            raise ParameterError(
+                f"{parameter.name} must lie in [{parameter.low:g}, {parameter.high:g}] {parameter.unit}, "
+                f"received {value!r}"
+            )
+
+
+def defaults(stage: type[CompiledStage]) -> dict[str, Any]:
+    """The default of each parameter of a stage, read from its constructor."""
+    signature = inspect.signature(stage.__init__)
+    return {p.name: signature.parameters[p.name].default for p in stage.parameters}

@@ -1,0 +1,1 @@
+"""Pointing transfer functions: hand speed to cursor speed."""

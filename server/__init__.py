@@ -1,0 +1,1 @@
+"""The service: a page, health, and (from the next release on) the WebSocket."""
