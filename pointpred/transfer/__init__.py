@@ -1,1 +1,6 @@
-"""Pointing transfer functions: hand speed to cursor speed."""
+"""Pointing transfer functions: from the motion of the hand to the motion of the cursor."""
+
+from pointpred.transfer.known import Arctan, ConstantGain, SigmoidGain, TransferFunction
+from pointpred.transfer.pixels import PixelTransfer
+
+__all__ = ["Arctan", "ConstantGain", "PixelTransfer", "SigmoidGain", "TransferFunction"]

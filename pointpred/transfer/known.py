@@ -1,0 +1,178 @@
+"""Known pointing transfer functions (PTF): from the speed of the hand to the speed of the cursor.
+
+A function is a kind and its numbers, ``SLOTS`` floats anywhere in a flat array, so that one compiled law
+(a simulated loop, pixels) runs over any of them.
+"""
+
+from __future__ import annotations
+
+from math import atan, copysign, inf
+from typing import Protocol, runtime_checkable
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from pointpred.columns import FloatArray
+from pointpred.compiled import law
+from pointpred.errors import EventError, ParameterError
+from pointpred.stage import Parameter, check
+
+# The kind, then its numbers, zeros behind them.
+CONSTANT, SIGMOID, ARCTAN, POLYNOMIAL = 1.0, 2.0, 3.0, 4.0
+COEFFICIENTS_MOST = 7
+SLOTS = 1 + COEFFICIENTS_MOST
+GAIN_MIN, GAIN_MAX, SPEED_LOW, SPEED_HIGH = 1, 2, 3, 4
+
+
+@law
+def gain(memory: FloatArray, at: int, speed: float) -> float:
+    """PTF(V) / V, the control-display gain; at V = 0 its limit (infinite for a polynomial with c_0)."""
+    if memory[at] == CONSTANT:
+        return float(memory[at + 1])
+    if memory[at] == SIGMOID:
+        share = (speed - memory[at + SPEED_LOW]) / (memory[at + SPEED_HIGH] - memory[at + SPEED_LOW])
+        share = min(max(share, 0.0), 1.0)
+        return float(memory[at + GAIN_MIN] + share * (memory[at + GAIN_MAX] - memory[at + GAIN_MIN]))
+    if memory[at] == ARCTAN:
+        return atan(speed) / speed if speed > 0.0 else 1.0
+    value = 0.0
+    for i in range(COEFFICIENTS_MOST - 1):
+        value = value * speed + memory[at + COEFFICIENTS_MOST - i]
+    if memory[at + 1] == 0.0:
+        return value
+    return value + memory[at + 1] / speed if speed > 0.0 else copysign(inf, memory[at + 1])
+
+
+@law
+def cursor_speed(memory: FloatArray, at: int, speed: float) -> float:
+    """PTF(V): the speed of the cursor in m/s on the screen for a hand's speed >= 0 in m/s."""
+    if memory[at] == POLYNOMIAL:
+        value = 0.0
+        for i in range(COEFFICIENTS_MOST):
+            value = value * speed + memory[at + COEFFICIENTS_MOST - i]
+        return value
+    if memory[at] == ARCTAN:
+        return atan(speed)
+    return gain(memory, at, speed) * speed
+
+
+@law
+def evaluate(memory: FloatArray, speeds: FloatArray, wanted_gain: bool, out: FloatArray) -> None:
+    """One of the two laws over many speeds."""
+    for i in range(len(speeds)):
+        out[i] = gain(memory, 0, speeds[i]) if wanted_gain else cursor_speed(memory, 0, speeds[i])
+
+
+@runtime_checkable
+class TransferFunction(Protocol):
+    """What every pointing transfer function answers."""
+
+    @property
+    def slots(self) -> FloatArray:
+        """The kind and its numbers, for compiled laws that call ``gain`` or ``cursor_speed``."""
+        ...
+
+    def gain(self, speed_m_s: ArrayLike) -> FloatArray:
+        """The dimensionless control-display gain PTF(V) / V at speeds of the hand in m/s."""
+        ...
+
+    def cursor_speed(self, speed_m_s: ArrayLike) -> FloatArray:
+        """The speed of the cursor in m/s on the screen, PTF(V)."""
+        ...
+
+
+class SlotsFunction:
+    """A transfer function that is a kind and its numbers."""
+
+    def __init__(self, kind: float, numbers: list[float]) -> None:
+        self.slots: FloatArray = np.zeros(SLOTS)
+        self.slots[0] = kind
+        self.slots[1 : 1 + len(numbers)] = numbers
+        self.slots.flags.writeable = False
+
+    def gain(self, speed_m_s: ArrayLike) -> FloatArray:
+        """The control-display gain at each speed; raises EventError for a speed that is not >= 0."""
+        return self._evaluate(speed_m_s, True)
+
+    def cursor_speed(self, speed_m_s: ArrayLike) -> FloatArray:
+        """PTF(V) in m/s on the screen at each speed; raises EventError for a speed that is not >= 0."""
+        return self._evaluate(speed_m_s, False)
+
+    def _evaluate(self, speed_m_s: ArrayLike, wanted_gain: bool) -> FloatArray:
+        speeds = np.asarray(speed_m_s, np.float64)
+        wrong = ~((speeds >= 0.0) & (speeds < inf))
+        if wrong.any():
+            raise EventError(f"speed must lie in [0, inf) m/s, received {float(speeds[wrong].flat[0])!r}")
+        out = np.empty(speeds.size)
+        evaluate(self.slots.copy(), speeds.ravel(), wanted_gain, out)
+        return out.reshape(speeds.shape)
+
+
+class ConstantGain(SlotsFunction):
+    """The same gain at every speed: PTF(V) = g V.
+
+    Parameters: ``gain`` in [0, 1000], 4 in the thesis's experiment (section 2.6.1, function b).
+    Memory: 8 floats, never changed. Raises ParameterError.
+
+    >>> float(ConstantGain(4.0).cursor_speed(0.1))
+    0.4
+    """
+
+    parameters = (Parameter("gain", "", 0.0, 1e3, "control-display gain"),)
+
+    def __init__(self, gain: float = 4.0) -> None:
+        check(self.parameters, {"gain": gain})
+        super().__init__(CONSTANT, [float(gain)])
+
+
+class SigmoidGain(SlotsFunction):
+    """The piecewise-linear gain of the thesis's experiment, modelled on the macOS function.
+
+    gain(V) = ``gain_min`` below ``speed_low``, ``gain_max`` above ``speed_high``, a line between. Its corners
+    are what a polynomial cannot follow.
+
+    Parameters: gains in [0, 1000], speeds in m/s in [0, 100], the low one below the high one.
+    Memory: 8 floats, never changed. Raises ParameterError.
+    Reference: Khalin 2022, section 2.6.1, function a.
+
+    >>> function = SigmoidGain()
+    >>> [round(float(g), 3) for g in function.gain([0.01, 0.1, 0.7])]
+    [1.0, 2.273, 15.0]
+    """
+
+    parameters = (
+        Parameter("gain_min", "", 0.0, 1e3, "control-display gain of slow movements"),
+        Parameter("gain_max", "", 0.0, 1e3, "control-display gain of fast movements"),
+        Parameter("speed_low", "m/s", 0.0, 1e2, "below it the gain is gain_min"),
+        Parameter("speed_high", "m/s", 0.0, 1e2, "above it the gain is gain_max"),
+    )
+
+    def __init__(
+        self,
+        gain_min: float = 1.0,
+        gain_max: float = 15.0,
+        speed_low: float = 0.05,
+        speed_high: float = 0.6,
+    ) -> None:
+        values = {"gain_min": gain_min, "gain_max": gain_max}
+        check(self.parameters, {**values, "speed_low": speed_low, "speed_high": speed_high})
+        if speed_low >= speed_high:
+            raise ParameterError(
+                f"speed_low must lie below speed_high = {speed_high!r} m/s, received {speed_low!r} m/s"
+            )
+        super().__init__(SIGMOID, [float(gain_min), float(gain_max), float(speed_low), float(speed_high)])
+
+
+class Arctan(SlotsFunction):
+    """PTF(V) = arctan V, the bounded function of the thesis's model validation (section 2.6.2).
+
+    The number stands for whatever unit the model is written in: the validation reads V and x' in px/s, so
+    the cursor never moves faster than 1.57 px/s. No device behaves like this.
+    Memory: 8 floats, never changed.
+
+    >>> round(float(Arctan().cursor_speed(1.0)), 4), float(Arctan().gain(0.0))
+    (0.7854, 1.0)
+    """
+
+    def __init__(self) -> None:
+        super().__init__(ARCTAN, [])

@@ -1,0 +1,131 @@
+"""From counts to whole pixels: a transfer function at work, the fraction of a pixel carried on."""
+
+from __future__ import annotations
+
+from math import hypot, trunc
+from typing import Any
+
+import numpy as np
+
+from pointpred.columns import BoolArray, FloatArray
+from pointpred.compiled import law
+from pointpred.errors import EventError
+from pointpred.stage import CompiledStage, Parameter, check
+from pointpred.transfer import known
+
+METRES_PER_INCH = 0.0254
+LARGEST = 1e9
+NONE = float("nan")
+
+# Remainders of x and y in px, relative to `at`: all that carrying needs.
+CARRIED = 2
+
+# Memory of the stage: parameters with the transfer function behind them, then the state.
+PX_PER_COUNT, METRES_PER_COUNT, PERIOD_S, GAP_S, FUNCTION = 0, 1, 2, 3, 4
+SETTINGS = FUNCTION + known.SLOTS
+KNOWN, T, GAIN, CARRY = SETTINGS, SETTINGS + 1, SETTINGS + 2, SETTINGS + 3
+STATES = 3 + CARRIED
+
+
+@law
+def carry(memory: FloatArray, at: int, moved_px: float) -> float:
+    """Whole pixels of one axis; the rest waits in ``memory[at]`` and is dropped when the direction reverses.
+
+    Truncation leaves a rest with the sign of the motion, so the rest also remembers the direction.
+    """
+    rest = memory[at] if memory[at] * moved_px >= 0.0 else 0.0
+    whole = float(trunc(rest + moved_px))
+    memory[at] = rest + moved_px - whole
+    return whole
+
+
+@law
+def step(memory: FloatArray, t: float, dx: float, dy: float) -> tuple[float, float, float]:
+    """One report: (t, dx in px, dy in px); NaN for a report that is refused."""
+    before = memory[T]
+    fine = abs(t) <= LARGEST and abs(dx) <= LARGEST and abs(dy) <= LARGEST
+    if not fine or (memory[KNOWN] == 1.0 and t < before):
+        return NONE, NONE, NONE
+    dt = min(t - before, memory[GAP_S]) if memory[KNOWN] == 1.0 else memory[PERIOD_S]
+    if dt > 0.0:
+        speed = hypot(dx, dy) * memory[METRES_PER_COUNT] / dt
+        memory[GAIN] = known.gain(memory, FUNCTION, speed)
+    memory[KNOWN] = 1.0
+    memory[T] = t
+    scale = memory[GAIN] * memory[PX_PER_COUNT]
+    return t, carry(memory, CARRY, scale * dx), carry(memory, CARRY + 1, scale * dy)
+
+
+@law
+def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
+    """The same step over a table of (t, dx, dy)."""
+    for i in range(len(rows)):
+        if begin[i]:
+            memory[first:] = 0.0
+        out[i, 0], out[i, 1], out[i, 2] = step(memory, rows[i, 0], rows[i, 1], rows[i, 2])
+
+
+class PixelTransfer(CompiledStage):
+    """Counts of a device to whole pixels of the cursor, through a transfer function.
+
+    px = gain(V) dpi / cpi counts, V = 0.0254 |counts| / (cpi h), both axes with the gain of the common
+    speed, each axis truncated to whole pixels with its remainder carried until the axis reverses. Nothing
+    bounds the cursor: the screen's edge is not its business.
+
+    Parameters: ``function`` a known transfer function; ``cpi`` counts per inch and ``dpi`` px per inch;
+    ``period_s`` the time taken for the first report; ``gap_s`` the longest time between two reports that is
+    believed. A report with the time of the one before moves with the same gain.
+    Memory: 17 floats. Raises ParameterError, and EventError from ``update``.
+    Reference: Khalin 2022, sections 2.3 and 2.6.1; Casiez and Roussel 2011.
+
+    >>> stage = PixelTransfer(known.ConstantGain(4.0), cpi=2000.0, dpi=96.0)
+    >>> [stage.update((i / 1000, 2.0, -3.0)) for i in range(3)]  # 0.384 and -0.576 px a report
+    [(0.0, 0.0), (0.0, -1.0), (1.0, 0.0)]
+    """
+
+    parameters = (
+        Parameter("cpi", "counts per inch", 1.0, 1e6, "resolution of the device"),
+        Parameter("dpi", "px per inch", 1.0, 1e5, "resolution of the screen"),
+        Parameter("period_s", "s", 1e-5, 1.0, "time taken for the first report"),
+        Parameter("gap_s", "s", 1e-3, 1e3, "longest time between two reports that is believed"),
+    )
+    width = 3
+    loop = staticmethod(loop)
+
+    def __init__(
+        self,
+        function: known.TransferFunction,
+        *,
+        cpi: float,
+        dpi: float = 96.0,
+        period_s: float = 0.001,
+        gap_s: float = 0.1,
+    ) -> None:
+        values: dict[str, Any] = {"cpi": cpi, "dpi": dpi, "period_s": period_s, "gap_s": gap_s}
+        check(self.parameters, values)
+        self.function = function
+        super().__init__([dpi / cpi, METRES_PER_INCH / cpi, period_s, gap_s, *function.slots], STATES)
+
+    def update(self, report: tuple[float, float, float], /) -> tuple[float, float]:
+        """Consume one report (t in s, dx and dy in counts) and return the whole pixels moved.
+
+        Raises EventError when time runs backwards or a value is not finite; nothing is then changed.
+        """
+        t, dx, dy = step(self._memory, *report)
+        if t != t:
+            raise EventError(
+                f"report must be finite and not before t = {float(self._memory[T])!r} s, received {report!r}"
+            )
+        return dx, dy
+
+    def run(self, t: FloatArray, dx: FloatArray, dy: FloatArray) -> FloatArray:
+        """Consume many reports; a row of whole pixels for each. Raises EventError naming the row."""
+        rows = np.column_stack([t, dx, dy]).astype(np.float64)
+        kept = self._memory.copy()
+        out = self.walk(np.zeros(len(rows), np.bool_), rows)
+        refused = np.isnan(out[:, 0])
+        if refused.any():
+            self._memory = kept
+            row = int(refused.argmax())
+            raise EventError(f"row {row}: report must be finite and not before the last one")
+        return out[:, 1:]
