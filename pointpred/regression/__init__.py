@@ -1,1 +1,1 @@
-"""Regressions that learn sample by sample: used by transfer, predictors and observers alike."""
+"""Linear regression on line: unknown constants from what is measured, and how far the data reach."""

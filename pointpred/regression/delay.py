@@ -1,0 +1,76 @@
+"""Signals a while ago: a ring of irregular samples in a flat array, whatever the rate of the device.
+
+The ring holds a fixed number of samples. Samples closer than ``spacing`` replace each other, except that
+the newest is always there, so a fast device fills the ring no sooner than a slow one. Between two samples
+a signal runs on the line. All zeros: an empty ring.
+"""
+
+from __future__ import annotations
+
+from pointpred.columns import FloatArray
+from pointpred.compiled import law
+
+PER_DELAY = 64
+"""Samples kept in one delay, at most."""
+
+# Relative to `at`: how many samples, the place of the newest; then the samples, each (t, values).
+COUNT, NEWEST, SAMPLES = 0, 1, 2
+
+
+@law
+def capacity(delays: int) -> int:
+    """Samples needed to look back over a number of delays: two newest ones and both ends beside them."""
+    return delays * PER_DELAY + 4
+
+
+@law
+def states(width: int, samples: int) -> int:
+    """Floats of a ring for that many samples of ``width`` values."""
+    return SAMPLES + samples * (1 + width)
+
+
+@law
+def push(memory: FloatArray, at: int, width: int, samples: int, spacing: float, t: float) -> int:
+    """Make room for the sample at ``t`` (never before the last) and return where its first value goes."""
+    size = 1 + width
+    count, newest = int(memory[at + COUNT]), int(memory[at + NEWEST])
+    keep = count > 0
+    if keep:
+        last_t = memory[at + SAMPLES + newest * size]
+        keep = t > last_t
+        if keep and count > 1:
+            before = (newest - 1 + samples) % samples
+            keep = last_t - memory[at + SAMPLES + before * size] >= spacing
+    if keep:
+        newest = (newest + 1) % samples
+    if keep or count == 0:
+        memory[at + COUNT] = min(count + 1, samples)
+        memory[at + NEWEST] = newest
+    memory[at + SAMPLES + newest * size] = t
+    return at + SAMPLES + newest * size + 1
+
+
+@law
+def find(memory: FloatArray, at: int, width: int, samples: int, t: float) -> tuple[bool, int, int, float]:
+    """The samples around ``t``: (is there a history so long, place before, place after, share of after).
+
+    A value j is then ``memory[before + j] + share * (memory[after + j] - memory[before + j])``. A time
+    after the newest sample gives the newest.
+    """
+    size = 1 + width
+    count = int(memory[at + COUNT])
+    oldest = int(memory[at + NEWEST]) - count + 1 + samples
+    if count == 0 or t < memory[at + SAMPLES + (oldest % samples) * size]:
+        return False, at, at, 0.0
+    low, high = 0, count  # the sample `low` is not after t, the sample `high` is
+    while high - low > 1:
+        middle = (low + high) // 2
+        if memory[at + SAMPLES + ((oldest + middle) % samples) * size] <= t:
+            low = middle
+        else:
+            high = middle
+    before = at + SAMPLES + ((oldest + low) % samples) * size
+    if high == count:
+        return True, before + 1, before + 1, 0.0
+    after = at + SAMPLES + ((oldest + high) % samples) * size
+    return True, before + 1, after + 1, (t - memory[before]) / (memory[after] - memory[before])
