@@ -48,13 +48,17 @@ class Provenance(msgspec.Struct, frozen=True):
     clock: str = "seconds from the trial's start"
     dpi: float = 96.0
     cpi: float | None = None
+    simulated: bool = False
 
 
 IN_MEMORY = Provenance("memory")
 
 
 class Recording(msgspec.Struct, frozen=True):
-    """Trials one after another: rows ``offsets[i]`` up to ``offsets[i + 1]`` are ``trials[i]``."""
+    """Trials one after another: rows ``offsets[i]`` up to ``offsets[i + 1]`` are ``trials[i]``.
+
+    ``notes`` say what a reader saw and mended without leaving a trial out.
+    """
 
     name: str
     events: EventColumns
@@ -62,6 +66,7 @@ class Recording(msgspec.Struct, frozen=True):
     trials: tuple[Trial, ...]
     skipped: tuple[Skip, ...] = ()
     provenance: Provenance = IN_MEMORY
+    notes: tuple[str, ...] = ()
 
     @classmethod
     def of(
@@ -71,6 +76,7 @@ class Recording(msgspec.Struct, frozen=True):
         trials: Sequence[Trial],
         skipped: Sequence[Skip] = (),
         provenance: Provenance = IN_MEMORY,
+        notes: Sequence[str] = (),
     ) -> Recording:
         """A recording from one table a trial; raises RecordingError when the numbers do not match."""
         if len(parts) != len(trials):
@@ -79,7 +85,9 @@ class Recording(msgspec.Struct, frozen=True):
         table = np.concatenate([part.table for part in parts]) if parts else np.empty((0, 6))
         begin = np.zeros(len(table), dtype=np.bool_)
         begin[offsets[:-1][np.diff(offsets) > 0]] = True
-        return cls(name, EventColumns(table, begin), offsets, tuple(trials), tuple(skipped), provenance)
+        return cls(
+            name, EventColumns(table, begin), offsets, tuple(trials), tuple(skipped), provenance, tuple(notes)
+        )
 
     def rows(self, trial: int) -> EventColumns:
         """The events of one trial."""

@@ -1,0 +1,159 @@
+"""Pointpred's own recordings: ``<set>_samples`` and ``<set>_trials``, both Parquet or both CSV."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import numpy as np
+import pyarrow as pa
+import pyarrow.compute as pc
+
+from pointpred.errors import RecordingError
+from pointpred.recording import Provenance, Recording, Skip
+from pointpred.sources import tables
+from pointpred.sources.assembly import IntArray, assemble
+from pointpred.sources.trial_tables import describe, trial_table
+
+REQUIRED = ("user", "trial", "t_s", "x_px", "y_px")
+VALUES = ("t_s", "x_px", "y_px", "dx_counts", "dy_counts", "buttons")
+KNOWN = ("dataset", *REQUIRED, "dx_counts", "dy_counts", "buttons", "t_raw_s")
+SAMPLES, TRIALS = "_samples", "_trials"
+EXTENSIONS = (".parquet", ".csv")
+
+
+def read(path: str | Path, trials: str | Path | None = None) -> Recording:
+    """Read a samples file together with its trials file.
+
+    Assumes the columns ``user, trial, t_s, x_px, y_px`` and takes ``dataset, dx_counts, dy_counts, buttons``
+    where they are; any other column is an error (``t_raw_s`` is known and left aside, with a note). The rows
+    of a trial must be in the order of time. The trials file is ``trials`` or the sibling ``<set>_trials``;
+    without one every target is unknown. Its columns beyond the target and ``clean`` become conditions;
+    ``n_samples`` is compared with the samples.
+    A trial that cannot be used is in ``Recording.skipped`` with the reason and the row.
+    Memory: about 200 bytes a row while reading, 48 afterwards.
+    Returns the recording; raises RecordingError naming the file, the row and what was expected.
+    """
+    path = Path(path)
+    table, header = tables.read_table(path, lambda column: column in ("dataset", "user", "trial"))
+    names = table.column_names
+    if "n_samples" in names and "t_s" not in names:
+        raise RecordingError(f"{path}: this is a table of trials, expected the {SAMPLES} file beside it")
+    tables.need_columns(path, names, REQUIRED, KNOWN)
+    name = header.get("name") or _dataset(path, table)
+    events = np.full((table.num_rows, 6), np.nan)
+    events[:, 5] = 0.0
+    faults: dict[int, str] = {}
+    for index, column in enumerate(VALUES):
+        if column in names:
+            events[:, index], wrong = tables.numbers(table[column])
+            faults |= {row: f"{column} is {cell!r}, expected a number" for row, cell in wrong.items()}
+    group, keys = _keys(path, table)
+    del table
+    notes = ["column t_raw_s is left aside"] if "t_raw_s" in names else []
+    described = describe(_sibling(path) if trials is None else Path(trials), name, keys, np.bincount(group))
+    provenance, before = _provenance(path, header)
+    return assemble(
+        name,
+        events,
+        group,
+        described.trials,
+        skipped=(*before, *described.without_samples),
+        faults=faults,
+        unfit=described.unfit,
+        provenance=provenance,
+        notes=(*header.get("notes", ()), *notes, *described.notes),
+    )
+
+
+def write(recording: Recording, path: str | Path) -> tuple[Path, Path]:
+    """Write a recording as a samples file and a trials file; the same recording gives the same bytes.
+
+    ``path`` names the samples file (``<set>_samples.parquet`` or ``.csv``; ``_samples`` is added where it is
+    missing). Provenance, skips and notes go into the header. Floating point numbers are kept exactly.
+    Returns both paths; raises RecordingError when the extension is neither, two trials share user and name,
+    or a condition is words in one trial and a number in another.
+    """
+    path = Path(path)
+    if path.suffix not in EXTENSIONS:
+        raise RecordingError(
+            f"{path}: cannot write {path.suffix or 'no extension'}, expected .parquet or .csv"
+        )
+    if not path.stem.endswith(SAMPLES):
+        path = path.with_name(f"{path.stem}{SAMPLES}{path.suffix}")
+    sizes = np.diff(recording.offsets)
+    about, header = trial_table(recording, sizes)
+    index = pa.array(np.repeat(np.arange(len(sizes), dtype=np.int32), sizes))
+    columns: dict[str, Any] = {
+        key: pa.DictionaryArray.from_arrays(index, about[key].combine_chunks()).cast(pa.string())
+        for key in ("dataset", "user", "trial")
+    }
+    for column, values in zip(VALUES, recording.events.table.T, strict=True):
+        if column in REQUIRED or np.any(values == values if column != "buttons" else values != 0):
+            columns[column] = pa.array(values, mask=np.isnan(values))
+    header |= {
+        "provenance": msgspec.to_builtins(recording.provenance),
+        "skipped": [[skip.trial, skip.reason, skip.row] for skip in recording.skipped],
+        "notes": list(recording.notes),
+    }
+    beside = path.with_name(path.name.replace(SAMPLES, TRIALS))
+    tables.write_table(path, pa.table(columns), header)
+    tables.write_table(beside, about, {key: header[key] for key in ("name", "text")})
+    return path, beside
+
+
+def _sibling(path: Path) -> Path | None:
+    """The trials file beside a samples file, where there is one."""
+    stem = path.stem.removesuffix(SAMPLES)
+    found = [path.with_name(f"{stem}{TRIALS}{end}") for end in (path.suffix, *EXTENSIONS)]
+    return next((file for file in found if file.exists() and file != path), None)
+
+
+def _dataset(path: Path, table: Any) -> str:
+    """The one data set the rows belong to; the file's name where no column says."""
+    if "dataset" not in table.column_names or not table.num_rows:
+        return path.stem.removesuffix(SAMPLES)
+    column = tables.words(table["dataset"])
+    other = pc.index(pc.fill_null(pc.not_equal(column, column[0]), True), True).as_py()
+    if other >= 0 or column[0].as_py() is None:
+        raise RecordingError(
+            f"{path}: row {max(other, 0)} belongs to data set {column[max(other, 0)].as_py()!r}, "
+            f"expected {column[0].as_py()!r} in every row"
+        )
+    return str(column[0].as_py())
+
+
+def _keys(path: Path, table: Any) -> tuple[IntArray, list[tuple[str, str]]]:
+    """For each row the index of its trial, and (user, trial) of each in the order of first appearance."""
+    codes, values = [], []
+    for name in ("user", "trial"):
+        column = tables.words(table[name])
+        if column.null_count:
+            row = pc.index(pc.is_null(column), True).as_py()
+            raise RecordingError(f"{path}: row {row} has no {name}, expected one in every row")
+        encoded = column.combine_chunks().dictionary_encode()
+        codes.append(encoded.indices.to_numpy().astype(np.int64))
+        values.append(encoded.dictionary.to_pylist())
+    users, trials = codes
+    joint = users * max(len(values[1]), 1) + trials
+    starts = np.flatnonzero(np.diff(joint, prepend=-1))
+    unique, first, run = np.unique(joint[starts], return_index=True, return_inverse=True)
+    rank = np.empty(len(unique), dtype=np.int64)
+    rank[np.argsort(first)] = np.arange(len(unique))
+    group = np.repeat(rank[run], np.diff(starts, append=len(joint)))
+    keys = [(values[0][users[row]], values[1][trials[row]]) for row in np.sort(starts[first])]
+    return group, keys
+
+
+def _provenance(path: Path, header: dict[str, Any]) -> tuple[Provenance, tuple[Skip, ...]]:
+    """What the header says about the origin, and the trials that were skipped before it was written."""
+    if "provenance" not in header:
+        return Provenance("parquet" if path.suffix == ".parquet" else "csv"), ()
+    try:
+        provenance = msgspec.convert(header["provenance"], Provenance)
+        skipped = msgspec.convert(header.get("skipped", []), list[tuple[str, str, int | None]])
+        msgspec.convert(header.get("notes", []), list[str])
+    except msgspec.ValidationError as error:
+        raise RecordingError(f"{path}: the pointpred header is not as expected: {error}") from error
+    return provenance, tuple(Skip(*skip) for skip in skipped)

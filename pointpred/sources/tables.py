@@ -1,0 +1,191 @@
+"""CSV and Parquet files as Arrow tables, with errors that name the file, the row and what was expected."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import numpy as np
+import pyarrow as pa
+import pyarrow.compute as pc
+import pyarrow.csv as pacsv
+import pyarrow.parquet as pq
+
+from pointpred.columns import FloatArray
+from pointpred.errors import RecordingError
+
+MARK = b"# pointpred:"
+PARQUET_MAGIC = b"PAR1"
+KEY = b"pointpred"
+NUMBER = r"^[ \t]*[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?[ \t]*$"
+NOT_A_NUMBER = r"^[ \t]*[+-]?(?i:nan)?[ \t]*$"
+UNREADABLE = (pa.ArrowException, OSError, UnicodeError, ValueError, KeyError, IndexError, MemoryError)
+"""What Arrow raises on damaged bytes."""
+
+
+def read_table(path: Path, text: Callable[[str], bool]) -> tuple[Any, dict[str, Any]]:
+    """The table in a Parquet or CSV file and its pointpred header; ``text`` says which columns are words.
+
+    In a CSV file every column that is not text is read as numbers where all its cells are numbers, and as
+    words otherwise: ``numbers`` then says which cells are at fault. Raises RecordingError.
+    """
+    try:
+        with path.open("rb") as file:
+            magic = file.read(len(PARQUET_MAGIC))
+        if not magic:
+            raise RecordingError(f"{path}: the file is empty, expected a header and rows")
+        table, header = read_parquet(path) if magic == PARQUET_MAGIC else read_csv(path, text)
+    except UNREADABLE as error:
+        if isinstance(error, RecordingError):
+            raise
+        raise RecordingError(f"{path}: {' '.join(str(error).split())}") from error
+    names = table.column_names
+    twice = sorted({name for name in names if names.count(name) > 1})
+    if twice:
+        raise RecordingError(f"{path}: column {twice[0]!r} occurs twice, expected every column once")
+    if header.get("rows", table.num_rows) != table.num_rows:
+        raise RecordingError(
+            f"{path}: truncated after row {table.num_rows - 1}, expected {header['rows']} rows"
+        )
+    return table, header
+
+
+def read_parquet(path: Path) -> tuple[Any, dict[str, Any]]:
+    """The table in a Parquet file and its pointpred header; checksums are verified where present."""
+    with pq.ParquetFile(path, page_checksum_verification=True) as file:
+        table = file.read()
+    table.validate(full=True)
+    return table.replace_schema_metadata(None), parse_header(path, file.metadata.metadata or {})
+
+
+def read_csv(path: Path, text: Callable[[str], bool]) -> tuple[Any, dict[str, Any]]:
+    """The table in a CSV file and the header in its first line, if there is one."""
+    with path.open("rb") as file:
+        first = file.readline(1 << 26)
+        marked = first.startswith(MARK)
+        columns = file.readline(1 << 26) if marked else first
+        file.seek(-1, 2)
+        complete = file.read(1) == b"\n"
+    header = parse_header(path, {KEY: first[len(MARK) :]}) if marked else {}
+    if marked and not complete:
+        raise RecordingError(f"{path}: truncated, the last row does not end with a line break")
+    names = [name.strip(' "\r\n') for name in columns.decode("utf-8-sig").split(",")]
+    words = {name: pa.string() for name in names if text(name)}
+    numeric = {name: pa.float64() for name in names if name not in words}
+    try:
+        return parse_csv(path, int(marked), words | numeric), header
+    except pa.ArrowInvalid as error:
+        if "conversion error" not in str(error):
+            raise
+        return parse_csv(path, int(marked), dict.fromkeys(names, pa.string())), header
+
+
+def parse_csv(path: Path, skip: int, types: dict[str, Any]) -> Any:
+    """The rows below ``skip`` lines; raises RecordingError naming the first row that is cut or too long."""
+    broken: list[Any] = []
+
+    def stop(row: Any) -> str:
+        broken.append(row)
+        return "error"
+
+    def parse(threads: bool) -> Any:
+        return pacsv.read_csv(
+            path,
+            read_options=pacsv.ReadOptions(skip_rows=skip, use_threads=threads),
+            parse_options=pacsv.ParseOptions(newlines_in_values=True, invalid_row_handler=stop),
+            convert_options=pacsv.ConvertOptions(
+                column_types=types,
+                null_values=["", "NaN", "nan", "NA"],
+                strings_can_be_null=False,
+                quoted_strings_can_be_null=False,
+            ),
+        )
+
+    try:
+        return parse(threads=True)
+    except pa.ArrowInvalid:
+        if not broken:
+            raise
+    broken.clear()  # Arrow numbers the rows only when it reads them in order
+    try:
+        parse(threads=False)
+    except pa.ArrowInvalid as error:
+        row = broken[0]
+        at = "" if row.number is None else f" row {row.number - 2 - skip}:"
+        raise RecordingError(
+            f"{path}:{at} {row.actual_columns} cells, expected {row.expected_columns}; cut or mixed up? "
+            f"{row.text[:80]!r}"
+        ) from error
+    raise RecordingError(f"{path}: {broken[0].actual_columns} cells, expected {broken[0].expected_columns}")
+
+
+def parse_header(path: Path, metadata: dict[bytes, bytes]) -> dict[str, Any]:
+    """The pointpred header among a file's metadata, empty where there is none."""
+    if KEY not in metadata:
+        return {}
+    try:
+        header = msgspec.json.decode(metadata[KEY], type=dict[str, Any])
+    except msgspec.DecodeError as error:
+        raise RecordingError(f"{path}: the pointpred header is not JSON: {error}") from error
+    if header.get("version") != 1:
+        raise RecordingError(f"{path}: pointpred header version {header.get('version')!r}, expected 1")
+    return header
+
+
+def write_table(path: Path, table: Any, header: dict[str, Any]) -> None:
+    """Write a table with its header as Parquet or CSV, by the extension; the same table gives the same bytes.
+
+    The file appears complete or not at all.
+    """
+    encoded = msgspec.json.encode(header | {"version": 1, "rows": table.num_rows}, order="sorted")
+    part = path.with_name(path.name + ".part")
+    try:
+        if path.suffix == ".parquet":
+            table = table.replace_schema_metadata({KEY: encoded})
+            pq.write_table(table, part, compression="zstd", write_page_checksum=True)
+        else:
+            with part.open("wb") as file:
+                file.write(MARK + encoded + b"\n")
+                file.write(",".join(table.column_names).encode() + b"\n")
+                pacsv.write_csv(table, file, pacsv.WriteOptions(include_header=False))
+        part.replace(path)
+    except (OSError, pa.ArrowException) as error:
+        part.unlink(missing_ok=True)
+        raise RecordingError(f"{path}: cannot be written: {error}") from error
+
+
+def words(column: Any) -> Any:
+    """A column as words; numbers as they print."""
+    if pa.types.is_dictionary(column.type):
+        column = column.cast(column.type.value_type)
+    return column if pa.types.is_string(column.type) else pc.cast(column, pa.string())
+
+
+def numbers(column: Any) -> tuple[FloatArray, dict[int, str]]:
+    """A column as float64, NaN where a cell is empty, and the cells that are no numbers by their row."""
+    if pa.types.is_dictionary(column.type):
+        column = column.cast(column.type.value_type)
+    faults: dict[int, str] = {}
+    if pa.types.is_string(column.type) or pa.types.is_large_string(column.type):
+        good = pc.match_substring_regex(column, NUMBER)
+        empty = pc.match_substring_regex(column, NOT_A_NUMBER)
+        wrong = np.flatnonzero(~pc.fill_null(pc.or_(good, empty), True).to_numpy(zero_copy_only=False))
+        faults = {int(row): str(column[int(row)].as_py()) for row in wrong}
+        column = pc.utf8_trim_whitespace(pc.if_else(good, column, None))
+    if pa.types.is_boolean(column.type):
+        column = pc.cast(column, pa.int8())
+    values = pc.cast(column, pa.float64(), safe=False)
+    return np.asarray(values.to_numpy(zero_copy_only=False), np.float64), faults
+
+
+def need_columns(path: Path, names: Iterable[str], required: Iterable[str], known: Iterable[str]) -> None:
+    """Raise RecordingError when a required column is missing or a column is unknown."""
+    names, known = list(names), list(known)
+    missing = [name for name in required if name not in names]
+    if missing:
+        raise RecordingError(f"{path}: column {missing[0]!r} is missing, found {', '.join(names)}")
+    unknown = [name for name in names if name not in known]
+    if unknown:
+        raise RecordingError(f"{path}: unknown column {unknown[0]!r}, expected only {', '.join(known)}")
