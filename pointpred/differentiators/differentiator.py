@@ -37,17 +37,20 @@ class Differentiator(CompiledStage):
     def consume(self, event: PointerEvent) -> tuple[float, ...]:
         """``update``, with the motion as the plain row that a pipeline hands to its predictor."""
         dx, dy = event.dx, event.dy
-        row = type(self).step(
-            self._memory,
-            event.t,
-            event.x,
-            event.y,
-            NONE if dx is None else dx,
-            NONE if dy is None else dy,
-            event.buttons,
-        )
+        try:
+            row = type(self).step(
+                self._memory,
+                float(event.t),
+                float(event.x),
+                float(event.y),
+                NONE if dx is None else float(dx),
+                NONE if dy is None else float(dy),
+                float(event.buttons),
+            )
+        except (TypeError, ValueError, OverflowError) as unusable:
+            raise sampling.explain(event, None) from unusable
         if row[0] != row[0]:
-            raise sampling.explain(event, float(self._memory[self.at + sampling.T]))
+            raise sampling.explain(event, self._last_t())
         return row
 
     def run(self, events: EventColumns) -> MotionColumns:
@@ -66,6 +69,20 @@ class Differentiator(CompiledStage):
         begins = events.begin[: row + 1].nonzero()[0]
         first = int(begins[-1]) if len(begins) else 0
         before = events.t[first:row]
-        last_t = float(before[-1]) if len(before) else float(self._memory[self.at + sampling.T])
-        reason = sampling.explain(next(events.rows(row, row + 1).events()), last_t)
+        if len(before):
+            last_t: float | None = float(before[-1])
+        else:
+            last_t = None if len(begins) else self._last_t()
+        reason = sampling.explain(_record(events, row), last_t)
         return type(reason)(f"row {row}: {reason}")
+
+    def _last_t(self) -> float | None:
+        """The time of the last event, ``None`` before the first."""
+        started = self._memory[self.at + sampling.STARTED] == 1.0
+        return float(self._memory[self.at + sampling.T]) if started else None
+
+
+def _record(events: EventColumns, row: int) -> PointerEvent:
+    """A row as it stands, with buttons that may be no whole number at all."""
+    t, x, y, dx, dy, buttons = (float(value) for value in events.table[row])
+    return PointerEvent(t, x, y, None if dx != dx else dx, None if dy != dy else dy, buttons)  # type: ignore[arg-type]

@@ -16,9 +16,13 @@ from pointpred.errors import ParameterError
 from pointpred.stage import Parameter, check
 
 ORDER_MOST = 8
+SUBSTEPS_MOST = 10_000
+"""Bound on the cost of one event."""
+SETTLING_SPEED_M_S = 0.3
+"""Speed of the hand from which the settling time is told."""
 
 # Parameters, after those of sampling.
-ORDER, ALPHA, STEP_S, HOLD, GAIN = 4, 5, 6, 7, 8
+ORDER, ALPHA, STEP_S, HOLD, SETTLE_S, GAIN = 4, 5, 6, 7, 8, 9
 AT = GAIN + ORDER_MOST  # sampling state
 ZX = AT + sampling.STATES  # estimates of u, u', ... in m, m/s, ...
 ZY = ZX + ORDER_MOST
@@ -58,8 +62,6 @@ def step(
         return REFUSED_ROW
     if verdict == sampling.RESTARTED:
         memory[ZX : SLOPE + 2] = 0.0
-        memory[ZX] = memory[AT + sampling.U]
-        memory[ZY] = memory[AT + sampling.V]
     elif verdict == sampling.MOVED:
         steps = ceil(dt / memory[STEP_S])
         h = dt / steps
@@ -74,7 +76,7 @@ def step(
         memory[ZY + 1],
         memory[SLOPE] if second else memory[ZX + 2],
         memory[SLOPE + 1] if second else memory[ZY + 2],
-        1.0 if memory[AT + sampling.SEEN] > memory[ORDER] else 0.0,
+        sampling.settled(memory, AT, memory[ORDER] + 1.0, memory[SETTLE_S]),
         1.0 if start else 0.0,
         memory[AT + sampling.COUNTS],
     )
@@ -89,6 +91,17 @@ def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out
         motion = step(memory, rows[i, 0], rows[i, 1], rows[i, 2], rows[i, 3], rows[i, 4], rows[i, 5])
         for j in range(len(motion)):
             out[i, j] = motion[j]
+
+
+@law
+def settling(memory: FloatArray, speed: float, h: float, steps: int) -> float:
+    """Seconds until the velocity stays within 5 % of a ramp's ``speed`` m/s, from rest; spoils ``memory``."""
+    settled_s = 0.0
+    for i in range(steps):
+        advance(memory, ZX, speed * i * h, speed * (i + 1) * h, h, 1)
+        if abs(memory[ZX + 1] - speed) > 0.05 * speed:
+            settled_s = (i + 1) * h
+    return settled_s
 
 
 def gains(gain_lambda: float, gain_xi: float, order: int) -> list[float]:
@@ -109,13 +122,15 @@ class HomogeneousDifferentiator(Differentiator):
 
     z_j' = z_(j+1) - k_j |e|^(1 + j alpha) sgn e, e = z_1 - y, z_(n+1) = 0; velocity is z_2, acceleration z_3
     (for order 2 the last slope of z_2). ``alpha`` 0 is the linear high-gain observer, -1/order Levant's
-    sliding-mode differentiator.
+    sliding-mode differentiator. A restart puts z_1 on the position and the rest at zero; the motion is
+    settled after the time in which the law comes within 5 % of a hand that already moves at 0.3 m/s
+    (2 s at most).
 
     Parameters: ``gain_lambda`` 1/s and ``gain_xi`` place the poles, or ``gains`` gives k_1 ... k_n;
     ``alpha`` in [-1/order, 0]; ``step_s`` the longest Euler step; ``between`` what the position does between
     two samples, ``"line"`` or ``"hold"``;
     ``cpi``, ``dpi``, ``gap_s``, ``pause_s`` as for all differentiators.
-    Memory: 43 floats. Raises ParameterError, and EventError and EventOrderError from ``update``.
+    Memory: 45 floats. Raises ParameterError, and EventError and EventOrderError from ``update``.
 
     Reference: Khalin 2022, section 2.3.1, equation (2.2), with the sign of the discrete last line corrected;
     Perruquetti, Floquet, Moulay 2008; Levant 2003 for alpha = -1/n.
@@ -163,14 +178,33 @@ class HomogeneousDifferentiator(Differentiator):
             raise ParameterError(f"alpha must lie in [-1/order, 0] = [{-1 / order:g}, 0], received {alpha!r}")
         if between not in ("line", "hold"):
             raise ParameterError(f"between must be 'line' or 'hold', received {between!r}")
+        if gap_s > SUBSTEPS_MOST * step_s:
+            longest_s = SUBSTEPS_MOST * step_s
+            raise ParameterError(
+                f"gap_s must be at most {SUBSTEPS_MOST} sub-steps = {longest_s:g} s, received {gap_s!r}"
+            )
         chosen = _check_gains(gains, order) if gains is not None else _gains(gain_lambda, gain_xi, order)
+        _check_step(chosen, step_s)
         self.gains = tuple(chosen)
         padded = [*chosen, *([0.0] * (ORDER_MOST - len(chosen)))]
-        own = [float(order), float(alpha), float(step_s), 1.0 if between == "hold" else 0.0, *padded]
+        own = [float(order), float(alpha), float(step_s), 1.0 if between == "hold" else 0.0, 0.0, *padded]
         super().__init__([*sampling.settings(cpi, dpi, gap_s, pause_s), *own], STATES)
+        h = min(step_s, 1e-3)
+        self._memory[SETTLE_S] = settling(self._memory.copy(), SETTLING_SPEED_M_S, h, round(2.0 / h))
 
 
 _gains = gains  # the constructor's parameter of the same name hides the function
+
+
+def _check_step(gains: Sequence[float], step_s: float) -> None:
+    """The Euler step must keep the linear law stable; with alpha < 0 it then is for every error below 1 m."""
+    poles = np.roots([1.0, *gains])
+    longest_s = float(np.min(-2.0 * poles.real / np.abs(poles) ** 2))
+    if step_s >= longest_s:
+        raise ParameterError(
+            f"step_s must be below {longest_s:g} s, where Euler's method with these gains becomes unstable, "
+            f"received {step_s!r}"
+        )
 
 
 def _check_gains(gains: Sequence[float], order: int) -> list[float]:

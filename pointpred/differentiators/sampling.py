@@ -6,7 +6,7 @@ movement is noticed. The rules are those of the public interface, so all differe
 
 from __future__ import annotations
 
-from math import isfinite, isnan
+import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
@@ -22,10 +22,10 @@ LARGEST = 1e9
 METRES_PER_COUNT, METRES_PER_PX, GAP_S, PAUSE_S = 0, 1, 2, 3
 SETTINGS = 4
 
-# State, relative to `at`: started, time, cursor, buttons, motor position (m), samples since the restart,
-# whether the last motor increment came from counts.
-STARTED, T, X, Y, BUTTONS, U, V, SEEN, COUNTS = 0, 1, 2, 3, 4, 5, 6, 7, 8
-STATES = 9
+# State, relative to `at`: started, time, cursor, buttons, motor position since the restart (m), samples since
+# the restart, whether the last motor increment came from counts, time of the restart.
+STARTED, T, X, Y, BUTTONS, U, V, SEEN, COUNTS, SINCE = 0, 1, 2, 3, 4, 5, 6, 7, 8, 9
+STATES = 10
 
 REFUSED, MERGED, RESTARTED, MOVED = -1, 0, 1, 2
 
@@ -41,8 +41,14 @@ PARAMETERS = (
 def accept(
     memory: FloatArray, at: int, t: float, x: float, y: float, dx: float, dy: float, buttons: float
 ) -> tuple[int, float, float, float, bool]:
-    """Take one event in: (verdict, dt in s, motor position before the step in m, movement started)."""
-    none = dx != dx or dy != dy
+    """Take one event in: (verdict, dt in s, motor position before the step in m, movement started).
+
+    A refused event changes nothing. A merged one has changed the motor position, which the law uses at the
+    next later time. After a restart the motor position is 0: the law starts there, at rest.
+    """
+    none = dx != dx
+    if none != (dy != dy):
+        return REFUSED, 0.0, 0.0, 0.0, False
     if not (abs(t) <= LARGEST and abs(x) <= LARGEST and abs(y) <= LARGEST and 0.0 <= buttons <= LARGEST):
         return REFUSED, 0.0, 0.0, 0.0, False
     if not none and not (abs(dx) <= LARGEST and abs(dy) <= LARGEST):
@@ -51,27 +57,40 @@ def accept(
     if started and t < memory[at + T]:
         return REFUSED, 0.0, 0.0, 0.0, False
     dt = t - memory[at + T]
-    before_u, before_v = memory[at + U], memory[at + V]
     released = int(memory[at + BUTTONS]) & ~int(buttons) != 0
     start = not started or released or dt > memory[PAUSE_S]
     counted = not none and memory[METRES_PER_COUNT] > 0.0
-    if started and counted:
+    merged = started and dt == 0.0
+    # What shares the time of a restart belongs to the place where the device starts, not to a movement.
+    restarted = not started or dt > memory[GAP_S] or (merged and memory[at + SEEN] == 1.0)
+    before_u, before_v = memory[at + U], memory[at + V]
+    if restarted:
+        memory[at + U], memory[at + V] = 0.0, 0.0
+        memory[at + SINCE] = t
+    elif counted:
         memory[at + U] += dx * memory[METRES_PER_COUNT]
         memory[at + V] += dy * memory[METRES_PER_COUNT]
-    elif started:
+    else:
         memory[at + U] += (x - memory[at + X]) * memory[METRES_PER_PX]
         memory[at + V] += (y - memory[at + Y]) * memory[METRES_PER_PX]
     memory[at + STARTED] = 1.0
     memory[at + T], memory[at + X], memory[at + Y] = t, x, y
     memory[at + BUTTONS] = buttons
     memory[at + COUNTS] = 1.0 if counted else 0.0
-    if started and dt == 0.0:
-        return MERGED, 0.0, before_u, before_v, start
-    if not started or dt > memory[GAP_S]:
+    if restarted:
         memory[at + SEEN] = 1.0
-        return RESTARTED, dt, before_u, before_v, start
+        return RESTARTED, dt, 0.0, 0.0, start
+    if merged:
+        return MERGED, 0.0, before_u, before_v, start
     memory[at + SEEN] += 1.0
     return MOVED, dt, before_u, before_v, start
+
+
+@law
+def settled(memory: FloatArray, at: int, samples: float, settle_s: float) -> float:
+    """1 once there are ``samples`` samples over ``settle_s`` s since the restart, else 0."""
+    long_enough = memory[at + T] - memory[at + SINCE] >= settle_s
+    return 1.0 if long_enough and memory[at + SEEN] >= samples else 0.0
 
 
 def settings(cpi: float | None, dpi: float, gap_s: float, pause_s: float) -> list[float]:
@@ -79,17 +98,21 @@ def settings(cpi: float | None, dpi: float, gap_s: float, pause_s: float) -> lis
     return [0.0 if cpi is None else METRES_PER_INCH / cpi, METRES_PER_INCH / dpi, gap_s, pause_s]
 
 
-def explain(event: PointerEvent, last_t: float) -> EventError:
-    """Why an event was refused, in words."""
-    if isfinite(event.t) and abs(event.t) <= LARGEST and event.t < last_t:
-        return EventOrderError(f"t must not run backwards: received {event.t!r} s after {last_t!r} s")
+def explain(event: PointerEvent, last_t: float | None) -> EventError:
+    """Why an event was refused, in words; ``last_t`` is the time it must not precede, if there is one."""
     for name in ("t", "x", "y", "dx", "dy", "buttons"):
         value = getattr(event, name)
-        if value is None:
+        if value is None and name in ("dx", "dy"):
             continue
         low = 0.0 if name == "buttons" else -LARGEST
-        if isnan(value) or not low <= value <= LARGEST:
+        if not isinstance(value, int | float | np.integer | np.floating):
+            return EventError(f"{name} must be a number, received {value!r}")
+        if not low <= value <= LARGEST:
             return EventError(f"{name} must lie in [{low:g}, {LARGEST:g}], received {value!r}")
+    if (event.dx is None) != (event.dy is None):
+        return EventError(f"dx and dy come together or not at all, received {event.dx!r} and {event.dy!r}")
+    if last_t is not None and event.t < last_t:
+        return EventOrderError(f"t must not run backwards: received {event.t!r} s after {last_t!r} s")
     return EventError(f"event refused: {event!r}")
 
 

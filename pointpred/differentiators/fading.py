@@ -1,0 +1,162 @@
+"""The fading-memory parabola: least squares with exponentially fading weights, by recursive moments."""
+
+from __future__ import annotations
+
+from math import exp
+
+from pointpred.columns import BoolArray, FloatArray
+from pointpred.compiled import law
+from pointpred.differentiators import sampling
+from pointpred.differentiators.differentiator import REFUSED_ROW, Differentiator
+from pointpred.stage import Parameter, check
+
+UNDETERMINED = 1e-9
+"""Share of a pivot's diagonal below which the samples do not determine the coefficient."""
+LEAST_WEIGHT = 1e-30
+"""Weights never fade further in one step, so that two samples far apart still give a line."""
+
+MEMORY_S = sampling.SETTINGS
+AT = MEMORY_S + 1  # sampling state
+TIME = AT + sampling.STATES  # S0 ... S4: sums of w s^k, s = (t_i - t) / memory_s of each sample, not positive
+WAY = TIME + 5  # R0 R1 R2 of x, then of y: sums of w s^k (u_i - u)
+USED = WAY + 6  # the positions that entered last
+FIT = USED + 2  # velocity of x, y, acceleration of x, y
+STATES = sampling.STATES + 17
+
+
+@law
+def shift(memory: FloatArray, first: int, count: int, s: float, fade: float) -> None:
+    """Moments of order 0 to ``count - 1`` seen from ``s`` later, their weights faded.
+
+    Every term has the sign of the sum it enters when s_i <= 0, so nothing cancels.
+    """
+    for i in range(count - 1):
+        for j in range(count - 1, i, -1):
+            memory[first + j] -= s * memory[first + j - 1]
+    for j in range(count):
+        memory[first + j] *= fade
+
+
+@law
+def absorb(memory: FloatArray, s: float) -> None:
+    """Move time's and both axes' origin to the newest sample, which thereby adds to S0 only."""
+    fade = max(exp(-s), LEAST_WEIGHT)
+    shift(memory, TIME, 5, s, fade)
+    for axis in range(2):
+        way = WAY + 3 * axis
+        shift(memory, way, 3, s, fade)
+        u = memory[AT + sampling.U + axis]
+        moved = u - memory[USED + axis]
+        for k in range(3):
+            memory[way + k] -= moved * memory[TIME + k]
+        memory[USED + axis] = u
+    memory[TIME] += 1.0
+
+
+@law
+def fit(memory: FloatArray) -> None:
+    """Solve the normal equations of both axes: slope and curvature at the newest sample."""
+    s0, s1, s2, s3, s4 = memory[TIME], memory[TIME + 1], memory[TIME + 2], memory[TIME + 3], memory[TIME + 4]
+    l10, l20 = s1 / s0, s2 / s0
+    d1 = s2 - l10 * s1
+    if not d1 > UNDETERMINED * s2:
+        return
+    l21 = (s3 - l20 * s1) / d1
+    d2 = s4 - l20 * s2 - l21 * l21 * d1
+    curved = d2 > UNDETERMINED * s4
+    unit = memory[MEMORY_S]
+    for axis in range(2):
+        way = WAY + 3 * axis
+        r1 = memory[way + 1] - l10 * memory[way]
+        r2 = memory[way + 2] - l20 * memory[way] - l21 * r1
+        curvature = r2 / d2 if curved else 0.0
+        memory[FIT + axis] = (r1 / d1 - l21 * curvature) / unit
+        memory[FIT + 2 + axis] = 2.0 * curvature / (unit * unit)
+
+
+@law
+def step(
+    memory: FloatArray, t: float, x: float, y: float, dx: float, dy: float, buttons: float
+) -> tuple[float, float, float, float, float, float, float, float, float, float]:
+    """One event through the fits of both axes."""
+    verdict, dt, _, _, start = sampling.accept(memory, AT, t, x, y, dx, dy, buttons)
+    if verdict == sampling.REFUSED:
+        return REFUSED_ROW
+    if verdict == sampling.RESTARTED:
+        memory[TIME : FIT + 4] = 0.0
+        memory[TIME] = 1.0
+    elif verdict == sampling.MOVED:
+        absorb(memory, dt / memory[MEMORY_S])
+        fit(memory)
+    return (
+        t,
+        x,
+        y,
+        memory[FIT],
+        memory[FIT + 1],
+        memory[FIT + 2],
+        memory[FIT + 3],
+        sampling.settled(memory, AT, 3.0, memory[MEMORY_S]),
+        1.0 if start else 0.0,
+        memory[AT + sampling.COUNTS],
+    )
+
+
+@law
+def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
+    """The same step over a table."""
+    for i in range(len(rows)):
+        if begin[i]:
+            memory[first:] = 0.0
+        motion = step(memory, rows[i, 0], rows[i, 1], rows[i, 2], rows[i, 3], rows[i, 4], rows[i, 5])
+        for j in range(len(motion)):
+            out[i, j] = motion[j]
+
+
+class FadingMemoryDifferentiator(Differentiator):
+    """Parabola fitted to all samples since the restart, their weights fading exponentially, for each axis.
+
+    Assumes a hand whose acceleration hardly changes within ``memory_s``; exact on parabolas however
+    irregular the sampling. The newest sample is at the edge of the fit, where noise counts most: at equal
+    smoothness a Kalman filter that knows the noise is quieter. A sample's weight does not depend on the
+    interval before it, so a rate that changes changes the weighting.
+
+    Minimises sum_i exp(-(t - t_i) / memory_s) (u_i - c0 - c1 (t_i - t) - c2 (t_i - t)^2)^2; velocity is c1,
+    acceleration 2 c2. The moments are moved to the newest sample at each event, which cancels nothing.
+
+    Parameters: ``memory_s`` s, [1e-3, 1], the time in which a weight falls to 1/e; ``cpi``, ``dpi``,
+    ``gap_s``, ``pause_s`` as for all differentiators.
+    Memory: 32 floats. Settled after 3 samples and ``memory_s``; two samples give a line, one gives rest.
+    Returns a Motion from ``update``.
+    Raises ParameterError, and EventError and EventOrderError from ``update``.
+
+    Reference: Morrison 1969 (fading-memory polynomial filter), here for unequal intervals.
+
+    >>> from pointpred import PointerEvent
+    >>> differentiator = FadingMemoryDifferentiator(dpi=25.4)  # 1 px is 1 mm
+    >>> for i in range(100):
+    ...     t = i / 125
+    ...     motion = differentiator.update(PointerEvent(t, 100 * t - 300 * t * t, 0.0))
+    >>> round(motion.vx, 9), round(motion.ax, 9)  # m/s, m/s^2 at t = 0.792
+    (-0.3752, -0.6)
+    """
+
+    parameters = (
+        *sampling.PARAMETERS,
+        Parameter("memory_s", "s", 1e-3, 1.0, "time in which the weight of a sample falls to 1/e"),
+    )
+    step = staticmethod(step)
+    loop = staticmethod(loop)
+    at = AT
+
+    def __init__(
+        self,
+        *,
+        memory_s: float = 0.02,
+        cpi: float | None = None,
+        dpi: float = 96.0,
+        gap_s: float = 0.1,
+        pause_s: float = 0.3,
+    ) -> None:
+        check(self.parameters, {"memory_s": memory_s, **sampling.named(cpi, dpi, gap_s, pause_s)})
+        super().__init__([*sampling.settings(cpi, dpi, gap_s, pause_s), float(memory_s)], STATES)

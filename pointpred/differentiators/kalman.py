@@ -1,0 +1,170 @@
+"""The Kalman filter of a hand with nearly constant acceleration."""
+
+from __future__ import annotations
+
+from pointpred.columns import BoolArray, FloatArray
+from pointpred.compiled import law
+from pointpred.differentiators import sampling
+from pointpred.differentiators.differentiator import REFUSED_ROW, Differentiator
+from pointpred.stage import Parameter, check
+
+START_SPEED_M_S = 0.3
+START_ACCELERATION_M_S2 = 5.0
+"""Standard deviations of what the hand may be doing at a restart."""
+SETTLED_RADIANS = 4.0
+
+JERK_DENSITY, NOISE = sampling.SETTINGS, sampling.SETTINGS + 1  # m^2/s^5, m^2
+AT = NOISE + 1  # sampling state
+X = AT + sampling.STATES  # position, velocity, acceleration of x, then of y
+COVARIANCE = X + 6  # p00 p01 p02 p11 p12 p22, the same for both axes
+STATES = sampling.STATES + 12
+
+
+@law
+def spread(memory: FloatArray, dt: float) -> None:
+    """Covariance after ``dt`` s: P <- F P F' + Q, Q that of white jerk integrated exactly."""
+    p = memory[COVARIANCE : COVARIANCE + 6]
+    p00, p01, p02, p11, p12, p22 = p[0], p[1], p[2], p[3], p[4], p[5]
+    half = 0.5 * dt * dt
+    q = memory[JERK_DENSITY] * dt
+    # F P, row by row, then times F'.
+    f01, f02 = p01 + dt * p11 + half * p12, p02 + dt * p12 + half * p22
+    f00 = p00 + dt * p01 + half * p02
+    g11, g12 = p11 + dt * p12, p12 + dt * p22
+    p[0] = f00 + dt * f01 + half * f02 + q * dt**4 / 20.0
+    p[1] = f01 + dt * f02 + q * dt**3 / 8.0
+    p[2] = f02 + q * dt * dt / 6.0
+    p[3] = g11 + dt * g12 + q * dt * dt / 3.0
+    p[4] = g12 + q * half
+    p[5] = p22 + q
+
+
+@law
+def correct(memory: FloatArray, u: float, v: float) -> None:
+    """Both axes and the covariance after measuring the positions ``u`` and ``v``."""
+    p = memory[COVARIANCE : COVARIANCE + 6]
+    noise = memory[NOISE]
+    total = p[0] + noise
+    k0, k1, k2 = p[0] / total, p[1] / total, p[2] / total
+    for axis in range(2):
+        x = X + 3 * axis
+        innovation = (v if axis else u) - memory[x]
+        memory[x] += k0 * innovation
+        memory[x + 1] += k1 * innovation
+        memory[x + 2] += k2 * innovation
+    # Rounding must not make a variance negative, whatever the parameters.
+    p[3] = max(p[3] - k1 * p[1], 0.0)
+    p[4] -= k1 * p[2]
+    p[5] = max(p[5] - k2 * p[2], 0.0)
+    p[0], p[1], p[2] = k0 * noise, k1 * noise, k2 * noise
+
+
+@law
+def predict(memory: FloatArray, x: int, dt: float) -> None:
+    """One axis after ``dt`` s of constant acceleration."""
+    memory[x] += dt * (memory[x + 1] + 0.5 * dt * memory[x + 2])
+    memory[x + 1] += dt * memory[x + 2]
+
+
+@law
+def settle_s(memory: FloatArray) -> float:
+    """Time that the stationary filter takes at the mean rate so far: 4 / (q / (r T))^(1/6)."""
+    intervals = max(memory[AT + sampling.SEEN] - 1.0, 1.0)
+    period = (memory[AT + sampling.T] - memory[AT + sampling.SINCE]) / intervals
+    response_s: float = (memory[NOISE] * period / memory[JERK_DENSITY]) ** (1.0 / 6.0)
+    return SETTLED_RADIANS * response_s
+
+
+@law
+def step(
+    memory: FloatArray, t: float, x: float, y: float, dx: float, dy: float, buttons: float
+) -> tuple[float, float, float, float, float, float, float, float, float, float]:
+    """One event through the filter of both axes."""
+    verdict, dt, _, _, start = sampling.accept(memory, AT, t, x, y, dx, dy, buttons)
+    if verdict == sampling.REFUSED:
+        return REFUSED_ROW
+    if verdict == sampling.RESTARTED:
+        memory[X : COVARIANCE + 6] = 0.0
+        memory[COVARIANCE] = memory[NOISE]
+        memory[COVARIANCE + 3] = START_SPEED_M_S**2
+        memory[COVARIANCE + 5] = START_ACCELERATION_M_S2**2
+    elif verdict == sampling.MOVED:
+        predict(memory, X, dt)
+        predict(memory, X + 3, dt)
+        spread(memory, dt)
+        correct(memory, memory[AT + sampling.U], memory[AT + sampling.V])
+    return (
+        t,
+        x,
+        y,
+        memory[X + 1],
+        memory[X + 4],
+        memory[X + 2],
+        memory[X + 5],
+        sampling.settled(memory, AT, 4.0, settle_s(memory)),
+        1.0 if start else 0.0,
+        memory[AT + sampling.COUNTS],
+    )
+
+
+@law
+def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
+    """The same step over a table."""
+    for i in range(len(rows)):
+        if begin[i]:
+            memory[first:] = 0.0
+        motion = step(memory, rows[i, 0], rows[i, 1], rows[i, 2], rows[i, 3], rows[i, 4], rows[i, 5])
+        for j in range(len(motion)):
+            out[i, j] = motion[j]
+
+
+class KalmanDifferentiator(Differentiator):
+    """Kalman filter whose acceleration is driven by white jerk, one for each axis.
+
+    Assumes independent position errors of one size and a jerk without memory, so a reach is smoothed with the
+    same stiffness at its start, where the jerk is largest, as at its peak. Irregular sampling is exact.
+    Quantisation is not white noise: while the hand rests the estimate is better than its covariance says.
+
+    With x = (u, u', u''): x <- F x, P <- F P F' + Q, K = P H' / (H P H' + r), x <- x + K (y - H x),
+    F = exp(A dt), A the triple integrator, Q_ij = q dt^(5-i-j) / ((2-i)! (2-j)! (5-i-j)) for i, j = 0, 1, 2.
+    The stationary filter has the poles of a third-order Butterworth filter at w = (q / (r T))^(1/6) rad/s.
+
+    Parameters: ``jerk_density`` q in m^2/s^5, [1e-3, 1e9], the spectral density of the jerk;
+    ``noise_m`` sqrt(r) in m, [1e-8, 1e-1], the standard deviation of a position; ``cpi``, ``dpi``, ``gap_s``,
+    ``pause_s`` as for all differentiators.
+    Memory: 28 floats. Settled after 4 samples and 4 / w s. Returns a Motion from ``update``.
+    Raises ParameterError, and EventError and EventOrderError from ``update``.
+
+    Reference: Bar-Shalom, Li, Kirubarajan 2001, section 6.2.3 (continuous Wiener process acceleration).
+
+    >>> from pointpred import PointerEvent
+    >>> differentiator = KalmanDifferentiator()
+    >>> for i in range(300):
+    ...     motion = differentiator.update(PointerEvent(i / 1000, 2.0 * i, 0.0))
+    >>> round(motion.vx, 3)  # 2000 px/s at 96 dpi
+    0.529
+    """
+
+    parameters = (
+        *sampling.PARAMETERS,
+        Parameter("jerk_density", "m^2/s^5", 1e-3, 1e9, "spectral density of the jerk"),
+        Parameter("noise_m", "m", 1e-8, 1e-1, "standard deviation of a measured position"),
+    )
+    step = staticmethod(step)
+    loop = staticmethod(loop)
+    at = AT
+
+    def __init__(
+        self,
+        *,
+        jerk_density: float = 1000.0,
+        noise_m: float = 1e-4,
+        cpi: float | None = None,
+        dpi: float = 96.0,
+        gap_s: float = 0.1,
+        pause_s: float = 0.3,
+    ) -> None:
+        own = {"jerk_density": jerk_density, "noise_m": noise_m}
+        check(self.parameters, {**own, **sampling.named(cpi, dpi, gap_s, pause_s)})
+        shared = sampling.settings(cpi, dpi, gap_s, pause_s)
+        super().__init__([*shared, float(jerk_density), float(noise_m) ** 2], STATES)
