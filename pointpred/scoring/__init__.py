@@ -1,1 +1,97 @@
-"""How good a predictor is: trials, replay, metrics, statistics, report."""
+"""Recordings and predictors to scores: what a trial is, replay, measures, intervals, tables."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+
+from pointpred.errors import ParameterError
+from pointpred.pipeline import Pipeline
+from pointpred.recording import Recording
+from pointpred.registry import build
+from pointpred.scoring.replay import replay
+from pointpred.scoring.results import PredictorErrors, ScoredTrial, SetScore
+from pointpred.scoring.summary import FLOOR, HEADINGS, document, rows, summary
+from pointpred.scoring.trials import Prepared, prepare, resolution
+
+Progress = Callable[[str, int, int], None]
+"""Called with the set's name, the events replayed so far and all events to replay for it."""
+
+__all__ = [
+    "FLOOR",
+    "HEADINGS",
+    "PredictorErrors",
+    "Prepared",
+    "Progress",
+    "ScoredTrial",
+    "SetScore",
+    "document",
+    "prepare",
+    "replay",
+    "rows",
+    "score",
+    "summary",
+]
+
+
+def score(
+    recordings: Iterable[Recording],
+    predictors: Sequence[str | Pipeline],
+    *,
+    threads: int | None = None,
+    progress: Progress | None = None,
+    cpi: float | None = None,
+    dpi: float | None = None,
+    seed: int = 0,
+) -> list[SetScore]:
+    """Score predictors on recordings, each recording on its own: distances differ, errors are never pooled.
+
+    ``predictors``: names of the registry, or pipelines as patterns; ``hold`` is always scored and first.
+    ``cpi`` and ``dpi`` (counts and px per inch) replace what a recording says of itself. ``threads``: one
+    a processor unless given. ``seed`` fixes the resampling behind the intervals. Raises ParameterError for
+    an unknown name or a name given twice. Recordings may come one by one from a generator.
+
+    >>> from pointpred.columns import EventColumns
+    >>> from pointpred.recording import Trial
+    >>> path = EventColumns.of(t=[0.0, 0.1, 0.2, 0.3], x=[0, 1, 60, 101], y=[0, 0, 0, 0])
+    >>> one = score([Recording.of("one", [path], [Trial("ann", "1")])], ["hold"])[0]
+    >>> one.predictors[0].time_averaged.tolist()  # 0.05 s at 100 px, 0.05 s at 41 px
+    [70.5]
+    """
+    given = [p.name if isinstance(p, Pipeline) else p for p in predictors]
+    for name in given:
+        if given.count(name) > 1:
+            raise ParameterError(f"each predictor at most once, received {name!r} {given.count(name)} times")
+    chosen = {FLOOR: FLOOR} | dict(zip(given, predictors, strict=True))
+    return [_score(recording, chosen, threads, progress, cpi, dpi, seed) for recording in recordings]
+
+
+def _score(
+    recording: Recording,
+    chosen: dict[str, str | Pipeline],
+    threads: int | None,
+    progress: Progress | None,
+    cpi: float | None,
+    dpi: float | None,
+    seed: int,
+) -> SetScore:
+    """Score one recording."""
+    settings = resolution(recording, cpi, dpi)
+    pipelines = [p if isinstance(p, Pipeline) else build(p, **settings) for p in chosen.values()]
+    prepared = prepare(recording, **settings, threads=threads)
+    total, done = len(prepared.events) * len(pipelines), 0
+
+    def advance(events: int) -> None:
+        nonlocal done
+        done += events
+        if progress is not None:
+            progress(recording.name, done, total)
+
+    return SetScore(
+        recording.name,
+        prepared.trials,
+        prepared.skipped,
+        tuple(replay(prepared, pipeline, threads=threads, progress=advance) for pipeline in pipelines),
+        simulated=recording.provenance.simulated,
+        seed=seed,
+        notes=recording.notes,
+    )

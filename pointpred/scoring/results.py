@@ -45,6 +45,8 @@ class PredictorErrors(msgspec.Struct, frozen=True):
     """(trials,): share of events with a prediction; elsewhere the cursor's position was scored"""
     us_per_event: float
     """Cost of the whole pipeline in the batch, microseconds of one core."""
+    failed: tuple[Skip, ...] = ()
+    """Trials in which the pipeline failed; they were scored as if it had never answered there."""
 
 
 class SetScore(msgspec.Struct, frozen=True):
@@ -56,3 +58,7 @@ class SetScore(msgspec.Struct, frozen=True):
     predictors: tuple[PredictorErrors, ...]
     simulated: bool = False
     """True where people were simulated: every title says so."""
+    seed: int = 0
+    """Seed of the resampling behind every interval."""
+    notes: tuple[str, ...] = ()
+    """What the reader of the recording saw and mended."""

@@ -1,0 +1,118 @@
+"""A pipeline over every trial of a set: chunks of whole trials as columns, in threads."""
+
+from __future__ import annotations
+
+import contextlib
+import time
+from collections.abc import Callable
+from functools import partial
+
+import msgspec
+import numpy as np
+
+from pointpred.columns import EventColumns, FloatArray, PredictionColumns
+from pointpred.pipeline import Pipeline, run
+from pointpred.recording import Skip
+from pointpred.scoring import metrics
+from pointpred.scoring.chunks import in_threads
+from pointpred.scoring.results import PredictorErrors
+from pointpred.scoring.trials import Prepared
+
+Progress = Callable[[int], None]
+"""Called with the number of events just replayed, from the thread that asked for the replay."""
+
+
+class _Chunk(msgspec.Struct, frozen=True):
+    """Trials ``first`` up to ``stop``, measured."""
+
+    first: int
+    stop: int
+    measures: FloatArray
+    failed: tuple[Skip, ...]
+    events: int
+    seconds: float
+
+
+def replay(
+    prepared: Prepared, pipeline: Pipeline, *, threads: int | None = None, progress: Progress | None = None
+) -> PredictorErrors:
+    """Run a pipeline over every trial, reset at each onset, and measure its errors.
+
+    The pipeline given is a pattern: fresh ones do the work. Its answers are those that ``update`` would give
+    event by event, bit for bit. A trial in which it fails (it raises, or answers what is not finite) is
+    scored as if it had never answered there, and stands in ``failed``. ``threads``: one for each processor
+    unless given. The cost is the processor time of the threads within ``run``, not the wall's.
+    """
+    with contextlib.suppress(Exception):  # what fails here fails again below, where it is reported
+        run(pipeline.fresh(), prepared.events.rows(0, 1))  # machine code is loaded before time is taken
+    measures = np.empty((len(prepared.trials), metrics.MEASURES))
+    failed: list[Skip] = []
+    events, seconds = 0, 0.0
+    for chunk in in_threads(partial(_replay_chunk, prepared, pipeline), prepared.offsets, threads):
+        measures[chunk.first : chunk.stop] = chunk.measures
+        failed.extend(chunk.failed)
+        events += chunk.events
+        seconds += chunk.seconds
+        if progress is not None:
+            progress(chunk.events)
+    return PredictorErrors(
+        pipeline.name,
+        time_averaged=measures[:, metrics.TIME_AVERAGED].copy(),
+        by_time=measures[:, metrics.BY_TIME : metrics.BY_PATH].copy(),
+        by_path=measures[:, metrics.BY_PATH : metrics.SINGLE_AXIS].copy(),
+        single_axis=measures[:, metrics.SINGLE_AXIS :].copy(),
+        coverage=measures[:, metrics.COVERAGE].copy(),
+        us_per_event=1e6 * seconds / events if events else float("nan"),
+        failed=tuple(failed),
+    )
+
+
+def _replay_chunk(prepared: Prepared, pipeline: Pipeline, first: int, stop: int) -> _Chunk:
+    """Replay trials ``first`` up to ``stop`` in one call; where that fails, each on its own."""
+    events = prepared.events.rows(int(prepared.offsets[first]), int(prepared.offsets[stop]))
+    before = time.thread_time()
+    try:
+        answers = run(pipeline.fresh(), events)
+    except Exception as error:  # a pipeline may be anyone's: whatever it raises is reported, not raised
+        if stop - first > 1:
+            return _join([_replay_chunk(prepared, pipeline, k, k + 1) for k in range(first, stop)])
+        return _unanswered(prepared, first, f"{type(error).__name__}: {error}", time.thread_time() - before)
+    seconds = time.thread_time() - before
+    measures, faults = _measure(prepared, first, stop, events, answers)
+    failed: list[Skip] = []
+    for k in np.flatnonzero(faults != metrics.SOUND).tolist():
+        alone = _unanswered(prepared, first + k, f"event {faults[k]}: the prediction is not finite", 0.0)
+        measures[k] = alone.measures[0]
+        failed.extend(alone.failed)
+    return _Chunk(first, stop, measures, tuple(failed), len(events), seconds)
+
+
+def _measure(
+    prepared: Prepared, first: int, stop: int, events: EventColumns, answers: PredictionColumns
+) -> tuple[FloatArray, np.ndarray[tuple[int], np.dtype[np.int64]]]:
+    """The measures of trials ``first`` up to ``stop`` and where their answers were not finite."""
+    out = np.empty((stop - first, metrics.MEASURES))
+    faults = np.empty(stop - first, dtype=np.int64)
+    offsets, arrivals = prepared.offsets[first : stop + 1], prepared.arrivals[first:stop]
+    metrics.measure(events.table, answers.table, metrics.FRACTIONS, offsets, arrivals, out, faults)
+    return out, faults
+
+
+def _unanswered(prepared: Prepared, trial: int, reason: str, seconds: float) -> _Chunk:
+    """A trial in which the pipeline failed, measured as one without any answer."""
+    events = prepared.rows(trial)
+    nothing = PredictionColumns(np.full((len(events), len(PredictionColumns.names)), np.nan))
+    measures, _ = _measure(prepared, trial, trial + 1, events, nothing)
+    skip = Skip(prepared.trials[trial].trial.trial, reason)
+    return _Chunk(trial, trial + 1, measures, (skip,), len(events), seconds)
+
+
+def _join(chunks: list[_Chunk]) -> _Chunk:
+    return _Chunk(
+        chunks[0].first,
+        chunks[-1].stop,
+        np.concatenate([chunk.measures for chunk in chunks]),
+        tuple(skip for chunk in chunks for skip in chunk.failed),
+        sum(chunk.events for chunk in chunks),
+        sum(chunk.seconds for chunk in chunks),
+    )

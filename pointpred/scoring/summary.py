@@ -1,0 +1,196 @@
+"""A scored set as numbers to print: the JSON document of the command line and the rows of its table."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import numpy as np
+
+from pointpred.columns import BoolArray, FloatArray
+from pointpred.errors import ParameterError
+from pointpred.scoring.bootstrap import DRAWS, LEVEL, ratio_intervals
+from pointpred.scoring.conditions import Group, groups_of
+from pointpred.scoring.results import (
+    AXIS_FRACTIONS,
+    PATH_FRACTIONS,
+    TIME_FRACTIONS,
+    PredictorErrors,
+    SetScore,
+)
+
+VERSION = 1
+FLOOR = "hold"
+"""No prediction: every other error is judged beside its error."""
+
+SERIES = {"by_time": TIME_FRACTIONS, "by_path": PATH_FRACTIONS, "single_axis": AXIS_FRACTIONS}
+
+Json = dict[str, Any]
+
+
+def document(scores: Iterable[SetScore]) -> Json:
+    """Scored sets as the JSON document that ``pointpred score --json`` prints."""
+    return {"version": VERSION, "sets": [summary(score) for score in scores]}
+
+
+def summary(score: SetScore, *, draws: int = DRAWS) -> Json:
+    """One scored set as plain dictionaries and lists; ``None`` where a number means nothing.
+
+    Every measure is {px, of_hold, skill, interval}: the mean error over trials, its ratio to the mean error
+    of ``hold``, 1 - ratio, and the ratio's interval over people. Each predictor says it for all trials, and
+    under ``groups`` for those that are clean, with and without sub-movements, of experienced people and of
+    novices, as far as the set has them, and under ``by_user`` (without intervals) for each person.
+    Raises ParameterError when the set was scored without ``hold``.
+    """
+    floor = [errors for errors in score.predictors if errors.name == FLOOR]
+    if not floor:
+        raise ParameterError(f"a summary needs the predictor {FLOOR!r} among those scored")
+    groups = groups_of(score) or (Group("all trials", np.ones(0, dtype=np.bool_)),)
+    users = np.array([trial.trial.user for trial in score.trials], dtype=str)
+    parts = [_describe(score, floor[0], users, group, draws) for group in groups]
+    return {
+        "name": score.name,
+        "simulated": score.simulated,
+        "trials": len(score.trials),
+        "users": len(np.unique(users)),
+        "events": sum(trial.events for trial in score.trials),
+        "skipped": [{"trial": skip.trial, "reason": skip.reason, "row": skip.row} for skip in score.skipped],
+        "notes": list(score.notes),
+        "interval": {
+            "level": LEVEL,
+            "resampled": "users" if len(np.unique(users)) > 1 else "trials",
+            "draws": draws,
+            "seed": score.seed,
+        },
+        "groups": {
+            _key(group): {"basis": group.basis, "trials": int(group.mask.sum())} for group in groups[1:]
+        },
+        "predictors": [
+            {
+                "name": errors.name,
+                "coverage": _number(errors.coverage.mean() if len(users) else np.nan),
+                "us_per_event": _number(errors.us_per_event),
+                "failed": [{"trial": skip.trial, "reason": skip.reason} for skip in errors.failed],
+                **parts[0][place],
+                "groups": {
+                    _key(group): part[place] for group, part in zip(groups[1:], parts[1:], strict=True)
+                },
+                "by_user": _by_user(errors, floor[0], users),
+            }
+            for place, errors in enumerate(score.predictors)
+        ],
+    }
+
+
+def _key(group: Group) -> str:
+    return group.label.replace("-", "").replace(" ", "_")
+
+
+def _number(value: float) -> float | None:
+    """A number that JSON can say."""
+    return float(value) if np.isfinite(value) else None
+
+
+def _ratio(error: float, floor: float) -> float:
+    return error / floor if floor > 0.0 else float("nan")
+
+
+def _table(errors: PredictorErrors, mask: BoolArray) -> FloatArray:
+    """Every error of the chosen trials side by side: time-averaged, then SERIES."""
+    series = [getattr(errors, name)[mask] for name in SERIES]
+    return np.column_stack([errors.time_averaged[mask], *series])
+
+
+def _describe(
+    score: SetScore, floor: PredictorErrors, users: np.ndarray[Any, Any], group: Group, draws: int
+) -> list[Json]:
+    """For each predictor the measures of one group of trials."""
+    tables = [_table(errors, group.mask) for errors in score.predictors]
+    below = _table(floor, group.mask)
+    width, who = below.shape[1], users[group.mask].tolist()
+    bounds = ratio_intervals(
+        np.hstack(tables), np.hstack([below] * len(tables)), who, seed=score.seed, draws=draws
+    )
+    described = []
+    for place, table in enumerate(tables):
+        reach = slice(place * width, (place + 1) * width)
+        described.append(_measures(table, below, bounds.low[reach], bounds.high[reach]))
+    return described
+
+
+def _measures(table: FloatArray, below: FloatArray, low: FloatArray, high: FloatArray) -> Json:
+    """The measures of one predictor in one group."""
+    nothing = np.full(table.shape[1], np.nan)
+    px = table.mean(axis=0) if len(table) else nothing
+    floor = below.mean(axis=0) if len(table) else nothing
+    cells = []
+    for i in range(len(px)):
+        ratio = _ratio(px[i], floor[i])
+        interval = [_number(low[i]), _number(high[i])]
+        cell: Json = {"px": _number(px[i]), "of_hold": _number(ratio), "skill": _number(1.0 - ratio)}
+        cells.append(cell | {"interval": None if None in interval else interval})
+    named: Json = {"time_averaged": cells[0]}
+    first = 1
+    for name, fractions in SERIES.items():
+        named[name] = dict(zip(map(str, fractions), cells[first : first + len(fractions)], strict=True))
+        first += len(fractions)
+    return named
+
+
+def _by_user(errors: PredictorErrors, floor: PredictorErrors, users: np.ndarray[Any, Any]) -> Json:
+    """The time-averaged error of each person."""
+    found = {}
+    for user in np.unique(users).tolist():
+        mask = users == user
+        px, below = errors.time_averaged[mask].mean(), floor.time_averaged[mask].mean()
+        found[user] = {
+            "trials": int(mask.sum()),
+            "px": _number(px),
+            "of_hold": _number(_ratio(px, below)),
+        }
+    return found
+
+
+HEADINGS = (
+    "predictor",
+    "error of hold",
+    "95 % interval",
+    "clean",
+    "time 30 %",
+    "time 50 %",
+    "time 70 %",
+    "time 90 %",
+    "path 50 %",
+    "path 75 %",
+    "path 90 %",
+    "answers",
+    "us/event",
+)
+"""Columns of the table of a set. All but the last two are errors as a share of the error of ``hold``."""
+
+
+def rows(described: Json) -> list[tuple[str, ...]]:
+    """The table of a set from its ``summary``: a row of text a predictor, a cell for each of HEADINGS."""
+    return [_row(predictor) for predictor in described["predictors"]]
+
+
+def _row(predictor: Json) -> tuple[str, ...]:
+    interval = predictor["time_averaged"]["interval"]
+    clean = predictor["groups"].get("clean_trials", {}).get("time_averaged", {})
+    chosen: Sequence[Json] = [
+        *(predictor["by_time"][fraction] for fraction in ("0.3", "0.5", "0.7", "0.9")),
+        *(predictor["by_path"][fraction] for fraction in ("0.5", "0.75", "0.9")),
+    ]
+    return (
+        predictor["name"],
+        _text(predictor["time_averaged"]["of_hold"]),
+        "-" if interval is None else f"{interval[0]:.2f} to {interval[1]:.2f}",
+        _text(clean.get("of_hold")),
+        *(_text(cell["of_hold"]) for cell in chosen),
+        "-" if predictor["coverage"] is None else f"{predictor['coverage']:.0%}",
+        _text(predictor["us_per_event"]),
+    )
+
+
+def _text(value: float | None) -> str:
+    return "-" if value is None else f"{value:.2f}"
