@@ -1,1 +1,1 @@
-"""The service: a page, health, and (from the next release on) the WebSocket."""
+"""The service: a page with the embedded sample, health, and (from a later release on) the WebSocket."""

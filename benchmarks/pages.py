@@ -1,0 +1,119 @@
+"""Write the generated parts of the pages: ``make docs``.
+
+A generated part stands between two comments, ``<!-- generated: NAME -->`` and ``<!-- end -->``; the rest of
+a page is written by people. The tests compare each part with the code, except the score table, which
+``python -m benchmarks.pages scores`` writes because it takes a scoring run.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+from pointpred.cli.predictors import describe
+from pointpred.differentiators import DIFFERENTIATORS
+from pointpred.registry import REGISTRY
+from pointpred.stage import Parameter, defaults
+
+ROOT = Path(__file__).parents[1]
+PART = r"<!-- generated: {name} -->\n.*?<!-- end -->"
+
+
+def table(header: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
+    """A Markdown table."""
+    lines = [header, tuple("---" for _ in header), *rows]
+    return "\n".join("| " + " | ".join(cell.replace("|", "\\|") for cell in line) + " |" for line in lines)
+
+
+def predictors() -> str:
+    """Every name of the registry in one table."""
+    described = [describe(name) for name in REGISTRY]
+    rows = [(f"[`{one['name']}`](#{one['name']})", one["title"], one["reference"]) for one in described]
+    return table(("name", "what it does", "reference"), rows)
+
+
+def parameters() -> str:
+    """A section a predictor, with its own parameters."""
+    sections = []
+    for name in REGISTRY:
+        one = describe(name)
+        own = [p for p in one["parameters"] if p["of"] == "predictor"]
+        rows = [
+            (
+                f"`{p['name']}`",
+                p["unit"] or "-",
+                f"[{p['low']:g}, {p['high']:g}]",
+                f"`{p['default']}`",
+                p["meaning"],
+            )
+            for p in own
+        ]
+        listed = (
+            table(("parameter", "unit", "bounds", "default", "meaning"), rows) if own else "No parameters."
+        )
+        sections.append(
+            f"### {name}\n\n{one['title']}. Differentiator: `{one['differentiator']}`.\n\n{listed}"
+        )
+    return "\n\n".join(sections)
+
+
+def differentiators() -> str:
+    """A section a differentiator."""
+    sections = []
+    for name, stage in DIFFERENTIATORS.items():
+        values = defaults(stage)
+        listed = table(
+            ("parameter", "unit", "bounds", "default", "meaning"),
+            [_row(p, values[p.name]) for p in stage.parameters],
+        )
+        summary = (stage.__doc__ or "").strip().splitlines()[0]
+        sections.append(f"### {name}\n\n{summary}\n\n{listed}")
+    return "\n\n".join(sections)
+
+
+def _row(p: Parameter, default: object) -> tuple[str, ...]:
+    return (f"`{p.name}`", p.unit or "-", f"[{p.low:g}, {p.high:g}]", f"`{default}`", p.meaning)
+
+
+PARTS: dict[str, dict[str, Callable[[], str]]] = {
+    "docs/predictors.md": {
+        "predictors": predictors,
+        "parameters": parameters,
+        "differentiators": differentiators,
+    },
+}
+"""What the tests compare with the code: page, part, and the function that writes it."""
+
+
+def filled(page: str, name: str, text: str) -> str:
+    """The page with one part replaced; raises ValueError where the page has no such part."""
+    part = f"<!-- generated: {name} -->\n\n{text}\n\n<!-- end -->"
+    result, found = re.subn(PART.format(name=re.escape(name)), lambda _: part, page, flags=re.DOTALL)
+    if found != 1:
+        raise ValueError(f"expected one part {name!r}, found {found}")
+    return result
+
+
+def rendered(path: str) -> str:
+    """A page as it should be."""
+    page = (ROOT / path).read_text(encoding="utf-8")
+    for name, write in PARTS[path].items():
+        page = filled(page, name, write())
+    return page
+
+
+def main(arguments: list[str]) -> None:
+    """Write every page; with ``scores``, the README's score table as well."""
+    for path in PARTS:
+        (ROOT / path).write_text(rendered(path), encoding="utf-8")
+        print(f"wrote {path}")
+    if "scores" in arguments:
+        from benchmarks.readme import write_scores
+
+        print(f"wrote {write_scores(ROOT)}")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

@@ -1,0 +1,79 @@
+"""The ``pointpred`` command: its groups, and how every expected failure becomes one line and an exit code."""
+
+from __future__ import annotations
+
+import os
+import sys
+from typing import Annotated, NoReturn
+
+import typer
+
+import pointpred
+from pointpred.cli.datasets import app as datasets
+from pointpred.cli.predictors import predictors
+from pointpred.cli.score import score
+from pointpred.cli.serve import serve
+from pointpred.cli.transform import convert, simulate
+from pointpred.errors import ParameterError, PointpredError
+
+DONE, NOTHING, WRONG_USE, INTERRUPTED = 0, 1, 2, 130
+
+app = typer.Typer(
+    name="pointpred",
+    help="Predict where a pointing movement will end while it is still going on.",
+    epilog="Start with:  pointpred score     (the embedded sample, nothing to download)",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+for command in (score, simulate, convert, predictors, serve):
+    app.command()(command)
+app.add_typer(datasets, name="datasets")
+
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"pointpred {pointpred.__version__}")
+        raise typer.Exit(DONE)
+
+
+@app.callback()
+def _options(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version and exit.")
+    ] = False,
+) -> None:
+    pass
+
+
+def main(arguments: list[str] | None = None) -> NoReturn:
+    """Run the command line and leave with its exit code: 0 done, 1 nothing to show for it, 2 wrong use."""
+    try:
+        code = app(args=arguments, prog_name="pointpred", standalone_mode=False)
+        sys.stdout.flush()
+    except BrokenPipeError:
+        code = DONE
+        _abandon_output()
+    except (typer.TyperException, PointpredError, OSError) as error:
+        if os.environ.get("POINTPRED_DEBUG") == "1":
+            raise
+        print(f"pointpred: {_sentence(error)}", file=sys.stderr)
+        code = WRONG_USE if isinstance(error, typer.TyperException | ParameterError) else NOTHING
+    sys.exit(code or DONE)
+
+
+def _abandon_output() -> None:
+    """The reader of our output has gone (``| head``): nothing more can be said, and that is no failure."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def _sentence(error: Exception) -> str:
+    """What was wrong, where, and what to do next."""
+    if isinstance(error, typer.TyperException):
+        context = getattr(error, "ctx", None)
+        command = context.command_path if context is not None else "pointpred"
+        return f"{error.format_message()} See '{command} --help'."
+    if isinstance(error, OSError) and error.strerror:
+        return f"{error.strerror}: {error.filename}" if error.filename else error.strerror
+    return str(error)

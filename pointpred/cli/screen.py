@@ -1,0 +1,31 @@
+"""Where the command line writes: results to stdout, everything else to stderr."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import msgspec
+from rich.console import Console
+
+WIDE = 160
+"""Columns of a table that goes to a file or a pipe, where no terminal says how wide it is."""
+
+
+def results() -> Console:
+    """The console for results; plain and wide when it is not a terminal."""
+    return Console(width=None if sys.stdout.isatty() else WIDE, highlight=False)
+
+
+def remarks() -> Console:
+    """The console for progress, remarks and complaints."""
+    return Console(stderr=True, highlight=False, soft_wrap=True)
+
+
+def write_json(value: object, target: Path) -> None:
+    """Write JSON to a file, or to stdout for ``-``."""
+    text = msgspec.json.format(msgspec.json.encode(value), indent=2).decode()
+    if str(target) == "-":
+        print(text)
+    else:
+        target.write_text(text + "\n", encoding="utf-8")

@@ -1,0 +1,69 @@
+"""Which ``Host`` headers are answered: a page of another name must not reach a service on this machine."""
+
+from __future__ import annotations
+
+from collections.abc import Awaitable, Callable, Iterable, MutableMapping
+from ipaddress import ip_address
+from typing import Any
+
+LOOPBACK = frozenset({"127.0.0.1", "localhost", "::1"})
+WILDCARDS = frozenset({"0.0.0.0", "::"})
+
+Scope = MutableMapping[str, Any]
+Receive = Callable[[], Awaitable[MutableMapping[str, Any]]]
+Send = Callable[[MutableMapping[str, Any]], Awaitable[None]]
+Application = Callable[[Scope, Receive, Send], Awaitable[None]]
+
+
+class HostRule:
+    """Admits the loopback names, the bound address and further names.
+
+    DNS rebinding needs a name, so a service bound to every address admits every numeric address as well.
+    """
+
+    def __init__(self, bound: str = "127.0.0.1", further: Iterable[str] = ()) -> None:
+        self.names = LOOPBACK | {bound.lower()} | {name.lower() for name in further}
+        self.any_address = bound in WILDCARDS
+
+    def admits(self, header: str) -> bool:
+        """Whether a request with this ``Host`` header is answered."""
+        name = _without_port(header.strip().lower())
+        return name in self.names or (self.any_address and _is_address(name))
+
+
+class HostGuard:
+    """ASGI middleware: 403 for a ``Host`` header the rule does not admit, before anything else runs."""
+
+    def __init__(self, app: Application, rule: HostRule) -> None:
+        self.app = app
+        self.rule = rule
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Pass the request on, or refuse it."""
+        if scope["type"] not in ("http", "websocket"):
+            await self.app(scope, receive, send)
+            return
+        received = [value.decode("latin-1") for key, value in scope["headers"] if key == b"host"]
+        if len(received) == 1 and self.rule.admits(received[0]):
+            await self.app(scope, receive, send)
+        elif scope["type"] == "websocket":
+            await receive()
+            await send({"type": "websocket.close", "code": 1008})
+        else:
+            headers = [(b"content-type", b"text/plain; charset=utf-8")]
+            await send({"type": "http.response.start", "status": 403, "headers": headers})
+            await send({"type": "http.response.body", "body": b"This host name is not served here.\n"})
+
+
+def _without_port(host: str) -> str:
+    if host.startswith("["):
+        return host[1:].partition("]")[0]
+    return host.partition(":")[0]
+
+
+def _is_address(name: str) -> bool:
+    try:
+        ip_address(name)
+    except ValueError:
+        return False
+    return True

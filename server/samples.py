@@ -1,0 +1,80 @@
+"""The embedded sample for the replay view: one trial and the predictions along it, as columns."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.datasets import sample
+from pointpred.errors import ParameterError
+from pointpred.pipeline import run
+from pointpred.recording import Recording
+from pointpred.registry import REGISTRY, build
+
+PREFERRED = "switched"
+"""The predictor the page shows first."""
+
+
+@cache
+def _recording() -> Recording:
+    return sample()
+
+
+@cache
+def _numbers() -> dict[str, int]:
+    """The trial behind each name."""
+    return {f"{trial.user}-{trial.trial}": i for i, trial in enumerate(_recording().trials)}
+
+
+def listing() -> dict[str, Any]:
+    """Every trial of the embedded sample by name, and the predictors that can be shown along it."""
+    recording = _recording()
+    shown = [{"name": entry.name, "title": entry.title} for entry in REGISTRY.values()]
+    return {
+        "version": 1,
+        "recording": recording.name,
+        "simulated": True,
+        "preferred": PREFERRED if PREFERRED in REGISTRY else next(iter(REGISTRY)),
+        "predictors": shown,
+        "samples": [
+            {"name": name, "user": recording.trials[i].user, "events": len(recording.rows(i))}
+            for name, i in _numbers().items()
+        ],
+    }
+
+
+def trial(name: str, predictors: tuple[str, ...]) -> dict[str, Any]:
+    """One trial with the predictions of some predictors; raises ParameterError for an unknown name."""
+    number = _numbers().get(name)
+    if number is None:
+        raise ParameterError(f"unknown sample {name!r}; GET /v1/samples lists the names")
+    recording = _recording()
+    events, known = recording.rows(number), recording.trials[number]
+    return {
+        "version": 1,
+        "name": name,
+        "user": known.user,
+        "target": _target(known.target_x, known.target_y, known.target_w),
+        "t": _column(events.t - events.t[0], 5),
+        "x": _column(events.x, 2),
+        "y": _column(events.y, 2),
+        "predictions": {which: _predict(which, recording, number) for which in predictors},
+    }
+
+
+def _predict(predictor: str, recording: Recording, number: int) -> dict[str, list[float]]:
+    """Predictions after each event; NaN, which JSON shows as null, where nothing was justified."""
+    predicted = run(build(predictor, cpi=recording.provenance.cpi), recording.rows(number))
+    return {"x": _column(predicted.x, 2), "y": _column(predicted.y, 2)}
+
+
+def _target(x: float, y: float, width: float) -> dict[str, float] | None:
+    return None if np.isnan(x) or np.isnan(y) else {"x": x, "y": y, "width": width}
+
+
+def _column(values: FloatArray, digits: int) -> list[float]:
+    rounded: list[float] = np.round(values, digits).tolist()
+    return rounded

@@ -1,0 +1,25 @@
+"""Every example a reader can see is run: in docstrings, in the README and in docs/."""
+
+from __future__ import annotations
+
+import doctest
+import importlib
+from pathlib import Path
+
+import pytest
+from tests.architecture.tree import ROOT, module_of, package_files
+
+WITH_EXAMPLES = [path for path in package_files() if ">>> " in path.read_text(encoding="utf-8")]
+PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
+
+
+@pytest.mark.parametrize("path", WITH_EXAMPLES, ids=module_of)
+def test_docstring_examples(path: Path) -> None:
+    result = doctest.testmod(importlib.import_module(module_of(path)))
+    assert result.attempted > 0
+    assert result.failed == 0
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda path: path.name)
+def test_page_examples(page: Path) -> None:
+    assert doctest.testfile(str(page), module_relative=False).failed == 0

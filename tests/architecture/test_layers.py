@@ -1,0 +1,64 @@
+"""Imports go one way. A room not named here is a mistake: decide first where it stands."""
+
+from __future__ import annotations
+
+from graphlib import TopologicalSorter
+from pathlib import Path
+
+import pytest
+from tests.architecture.tree import imports_of, module_of, package_files
+
+GROUND = {"errors", "compiled", "events", "columns", "recording", "stage"}
+MATHS = GROUND | {"regression", "differentiators", "transfer"}
+PIPELINE = MATHS | {"predictors", "pipeline", "registry"}
+MAY_IMPORT = {
+    "errors": set(),
+    "compiled": set(),
+    "events": {"errors"},
+    "columns": {"errors", "events"},
+    "recording": {"errors", "events", "columns"},
+    "stage": {"errors", "compiled", "events", "columns"},
+    "regression": GROUND,
+    "differentiators": GROUND | {"regression"},
+    "transfer": GROUND | {"regression"},
+    "predictors": MATHS,
+    "pipeline": MATHS | {"predictors"},
+    "registry": MATHS | {"predictors", "pipeline"},
+    "simulation": PIPELINE,
+    "scoring": PIPELINE | {"simulation"},
+    "sources": {"errors", "events", "columns", "recording"},
+    "datasets": PIPELINE | {"simulation", "sources"},
+    "server": PIPELINE | {"simulation", "scoring", "sources", "datasets", "pointpred"},
+    "cli": PIPELINE | {"simulation", "scoring", "sources", "datasets", "server", "pointpred"},
+    "pointpred": {"columns", "events", "pipeline", "registry"},
+    "__main__": {"cli"},
+}
+"""What each layer may import beside itself; ``pointpred`` is the package's own ``__init__``."""
+
+FILES = package_files()
+
+
+def layer_of(module: str) -> str:
+    parts = module.split(".")
+    return parts[1] if len(parts) > 1 else "pointpred"
+
+
+@pytest.mark.parametrize("path", FILES, ids=module_of)
+def test_imports_only_what_its_layer_may(path: Path) -> None:
+    layer = layer_of(module_of(path))
+    assert layer in MAY_IMPORT, f"{layer} belongs to no known layer"
+    reached = {layer_of(name) for name in imports_of(path)} - {layer}
+    assert reached <= MAY_IMPORT[layer], f"{layer} may not import {sorted(reached - MAY_IMPORT[layer])}"
+
+
+def test_layers_have_an_order() -> None:
+    assert list(TopologicalSorter(MAY_IMPORT).static_order())
+
+
+def test_modules_have_an_order() -> None:
+    """No module imports itself by way of others: a package counts apart from what lies in it."""
+    graph = {module_of(path): imports_of(path) - {module_of(path)} for path in FILES}
+    for module, reached in graph.items():
+        deeper = {name for name in reached if any(n.startswith(f"{name}.") for n in reached)}
+        graph[module] = reached - deeper
+    assert list(TopologicalSorter(graph).static_order())
