@@ -10,7 +10,14 @@ import msgspec
 from pointpred.differentiators import DIFFERENTIATORS
 from pointpred.errors import ParameterError
 from pointpred.pipeline import Pipeline
-from pointpred.predictors import HoldPredictor, Predictor
+from pointpred.predictors import (
+    HoldPredictor,
+    KalmanPredictor,
+    KinematicEndpointPredictor,
+    LinearPredictor,
+    MinimumJerkPredictor,
+    Predictor,
+)
 from pointpred.stage import Parameter, defaults
 
 
@@ -27,7 +34,42 @@ class Entry(msgspec.Struct, frozen=True):
 
 REGISTRY: dict[str, Entry] = {
     entry.name: entry
-    for entry in (Entry("hold", HoldPredictor, "no prediction: the cursor's own position", "the floor"),)
+    for entry in (
+        Entry("hold", HoldPredictor, "no prediction: the cursor's own position", "the floor"),
+        Entry("linear", LinearPredictor, "constant velocity over a fixed horizon", "ForesightJS"),
+        Entry("kalman", KalmanPredictor, "constant acceleration over a fixed horizon, filtered", "Chromium"),
+        Entry(
+            "minimum-jerk", MinimumJerkPredictor, "minimum-jerk inversion, no training", "Flash, Hogan 1985"
+        ),
+        Entry(
+            "kep-quadratic",
+            KinematicEndpointPredictor,
+            "where a quadratic of speed over distance returns to zero",
+            "Ruiz, Lank 2009, without its stability check",
+            preset={"degree": 2},
+        ),
+        Entry(
+            "kep-quadratic-gated",
+            KinematicEndpointPredictor,
+            "the same, answering only once the prediction is stable",
+            "Ruiz, Lank 2009",
+            preset={"degree": 2, "change_most": 0.02},
+        ),
+        Entry(
+            "kep-quartic",
+            KinematicEndpointPredictor,
+            "where a quartic of speed over distance returns to zero",
+            "Lank, Cheng, Ruiz 2007, without its coefficients c_k",
+            preset={"degree": 4},
+        ),
+        Entry(
+            "kep-quartic-gated",
+            KinematicEndpointPredictor,
+            "the same, answering only once the prediction is stable",
+            "Lank, Cheng, Ruiz 2007 with the stability check of Ruiz, Lank 2009",
+            preset={"degree": 4, "change_most": 0.02},
+        ),
+    )
 }
 
 

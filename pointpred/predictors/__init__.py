@@ -1,6 +1,17 @@
 """Motion to prediction: where the movement will end."""
 
 from pointpred.predictors.hold import HoldPredictor
+from pointpred.predictors.kalman import KalmanPredictor
+from pointpred.predictors.kep import KinematicEndpointPredictor
+from pointpred.predictors.linear import LinearPredictor
+from pointpred.predictors.minimum_jerk import MinimumJerkPredictor
 from pointpred.predictors.predictor import Predictor
 
-__all__ = ["HoldPredictor", "Predictor"]
+__all__ = [
+    "HoldPredictor",
+    "KalmanPredictor",
+    "KinematicEndpointPredictor",
+    "LinearPredictor",
+    "MinimumJerkPredictor",
+    "Predictor",
+]

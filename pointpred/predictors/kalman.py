@@ -1,0 +1,177 @@
+"""A constant-acceleration Kalman filter of the cursor, extrapolated over a fixed horizon."""
+
+from __future__ import annotations
+
+from pointpred.columns import BoolArray, FloatArray
+from pointpred.compiled import law
+from pointpred.predictors import movement
+from pointpred.predictors.predictor import NONE, REFUSED, Predictor
+from pointpred.stage import Parameter, check
+
+PRIOR_SPEED = 100.0
+"""Standard deviation (px/s) of the velocity before a movement's first sample."""
+PRIOR_ACCELERATION = 1000.0
+"""Standard deviation (px/s^2) of the acceleration before a movement's first sample."""
+
+HORIZON_S, JERK_DENSITY, NOISE_PX, GAP_S, AT = 0, 1, 2, 3, 4
+# What was expected at the last time, before its position was seen, relative to the movement's start:
+# position, velocity, acceleration of x, of y, and the covariance (pp pv pa vv va aa) they share.
+MEAN_X = AT + movement.STATES
+MEAN_Y = MEAN_X + 3
+SPREAD = MEAN_Y + 3
+STATES = movement.STATES + 12
+
+
+@law
+def expect_rest(memory: FloatArray, x: float, y: float) -> None:
+    """Expect a cursor that rests at (x, y)."""
+    memory[MEAN_X : SPREAD + 6] = 0.0
+    memory[MEAN_X], memory[MEAN_Y] = x, y
+    memory[SPREAD] = memory[NOISE_PX] ** 2
+    memory[SPREAD + 3] = PRIOR_SPEED**2
+    memory[SPREAD + 5] = PRIOR_ACCELERATION**2
+
+
+@law
+def corrected(memory: FloatArray, mean: int, measured: float) -> tuple[float, float, float]:
+    """Position, velocity and acceleration of one axis after its position was seen."""
+    total = memory[SPREAD] + memory[NOISE_PX] ** 2
+    share = (measured - memory[mean]) / total
+    return (
+        memory[mean] + memory[SPREAD] * share,
+        memory[mean + 1] + memory[SPREAD + 1] * share,
+        memory[mean + 2] + memory[SPREAD + 2] * share,
+    )
+
+
+@law
+def expect(memory: FloatArray, dt: float, x: float, y: float) -> None:
+    """Take the last position (x, y) in and expect the state ``dt`` later."""
+    for axis in range(2):
+        mean = MEAN_Y if axis else MEAN_X
+        p, v, a = corrected(memory, mean, y if axis else x)
+        memory[mean] = p + dt * (v + 0.5 * dt * a)
+        memory[mean + 1] = v + dt * a
+        memory[mean + 2] = a
+    noise = memory[NOISE_PX] ** 2
+    pp, pv, pa = memory[SPREAD], memory[SPREAD + 1], memory[SPREAD + 2]
+    vv, va, aa = memory[SPREAD + 3], memory[SPREAD + 4], memory[SPREAD + 5]
+    total = pp + noise
+    vv, va, aa = vv - pv * pv / total, va - pv * pa / total, aa - pa * pa / total
+    pp, pv, pa = pp * noise / total, pv * noise / total, pa * noise / total
+    h, q = 0.5 * dt * dt, memory[JERK_DENSITY] * dt
+    # F P F' with F = [[1, dt, h], [0, 1, dt], [0, 0, 1]], then a white jerk of density q / dt.
+    fp, fv, fa = pp + dt * pv + h * pa, pv + dt * vv + h * va, pa + dt * va + h * aa
+    memory[SPREAD] = fp + dt * fv + h * fa + q * dt**4 / 20.0
+    memory[SPREAD + 1] = fv + dt * fa + q * dt**3 / 8.0
+    memory[SPREAD + 2] = fa + q * dt**2 / 6.0
+    memory[SPREAD + 3] = vv + dt * va + dt * (va + dt * aa) + q * dt**2 / 3.0
+    memory[SPREAD + 4] = va + dt * aa + q * dt / 2.0
+    memory[SPREAD + 5] = aa + q
+
+
+@law
+def step(
+    memory: FloatArray,
+    t: float,
+    x: float,
+    y: float,
+    vx: float,
+    vy: float,
+    ax: float,
+    ay: float,
+    settled: float,
+    start: float,
+) -> tuple[float, float, float, float, float, float, float]:
+    """One position through the filter of both axes, and its state carried over the horizon."""
+    last_x, last_y = memory[AT + movement.X], memory[AT + movement.Y]
+    accepted, new, dt = movement.follow(memory, AT, t, x, y, vx, vy, start)
+    if not accepted:
+        return REFUSED
+    x0, y0 = memory[AT + movement.X0], memory[AT + movement.Y0]
+    if new or dt > memory[GAP_S]:
+        expect_rest(memory, x - x0, y - y0)
+    elif dt > 0.0:
+        expect(memory, dt, last_x - x0, last_y - y0)
+    h = memory[HORIZON_S]
+    px, vx_px, ax_px = corrected(memory, MEAN_X, x - x0)
+    py, vy_px, ay_px = corrected(memory, MEAN_Y, y - y0)
+    return (
+        x0 + px + h * (vx_px + 0.5 * h * ax_px),
+        y0 + py + h * (vy_px + 0.5 * h * ay_px),
+        NONE,
+        NONE,
+        NONE,
+        NONE,
+        movement.phase(memory, AT, vx, vy),
+    )
+
+
+@law
+def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
+    """The same step over a table."""
+    for i in range(len(rows)):
+        if begin[i]:
+            memory[first:] = 0.0
+        r = rows[i]
+        answer = step(memory, r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8])
+        out[i, 0] = r[0]
+        for j in range(len(answer)):
+            out[i, j + 1] = answer[j]
+
+
+class KalmanPredictor(Predictor):
+    """Constant-acceleration Kalman filter of the cursor, carried over a fixed horizon.
+
+    Assumes that the acceleration changes as a random walk (white jerk) and that positions carry independent
+    noise. Like ``linear`` it predicts a position soon, not the endpoint: right while the movement brakes,
+    useless far ahead, where the acceleration throws it past any target.
+
+    State s = (p, v, a) of each axis in px relative to the movement's start, s' = F s with F = [[1, h, h^2/2],
+    [0, 1, h], [0, 0, 1]], jerk noise of density q over h, position noise of variance noise_px^2; both axes
+    share one covariance. Endpoint = p + v horizon + a horizon^2 / 2.
+
+    It claims no region: its covariance would be that of the position at the horizon, not of the endpoint. Nor
+    a time of arrival. The filter begins at rest at every start and after a longer gap than ``gap_s``. What is
+    remembered is the expectation before the last position, so a second motion of the same time replaces it
+    exactly. Always answers.
+
+    Parameters: ``horizon_s`` s; ``cursor_jerk_density`` px^2/s^5; ``cursor_noise_px`` px; ``gap_s`` s, the
+    differentiator's too. Memory: 25 floats. Raises ParameterError, and EventError from ``update``.
+
+    Reference: Bar-Shalom, Li, Kirubarajan 2001, section 6.2 (white jerk); browsers predict pointer events at
+    most 25 ms ahead in this way.
+
+    >>> from pointpred import PointerEvent, build
+    >>> pipeline = build("kalman", horizon_s=0.05)
+    >>> for i in range(200):
+    ...     prediction = pipeline.update(PointerEvent(i / 100, 5.0 * i, 0.0))
+    >>> round(prediction.x, 3)  # 995 px, 500 px/s
+    1020.0
+    """
+
+    parameters = (
+        Parameter("horizon_s", "s", 0.0, 1.0, "how far ahead the filter's state is carried"),
+        Parameter("cursor_jerk_density", "px^2/s^5", 1.0, 1e18, "spectral density of the cursor's jerk"),
+        Parameter("cursor_noise_px", "px", 1e-3, 1e3, "standard deviation of a cursor position"),
+        Parameter("gap_s", "s", 1e-3, 1e3, "a longer gap between events means that the device was still"),
+    )
+    step = staticmethod(step)
+    loop = staticmethod(loop)
+
+    def __init__(
+        self,
+        *,
+        horizon_s: float = 0.025,
+        cursor_jerk_density: float = 1e10,
+        cursor_noise_px: float = 1.0,
+        gap_s: float = 0.1,
+    ) -> None:
+        values = {
+            "horizon_s": horizon_s,
+            "cursor_jerk_density": cursor_jerk_density,
+            "cursor_noise_px": cursor_noise_px,
+            "gap_s": gap_s,
+        }
+        check(self.parameters, values)
+        super().__init__([float(value) for value in values.values()], STATES)

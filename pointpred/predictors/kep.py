@@ -1,0 +1,156 @@
+"""Kinematic endpoint prediction (KEP): where a polynomial of speed over distance returns to zero."""
+
+from __future__ import annotations
+
+from math import hypot
+
+from pointpred.columns import BoolArray, FloatArray
+from pointpred.compiled import law
+from pointpred.errors import ParameterError
+from pointpred.predictors import kep_fit, kep_zero, movement
+from pointpred.predictors.predictor import NONE, REFUSED, Predictor
+from pointpred.stage import Parameter, check
+
+DEGREE, REACH, CHANGE_MOST, AT = 0, 1, 2, 3
+FIT = AT + movement.STATES
+# The stability check: length predicted after the sample before, whether an endpoint was accepted, which.
+LENGTH, HELD, HELD_X, HELD_Y = (FIT + kep_fit.STATES + i for i in range(4))
+STATES = movement.STATES + kep_fit.STATES + 4
+
+
+@law
+def remaining(memory: FloatArray, travelled: float) -> float:
+    """Distance in px from where the cursor is to where the fitted speed returns to zero, else NaN."""
+    degree = int(memory[DEGREE])
+    if not (travelled > 0.0 and kep_fit.solve(memory, FIT, degree)):
+        return NONE
+    unit = memory[FIT + kep_fit.UNIT]
+    w = travelled / unit
+    first = FIT + kep_fit.COEFFICIENTS
+    c0, c1, c2 = memory[first], memory[first + 1], memory[first + 2]
+    c3 = memory[first + 3] if degree > 2 else 0.0
+    c4 = memory[first + 4] if degree > 3 else 0.0
+    # The same polynomial of the distance from here.
+    zero = kep_zero.first_zero(
+        kep_zero.value(c0, c1, c2, c3, c4, w),
+        c1 + w * (2.0 * c2 + w * (3.0 * c3 + w * 4.0 * c4)),
+        c2 + w * (3.0 * c3 + w * 6.0 * c4),
+        c3 + w * 4.0 * c4,
+        c4,
+        memory[REACH] * w,
+    )
+    return float(zero * unit)
+
+
+@law
+def judge(memory: FloatArray, length: float, x: float, y: float) -> None:
+    """Accept an endpoint when the predicted length changed little since the sample before."""
+    before = memory[LENGTH]
+    if before > 0.0 and abs(length - before) < memory[CHANGE_MOST] * before:
+        memory[HELD], memory[HELD_X], memory[HELD_Y] = 1.0, x, y
+    memory[LENGTH] = length if length > 0.0 else 0.0
+
+
+@law
+def step(
+    memory: FloatArray,
+    t: float,
+    x: float,
+    y: float,
+    vx: float,
+    vy: float,
+    ax: float,
+    ay: float,
+    settled: float,
+    start: float,
+) -> tuple[float, float, float, float, float, float, float]:
+    """Add the motion to the fit and look for its zero ahead."""
+    accepted, new, dt = movement.follow(memory, AT, t, x, y, vx, vy, start)
+    if not accepted:
+        return REFUSED
+    travelled = memory[AT + movement.PATH]
+    if new:
+        kep_fit.clear(memory, FIT)
+        memory[LENGTH], memory[HELD] = 0.0, 0.0
+    if new or dt > 0.0:
+        kep_fit.add(memory, FIT, int(memory[DEGREE]), travelled, hypot(vx, vy))
+    away_x, away_y = x - memory[AT + movement.X0], y - memory[AT + movement.Y0]
+    away = hypot(away_x, away_y)
+    end_x, end_y = NONE, NONE
+    if away > 0.0:
+        ahead = remaining(memory, travelled)
+        end_x, end_y = x + ahead * (away_x / away), y + ahead * (away_y / away)
+        if dt > 0.0:
+            judge(memory, travelled + ahead, end_x, end_y)
+    if memory[CHANGE_MOST] > 0.0:
+        held = memory[HELD] == 1.0
+        end_x, end_y = memory[HELD_X] if held else NONE, memory[HELD_Y] if held else NONE
+    return end_x, end_y, NONE, NONE, NONE, NONE, movement.phase(memory, AT, vx, vy)
+
+
+@law
+def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
+    """The same step over a table."""
+    for i in range(len(rows)):
+        if begin[i]:
+            memory[first:] = 0.0
+        r = rows[i]
+        answer = step(memory, r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8])
+        out[i, 0] = r[0]
+        for j in range(len(answer)):
+            out[i, j + 1] = answer[j]
+
+
+class KinematicEndpointPredictor(Predictor):
+    """Kinematic endpoint prediction (KEP): a polynomial of speed over distance, and where it returns to zero.
+
+    Assumes one straight movement whose speed over distance is a polynomial, as that of a minimum-jerk
+    movement nearly is. Far from the end the zero is an extrapolation that jumps from sample to sample: its
+    authors trust it from 80 % of the way on. A stop, a second peak or a turn stays in the fit until the next
+    movement. Their coefficients for each share of the way done (c_k) were not available: left out.
+
+    min over c of sum (speed_i - c_0 - c_1 d_i - ... - c_n d_i^n)^2 over the whole movement so far, with d_i
+    the distance travelled along the path (px); D is the smallest zero of the polynomial beyond d; endpoint =
+    cursor + (D - d) in the direction start -> cursor. All samples weigh the same, those at rest too.
+
+    ``None`` when the distances travelled do not determine the polynomial, when the fitted speed is not
+    positive here, when it has no zero within ``reach`` times d ahead, or when the cursor is at its start. The
+    bound on the reach is ours; with 1e6 it does not bind. A new fit begins where ``Motion.start`` is set. A
+    second motion of the same time moves the cursor, but changes neither fit nor stability check. After a
+    turn the path still grows, so the endpoint lies beyond the cursor as seen from the start. The speed is
+    the hand's: where it is zero, so is the cursor's.
+
+    With ``change_most`` (the gated variants, 0.02): a prediction is accepted when its length D differs from
+    that of the sample before by less than this share of it; the answer is the endpoint accepted last,
+    unchanged until the next is accepted, and ``None`` before the first of the movement. The check counts
+    samples, so it is the laxer the higher the rate.
+
+    Parameters: ``degree`` 2 (as in 2009) to 4 (as in 2007); ``reach``; ``change_most``, ``None`` for no
+    check. Memory: 58 floats. Claims neither region nor time of arrival: along a polynomial that crosses zero
+    the time to get there is infinite. Raises ParameterError, and EventError from ``update``.
+
+    Reference: Lank, Cheng, Ruiz 2007; Ruiz, Lank 2009 (stability check); Khalin 2022, section 2.6.3.
+
+    >>> from pointpred import Motion
+    >>> predictor = KinematicEndpointPredictor(degree=2)
+    >>> for i, d in enumerate([0.0, 20.0, 50.0, 90.0]):  # speed = d (200 - d) / 20000
+    ...     motion = Motion(i / 100, d, 0.0, d * (200.0 - d) / 2e4, 0.0, 0.0, 0.0, True, start=i == 0)
+    ...     prediction = predictor.update(motion)
+    >>> round(prediction.x, 6)
+    200.0
+    """
+
+    parameters = (
+        Parameter("degree", "", 2, kep_fit.DEGREE_MOST, "degree of the polynomial of speed over distance"),
+        Parameter("reach", "", 1e-3, 1e6, "farthest zero ahead, as a multiple of the distance travelled"),
+        Parameter("change_most", "", 1e-6, 1.0, "relative change between samples of an accepted prediction"),
+    )
+    step = staticmethod(step)
+    loop = staticmethod(loop)
+
+    def __init__(self, *, degree: int = 4, reach: float = 10.0, change_most: float | None = None) -> None:
+        values = {"degree": degree, "reach": reach}
+        check(self.parameters, {**values, "change_most": 1.0 if change_most is None else change_most})
+        if degree != int(degree):
+            raise ParameterError(f"degree must be a whole number, received {degree!r}")
+        super().__init__([float(degree), float(reach), 0.0 if change_most is None else change_most], STATES)
