@@ -152,7 +152,7 @@ class FadingMemoryDifferentiator(Differentiator):
     def __init__(
         self,
         *,
-        memory_s: float = 0.02,
+        memory_s: float = 0.01,
         cpi: float | None = None,
         dpi: float = 96.0,
         gap_s: float = 0.1,

@@ -130,7 +130,8 @@ class KalmanDifferentiator(Differentiator):
     The stationary filter has the poles of a third-order Butterworth filter at w = (q / (r T))^(1/6) rad/s.
 
     Parameters: ``jerk_density`` q in m^2/s^5, [1e-3, 1e9], the spectral density of the jerk;
-    ``noise_m`` sqrt(r) in m, [1e-8, 1e-1], the standard deviation of a position; ``cpi``, ``dpi``, ``gap_s``,
+    ``noise_m`` sqrt(r) in m, [1e-8, 1e-1], the standard deviation of a position: the
+    default suits a cursor of 96 px per inch, 3e-5 suits counts at 2000 CPI; ``cpi``, ``dpi``, ``gap_s``,
     ``pause_s`` as for all differentiators.
     Memory: 28 floats. Settled after 4 samples and 4 / w s. Returns a Motion from ``update``.
     Raises ParameterError, and EventError and EventOrderError from ``update``.
@@ -157,7 +158,7 @@ class KalmanDifferentiator(Differentiator):
     def __init__(
         self,
         *,
-        jerk_density: float = 1000.0,
+        jerk_density: float = 30.0,
         noise_m: float = 1e-4,
         cpi: float | None = None,
         dpi: float = 96.0,
