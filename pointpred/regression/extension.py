@@ -1,0 +1,88 @@
+"""DREM for Python: samples in, estimates of the constants out, each with its own scalar equation."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import exp, inf
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.errors import ParameterError
+from pointpred.regression import drem
+from pointpred.regression.recursive_least_squares import check_sample
+from pointpred.stage import CompiledStage, Parameter, check
+
+DELAY_S, GAMMA, AT = 0, 1, 2
+
+
+class Estimate(msgspec.Struct, frozen=True):
+    """The constants at ``t`` s.
+
+    ``phi`` in [-1, 1] is the excitation of this moment, and ``learnt`` in [0, 1] the share of the distance
+    from the initial values (zeros) to the constants that was covered so far: below 1 the values still lean
+    towards zero.
+    """
+
+    t: float
+    values: tuple[float, ...]
+    phi: float
+    learnt: float
+
+
+class DynamicRegressorExtension(CompiledStage):
+    """Dynamic regressor extension and mixing (DREM) with the delays 0, tau, 2 tau, ...
+
+    Assumes y = w'theta with constant theta. Needs no persistent excitation, but it needs some: over short
+    delays the rows look alike, phi falls with the power n (n - 1) / 2 of the delay, and noise then rules.
+
+    Row i of Phi and Y is w and y delayed by i tau; phi = det Phi, Y~ = adj(Phi) Y = phi theta, so that each
+    theta_i' = gamma phi (Y~_i - phi theta_i) stands alone; integrated exactly over each step. Columns are
+    scaled by their largest values so far and rows by their norms: |phi| <= 1 in any units.
+
+    Parameters: ``count`` of unknowns, 2 to 6; ``delay_s`` tau in s; ``gamma`` in 1/s, the rate at full
+    excitation (real phi are small: 1e6 is no exotic value).
+    Memory: 2 + drem.states(count) floats, 689 for three. Raises ParameterError, and EventError and
+    EventOrderError from ``update``.
+
+    Reference: Khalin 2022, section 2.5.3, with the delay e^(-i tau s) where e^(i tau s) is printed;
+    Aranovskiy, Bobtsov, Ortega, Pyrkin 2016.
+
+    >>> from math import sin
+    >>> stage = DynamicRegressorExtension(2, delay_s=0.5, gamma=100.0)
+    >>> for i in range(300):
+    ...     estimate = stage.update((sin(i / 50), 1.0), 3.0 * sin(i / 50) + 2.0, i / 100)
+    >>> [round(value, 6) for value in estimate.values]
+    [3.0, 2.0]
+    """
+
+    parameters = (
+        Parameter("count", "", 2, 6, "number of unknown constants"),
+        Parameter("delay_s", "s", 1e-4, 1e2, "basic delay tau"),
+        Parameter("gamma", "1/s", 0.0, 1e18, "rate of the estimates at full excitation"),
+    )
+
+    def __init__(self, count: int = 3, *, delay_s: float = 0.1, gamma: float = 1e6) -> None:
+        values: dict[str, Any] = {"count": count, "delay_s": delay_s, "gamma": gamma}
+        check(self.parameters, values)
+        if count != int(count):
+            raise ParameterError(f"count must be a whole number, received {count!r}")
+        self.count = int(count)
+        super().__init__([float(delay_s), float(gamma)], drem.states(self.count))
+
+    def update(self, regressor: Sequence[float] | FloatArray, output: float, t: float) -> Estimate | None:
+        """Take in output = regressor . theta at ``t`` s; ``None`` while the history is too short.
+
+        That is before n - 1 delays have passed. Raises EventError for a value that is not finite or a
+        regressor of another length, EventOrderError when time runs backwards; nothing is then changed.
+        """
+        memory, n, w = self._memory, self.count, np.asarray(regressor, np.float64)
+        check_sample(n, w, output, t, float(memory[AT + drem.T]) if memory[AT + drem.KNOWN] == 1.0 else -inf)
+        memory[AT + drem.REGRESSOR : AT + drem.REGRESSOR + n] = w
+        if not drem.advance(memory, AT, n, memory[DELAY_S], memory[GAMMA], t, output):
+            return None
+        first = drem.estimates(AT, n)
+        learnt = 1.0 - exp(-float(memory[AT + drem.EXCITATION]))
+        return Estimate(t, tuple(memory[first : first + n].tolist()), float(memory[AT + drem.PHI]), learnt)

@@ -1,0 +1,145 @@
+"""Recursive least squares for Python: samples in, a fit with an account of what the data can tell."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import exp, inf, sqrt
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.errors import EventError, EventOrderError, ParameterError
+from pointpred.regression import least_squares
+from pointpred.stage import CompiledStage, Parameter, check
+
+# Parameters, then the state: known, last time, the triangle.
+FORGETTING, RATE, LEAST = 0, 1, 2
+KNOWN, T, AT = 3, 4, 5
+
+
+class Fit(msgspec.Struct, frozen=True):
+    """What the data say, and how well.
+
+    ``values`` and ``errors`` (their standard errors if the samples' errors are independent) are ``None``
+    when a parameter is not excited; ``unexcited`` lists those whose data add nothing to the parameters
+    before them; ``condition`` of the data with columns of equal length; ``residual`` root mean square.
+    """
+
+    values: tuple[float, ...] | None
+    errors: tuple[float, ...] | None
+    unexcited: tuple[int, ...]
+    condition: float
+    residual: float
+    samples: int
+    effective_samples: float
+
+
+class RecursiveLeastSquares(CompiledStage):
+    """Least squares over all samples so far, older ones forgotten by and by.
+
+    Assumes y = w'theta + error with errors in y only: noise in the regressor biases the estimate towards
+    zero. Forgetting without new excitation leaves nothing to stand on; ``Fit.unexcited`` then says so.
+
+    A = d A + w w', psi = d psi + w y, A theta = psi; kept as the triangular root of A, no inverse formed.
+
+    Parameters: ``count`` of unknowns, 1 to 32; ``forgetting`` d in (0, 1] for each sample;
+    ``forgetting_rate`` in 1/s, a further factor exp(-rate h) for each step of h s; ``least_excitation`` the
+    sine below which a parameter counts as not excited.
+    Memory: 8 + 2 n + n^2 floats. Raises ParameterError, and EventError and EventOrderError from ``update``.
+
+    Reference: Khalin 2022, section 2.5.1; Ljung 1999; Golub and Van Loan, Givens rotations.
+
+    >>> stage = RecursiveLeastSquares(2)
+    >>> for x in (1.0, 2.0, 4.0):
+    ...     stage.update((1.0, x), 3.0 + 0.5 * x)
+    >>> [round(value, 6) for value in stage.fit().values]
+    [3.0, 0.5]
+    >>> stage.reset()
+    >>> stage.update((1.0, 2.0), 4.0)
+    >>> stage.fit().values, stage.fit().unexcited
+    (None, (1,))
+    """
+
+    parameters = (
+        Parameter("count", "", 1, 32, "number of unknown constants"),
+        Parameter("forgetting", "", 1e-6, 1.0, "factor on the weight of the past at each sample"),
+        Parameter("forgetting_rate", "1/s", 0.0, 1e6, "rate at which the weight of the past fades"),
+        Parameter("least_excitation", "", 1e-14, 1.0, "sine below which a parameter is not excited"),
+    )
+
+    def __init__(
+        self,
+        count: int,
+        *,
+        forgetting: float = 1.0,
+        forgetting_rate: float = 0.0,
+        least_excitation: float = 1e-6,
+    ) -> None:
+        values: dict[str, Any] = {"count": count, "forgetting": forgetting}
+        check(
+            self.parameters,
+            {**values, "forgetting_rate": forgetting_rate, "least_excitation": least_excitation},
+        )
+        if count != int(count):
+            raise ParameterError(f"count must be a whole number, received {count!r}")
+        self.count = int(count)
+        settings = [float(forgetting), float(forgetting_rate), float(least_excitation)]
+        super().__init__(settings, 2 + least_squares.states(self.count))
+
+    def update(self, regressor: Sequence[float] | FloatArray, output: float, t: float = 0.0) -> None:
+        """Take in output = regressor . theta at ``t`` s (only the forgetting rate needs the time).
+
+        Raises EventError for a value that is not finite or a regressor of another length, EventOrderError
+        when time runs backwards; nothing is then changed.
+        """
+        memory, w = self._memory, np.asarray(regressor, np.float64)
+        check_sample(self.count, w, output, t, float(memory[T]) if memory[KNOWN] == 1.0 else -inf)
+        h = t - memory[T] if memory[KNOWN] == 1.0 else 0.0
+        memory[KNOWN], memory[T] = 1.0, t
+        memory[AT + least_squares.REGRESSOR : AT + least_squares.REGRESSOR + self.count] = w
+        least_squares.advance(memory, AT, self.count, memory[FORGETTING] * exp(-memory[RATE] * h), output)
+
+    def fit(self) -> Fit:
+        """The estimate now, with what it rests on."""
+        return fit(self._memory, AT, self.count, float(self._memory[LEAST]))
+
+
+def check_sample(count: int, regressor: FloatArray, output: float, t: float, last_t: float) -> None:
+    """Raise EventError or EventOrderError for a sample that a regression cannot take in."""
+    if regressor.shape != (count,):
+        raise EventError(f"regressor needs {count} values, received shape {regressor.shape}")
+    if not (np.isfinite(regressor).all() and np.isfinite(output) and np.isfinite(t)):
+        raise EventError(
+            f"sample must be finite, received regressor {regressor.tolist()}, output {output!r}, t {t!r}"
+        )
+    if t < last_t:
+        raise EventOrderError(f"t must not run backwards: received {t!r} s after {last_t!r} s")
+
+
+def fit(memory: FloatArray, at: int, count: int, least: float) -> Fit:
+    """The fit of a triangle that lies anywhere in a flat array."""
+    start = least_squares.root(at, count)
+    triangle = memory[start : start + count * count].reshape(count, count)
+    sines = [least_squares.excitation(memory, at, count, j) for j in range(count)]
+    unexcited = tuple(j for j, sine in enumerate(sines) if sine < least)
+    samples, effective = int(memory[at + least_squares.SAMPLES]), float(memory[at + least_squares.EFFECTIVE])
+    square = float(memory[at + least_squares.RESIDUAL])
+    residual = sqrt(square / effective) if effective > 0.0 else 0.0
+    if unexcited:
+        return Fit(None, None, unexcited, inf, residual, samples, effective)
+    singular = np.linalg.svd(triangle / np.linalg.norm(triangle, axis=0), compute_uv=False)
+    z = memory[start - count : start]
+    spread = np.linalg.norm(np.linalg.solve(triangle, np.eye(count)), axis=1)
+    spare = effective - count
+    variance = square / spare if spare > 0.0 else inf
+    return Fit(
+        tuple(np.linalg.solve(triangle, z).tolist()),
+        tuple((sqrt(variance) * spread).tolist()),
+        (),
+        float(singular[0] / singular[-1]),
+        residual,
+        samples,
+        effective,
+    )

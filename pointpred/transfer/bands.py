@@ -1,0 +1,71 @@
+"""What a transfer function does in each band of speed: the mean gain there, and a polynomial through them.
+
+Pointing visits low speeds far more often than high ones, and a sum over samples judges metres per second,
+not gains. Kept apart in bands, the speeds can be weighed afterwards, also so that the largest relative error
+of the gain is small (Lawson's algorithm). A band that is not visited forgets nothing.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.compiled import law
+
+BANDS = 24
+ROUNDS = 6
+"""Rounds of reweighting: the largest error falls quickly, further rounds begin to chase noise."""
+TRUSTED = 0.02
+"""A band whose gain is known to this share counts half: the scale of trust."""
+
+
+@law
+def states(n: int) -> int:
+    """Floats of all bands: for each the sum of w_1 y and those of w_1 w_i, w_1 the regressor of c_1."""
+    return BANDS * (1 + n)
+
+
+@law
+def learn(
+    memory: FloatArray, at: int, n: int, linear: int, band: float, forgetting: float, row: int, output: float
+) -> None:
+    """Take in output = row . c in a band, given as a real number; outside the bands nothing happens."""
+    if not 0.0 <= band < BANDS:
+        return
+    place = at + int(band) * (1 + n)
+    reference = memory[row + linear]
+    memory[place] = forgetting * memory[place] + reference * output
+    for j in range(n):
+        memory[place + 1 + j] = forgetting * memory[place + 1 + j] + reference * memory[row + j]
+
+
+def trusted(
+    memory: FloatArray, at: int, n: int, linear: int, noise: float
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Bands with a positive gain: (their numbers, their equations row . c = 1, trust in [0, 1]).
+
+    ``noise`` is the standard deviation of the outputs.
+    """
+    table = memory[at : at + states(n)].reshape(BANDS, 1 + n)
+    weight, product = table[:, 1 + linear], table[:, 0]
+    numbers = np.flatnonzero((weight > 0.0) & (product > 0.0))
+    rows = table[numbers, 1:] / product[numbers, None]
+    uncertainty = noise * np.sqrt(weight[numbers]) / product[numbers]
+    return numbers.astype(np.float64), rows, 1.0 / (1.0 + (uncertainty / TRUSTED) ** 2)
+
+
+def balance(rows: FloatArray, trust: FloatArray) -> FloatArray:
+    """The coefficients for which the largest relative error of a band's gain is small.
+
+    Least squares, repeated with weights that grow where the error is large (Lawson 1961).
+    """
+    weights = trust / trust.sum()
+    lengths = np.linalg.norm(rows, axis=0)
+    for _ in range(ROUNDS):
+        root = np.sqrt(weights)
+        coefficients = np.linalg.lstsq(rows / lengths * root[:, None], root, rcond=None)[0]
+        error = np.abs(rows @ (coefficients / lengths) - 1.0)
+        weights = weights * np.sqrt(np.maximum(error, 1e-12))
+        weights /= weights.sum()
+    balanced: FloatArray = coefficients / lengths
+    return balanced
