@@ -1,1 +1,7 @@
-"""The closed pointing loop with seeded people."""
+"""The closed pointing loop with simulated people: data whose truth is known, labelled as simulated."""
+
+from pointpred.simulation.circle import Condition, simulate_circle, thesis_setup
+from pointpred.simulation.person import Person, people
+from pointpred.simulation.plan import Aim, Setup
+
+__all__ = ["Aim", "Condition", "Person", "Setup", "people", "simulate_circle", "thesis_setup"]

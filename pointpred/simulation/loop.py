@@ -1,0 +1,141 @@
+"""The closed pointing loop (2.1): a person, a hand, a mouse, a cursor, one report at a time."""
+
+from __future__ import annotations
+
+from math import atan2, exp, hypot, sqrt
+
+from pointpred.columns import FloatArray
+from pointpred.compiled import law
+from pointpred.simulation import hand, sensor, slots
+from pointpred.transfer import known
+
+WANDER_S = 0.03
+"""Correlation time of motor noise and tremor: half its power lies below 5 Hz."""
+NEAR_SHARE = 0.85
+SLOW_M_S = 0.008
+"""A person stops correcting this far inside the target (share of its radius), at this speed of the hand."""
+WORTHWHILE_PX = 10.0
+"""A shorter way, or one within the target's width, is left to the corrective phase."""
+
+INPUTS = ("noise_x", "noise_y", "late_s", "hat_x", "hat_y")
+OUTPUTS = ("t", "x", "y", "dx", "dy", "buttons", "u", "v", "vx", "vy", "ax", "ay", "phase", "number")
+"""A row a report: an event (px from the start, counts), then hand in m, m/s, m/s^2, phase, piece."""
+
+
+@law
+def enter(memory: FloatArray, phase: float, t: float) -> None:
+    """Begin a phase."""
+    memory[slots.PHASE], memory[slots.SINCE] = phase, t
+
+
+@law
+def correct(memory: FloatArray, t: float) -> None:
+    """Begin the corrective phase; unless b2 is given it follows from the gain felt at half the speed now."""
+    enter(memory, slots.CORRECTIVE, t)
+    memory[slots.FEEDBACK] = memory[slots.B2]
+    if memory[slots.B2] == 0.0:
+        gain = known.gain(memory, slots.FUNCTION, 0.5 * hypot(memory[slots.VX], memory[slots.VY]))
+        memory[slots.FEEDBACK] = memory[slots.RATE] ** 2 / (gain * memory[slots.PX_PER_METRE])
+
+
+@law
+def launch(memory: FloatArray, number: int, t: float) -> None:
+    """Begin a piece: aim at its share of the way that remains; too short a way is corrected instead."""
+    piece = slots.PIECE + slots.PIECE_SLOTS * number
+    way_x, way_y = memory[slots.AIM_X] - memory[slots.X], memory[slots.AIM_Y] - memory[slots.Y]
+    way = hypot(way_x, way_y)
+    if number >= memory[slots.PIECES] or way < max(WORTHWHILE_PX, 2.0 * memory[slots.RADIUS]):
+        correct(memory, t)
+        return
+    enter(memory, slots.BALLISTIC, t)
+    memory[slots.NUMBER] = float(number)
+    wanted = way * memory[piece + slots.SHARE]
+    memory[slots.AMPLITUDE] = hand.hand_distance(memory, wanted, memory[piece + slots.DURATION_S])
+    memory[slots.ANGLE] = atan2(way_y, way_x) + memory[piece + slots.TURN]
+
+
+@law
+def decide(memory: FloatArray, t: float) -> None:
+    """What the person does next: wait, move, move again, correct, verify, press, release."""
+    phase, since = memory[slots.PHASE], memory[slots.SINCE]
+    if phase == slots.WAITING and t >= memory[slots.REACTION_S]:
+        launch(memory, 0, t)
+    elif phase == slots.BALLISTIC:
+        number = int(memory[slots.NUMBER])
+        piece = slots.PIECE + slots.PIECE_SLOTS * number
+        if t - since >= memory[piece + slots.UNTIL] * memory[piece + slots.DURATION_S]:
+            launch(memory, number + 1, t)
+    elif phase == slots.CORRECTIVE:
+        off = hypot(memory[slots.X] - memory[slots.TARGET_X], memory[slots.Y] - memory[slots.TARGET_Y])
+        slow = hypot(memory[slots.VX], memory[slots.VY]) < SLOW_M_S
+        arrived = slow and off < NEAR_SHARE * memory[slots.RADIUS]
+        if arrived or t > memory[slots.PATIENCE_S]:
+            enter(memory, slots.VERIFYING, t)
+    elif phase == slots.VERIFYING and t - since >= memory[slots.VERIFY_S]:
+        enter(memory, slots.PRESSING, t)
+    elif phase == slots.PRESSING and t - since >= memory[slots.PRESS_S]:
+        enter(memory, slots.DONE, t)
+
+
+@law
+def step(
+    memory: FloatArray, noise_x: float, noise_y: float, late_s: float, hat_x: float, hat_y: float
+) -> tuple[float, float, float, float, float, float, float, float, float, float, float, float, float, float]:
+    """One report period: decide, move the hand, poll the sensor, let the eyes have it. See ``OUTPUTS``.
+
+    ``noise`` are standard normal numbers, ``late_s`` how late the report is stamped, ``hat`` the estimated
+    endpoint in px from the start for an assisted transfer function, NaN for none.
+    """
+    period = memory[slots.PERIOD_S]
+    now = memory[slots.TICK] * period
+    decide(memory, now)
+    keep = exp(-period / WANDER_S)
+    fresh = sqrt(1.0 - keep * keep)
+    memory[slots.WANDER_X] = keep * memory[slots.WANDER_X] + fresh * noise_x
+    memory[slots.WANDER_Y] = keep * memory[slots.WANDER_Y] + fresh * noise_y
+    speed = hypot(memory[slots.VX], memory[slots.VY])
+    size = memory[slots.TREMOR] + memory[slots.NOISE] * speed
+    extra_x, extra_y = size * memory[slots.WANDER_X], size * memory[slots.WANDER_Y]
+    substeps = int(memory[slots.SUBSTEPS])
+    h = period / substeps
+    for i in range(substeps):
+        hand.advance(memory, now + i * h, h, extra_x, extra_y)
+    dx = dy = 0.0
+    if memory[slots.METRES_PER_COUNT] > 0.0:
+        dx, dy = sensor.report(memory, hat_x, hat_y)
+    else:
+        pull_x, pull_y = sensor.pull(memory, hat_x, hat_y)
+        memory[slots.X] += pull_x
+        memory[slots.Y] += pull_y
+    memory[slots.TICK] += 1.0
+    row = slots.RING + slots.RING_SLOTS * (int(memory[slots.TICK]) % slots.RING_ROWS)
+    memory[row], memory[row + 1] = memory[slots.X], memory[slots.Y]
+    memory[row + 2], memory[row + 3] = memory[slots.U], memory[slots.V]
+    return (
+        memory[slots.TICK] * period + late_s,
+        memory[slots.X],
+        memory[slots.Y],
+        dx,
+        dy,
+        1.0 if memory[slots.PHASE] == slots.PRESSING else 0.0,
+        memory[slots.U],
+        memory[slots.V],
+        memory[slots.VX] + extra_x,
+        memory[slots.VY] + extra_y,
+        memory[slots.AX],
+        memory[slots.AY],
+        memory[slots.PHASE],
+        memory[slots.NUMBER],
+    )
+
+
+@law
+def play(memory: FloatArray, rows: FloatArray, out: FloatArray) -> int:
+    """The same step over a table until the button is released; returns the number of reports made."""
+    for i in range(len(rows)):
+        answer = step(memory, rows[i, 0], rows[i, 1], rows[i, 2], rows[i, 3], rows[i, 4])
+        for j in range(len(answer)):
+            out[i, j] = answer[j]
+        if memory[slots.PHASE] == slots.DONE:
+            return i + 1
+    return len(rows)

@@ -1,0 +1,96 @@
+"""One simulated movement: a person, a device and a target in, every report with its hidden truth out."""
+
+from __future__ import annotations
+
+import msgspec
+import numpy as np
+
+from pointpred.columns import EventColumns, FloatArray
+from pointpred.events import PointerEvent
+from pointpred.pipeline import Pipeline
+from pointpred.simulation import loop, plan, sensor, slots
+from pointpred.simulation.person import Person
+
+NONE = float("nan")
+PHASE = loop.OUTPUTS.index("phase")
+
+
+class Movement(msgspec.Struct, frozen=True):
+    """A row a poll (``loop.OUTPUTS``; px from the start) from before the movement until the click is over."""
+
+    table: FloatArray
+
+    def column(self, name: str) -> FloatArray:
+        """One of ``loop.OUTPUTS``."""
+        return np.asarray(self.table[:, loop.OUTPUTS.index(name)])
+
+    @property
+    def click_s(self) -> float:
+        """When the button goes down."""
+        return float(self.table[np.argmax(self.column("buttons") == 1.0), 0])
+
+    @property
+    def pieces(self) -> int:
+        """How many ballistic pieces the movement really had."""
+        ballistic = self.column("phase") == slots.BALLISTIC
+        return len(np.unique(self.column("number")[ballistic]))
+
+    def events(self, start: tuple[float, float] = (0.0, 0.0), *, idle_reports: bool = False) -> EventColumns:
+        """What a recorder would have seen, the cursor starting at ``start``."""
+        first = np.array([[0.0, 0.0, 0.0, 0.0, 0.0, 0.0]])
+        table = np.concatenate([first, self.table[:, :6]])
+        table[:, 1:3] += start
+        return sensor.reported(table, idle_reports)
+
+
+def move(
+    person: Person,
+    setup: plan.Setup,
+    aim: plan.Aim,
+    generator: np.random.Generator,
+    endpoint: tuple[float, float] | None = None,
+) -> Movement:
+    """Play one movement towards ``aim``; all chance comes from the generator.
+
+    ``endpoint`` (px from the start), with ``setup.rho`` > 0, is the estimate that an assisted transfer
+    function draws the cursor to, known from the moment the hand starts.
+    """
+    memory, rows = _prepare(person, setup, aim, generator)
+    if endpoint is not None:
+        rows[int(memory[slots.REACTION_S] / setup.period_s) :, 3:] = endpoint
+    out = np.empty((len(rows), len(loop.OUTPUTS)))
+    return Movement(out[: loop.play(memory, rows, out)])
+
+
+def move_assisted(
+    person: Person, setup: plan.Setup, aim: plan.Aim, generator: np.random.Generator, pipeline: Pipeline
+) -> Movement:
+    """``move`` with a predictor in the loop: each report goes through the pipeline, its endpoint comes back.
+
+    The pipeline is reset first. Runs report by report, so it is some hundred times slower than ``move``.
+    """
+    memory, rows = _prepare(person, setup, aim, generator)
+    pipeline.reset()
+    made: list[tuple[float, ...]] = []
+    hat = (NONE, NONE)
+    for noise_x, noise_y, late_s, _, _ in rows.tolist():
+        made.append(loop.step(memory, noise_x, noise_y, late_s, *hat))
+        t, x, y, dx, dy, buttons = made[-1][:6]
+        if dx != 0.0 or dy != 0.0:
+            prediction = pipeline.update(PointerEvent(t, x, y, dx, dy, int(buttons)))
+            hat = (NONE, NONE) if prediction is None else (prediction.x, prediction.y)
+        if made[-1][PHASE] == slots.DONE:
+            break
+    return Movement(np.array(made, dtype=np.float64))
+
+
+def _prepare(
+    person: Person, setup: plan.Setup, aim: plan.Aim, generator: np.random.Generator
+) -> tuple[FloatArray, FloatArray]:
+    """The memory of the trial and a row of chance a poll, without an estimated endpoint."""
+    memory = plan.memory(person, setup, aim, generator)
+    longest_s = plan.PATIENCE_S + memory[slots.VERIFY_S] + memory[slots.PRESS_S]
+    rows = np.full((int(longest_s / setup.period_s) + 8, len(loop.INPUTS)), NONE)
+    rows[:, :2] = generator.standard_normal((len(rows), 2))
+    rows[:, 2] = sensor.lateness(generator, len(rows))
+    return memory, rows

@@ -1,0 +1,69 @@
+"""The mouse's sensor and the screen: counts at each poll, whole pixels through the transfer function."""
+
+from __future__ import annotations
+
+from math import hypot, trunc
+
+import numpy as np
+
+from pointpred.columns import BoolArray, EventColumns, FloatArray
+from pointpred.compiled import law
+from pointpred.simulation import slots
+from pointpred.transfer import known, pixels
+
+MEAN_LATE_S = 60e-6
+MOST_LATE_S = 0.8e-3
+"""Stamps lag behind the poll by an exponential time, never into the next poll."""
+STAMP_S = 2.0**-17
+"""Stamps are whole ticks of a clock at 131072 Hz (7.6 us): exact as floats, and small in a file."""
+
+
+@law
+def count(position_m: float, metres_per_count: float, counted: float) -> float:
+    """Whole counts an axis has moved since the last report; what is left waits for the next."""
+    return float(trunc(position_m / metres_per_count - counted))
+
+
+@law
+def pull(memory: FloatArray, hat_x: float, hat_y: float) -> tuple[float, float]:
+    """The assisted term over one report period, px; nothing where no endpoint is estimated."""
+    if hat_x != hat_x or hat_y != hat_y:
+        return 0.0, 0.0
+    share = -memory[slots.RHO] * memory[slots.PERIOD_S]
+    return share * (memory[slots.X] - hat_x), share * (memory[slots.Y] - hat_y)
+
+
+@law
+def report(memory: FloatArray, hat_x: float, hat_y: float) -> tuple[float, float]:
+    """Poll the sensor: the counts of both axes; the cursor moves by whole pixels.
+
+    With an estimate of the endpoint the cursor is drawn to it (Remark 2.2.1): -rho (x - T_hat) px/s.
+    """
+    unit = memory[slots.METRES_PER_COUNT]
+    dx = count(memory[slots.U], unit, memory[slots.COUNTED_X])
+    dy = count(memory[slots.V], unit, memory[slots.COUNTED_Y])
+    memory[slots.COUNTED_X] += dx
+    memory[slots.COUNTED_Y] += dy
+    gain = known.gain(memory, slots.FUNCTION, hypot(dx, dy) * unit / memory[slots.PERIOD_S])
+    scale = gain * memory[slots.PX_PER_METRE] * unit
+    pull_x, pull_y = pull(memory, hat_x, hat_y)
+    memory[slots.X] += pixels.carry(memory, slots.CARRY, scale * dx + pull_x)
+    memory[slots.Y] += pixels.carry(memory, slots.CARRY + 1, scale * dy + pull_y)
+    return dx, dy
+
+
+def lateness(generator: np.random.Generator, reports: int) -> FloatArray:
+    """How late each report is stamped (s): exponential, bounded."""
+    return np.asarray(np.minimum(generator.exponential(MEAN_LATE_S, reports), MOST_LATE_S))
+
+
+def reported(events: FloatArray, idle_reports: bool) -> EventColumns:
+    """The polls that make an event: the first, motion, a change of a button; all with ``idle_reports``."""
+    table = events.copy()
+    table[:, 0] = np.round(table[:, 0] / STAMP_S) * STAMP_S
+    if idle_reports:
+        return EventColumns(table)
+    told: BoolArray = (table[:, 3] != 0.0) | (table[:, 4] != 0.0)
+    told[1:] |= np.diff(table[:, 5]) != 0.0
+    told[:1] = True
+    return EventColumns(table[told])
