@@ -1,4 +1,4 @@
-"""Repeated-measures analysis of variance: does the model, the distance, the width change the error?"""
+"""Repeated-measures analysis of variance: whether the model, the distance or the width change the error."""
 
 from __future__ import annotations
 

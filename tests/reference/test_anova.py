@@ -23,7 +23,7 @@ def test_winer_s_table():
 
 
 def test_two_levels_are_a_paired_t_test():
-    table = np.random.default_rng(3).normal(size=(9, 2)) + [0.0, 0.8]
+    table = np.random.default_rng(3).normal(size=(9, 2)) + np.array([0.0, 0.8])
     (effect,) = anova(table, ["model"])
     t = stats.ttest_rel(table[:, 0], table[:, 1])
     assert effect.f == pytest.approx(t.statistic**2)

@@ -1,0 +1,207 @@
+"""Curves and bars of a report, drawn from the numbers that ``summary`` made: nothing is measured here."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.scoring.report_style import (
+    FAINT,
+    GREY,
+    HOLD,
+    MARKERS,
+    PALETTE,
+    Picture,
+    canvas,
+    legend_below,
+    line_style,
+    picture,
+)
+from pointpred.scoring.summary import SERIES
+
+Json = dict[str, Any]
+
+KINDS = {
+    "by_path": ("Error against path", "share of the path done [%]"),
+    "by_time": ("Error against time", "share of the time to arrival [%]"),
+    "single_axis": ("Single-axis MAE against path", "share of the longer axis done [%]"),
+}
+QUANTITIES = {"px": ("", "mean error [px]"), "of_hold": (", share of hold", "share of hold's error")}
+SHARE_LABEL = "share of hold's error (left is better)"
+
+
+def marked(described: Json, title: str) -> str:
+    """A title that says where people were simulated."""
+    return f"{title} (simulated)" if described["simulated"] else title
+
+
+def numbers(predictor: Json, kind: str, quantity: str) -> FloatArray:
+    """One series of a predictor or of a group in it, NaN where a number means nothing."""
+    return np.array([np.nan if c[quantity] is None else c[quantity] for c in predictor[kind].values()])
+
+
+def curves(described: Json, shown: Sequence[str], kind: str, quantity: str = "px") -> Picture:
+    """Mean error of every predictor against path or time: ``kind`` of KINDS, ``quantity`` of QUANTITIES."""
+    what, across = KINDS[kind]
+    title = marked(described, what + QUANTITIES[quantity][0])
+    series = {p["name"]: numbers(p, kind, quantity) for p in described["predictors"]}
+    with canvas() as (figure, (axes,)):
+        _lines(axes, series, shown, SERIES[kind])
+        axes.set_ylim(0.0, _top([series], shown))
+        axes.set(title=title, xlabel=across, ylabel=QUANTITIES[quantity][1])
+        legend_below(figure, axes)
+        hidden = len([name for name in series if name not in (*shown, HOLD)])
+        others = f" Thin lines: {hidden} other predictors." if hidden else ""
+        return picture(
+            figure,
+            f"{title} on {described['name']}: {_in_words(series, shown, SERIES[kind], quantity)}",
+            f"{title}; mean over {described['trials']} trials.{others}",
+        )
+
+
+def group_curves(described: Json, shown: Sequence[str], groups: Sequence[str]) -> Picture:
+    """The single-axis error in several groups of trials, a panel a group, one scale."""
+    title = marked(described, "Single-axis MAE by group")
+    fractions = SERIES["single_axis"]
+    rows = (len(groups) + 1) // 2
+    with canvas(rows, 2, width=8.0, height=0.8 + 2.6 * rows, share=True) as (figure, panels):
+        drawn = [
+            {p["name"]: numbers(p["groups"][key], "single_axis", "px") for p in described["predictors"]}
+            for key in groups
+        ]
+        for axes, key, series in zip(panels, groups, drawn, strict=False):
+            _lines(axes, series, shown, fractions)
+            axes.set_title(f"{key.replace('_', ' ')} ({described['groups'][key]['trials']})")
+        for axes in panels[len(groups) :]:
+            axes.set_visible(False)
+        panels[0].set_ylim(0.0, _top(drawn, shown))
+        figure.supxlabel(KINDS["single_axis"][1], fontsize=10.5)
+        figure.supylabel("mean error [px]", fontsize=10.5)
+        legend_below(figure, panels[0])
+        return picture(
+            figure,
+            f"{title} on {described['name']}: a panel each for {', '.join(groups).replace('_', ' ')}.",
+            f"{title}. Numbers of trials in brackets; how groups were told apart stands in the table.",
+            wide=True,
+        )
+
+
+def _lines(
+    axes: Any, series: dict[str, FloatArray], shown: Sequence[str], fractions: Sequence[float]
+) -> None:
+    """A line a predictor."""
+    for name, values in series.items():
+        axes.plot(100 * np.array(fractions), values, **line_style(name, shown))
+    axes.set_xticks([0, 20, 40, 60, 80, 100])
+    axes.grid(axis="y")
+
+
+def _top(panels: Sequence[dict[str, FloatArray]], shown: Sequence[str]) -> float:
+    """Upper end of a frame that holds every named line; a stray faint one may leave it."""
+    named = [v for series in panels for name, v in series.items() if name in shown or name == HOLD]
+    return 1.05 * max((float(v[np.isfinite(v)].max()) for v in named if np.isfinite(v).any()), default=1.0)
+
+
+def _in_words(
+    series: dict[str, FloatArray], shown: Sequence[str], fractions: Sequence[float], quantity: str
+) -> str:
+    """The named lines at their first, middle and last fraction."""
+    places = (0, len(fractions) // 2, len(fractions) - 1)
+    unit = " px" if quantity == "px" else ""
+    said = [
+        f"{name} " + ", ".join(f"{series[name][i]:.3g}{unit} at {fractions[i]:.0%}" for i in places)
+        for name in series
+        if name in shown or name == HOLD
+    ]
+    return "; ".join(said) + "."
+
+
+def skill_bars(described: Json) -> Picture:
+    """Time-averaged error as a share of hold's, with intervals, best first."""
+    ordered = _by_share(described)
+    title = marked(described, "Time-averaged error, share of hold")
+    better = []
+    with canvas(height=1.2 + 0.28 * len(ordered)) as (figure, (axes,)):
+        for place, predictor in enumerate(ordered):
+            cell = predictor["time_averaged"]
+            low, high = cell["interval"] or (cell["of_hold"], cell["of_hold"])
+            surely = cell["interval"] is not None and high < 1.0
+            better += [predictor["name"]] if surely else []
+            colour = GREY if predictor["name"] == HOLD else PALETTE[0] if surely else PALETTE[1]
+            axes.plot([low, high], [place, place], color=colour, linewidth=2.6)
+            axes.plot([cell["of_hold"]], [place], "o" if surely else "s", color=colour, markersize=6.5)
+        _rows(axes, ordered, title)
+        units = "people" if described["interval"]["resampled"] == "users" else "trials (one person)"
+        return picture(
+            figure,
+            f"{title} on {described['name']}. Interval wholly below 1: {', '.join(better) or 'none'}.",
+            f"Bars: {described['interval']['level']:.0%} bootstrap interval over {units}. Blue circle: "
+            "wholly below 1, better than no prediction; square: not. Skill is 1 minus this share.",
+        )
+
+
+def clean_against_all(described: Json) -> Picture:
+    """Share of hold's time-averaged error over all trials and over clean ones, side by side."""
+    ordered = [p for p in _by_share(described) if "clean_trials" in p["groups"]]
+    title = marked(described, "Clean trials against all")
+    with canvas(height=1.5 + 0.28 * len(ordered)) as (figure, (axes,)):
+        both = [[p["time_averaged"], p["groups"]["clean_trials"]["time_averaged"]] for p in ordered]
+        shares = np.array([[cell["of_hold"] for cell in cells] for cells in both], dtype=float)
+        for place, pair in enumerate(shares):
+            axes.plot(pair, [place, place], color=FAINT, linewidth=2.6)
+        counts = (described["trials"], described["groups"]["clean_trials"]["trials"])
+        for k, kind in enumerate(("all", "clean")):
+            label = f"{kind} trials ({counts[k]})"
+            axes.plot(
+                shares[:, k], range(len(ordered)), MARKERS[k], color=PALETTE[k], markersize=6.5, label=label
+            )
+        _rows(axes, ordered, title)
+        legend_below(figure, axes)
+        return picture(
+            figure,
+            f"{title} on {described['name']}: time-averaged error of each predictor as a share of hold's.",
+            "Time-averaged error as a share of hold's on the same trials. What is clean is the set's own "
+            "judgement: monotone, no long stop.",
+        )
+
+
+def _by_share(described: Json) -> list[Json]:
+    return sorted(
+        (p for p in described["predictors"] if p["time_averaged"]["of_hold"] is not None),
+        key=lambda p: p["time_averaged"]["of_hold"],
+    )
+
+
+def _rows(axes: Any, ordered: Sequence[Json], title: str) -> None:
+    """Predictors down the side, the share of hold's error along the bottom."""
+    axes.axvline(1.0, color=GREY, linestyle="--", linewidth=1.2)
+    axes.set_yticks(range(len(ordered)), [predictor["name"] for predictor in ordered])
+    axes.set(title=title, xlabel=SHARE_LABEL, ylim=(len(ordered) - 0.4, -0.6))
+    axes.grid(axis="x")
+
+
+def cost(described: Json) -> Picture:
+    """Processor time an event beside the time-averaged error."""
+    drawn = [p for p in _by_share(described) if p["us_per_event"]]
+    title = marked(described, "Cost beside accuracy")
+    with canvas(height=4.0) as (figure, (axes,)):
+        for p in drawn:
+            point = (p["us_per_event"], p["time_averaged"]["of_hold"])
+            axes.plot(*point, "o", color=GREY if p["name"] == HOLD else PALETTE[0])
+            axes.annotate(p["name"], point, (5, 3), textcoords="offset points", fontsize=9)
+        if drawn:
+            axes.set_xscale("log")
+            axes.xaxis.set_major_formatter("{x:g}")  # the usual one writes powers as mathematics
+            axes.xaxis.set_minor_formatter("")
+            axes.margins(x=0.25)
+        axes.set(title=title, xlabel="cost [µs per event, one core]", ylabel="share of hold's error")
+        axes.grid()
+        said = [f"{p['name']} {p['us_per_event']:.2g} µs, {p['time_averaged']['of_hold']:.2f}" for p in drawn]
+        return picture(
+            figure,
+            f"{title} on {described['name']}: {'; '.join(said)}.",
+            "Cost of the whole pipeline in the batch; further down and left is better.",
+        )

@@ -1,0 +1,164 @@
+"""A scoring run as one HTML file that needs nothing else: no request, no script."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from pointpred.errors import ParameterError
+from pointpred.pipeline import Pipeline
+from pointpred.recording import Recording
+from pointpred.registry import build
+from pointpred.scoring.figures import clean_against_all, cost, curves, group_curves, skill_bars
+from pointpred.scoring.report_boxes import boxes
+from pointpred.scoring.report_choice import compared, highlighted, pair
+from pointpred.scoring.report_page import page
+from pointpred.scoring.report_statistics import mae_table, statistics_html
+from pointpred.scoring.report_style import HOLD
+from pointpred.scoring.report_tables import (
+    groups_table,
+    series_table,
+    skipped_table,
+    summary_table,
+    table,
+    text,
+)
+from pointpred.scoring.report_worst import Drawing, draw_worst, worst
+from pointpred.scoring.results import SetScore
+from pointpred.scoring.statistics import axis_anova, axis_profile
+from pointpred.scoring.summary import summary
+from pointpred.scoring.trials import prepare, resolution
+
+Json = dict[str, Any]
+
+MOST_BOXES = 4
+GROUPS = (
+    "with_submovements", "without_submovements", "experienced_people", "novice_people", "clean_trials"
+)  # fmt: skip
+
+
+def write_report(
+    scores: Sequence[SetScore],
+    path: str | Path,
+    *,
+    recordings: Iterable[Recording] = (),
+    pipelines: Mapping[str, Pipeline] | None = None,
+) -> None:
+    """Write what was scored, every table and figure, the statistics and the protocol to ``path``.
+
+    The same scores give the same bytes. ``recordings`` are those that were scored, found by name: with them
+    the worst trials are drawn, for which the predictor is replayed; ``pipelines`` are patterns for names
+    that the registry does not build as they were scored. Names in recordings are not trusted: they are
+    escaped. Raises ParameterError for an empty list or a set scored without ``hold``, and OSError when the
+    file cannot be written.
+    """
+    if not scores:
+        raise ParameterError("a report needs at least one scored set, received none")
+    found = {recording.name: recording for recording in recordings}
+    body = [_set_html(i, score, found.get(score.name), pipelines or {}) for i, score in enumerate(scores)]
+    title = "Endpoint prediction: scores" + (" (simulated)" if all(s.simulated for s in scores) else "")
+    Path(path).write_text(page(title, [score.name for score in scores], "\n".join(body)), encoding="utf-8")
+
+
+def _set_html(
+    place: int, score: SetScore, recording: Recording | None, pipelines: Mapping[str, Pipeline]
+) -> str:
+    """One set: what was scored, summary, figures, statistics, worst trials."""
+    described = summary(score)
+    tag = ' <span class="tag">simulated people</span>' if score.simulated else ""
+    parts = [f'<h2 id="set-{place}">{text(score.name)}{tag}</h2>', _what(described)]
+    if not score.trials:
+        return "".join([*parts, "<p>No trial could be scored.</p>"])
+    shown = highlighted(described)
+    drawn = [skill_bars(described), *_curves(described, shown), cost(described)]
+    if "clean_trials" in described["groups"]:
+        drawn.append(clean_against_all(described))
+    parts += [
+        "<h3>Summary</h3>",
+        summary_table(described),
+        series_table(described, "by_time"),
+        series_table(described, "by_path"),
+        groups_table(described) if described["groups"] else "",
+        f'<h3>Error and cost</h3><div class="figures">{"".join(one.html() for one in drawn)}</div>',
+        _single_axis(score, described, shown),
+        _worst(score, shown, recording, pipelines),
+    ]
+    return "".join(parts)
+
+
+def _what(described: Json) -> str:
+    """Sizes, skipped trials and what the reader of the recording mended."""
+    failed = [(p["name"], skip) for p in described["predictors"] for skip in p["failed"]]
+    notes = "".join(f"<li>{text(note)}</li>" for note in described["notes"])
+    parts = [
+        "<h3>What was scored</h3>",
+        f"<p>{described['trials']} trials of {described['users']} people, {described['events']} events, "
+        f"{len(described['predictors'])} predictors; {len(described['skipped'])} trials skipped.</p>",
+        f"<ul>{notes}</ul>" if notes else "",
+        skipped_table(described),
+    ]
+    if failed:
+        rows = [(text(name), text(s["trial"]), text(s["reason"])) for name, s in failed[:20]]
+        caption = f"{described['name']}: {len(failed)} failures, scored as if nothing had been answered"
+        parts.append(table(caption, ("predictor", "trial", "reason"), rows))
+    return "".join(parts)
+
+
+def _curves(described: Json, shown: Sequence[str]) -> list[Any]:
+    kinds = (("by_time", "of_hold"), ("by_time", "px"), ("by_path", "of_hold"), ("by_path", "px"))
+    return [curves(described, shown, kind, quantity) for kind, quantity in kinds]
+
+
+def _single_axis(score: SetScore, described: Json, shown: Sequence[str]) -> str:
+    """The thesis's protocol: curve, groups, box plots, analysis of variance."""
+    known = {predictor.name: predictor for predictor in score.predictors}
+    chosen = dict.fromkeys((*pair(list(known)), *shown, HOLD))
+    boxed = [axis_profile(known[name]) for name in list(chosen)[:MOST_BOXES]]
+    drawn = [
+        curves(described, shown, "single_axis"),
+        boxes(score.name, boxed, simulated=score.simulated),
+    ]
+    groups = [key for key in GROUPS if key in described["groups"]]
+    if groups:
+        drawn.append(group_curves(described, shown, groups))
+    profiles = [axis_profile(predictor) for predictor in score.predictors]
+    caption = f"{score.name}: single-axis MAE in px, below it with outliers replaced by the quartile bound"
+    return (
+        f'<h3>Single axis</h3><div class="figures">{"".join(one.html() for one in drawn)}</div>'
+        + mae_table(caption, profiles)
+        + "<h3>Statistics</h3>"
+        + statistics_html(score.name, axis_anova(score, compared(score)))
+    )
+
+
+def _worst(
+    score: SetScore, shown: Sequence[str], recording: Recording | None, pipelines: Mapping[str, Pipeline]
+) -> str:
+    """The worst trials of the best predictor, drawn where the recording is at hand."""
+    if recording is None:
+        return "<h3>Worst trials</h3><p>Not drawn: the recording was not given to the report.</p>"
+    name = shown[0] if shown else HOLD
+    settings = resolution(recording, None, None)
+    pipeline = pipelines.get(name) or build(name, **settings)
+    drawings = worst(score, prepare(recording, **settings), pipeline)
+    rows = [_worst_row(i, drawing) for i, drawing in enumerate(drawings)]
+    head = ("panel", "user", "trial", "distance [px]", "time [s]", "error [px]", "answered")
+    figure = draw_worst(score.name, name, drawings, simulated=score.simulated).html()
+    return f'<h3>Worst trials</h3><div class="figures">{figure}</div>' + table(
+        f"{score.name}: trials with the largest time-averaged error of {name}", head, rows
+    )
+
+
+def _worst_row(place: int, drawing: Drawing) -> tuple[str, ...]:
+    about = drawing.trial.trial
+    answered = float((drawing.answers.x == drawing.answers.x).mean())
+    return (
+        str(place + 1),
+        text(about.user),
+        text(about.trial),
+        f"{drawing.trial.distance_px:.0f}",
+        f"{drawing.trial.arrival_s:.2f}",
+        f"{drawing.error_px:.1f}",
+        f"{answered:.0%}",
+    )

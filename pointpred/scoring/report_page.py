@@ -1,0 +1,37 @@
+"""The page around a report: ``report.html`` holds its style and the protocol in words."""
+
+from __future__ import annotations
+
+import platform
+from collections.abc import Sequence
+from importlib.metadata import PackageNotFoundError, version
+from importlib.resources import files
+from string import Template
+
+from pointpred.scoring.report_tables import table, text
+
+PACKAGES = ("pointpred", "numpy", "numba", "scipy", "statsmodels", "matplotlib")
+
+
+def versions_table() -> str:
+    """What computed the report."""
+    rows = [("Python", text(platform.python_version()))]
+    for name in PACKAGES:
+        try:
+            rows.append((name, text(version(name))))
+        except PackageNotFoundError:  # run from a source tree that is not installed
+            rows.append((name, "not installed as a package"))
+    return table("Versions", ("package", "version"), rows)
+
+
+def page(title: str, names: Sequence[str], body: str) -> str:
+    """One HTML document without a single request; set i of ``names`` has the anchor ``set-i`` in ``body``."""
+    contents = [(f"set-{i}", name) for i, name in enumerate(names)]
+    contents += [("protocol", "How it was measured"), ("versions", "Versions")]
+    template = files("pointpred.scoring").joinpath("report.html").read_text(encoding="utf-8")
+    return Template(template).substitute(
+        title=text(title),
+        contents="".join(f'<li><a href="#{anchor}">{text(name)}</a></li>' for anchor, name in contents),
+        body=body,
+        versions=versions_table(),
+    )

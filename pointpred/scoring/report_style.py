@@ -1,0 +1,124 @@
+"""How the report's figures look: one palette, one size, vector graphics that follow light and dark."""
+
+from __future__ import annotations
+
+import base64
+import html
+import io
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+HOLD = "hold"
+MOST_LINES = 6
+PALETTE = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00")
+"""Okabe and Ito's colours, told apart with any colour vision; markers say the same once more."""
+MARKERS = ("o", "s", "^", "D", "v", "P")
+GREY = "#808080"
+INK = "#010203"
+"""Stands for the text colour of the page: replaced by ``currentColor`` once drawn."""
+FAINT = "#80808055"
+WIDTH_IN, HEIGHT_IN = 5.0, 3.5
+"""Small enough that the letters stay readable on a telephone."""
+
+SETTINGS: dict[Any, Any] = {
+    "axes.edgecolor": INK,
+    "axes.labelcolor": INK,
+    "axes.titlecolor": INK,
+    "axes.spines.right": False,
+    "axes.spines.top": False,
+    "axes.titlesize": 11,
+    "axes.titlelocation": "left",
+    "figure.dpi": 96,
+    "figure.facecolor": "none",
+    "axes.facecolor": "none",
+    "legend.frameon": False,
+    "legend.fontsize": 9.5,
+    "font.family": "sans-serif",
+    "font.sans-serif": ["DejaVu Sans"],
+    "font.size": 10.5,
+    "grid.color": FAINT,
+    "lines.linewidth": 1.8,
+    "lines.markersize": 4.5,
+    "svg.fonttype": "none",
+    "svg.hashsalt": "pointpred",
+    "text.color": INK,
+    "text.parse_math": False,  # names are not ours: a dollar sign in one is a dollar sign
+    "xtick.color": INK,
+    "ytick.color": INK,
+}
+FOLLOW = (
+    "<style>svg{color:#1d2126}@media (prefers-color-scheme:dark){svg{color:#dfe3e8}}"
+    "@media print{svg{color:#000}}</style>"
+)
+
+
+class Picture(msgspec.Struct, frozen=True):
+    """A figure of the report: SVG text, what it shows in words, and the caption below it."""
+
+    svg: str
+    alt: str
+    caption: str
+    wide: bool = False
+
+    def html(self) -> str:
+        """The figure as HTML with nothing outside it."""
+        data = base64.b64encode(self.svg.encode()).decode()
+        kind = ' class="wide"' if self.wide else ""
+        return (
+            f'<figure{kind}><img src="data:image/svg+xml;base64,{data}" alt="{html.escape(self.alt)}">'
+            f"<figcaption>{html.escape(self.caption)}</figcaption></figure>"
+        )
+
+
+@contextmanager
+def canvas(rows: int = 1, columns: int = 1, *, width: float = WIDTH_IN, height: float = HEIGHT_IN,
+           share: bool = False) -> Iterator[tuple[Figure, list[Axes]]]:  # fmt: skip
+    """An empty figure in the report's style and its axes, row by row; no drawing state outlives it."""
+    import matplotlib
+    from matplotlib.backends.backend_svg import FigureCanvasSVG
+    from matplotlib.figure import Figure
+
+    with matplotlib.rc_context(SETTINGS):
+        figure = Figure(figsize=(width, height), layout="constrained")
+        FigureCanvasSVG(figure)
+        axes = figure.subplots(rows, columns, squeeze=False, sharey=share, sharex=share)
+        yield figure, list(axes.ravel())
+
+
+def picture(figure: Figure, alt: str, caption: str, *, wide: bool = False) -> Picture:
+    """Draw a figure: the same bytes for the same content. Call within ``canvas``."""
+    stream = io.StringIO()
+    figure.savefig(stream, format="svg", metadata={"Date": None, "Creator": None})
+    svg = stream.getvalue()
+    svg = svg[svg.index("<svg") :].replace(INK, "currentColor")
+    end = svg.index(">") + 1
+    return Picture(svg[:end] + FOLLOW + svg[end:], alt, caption, wide)
+
+
+def line_style(name: str, shown: Sequence[str]) -> dict[str, object]:
+    """Colour, marker and dash of a predictor: ``hold`` is the grey reference, the rest count up."""
+    if name == HOLD:
+        return {"color": GREY, "linestyle": (0, (4, 2)), "label": "hold (no prediction)", "zorder": 2.5}
+    if name not in shown:
+        return {"color": FAINT, "linewidth": 0.8, "zorder": 1.5}
+    place = [other for other in shown if other != HOLD].index(name)
+    return {
+        "color": PALETTE[place % len(PALETTE)],
+        "marker": MARKERS[place % len(MARKERS)],
+        "label": name,
+        "zorder": 3.0,
+    }
+
+
+def legend_below(figure: Figure, axes: Axes) -> None:
+    """The legend under the axes, two names a line."""
+    handles, labels = axes.get_legend_handles_labels()
+    if handles:
+        figure.legend(handles, labels, loc="outside lower center", ncols=2, columnspacing=1.2)

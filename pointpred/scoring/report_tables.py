@@ -1,0 +1,129 @@
+"""The tables of a report as HTML. Every string that comes from a recording is escaped here."""
+
+from __future__ import annotations
+
+import html
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from pointpred.scoring.report_style import HOLD
+from pointpred.scoring.results import PATH_FRACTIONS, TIME_FRACTIONS
+
+Json = dict[str, Any]
+LONGEST = 80
+
+
+def text(value: object) -> str:
+    """A string safe in HTML: escaped, unprintable characters replaced, cut to LONGEST characters.
+
+    >>> text("<b>")
+    '&lt;b&gt;'
+    """
+    shown = "".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in str(value))
+    return html.escape(shown if len(shown) <= LONGEST else shown[: LONGEST - 1] + "…")
+
+
+def table(
+    caption: str, head: Sequence[str], rows: Iterable[Sequence[str]], *, marked: frozenset[int] = frozenset()
+) -> str:
+    """A table of cells that are HTML already, the first names its row; ``marked`` rows are the reference."""
+    lines = [
+        f'<tr{" class=reference" if i in marked else ""}><th scope="row">{row[0]}</th>'
+        + "".join(f"<td>{cell}</td>" for cell in row[1:])
+        + "</tr>"
+        for i, row in enumerate(rows)
+    ]
+    top = "".join(f'<th scope="col">{cell}</th>' for cell in head)
+    return (
+        f'<div class="scroll" tabindex="0" role="region" aria-label="{html.escape(caption)}"><table>'
+        f"<caption>{html.escape(caption)}</caption><thead><tr>{top}</tr></thead>"
+        f"<tbody>{''.join(lines)}</tbody></table></div>"
+    )
+
+
+def number(value: float | None, digits: int = 2) -> str:
+    """A number for a cell, a dash where there is none."""
+    return "–" if value is None else f"{value:.{digits}f}"
+
+
+def cell(measure: Json) -> str:
+    """Share of hold above its px."""
+    return f"{number(measure['of_hold'])}<small>{number(measure['px'], 1)} px</small>"
+
+
+def summary_table(described: Json) -> str:
+    """Time-averaged error with interval, clean trials, coverage and cost, a row a predictor."""
+    rows = []
+    for predictor in described["predictors"]:
+        averaged = predictor["time_averaged"]
+        bounds = averaged["interval"]
+        clean = predictor["groups"].get("clean_trials", {}).get("time_averaged")
+        rows.append(
+            (
+                text(predictor["name"]),
+                number(averaged["of_hold"]),
+                "–" if bounds is None else f"{bounds[0]:.2f} to {bounds[1]:.2f}",
+                number(averaged["px"], 1),
+                number(averaged["skill"]),
+                "–" if clean is None else number(clean["of_hold"]),
+                "–" if predictor["coverage"] is None else f"{predictor['coverage']:.0%}",
+                number(predictor["us_per_event"]),
+                str(len(predictor["failed"])),
+            )
+        )
+    head = ("predictor", "share of hold", "95 % interval", "px", "skill", "clean trials", "answered",
+            "µs per event", "failed")  # fmt: skip
+    return table(f"{described['name']}: time-averaged error", head, rows, marked=_reference(described))
+
+
+def series_table(described: Json, kind: str) -> str:
+    """Error at each fraction of the time (``by_time``) or of the path (``by_path``)."""
+    fractions, what = {"by_time": (TIME_FRACTIONS, "time"), "by_path": (PATH_FRACTIONS, "path")}[kind]
+    rows = [
+        (text(p["name"]), *(cell(p[kind][str(fraction)]) for fraction in fractions))
+        for p in described["predictors"]
+    ]
+    return table(
+        f"{described['name']}: error at shares of the {what}, as a share of hold and in px",
+        (f"share of the {what}", *(f"{fraction:.0%}" for fraction in fractions)),
+        rows,
+        marked=_reference(described),
+    )
+
+
+def _reference(described: Json) -> frozenset[int]:
+    return frozenset(i for i, p in enumerate(described["predictors"]) if p["name"] == HOLD)
+
+
+def groups_table(described: Json) -> str:
+    """How the trials were divided, and the time-averaged error in each part."""
+    names = [p["name"] for p in described["predictors"]]
+    rows = []
+    for key, group in described["groups"].items():
+        parts = [p["groups"][key]["time_averaged"] for p in described["predictors"]]
+        basis = f"<small>{text(group['basis'])}</small>"
+        rows.append(
+            (text(key.replace("_", " ")) + basis, str(group["trials"]), *(cell(part) for part in parts))
+        )
+    head = ("group", "trials", *(text(name) for name in names))
+    return table(f"{described['name']}: time-averaged error by group", head, rows)
+
+
+def skipped_table(described: Json, most: int = 20) -> str:
+    """Trials left out, by reason; single trials where they are few."""
+    skipped = described["skipped"]
+    if not skipped:
+        return "<p>No trial was skipped.</p>"
+    caption = f"{described['name']}: {len(skipped)} trials skipped"
+    if len(skipped) <= most:
+        rows = [(text(s["trial"]), text(s["reason"]), number(s["row"], 0)) for s in skipped]
+        return table(caption, ("trial", "reason", "row"), rows)
+    counted = Counter(s["reason"] for s in skipped)
+    first = {reason: next(s["trial"] for s in skipped if s["reason"] == reason) for reason in counted}
+    common = counted.most_common(most)
+    rows = [(text(reason), str(count), text(first[reason])) for reason, count in common]
+    rest = len(skipped) - sum(count for _, count in common)
+    if rest:
+        rows.append((f"{len(counted) - most} other reasons", str(rest), "–"))
+    return table(caption, ("reason", "trials", "first of them"), rows)

@@ -1,0 +1,113 @@
+"""The worst trials of a predictor, drawn: where the cursor went and where it was said to end."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from pointpred.columns import EventColumns, PredictionColumns
+from pointpred.errors import ParameterError, RecordingError
+from pointpred.pipeline import Pipeline, run
+from pointpred.scoring.report_style import GREY, INK, PALETTE, Picture, canvas, picture
+from pointpred.scoring.results import ScoredTrial, SetScore
+from pointpred.scoring.trials import Prepared
+
+COUNT = 6
+
+
+class Drawing(msgspec.Struct, frozen=True):
+    """One trial to draw: its events from the onset on and the answers given to them."""
+
+    trial: ScoredTrial
+    events: EventColumns
+    answers: PredictionColumns
+    error_px: float
+    """Time-averaged."""
+
+
+def worst(score: SetScore, prepared: Prepared, pipeline: Pipeline, count: int = COUNT) -> tuple[Drawing, ...]:
+    """The trials with the largest time-averaged error, replayed; trials in which the pipeline failed are not.
+
+    ``prepared`` is the recording that was scored. Raises RecordingError when it holds other trials and
+    ParameterError when the pipeline was not scored.
+    """
+    names = [one.trial.trial for one in prepared.trials]
+    if names != [one.trial.trial for one in score.trials]:
+        raise RecordingError(
+            f"{prepared.name} holds {len(names)} trials that are not the {len(score.trials)} of the score"
+        )
+    scored = {one.name: one for one in score.predictors}
+    if pipeline.name not in scored:
+        raise ParameterError(f"{pipeline.name!r} was not scored on {score.name}; scored: {', '.join(scored)}")
+    errors = scored[pipeline.name]
+    failed = {skip.trial for skip in errors.failed}
+    order = np.argsort(-errors.time_averaged, kind="stable").tolist()
+    chosen = [k for k in order if names[k] not in failed][:count]
+    return tuple(
+        Drawing(
+            score.trials[k],
+            prepared.rows(k),
+            run(pipeline.fresh(), prepared.rows(k)),
+            float(errors.time_averaged[k]),
+        )
+        for k in chosen
+    )
+
+
+def draw_worst(name: str, predictor: str, drawings: Sequence[Drawing], *, simulated: bool = False) -> Picture:
+    """A panel a trial: path, predicted endpoints coloured by time, true endpoint, target where known."""
+    title = f"Worst trials of {predictor}" + (" (simulated)" if simulated else "")
+    rows = (len(drawings) + 1) // 2
+    with canvas(rows, 2, width=8.0, height=0.9 + 3.0 * rows) as (figure, panels):
+        colours = None
+        for place, (axes, drawing) in enumerate(zip(panels, drawings, strict=False)):
+            colours = _panel(axes, drawing)
+            axes.set_title(f"{place + 1}: {drawing.error_px:.0f} px over {drawing.trial.distance_px:.0f} px")
+        for axes in panels[len(drawings) :]:
+            axes.set_visible(False)
+        if colours is not None:
+            figure.colorbar(colours, ax=panels, location="bottom", shrink=0.6, aspect=40,
+                            label="time of the prediction [% of onset to arrival]")  # fmt: skip
+            handles, labels = panels[0].get_legend_handles_labels()
+            figure.legend(handles, labels, loc="outside upper center", ncols=4)
+        worst_of_all = max((drawing.error_px for drawing in drawings), default=0.0)
+        return picture(
+            figure,
+            f"{title} on {name}: {len(drawings)} paths with the predicted endpoints; largest error "
+            f"{worst_of_all:.3g} px.",
+            f"{title}: time-averaged error and distance above each panel. Positions in px, y down; "
+            "predictions far outside the frame are not drawn.",
+            wide=True,
+        )
+
+
+def _panel(axes: Any, drawing: Drawing) -> Any:
+    """One trial; returns what the colour bar explains."""
+    from matplotlib.patches import Circle
+
+    events, answers, about = drawing.events, drawing.answers, drawing.trial.trial
+    share = 100 * (events.t - events.t[0]) / drawing.trial.arrival_s
+    axes.plot(events.x, events.y, color=GREY, linewidth=1.4, label="cursor")
+    axes.plot(events.x[:1], events.y[:1], "o", color=INK, markersize=6, label="start")
+    if np.isfinite([about.target_x, about.target_y, about.target_w]).all():
+        axes.add_patch(Circle((about.target_x, about.target_y), about.target_w / 2, fill=False,
+                              edgecolor=PALETTE[2], linewidth=1.6))  # fmt: skip
+    shown = axes.scatter(
+        answers.x,
+        answers.y,
+        c=np.minimum(share, 100),
+        cmap="cividis",
+        s=16,
+        edgecolors=GREY,
+        linewidths=0.4,
+        vmin=0,
+        vmax=100,
+    )
+    axes.plot(events.x[-1:], events.y[-1:], "X", color=PALETTE[1], markersize=9, label="true endpoint")
+    half = 0.75 * max(np.ptp(events.x), np.ptp(events.y), 50.0)
+    middle_x, middle_y = (v.min() + np.ptp(v) / 2 for v in (events.x, events.y))
+    axes.set(xlim=(middle_x - half, middle_x + half), ylim=(middle_y + half, middle_y - half), aspect="equal")
+    return shown
