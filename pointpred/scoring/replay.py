@@ -103,7 +103,8 @@ def _unanswered(prepared: Prepared, trial: int, reason: str, seconds: float) -> 
     events = prepared.rows(trial)
     nothing = PredictionColumns(np.full((len(events), len(PredictionColumns.names)), np.nan))
     measures, _ = _measure(prepared, trial, trial + 1, events, nothing)
-    skip = Skip(prepared.trials[trial].trial.trial, reason)
+    who = prepared.trials[trial].trial
+    skip = Skip(who.trial, f"{reason} (user {who.user})")
     return _Chunk(trial, trial + 1, measures, (skip,), len(events), seconds)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import hypot
 from typing import Any
 
 import numpy as np
@@ -14,27 +15,34 @@ from pointpred.scoring.chunks import in_threads
 
 PEAK_RATIO = 5.0
 """A trial is free of sub-movements when its highest speed peak is at least so many times every other."""
+DIP = 2.0
+"""Two peaks are two, and no ripple on one, when the speed between them falls to this part of the lower."""
+
+
+@law
+def divided(motions: FloatArray, first: int, stop: int) -> bool:
+    """Whether the second highest speed peak of these rows exceeds a fifth of the highest."""
+    highest, second = 0.0, 0.0
+    rising, extreme = True, 0.0
+    for i in range(first, stop):
+        speed = hypot(motions[i, 3], motions[i, 4])
+        if (rising and speed >= extreme) or (not rising and speed <= extreme):
+            extreme = speed
+        elif not rising and speed > DIP * extreme:
+            rising, extreme = True, speed
+        elif rising and DIP * speed < extreme:
+            highest, second = max(highest, extreme), max(second, min(highest, extreme))
+            rising, extreme = False, speed
+    if rising:  # a trial may end before its last peak has passed
+        highest, second = max(highest, extreme), max(second, min(highest, extreme))
+    return bool(PEAK_RATIO * second > highest)
 
 
 @law
 def divide(motions: FloatArray, offsets: NDArray[np.int64], out: BoolArray) -> None:
-    """Whether the second highest speed peak of each trial exceeds a fifth of the highest.
-
-    A peak is a sample faster than the one before and not slower than the one after; the first and the last
-    sample of a trial are none.
-    """
+    """The same for each trial."""
     for k in range(len(offsets) - 1):
-        highest, second = 0.0, 0.0
-        before, now = 0.0, 0.0
-        for i in range(offsets[k], offsets[k + 1]):
-            after = (motions[i, 3] ** 2 + motions[i, 4] ** 2) ** 0.5
-            if i > offsets[k] + 1 and before < now and now >= after:
-                if now > highest:
-                    highest, second = now, highest
-                elif now > second:
-                    second = now
-            before, now = now, after
-        out[k] = PEAK_RATIO * second > highest
+        out[k] = divided(motions, offsets[k], offsets[k + 1])
 
 
 def submovements(
@@ -42,13 +50,14 @@ def submovements(
 ) -> BoolArray:
     """Which trials have sub-movements; rows ``offsets[i]`` up to ``offsets[i + 1]`` are trial i.
 
-    Assumes that the differentiator's speed shows one peak a sub-movement; it smooths the ripple of a
-    hand or of a coarse clock only as far as its gains do, so noisy recordings count more sub-movements.
+    Assumes that a sub-movement shows as a peak of the speed: pieces that overlap so far that the speed does
+    not fall by half between them count as one. Whole pixels make ripples on every peak, which is why the
+    fall is asked for; a clock that stutters may still make a peak of its own.
 
     The speed is the length of the velocity that the homogeneous differentiator with the thesis's gains
     finds, restarted at each row marked ``begin``. ``resolution``: ``cpi`` and ``dpi`` as for ``build``.
 
-    Reference: Khalin 2022, section 2.6.3 (ratio 5).
+    Reference: Khalin 2022, section 2.6.3 (ratio 5; what a peak is, it does not say).
     """
 
     def work(first: int, stop: int) -> BoolArray:
