@@ -84,6 +84,32 @@ def test_replay_gives_the_streaming_answers_bit_for_bit(name: str, monkeypatch: 
         assert np.array_equal(out[metrics.SINGLE_AXIS :], replayed.single_axis[k])
 
 
+@pytest.mark.parametrize("name", list(REGISTRY))
+def test_no_pipeline_sees_the_future_of_its_trial(name: str) -> None:
+    recording = walks(6)
+    table, known = recording.events.table.copy(), []
+    for first, stop in zip(recording.offsets[:-1], recording.offsets[1:], strict=True):
+        middle = (first + stop) // 2
+        table[middle:stop, 1:3] = 3000.0 - 2.0 * table[middle:stop, 1:3]
+        known.append(middle)
+    other = Recording.of(
+        "other",
+        [
+            EventColumns(table[a:b])
+            for a, b in zip(recording.offsets[:-1], recording.offsets[1:], strict=True)
+        ],
+        recording.trials,
+    )
+    here, there = prepare(recording), prepare(other)
+    one, two = run(build(name), here.events).table, run(build(name), there.events).table
+    for k, middle in enumerate(known):
+        onset = recording.offsets[k + 1] - (here.offsets[k + 1] - here.offsets[k])
+        a, b, size = here.offsets[k], there.offsets[k], middle - onset
+        assert size > 3
+        assert np.array_equal(one[a : a + size], two[b : b + size], equal_nan=True)
+        assert here.trials[k].distance_px != there.trials[k].distance_px
+
+
 @pytest.mark.parametrize(("size", "threads"), [(1, 1), (90, 3), (10**6, 2)])
 def test_chunks_and_threads_change_nothing(size: int, threads: int, monkeypatch: pytest.MonkeyPatch) -> None:
     prepared = prepare(walks(30))
