@@ -157,3 +157,11 @@ def _provenance(path: Path, header: dict[str, Any]) -> tuple[Provenance, tuple[S
     except msgspec.ValidationError as error:
         raise RecordingError(f"{path}: the pointpred header is not as expected: {error}") from error
     return provenance, tuple(Skip(*skip) for skip in skipped)
+
+
+def samples_beside(path: Path) -> bool:
+    """Whether ``path`` is the trials file of a samples file beside it."""
+    if not path.stem.endswith(TRIALS):
+        return False
+    stem = path.stem.removesuffix(TRIALS)
+    return any(path.with_name(f"{stem}{SAMPLES}{end}").exists() for end in EXTENSIONS)

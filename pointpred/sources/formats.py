@@ -1,0 +1,170 @@
+"""Every format pointpred reads: recognise a file by its content, read files and folders, convert."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable
+from os.path import commonpath
+from pathlib import Path
+
+import msgspec
+
+from pointpred.errors import RecordingError
+from pointpred.recording import Recording, Skip
+from pointpred.sources import (
+    balabit,
+    evemu,
+    evtest,
+    gofitts,
+    hid_recorder,
+    jspsych,
+    libinput,
+    mousetrap,
+    pointing_dynamics,
+    psychopy,
+    recordings,
+    tables,
+)
+from pointpred.sources.joining import join
+from pointpred.sources.reading import AS_IS, Reading
+
+HEAD_BYTES = 1 << 16
+
+
+class Format(msgspec.Struct, frozen=True):
+    """A recording format: its key, what people call it, how it is recognised and read."""
+
+    key: str
+    title: str
+    recognises: Callable[[bytes], bool]
+    read: Callable[[Path, Reading], Recording]
+
+
+def _is_own(head: bytes) -> bool:
+    """Whether a file that begins with ``head`` is one of pointpred's own."""
+    first = head.split(b"\n", 1)[0]
+    named = first.replace(b'"', b"").replace(b"\r", b"").split(b",")
+    own = first.startswith(tables.MARK) or {b"user", b"trial"} <= set(named)
+    return head.startswith(tables.PARQUET_MAGIC) or own
+
+
+FORMATS: tuple[Format, ...] = (
+    Format("own", "pointpred Parquet or CSV", _is_own, lambda path, _: recordings.read(path)),
+    Format("gofitts", gofitts.TITLE, gofitts.recognises, gofitts.read),
+    Format("balabit", balabit.TITLE, balabit.recognises, balabit.read),
+    Format(
+        "pointing-dynamics", pointing_dynamics.TITLE, pointing_dynamics.recognises, pointing_dynamics.read
+    ),
+    Format("mousetrap", mousetrap.TITLE, mousetrap.recognises, mousetrap.read),
+    Format("psychopy", psychopy.TITLE, psychopy.recognises, psychopy.read),
+    Format("jspsych", jspsych.TITLE, jspsych.recognises, jspsych.read),
+    Format("libinput", libinput.TITLE, libinput.recognises, libinput.read),
+    Format("evtest", evtest.TITLE, evtest.recognises, evtest.read),
+    Format("hid-recorder", hid_recorder.TITLE, hid_recorder.recognises, hid_recorder.read),
+    Format("evemu", evemu.TITLE, evemu.recognises, evemu.read),
+)
+"""In the order in which they are tried: the strictest first."""
+
+
+class Summary(msgspec.Struct, frozen=True):
+    """What a conversion did: the files written, trials and users kept, trials skipped by reason, notes."""
+
+    files: tuple[str, ...]
+    trials: int
+    users: int
+    rows: int
+    skipped: dict[str, int]
+    notes: tuple[str, ...]
+
+
+def format_of(path: Path) -> Format | None:
+    """The format of a file by its first 64 KiB, whatever its name; ``None`` where none fits."""
+    try:
+        with path.open("rb") as file:
+            head = file.read(HEAD_BYTES)
+    except OSError as error:
+        raise RecordingError(f"{path}: cannot be read: {error.strerror}") from error
+    if not head:
+        raise RecordingError(f"{path}: the file is empty, expected a recording")
+    return next((form for form in FORMATS if form.recognises(head)), None)
+
+
+def read_any(path: str | Path, reading: Reading = AS_IS) -> list[Recording]:
+    """Read a recording of any known format, or every recording in a folder and the folders below it.
+
+    A file's format is told by its content. In a folder each own recording stays one; files of one foreign
+    format (sessions, users) become one recording named after the folder they share. A file that fits no format
+    is named in a note, one that cannot be read is a skip named after it; only when nothing can be read an error is raised.
+    Returns at least one recording; raises RecordingError naming the formats that were tried.
+    """
+    path = Path(path)
+    return _folder(path, reading) if path.is_dir() else [_file(path, reading)]
+
+
+def convert(path_in: str | Path, path_out: str | Path, reading: Reading = AS_IS) -> Summary:
+    """Convert a recording of any format, or a folder of one, to pointpred's own Parquet or CSV.
+
+    ``path_out`` ends in ``.parquet`` or ``.csv``; where the input holds several recordings, each goes to a
+    file of that name with its own name put in front. Returns what was kept and skipped; raises RecordingError.
+    """
+    out = Path(path_out)
+    found = read_any(path_in, reading)
+    files: list[str] = []
+    for recording in found:
+        name = out.name if len(found) == 1 else f"{recording.name}_{out.name}"
+        files += [str(file) for file in recordings.write(recording, out.with_name(name))]
+    return Summary(
+        tuple(files),
+        sum(len(recording.trials) for recording in found),
+        len({(recording.name, trial.user) for recording in found for trial in recording.trials}),
+        sum(len(recording.events) for recording in found),
+        dict(Counter(skip.reason for recording in found for skip in recording.skipped)),
+        tuple(note for recording in found for note in recording.notes),
+    )
+
+
+def _file(path: Path, reading: Reading) -> Recording:
+    """The recording in one file."""
+    form = format_of(path)
+    if form is None:
+        tried = ", ".join(form.title for form in FORMATS)
+        raise RecordingError(f"{path}: no known recording format; tried {tried}")
+    return form.read(path, reading)
+
+
+def _folder(path: Path, reading: Reading) -> list[Recording]:
+    """The recordings in a folder."""
+    own: list[Recording] = []
+    foreign: dict[str, list[tuple[Path, Recording]]] = {}
+    notes: list[str] = []
+    skipped: list[Skip] = []
+    files = [file for file in sorted(path.rglob("*")) if file.is_file() and not file.name.startswith(".")]
+    for file in files:
+        label = file.relative_to(path).as_posix()
+        if recordings.samples_beside(file):
+            continue
+        try:
+            form = format_of(file)
+            if form is None:
+                notes.append(f"{label} fits no recording format")
+            elif form.key == "own":
+                own.append(form.read(file, reading))
+            else:
+                foreign.setdefault(form.key, []).append((file, form.read(file, reading)))
+        except RecordingError as error:
+            skipped.append(Skip(label, str(error)))
+    found = own + [_joined(parts) for parts in foreign.values()]
+    if not found:
+        reasons = [skip.reason for skip in skipped] + notes
+        raise RecordingError(f"{path}: no recording among {len(files)} files; {'; '.join(reasons[:3])}")
+    found[0] = msgspec.structs.replace(
+        found[0], skipped=(*found[0].skipped, *skipped), notes=(*found[0].notes, *notes)
+    )
+    return found
+
+
+def _joined(parts: list[tuple[Path, Recording]]) -> Recording:
+    """The recordings of one foreign format as one, named after the folder that holds them all."""
+    folder = Path(commonpath([file.absolute().parent for file, _ in parts]))
+    labels = [file.absolute().relative_to(folder).as_posix() for file, _ in parts]
+    return join(folder.name, [part for _, part in parts], labels)

@@ -1,0 +1,57 @@
+"""OpenSesame mousetrap: CSV with a row a trial and lists of times and positions in its cells."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from pointpred.recording import Provenance, Recording, Skip, Trial
+from pointpred.sources import tables
+from pointpred.sources.lists import Lists, split
+from pointpred.sources.reading import AS_IS, Reading
+
+TITLE = "OpenSesame mousetrap CSV"
+TIMES, XS, YS = "timestamps_", "xpos_", "ypos_"
+USERS = ("subject_nr", "subject", "participant")
+
+
+def recognises(head: bytes) -> bool:
+    """Whether a file that begins with ``head`` is a mousetrap table."""
+    first = head.split(b"\n", 1)[0]
+    return all(word in first for word in (TIMES.encode(), XS.encode(), YS.encode()))
+
+
+def read(path: Path, reading: Reading = AS_IS) -> Recording:
+    """Read a table; a trial is ``<row>``, or ``<row> <item>`` where a row holds several items' tracks.
+
+    Assumes ms and px from the centre of the screen, y down. The stored positions stay relative to that centre
+    (the provenance says so). Rows without a track are counted in a note. Raises RecordingError.
+    """
+    table, _ = tables.read_table(path, lambda column: True)
+    names = table.column_names
+    items = [name.removeprefix(TIMES) for name in names if name.startswith(TIMES)]
+    required = [prefix + item for item in items or ["<item>"] for prefix in (TIMES, XS, YS)]
+    tables.need_columns(path, names, required, names)
+    user_column = next((name for name in USERS if name in names), None)
+    lists = Lists(path)
+    empty = 0
+    for row, cells in enumerate(
+        table.select([*required, *([user_column] if user_column else [])]).to_pylist()
+    ):
+        user = str(cells[user_column] or "unknown") if user_column else "unknown"
+        for item in items:
+            series = [cells[prefix + item] for prefix in (TIMES, XS, YS)]
+            trial = str(row) if len(items) == 1 else f"{row} {item}"
+            if not any(series):
+                empty += 1
+            elif not all(series):
+                lists.skip(Skip(trial, f"{item}: times or positions are missing", row))
+            else:
+                condition: dict[str, str | float] = {"item": item}
+                t, x, y = map(split, series)
+                lists.add(Trial(user, trial, condition=condition), row, t, x, y, scale=0.001)
+    if empty:
+        lists.notes.append(f"{empty} cells hold no track")
+    provenance = Provenance(
+        "mousetrap", origin="centre of the screen", clock="the experiment's clock, ms", dpi=reading.dpi
+    )
+    return lists.recording(path.stem, provenance)
