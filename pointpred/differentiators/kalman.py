@@ -35,7 +35,7 @@ def spread(memory: FloatArray, dt: float) -> None:
     p[1] = f01 + dt * f02 + q * dt**3 / 8.0
     p[2] = f02 + q * dt * dt / 6.0
     p[3] = g11 + dt * g12 + q * dt * dt / 3.0
-    p[4] = g12 + q * half
+    p[4] = g12 + q * dt / 2.0
     p[5] = p22 + q
 
 
