@@ -11,13 +11,17 @@ import re
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
+
+import msgspec
 
 from pointpred.cli.predictors import describe
 from pointpred.differentiators import DIFFERENTIATORS
 from pointpred.registry import REGISTRY
-from pointpred.stage import Parameter, defaults
+from pointpred.stage import defaults
 
 ROOT = Path(__file__).parents[1]
+HEADER = ("parameter", "unit", "bounds", "default", "meaning")
 PART = r"<!-- generated: {name} -->\n.*?<!-- end -->"
 
 
@@ -35,27 +39,16 @@ def predictors() -> str:
 
 
 def parameters() -> str:
-    """A section a predictor, with its own parameters."""
+    """A section a predictor, with its own parameters and the preset values of its differentiator."""
     sections = []
-    for name in REGISTRY:
+    for name, entry in REGISTRY.items():
         one = describe(name)
-        own = [p for p in one["parameters"] if p["of"] == "predictor"]
-        rows = [
-            (
-                f"`{p['name']}`",
-                p["unit"] or "-",
-                f"[{p['low']:g}, {p['high']:g}]",
-                f"`{p['default']}`",
-                p["meaning"],
-            )
-            for p in own
-        ]
-        listed = (
-            table(("parameter", "unit", "bounds", "default", "meaning"), rows) if own else "No parameters."
-        )
-        sections.append(
-            f"### {name}\n\n{one['title']}. Differentiator: `{one['differentiator']}`.\n\n{listed}"
-        )
+        own = [_row(p) for p in one["parameters"] if p["of"] == "predictor"]
+        listed = table(HEADER, own) if own else "No parameters."
+        preset = [f"`{key}` {value}" for key, value in entry.preset.items()]
+        sets = f" It sets {', '.join(preset)}." if preset else ""
+        head = f"{one['title']}. Differentiator: `{one['differentiator']}`.{sets}"
+        sections.append(f"### {name}\n\n{head[0].upper()}{head[1:]}\n\n{listed}")
     return "\n\n".join(sections)
 
 
@@ -64,17 +57,15 @@ def differentiators() -> str:
     sections = []
     for name, stage in DIFFERENTIATORS.items():
         values = defaults(stage)
-        listed = table(
-            ("parameter", "unit", "bounds", "default", "meaning"),
-            [_row(p, values[p.name]) for p in stage.parameters],
-        )
+        rows = [_row({**msgspec.structs.asdict(p), "default": values[p.name]}) for p in stage.parameters]
         summary = (stage.__doc__ or "").strip().splitlines()[0]
-        sections.append(f"### {name}\n\n{summary}\n\n{listed}")
+        sections.append(f"### {name}\n\n{summary}\n\n{table(HEADER, rows)}")
     return "\n\n".join(sections)
 
 
-def _row(p: Parameter, default: object) -> tuple[str, ...]:
-    return (f"`{p.name}`", p.unit or "-", f"[{p.low:g}, {p.high:g}]", f"`{default}`", p.meaning)
+def _row(p: dict[str, Any]) -> tuple[str, ...]:
+    bounds = f"[{p['low']:g}, {p['high']:g}]"
+    return (f"`{p['name']}`", p["unit"] or "-", bounds, f"`{p['default']}`", p["meaning"])
 
 
 PARTS: dict[str, dict[str, Callable[[], str]]] = {

@@ -67,7 +67,8 @@ def trial(name: str, predictors: tuple[str, ...]) -> dict[str, Any]:
 
 def _predict(predictor: str, recording: Recording, number: int) -> dict[str, list[float]]:
     """Predictions after each event; NaN, which JSON shows as null, where nothing was justified."""
-    predicted = run(build(predictor, cpi=recording.provenance.cpi), recording.rows(number))
+    said = recording.provenance
+    predicted = run(build(predictor, cpi=said.cpi, dpi=said.dpi), recording.rows(number))
     return {"x": _column(predicted.x, 2), "y": _column(predicted.y, 2)}
 
 

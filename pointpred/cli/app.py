@@ -52,7 +52,10 @@ def main(arguments: list[str] | None = None) -> NoReturn:
     try:
         code = app(args=arguments, prog_name="pointpred", standalone_mode=False)
         sys.stdout.flush()
-    except BrokenPipeError:
+    except (BrokenPipeError, SystemExit) as left:
+        # typer turns a closed pipe into SystemExit(1)
+        if not isinstance(left if isinstance(left, OSError) else left.__context__, BrokenPipeError):
+            raise
         code = DONE
         _abandon_output()
     except (typer.TyperException, PointpredError, OSError) as error:
@@ -73,7 +76,7 @@ def _sentence(error: Exception) -> str:
     if isinstance(error, typer.TyperException):
         context = getattr(error, "ctx", None)
         command = context.command_path if context is not None else "pointpred"
-        return f"{error.format_message()} See '{command} --help'."
+        return f"{error.format_message().rstrip('.')}. See '{command} --help'."
     if isinstance(error, OSError) and error.strerror:
         return f"{error.strerror}: {error.filename}" if error.filename else error.strerror
     return str(error)

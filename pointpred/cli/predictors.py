@@ -18,7 +18,7 @@ def predictors(
 ) -> None:
     """List the predictors, or show one with its parameters, units, bounds and defaults.
 
-    Examples:
+    Try:
 
       pointpred predictors
 

@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
-from pointpred.cli.screen import remarks, write_json
-from pointpred.errors import ParameterError, RecordingError
+from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Unit, reading
+from pointpred.cli.screen import check_target, remarks, write_json
+from pointpred.errors import ParameterError, PointpredError, RecordingError
 from pointpred.registry import REGISTRY, build
 
 if TYPE_CHECKING:
     from pointpred.recording import Recording
-    from pointpred.scoring.results import SetScore
+    from pointpred.sources import Reading
 
-FLOOR = "hold"
+Unread = dict[str, str]
+"""Files that could not be read, and why."""
 
 
 def score(
@@ -28,7 +30,7 @@ def score(
         str, typer.Option(help="Names separated by commas, or 'all'; 'hold' is always among them.")
     ] = "all",
     json: Annotated[
-        Path | None, typer.Option("--json", metavar="FILE", help="Write the scores as JSON; - for stdout.")
+        Path | None, typer.Option(metavar="FILE", help="Write every number as JSON; - for stdout.")
     ] = None,
     report: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Write one self-contained HTML page.")
@@ -36,10 +38,17 @@ def score(
     threads: Annotated[
         int | None, typer.Option(min=1, max=1024, help="Threads; not given: one for each processor.")
     ] = None,
+    seed: Annotated[int, typer.Option(min=0, help="Seed of the resampling behind the intervals.")] = 0,
+    cut: Cut = None,
+    pause_s: PauseS = None,
+    unit: Unit = None,
+    screen: Screen = None,
+    cpi: Cpi = None,
+    dpi: Dpi = None,
 ) -> None:
     """Score predictors on recordings: how far off they are, beside no prediction at all.
 
-    Examples:
+    Try:
 
       pointpred score
 
@@ -50,20 +59,62 @@ def score(
       pointpred score session.csv --json - | jq '.sets[0].predictors'
     """
     names = chosen(predictors)
-    screen = remarks()
-    scored: list[SetScore] = []
-    for recording in _recordings(files or []):
-        scored.append(_score(recording, names, threads))
-    if json is not None:
-        _write(scored, json)
-    if report is not None:
+    for target in (json, report):
+        check_target(target)
+    unread: Unread = {}
+    from pointpred.cli.progress import following
+    from pointpred.scoring import score as run
+    from pointpred.scoring import summary
+
+    with following() as progress:
+        recordings = (
+            _read(files, reading(cut, pause_s, unit, screen, cpi, dpi), unread) if files else _sample()
+        )
+        scored = run(recordings, names, threads=threads, progress=progress, cpi=cpi, dpi=dpi, seed=seed)
+    if report is not None and scored:
         from pointpred.scoring.report import write_report
 
         write_report(scored, report)
-        screen.print(f"report: {report}")
+        remarks().print(f"report written: {report}", markup=False)
+    described = [summary(one) for one in scored]
+    if json is not None:
+        failed = [{"file": file, "reason": reason} for file, reason in unread.items()]
+        write_json({"version": 1, "sets": described, "unread": failed}, json)
     if json is None or str(json) != "-":
-        from pointpred.cli.tables import print_scores
+        from pointpred.cli.tables import print_sets
 
-        print_scores(scored)
-    if not any(one.trials for one in scored):
+        print_sets(described)
+    if not any(one["trials"] for one in described):
         raise RecordingError("no trial could be scored; the reasons stand above")
+
+
+def chosen(text: str) -> list[str]:
+    """The predictors named in ``a,b`` or ``all``; raises ParameterError for an unknown or an empty list."""
+    if text.strip() == "all":
+        return list(REGISTRY)
+    names = list(dict.fromkeys(part.strip() for part in text.split(",") if part.strip()))
+    if not names:
+        raise ParameterError(f"--predictors needs names separated by commas or 'all', received {text!r}")
+    for name in names:
+        build(name)
+    return names
+
+
+def _sample() -> Iterator[Recording]:
+    """The recording that is always there."""
+    from pointpred.datasets import sample
+
+    remarks().print("No recording given: scoring the embedded sample of simulated people.")
+    yield sample()
+
+
+def _read(files: list[Path], told: Reading, unread: Unread) -> Iterator[Recording]:
+    """The recordings one by one, so that only one is in memory; complains where a file cannot be read."""
+    from pointpred.sources import read_any
+
+    for file in files:
+        try:
+            yield from read_any(file, told)
+        except (PointpredError, OSError) as error:
+            unread[str(file)] = str(error)
+            remarks().print(f"left out: {error}", style="red", markup=False)

@@ -8,6 +8,8 @@ from pathlib import Path
 import msgspec
 from rich.console import Console
 
+from pointpred.errors import ParameterError
+
 WIDE = 160
 """Columns of a table that goes to a file or a pipe, where no terminal says how wide it is."""
 
@@ -29,3 +31,13 @@ def write_json(value: object, target: Path) -> None:
         print(text)
     else:
         target.write_text(text + "\n", encoding="utf-8")
+
+
+def check_target(target: Path | None) -> None:
+    """Raise ParameterError now where a file could not be written later."""
+    if target is None or str(target) == "-":
+        return
+    if target.is_dir() or not target.parent.is_dir():
+        raise ParameterError(
+            f"cannot write {target}: its folder must exist and it must not be a folder itself"
+        )

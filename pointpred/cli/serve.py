@@ -27,7 +27,7 @@ def serve(
 ) -> None:
     """Serve the page with the embedded sample; prints its address once it can be opened.
 
-    Examples:
+    Try:
 
       pointpred serve
 

@@ -1,4 +1,4 @@
-"""``pointpred simulate`` and ``pointpred convert``: recordings out of nothing, and out of other formats."""
+"""``pointpred simulate`` and ``pointpred convert``: recordings from nothing, and from other formats."""
 
 from __future__ import annotations
 
@@ -7,16 +7,75 @@ from typing import Annotated
 
 import typer
 
+from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Unit, reading
+from pointpred.cli.screen import check_target, remarks
+
+Out = Annotated[Path, typer.Option(metavar="FILE", help="Samples file to write: .parquet or .csv.")]
+
 
 def simulate(
-    out: Annotated[Path, typer.Option(help="Samples file to write, .parquet or .csv.")] = Path(
-        "simulated.parquet"
-    ),
-    people: Annotated[int, typer.Option(min=1, max=10_000, help="Number of simulated people.")] = 10,
-    seed: Annotated[int, typer.Option(min=0, help="The same seed gives the same bytes.")] = 1,
+    out: Out = Path("simulated_samples.parquet"),
+    people: Annotated[int, typer.Option(help="How many people, from novices to experts.")] = 10,
+    seed: Annotated[int, typer.Option(help="The same seed gives the same bytes.")] = 0,
+    trials: Annotated[int, typer.Option(help="Movements in each circle, at most 12.")] = 12,
 ) -> None:
-    """Simulate."""
+    """Write a recording of simulated people pointing at targets on a circle.
+
+    Each person does 2 distances x 2 widths x 2 transfer functions, at 1 kHz with 2000 counts per inch. The
+    recording says that it is simulated, and every score of it says so too.
+
+    Try:
+
+      pointpred simulate
+
+      pointpred simulate --people 20 --seed 7 --out study_samples.csv
+
+      pointpred simulate --out a_samples.parquet && pointpred score a_samples.parquet
+    """
+    check_target(out)
+    from pointpred.simulation import people as persons
+    from pointpred.simulation import simulate_circle
+    from pointpred.sources import write
+
+    name = out.stem.removesuffix("_samples")
+    recording = simulate_circle(persons(people, seed), seed=seed, trials=trials, name=name)
+    for file in write(recording, out):
+        typer.echo(file)
+    remarks().print(f"{len(recording.trials)} trials, {len(recording.events)} events, simulated")
 
 
-def convert() -> None:
-    """Convert."""
+def convert(
+    source: Annotated[Path, typer.Argument(exists=True, help="A file of any known format, or a folder.")],
+    out: Out,
+    cut: Cut = None,
+    pause_s: PauseS = None,
+    unit: Unit = None,
+    screen: Screen = None,
+    cpi: Cpi = None,
+    dpi: Dpi = None,
+) -> None:
+    """Convert a recording to pointpred's own format; says what was kept, what was skipped and why.
+
+    Knows GoFitts, Balabit and SapiMouse, jsPsych, OpenSesame mousetrap, PsychoPy, evemu, evtest, libinput
+    record, hid-recorder, the Pointing Dynamics Dataset, and its own Parquet and CSV. The content tells.
+
+    Try:
+
+      pointpred convert block.sd3 --out block_samples.parquet
+
+      pointpred convert mouse.evemu --cut bursts --cpi 1600 --out mouse_samples.parquet
+
+      pointpred convert psychopy_data.csv --unit height --screen 1920x1080 --out study_samples.csv
+    """
+    check_target(out)
+    from pointpred.sources import convert as run
+
+    told = run(source, out, reading(cut, pause_s, unit, screen, cpi, dpi))
+    for file in told.files:
+        typer.echo(file)
+    screen_out = remarks()
+    screen_out.print(f"kept {told.trials} trials of {told.users} users, {told.rows} rows")
+    for reason, count in told.skipped.items():
+        screen_out.print(f"skipped {count}: {reason}", markup=False)
+    for note in told.notes:
+        screen_out.print(note, markup=False)

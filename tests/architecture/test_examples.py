@@ -7,6 +7,7 @@ import importlib
 from pathlib import Path
 
 import pytest
+
 from tests.architecture.tree import ROOT, module_of, package_files
 
 WITH_EXAMPLES = [path for path in package_files() if ">>> " in path.read_text(encoding="utf-8")]

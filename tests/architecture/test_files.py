@@ -6,6 +6,7 @@ import ast
 from pathlib import Path
 
 import pytest
+
 from tests.architecture.tree import ROOT, module_of, own_files, package_files
 
 LINES_MOST = 250

@@ -6,6 +6,7 @@ from graphlib import TopologicalSorter
 from pathlib import Path
 
 import pytest
+
 from tests.architecture.tree import imports_of, module_of, package_files
 
 GROUND = {"errors", "compiled", "events", "columns", "recording", "stage"}

@@ -11,6 +11,7 @@ import zipfile
 from pathlib import Path
 
 import pytest
+
 from tests.architecture.tree import ROOT, module_of, package_files
 
 NEEDED = 77  # the first setuptools that reads a licence expression

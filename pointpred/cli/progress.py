@@ -1,0 +1,25 @@
+"""A progress bar on stderr, only where somebody can see it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
+
+from pointpred.cli.screen import remarks
+
+Advance = Callable[[str, int, int], None]
+
+
+@contextmanager
+def following() -> Iterator[Advance | None]:
+    """Yield what a scoring run reports to: (set, events done, events in all); ``None`` without a terminal."""
+    screen = remarks()
+    if not screen.is_terminal:
+        yield None
+        return
+    columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=screen, transient=True) as bar:
+        task = bar.add_task("reading", total=None)
+        yield lambda name, done, total: bar.update(task, description=name, completed=done, total=total)

@@ -1,0 +1,76 @@
+"""Scored sets as tables in the terminal, with what was skipped and why."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from typing import Any
+
+from rich.table import Table
+
+from pointpred.cli.screen import remarks, results
+from pointpred.scoring import HEADINGS, rows
+
+NARROW = 120
+"""A terminal with fewer columns shows fewer of the table's."""
+IN_NARROW = ("predictor", "error of hold", "95 % interval", "time 50 %", "time 90 %", "path 75 %", "answers")
+REASONS_SHOWN = 5
+
+
+def print_sets(described: list[dict[str, Any]]) -> None:
+    """Print a table a set; remarks about skipped trials and mended rows go to stderr."""
+    for one in described:
+        if one["trials"]:
+            results().print(title(one), style="bold", markup=False)
+            results().print(_table(one))
+        _print_remarks(one)
+    if any(one["trials"] for one in described):
+        results().print(
+            "Errors are shares of the error of hold (no prediction), time-averaged in the first column; "
+            "below 1 is better.\nAll measures, in px as well: --json FILE; drawn: --report out.html",
+            style="dim",
+        )
+
+
+def title(one: dict[str, Any]) -> str:
+    """What the table is about, in one line."""
+    floor = one["predictors"][0]["time_averaged"]["px"]
+    skipped = f", {len(one['skipped'])} skipped" if one["skipped"] else ""
+    noun = "person" if one["users"] == 1 else "people"
+    people = f"{one['users']} {'simulated ' if one['simulated'] else ''}{noun}"
+    return f"{one['name']}: {one['trials']} trials{skipped}, {people}; hold is {floor:.1f} px off"
+
+
+def _table(one: dict[str, Any]) -> Table:
+    table = Table(box=None, pad_edge=False)
+    width = results().width
+    shown = [i for i, heading in enumerate(HEADINGS) if width >= NARROW or heading in IN_NARROW]
+    for i in shown:
+        table.add_column(HEADINGS[i], justify="left" if i == 0 else "right", no_wrap=i == 0)
+    for row in rows(one):
+        table.add_row(*(row[i] for i in shown))
+    return table
+
+
+def _print_remarks(one: dict[str, Any]) -> None:
+    for remark in _remarks(one):
+        remarks().print(f"{one['name']}: {remark}", markup=False)
+
+
+def _remarks(one: dict[str, Any]) -> Iterator[str]:
+    """What was mended, what was skipped and why, where a predictor failed."""
+    yield from one["notes"]
+    reasons = Counter(skip["reason"] for skip in one["skipped"])
+    told = reasons.most_common(REASONS_SHOWN)
+    for reason, count in told:
+        first = next(skip for skip in one["skipped"] if skip["reason"] == reason)
+        row = "" if first["row"] is None else f", row {first['row']}"
+        yield f"skipped {count}: {reason} (first: trial {first['trial']}{row})"
+    rest = reasons.total() - sum(count for _, count in told)
+    if rest:
+        yield f"skipped {rest} more for other reasons; --json lists each"
+    for predictor in one["predictors"]:
+        failed = predictor["failed"]
+        if failed:
+            first = f"{failed[0]['reason']} (first: trial {failed[0]['trial']})"
+            yield f"{predictor['name']} failed in {len(failed)} trials: {first}"

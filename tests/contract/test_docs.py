@@ -1,0 +1,49 @@
+"""The pages say what the code says."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from benchmarks.pages import PARTS, ROOT, filled, rendered
+from pointpred.differentiators import DIFFERENTIATORS
+from pointpred.registry import REGISTRY, parameters
+
+PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "CHANGELOG.md", *(ROOT / "docs").glob("*.md")]
+
+
+@pytest.mark.parametrize("path", PARTS)
+def test_generated_parts_are_current(path: str) -> None:
+    assert (ROOT / path).read_text(encoding="utf-8") == rendered(path), "run `make docs`"
+
+
+def test_every_predictor_and_parameter_is_listed() -> None:
+    page = (ROOT / "docs/predictors.md").read_text(encoding="utf-8")
+    for name in REGISTRY:
+        assert f"### {name}\n" in page
+        for parameter in parameters(name):
+            assert f"| `{parameter}` |" in page, f"{parameter} of {name}"
+    for name in DIFFERENTIATORS:
+        assert f"### {name}\n" in page
+
+
+def test_a_part_that_is_missing_is_an_error() -> None:
+    with pytest.raises(ValueError, match="expected one part 'scores', found 0"):
+        filled("# Nothing here\n", "scores", "text")
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda path: path.name)
+def test_links_inside_the_project_lead_somewhere(page: Path) -> None:
+    for link in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", page.read_text(encoding="utf-8")):
+        assert (page.parent / link).exists(), f"{page.name} links to {link}"
+
+
+NAMED = re.compile(r"`((?:pointpred|server|datasets|tests|benchmarks|docs)/[a-z0-9_/.-]+\.[a-z]+)")
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda path: path.name)
+def test_files_named_on_a_page_exist(page: Path) -> None:
+    for named in NAMED.findall(page.read_text(encoding="utf-8")):
+        assert (ROOT / named).exists(), f"{page.name} names {named}"

@@ -1,0 +1,115 @@
+"""What the service answers, without a socket."""
+
+from __future__ import annotations
+
+import math
+from html.parser import HTMLParser
+
+import pytest
+from fastapi.testclient import TestClient
+
+from pointpred import __version__, build
+from pointpred.datasets import sample
+from pointpred.registry import REGISTRY
+from pointpred.server.app import WEB, create_app
+from pointpred.server.hosts import HostRule
+
+
+@pytest.fixture(scope="module")
+def client() -> TestClient:
+    return TestClient(create_app(), base_url="http://127.0.0.1:8765")
+
+
+def test_health(client: TestClient) -> None:
+    assert client.get("/healthz").json() == {"status": "ok", "version": __version__}
+
+
+class References(HTMLParser):
+    """What a page loads."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.found: list[str] = []
+
+    def handle_starttag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
+        self.found += [value for name, value in attributes if name in ("src", "href") and value]
+
+
+def test_page_loads_only_what_lies_beside_it(client: TestClient) -> None:
+    page = client.get("/")
+    assert page.status_code == 200
+    assert page.headers["content-type"].startswith("text/html")
+    assert "default-src 'none'" in page.headers["content-security-policy"]
+    references = References()
+    references.feed(page.text)
+    assert references.found
+    for reference in references.found:
+        assert client.get(reference).status_code == 200, reference
+        assert reference.startswith("/")
+    for path in WEB.iterdir():
+        text = path.read_text(encoding="utf-8").replace('xmlns="http://www.w3.org/2000/svg"', "")
+        assert "//" not in text.replace("// ", ""), f"{path.name} names another host"
+
+
+def test_samples_are_listed_and_each_can_be_read(client: TestClient) -> None:
+    listing = client.get("/v1/samples").json()
+    assert listing["simulated"] is True
+    assert [one["name"] for one in listing["predictors"]] == list(REGISTRY)
+    assert len(listing["samples"]) == len(sample().trials)
+    name = listing["samples"][-1]["name"]
+    assert client.get(f"/v1/samples/{name}").json()["name"] == name
+
+
+@pytest.mark.parametrize("predictor", REGISTRY)
+def test_predictions_are_those_of_update(client: TestClient, predictor: str) -> None:
+    first = client.get("/v1/samples").json()["samples"][0]["name"]
+    shown = client.get(f"/v1/samples/{first}", params={"predictors": predictor}).json()
+    recording = sample()
+    pipeline = build(predictor, cpi=recording.provenance.cpi, dpi=recording.provenance.dpi)
+    column = shown["predictions"][predictor]
+    assert len(column["x"]) == len(column["y"]) == len(shown["t"]) == len(recording.rows(0))
+    for event, x, y in zip(recording.rows(0).events(), column["x"], column["y"], strict=True):
+        answer = pipeline.update(event)
+        assert (answer is None) == (x is None) == (y is None)
+        if answer is not None:
+            assert math.hypot(answer.x - x, answer.y - y) < 0.01
+
+
+@pytest.mark.parametrize(
+    ("path", "said"),
+    [
+        ("/v1/samples/nobody", "unknown sample 'nobody'"),
+        ("/v1/samples/{first}?predictors=hold,swiched", "unknown predictor 'swiched'"),
+    ],
+)
+def test_unknown_names_are_404_and_say_so(client: TestClient, path: str, said: str) -> None:
+    first = client.get("/v1/samples").json()["samples"][0]["name"]
+    answer = client.get(path.format(first=first))
+    assert answer.status_code == 404
+    assert said in answer.json()["message"]
+
+
+@pytest.mark.parametrize(
+    ("bound", "header", "admitted"),
+    [
+        ("127.0.0.1", "127.0.0.1:8765", True),
+        ("127.0.0.1", "localhost", True),
+        ("127.0.0.1", "LOCALHOST:1", True),
+        ("127.0.0.1", "[::1]:8765", True),
+        ("127.0.0.1", "evil.example", False),
+        ("127.0.0.1", "evil.example:8765", False),
+        ("127.0.0.1", "127.0.0.1.evil.example", False),
+        ("127.0.0.1", "localhost.evil.example", False),
+        ("127.0.0.1", "192.168.0.7", False),
+        ("127.0.0.1", "", False),
+        ("0.0.0.0", "192.168.0.7:8765", True),
+        ("0.0.0.0", "evil.example", False),
+        ("0.0.0.0", "lab.example", True),
+        ("lab.example", "lab.example", True),
+    ],
+)
+def test_foreign_hosts_are_refused(bound: str, header: str, admitted: bool) -> None:
+    rule = HostRule(bound, ["lab.example"] if bound != "127.0.0.1" else [])
+    with TestClient(create_app(rule), base_url="http://127.0.0.1") as client:
+        for path in ("/", "/healthz", "/v1/samples", "/web/page.js"):
+            assert client.get(path, headers={"Host": header}).status_code == (200 if admitted else 403)

@@ -1,0 +1,140 @@
+"""The command line as a person and a script meet it: help, errors in one line, exit codes."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+
+import pytest
+
+from pointpred import __version__
+from pointpred.cli import predictors as predictors_module
+from pointpred.registry import REGISTRY, parameters
+
+COMMANDS = ("score", "simulate", "convert", "predictors", "serve")
+GROUPED = (("datasets", "list"), ("datasets", "fetch"))
+
+
+def test_version(command) -> None:
+    assert command("--version") == (0, f"pointpred {__version__}\n", "")
+
+
+@pytest.mark.parametrize("words", [*((name,) for name in COMMANDS), *GROUPED], ids=" ".join)
+def test_help_teaches_by_example(command, words: tuple[str, ...]) -> None:
+    left = command(*words, "--help")
+    assert left.code == 0
+    examples = [line for line in left.out.splitlines() if line.strip().startswith("pointpred ")]
+    assert any(line.strip().startswith(f"pointpred {' '.join(words)}") for line in examples)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["scor"], "scor"),
+        (["predictors", "hol"], "did you mean 'hold'?"),
+        (["score", "--predictors", "hold,swiched"], "unknown predictor 'swiched'"),
+        (["score", "--predictors", " , "], "--predictors needs names"),
+        (["score", "--threads", "0"], "--threads"),
+        (["score", "no_such_file.csv"], "no_such_file.csv"),
+        (["score", "--json", "no/such/folder/out.json"], "no/such/folder/out.json"),
+        (["serve", "--port", "70000"], "--port"),
+        (["serve", "--colour", "red"], "--colour"),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, list) else "",
+)
+def test_wrong_use_is_one_readable_line_and_2(command, arguments: list[str], said: str) -> None:
+    left = command(*arguments)
+    assert left.code == 2
+    assert left.out == ""
+    assert said in left.err
+    assert left.err.startswith("pointpred: ")
+    assert len(left.err.splitlines()) == 1
+
+
+def test_no_arguments_show_the_help(command) -> None:
+    left = command()
+    assert "score" in left.out + left.err
+    assert left.code == 2
+
+
+def test_the_traceback_is_there_for_who_asks(command, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("POINTPRED_DEBUG", "1")
+    from pointpred.cli import main
+    from pointpred.errors import ParameterError
+
+    with pytest.raises(ParameterError):
+        main(["predictors", "hol"])
+
+
+def test_interrupt_leaves_with_130(command, monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(name: str) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(predictors_module, "describe", interrupted)
+    assert command("predictors").code == 130
+
+
+def test_predictors_lists_every_name(command) -> None:
+    left = command("predictors")
+    assert left.code == 0
+    first_words = {line.split()[0] for line in left.out.splitlines() if line.strip()}
+    assert REGISTRY.keys() <= first_words
+
+
+@pytest.mark.parametrize("name", REGISTRY)
+def test_predictors_shows_every_parameter(command, name: str) -> None:
+    left = command("predictors", name)
+    assert left.code == 0
+    shown = {line.split()[0] for line in left.out.splitlines() if line.strip()}
+    assert parameters(name).keys() <= shown
+
+
+def test_predictors_as_json_says_what_the_registry_says(command) -> None:
+    document = json.loads(command("predictors", "--json").out)
+    assert document["version"] == 1
+    assert [one["name"] for one in document["predictors"]] == list(REGISTRY)
+    for one in document["predictors"]:
+        said = {p["name"]: (p["unit"], p["low"], p["high"], p["default"]) for p in one["parameters"]}
+        meant = {k: (p.unit, p.low, p.high, value) for k, (p, value) in parameters(one["name"]).items()}
+        assert said == meant
+
+
+def test_a_reader_who_leaves_early_is_no_failure() -> None:
+    run = subprocess.Popen(
+        [sys.executable, "-m", "pointpred", "predictors", "--json"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    )
+    assert run.stdout is not None
+    assert run.stderr is not None
+    run.stdout.close()
+    complaint = run.stderr.read()
+    run.stderr.close()
+    assert (run.wait(), complaint) == (0, b"")
+
+
+HEAVY = ("pandas", "matplotlib", "statsmodels", "fastapi", "uvicorn", "pyarrow")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "allowed"),
+    [
+        (["--help"], ()),
+        (["predictors"], ()),
+        (["score", "--json", os.devnull], ("pyarrow",)),
+        (["serve", "--help"], ()),
+    ],
+    ids=lambda value: " ".join(value),
+)
+def test_nothing_heavy_is_imported_without_need(arguments: list[str], allowed: tuple[str, ...]) -> None:
+    code = (
+        "import sys\nfrom pointpred.cli import main\n"
+        f"try: main({arguments!r})\nexcept SystemExit as left: assert not left.code, left.code\n"
+        f"found = [name for name in {HEAVY!r} if name in sys.modules]\n"
+        "sys.stderr.write(f'HEAVY {found}')"
+    )
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    found = run.stderr.rpartition("HEAVY ")[2]
+    assert found == str([name for name in HEAVY if name in allowed])

@@ -1,0 +1,102 @@
+"""``pointpred score``: the walk from a recording to a number, and what happens to a bad one."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from pointpred.columns import EventColumns
+from pointpred.recording import Recording, Trial
+from pointpred.sources import recordings as own
+
+T = [0.0, 0.1, 0.2, 0.3]
+X = [0.0, 1.0, 60.0, 101.0]
+
+
+@pytest.fixture
+def good(tmp_path: Path) -> Path:
+    path = EventColumns.of(t=T, x=X, y=[0.0] * 4)
+    still = EventColumns.of(t=T, x=[5.0] * 4, y=[0.0] * 4)
+    trials = [Trial("ann", "1"), Trial("bob", "1"), Trial("bob", "2")]
+    return own.write(Recording.of("walk", [path, path, still], trials), tmp_path / "walk_samples.csv")[0]
+
+
+@pytest.fixture
+def bad(tmp_path: Path) -> Path:
+    path = tmp_path / "bad_samples.csv"
+    path.write_text("user,trial,t_s,x_px\nann,1,0.0,1.0\n")
+    return path
+
+
+def test_json_is_the_published_document(command, good: Path) -> None:
+    left = command("score", good, "--predictors", "hold", "--json", "-")
+    assert left.code == 0
+    document = json.loads(left.out)
+    assert document["version"] == 1
+    (one,) = document["sets"]
+    assert (one["name"], one["trials"], one["users"]) == ("walk", 2, 2)
+    assert [skip["trial"] for skip in one["skipped"]] == ["2"]
+    assert one["skipped"][0]["reason"]
+    (hold,) = one["predictors"]
+    assert hold["name"] == "hold"
+    assert hold["coverage"] == 1.0
+    # From the onset at 0.1 s: 0.05 s at 100 px, then 0.05 s at 41 px (a sample counts for 50 ms at most).
+    assert hold["time_averaged"]["px"] == pytest.approx(70.5)
+    assert hold["time_averaged"]["of_hold"] == 1.0
+    assert hold["time_averaged"]["interval"] == [1.0, 1.0]
+    assert hold["by_time"]["0.2"]["px"] == pytest.approx(100.0)
+    assert hold["by_path"]["1.0"]["px"] == pytest.approx(0.0)
+    assert hold["us_per_event"] > 0.0
+
+
+def test_table_has_hold_whoever_was_asked_for_and_counts_what_it_skips(command, good: Path) -> None:
+    left = command("score", good, "--predictors", "hold")
+    assert left.code == 0
+    assert "walk: 2 trials, 1 skipped, 2 people; hold is 70.5 px off" in left.out
+    assert any(line.split()[:2] == ["hold", "1.00"] for line in left.out.splitlines())
+    assert "walk: skipped 1: " in left.err
+    assert "(first: trial 2" in left.err
+
+
+def test_json_to_a_file_leaves_the_table(command, good: Path, tmp_path: Path) -> None:
+    left = command("score", good, "--predictors", "hold", "--json", tmp_path / "out.json")
+    assert "hold" in left.out
+    assert json.loads((tmp_path / "out.json").read_text())["sets"][0]["name"] == "walk"
+
+
+def test_nothing_scored_is_1_and_says_why(command, bad: Path) -> None:
+    left = command("score", bad, "--predictors", "hold")
+    assert left.code == 1
+    assert left.out == ""
+    assert "bad_samples.csv" in left.err
+    assert "y_px" in left.err
+    assert "no trial could be scored" in left.err
+    assert "Traceback" not in left.err
+
+
+def test_a_bad_file_does_not_stop_the_good_one(command, good: Path, bad: Path) -> None:
+    left = command("score", bad, good, "--predictors", "hold", "--json", "-")
+    assert left.code == 0
+    document = json.loads(left.out)
+    assert [one["name"] for one in document["sets"]] == ["walk"]
+    assert [one["file"] for one in document["unread"]] == [str(bad)]
+    assert "bad_samples.csv" in left.err
+
+
+def test_without_files_the_sample_is_scored_and_named(command) -> None:
+    left = command("score", "--predictors", "hold")
+    assert left.code == 0
+    assert "embedded sample of simulated people" in left.err
+    assert "10 simulated people" in left.out
+
+
+@pytest.mark.recordings
+def test_scores_a_recording_of_a_person(command, recordings: Path) -> None:
+    left = command(
+        "score", recordings / "gofitts_demo_samples.parquet", "--predictors", "hold", "--json", "-"
+    )
+    assert left.code == 0
+    (one,) = json.loads(left.out)["sets"]
+    assert one["trials"] + len(one["skipped"]) == 81
