@@ -52,7 +52,7 @@ class PolynomialIdentifier(CompiledStage):
     ``gap_s``, a longer pause makes a report's speed unknown; ``forgetting`` in (0, 1] for each sample;
     ``speed_low``, ``speed_high`` in m/s, the range that is judged; ``least_excitation`` the sine below which
     a power counts as not excited.
-    Memory: 323 floats. Raises ParameterError, and EventError from ``update``.
+    Memory: 299 floats. Raises ParameterError, and EventError from ``update``.
 
     Reference: Khalin 2022, sections 2.4.1 and 2.5.1, with the cursor's speed corrected.
 

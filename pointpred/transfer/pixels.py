@@ -20,11 +20,12 @@ NONE = float("nan")
 # Remainders of x and y in px, relative to `at`: all that carrying needs.
 CARRIED = 2
 
-# Memory of the stage: parameters with the transfer function behind them, then the state.
+# Memory of the stage, relative to `at`: parameters with the transfer function behind them, then the state.
 PX_PER_COUNT, METRES_PER_COUNT, PERIOD_S, GAP_S, FUNCTION = 0, 1, 2, 3, 4
 SETTINGS = FUNCTION + known.SLOTS
 KNOWN, T, GAIN, CARRY = SETTINGS, SETTINGS + 1, SETTINGS + 2, SETTINGS + 3
 STATES = 3 + CARRIED
+AT = 0
 
 
 @law
@@ -40,20 +41,33 @@ def carry(memory: FloatArray, at: int, moved_px: float) -> float:
 
 
 @law
+def accept(memory: FloatArray, at: int, t: float, dx: float, dy: float) -> tuple[bool, float]:
+    """Whether a report can be used, and the time in s that its counts took."""
+    fine = abs(t) <= LARGEST and abs(dx) <= LARGEST and abs(dy) <= LARGEST
+    if memory[at + KNOWN] == 0.0:
+        return fine, float(memory[at + PERIOD_S])
+    return fine and t >= memory[at + T], float(min(t - memory[at + T], memory[at + GAP_S]))
+
+
+@law
+def turn(memory: FloatArray, at: int, t: float, dt: float, dx: float, dy: float) -> float:
+    """Take in an accepted report and return the pixels of one count; no time, the gain of the one before."""
+    if dt > 0.0:
+        speed = hypot(dx, dy) * memory[at + METRES_PER_COUNT] / dt
+        memory[at + GAIN] = known.gain(memory, at + FUNCTION, speed)
+    memory[at + KNOWN] = 1.0
+    memory[at + T] = t
+    return float(memory[at + GAIN] * memory[at + PX_PER_COUNT])
+
+
+@law
 def step(memory: FloatArray, t: float, dx: float, dy: float) -> tuple[float, float, float]:
     """One report: (t, dx in px, dy in px); NaN for a report that is refused."""
-    before = memory[T]
-    fine = abs(t) <= LARGEST and abs(dx) <= LARGEST and abs(dy) <= LARGEST
-    if not fine or (memory[KNOWN] == 1.0 and t < before):
+    ok, dt = accept(memory, AT, t, dx, dy)
+    if not ok:
         return NONE, NONE, NONE
-    dt = min(t - before, memory[GAP_S]) if memory[KNOWN] == 1.0 else memory[PERIOD_S]
-    if dt > 0.0:
-        speed = hypot(dx, dy) * memory[METRES_PER_COUNT] / dt
-        memory[GAIN] = known.gain(memory, FUNCTION, speed)
-    memory[KNOWN] = 1.0
-    memory[T] = t
-    scale = memory[GAIN] * memory[PX_PER_COUNT]
-    return t, carry(memory, CARRY, scale * dx), carry(memory, CARRY + 1, scale * dy)
+    scale = turn(memory, AT, t, dt, dx, dy)
+    return t, carry(memory, AT + CARRY, scale * dx), carry(memory, AT + CARRY + 1, scale * dy)
 
 
 @law
@@ -63,6 +77,13 @@ def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out
         if begin[i]:
             memory[first:] = 0.0
         out[i, 0], out[i, 1], out[i, 2] = step(memory, rows[i, 0], rows[i, 1], rows[i, 2])
+
+
+def settings(
+    function: known.TransferFunction, cpi: float, dpi: float, period_s: float, gap_s: float
+) -> list[float]:
+    """The parameters as they stand first in the memory."""
+    return [dpi / cpi, METRES_PER_INCH / cpi, period_s, gap_s, *map(float, function.slots)]
 
 
 class PixelTransfer(CompiledStage):
@@ -104,7 +125,7 @@ class PixelTransfer(CompiledStage):
         values: dict[str, Any] = {"cpi": cpi, "dpi": dpi, "period_s": period_s, "gap_s": gap_s}
         check(self.parameters, values)
         self.function = function
-        super().__init__([dpi / cpi, METRES_PER_INCH / cpi, period_s, gap_s, *function.slots], STATES)
+        super().__init__(settings(function, cpi, dpi, period_s, gap_s), STATES)
 
     def update(self, report: tuple[float, float, float], /) -> tuple[float, float]:
         """Consume one report (t in s, dx and dy in counts) and return the whole pixels moved.
@@ -113,9 +134,8 @@ class PixelTransfer(CompiledStage):
         """
         t, dx, dy = step(self._memory, *report)
         if t != t:
-            raise EventError(
-                f"report must be finite and not before t = {float(self._memory[T])!r} s, received {report!r}"
-            )
+            last = float(self._memory[AT + T])
+            raise EventError(f"report must be finite and not before t = {last!r} s, received {report!r}")
         return dx, dy
 
     def run(self, t: FloatArray, dx: FloatArray, dy: FloatArray) -> FloatArray:

@@ -83,8 +83,7 @@ def gather(memory: FloatArray, dt: float, dx: float, dy: float) -> None:
 @law
 def step(memory: FloatArray, t: float, x: float, y: float, dx: float, dy: float) -> float:
     """One report of the device with the cursor's position after it: refused, taken or left out."""
-    size = max(abs(t), abs(x), abs(y), abs(dx), abs(dy))
-    if not (size <= LARGEST and abs(dx) + abs(dy) + abs(x) + abs(y) + abs(t) >= 0.0):
+    if not abs(t) + abs(x) + abs(y) + abs(dx) + abs(dy) <= LARGEST:
         return REFUSED
     known, dt = memory[KNOWN] == 1.0, t - memory[T]
     if known and dt < 0.0:
