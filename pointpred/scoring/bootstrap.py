@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import msgspec
 import numpy as np
+from numpy.typing import NDArray
 
 from pointpred.columns import FloatArray
 
@@ -35,7 +36,10 @@ def ratio_intervals(
     draws: int = DRAWS,
     level: float = LEVEL,
 ) -> Intervals:
-    """Intervals of mean(above) / mean(below), column by column; both are (trials, measures).
+    """Intervals of mean(above) / mean(below), column by column.
+
+    ``below`` is (trials, measures), ``above`` (trials, any multiple of measures): ``below`` is repeated to
+    the right, so that several predictors are compared with one floor on the same draws.
 
     Assumes that people are drawn independently from those the claim is about; few people make the interval
     too narrow. With one person the trials are drawn instead: the interval then says nothing about others.
@@ -55,21 +59,29 @@ def ratio_intervals(
     resampled = "users"
     if len(names) == 1:
         resampled, unit = "trials", np.arange(len(above))
-    units, measures = int(unit.max()) + 1 if len(unit) else 0, above.shape[1]
+    units, width = (int(unit.max()) + 1 if len(unit) else 0), above.shape[1]
     if units == 0:
-        nothing = np.full(measures, np.nan)
+        nothing = np.full(width, np.nan)
         return Intervals(nothing, nothing.copy(), resampled, 0)
-    sums = np.zeros((units, 2 * measures))
-    np.add.at(sums, unit, np.hstack([above, below]))
+    sums = _sums(np.hstack([above, below]), unit)
     generator = np.random.default_rng(seed)
-    totals = np.empty((draws, 2 * measures))
+    totals = np.empty((draws, sums.shape[1]))
     block = max(1, BLOCK // units)
     for first in range(0, draws, block):
         size = min(block, draws - first)
         drawn = generator.integers(0, units, (size, units)) + units * np.arange(size)[:, None]
         counts = np.bincount(drawn.ravel(), minlength=size * units).reshape(size, units)
         totals[first : first + size] = counts @ sums
-    ratios = np.full((draws, measures), np.nan)
-    np.divide(totals[:, :measures], totals[:, measures:], out=ratios, where=totals[:, measures:] > 0.0)
+    floor = np.tile(totals[:, width:], width // below.shape[1])
+    ratios = np.full((draws, width), np.nan)
+    np.divide(totals[:, :width], floor, out=ratios, where=floor > 0.0)
     low, high = np.quantile(ratios, [(1.0 - level) / 2.0, (1.0 + level) / 2.0], axis=0)
     return Intervals(low, high, resampled, units)
+
+
+def _sums(values: FloatArray, unit: NDArray[np.intp]) -> FloatArray:
+    """The sum of the rows of each unit; every number from 0 to the largest occurs."""
+    order = np.argsort(unit, kind="stable")
+    first = np.flatnonzero(np.diff(unit[order], prepend=-1))
+    found: FloatArray = np.add.reduceat(values[order], first, axis=0)
+    return found

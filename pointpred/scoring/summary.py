@@ -24,6 +24,8 @@ FLOOR = "hold"
 """No prediction: every other error is judged beside its error."""
 
 SERIES = {"by_time": TIME_FRACTIONS, "by_path": PATH_FRACTIONS, "single_axis": AXIS_FRACTIONS}
+WITH_INTERVAL = 1 + len(TIME_FRACTIONS) + len(PATH_FRACTIONS)
+"""Measures that have an interval: all but the single-axis ones, which the statistics look after."""
 
 Json = dict[str, Any]
 
@@ -37,9 +39,10 @@ def summary(score: SetScore, *, draws: int = DRAWS) -> Json:
     """One scored set as plain dictionaries and lists; ``None`` where a number means nothing.
 
     Every measure is {px, of_hold, skill, interval}: the mean error over trials, its ratio to the mean error
-    of ``hold``, 1 - ratio, and the ratio's interval over people. Each predictor says it for all trials, and
-    under ``groups`` for those that are clean, with and without sub-movements, of experienced people and of
-    novices, as far as the set has them, and under ``by_user`` (without intervals) for each person.
+    of ``hold``, 1 - ratio, and the ratio's interval over people (``None`` on the single axis). Each predictor
+    says it for all trials, and under ``groups`` for those that are clean, with and without sub-movements, of
+    experienced people and of novices, as far as the set has them; ``by_user`` holds the time-averaged error
+    of each person.
     Raises ParameterError when the set was scored without ``hold``.
     """
     floor = [errors for errors in score.predictors if errors.name == FLOOR]
@@ -107,13 +110,12 @@ def _describe(
     """For each predictor the measures of one group of trials."""
     tables = [_table(errors, group.mask) for errors in score.predictors]
     below = _table(floor, group.mask)
-    width, who = below.shape[1], users[group.mask].tolist()
-    bounds = ratio_intervals(
-        np.hstack(tables), np.hstack([below] * len(tables)), who, seed=score.seed, draws=draws
-    )
+    who = users[group.mask].tolist()
+    sure = [table[:, :WITH_INTERVAL] for table in tables]
+    bounds = ratio_intervals(np.hstack(sure), below[:, :WITH_INTERVAL], who, seed=score.seed, draws=draws)
     described = []
     for place, table in enumerate(tables):
-        reach = slice(place * width, (place + 1) * width)
+        reach = slice(place * WITH_INTERVAL, (place + 1) * WITH_INTERVAL)
         described.append(_measures(table, below, bounds.low[reach], bounds.high[reach]))
     return described
 
@@ -126,7 +128,7 @@ def _measures(table: FloatArray, below: FloatArray, low: FloatArray, high: Float
     cells = []
     for i in range(len(px)):
         ratio = _ratio(px[i], floor[i])
-        interval = [_number(low[i]), _number(high[i])]
+        interval = [_number(low[i]), _number(high[i])] if i < WITH_INTERVAL else [None]
         cell: Json = {"px": _number(px[i]), "of_hold": _number(ratio), "skill": _number(1.0 - ratio)}
         cells.append(cell | {"interval": None if None in interval else interval})
     named: Json = {"time_averaged": cells[0]}
