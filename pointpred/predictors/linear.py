@@ -31,14 +31,16 @@ def remember(memory: FloatArray, t: float, x: float, y: float) -> None:
 
 
 @law
-def oldest(memory: FloatArray, t: float) -> int:
-    """Place of the oldest kept sample within the window before ``t``, else of the newest before ``t``."""
+def before(memory: FloatArray, t: float) -> tuple[bool, float, float, float]:
+    """Whether a sample before ``t`` is kept, and the oldest within the window, else the newest: (t, x, y)."""
     found = -1
     for i in range(int(memory[KEPT])):
         age = t - memory[PAST + 3 * i]
         if age > 0.0 and (found < 0 or age <= memory[WINDOW_S]):
             found = PAST + 3 * i
-    return found
+    if found < 0:
+        return False, t, 0.0, 0.0
+    return True, memory[found], memory[found + 1], memory[found + 2]
 
 
 @law
@@ -61,20 +63,12 @@ def step(
     if new:
         memory[KEPT] = 0.0
     phase = movement.phase(memory, AT, vx, vy)
-    past = oldest(memory, t)
+    known, before_t, before_x, before_y = before(memory, t)
     remember(memory, t, x, y)
-    if past < 0:
+    if not known:
         return NONE, NONE, NONE, NONE, NONE, NONE, phase
-    ahead = memory[HORIZON_S] / max(t - memory[past], memory[WINDOW_S] / KEPT_MOST)
-    return (
-        x + ahead * (x - memory[past + 1]),
-        y + ahead * (y - memory[past + 2]),
-        NONE,
-        NONE,
-        NONE,
-        NONE,
-        phase,
-    )
+    ahead = memory[HORIZON_S] / max(t - before_t, memory[WINDOW_S] / KEPT_MOST)
+    return x + ahead * (x - before_x), y + ahead * (y - before_y), NONE, NONE, NONE, NONE, phase
 
 
 @law
