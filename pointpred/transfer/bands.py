@@ -12,7 +12,7 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 
-BANDS = 24
+BANDS = 20
 ROUNDS = 6
 """Rounds of reweighting: the largest error falls quickly, further rounds begin to chase noise."""
 TRUSTED = 0.02

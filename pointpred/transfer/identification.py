@@ -85,11 +85,11 @@ class PolynomialIdentifier(CompiledStage):
         offset: bool = False,
         cpi: float = 2000.0,
         dpi: float = 96.0,
-        window_s: float = 0.01,
+        window_s: float = 0.005,
         gap_s: float = 0.1,
         forgetting: float = 1.0,
-        speed_low: float = 0.005,
-        speed_high: float = 0.32,
+        speed_low: float = 0.0127,
+        speed_high: float = 0.31,
         least_excitation: float = 1e-4,
     ) -> None:
         values: dict[str, Any] = {"order": order, "cpi": cpi, "dpi": dpi, "window_s": window_s}
