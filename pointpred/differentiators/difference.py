@@ -82,7 +82,7 @@ class BackwardDifferentiator(Differentiator):
 
     Parameters: ``shortest_s`` s, [1e-6, 0.1], the shortest interval differenced: what comes sooner waits for
     the next event; ``cpi``, ``dpi``, ``gap_s``, ``pause_s`` as for all differentiators.
-    Memory: 23 floats. Settled from the third sample. Returns a Motion from ``update``.
+    Memory: 25 floats. Settled from the third sample. Returns a Motion from ``update``.
     Raises ParameterError, and EventError and EventOrderError from ``update``.
 
     Reference: the second-order backward difference of any textbook, for unequal intervals.

@@ -19,9 +19,8 @@ MEMORY_S = sampling.SETTINGS
 AT = MEMORY_S + 1  # sampling state
 TIME = AT + sampling.STATES  # S0 ... S4: sums of w s^k, s = (t_i - t) / memory_s of each sample, not positive
 WAY = TIME + 5  # R0 R1 R2 of x, then of y: sums of w s^k (u_i - u)
-USED = WAY + 6  # the positions that entered last
-FIT = USED + 2  # velocity of x, y, acceleration of x, y
-STATES = sampling.STATES + 17
+FIT = WAY + 6  # velocity of x, y, acceleration of x, y
+STATES = sampling.STATES + 15
 
 
 @law
@@ -38,18 +37,16 @@ def shift(memory: FloatArray, first: int, count: int, s: float, fade: float) -> 
 
 
 @law
-def absorb(memory: FloatArray, s: float) -> None:
+def absorb(memory: FloatArray, s: float, moved_u: float, moved_v: float) -> None:
     """Move time's and both axes' origin to the newest sample, which thereby adds to S0 only."""
     fade = max(exp(-s), LEAST_WEIGHT)
     shift(memory, TIME, 5, s, fade)
     for axis in range(2):
         way = WAY + 3 * axis
         shift(memory, way, 3, s, fade)
-        u = memory[AT + sampling.U + axis]
-        moved = u - memory[USED + axis]
+        moved = moved_v if axis else moved_u
         for k in range(3):
             memory[way + k] -= moved * memory[TIME + k]
-        memory[USED + axis] = u
     memory[TIME] += 1.0
 
 
@@ -79,14 +76,15 @@ def step(
     memory: FloatArray, t: float, x: float, y: float, dx: float, dy: float, buttons: float
 ) -> tuple[float, float, float, float, float, float, float, float, float, float]:
     """One event through the fits of both axes."""
-    verdict, dt, _, _, start = sampling.accept(memory, AT, t, x, y, dx, dy, buttons)
+    verdict, dt, before_u, before_v, start = sampling.accept(memory, AT, t, x, y, dx, dy, buttons)
     if verdict == sampling.REFUSED:
         return REFUSED_ROW
     if verdict == sampling.RESTARTED:
         memory[TIME : FIT + 4] = 0.0
         memory[TIME] = 1.0
     elif verdict == sampling.MOVED:
-        absorb(memory, dt / memory[MEMORY_S])
+        moved_u, moved_v = memory[AT + sampling.U] - before_u, memory[AT + sampling.V] - before_v
+        absorb(memory, dt / memory[MEMORY_S], moved_u, moved_v)
         fit(memory)
     return (
         t,

@@ -130,7 +130,7 @@ class HomogeneousDifferentiator(Differentiator):
     ``alpha`` in [-1/order, 0]; ``step_s`` the longest Euler step; ``between`` what the position does between
     two samples, ``"line"`` or ``"hold"``;
     ``cpi``, ``dpi``, ``gap_s``, ``pause_s`` as for all differentiators.
-    Memory: 45 floats. Raises ParameterError, and EventError and EventOrderError from ``update``.
+    Memory: 47 floats. Raises ParameterError, and EventError and EventOrderError from ``update``.
 
     Reference: Khalin 2022, section 2.3.1, equation (2.2), with the sign of the discrete last line corrected;
     Perruquetti, Floquet, Moulay 2008; Levant 2003 for alpha = -1/n.

@@ -133,7 +133,7 @@ class KalmanDifferentiator(Differentiator):
     ``noise_m`` sqrt(r) in m, [1e-8, 1e-1], the standard deviation of a position: the
     default suits a cursor of 96 px per inch, 3e-5 suits counts at 2000 CPI; ``cpi``, ``dpi``, ``gap_s``,
     ``pause_s`` as for all differentiators.
-    Memory: 28 floats. Settled after 4 samples and 4 / w s. Returns a Motion from ``update``.
+    Memory: 30 floats. Settled after 4 samples and 4 / w s. Returns a Motion from ``update``.
     Raises ParameterError, and EventError and EventOrderError from ``update``.
 
     Reference: Bar-Shalom, Li, Kirubarajan 2001, section 6.2.3 (continuous Wiener process acceleration).

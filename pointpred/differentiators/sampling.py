@@ -23,9 +23,10 @@ METRES_PER_COUNT, METRES_PER_PX, GAP_S, PAUSE_S = 0, 1, 2, 3
 SETTINGS = 4
 
 # State, relative to `at`: started, time, cursor, buttons, motor position since the restart (m), samples since
-# the restart, whether the last motor increment came from counts, time of the restart.
-STARTED, T, X, Y, BUTTONS, U, V, SEEN, COUNTS, SINCE = 0, 1, 2, 3, 4, 5, 6, 7, 8, 9
-STATES = 10
+# the restart, whether the last motor increment came from counts, time of the restart, motor position that the
+# law saw last (without what was merged since).
+STARTED, T, X, Y, BUTTONS, U, V, SEEN, COUNTS, SINCE, SEEN_U, SEEN_V = 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11
+STATES = 12
 
 REFUSED, MERGED, RESTARTED, MOVED = -1, 0, 1, 2
 
@@ -41,9 +42,9 @@ PARAMETERS = (
 def accept(
     memory: FloatArray, at: int, t: float, x: float, y: float, dx: float, dy: float, buttons: float
 ) -> tuple[int, float, float, float, bool]:
-    """Take one event in: (verdict, dt in s, motor position before the step in m, movement started).
+    """Take one event in: (verdict, dt in s, motor position the law saw last in m, movement started).
 
-    A refused event changes nothing. A merged one has changed the motor position, which the law uses at the
+    A refused event changes nothing. A merged one has changed the motor position, which the law sees at the
     next later time. After a restart the motor position is 0: the law starts there, at rest.
     """
     none = dx != dx
@@ -63,9 +64,9 @@ def accept(
     merged = started and dt == 0.0
     # What shares the time of a restart belongs to the place where the device starts, not to a movement.
     restarted = not started or dt > memory[GAP_S] or (merged and memory[at + SEEN] == 1.0)
-    before_u, before_v = memory[at + U], memory[at + V]
     if restarted:
         memory[at + U], memory[at + V] = 0.0, 0.0
+        memory[at + SEEN_U], memory[at + SEEN_V] = 0.0, 0.0
         memory[at + SINCE] = t
     elif counted:
         memory[at + U] += dx * memory[METRES_PER_COUNT]
@@ -81,7 +82,9 @@ def accept(
         memory[at + SEEN] = 1.0
         return RESTARTED, dt, 0.0, 0.0, start
     if merged:
-        return MERGED, 0.0, before_u, before_v, start
+        return MERGED, 0.0, 0.0, 0.0, start
+    before_u, before_v = memory[at + SEEN_U], memory[at + SEEN_V]
+    memory[at + SEEN_U], memory[at + SEEN_V] = memory[at + U], memory[at + V]
     memory[at + SEEN] += 1.0
     return MOVED, dt, before_u, before_v, start
 
