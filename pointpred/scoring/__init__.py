@@ -10,7 +10,8 @@ from pointpred.recording import Recording
 from pointpred.registry import build
 from pointpred.scoring.replay import replay
 from pointpred.scoring.results import PredictorErrors, ScoredTrial, SetScore
-from pointpred.scoring.summary import FLOOR, HEADINGS, document, rows, summary
+from pointpred.scoring.summary import FLOOR, document, summary
+from pointpred.scoring.table import HEADINGS, rows
 from pointpred.scoring.trials import Prepared, prepare, resolution
 
 Progress = Callable[[str, int, int], None]

@@ -1,0 +1,172 @@
+"""The text of ``docs/results.md``, from the summaries of all sets."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
+from importlib.metadata import version
+from typing import Any
+
+from benchmarks.pages import table
+from pointpred.datasets import DataSet
+
+Json = dict[str, Any]
+
+PROTOCOL = """# Results
+
+Written by `make results`; do not edit. The protocol stands in [scoring.md](scoring.md). In short: every
+trial counts, from the onset of the movement to the selecting click or the last sample; the truth is the
+last position; where a predictor does not answer, the cursor's position is scored in its place. **Every
+number is the mean error over trials divided by that of `hold`** (no prediction, the cursor's own
+position), unless px is written beside it: below 1 a predictor helps, above 1 it does harm. Sets are
+never pooled. Where a set says which of its trials are clean, a cell says `all / clean`.
+
+Brackets hold 95 % bootstrap intervals: people are drawn with replacement, or trials where a set has one
+person only (the interval then says nothing about other people). `answers` is the share of events with a
+prediction. The cost is processor time of the whole pipeline, differentiator included, in microseconds an
+event, on the machine that wrote this page. All else repeats to the last digit with the same versions."""
+
+AXIS = ("0.1", "0.2", "0.3", "0.4", "0.5", "0.6", "0.7", "0.8", "0.9", "1.0")
+
+
+def page(
+    sets: Sequence[Json],
+    figures: Mapping[str, Mapping[str, str]],
+    known: Mapping[str, DataSet],
+    absent: Sequence[str],
+    unread: Mapping[str, str],
+) -> str:
+    """The whole page."""
+    libraries = ", ".join(f"{name} {version(name)}" for name in ("pointpred", "numpy", "numba"))
+    seeds = ", ".join(sorted({str(one["interval"]["seed"]) for one in sets}))
+    draws = ", ".join(sorted({str(one["interval"]["draws"]) for one in sets}))
+    about = f"Versions: {libraries}. Bootstrap: {draws} draws, seed {seeds}."
+    missing = [f"`{name}`" for name in absent]
+    said = [f"Sets of the catalogue that were not at hand: {', '.join(missing)}."] if missing else []
+    said += [f"Not read: {reason}." for reason in unread.values()]
+    parts = [PROTOCOL, about, *said, "## Time-averaged error of all sets", overview(sets)]
+    for one in sets:
+        parts += section(one, figures.get(one["name"], {}), known.get(one["name"]))
+    return "\n\n".join(parts) + "\n"
+
+
+def title(one: Json) -> str:
+    """The set's name; people who were simulated are called so."""
+    return f"{one['name']} (simulated)" if one["simulated"] else str(one["name"])
+
+
+def overview(sets: Sequence[Json]) -> str:
+    """A row a predictor, a column a set."""
+    names = [predictor["name"] for predictor in sets[0]["predictors"]]
+    rows = [
+        (f"`{name}`", *(number(one["predictors"][place]["time_averaged"]["of_hold"]) for one in sets))
+        for place, name in enumerate(names)
+    ]
+    return table(("predictor", *(title(one) for one in sets)), rows)
+
+
+def section(one: Json, figures: Mapping[str, str], entry: DataSet | None) -> list[str]:
+    """Everything about one set."""
+    parts = [f"## {title(one)}"]
+    if entry is not None:
+        parts.append(f"{entry.title}. {entry.sampling}; {entry.targets}. {entry.citation}, {entry.licence}.")
+    clean = one["groups"].get("clean_trials", {}).get("trials")
+    judged = f", {clean} of them clean" if clean else ", none judged clean"
+    parts.append(
+        f"{one['users']} people, {one['trials']} trials{judged}, {one['events']} events; "
+        f"{len(one['skipped'])} trials skipped. Resampled: {one['interval']['resampled']}."
+    )
+    told = [f"{key.replace('_', ' ')}: {group['basis']}" for key, group in one["groups"].items()]
+    parts += [f"How trials were told apart: {'; '.join(told)}."] if told else []
+    parts += skipped(one)
+    if not one["trials"]:
+        return [*parts, "No trial could be scored."]
+    parts += ["### Time-averaged error", averaged(one)]
+    parts += ["### By time from onset to arrival", series(one, "by_time")]
+    parts += ["### By path", series(one, "by_path")]
+    parts += ["### Mean absolute error on the longer axis, px, by path along it", single_axis(one)]
+    for kind, file in figures.items():
+        parts.append(f"![{title(one)}: mean error {kind.replace('_', ' ')}](figures/{file})")
+    return parts
+
+
+def skipped(one: Json) -> list[str]:
+    """Skipped trials, and trials in which a predictor failed, counted by reason."""
+    lines = []
+    if one["skipped"]:
+        reasons = Counter(skip["reason"].split(" (user ")[0] for skip in one["skipped"])
+        lines.append("Skipped: " + "; ".join(f"{reason} ({n})" for reason, n in reasons.most_common()) + ".")
+    for predictor in one["predictors"]:
+        if predictor["failed"]:
+            first = predictor["failed"][0]
+            lines.append(
+                f"`{predictor['name']}` failed in {len(predictor['failed'])} trials, scored there as if it "
+                f"had not answered; the first: trial {first['trial']}, {first['reason']}."
+            )
+    return lines
+
+
+def averaged(one: Json) -> str:
+    """The first table of a set: intervals, groups, coverage, cost."""
+    groups = list(one["groups"])
+    rows = []
+    for predictor in one["predictors"]:
+        whole = predictor["time_averaged"]
+        cells = [predictor["groups"][key]["time_averaged"] for key in groups]
+        rows.append(
+            (
+                f"`{predictor['name']}`",
+                number(whole["px"], 1),
+                share(whole),
+                *(share(cell) for cell in cells),
+                f"{predictor['coverage']:.0%}",
+                number(predictor["us_per_event"]),
+            )
+        )
+    heads = (f"{key.replace('_', ' ')} ({one['groups'][key]['trials']})" for key in groups)
+    return table(("predictor", "px", "all trials", *heads, "answers", "us/event"), rows)
+
+
+def series(one: Json, kind: str) -> str:
+    """Error of hold in px, then every predictor's share of it, all and clean side by side."""
+    fractions = list(one["predictors"][0][kind])
+    floor = one["predictors"][0]
+    head = ("predictor", *(f"{float(fraction):.0%}" for fraction in fractions))
+    rows = [("`hold`, px", *_beside(floor, kind, fractions, lambda cell: number(cell["px"], 0)))]
+    for predictor in one["predictors"][1:]:
+        cells = _beside(predictor, kind, fractions, lambda cell: number(cell["of_hold"]))
+        rows.append((f"`{predictor['name']}`", *cells))
+    return table(head, rows)
+
+
+def _beside(
+    predictor: Json, kind: str, fractions: Sequence[str], say: Callable[[Json], str]
+) -> tuple[str, ...]:
+    """A cell a fraction: all trials, and the clean ones where somebody judged."""
+    clean = predictor["groups"].get("clean_trials")
+    return tuple(
+        say(predictor[kind][fraction]) + (f" / {say(clean[kind][fraction])}" if clean else "")
+        for fraction in fractions
+    )
+
+
+def single_axis(one: Json) -> str:
+    """The thesis's protocol in px."""
+    rows = [
+        (f"`{predictor['name']}`", *(number(predictor["single_axis"][f]["px"], 1) for f in AXIS))
+        for predictor in one["predictors"]
+    ]
+    return table(("predictor", *(f"{float(fraction):.0%}" for fraction in AXIS)), rows)
+
+
+def share(cell: Json) -> str:
+    """A ratio with its interval."""
+    if cell["interval"] is None:
+        return number(cell["of_hold"])
+    low, high = cell["interval"]
+    return f"{number(cell['of_hold'])} [{low:.2f}, {high:.2f}]"
+
+
+def number(value: float | None, digits: int = 2) -> str:
+    """A number, or a dash where there is none."""
+    return "-" if value is None else f"{value:.{digits}f}"
