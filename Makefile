@@ -1,9 +1,12 @@
 # Everything below sets itself up: a machine with Python 3.11 and make is enough.
-PYTHON ?= $(shell command -v python3.11 || command -v python3)
+NEW_ENOUGH = import sys; sys.exit(sys.version_info < (3, 11))
+PYTHON ?= $(shell for python in python3.11 python3 python3.12 python3.13 python3.14 python; do \
+	$$python -c '$(NEW_ENOUGH)' 2>/dev/null && { echo $$python; break; }; done)
 BIN = .venv/bin
 READY = .venv/.ready
 
 .PHONY: run test check format bench docs results sample clean help
+.DEFAULT_GOAL := help
 
 help:  ## show these lines
 	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 12
@@ -26,8 +29,8 @@ format: $(READY)  ## let ruff put the code in order
 bench: $(READY)  ## print the cost of each pipeline beside plain Python and a naive refit
 	$(BIN)/python -m benchmarks.per_event
 
-docs: $(READY)  ## write the generated pages of docs/ again
-	$(BIN)/python -m benchmarks.pages
+docs: $(READY)  ## write the generated parts of the pages again, and the README's score table
+	$(BIN)/python -m benchmarks.pages scores
 
 results: $(READY)  ## write docs/results.md from the recordings in POINTPRED_RECORDINGS and the sample
 	$(BIN)/python -m benchmarks.results
@@ -40,6 +43,8 @@ clean:  ## remove the environment and every cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 $(READY): pyproject.toml constraints.txt
-	$(PYTHON) -m venv .venv
+	@'$(PYTHON)' -c '$(NEW_ENOUGH)' 2>/dev/null || { echo "pointpred needs Python 3.11 or later and found\
+	'$(PYTHON)' ($$('$(PYTHON)' --version 2>&1 || true)). Name another: make PYTHON=/path/to/python3.11" >&2; exit 1; }
+	'$(PYTHON)' -m venv .venv
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt --editable '.[dev]'
 	touch $(READY)

@@ -1,17 +1,82 @@
-"""``pointpred datasets``."""
+"""``pointpred datasets``: public recordings of people, which the project names but does not ship."""
 
 from __future__ import annotations
 
+from pathlib import Path
+from typing import Annotated, Any
+
+import msgspec
 import typer
+from rich.table import Table
+
+from pointpred.cli.screen import remarks, results, write_json
 
 app = typer.Typer(no_args_is_help=True, help="Public recordings: which exist, and how to get them.")
 
 
 @app.command("list")
-def list_sets() -> None:
-    """List."""
+def list_sets(
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON with everything known.")] = False,
+) -> None:
+    """List the public sets the project knows, with licence and how to get each.
+
+    Try:
+
+      pointpred datasets list
+
+      pointpred datasets list --json | jq '.sets[].citation'
+    """
+    from pointpred.datasets import listing
+
+    sets = listing()
+    if as_json:
+        write_json({"version": 1, "sets": msgspec.to_builtins(sets)}, Path("-"))
+        return
+    table = Table(box=None, pad_edge=False)
+    for column in ("name", "people", "trials", "sampling", "licence", "to get it"):
+        table.add_column(column, no_wrap=column == "name")
+    for one in sets:
+        way = f"pointpred datasets fetch {one.name}" if one.fetchable else one.page
+        table.add_row(one.name, _count(one.users), _count(one.trials), one.sampling, one.licence, way)
+    results().print(table, markup=False)
 
 
 @app.command("fetch")
-def fetch_set() -> None:
-    """Fetch."""
+def fetch_set(
+    name: Annotated[str, typer.Argument(help="A name from 'pointpred datasets list'.")],
+    folder: Annotated[Path, typer.Option(file_okay=False, help="Where to put it; made if missing.")] = Path(
+        "recordings"
+    ),
+    accept_unverified: Annotated[
+        bool, typer.Option(help="Fetch files whose digest nobody has recorded as well.")
+    ] = False,
+) -> None:
+    """Download a public set over https, and check each file by its digest.
+
+    The licence is said before anything is fetched. A file that is already there is checked and kept.
+
+    Try:
+
+      pointpred datasets fetch gofitts_demo
+
+      pointpred datasets fetch gofitts_demo --folder recordings --accept-unverified
+    """
+    from pointpred.cli.progress import following
+    from pointpred.datasets import fetch, find
+
+    entry = find(name)
+    into = folder / entry.name
+    with following() as progress:
+        fetched = fetch(entry, into, accept_unverified=accept_unverified, progress=progress, say=_say)
+    for file in fetched:
+        typer.echo(file.path)
+    if entry.importer is not None:
+        remarks().print(f"Then:  pointpred score {into}", markup=False)
+
+
+def _say(sentence: str) -> None:
+    remarks().print(sentence, markup=False)
+
+
+def _count(value: Any) -> str:
+    return "-" if value is None else str(value)

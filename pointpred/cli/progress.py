@@ -9,12 +9,12 @@ from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, T
 
 from pointpred.cli.screen import remarks
 
-Advance = Callable[[str, int, int], None]
+Advance = Callable[[str, int, int | None], None]
 
 
 @contextmanager
 def following() -> Iterator[Advance | None]:
-    """Yield what a scoring run reports to: (set, events done, events in all); ``None`` without a terminal."""
+    """Yield what a run reports to: (what, done, in all or ``None``); nothing but ``None`` without a terminal."""
     screen = remarks()
     if not screen.is_terminal:
         yield None

@@ -61,15 +61,14 @@ def score(
     names = chosen(predictors)
     for target in (json, report):
         check_target(target)
+    told = reading(cut, pause_s, unit, screen, cpi, dpi)
     unread: Unread = {}
     from pointpred.cli.progress import following
     from pointpred.scoring import score as run
     from pointpred.scoring import summary
 
     with following() as progress:
-        recordings = (
-            _read(files, reading(cut, pause_s, unit, screen, cpi, dpi), unread) if files else _sample()
-        )
+        recordings = _read(files, told, unread) if files else _sample()
         scored = run(recordings, names, threads=threads, progress=progress, cpi=cpi, dpi=dpi, seed=seed)
     if report is not None and scored:
         from pointpred.scoring.report import write_report

@@ -9,6 +9,7 @@ import typer
 
 from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Unit, reading
 from pointpred.cli.screen import check_target, remarks
+from pointpred.errors import RecordingError
 
 Out = Annotated[Path, typer.Option(metavar="FILE", help="Samples file to write: .parquet or .csv.")]
 
@@ -79,3 +80,5 @@ def convert(
         screen_out.print(f"skipped {count}: {reason}", markup=False)
     for note in told.notes:
         screen_out.print(note, markup=False)
+    if not told.trials:
+        raise RecordingError(f"{source}: no trial could be read; the reasons stand above")

@@ -76,7 +76,7 @@ export function drawScene(canvas, movement, column, i) {
   disc(pen, trail[i], 5, ink.none, true);
   if (column.x[i] === null) return;
   const [x, y] = place(column.x[i], column.y[i]);
-  const inside = [Math.min(width - 9, Math.max(9, x)), Math.min(height - 9, Math.max(9, y))];
+  const inside = [Math.min(width - 9, Math.max(9, x)), Math.min(height - 9, Math.max(9, y))]; // beyond: at the edge
   pen.setLineDash([4, 5]);
   line(pen, [trail[i], inside], ink.endpoint, 1.5);
   pen.setLineDash([]);
@@ -93,15 +93,15 @@ export function drawErrors(canvas, movement, column, none, i) {
   const most = 1.5 * Math.max(1, ...floor);
   const at = (k, value) => [
     MARGIN_PX + (movement.t[k] / end) * (width - 2 * MARGIN_PX),
-    height - 20 - (Math.min(value, most) / most) * (height - 32),
+    height - 20 - (Math.min(value, most) / most) * (height - 40),
   ];
   line(pen, [[MARGIN_PX, height - 20], [width - MARGIN_PX, height - 20]], ink.line, 1);
   line(pen, floor.map((value, k) => at(k, value)), ink.none, 2);
   line(pen, own.flatMap((value, k) => (value === null ? [] : [at(k, value)])), ink.endpoint, 2);
-  line(pen, [[at(i, 0)[0], 8], [at(i, 0)[0], height - 20]], ink.past, 1);
+  line(pen, [[at(i, 0)[0], 20], [at(i, 0)[0], height - 20]], ink.past, 1);
   pen.fillStyle = ink.quiet;
   pen.font = "12px system-ui, sans-serif";
-  pen.fillText("error, px", MARGIN_PX, 14);
+  pen.fillText(`error, px (full height ${most.toFixed(0)})`, MARGIN_PX, 14);
   pen.textAlign = "right";
   pen.fillText(`${end.toFixed(2)} s`, width - MARGIN_PX, height - 5);
 }

@@ -25,7 +25,8 @@ function complain(error) {
   readout.textContent = `This cannot be shown: ${error.message}. Is the service still running?`;
 }
 
-async function show(which, share) {
+/** Shows a movement at a time in ms; without one, where half of the way is done. */
+async function show(which, ms = null) {
   const mine = ++asked;
   stop();
   number = (which + samples.length) % samples.length;
@@ -35,19 +36,30 @@ async function show(which, share) {
   const received = await read(`/v1/samples/${name}?predictors=${chosen}`);
   if (mine !== asked) return; // somebody went on meanwhile
   movement = received;
-  time.max = movement.t.length - 1;
-  go(Math.round(share * (movement.t.length - 1)));
+  time.max = Math.round(1000 * movement.t[movement.t.length - 1]);
+  go(ms ?? 1000 * movement.t[halfWay()]);
 }
 
-function go(i) {
-  time.value = i;
-  time.setAttribute("aria-valuetext", `${movement.t[i].toFixed(2)} seconds`);
+function halfWay() {
+  const away = movement.t.map((_, i) => errorAt(movement, movement.predictions[FLOOR], i));
+  return Math.max(0, away.findIndex((px) => px < away[0] / 2));
+}
+
+/** The last event at or before the time the slider stands at. */
+function event() {
+  const after = movement.t.findIndex((t) => 1000 * t > Number(time.value));
+  return after < 0 ? movement.t.length - 1 : Math.max(0, after - 1);
+}
+
+function go(ms) {
+  time.value = Math.round(ms);
+  time.setAttribute("aria-valuetext", `${(time.value / 1000).toFixed(2)} seconds`);
   draw();
 }
 
 function draw() {
   if (movement === null) return;
-  const i = Number(time.value);
+  const i = event();
   const own = movement.predictions[predictor.value];
   const none = movement.predictions[FLOOR];
   if (own === undefined) return;
@@ -71,30 +83,25 @@ function stop() {
 }
 
 function start() {
-  const i = Number(time.value);
-  const from = i >= movement.t.length - 1 ? 0 : movement.t[i];
-  began = performance.now() - 1000 * from;
+  const from = Number(time.value) >= Number(time.max) ? 0 : Number(time.value);
+  began = performance.now() - from;
   play.textContent = "Pause";
   requestAnimationFrame(advance);
 }
 
 function advance(now) {
   if (began === null) return;
-  const passed = (now - began) / 1000;
-  const after = movement.t.findIndex((t) => t > passed);
-  go(after < 0 ? movement.t.length - 1 : Math.max(0, after - 1));
-  if (after < 0) stop();
+  const passed = Math.max(0, now - began);
+  go(Math.min(passed, Number(time.max)));
+  if (passed >= Number(time.max)) stop();
   else requestAnimationFrame(advance);
 }
 
 play.addEventListener("click", () => (began === null ? start() : stop()));
 time.addEventListener("input", () => { stop(); go(Number(time.value)); });
-previous.addEventListener("click", () => show(number - 1, 0.5).catch(complain));
-next.addEventListener("click", () => show(number + 1, 0.5).catch(complain));
-predictor.addEventListener("change", () => {
-  const share = movement === null ? 0.5 : Number(time.value) / Math.max(1, movement.t.length - 1);
-  show(number, share).catch(complain);
-});
+previous.addEventListener("click", () => show(number - 1).catch(complain));
+next.addEventListener("click", () => show(number + 1).catch(complain));
+predictor.addEventListener("change", () => show(number, Number(time.value)).catch(complain));
 window.addEventListener("resize", draw);
 window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw);
 
@@ -106,7 +113,7 @@ try {
     option.title = title;
     return option;
   }));
-  await show(0, 0.5);
+  await show(0);
   for (const control of [play, time, previous, next, predictor]) control.disabled = false;
 } catch (error) {
   complain(error);
