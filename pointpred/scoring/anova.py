@@ -60,7 +60,7 @@ def balance(users: Sequence[str], factors: Mapping[str, Sequence[str]]) -> Desig
     """
     people, everyone = np.unique(np.asarray(users, dtype=str), return_inverse=True)
     chosen: dict[str, tuple[str, ...]] = {}
-    notes: list[str] = []
+    reasons: dict[str, list[str]] = {}
     inside = np.zeros(len(everyone), dtype=np.int64)
     cells = 1
     kept = np.ones(len(people), dtype=np.bool_)
@@ -72,10 +72,11 @@ def balance(users: Sequence[str], factors: Mapping[str, Sequence[str]]) -> Desig
             if complete.sum() < max(KEPT_USERS * len(people), LEAST_USERS):
                 reason = f"{complete.sum()} of {len(people)} people did every combination"
         if reason:
-            notes.append(f"{name} left out: {reason}")
+            reasons.setdefault(reason, []).append(name)
             continue
         chosen[name] = tuple(levels.tolist())
         inside, cells, kept = inside * len(levels) + index, cells * len(levels), complete
+    notes = [f"{', '.join(names)} left out: {reason}" for reason, names in reasons.items()]
     if not kept.all():
         notes.append(f"{(~kept).sum()} of {len(people)} people left out: they miss a combination")
     row = np.cumsum(kept) - 1
@@ -88,7 +89,7 @@ def _unfit(accepted: int, levels: int) -> str:
     if levels < 2:
         return "it is the same in every trial"
     if levels > MOST_LEVELS:
-        return f"{levels} levels, at most {MOST_LEVELS} are compared"
+        return f"more than {MOST_LEVELS} levels"
     if accepted == MOST_FACTORS - 1:
         return f"at most {MOST_FACTORS} factors with the model are crossed"
     return ""

@@ -12,6 +12,8 @@ from pointpred.scoring.results import ScoredTrial, SetScore
 
 FIRST = ("distance", "width", "transfer", "ptf")
 """Factors of the thesis, tried before whatever else a recording knows; a name that begins so counts."""
+OUTCOMES = ("hit", "miss", "correct", "error", "clean")
+"""Conditions that say how a trial went; what follows from the movement is no cause of its error."""
 EXPERIENCE = ("experience", "skill", "group")
 """Conditions that may say who is experienced and who is a novice."""
 
@@ -28,11 +30,12 @@ class Group(msgspec.Struct, frozen=True):
 def factors_of(trials: Sequence[ScoredTrial]) -> dict[str, list[str]]:
     """Every condition that all trials know, as labels with a row a trial, the thesis's factors first.
 
-    The target's width is a factor where no condition says it.
+    Outcomes are not among them. The target's width is a factor where no condition says it.
     """
     if not trials:
         return {}
     shared = set.intersection(*(set(trial.trial.condition) for trial in trials))
+    shared = {name for name in shared if not name.startswith(OUTCOMES)}
     found = {name: [_label(trial.trial.condition[name]) for trial in trials] for name in sorted(shared)}
     widths = [trial.trial.target_w for trial in trials]
     if not any(name.startswith("width") for name in found) and np.isfinite(widths).all():

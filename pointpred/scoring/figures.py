@@ -16,7 +16,7 @@ from pointpred.scoring.report_style import (
     PALETTE,
     Picture,
     canvas,
-    legend_below,
+    legend_outside,
     line_style,
     picture,
 )
@@ -52,7 +52,7 @@ def curves(described: Json, shown: Sequence[str], kind: str, quantity: str = "px
         _lines(axes, series, shown, SERIES[kind])
         axes.set_ylim(0.0, _top([series], shown))
         axes.set(title=title, xlabel=across, ylabel=QUANTITIES[quantity][1])
-        legend_below(figure, axes)
+        legend_outside(figure, axes)
         hidden = len([name for name in series if name not in (*shown, HOLD)])
         others = f" Thin lines: {hidden} other predictors." if hidden else ""
         return picture(
@@ -74,13 +74,14 @@ def group_curves(described: Json, shown: Sequence[str], groups: Sequence[str]) -
         ]
         for axes, key, series in zip(panels, groups, drawn, strict=False):
             _lines(axes, series, shown, fractions)
+            axes.tick_params(labelbottom=True)
             axes.set_title(f"{key.replace('_', ' ')} ({described['groups'][key]['trials']})")
         for axes in panels[len(groups) :]:
             axes.set_visible(False)
         panels[0].set_ylim(0.0, _top(drawn, shown))
         figure.supxlabel(KINDS["single_axis"][1], fontsize=10.5)
         figure.supylabel("mean error [px]", fontsize=10.5)
-        legend_below(figure, panels[0])
+        legend_outside(figure, panels[0], above=True, columns=4)
         return picture(
             figure,
             f"{title} on {described['name']}: a panel each for {', '.join(groups).replace('_', ' ')}.",
@@ -156,10 +157,15 @@ def clean_against_all(described: Json) -> Picture:
         for k, kind in enumerate(("all", "clean")):
             label = f"{kind} trials ({counts[k]})"
             axes.plot(
-                shares[:, k], range(len(ordered)), MARKERS[k], color=PALETTE[k], markersize=6.5, label=label
+                shares[:, k],
+                range(len(ordered)),
+                MARKERS[k],
+                color=PALETTE[k],
+                markersize=8.5 - 3 * k,
+                label=label,
             )
         _rows(axes, ordered, title)
-        legend_below(figure, axes)
+        legend_outside(figure, axes)
         return picture(
             figure,
             f"{title} on {described['name']}: time-averaged error of each predictor as a share of hold's.",
@@ -185,6 +191,8 @@ def _rows(axes: Any, ordered: Sequence[Json], title: str) -> None:
 
 def cost(described: Json) -> Picture:
     """Processor time an event beside the time-averaged error."""
+    from matplotlib.ticker import LogLocator
+
     drawn = [p for p in _by_share(described) if p["us_per_event"]]
     title = marked(described, "Cost beside accuracy")
     with canvas(height=4.0) as (figure, (axes,)):
@@ -196,6 +204,7 @@ def cost(described: Json) -> Picture:
             axes.set_xscale("log")
             axes.xaxis.set_major_formatter("{x:g}")  # the usual one writes powers as mathematics
             axes.xaxis.set_minor_formatter("")
+            axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
             axes.margins(x=0.25)
         axes.set(title=title, xlabel="cost [µs per event, one core]", ylabel="share of hold's error")
         axes.grid()

@@ -44,28 +44,41 @@ def write_report(
     *,
     recordings: Iterable[Recording] = (),
     pipelines: Mapping[str, Pipeline] | None = None,
+    cpi: float | None = None,
+    dpi: float | None = None,
 ) -> None:
     """Write what was scored, every table and figure, the statistics and the protocol to ``path``.
 
-    The same scores give the same bytes. ``recordings`` are those that were scored, found by name: with them
-    the worst trials are drawn, for which the predictor is replayed; ``pipelines`` are patterns for names
+    The same scores give the same bytes. ``recordings`` are those that were scored, found by name, one by one
+    from a generator if need be: with them the worst trials of the best predictor are drawn, for which it is
+    replayed with ``cpi`` and ``dpi`` as they were given to ``score``; ``pipelines`` are patterns for names
     that the registry does not build as they were scored. Names in recordings are not trusted: they are
-    escaped. Raises ParameterError for an empty list or a set scored without ``hold``, and OSError when the
-    file cannot be written.
+    escaped. Raises ParameterError for an empty list or a set scored without ``hold``, RecordingError for a
+    recording with other trials than the score, and OSError when the file cannot be written.
     """
     if not scores:
         raise ParameterError("a report needs at least one scored set, received none")
-    found = {recording.name: recording for recording in recordings}
-    body = [_set_html(i, score, found.get(score.name), pipelines or {}) for i, score in enumerate(scores)]
+    described = [summary(score) for score in scores]
+    best = {one["name"]: (*highlighted(one), HOLD)[0] for one in described}
+    known = {score.name: score for score in scores}
+    drawings = {}
+    for recording in recordings:
+        if recording.name in known and known[recording.name].trials:
+            settings = resolution(recording, cpi, dpi)
+            name = best[recording.name]
+            pipeline = (pipelines or {}).get(name) or build(name, **settings)
+            prepared = prepare(recording, **settings)
+            drawings[recording.name] = worst(known[recording.name], prepared, pipeline)
+    body = [
+        _set_html(place, score, one, drawings.get(score.name))
+        for place, (score, one) in enumerate(zip(scores, described, strict=True))
+    ]
     title = "Endpoint prediction: scores" + (" (simulated)" if all(s.simulated for s in scores) else "")
     Path(path).write_text(page(title, [score.name for score in scores], "\n".join(body)), encoding="utf-8")
 
 
-def _set_html(
-    place: int, score: SetScore, recording: Recording | None, pipelines: Mapping[str, Pipeline]
-) -> str:
+def _set_html(place: int, score: SetScore, described: Json, drawings: Sequence[Drawing] | None) -> str:
     """One set: what was scored, summary, figures, statistics, worst trials."""
-    described = summary(score)
     tag = ' <span class="tag">simulated people</span>' if score.simulated else ""
     parts = [f'<h2 id="set-{place}">{text(score.name)}{tag}</h2>', _what(described)]
     if not score.trials:
@@ -82,7 +95,7 @@ def _set_html(
         groups_table(described) if described["groups"] else "",
         f'<h3>Error and cost</h3><div class="figures">{"".join(one.html() for one in drawn)}</div>',
         _single_axis(score, described, shown),
-        _worst(score, shown, recording, pipelines),
+        _worst(score, (*shown, HOLD)[0], drawings),
     ]
     return "".join(parts)
 
@@ -90,18 +103,18 @@ def _set_html(
 def _what(described: Json) -> str:
     """Sizes, skipped trials and what the reader of the recording mended."""
     failed = [(p["name"], skip) for p in described["predictors"] for skip in p["failed"]]
-    notes = "".join(f"<li>{text(note)}</li>" for note in described["notes"])
+    notes = "".join(f"<li>{text(note, 400)}</li>" for note in described["notes"])
     parts = [
         "<h3>What was scored</h3>",
-        f"<p>{described['trials']} trials of {described['users']} people, {described['events']} events, "
-        f"{len(described['predictors'])} predictors; {len(described['skipped'])} trials skipped.</p>",
+        f"<p>Trials: {described['trials']}; people: {described['users']}; events: {described['events']}; "
+        f"predictors: {len(described['predictors'])}; trials skipped: {len(described['skipped'])}.</p>",
         f"<ul>{notes}</ul>" if notes else "",
         skipped_table(described),
     ]
     if failed:
         rows = [(text(name), text(s["trial"]), text(s["reason"])) for name, s in failed[:20]]
-        caption = f"{described['name']}: {len(failed)} failures, scored as if nothing had been answered"
-        parts.append(table(caption, ("predictor", "trial", "reason"), rows))
+        caption = f"{described['name']}: failures: {len(failed)}, scored as if nothing had been answered"
+        parts.append(table(caption, ("predictor", "trial", "reason"), rows, words=True))
     return "".join(parts)
 
 
@@ -113,11 +126,11 @@ def _curves(described: Json, shown: Sequence[str]) -> list[Any]:
 def _single_axis(score: SetScore, described: Json, shown: Sequence[str]) -> str:
     """The thesis's protocol: curve, groups, box plots, analysis of variance."""
     known = {predictor.name: predictor for predictor in score.predictors}
-    chosen = dict.fromkeys((*pair(list(known)), *shown, HOLD))
-    boxed = [axis_profile(known[name]) for name in list(chosen)[:MOST_BOXES]]
+    chosen = list(dict.fromkeys((*pair(list(known)), *shown)))[: MOST_BOXES - 1]
+    boxed = [axis_profile(known[name]) for name in (*chosen, HOLD)]
     drawn = [
         curves(described, shown, "single_axis"),
-        boxes(score.name, boxed, simulated=score.simulated),
+        boxes(score.name, boxed, shown, simulated=score.simulated),
     ]
     groups = [key for key in GROUPS if key in described["groups"]]
     if groups:
@@ -132,16 +145,10 @@ def _single_axis(score: SetScore, described: Json, shown: Sequence[str]) -> str:
     )
 
 
-def _worst(
-    score: SetScore, shown: Sequence[str], recording: Recording | None, pipelines: Mapping[str, Pipeline]
-) -> str:
-    """The worst trials of the best predictor, drawn where the recording is at hand."""
-    if recording is None:
+def _worst(score: SetScore, name: str, drawings: Sequence[Drawing] | None) -> str:
+    """The worst trials of one predictor, drawn where the recording is at hand."""
+    if drawings is None:
         return "<h3>Worst trials</h3><p>Not drawn: the recording was not given to the report.</p>"
-    name = shown[0] if shown else HOLD
-    settings = resolution(recording, None, None)
-    pipeline = pipelines.get(name) or build(name, **settings)
-    drawings = worst(score, prepare(recording, **settings), pipeline)
     rows = [_worst_row(i, drawing) for i, drawing in enumerate(drawings)]
     head = ("panel", "user", "trial", "distance [px]", "time [s]", "error [px]", "answered")
     figure = draw_worst(score.name, name, drawings, simulated=score.simulated).html()

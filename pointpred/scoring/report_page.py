@@ -21,7 +21,7 @@ def versions_table() -> str:
             rows.append((name, text(version(name))))
         except PackageNotFoundError:  # run from a source tree that is not installed
             rows.append((name, "not installed as a package"))
-    return table("Versions", ("package", "version"), rows)
+    return table("Versions", ("package", "version"), rows, words=True)
 
 
 def page(title: str, names: Sequence[str], body: str) -> str:

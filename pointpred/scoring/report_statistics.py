@@ -35,7 +35,7 @@ def sentences(series: AnovaSeries, effects: tuple[tuple[Effect, ...], ...]) -> l
     for term in terms:
         found = {i: effect for i, at in enumerate(effects) for effect in at if effect.factors == term}
         good = [i for i, effect in found.items() if effect.p_corrected < ALPHA]
-        top = max(found, key=lambda i: found[i].f)
+        top = max(good or found, key=lambda i: found[i].f)
         name = " x ".join(term)
         if good:
             where = f"significant at {_spans(good)} of the path, most at {AXIS_FRACTIONS[top]:.0%}"
@@ -101,7 +101,7 @@ def statistics_html(name: str, series: AnovaSeries) -> str:
         f"{text(factor)} ({', '.join(text(level) for level in of)})"
         for factor, of in zip(series.factors, series.levels, strict=True)
     )
-    notes = "".join(f"<li>{text(note)}</li>" for note in series.notes)
+    notes = "".join(f"<li>{text(note, 400)}</li>" for note in series.notes)
     parts = []
     if any(series.effects):
         parts.append(

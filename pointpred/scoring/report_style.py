@@ -7,7 +7,7 @@ import html
 import io
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import msgspec
 
@@ -24,7 +24,7 @@ GREY = "#808080"
 INK = "#010203"
 """Stands for the text colour of the page: replaced by ``currentColor`` once drawn."""
 FAINT = "#80808055"
-WIDTH_IN, HEIGHT_IN = 5.0, 3.5
+WIDTH_IN, HEIGHT_IN = 5.0, 3.9
 """Small enough that the letters stay readable on a telephone."""
 
 SETTINGS: dict[Any, Any] = {
@@ -70,11 +70,15 @@ class Picture(msgspec.Struct, frozen=True):
     def html(self) -> str:
         """The figure as HTML with nothing outside it."""
         data = base64.b64encode(self.svg.encode()).decode()
-        kind = ' class="wide"' if self.wide else ""
+        kind = ' class="wide" tabindex="0"' if self.wide else ""
         return (
-            f'<figure{kind}><img src="data:image/svg+xml;base64,{data}" alt="{html.escape(self.alt)}">'
-            f"<figcaption>{html.escape(self.caption)}</figcaption></figure>"
+            f'<figure{kind}><img src="data:image/svg+xml;base64,{data}" alt="{_safe(self.alt)}">'
+            f"<figcaption>{_safe(self.caption)}</figcaption></figure>"
         )
+
+
+def _safe(words: str) -> str:
+    return html.escape("".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in words))
 
 
 @contextmanager
@@ -117,8 +121,11 @@ def line_style(name: str, shown: Sequence[str]) -> dict[str, object]:
     }
 
 
-def legend_below(figure: Figure, axes: Axes) -> None:
-    """The legend under the axes, two names a line."""
+def legend_outside(figure: Figure, axes: Axes, *, above: bool = False, columns: int = 2) -> None:
+    """The legend under the axes, or above them."""
     handles, labels = axes.get_legend_handles_labels()
     if handles:
-        figure.legend(handles, labels, loc="outside lower center", ncols=2, columnspacing=1.2)
+        side: Literal["outside upper center", "outside lower center"] = (
+            "outside upper center" if above else "outside lower center"
+        )
+        figure.legend(handles, labels, loc=side, ncols=columns, columnspacing=1.2)

@@ -14,30 +14,40 @@ Json = dict[str, Any]
 LONGEST = 80
 
 
-def text(value: object) -> str:
-    """A string safe in HTML: escaped, unprintable characters replaced, cut to LONGEST characters.
+def text(value: object, longest: int = LONGEST) -> str:
+    """A string safe in HTML: escaped, unprintable characters replaced, cut to ``longest`` characters.
 
     >>> text("<b>")
     '&lt;b&gt;'
     """
     shown = "".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in str(value))
-    return html.escape(shown if len(shown) <= LONGEST else shown[: LONGEST - 1] + "…")
+    return html.escape(shown if len(shown) <= longest else shown[: longest - 1] + "…")
 
 
 def table(
-    caption: str, head: Sequence[str], rows: Iterable[Sequence[str]], *, marked: frozenset[int] = frozenset()
+    caption: str,
+    head: Sequence[str],
+    rows: Iterable[Sequence[str]],
+    *,
+    marked: frozenset[int] = frozenset(),
+    words: bool = False,
 ) -> str:
-    """A table of cells that are HTML already, the first names its row; ``marked`` rows are the reference."""
+    """A table of cells that are HTML already, the first names its row; ``marked`` rows are the reference.
+
+    ``words``: cells hold words rather than numbers.
+    """
     lines = [
         f'<tr{" class=reference" if i in marked else ""}><th scope="row">{row[0]}</th>'
         + "".join(f"<td>{cell}</td>" for cell in row[1:])
         + "</tr>"
         for i, row in enumerate(rows)
     ]
+    said = text(caption, 200)
     top = "".join(f'<th scope="col">{cell}</th>' for cell in head)
     return (
-        f'<div class="scroll" tabindex="0" role="region" aria-label="{html.escape(caption)}"><table>'
-        f"<caption>{html.escape(caption)}</caption><thead><tr>{top}</tr></thead>"
+        f'<div class="scroll" tabindex="0" role="region" aria-label="{said}">'
+        f"<table{' class=words' if words else ''}><caption><span>{said}</span></caption>"
+        f"<thead><tr>{top}</tr></thead>"
         f"<tbody>{''.join(lines)}</tbody></table></div>"
     )
 
@@ -72,7 +82,7 @@ def summary_table(described: Json) -> str:
                 str(len(predictor["failed"])),
             )
         )
-    head = ("predictor", "share of hold", "95 % interval", "px", "skill", "clean trials", "answered",
+    head = ("predictor", "share of hold", "95% interval", "px", "skill", "clean trials", "answered",
             "µs per event", "failed")  # fmt: skip
     return table(f"{described['name']}: time-averaged error", head, rows, marked=_reference(described))
 
@@ -97,17 +107,22 @@ def _reference(described: Json) -> frozenset[int]:
 
 
 def groups_table(described: Json) -> str:
-    """How the trials were divided, and the time-averaged error in each part."""
-    names = [p["name"] for p in described["predictors"]]
-    rows = []
-    for key, group in described["groups"].items():
-        parts = [p["groups"][key]["time_averaged"] for p in described["predictors"]]
-        basis = f"<small>{text(group['basis'])}</small>"
-        rows.append(
-            (text(key.replace("_", " ")) + basis, str(group["trials"]), *(cell(part) for part in parts))
-        )
-    head = ("group", "trials", *(text(name) for name in names))
-    return table(f"{described['name']}: time-averaged error by group", head, rows)
+    """The time-averaged error in each group of trials, and how the trials were told apart."""
+    groups = described["groups"]
+    head = [
+        f"{text(key.replace('_', ' '))}<small>{group['trials']} trials</small>"
+        for key, group in groups.items()
+    ]
+    rows = [
+        (text(p["name"]), *(cell(p["groups"][key]["time_averaged"]) for key in groups))
+        for p in described["predictors"]
+    ]
+    caption = f"{described['name']}: time-averaged error by group, as a share of hold and in px"
+    basis = "".join(
+        f"<li>{text(key.replace('_', ' '))}: {text(group['basis'], 200)}</li>"
+        for key, group in groups.items()
+    )
+    return table(caption, ("predictor", *head), rows, marked=_reference(described)) + f"<ul>{basis}</ul>"
 
 
 def skipped_table(described: Json, most: int = 20) -> str:
@@ -115,10 +130,10 @@ def skipped_table(described: Json, most: int = 20) -> str:
     skipped = described["skipped"]
     if not skipped:
         return "<p>No trial was skipped.</p>"
-    caption = f"{described['name']}: {len(skipped)} trials skipped"
+    caption = f"{described['name']}: trials skipped: {len(skipped)}"
     if len(skipped) <= most:
         rows = [(text(s["trial"]), text(s["reason"]), number(s["row"], 0)) for s in skipped]
-        return table(caption, ("trial", "reason", "row"), rows)
+        return table(caption, ("trial", "reason", "row"), rows, words=True)
     counted = Counter(s["reason"] for s in skipped)
     first = {reason: next(s["trial"] for s in skipped if s["reason"] == reason) for reason in counted}
     common = counted.most_common(most)
@@ -126,4 +141,4 @@ def skipped_table(described: Json, most: int = 20) -> str:
     rest = len(skipped) - sum(count for _, count in common)
     if rest:
         rows.append((f"{len(counted) - most} other reasons", str(rest), "–"))
-    return table(caption, ("reason", "trials", "first of them"), rows)
+    return table(caption, ("reason", "trials", "first of them"), rows, words=True)

@@ -107,7 +107,7 @@ def _panel(axes: Any, drawing: Drawing) -> Any:
         vmax=100,
     )
     axes.plot(events.x[-1:], events.y[-1:], "X", color=PALETTE[1], markersize=9, label="true endpoint")
-    half = 0.75 * max(np.ptp(events.x), np.ptp(events.y), 50.0)
+    half = 0.65 * max(np.ptp(events.x), np.ptp(events.y), 50.0)
     middle_x, middle_y = (v.min() + np.ptp(v) / 2 for v in (events.x, events.y))
     axes.set(xlim=(middle_x - half, middle_x + half), ylim=(middle_y + half, middle_y - half), aspect="equal")
     return shown

@@ -118,8 +118,7 @@ def test_a_factor_between_people_is_left_out_and_said():
     assert design.factors == ("width",)
     assert len(design.users) == 4
     assert design.notes == (
-        "hand left out: 0 of 4 people did every combination",
-        "unique left out: 0 of 4 people did every combination",
+        "hand, unique left out: 0 of 4 people did every combination",
         "screen left out: it is the same in every trial",
     )
 

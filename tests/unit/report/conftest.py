@@ -1,4 +1,4 @@
-"""Scores with numbers from a seeded generator: people, conditions, a good, a poor and a hopeless predictor."""
+"""Scores with numbers from a seeded generator: people, conditions, good and poor predictors."""
 
 import numpy as np
 import pytest
@@ -34,7 +34,7 @@ def errors(name, distances, generator):
     return PredictorErrors(name, by_time.mean(axis=1), by_time, by_path, axis, coverage, cost)
 
 
-def make(name="synthetic", people=6, repeats=3, names=tuple(FACTORS), user="user {}", **more):
+def make(name="synthetic", people=6, repeats=3, names=tuple(FACTORS), user="user", **more):
     generator = np.random.default_rng(17)
     trials = []
     for who in range(people):
@@ -42,8 +42,9 @@ def make(name="synthetic", people=6, repeats=3, names=tuple(FACTORS), user="user
             for width in (20.0, 60.0):
                 for k in range(repeats):
                     about = Trial(
-                        user.format(who), f"{user.format(who)} {distance:g} {width:g} {k}",
-                        target_w=width, clean=bool(generator.random() < 0.7), condition={"distance": distance},
+                        f"{user} {who}", f"{user} {who} {distance:g} {width:g} {k}",
+                        target_w=width, clean=bool(generator.random() < 0.7),
+                        condition={"distance": distance},
                     )  # fmt: skip
                     divided = bool(generator.random() < 0.3 + 0.5 * (who % 2))
                     length = distance + generator.normal(0.0, 5.0)

@@ -1,0 +1,195 @@
+import base64
+import re
+from html.parser import HTMLParser
+from itertools import pairwise
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+from pointpred import build
+from pointpred.columns import EventColumns
+from pointpred.errors import ParameterError, RecordingError
+from pointpred.recording import Provenance, Recording, Trial
+from pointpred.scoring import prepare
+from pointpred.scoring import score as run
+from pointpred.scoring.report import write_report
+from pointpred.scoring.report_choice import compared, highlighted
+from pointpred.scoring.report_style import Picture, canvas, picture
+from pointpred.scoring.report_worst import worst
+from pointpred.scoring.results import SetScore
+from pointpred.scoring.summary import summary
+
+VOID = {"meta", "img", "br", "link", "hr", "input"}
+
+
+class Page(HTMLParser):
+    """Tags in order with their attributes; fails on a tag that closes another."""
+
+    def __init__(self, source):
+        super().__init__()
+        self.tags, self.open, self.words = [], [], []
+        self.feed(source)
+        assert self.open == []
+
+    def handle_starttag(self, tag, attrs):
+        self.tags.append((tag, dict(attrs)))
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        self.words.append(data)
+
+    def of(self, tag):
+        return [attrs for name, attrs in self.tags if name == tag]
+
+
+@pytest.fixture(scope="module")
+def hostile(make_score, tmp_path_factory):
+    """The text of a report on sets whose every name is an attack."""
+    path = tmp_path_factory.mktemp("report") / "out.html"
+    evil = '<script>alert("x")</script>\x00 \ud800 $x_1$ ${title} {}'
+    scores = [
+        make_score(evil, people=3, repeats=1, user=evil, notes=("<img src=http://example.com/>",)),
+        make_score("people", people=3, repeats=1, simulated=True),
+    ]
+    write_report(scores, path)
+    return path.read_text(encoding="utf-8")
+
+
+def test_nothing_outside_the_file_is_asked_for(hostile):
+    page = Page(hostile)
+    assert {tag for tag, _ in page.tags} & {"script", "link", "iframe", "object", "base", "form"} == set()
+    assert all(image["src"].startswith("data:image/svg+xml;base64,") for image in page.of("img"))
+    assert all(link["href"].startswith("#") for link in page.of("a"))
+    assert not [name for _, attrs in page.tags for name in attrs if name.startswith("on")]
+    assert "url(" not in hostile
+    assert "@import" not in hostile
+
+
+def test_names_are_text_and_never_markup(hostile):
+    assert "<script" not in hostile
+    assert 'alert("x")' in "".join(Page(hostile).words)
+    assert "\x00" not in hostile
+
+
+def test_headings_go_down_one_level_at_a_time(hostile):
+    levels = [int(tag[1]) for tag, _ in Page(hostile).tags if re.fullmatch("h[1-6]", tag)]
+    assert levels[0] == 1
+    assert levels.count(1) == 1
+    assert all(after <= before + 1 for before, after in pairwise(levels))
+
+
+def test_every_figure_has_words_and_every_table_a_caption(hostile):
+    page = Page(hostile)
+    assert len(page.of("img")) >= 18
+    assert all(len(image["alt"]) > 30 for image in page.of("img"))
+    assert len(page.of("caption")) == len(page.of("table")) == hostile.count('role="region"')
+    anchors = {link["href"][1:] for link in page.of("a")}
+    assert anchors <= {attrs["id"] for _, attrs in page.tags if "id" in attrs}
+
+
+def test_figures_are_sound_and_say_simulated_where_people_were(hostile):
+    images = [base64.b64decode(i["src"].split(",")[1]).decode() for i in Page(hostile).of("img")]
+    for svg in images:
+        ElementTree.fromstring(svg)
+        assert "#010203" not in svg
+    said = ["(simulated)" in image["alt"] for image in Page(hostile).of("img")]
+    half = len(said) // 2
+    assert said == [False] * half + [True] * half
+    assert (
+        sum("(simulated)" in svg for svg in images) >= half - 3
+    )  # panels carry names, their caption says it
+    assert '<span class="tag">simulated people</span>' in hostile
+
+
+def test_the_same_scores_give_the_same_bytes(make_score, tmp_path):
+    score = make_score(people=3, repeats=1, names=("hold", "linear"))
+    write_report([score], tmp_path / "a.html")
+    write_report([score], tmp_path / "b.html")
+    assert (tmp_path / "a.html").read_bytes() == (tmp_path / "b.html").read_bytes()
+
+
+def test_a_dollar_sign_in_a_name_is_drawn_as_one():
+    with canvas() as (figure, (axes,)):
+        axes.set_title("cost $a_b$ & <c>")
+        svg = picture(figure, "a", "b").svg
+    assert "cost $a_b$ &amp; &lt;c&gt;" in svg
+    assert 'alt="&lt;a&gt;"' in Picture(svg, "<a>", "b").html()
+
+
+def test_the_numbers_are_those_of_the_summary(make_score, tmp_path):
+    score = make_score(people=3, repeats=1, names=("hold", "linear"))
+    write_report([score], tmp_path / "out.html")
+    words = Page((tmp_path / "out.html").read_text()).words
+    averaged = summary(score)["predictors"][1]["time_averaged"]
+    place = words.index("linear")
+    low, high = averaged["interval"]
+    assert words[place + 1 : place + 4] == [
+        f"{averaged['of_hold']:.2f}", f"{low:.2f} to {high:.2f}", f"{averaged['px']:.1f}"
+    ]  # fmt: skip
+
+
+def test_nothing_to_report_is_refused(make_score, tmp_path):
+    with pytest.raises(ParameterError, match="at least one scored set"):
+        write_report([], tmp_path / "out.html")
+    with pytest.raises(ParameterError, match="hold"):
+        write_report([make_score(names=("linear",))], tmp_path / "out.html")
+
+
+def test_a_set_without_trials_says_so(make_score, tmp_path):
+    score = make_score(names=("hold",))
+    bare = [p.__class__(p.name, *(np.empty((0, *a.shape[1:])) for a in (
+        p.time_averaged, p.by_time, p.by_path, p.single_axis, p.coverage)), float("nan"))
+        for p in score.predictors]  # fmt: skip
+    write_report([SetScore("empty", (), score.skipped, tuple(bare))], tmp_path / "out.html")
+    assert "No trial could be scored." in (tmp_path / "out.html").read_text()
+
+
+def test_at_most_six_are_told_apart_and_the_thesis_s_pair_is_compared(score, make_score):
+    names = highlighted(summary(score, draws=20))
+    assert len(names) == 6
+    assert "hold" not in names
+    assert {"switched-printed", "kep-quartic-gated", "kinematic"} <= set(names)
+    assert "kep-quadratic" not in names  # the worst, and not the thesis's
+    assert compared(score) == ("switched-printed", "kep-quartic-gated")
+    assert compared(make_score(names=("hold", "linear", "kalman"))) == ("linear", "kalman")
+    assert compared(make_score(names=("hold",))) == ("hold",)
+
+
+def walk(distance, extra):
+    t = np.arange(0.0, 1.0, 0.02)
+    s = np.clip(t / 0.8, 0.0, 1.0)
+    x = distance * s**3 * (10 - 15 * s + 6 * s**2)
+    return EventColumns.of(t, x, extra * np.sin(np.pi * s))
+
+
+@pytest.fixture(scope="module")
+def recording():
+    parts = [walk(distance, 10.0 * k) for k, distance in enumerate((100.0, 900.0, 300.0))]
+    trials = [Trial("ann", str(k), target_x=100.0, target_y=0.0, target_w=30.0) for k in range(3)]
+    return Recording.of("walks", parts, trials, provenance=Provenance("memory", simulated=True))
+
+
+def test_worst_trials_are_replayed_and_drawn(recording, tmp_path):
+    (scored,) = run([recording], ["linear"])
+    drawings = worst(scored, prepare(recording), build("linear"), count=2)
+    assert [drawing.trial.trial.trial for drawing in drawings] == ["1", "2"]
+    assert drawings[0].error_px == scored.predictors[1].time_averaged[1]
+    assert len(drawings[0].events) == len(drawings[0].answers) == drawings[0].trial.events
+    write_report([scored], tmp_path / "out.html", recordings=iter([recording]))
+    page = (tmp_path / "out.html").read_text()
+    assert "Worst trials of" in page
+    assert "Not drawn" not in page
+
+
+def test_worst_trials_of_another_recording_are_refused(recording):
+    (scored,) = run([recording], ["linear"])
+    other = Recording.of("walks", [walk(400.0, 0.0)], [Trial("bob", "7")])
+    with pytest.raises(RecordingError, match="not the 3 of the score"):
+        worst(scored, prepare(other), build("linear"))
+    with pytest.raises(ParameterError, match="'kalman' was not scored"):
+        worst(scored, prepare(recording), build("kalman"))
