@@ -74,6 +74,22 @@ def extend(memory: FloatArray, at: int, n: int, delay_s: float, t: float) -> boo
 
 
 @law
+def remember(memory: FloatArray, at: int, n: int, delay_s: float, t: float, output: float) -> float:
+    """Take in output = regressor . theta at ``t`` without learning; returns the step in s."""
+    scale = at + REGRESSOR + n
+    h = t - memory[at + T] if memory[at + KNOWN] == 1.0 else 0.0
+    memory[at + KNOWN] = 1.0
+    memory[at + T] = t
+    slot = delay.push(memory, ring(at, n), n + 1, delay.capacity(n - 1), delay_s / delay.PER_DELAY, t)
+    for j in range(n):
+        value = memory[at + REGRESSOR + j]
+        memory[slot + j] = value
+        memory[scale + j] = max(memory[scale + j], abs(value))
+    memory[slot + n] = output
+    return float(h)
+
+
+@law
 def advance(
     memory: FloatArray, at: int, n: int, delay_s: float, gamma: float, t: float, output: float
 ) -> bool:
@@ -84,16 +100,8 @@ def advance(
     """
     scale, theta, extended = at + REGRESSOR + n, estimates(at, n), at + REGRESSOR + 3 * n
     mixed, rows = extended + n, extended + 2 * n
-    h = t - memory[at + T] if memory[at + KNOWN] == 1.0 else 0.0
-    memory[at + KNOWN] = 1.0
-    memory[at + T] = t
+    h = remember(memory, at, n, delay_s, t, output)
     memory[at + PHI] = 0.0
-    slot = delay.push(memory, ring(at, n), n + 1, delay.capacity(n - 1), delay_s / delay.PER_DELAY, t)
-    for j in range(n):
-        value = memory[at + REGRESSOR + j]
-        memory[slot + j] = value
-        memory[scale + j] = max(memory[scale + j], abs(value))
-    memory[slot + n] = output
     if not extend(memory, at, n, delay_s, t):
         return False
     phi = mixing.mix(memory, rows, extended, n, mixed, rows + n * n)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import exp, inf
+from math import expm1, inf
 from typing import Any
 
 import msgspec
@@ -44,7 +44,7 @@ class DynamicRegressorExtension(CompiledStage):
 
     Parameters: ``count`` of unknowns, 2 to 6; ``delay_s`` tau in s; ``gamma`` in 1/s, the rate at full
     excitation (real phi are small: 1e6 is no exotic value).
-    Memory: 2 + drem.states(count) floats, 689 for three. Raises ParameterError, and EventError and
+    Memory: 2 + drem.states(count) floats, 701 for three. Raises ParameterError, and EventError and
     EventOrderError from ``update``.
 
     Reference: Khalin 2022, section 2.5.3, with the delay e^(-i tau s) where e^(i tau s) is printed;
@@ -84,5 +84,5 @@ class DynamicRegressorExtension(CompiledStage):
         if not drem.advance(memory, AT, n, memory[DELAY_S], memory[GAMMA], t, output):
             return None
         first = drem.estimates(AT, n)
-        learnt = 1.0 - exp(-float(memory[AT + drem.EXCITATION]))
+        learnt = -expm1(-float(memory[AT + drem.EXCITATION]))
         return Estimate(t, tuple(memory[first : first + n].tolist()), float(memory[AT + drem.PHI]), learnt)
