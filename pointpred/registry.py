@@ -17,6 +17,7 @@ from pointpred.predictors import (
     LinearPredictor,
     MinimumJerkPredictor,
     Predictor,
+    SwitchedPredictor,
 )
 from pointpred.stage import Parameter, defaults
 
@@ -31,6 +32,14 @@ class Entry(msgspec.Struct, frozen=True):
     differentiator: str = "homogeneous"
     preset: dict[str, Any] = {}
 
+
+GAINS = {"gain_lambda": 48.0, "gain_xi": 1.6, "alpha": 0.0}
+"""The differentiator's gains of all names but ``switched-printed``: one choice for ours and the baselines."""
+
+PRINTED = {"gain_lambda": 5.0, "gain_xi": 2.0, "alpha": -0.2, "threshold": 0.2, "bound": 0.1}
+"""The thesis's values; its delay and rate of regression are not printed: the class's defaults stand in."""
+
+TUNED_SWITCHED = {"threshold": 0.08, "bound": 1.0, "delay_s": 0.011, "gamma": 6.5e7}
 
 REGISTRY: dict[str, Entry] = {
     entry.name: entry
@@ -69,6 +78,20 @@ REGISTRY: dict[str, Entry] = {
             "Lank, Cheng, Ruiz 2007 with the stability check of Ruiz, Lank 2009",
             preset={"degree": 4, "change_most": 0.02},
         ),
+        Entry(
+            "switched",
+            SwitchedPredictor,
+            "doubling while the hand accelerates, DREM while it corrects; tuned",
+            "Khalin 2022, section 2.5.6",
+            preset=TUNED_SWITCHED,
+        ),
+        Entry(
+            "switched-printed",
+            SwitchedPredictor,
+            "the same with the gains, threshold and bound as printed",
+            "Khalin 2022, sections 2.3.2 and 2.5.6",
+            preset=PRINTED,
+        ),
     )
 }
 
@@ -79,7 +102,7 @@ def parameters(name: str) -> dict[str, tuple[Parameter, Any]]:
     found: dict[str, tuple[Parameter, Any]] = {}
     for stage in (entry.predictor, DIFFERENTIATORS[entry.differentiator]):
         for parameter in stage.parameters:
-            value = entry.preset.get(parameter.name, defaults(stage)[parameter.name])
+            value = (GAINS | entry.preset).get(parameter.name, defaults(stage)[parameter.name])
             found[parameter.name] = (parameter, value)
     return found
 
@@ -103,7 +126,7 @@ def build(name: str, *, cpi: float | None = None, dpi: float = 96.0, **parameter
     for given in parameters:
         if given not in known:
             raise ParameterError(_unknown(f"parameter of {name}", given, known))
-    settings = {k: v for k, v in entry.preset.items() if k in known} | parameters
+    settings = {k: v for k, v in (GAINS | entry.preset).items() if k in known} | parameters
     predictor, differentiator = (
         {p.name: settings[p.name] for p in stage.parameters if p.name in settings} for stage in stages
     )

@@ -6,6 +6,7 @@ from pointpred.predictors.kep import KinematicEndpointPredictor
 from pointpred.predictors.linear import LinearPredictor
 from pointpred.predictors.minimum_jerk import MinimumJerkPredictor
 from pointpred.predictors.predictor import Predictor
+from pointpred.predictors.switched import SwitchedPredictor
 
 __all__ = [
     "HoldPredictor",
@@ -14,4 +15,5 @@ __all__ = [
     "LinearPredictor",
     "MinimumJerkPredictor",
     "Predictor",
+    "SwitchedPredictor",
 ]

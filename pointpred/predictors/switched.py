@@ -1,0 +1,135 @@
+"""The switched predictor of the thesis: doubling while the hand accelerates, DREM while it corrects."""
+
+from __future__ import annotations
+
+from pointpred.columns import BoolArray, FloatArray
+from pointpred.compiled import law
+from pointpred.predictors import movement
+from pointpred.predictors.predictor import NONE, REFUSED, Predictor
+from pointpred.regression import drem
+from pointpred.stage import Parameter, check
+
+UNKNOWNS = 3  # theta = (1/b2, b1/b2, T)
+
+THRESHOLD, BOUND, DELAY_S, GAMMA = 0, 1, 2, 3
+SETTINGS = 4
+AT = SETTINGS
+X_AXIS = AT + movement.STATES
+
+# State of an axis, relative to its place: largest speed in m/s, displacement and endpoint in px; then DREM.
+PEAK, PLACE, ENDPOINT, DREM = 0, 1, 2, 3
+AXIS_STATES = DREM + int(drem.states(UNKNOWNS))
+Y_AXIS = X_AXIS + AXIS_STATES
+STATES = movement.STATES + 2 * AXIS_STATES
+
+
+@law
+def advance(memory: FloatArray, axis: int, t: float, place: float, v: float, a: float) -> float:
+    """One sample of one axis (figure 2.4); returns the endpoint in px from the movement's start.
+
+    The regression remembers every phase, because its delayed copies reach back into the phase before; it
+    learns, and has a say, in the corrective phase only.
+    """
+    moved = place - memory[axis + PLACE]
+    memory[axis + PLACE] = place
+    memory[axis + PEAK] = max(memory[axis + PEAK], abs(v))
+    held = memory[axis + ENDPOINT]
+    regression = axis + DREM
+    memory[regression + drem.REGRESSOR] = -a
+    memory[regression + drem.REGRESSOR + 1] = -v
+    memory[regression + drem.REGRESSOR + 2] = 1.0
+    if abs(v) < memory[THRESHOLD] * memory[axis + PEAK]:
+        third = drem.estimates(regression, UNKNOWNS) + 2
+        memory[third] = held
+        known = drem.advance(memory, regression, UNKNOWNS, memory[DELAY_S], memory[GAMMA], t, place)
+        if known and abs(memory[third] - held) < memory[BOUND] * abs(place):
+            memory[axis + ENDPOINT] = memory[third]
+    else:
+        drem.remember(memory, regression, UNKNOWNS, memory[DELAY_S], t, place)
+        if a * v >= 0.0:
+            memory[axis + ENDPOINT] = held + 2.0 * moved
+    return float(memory[axis + ENDPOINT])
+
+
+@law
+def step(
+    memory: FloatArray,
+    t: float,
+    x: float,
+    y: float,
+    vx: float,
+    vy: float,
+    ax: float,
+    ay: float,
+    settled: float,
+    start: float,
+) -> tuple[float, float, float, float, float, float, float]:
+    """Both axes, each in its own phase (Remark 2.5.1)."""
+    accepted, new, _ = movement.follow(memory, AT, t, x, y, vx, vy, start)
+    if not accepted:
+        return REFUSED
+    if new:
+        memory[X_AXIS:] = 0.0
+    x0, y0 = memory[AT + movement.X0], memory[AT + movement.Y0]
+    since = t - memory[AT + movement.T0]  # so that the clock's origin leaves no trace in the delays
+    end_x = x0 + advance(memory, X_AXIS, since, x - x0, vx, ax)
+    end_y = y0 + advance(memory, Y_AXIS, since, y - y0, vy, ay)
+    return end_x, end_y, NONE, NONE, NONE, NONE, movement.phase(memory, AT, vx, vy)
+
+
+@law
+def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
+    """The same step over a table."""
+    for i in range(len(rows)):
+        if begin[i]:
+            memory[first:] = 0.0
+        r = rows[i]
+        answer = step(memory, r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8])
+        out[i, 0] = r[0]
+        for j in range(len(answer)):
+            out[i, j + 1] = answer[j]
+
+
+class SwitchedPredictor(Predictor):
+    """Switched ballistic and corrective endpoint predictor, one law for each axis.
+
+    Assumes a reach whose first half mirrors its second, then a damped approach V' = -b1 V - b2 (x - T).
+    While hand and acceleration agree (a V >= 0) the endpoint gains twice what the cursor moves; while the
+    hand slows it holds; below ``threshold`` of the axis' largest speed the endpoint follows the regression
+    x = -a/b2 - V b1/b2 + T by DREM, and a step is taken only if it is smaller than ``bound`` times the
+    displacement. Good up to the speed peak; after it, it holds a wrong value while the cursor walks to the
+    truth, and doubles the noise of the shorter axis.
+
+    Parameters: ``threshold`` (share of the peak speed), ``bound`` (share of the displacement), ``delay_s``
+    s between the delayed copies, ``gamma`` 1/s rate of the regression at full excitation.
+    Always answers; claims no region. Memory: two rings of 132 samples, about 11 kB in all.
+    Raises ParameterError, and EventError from ``update``.
+
+    Reference: Khalin 2022, sections 2.4.2-2.5.6, equation (2.3), figure 2.4, with the corrections listed in
+    docs/equations.md.
+
+    >>> from pointpred import PointerEvent, build
+    >>> pipeline = build("switched-printed")
+    >>> for i in range(200):  # an accelerating hand: the endpoint is twice the way done
+    ...     prediction = pipeline.update(PointerEvent(i / 1000, i * i / 100, 0.0))
+    >>> round(prediction.x)
+    792
+    """
+
+    parameters = (
+        Parameter("threshold", "share of peak speed", 0.0, 1.0, "below it an axis is corrective"),
+        Parameter("bound", "share of displacement", 0.0, 10.0, "largest step of the corrective estimate"),
+        Parameter("delay_s", "s", 1e-3, 1.0, "delay between the copies of the regression"),
+        Parameter("gamma", "1/s", 0.0, 1e9, "rate of the regression at full excitation"),
+    )
+    step = staticmethod(step)
+    loop = staticmethod(loop)
+
+    def __init__(
+        self, *, threshold: float = 0.2, bound: float = 0.1, delay_s: float = 0.1, gamma: float = 1e4
+    ) -> None:
+        check(
+            self.parameters,
+            {"threshold": threshold, "bound": bound, "delay_s": delay_s, "gamma": gamma},
+        )
+        super().__init__([threshold, bound, delay_s, gamma], STATES)
