@@ -1,13 +1,11 @@
 """Write the generated parts of the pages: ``make docs``.
 
-A generated part stands between two comments, ``<!-- generated: NAME -->`` and ``<!-- end -->``; the rest of
-a page is written by people. The tests compare each part with the code, except the score table, which
-``python -m benchmarks.pages scores`` writes because it takes a scoring run.
+The tests compare each part with the code, except the README's score table: that takes a scoring run, and
+``python -m benchmarks.pages scores`` writes it as well.
 """
 
 from __future__ import annotations
 
-import re
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -15,6 +13,7 @@ from typing import Any
 
 import msgspec
 
+from benchmarks.markdown import filled, table
 from pointpred.cli.predictors import describe
 from pointpred.differentiators import DIFFERENTIATORS
 from pointpred.registry import REGISTRY
@@ -22,13 +21,6 @@ from pointpred.stage import defaults
 
 ROOT = Path(__file__).parents[1]
 HEADER = ("parameter", "unit", "bounds", "default", "meaning")
-PART = r"<!-- generated: {name} -->\n.*?<!-- end -->"
-
-
-def table(header: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
-    """A Markdown table."""
-    lines = [header, tuple("---" for _ in header), *rows]
-    return "\n".join("| " + " | ".join(cell.replace("|", "\\|") for cell in line) + " |" for line in lines)
 
 
 def predictors() -> str:
@@ -76,15 +68,6 @@ PARTS: dict[str, dict[str, Callable[[], str]]] = {
     },
 }
 """What the tests compare with the code: page, part, and the function that writes it."""
-
-
-def filled(page: str, name: str, text: str) -> str:
-    """The page with one part replaced; raises ValueError where the page has no such part."""
-    part = f"<!-- generated: {name} -->\n\n{text}\n\n<!-- end -->"
-    result, found = re.subn(PART.format(name=re.escape(name)), lambda _: part, page, flags=re.DOTALL)
-    if found != 1:
-        raise ValueError(f"expected one part {name!r}, found {found}")
-    return result
 
 
 def rendered(path: str) -> str:

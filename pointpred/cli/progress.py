@@ -14,7 +14,7 @@ Advance = Callable[[str, int, int | None], None]
 
 @contextmanager
 def following() -> Iterator[Advance | None]:
-    """Yield what a run reports to: (what, done, in all or ``None``); nothing but ``None`` without a terminal."""
+    """Yield what a run reports to: (what, done, in all or ``None``); without a terminal yield ``None``."""
     screen = remarks()
     if not screen.is_terminal:
         yield None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
@@ -29,17 +30,26 @@ def module_of(path: Path) -> str:
     return ".".join([ROOMS.get(parts[0], parts[0]), *parts[1:]])
 
 
-def imports_of(path: Path) -> set[str]:
-    """The dotted names a file imports from pointpred, wherever in the file; ``from a import b`` is both."""
-    known = {module_of(other) for other in package_files()}
+def imports_of(path: Path, *, everywhere: bool = True) -> set[str]:
+    """The dotted names a file imports from pointpred; ``from a import b`` is both.
+
+    Not ``everywhere``: only the imports that run when the file itself is imported.
+    """
+    known = _modules()
     found: set[str] = set()
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    for node in ast.walk(tree) if everywhere else tree.body:
         if isinstance(node, ast.Import):
             found |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom):
             found |= {node.module or ""}
             found |= {f"{node.module}.{alias.name}" for alias in node.names} & known
     return {name for name in found if name == "pointpred" or name.startswith("pointpred.")}
+
+
+@cache
+def _modules() -> frozenset[str]:
+    return frozenset(module_of(path) for path in package_files())
 
 
 def _behind_link(path: Path) -> bool:

@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from benchmarks.pages import PARTS, ROOT, filled, rendered
+from benchmarks.markdown import filled
+from benchmarks.pages import PARTS, ROOT, rendered
 from pointpred.differentiators import DIFFERENTIATORS
 from pointpred.registry import REGISTRY, parameters
 

@@ -1,0 +1,40 @@
+"""The README's score table, from a scoring run on the embedded sample."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from benchmarks.markdown import filled, table
+from pointpred.cli.tables import title
+from pointpred.datasets import sample
+from pointpred.registry import REGISTRY
+from pointpred.scoring import HEADINGS, rows, score, summary
+
+SHOWN = (
+    "predictor",
+    "error of hold",
+    "95 % interval",
+    "time 30 %",
+    "time 50 %",
+    "time 70 %",
+    "time 90 %",
+    "path 50 %",
+    "path 90 %",
+    "answers",
+)
+"""Columns of the table; the cost is left out because it differs from machine to machine."""
+
+
+def scores() -> str:
+    """The embedded sample scored with every predictor, as Markdown."""
+    described = summary(score([sample()], list(REGISTRY))[0])
+    places = [HEADINGS.index(heading) for heading in SHOWN]
+    cells = [(f"`{row[0]}`", *(row[i] for i in places[1:])) for row in rows(described)]
+    return f"{title(described)}\n\n{table(SHOWN, cells)}"
+
+
+def write_scores(root: Path) -> Path:
+    """Put the table into the README."""
+    path = root / "README.md"
+    path.write_text(filled(path.read_text(encoding="utf-8"), "scores", scores()), encoding="utf-8")
+    return path
