@@ -222,8 +222,8 @@ counts alone.
 A position is off by what it is at the worst moment of a trial; rounding to whole pixels alone makes
 {floor:.1f} px (median, with the true function instead of the identified one).
 
-The best polynomial of order 5 for the sigmoid has a largest gain error of {best:.1f} % (linear programme); the
-bar is 1.5 times that, {allowed:.1f} %. The corner at 0.05 m/s is where the identified one is worst.
+The best polynomial of order 5 for the sigmoid has a largest gain error of {best:.1f} % (linear programme);
+the bar is 1.5 times that, {allowed:.1f} %. The corner at 0.05 m/s is where the identified one is worst.
 
 - Whole pixels ruin Euler differences between single reports: the speed is nearly all rounding, and the
   length of a rounded step is too long on average. Differences over 20 ms are better; displacements of each

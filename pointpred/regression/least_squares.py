@@ -69,7 +69,7 @@ def excitation(memory: FloatArray, at: int, n: int, j: int) -> float:
 
 @law
 def solve(memory: FloatArray, at: int, n: int, least: float, out: int) -> bool:
-    """Write the estimate at ``out``; False, nothing written, where a column's excitation is below ``least``."""
+    """Write the estimate at ``out``; False, nothing written, where an excitation is below ``least``."""
     for j in range(n):
         if excitation(memory, at, n, j) < least:
             return False

@@ -24,7 +24,8 @@ NONE = float("nan")
 class Identification(msgspec.Struct, frozen=True):
     """A transfer function and what it rests on.
 
-    ``function`` is ``None`` where the data do not tell all powers apart; ``unexcited`` lists the powers that
+    ``function`` is ``None`` where the data do not tell all powers apart, or hold no speed of the judged range;
+    ``unexcited`` lists the powers that
     add nothing to those before them and ``condition`` is that of the data. ``samples`` were used, ``skipped``
     reports had no time before them that could be believed; ``residual`` is the root mean square error of a
     sample (m for windows, m/s for speeds).
@@ -52,7 +53,7 @@ class PolynomialIdentifier(CompiledStage):
     ``gap_s``, a longer pause makes a report's speed unknown; ``forgetting`` in (0, 1] for each sample;
     ``speed_low``, ``speed_high`` in m/s, the range that is judged; ``least_excitation`` the sine below which
     a power counts as not excited.
-    Memory: 299 floats. Raises ParameterError, and EventError from ``update``.
+    Memory: 267 floats. Raises ParameterError, and EventError from ``update``.
 
     Reference: Khalin 2022, sections 2.4.1 and 2.5.1, with the cursor's speed corrected.
 
@@ -151,12 +152,11 @@ class PolynomialIdentifier(CompiledStage):
         powers = tuple(j + shift for j in found.unexcited)
         numbers, rows, trust = bands.trusted(self._memory, windows.BANDS, self.count, linear, found.residual)
         function = None
-        if found.values is not None:
+        if found.values is not None and len(numbers):
             values = np.array(found.values)
             if weighting == "gain" and len(rows) > self.count:
                 values = bands.balance(rows, trust)
             seen = numbers[trust > 0.5] if (trust > 0.5).any() else numbers
-            low = self.speed_low + self.band_width * float(seen.min(initial=0.0))
-            high = self.speed_low + self.band_width * (1.0 + float(seen.max(initial=0.0)))
+            low, high = (self.speed_low + self.band_width * (float(seen[i]) + (i < 0)) for i in (0, -1))
             function = PolynomialFunction([0.0] * shift + values.tolist(), speed_low=low, speed_high=high)
         return Identification(function, powers, found.condition, found.residual, found.samples, skipped)

@@ -91,7 +91,7 @@ def test_units_and_rate_leave_the_excitation_alone() -> None:
     """The same movement in other units, and eight times as fast reports: the same learning."""
     learnt = []
     for unit, rate in ((1.0, 1000.0), (1e4, 1000.0), (1.0, 8000.0)):
-        stage = DynamicRegressorExtension(3, delay_s=0.1, gamma=20.0)
+        stage = DynamicRegressorExtension(3, delay_s=0.1, gamma=200.0)
         for t in np.arange(0.0, 0.8, 1.0 / rate):
             w = (unit * np.sin(6.0 * t), unit * np.cos(6.0 * t), 1.0)
             estimate = stage.update(w, w[0] + 3.0, t)
