@@ -148,6 +148,23 @@ def test_a_second_motion_of_the_same_time_changes_neither_fit_nor_check(change_m
     assert one.update(later) == other.update(later)
 
 
+def test_a_repeated_time_does_not_count_as_stable() -> None:
+    """Predictions that jump are never accepted, however often the same sample is reported."""
+    d = np.linspace(0.0, 60.0, 13)
+    v = d * (110.0 - d) * (1.0 + 0.3 * np.cos(40.0 * d))
+    free = lengths(feed(KinematicEndpointPredictor(degree=2), d, v))
+    change = 0.5 * np.nanmin(np.abs(np.diff(free)) / free[:-1])
+    assert np.isfinite(free).sum() > 5
+    assert change > 1e-3
+    predictor = KinematicEndpointPredictor(degree=2, change_most=change)
+    for i in range(len(d)):
+        x, y = np.array([40.0, 30.0]) + d[i] * DIRECTION
+        motion = Motion(i / 100.0, x, y, v[i] * 0.6, v[i] * -0.8, 0.0, 0.0, True, start=i == 0)
+        again = Motion(i / 100.0, x, y, v[i] * 0.6, v[i] * -0.8, 0.0, 0.0, True)
+        assert predictor.update(motion) is None
+        assert predictor.update(again) is None
+
+
 @pytest.mark.parametrize("name", ["kep-quadratic", "kep-quadratic-gated", "kep-quartic", "kep-quartic-gated"])
 def test_a_second_movement_is_predicted_as_if_it_were_the_first(name: str) -> None:
     """After a pause a new fit begins, whatever was before."""
