@@ -1,1 +1,7 @@
-"""The catalogue of public recordings, and the generated sample that the first command runs on."""
+"""The generated sample the first command runs on, and the catalogue of public sets a user may fetch."""
+
+from pointpred.datasets.catalogue import DataSet, RemoteFile, find, listing
+from pointpred.datasets.embedded import sample
+from pointpred.datasets.fetch import Fetched, fetch
+
+__all__ = ["DataSet", "Fetched", "RemoteFile", "fetch", "find", "listing", "sample"]

@@ -21,6 +21,11 @@ TARGETS = 13
 MM_PER_INCH = 25.4
 FUNCTIONS: dict[str, TransferFunction] = {"sigmoid": SigmoidGain(), "constant": ConstantGain(4.0)}
 """The two functions of the thesis's experiment (section 2.6.1)."""
+BOUNDS = (
+    Parameter("trials", "", 1, TARGETS - 1, "movements a circle"),
+    Parameter("distance_mm", "mm", 5.0, 1e4, "between successive targets"),
+    Parameter("width_mm", "mm", 0.5, 1e3, "of a target"),
+)
 SETUP = plan.Setup(FUNCTIONS["constant"])
 
 
@@ -76,7 +81,10 @@ def simulate_circle(
     Assumes polls that are never lost and a screen without edges. The same seed gives the same recording;
     a person's trials do not depend on who else takes part. Raises ParameterError.
     """
-    check((Parameter("trials", "", 1, TARGETS - 1, "movements a circle"),), {"trials": trials})
+    check(BOUNDS[:1], {"trials": trials})
+    for condition in conditions:
+        check(BOUNDS[1:], {"distance_mm": condition.distance_mm, "width_mm": condition.width_mm})
+        _function(condition.transfer)
     parts: list[EventColumns] = []
     labels: list[Trial] = []
     for person in persons:

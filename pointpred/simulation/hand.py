@@ -22,9 +22,9 @@ def profile(u: float, skew: float) -> tuple[float, float, float]:
     (1 - cos pi s) / 2 with s = u + skew u (1 - u): the thesis's ballistic law (2.4.2) for skew 0, an earlier
     peak of the speed for skew > 0. |skew| < 1 keeps the speed positive.
     """
-    if u <= 0.0:
+    if u < 0.0:
         return 0.0, 0.0, 0.0
-    if u >= 1.0:
+    if u > 1.0:
         return 1.0, 0.0, 0.0
     s = pi * (u + skew * u * (1.0 - u))
     rate = pi * (1.0 + skew * (1.0 - 2.0 * u))
@@ -36,13 +36,15 @@ def profile(u: float, skew: float) -> tuple[float, float, float]:
 def cursor_distance(memory: FloatArray, amplitude: float, duration: float) -> float:
     """How far the cursor goes (px) while the hand goes ``amplitude`` metres by the law without skew.
 
-    The integral of PTF(V) over V = A pi / (2 D) sin pi u: the averaged gain c of 2.4.2, corrected.
+    The integral of PTF(V) over V = A pi / (2 D) sin pi u by Simpson's rule; over A it is the averaged gain c
+    of 2.4.2, corrected.
     """
     peak = 0.5 * pi * amplitude / duration
     total = 0.0
-    for i in range(QUADRATURE):
-        total += known.cursor_speed(memory, slots.FUNCTION, peak * sin(pi * (i + 0.5) / QUADRATURE))
-    return float(memory[slots.PX_PER_METRE] * duration * total / QUADRATURE)
+    for i in range(1, QUADRATURE):
+        weight = 4.0 if i % 2 == 1 else 2.0
+        total += weight * known.cursor_speed(memory, slots.FUNCTION, peak * sin(pi * i / QUADRATURE))
+    return float(memory[slots.PX_PER_METRE] * duration * total / (3.0 * QUADRATURE))
 
 
 @law

@@ -47,8 +47,11 @@ def report(memory: FloatArray, hat_x: float, hat_y: float) -> tuple[float, float
     gain = known.gain(memory, slots.FUNCTION, hypot(dx, dy) * unit / memory[slots.PERIOD_S])
     scale = gain * memory[slots.PX_PER_METRE] * unit
     pull_x, pull_y = pull(memory, hat_x, hat_y)
-    memory[slots.X] += pixels.carry(memory, slots.CARRY, scale * dx + pull_x)
-    memory[slots.Y] += pixels.carry(memory, slots.CARRY + 1, scale * dy + pull_y)
+    memory[slots.X] += pixels.carry(memory, slots.CARRY, scale * dx)
+    memory[slots.Y] += pixels.carry(memory, slots.CARRY + 1, scale * dy)
+    # One fraction for both would be dropped at every poll in which the hand works against the term.
+    memory[slots.X] += pixels.carry(memory, slots.PULLED, pull_x)
+    memory[slots.Y] += pixels.carry(memory, slots.PULLED + 1, pull_y)
     return dx, dy
 
 

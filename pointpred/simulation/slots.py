@@ -27,9 +27,11 @@ SETTINGS = PIECE + PIECE_SLOTS * PIECES_MOST
 TICK, PHASE, SINCE, NUMBER, AMPLITUDE, ANGLE, FEEDBACK = range(SETTINGS, SETTINGS + 7)
 # hand: position m, velocity m/s, acceleration m/s^2, wandering (dimensionless);
 U, V, VX, VY, AX, AY, WANDER_X, WANDER_Y = range(FEEDBACK + 1, FEEDBACK + 9)
-# cursor in px from the start, counts reported so far, fractions of a px, and what the eyes have yet to see.
+# cursor in px from the start, counts reported so far, fractions of a px that the hand and the assisted term
+# have not moved yet, and what the eyes have yet to see.
 X, Y, COUNTED_X, COUNTED_Y, CARRY = range(WANDER_Y + 1, WANDER_Y + 6)
-RING = CARRY + pixels.CARRIED
+PULLED = CARRY + pixels.CARRIED
+RING = PULLED + pixels.CARRIED
 RING_ROWS, RING_SLOTS = 256, 4
 SIZE = RING + RING_ROWS * RING_SLOTS
 

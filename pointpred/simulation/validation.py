@@ -85,11 +85,14 @@ def corrective_signals(
 
 
 def doubled(x: FloatArray, v: FloatArray, a: FloatArray) -> FloatArray:
-    """The ballistic estimate of 2.5.2: 2 x while a V >= 0, held afterwards."""
+    """The ballistic estimate of 2.5.2: 2 x while a V >= 0, held afterwards and at rest.
+
+    Taken to the letter the printed rule doubles again once the hand stands still, for a V = 0 there too.
+    """
     estimate = np.empty_like(x)
     held = 0.0
     for i in range(len(x)):
-        if a[i] * v[i] >= 0.0:
+        if a[i] * v[i] >= 0.0 and v[i] != 0.0:
             held = 2.0 * x[i]
         estimate[i] = held
     return estimate

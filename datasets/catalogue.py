@@ -1,0 +1,81 @@
+"""What a set of recordings is: where it comes from, under which licence, and how to get it."""
+
+from __future__ import annotations
+
+import difflib
+from urllib.parse import quote
+
+import msgspec
+
+from pointpred.errors import ParameterError
+
+
+class RemoteFile(msgspec.Struct, frozen=True):
+    """One file of a set. ``sha256`` is ``None`` where nobody has verified a digest of the original."""
+
+    name: str
+    url: str
+    sha256: str | None = None
+
+
+class DataSet(msgspec.Struct, frozen=True):
+    """A public set of recordings of people.
+
+    ``users`` and ``trials`` are ``None`` where unknown. ``files`` is empty where a program cannot fetch the
+    set: a user then gets it from ``page``. ``importer`` names the format ``pointpred convert`` reads it as,
+    ``None`` where none does.
+    """
+
+    name: str
+    title: str
+    page: str
+    licence: str
+    citation: str
+    users: int | None
+    trials: int | None
+    sampling: str
+    targets: str
+    importer: str | None = None
+    files: tuple[RemoteFile, ...] = ()
+    note: str = ""
+
+    @property
+    def fetchable(self) -> bool:
+        """Whether ``fetch`` knows where its files lie."""
+        return bool(self.files)
+
+    @property
+    def verified(self) -> bool:
+        """Whether every file has a digest to be checked against."""
+        return self.fetchable and all(file.sha256 is not None for file in self.files)
+
+
+def github_file(repository: str, path: str, commit: str = "HEAD", sha256: str | None = None) -> RemoteFile:
+    """A file of a public repository; ``HEAD`` where no commit is pinned.
+
+    >>> github_file("someone/moves", "data/a b.csv").url
+    'https://raw.githubusercontent.com/someone/moves/HEAD/data/a%20b.csv'
+    """
+    url = f"https://raw.githubusercontent.com/{repository}/{commit}/{quote(path)}"
+    return RemoteFile(path.rsplit("/", 1)[-1], url, sha256)
+
+
+def listing() -> tuple[DataSet, ...]:
+    """Every set of the catalogue; none of them is part of this package.
+
+    >>> [entry.name for entry in listing()][:3]
+    ['freihaut2021', 'pvplib23714', 'cryslacks']
+    """
+    from pointpred.datasets.public import SETS
+
+    return SETS
+
+
+def find(name: str) -> DataSet:
+    """The set of this name; raises ParameterError naming the nearest one and all of them."""
+    known = {entry.name: entry for entry in listing()}
+    if name in known:
+        return known[name]
+    near = difflib.get_close_matches(name, known, 1)
+    hint = f"; did you mean {near[0]!r}?" if near else ""
+    raise ParameterError(f"unknown data set {name!r}{hint} Known: {', '.join(known)}")
