@@ -109,7 +109,8 @@ def paths(draw: st.DrawFn) -> list[Row]:
             max_size=25,
         )
     )
-    rows, t, x, y = [(0.5, 10.0, -20.0, 0)], 0.5, 10.0, -20.0
+    t, x, y = draw(st.sampled_from([(0.5, 10.0, -20.0), (0.0, 0.0, 0.0), (-3.0, 900.0, 2000.0)]))
+    rows = [(t, x, y, 0)]
     turn = draw(st.sampled_from([(1, 1), (-1, 1), (1, -1), (-1, -1)]))
     for dt, dx, dy, buttons in steps:
         t, x, y = t + dt, x + turn[0] * dx, y + turn[1] * dy
