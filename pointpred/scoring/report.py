@@ -136,12 +136,13 @@ def _single_axis(score: SetScore, described: Json, shown: Sequence[str]) -> str:
     if groups:
         drawn.append(group_curves(described, shown, groups))
     profiles = [axis_profile(predictor) for predictor in score.predictors]
+    models = compared(score)
     caption = f"{score.name}: single-axis MAE in px, below it with outliers replaced by the quartile bound"
     return (
         f'<h3>Single axis</h3><div class="figures">{"".join(one.html() for one in drawn)}</div>'
         + mae_table(caption, profiles)
         + "<h3>Statistics</h3>"
-        + statistics_html(score.name, axis_anova(score, compared(score)))
+        + statistics_html(score.name, axis_anova(score, models), [p for p in profiles if p.name in models])
     )
 
 

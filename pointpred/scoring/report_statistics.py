@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
+import numpy as np
+
 from pointpred.scoring.anova import Effect
 from pointpred.scoring.report_tables import number, table, text
 from pointpred.scoring.results import AXIS_FRACTIONS, PATH_FRACTIONS
@@ -28,7 +32,7 @@ def f_words(effect: Effect) -> str:
     )
 
 
-def sentences(series: AnovaSeries, effects: tuple[tuple[Effect, ...], ...]) -> list[str]:
+def sentences(effects: tuple[tuple[Effect, ...], ...]) -> list[str]:
     """A sentence a term: where along the path it is significant, and where most."""
     said = []
     terms = dict.fromkeys(effect.factors for at in effects for effect in at)
@@ -84,7 +88,7 @@ def _cell(effect: Effect) -> str:
     )
 
 
-def mae_table(caption: str, profiles: list[AxisProfile]) -> str:
+def mae_table(caption: str, profiles: Sequence[AxisProfile]) -> str:
     """Mean absolute error along the longer axis with outliers, and with the quartile in their place."""
     rows = []
     for profile in profiles:
@@ -95,8 +99,23 @@ def mae_table(caption: str, profiles: list[AxisProfile]) -> str:
     return table(caption, head, rows)
 
 
-def statistics_html(name: str, series: AnovaSeries) -> str:
-    """The whole analysis of a set: design, words, both tables, what was left out."""
+def leads(profiles: Sequence[AxisProfile], *, replaced: bool = False) -> str:
+    """Where along the path each predictor has the lowest MAE: the direction that F does not give."""
+    means = np.array([profile.mae_replaced if replaced else profile.mae for profile in profiles])
+    best = means.argmin(axis=0)
+    said = [
+        f"{profile.name} at {_spans(np.flatnonzero(best == i).tolist())}"
+        for i, profile in enumerate(profiles)
+        if (best == i).any()
+    ]
+    return f"Lowest MAE: {'; '.join(said)} of the path."
+
+
+def statistics_html(name: str, series: AnovaSeries, profiles: Sequence[AxisProfile]) -> str:
+    """The whole analysis of a set: design, words, both tables, what was left out.
+
+    ``profiles`` are those of the models compared.
+    """
     levels = (
         f"{text(factor)} ({', '.join(text(level) for level in of)})"
         for factor, of in zip(series.factors, series.levels, strict=True)
@@ -110,11 +129,12 @@ def statistics_html(name: str, series: AnovaSeries) -> str:
             f"which matters where a factor has more than two levels. Bold: p below {ALPHA}. The shares of "
             "the path are not independent of each other, and p is not corrected for their number.</p>"
         )
-        for title, effects in (
-            ("All errors", series.effects),
-            ("Outliers replaced by the quartile bound", series.effects_replaced),
+        for title, effects, replaced in (
+            ("All errors", series.effects, False),
+            ("Outliers replaced by the quartile bound", series.effects_replaced, True),
         ):
-            said = "".join(f"<li>{text_long(line)}</li>" for line in sentences(series, effects))
+            lines = [*sentences(effects), leads(profiles, replaced=replaced)]
+            said = "".join(f"<li>{text_long(line)}</li>" for line in lines)
             parts.append(f"<h4>{title}</h4><ul>{said}</ul>")
             parts.append(anova_table(f"{name}: analysis of variance, {title.lower()}", effects))
     if notes:

@@ -94,7 +94,7 @@ def _panel(axes: Any, drawing: Drawing) -> Any:
     axes.plot(events.x[:1], events.y[:1], "o", color=INK, markersize=6, label="start")
     if np.isfinite([about.target_x, about.target_y, about.target_w]).all():
         axes.add_patch(Circle((about.target_x, about.target_y), about.target_w / 2, fill=False,
-                              edgecolor=PALETTE[2], linewidth=1.6))  # fmt: skip
+                              edgecolor=PALETTE[2], linewidth=1.6, label="target"))  # fmt: skip
     shown = axes.scatter(
         answers.x,
         answers.y,
