@@ -49,7 +49,8 @@ def test_the_registry_names_the_degrees() -> None:
     """build(name) answers as the naive fit of that degree does."""
     events = curved_reach(4, 125.0)
     for name, degree in (("kep-quadratic", 2), ("kep-quartic", 4)):
-        naive, pipeline, differentiator = NaiveKep(degree), build(name), HomogeneousDifferentiator()
+        naive, pipeline = NaiveKep(degree), build(name)
+        differentiator = pipeline.differentiator.fresh()
         for event in events.events():
             expected, found = naive.update(differentiator.update(event)), pipeline.update(event)
             assert (expected is None) == (found is None)

@@ -48,8 +48,8 @@ def textbook(t: FloatArray, x: FloatArray, horizon: float, density: float, noise
 @pytest.mark.parametrize(("density", "noise"), [(1e10, 1.0), (1e6, 0.3)])
 def test_it_is_the_textbook_filter(rate_hz: float, density: float, noise: float) -> None:
     random = np.random.default_rng(3)
-    t = np.cumsum(random.uniform(0.5, 1.5, 300) / rate_hz)
-    x, y = np.cumsum(random.integers(-5, 9, (2, 300)), axis=1).astype(float)
+    t = np.cumsum(random.uniform(0.5, 1.5, 120) / rate_hz)
+    x, y = np.cumsum(random.integers(-5, 9, (2, 120)), axis=1).astype(float)
     predictor = KalmanPredictor(horizon_s=0.04, cursor_jerk_density=density, cursor_noise_px=noise)
     ends = [predictor.update(at(*row)) for row in zip(t, x, y, strict=True)]
     found = np.array([(end.x, end.y) for end in ends if end is not None])
