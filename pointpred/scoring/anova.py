@@ -55,8 +55,8 @@ def balance(users: Sequence[str], factors: Mapping[str, Sequence[str]]) -> Desig
     ``users`` and each factor's labels have a row a trial. A person missing a cell of an accepted factor is
     left out; every omission has a note. Memory: a number a trial.
 
-    >>> balance(["a", "a", "b", "b"], {"width": ["10", "20", "10", "20"]}).cell.tolist()
-    [0, 1, 2, 3]
+    >>> balance(["a", "a", "b", "b", "c", "c"], {"width": ["10", "20"] * 3}).cell.tolist()
+    [0, 1, 2, 3, 4, 5]
     """
     people, everyone = np.unique(np.asarray(users, dtype=str), return_inverse=True)
     chosen: dict[str, tuple[str, ...]] = {}
