@@ -8,6 +8,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 import pytest
+from hypothesis import settings
+
+settings.register_profile("pointpred", deadline=None, derandomize=True)
+settings.load_profile("pointpred")
 
 
 class Left(NamedTuple):

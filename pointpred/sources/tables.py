@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import csv
+import re
 from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
@@ -20,7 +22,9 @@ MARK = b"# pointpred:"
 PARQUET_MAGIC = b"PAR1"
 KEY = b"pointpred"
 NUMBER = r"^[ \t]*[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?[ \t]*$"
-NOT_A_NUMBER = r"^[ \t]*[+-]?(?i:nan)?[ \t]*$"
+NOT_A_NUMBER = r"^[ \t]*[+-]?(?i:nan?)?[ \t]*$"
+CELLS = re.compile(r"(?:Row #(\d+): )?Expected (\d+) columns, got (\d+)")
+LARGEST_BLOCK = 1 << 25
 UNREADABLE = (pa.ArrowException, OSError, UnicodeError, ValueError, KeyError, IndexError, MemoryError)
 """What Arrow raises on damaged bytes."""
 
@@ -71,7 +75,7 @@ def read_csv(path: Path, text: Callable[[str], bool]) -> tuple[Any, dict[str, An
     header = parse_header(path, {KEY: first[len(MARK) :]}) if marked else {}
     if marked and not complete:
         raise RecordingError(f"{path}: truncated, the last row does not end with a line break")
-    names = [name.strip(' "\r\n') for name in columns.decode("utf-8-sig").split(",")]
+    names = next(csv.reader([columns.decode("utf-8-sig")]), [])
     words = {name: pa.string() for name in names if text(name)}
     numeric = {name: pa.float64() for name in names if name not in words}
     try:
@@ -84,41 +88,40 @@ def read_csv(path: Path, text: Callable[[str], bool]) -> tuple[Any, dict[str, An
 
 def parse_csv(path: Path, skip: int, types: dict[str, Any]) -> Any:
     """The rows below ``skip`` lines; raises RecordingError naming the first row that is cut or too long."""
-    broken: list[Any] = []
-
-    def stop(row: Any) -> str:
-        broken.append(row)
-        return "error"
 
     def parse(threads: bool) -> Any:
         return pacsv.read_csv(
             path,
-            read_options=pacsv.ReadOptions(skip_rows=skip, use_threads=threads),
-            parse_options=pacsv.ParseOptions(newlines_in_values=True, invalid_row_handler=stop),
+            read_options=pacsv.ReadOptions(skip_rows=skip, use_threads=threads, block_size=_block(path)),
+            parse_options=pacsv.ParseOptions(newlines_in_values=True),
             convert_options=pacsv.ConvertOptions(
                 column_types=types,
-                null_values=["", "NaN", "nan", "NA"],
-                strings_can_be_null=False,
+                null_values=[""],
+                strings_can_be_null=True,
                 quoted_strings_can_be_null=False,
             ),
         )
 
     try:
         return parse(threads=True)
-    except pa.ArrowInvalid:
-        if not broken:
-            raise
-    broken.clear()  # Arrow numbers the rows only when it reads them in order
-    try:
-        parse(threads=False)
     except pa.ArrowInvalid as error:
-        row = broken[0]
-        at = "" if row.number is None else f" row {row.number - 2 - skip}:"
+        if not CELLS.search(str(error)):
+            raise
+    try:
+        return parse(threads=False)  # Arrow numbers the rows only when it reads them in order
+    except pa.ArrowInvalid as error:
+        found = CELLS.search(str(error))
+        if found is None or found.group(1) is None:
+            raise
+        row, expected, cells = (int(number) for number in found.groups())
         raise RecordingError(
-            f"{path}:{at} {row.actual_columns} cells, expected {row.expected_columns}; cut or mixed up? "
-            f"{row.text[:80]!r}"
+            f"{path}: row {row - 2 - skip}: {cells} cells, expected {expected}; cut or mixed up?"
         ) from error
-    raise RecordingError(f"{path}: {broken[0].actual_columns} cells, expected {broken[0].expected_columns}")
+
+
+def _block(path: Path) -> int:
+    """Bytes to parse at once: Arrow wants the longest row in one block."""
+    return min(max(path.stat().st_size, 1), LARGEST_BLOCK)
 
 
 def parse_header(path: Path, metadata: dict[bytes, bytes]) -> dict[str, Any]:
@@ -177,7 +180,26 @@ def numbers(column: Any) -> tuple[FloatArray, dict[int, str]]:
     if pa.types.is_boolean(column.type):
         column = pc.cast(column, pa.int8())
     values = pc.cast(column, pa.float64(), safe=False)
-    return np.asarray(values.to_numpy(zero_copy_only=False), np.float64), faults
+    return _float64(values), faults
+
+
+def _float64(column: Any) -> FloatArray:
+    """A float64 column as an array, NaN where it is null; Arrow's own conversion would import pandas."""
+    out = np.full(len(column), np.nan)
+    first = 0
+    for chunk in column.chunks:
+        if chunk.null_count == len(chunk):
+            first += len(chunk)
+            continue
+        validity, data = chunk.buffers()
+        rows = slice(chunk.offset, chunk.offset + len(chunk))
+        values = np.frombuffer(data, np.float64)[rows]
+        known: Any = slice(None)
+        if chunk.null_count:
+            known = np.unpackbits(np.frombuffer(validity, np.uint8), bitorder="little")[rows] == 1
+        out[first : first + len(chunk)][known] = values[known]
+        first += len(chunk)
+    return out
 
 
 def need_columns(path: Path, names: Iterable[str], required: Iterable[str], known: Iterable[str]) -> None:
