@@ -19,7 +19,7 @@ from pointpred.predictors import (
     Predictor,
     SwitchedPredictor,
 )
-from pointpred.stage import Parameter, defaults
+from pointpred.stage import Parameter, defaults, settable
 
 
 class Entry(msgspec.Struct, frozen=True):
@@ -122,14 +122,13 @@ def build(name: str, *, cpi: float | None = None, dpi: float = 96.0, **parameter
     if chosen not in DIFFERENTIATORS:
         raise ParameterError(_unknown("differentiator", chosen, list(DIFFERENTIATORS)))
     stages = (entry.predictor, DIFFERENTIATORS[chosen])
-    known = [parameter.name for stage in stages for parameter in stage.parameters]
+    own = [settable(stage) for stage in stages]
+    known = [*own[0], *own[1]]
     for given in parameters:
         if given not in known:
             raise ParameterError(_unknown(f"parameter of {name}", given, known))
     settings = {k: v for k, v in (GAINS | entry.preset).items() if k in known} | parameters
-    predictor, differentiator = (
-        {p.name: settings[p.name] for p in stage.parameters if p.name in settings} for stage in stages
-    )
+    predictor, differentiator = ({k: settings[k] for k in names if k in settings} for names in own)
     differentiator |= {"cpi": cpi, "dpi": dpi}
     return Pipeline(name, stages[1](**differentiator), stages[0](**predictor))
 

@@ -107,3 +107,8 @@ def defaults(stage: type[CompiledStage]) -> dict[str, Any]:
     """The default of each parameter of a stage, read from its constructor."""
     signature = inspect.signature(stage.__init__)
     return {p.name: signature.parameters[p.name].default for p in stage.parameters}
+
+
+def settable(stage: type[CompiledStage]) -> tuple[str, ...]:
+    """Everything a stage's constructor accepts: its parameters, and choices that are no numbers."""
+    return tuple(name for name in inspect.signature(stage.__init__).parameters if name != "self")

@@ -117,7 +117,7 @@ class SwitchedPredictor(Predictor):
     """
 
     parameters = (
-        Parameter("threshold", "share of peak speed", 0.0, 1.0, "below it an axis is corrective"),
+        Parameter("threshold", "share of peak speed", 0.0, 10.0, "below it an axis is corrective; above 1: always"),
         Parameter("bound", "share of displacement", 0.0, 10.0, "largest step of the corrective estimate"),
         Parameter("delay_s", "s", 1e-3, 1.0, "delay between the copies of the regression"),
         Parameter("gamma", "1/s", 0.0, 1e9, "rate of the regression at full excitation"),
