@@ -9,11 +9,12 @@ from functools import partial
 
 import msgspec
 import numpy as np
+from numpy.typing import NDArray
 
 from pointpred.columns import EventColumns, FloatArray, PredictionColumns
 from pointpred.pipeline import Pipeline, run
 from pointpred.recording import Skip
-from pointpred.scoring import metrics
+from pointpred.scoring import calibration, metrics
 from pointpred.scoring.chunks import in_threads
 from pointpred.scoring.results import PredictorErrors
 from pointpred.scoring.trials import Prepared
@@ -28,6 +29,7 @@ class _Chunk(msgspec.Struct, frozen=True):
     first: int
     stop: int
     measures: FloatArray
+    regions: FloatArray
     failed: tuple[Skip, ...]
     events: int
     seconds: float
@@ -46,10 +48,12 @@ def replay(
     with contextlib.suppress(Exception):  # what fails here fails again below, where it is reported
         run(pipeline.fresh(), prepared.events.rows(0, 1))  # machine code is loaded before time is taken
     measures = np.empty((len(prepared.trials), metrics.MEASURES))
+    regions = np.empty((len(prepared.trials), calibration.WIDTH))
     failed: list[Skip] = []
     events, seconds = 0, 0.0
     for chunk in in_threads(partial(_replay_chunk, prepared, pipeline), prepared.offsets, threads):
         measures[chunk.first : chunk.stop] = chunk.measures
+        regions[chunk.first : chunk.stop] = chunk.regions
         failed.extend(chunk.failed)
         events += chunk.events
         seconds += chunk.seconds
@@ -63,6 +67,7 @@ def replay(
         single_axis=measures[:, metrics.SINGLE_AXIS :].copy(),
         coverage=measures[:, metrics.COVERAGE].copy(),
         us_per_event=1e6 * seconds / events if events else float("nan"),
+        calibration=regions if (regions[:, calibration.CLAIMED] > 0.0).any() else None,
         failed=tuple(failed),
     )
 
@@ -78,34 +83,36 @@ def _replay_chunk(prepared: Prepared, pipeline: Pipeline, first: int, stop: int)
             return _join([_replay_chunk(prepared, pipeline, k, k + 1) for k in range(first, stop)])
         return _unanswered(prepared, first, f"{type(error).__name__}: {error}", time.thread_time() - before)
     seconds = time.thread_time() - before
-    measures, faults = _measure(prepared, first, stop, events, answers)
+    measures, regions, faults = _measure(prepared, first, stop, events, answers)
     failed: list[Skip] = []
     for k in np.flatnonzero(faults != metrics.SOUND).tolist():
         alone = _unanswered(prepared, first + k, f"event {faults[k]}: the prediction is not finite", 0.0)
-        measures[k] = alone.measures[0]
+        measures[k], regions[k] = alone.measures[0], alone.regions[0]
         failed.extend(alone.failed)
-    return _Chunk(first, stop, measures, tuple(failed), len(events), seconds)
+    return _Chunk(first, stop, measures, regions, tuple(failed), len(events), seconds)
 
 
 def _measure(
     prepared: Prepared, first: int, stop: int, events: EventColumns, answers: PredictionColumns
-) -> tuple[FloatArray, np.ndarray[tuple[int], np.dtype[np.int64]]]:
-    """The measures of trials ``first`` up to ``stop`` and where their answers were not finite."""
+) -> tuple[FloatArray, FloatArray, NDArray[np.int64]]:
+    """The measures and regions of trials ``first`` up to ``stop``, and where answers were not finite."""
     out = np.empty((stop - first, metrics.MEASURES))
+    regions = np.empty((stop - first, calibration.WIDTH))
     faults = np.empty(stop - first, dtype=np.int64)
     offsets, arrivals = prepared.offsets[first : stop + 1], prepared.arrivals[first:stop]
     metrics.measure(events.table, answers.table, metrics.FRACTIONS, offsets, arrivals, out, faults)
-    return out, faults
+    calibration.calibrate(events.table, answers.table, offsets, arrivals, regions)
+    return out, regions, faults
 
 
 def _unanswered(prepared: Prepared, trial: int, reason: str, seconds: float) -> _Chunk:
     """A trial in which the pipeline failed, measured as one without any answer."""
     events = prepared.rows(trial)
     nothing = PredictionColumns(np.full((len(events), len(PredictionColumns.names)), np.nan))
-    measures, _ = _measure(prepared, trial, trial + 1, events, nothing)
+    measures, regions, _ = _measure(prepared, trial, trial + 1, events, nothing)
     who = prepared.trials[trial].trial
     skip = Skip(who.trial, f"{reason} (user {who.user})")
-    return _Chunk(trial, trial + 1, measures, (skip,), len(events), seconds)
+    return _Chunk(trial, trial + 1, measures, regions, (skip,), len(events), seconds)
 
 
 def _join(chunks: list[_Chunk]) -> _Chunk:
@@ -113,6 +120,7 @@ def _join(chunks: list[_Chunk]) -> _Chunk:
         chunks[0].first,
         chunks[-1].stop,
         np.concatenate([chunk.measures for chunk in chunks]),
+        np.concatenate([chunk.regions for chunk in chunks]),
         tuple(skip for chunk in chunks for skip in chunk.failed),
         sum(chunk.events for chunk in chunks),
         sum(chunk.seconds for chunk in chunks),

@@ -45,6 +45,8 @@ class PredictorErrors(msgspec.Struct, frozen=True):
     """(trials,): share of events with a prediction; elsewhere the cursor's position was scored"""
     us_per_event: float
     """Cost of the whole pipeline in the batch, microseconds of one core."""
+    calibration: FloatArray | None = None
+    """(trials, 5) as ``calibration`` describes them; ``None`` where no prediction came with a region"""
     failed: tuple[Skip, ...] = ()
     """Trials in which the pipeline failed; they were scored as if it had never answered there."""
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from pointpred.columns import BoolArray, FloatArray
 from pointpred.errors import ParameterError
+from pointpred.scoring import calibration
 from pointpred.scoring.bootstrap import DRAWS, LEVEL, ratio_intervals
 from pointpred.scoring.conditions import Group, groups_of
 from pointpred.scoring.results import (
@@ -42,7 +43,8 @@ def summary(score: SetScore, *, draws: int = DRAWS) -> Json:
     of ``hold``, 1 - ratio, and the ratio's interval over people (``None`` on the single axis). Each predictor
     says it for all trials, and under ``groups`` for those that are clean, with and without sub-movements, of
     experienced people and of novices, as far as the set has them; ``by_user`` holds the time-averaged error
-    of each person.
+    of each person; ``calibration`` (``None`` without regions) the share of time with a region, the shares of
+    that time with the endpoint inside those of 50, 80 and 95 %, and their ranked probability score in px.
     Raises ParameterError when the set was scored without ``hold``.
     """
     floor = [errors for errors in score.predictors if errors.name == FLOOR]
@@ -73,6 +75,7 @@ def summary(score: SetScore, *, draws: int = DRAWS) -> Json:
                 "name": errors.name,
                 "coverage": _number(errors.coverage.mean() if len(users) else np.nan),
                 "us_per_event": _number(errors.us_per_event),
+                "calibration": _calibration(errors),
                 "failed": [{"trial": skip.trial, "reason": skip.reason} for skip in errors.failed],
                 **parts[0][place],
                 "groups": {
@@ -137,6 +140,17 @@ def _measures(table: FloatArray, below: FloatArray, low: FloatArray, high: Float
         named[name] = dict(zip(map(str, fractions), cells[first : first + len(fractions)], strict=True))
         first += len(fractions)
     return named
+
+
+def _calibration(errors: PredictorErrors) -> Json | None:
+    """How often predicted regions held the endpoint; means over the trials in which any was given."""
+    if errors.calibration is None:
+        return None
+    claimed = errors.calibration[:, calibration.CLAIMED]
+    given = errors.calibration[claimed > 0.0].mean(axis=0)
+    held = {str(p): _number(given[calibration.INSIDE + j]) for j, p in enumerate(calibration.LEVELS)}
+    ranked = _number(given[calibration.RANKED])
+    return {"claimed": _number(claimed.mean()), "inside": held, "ranked_score_px": ranked}
 
 
 def _by_user(errors: PredictorErrors, floor: PredictorErrors, users: np.ndarray[Any, Any]) -> Json:
