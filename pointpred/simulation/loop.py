@@ -96,6 +96,7 @@ def step(
     speed = hypot(memory[slots.VX], memory[slots.VY])
     size = memory[slots.TREMOR] + memory[slots.NOISE] * speed
     extra_x, extra_y = size * memory[slots.WANDER_X], size * memory[slots.WANDER_Y]
+    before_x, before_y = memory[slots.X], memory[slots.Y]
     substeps = int(memory[slots.SUBSTEPS])
     h = period / substeps
     for i in range(substeps):
@@ -104,7 +105,8 @@ def step(
     if memory[slots.METRES_PER_COUNT] > 0.0:
         dx, dy = sensor.report(memory, hat_x, hat_y)
     else:
-        pull_x, pull_y = sensor.pull(memory, hat_x, hat_y)
+        own_px = hypot(memory[slots.X] - before_x, memory[slots.Y] - before_y)
+        pull_x, pull_y = sensor.assist(memory, own_px, hat_x, hat_y)
         memory[slots.X] += pull_x
         memory[slots.Y] += pull_y
     memory[slots.TICK] += 1.0

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import log2
+from math import inf, log2
 
 import msgspec
 import numpy as np
@@ -24,13 +24,18 @@ SUBSTEPS = 2
 
 
 class Setup(msgspec.Struct, frozen=True):
-    """The device and the screen: counts per inch, px per inch, seconds between polls, assisted term 1/s."""
+    """The device and the screen: counts per inch, px per inch, seconds between polls.
+
+    ``rho`` (1/s) above 0 makes the transfer function an assisted one; ``strength`` bounds its pull to a share
+    of the hand's own motion, infinite as printed in Remark 2.2.1.
+    """
 
     transfer: TransferFunction
     cpi: float = 2000.0
     dpi: float = 96.0
     period_s: float = 0.001
     rho: float = 0.0
+    strength: float = inf
 
 
 class Aim(msgspec.Struct, frozen=True):
@@ -53,7 +58,7 @@ def memory(person: Person, setup: Setup, aim: Aim, generator: np.random.Generato
     flat[slots.SUBSTEPS] = SUBSTEPS
     flat[slots.PX_PER_METRE] = setup.dpi / METRES_PER_INCH
     flat[slots.METRES_PER_COUNT] = METRES_PER_INCH / setup.cpi
-    flat[slots.RHO] = setup.rho
+    flat[slots.RHO], flat[slots.STRENGTH] = setup.rho, setup.strength
     flat[slots.FUNCTION : slots.B1] = setup.transfer.slots
     flat[slots.B1] = person.friction * _varied(generator, 0.05)
     flat[slots.RATE] = person.rate * _varied(generator, 0.08)

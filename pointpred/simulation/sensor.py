@@ -9,7 +9,7 @@ import numpy as np
 from pointpred.columns import BoolArray, EventColumns, FloatArray
 from pointpred.compiled import law
 from pointpred.simulation import slots
-from pointpred.transfer import known, pixels
+from pointpred.transfer import assisted, known, pixels
 
 MEAN_LATE_S = 60e-6
 MOST_LATE_S = 0.8e-3
@@ -25,19 +25,19 @@ def count(position_m: float, metres_per_count: float, counted: float) -> float:
 
 
 @law
-def pull(memory: FloatArray, hat_x: float, hat_y: float) -> tuple[float, float]:
-    """The assisted term over one report period, px; nothing where no endpoint is estimated."""
-    if hat_x != hat_x or hat_y != hat_y:
-        return 0.0, 0.0
-    share = -memory[slots.RHO] * memory[slots.PERIOD_S]
-    return share * (memory[slots.X] - hat_x), share * (memory[slots.Y] - hat_y)
+def assist(memory: FloatArray, own_px: float, hat_x: float, hat_y: float) -> tuple[float, float]:
+    """The pull of the assisted transfer function over one report period, px; none without an estimate."""
+    off_x, off_y = hat_x - memory[slots.X], hat_y - memory[slots.Y]
+    rho, strength = memory[slots.RHO], memory[slots.STRENGTH]
+    share = assisted.pull(rho, strength, memory[slots.PERIOD_S], own_px, off_x, off_y)
+    return (share * off_x, share * off_y) if share > 0.0 else (0.0, 0.0)
 
 
 @law
 def report(memory: FloatArray, hat_x: float, hat_y: float) -> tuple[float, float]:
     """Poll the sensor: the counts of both axes; the cursor moves by whole pixels.
 
-    With an estimate of the endpoint the cursor is drawn to it (Remark 2.2.1): -rho (x - T_hat) px/s.
+    With an estimate of the endpoint the cursor is drawn to it (Remark 2.2.1).
     """
     unit = memory[slots.METRES_PER_COUNT]
     dx = count(memory[slots.U], unit, memory[slots.COUNTED_X])
@@ -46,10 +46,10 @@ def report(memory: FloatArray, hat_x: float, hat_y: float) -> tuple[float, float
     memory[slots.COUNTED_Y] += dy
     gain = known.gain(memory, slots.FUNCTION, hypot(dx, dy) * unit / memory[slots.PERIOD_S])
     scale = gain * memory[slots.PX_PER_METRE] * unit
-    pull_x, pull_y = pull(memory, hat_x, hat_y)
+    pull_x, pull_y = assist(memory, scale * hypot(dx, dy), hat_x, hat_y)
     memory[slots.X] += pixels.carry(memory, slots.CARRY, scale * dx)
     memory[slots.Y] += pixels.carry(memory, slots.CARRY + 1, scale * dy)
-    # One fraction for both would be dropped at every poll in which the hand works against the term.
+    # One fraction for both would be dropped at every poll in which the hand works against the pull.
     memory[slots.X] += pixels.carry(memory, slots.PULLED, pull_x)
     memory[slots.Y] += pixels.carry(memory, slots.PULLED + 1, pull_y)
     return dx, dy

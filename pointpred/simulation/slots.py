@@ -5,8 +5,9 @@ from __future__ import annotations
 from pointpred.transfer import known, pixels
 
 # The setup: report period s, Euler sub-steps a report, px on the screen a metre of PTF output, metres a count
-# (0: no sensor, the cursor is continuous and seen at once), strength of the assisted term 1/s, then the PTF.
-PERIOD_S, SUBSTEPS, PX_PER_METRE, METRES_PER_COUNT, RHO, FUNCTION = 0, 1, 2, 3, 4, 5
+# (0: no sensor, the cursor is continuous and seen at once), assisted term 1/s and its bound as a share of the
+# hand's own motion, then the PTF.
+PERIOD_S, SUBSTEPS, PX_PER_METRE, METRES_PER_COUNT, RHO, STRENGTH, FUNCTION = 0, 1, 2, 3, 4, 5, 6
 
 # The person: friction 1/s; feedback in m/s^2 a px, 0 where it follows from RATE (1/s) and the gain felt; lag
 # of the muscles s; delay of the eyes s; noise as a share of the speed; tremor m/s.

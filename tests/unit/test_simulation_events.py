@@ -131,8 +131,8 @@ def test_plain_python_makes_the_same_bytes() -> None:
     assert len(digests) == 1
 
 
-def assisted(rho: float, off_px: float) -> list[Movement]:
-    setup = Setup(ConstantGain(4.0), rho=rho)
+def assisted(rho: float, off_px: float, strength: float = np.inf) -> list[Movement]:
+    setup = Setup(ConstantGain(4.0), rho=rho, strength=strength)
     return [
         move(person(0.6), setup, AIM, np.random.default_rng(seed), (AIM.x + off_px, AIM.y))
         for seed in range(24)
@@ -147,6 +147,14 @@ def test_a_true_estimate_shortens_pointing_and_a_wrong_one_spoils_it() -> None:
     assert float(np.mean([made.click_s for made in misled])) > 1.5 * plain
     ends = np.array([made.table[-1, 1:3] for made in misled]) - (AIM.x, AIM.y)
     assert (np.hypot(*ends.T) > AIM.width / 2).mean() > 0.5
+
+
+def test_a_bounded_pull_lets_a_person_leave_a_wrong_estimate() -> None:
+    plain = float(np.mean([made.click_s for made in assisted(0.0, 0.0)]))
+    misled = assisted(2.0, 100.0, 0.5)
+    ends = np.array([made.table[-1, 1:3] for made in misled]) - (AIM.x, AIM.y)
+    assert (np.hypot(*ends.T) > AIM.width / 2).mean() < 0.1
+    assert float(np.mean([made.click_s for made in misled])) < 1.5 * plain
 
 
 def test_a_predictor_in_the_loop_changes_nothing_while_its_term_is_off() -> None:
