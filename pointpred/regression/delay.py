@@ -39,10 +39,10 @@ def push(memory: FloatArray, at: int, width: int, samples: int, spacing: float, 
         last_t = memory[at + SAMPLES + newest * size]
         keep = t > last_t
         if keep and count > 1:
-            before = (newest - 1 + samples) % samples
+            before = newest - 1 if newest > 0 else samples - 1
             keep = last_t - memory[at + SAMPLES + before * size] >= spacing
     if keep:
-        newest = (newest + 1) % samples
+        newest = newest + 1 if newest + 1 < samples else 0
     if keep or count == 0:
         memory[at + COUNT] = min(count + 1, samples)
         memory[at + NEWEST] = newest
@@ -58,19 +58,25 @@ def find(memory: FloatArray, at: int, width: int, samples: int, t: float) -> tup
     after the newest sample gives the newest.
     """
     size = 1 + width
-    count = int(memory[at + COUNT])
-    oldest = int(memory[at + NEWEST]) - count + 1 + samples
-    if count == 0 or t < memory[at + SAMPLES + (oldest % samples) * size]:
+    count, newest = int(memory[at + COUNT]), int(memory[at + NEWEST])
+    last = at + SAMPLES + newest * size
+    if count > 0 and t >= memory[last]:
+        return True, last + 1, last + 1, 0.0
+    oldest = newest - count + 1
+    if oldest < 0:
+        oldest += samples
+    if count == 0 or t < memory[at + SAMPLES + oldest * size]:
         return False, at, at, 0.0
-    low, high = 0, count  # the sample `low` is not after t, the sample `high` is
+    low, high = 0, count - 1  # the sample `low` is not after t, the sample `high` is
+    before, after = at + SAMPLES + oldest * size, last
     while high - low > 1:
-        middle = (low + high) // 2
-        if memory[at + SAMPLES + ((oldest + middle) % samples) * size] <= t:
-            low = middle
+        middle = (low + high) >> 1
+        row = oldest + middle
+        if row >= samples:
+            row -= samples
+        place = at + SAMPLES + row * size
+        if memory[place] <= t:
+            low, before = middle, place
         else:
-            high = middle
-    before = at + SAMPLES + ((oldest + low) % samples) * size
-    if high == count:
-        return True, before + 1, before + 1, 0.0
-    after = at + SAMPLES + ((oldest + high) % samples) * size
+            high, after = middle, place
     return True, before + 1, after + 1, (t - memory[before]) / (memory[after] - memory[before])

@@ -24,11 +24,10 @@ NONE = float("nan")
 class Identification(msgspec.Struct, frozen=True):
     """A transfer function and what it rests on.
 
-    ``function`` is ``None`` where the data do not tell all powers apart, or hold no speed of the judged range;
-    ``unexcited`` lists the powers that
-    add nothing to those before them and ``condition`` is that of the data. ``samples`` were used, ``skipped``
-    reports had no time before them that could be believed; ``residual`` is the root mean square error of a
-    sample (m for windows, m/s for speeds).
+    ``function`` is ``None`` where the data do not tell all powers apart, or hold no speed of the judged
+    range; ``unexcited`` lists the powers that add nothing to those before them, ``condition`` is that of the
+    data with columns of equal length. ``samples`` were used, ``skipped`` reports had no time before them that
+    could be believed; ``residual`` is the root mean square error of a sample (m for windows, m/s for speeds).
     """
 
     function: PolynomialFunction | None

@@ -73,7 +73,7 @@ def test_the_gain_is_that_of_both_axes_together_and_of_the_true_time() -> None:
     expected = float(SigmoidGain().gain(50.0 * 0.0254 / CPI / 0.002)) * DPI / CPI
     assert pixels(0.002, 30.0, 40.0) == (int(30.0 * expected), int(40.0 * expected))
     assert pixels(0.001, 30.0, 40.0)[0] > pixels(0.002, 30.0, 40.0)[0]
-    assert pixels(5.0, 30.0, 0.0) == pixels(0.1, 30.0, 0.0)
+    assert pixels(5.0, 3000.0, 0.0) == pixels(0.1, 3000.0, 0.0)
 
 
 def test_rows_equal_reports_and_a_refused_one_is_named_and_changes_nothing() -> None:
