@@ -76,9 +76,7 @@ def section(one: Json, figures: Mapping[str, str], entry: DataSet | None) -> lis
         f"{one['users']} people, {one['trials']} trials{judged}, {one['events']} events; "
         f"{len(one['skipped'])} trials skipped. Resampled: {one['interval']['resampled']}."
     )
-    told = [f"{key.replace('_', ' ')}: {group['basis']}" for key, group in one["groups"].items()]
-    parts += [f"How trials were told apart: {'; '.join(told)}."] if told else []
-    parts += skipped(one)
+    parts += [*told_apart(one), *skipped(one)]
     if not one["trials"]:
         return [*parts, "No trial could be scored."]
     parts += ["### Time-averaged error", averaged(one)]
@@ -88,6 +86,15 @@ def section(one: Json, figures: Mapping[str, str], entry: DataSet | None) -> lis
     for kind, file in figures.items():
         parts.append(f"![{title(one)}: mean error {kind.replace('_', ' ')}](figures/{file})")
     return parts
+
+
+def told_apart(one: Json) -> list[str]:
+    """What the groups of trials are, those with the same basis together."""
+    named: dict[str, list[str]] = {}
+    for key, group in one["groups"].items():
+        named.setdefault(group["basis"], []).append(key.replace("_", " "))
+    told = [f"{' and '.join(keys)}: {basis}" for basis, keys in named.items()]
+    return [f"How trials were told apart. {'; '.join(told)}."] if told else []
 
 
 def skipped(one: Json) -> list[str]:
