@@ -57,10 +57,8 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
             f"expected one of {', '.join(MOVES + CLICKS)}"
         )
     for name in ("x", "y"):
-        faults |= {
-            int(row): f"{name} is 65535, the logger had no position"
-            for row in np.flatnonzero(columns[name] == NO_POSITION)
-        }
+        for row in np.flatnonzero(columns[name] == NO_POSITION).tolist():
+            faults.setdefault(row, f"{name} is 65535, the logger had no position")
     rows = np.flatnonzero(~wheel)
     place = np.cumsum(~wheel) - 1
     time = columns["client timestamp"][rows]
@@ -88,7 +86,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
 def _codes(column: Any) -> Any:
     """A column of words as a numpy array of words, empty words where a cell is empty."""
     filled = pc.fill_null(pc.cast(column, pa.string()), "")
-    return np.asarray(pc.utf8_trim_whitespace(filled).to_numpy(zero_copy_only=False), dtype=np.str_)
+    return np.array(pc.utf8_trim_whitespace(filled).to_pylist(), dtype=np.str_)
 
 
 def _held(button: Any, state: Any) -> FloatArray:

@@ -93,8 +93,9 @@ def read_any(path: str | Path, reading: Reading = AS_IS) -> list[Recording]:
     """Read a recording of any known format, or every recording in a folder and the folders below it.
 
     A file's format is told by its content. In a folder each own recording stays one; files of one foreign
-    format (sessions, users) become one recording named after the folder they share. A file that fits no format
-    is named in a note, one that cannot be read is a skip named after it; only when nothing can be read an error is raised.
+    format (sessions, users) become one recording named after the folder they share. A file that fits no
+    format is named in a note, one that cannot be read is a skip named after it; only when nothing can be read
+    an error is raised.
     Returns at least one recording; raises RecordingError naming the formats that were tried.
     """
     path = Path(path)
@@ -105,7 +106,8 @@ def convert(path_in: str | Path, path_out: str | Path, reading: Reading = AS_IS)
     """Convert a recording of any format, or a folder of one, to pointpred's own Parquet or CSV.
 
     ``path_out`` ends in ``.parquet`` or ``.csv``; where the input holds several recordings, each goes to a
-    file of that name with its own name put in front. Returns what was kept and skipped; raises RecordingError.
+    file of that name with its own name put in front. Returns what was kept and skipped; raises
+    RecordingError.
     """
     out = Path(path_out)
     found = read_any(path_in, reading)
@@ -153,7 +155,7 @@ def _folder(path: Path, reading: Reading) -> list[Recording]:
                 foreign.setdefault(form.key, []).append((file, form.read(file, reading)))
         except RecordingError as error:
             skipped.append(Skip(label, str(error)))
-    found = own + [_joined(parts) for parts in foreign.values()]
+    found = _distinct(own + [_joined(parts) for parts in foreign.values()])
     if not found:
         reasons = [skip.reason for skip in skipped] + notes
         raise RecordingError(f"{path}: no recording among {len(files)} files; {'; '.join(reasons[:3])}")
@@ -163,8 +165,22 @@ def _folder(path: Path, reading: Reading) -> list[Recording]:
     return found
 
 
+def _distinct(found: list[Recording]) -> list[Recording]:
+    """The recordings with a number added to a name that has been taken."""
+    taken: dict[str, Recording] = {}
+    for recording in found:
+        name, count = recording.name, 1
+        while name in taken:
+            count += 1
+            name = f"{recording.name}_{count}"
+        taken[name] = msgspec.structs.replace(recording, name=name)
+    return list(taken.values())
+
+
 def _joined(parts: list[tuple[Path, Recording]]) -> Recording:
     """The recordings of one foreign format as one, named after the folder that holds them all."""
+    if len(parts) == 1:
+        return parts[0][1]
     folder = Path(commonpath([file.absolute().parent for file, _ in parts]))
     labels = [file.absolute().relative_to(folder).as_posix() for file, _ in parts]
     return join(folder.name, [part for _, part in parts], labels)

@@ -16,6 +16,8 @@ PREFIX = (
     "to_x,to_y"
 )
 NAMES = PREFIX.split(",")
+NUMBERS = ("to_x", "to_y", "W", "A", "from_x", "from_y")
+WORDS = tuple(word for word in NAMES if word not in (*NUMBERS, "Participant"))
 
 
 def recognises(head: bytes) -> bool:
@@ -51,19 +53,19 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
         about = dict(zip(NAMES, key, strict=True))
         name = f"{about['Session']} {about['Block']} {about['Sequence']} {about['Trial']}"
         series = [[cell for cell in other[len(NAMES) + 1 :] if cell.strip()] for other in three]
-        target = lists.numbers([about["to_x"], about["to_y"], about["W"], about["A"]], name, row)
-        if target is None:
+        known = lists.numbers([about[word] for word in NUMBERS], name, row)
+        if known is None:
             continue
-        condition: dict[str, str | float] = {
-            word: about[word] for word in NAMES if word not in ("Participant", "to_x", "to_y", "W", "A")
-        }
+        numbers = dict(zip(NUMBERS, known.tolist(), strict=True))
+        condition: dict[str, str | float] = {word: about[word] for word in WORDS}
+        condition |= {word: numbers[word] for word in ("A", "from_x", "from_y")}
         trial = Trial(
             about["Participant"],
             name,
-            float(target[0]),
-            float(target[1]),
-            float(target[2]),
-            condition=condition | {"A": float(target[3])},
+            numbers["to_x"],
+            numbers["to_y"],
+            numbers["W"],
+            condition=condition,
         )
         lists.add(trial, row, series[0], series[1], series[2], scale=0.001)
     provenance = Provenance("gofitts", clock="milliseconds from the trial's start", dpi=reading.dpi)

@@ -102,7 +102,7 @@ def _csv(path: Path) -> list[dict[str, Any]]:
 
 
 def _target(targets: dict[str, Any]) -> tuple[float, float, float, str]:
-    """Centre, width and selector of the only target; unknown where there are several or it is no rectangle."""
+    """Centre, width and selector of the only target; unknown where there are several or no rectangle."""
     if len(targets) == 1:
         selector, rectangle = next(iter(targets.items()))
         try:

@@ -84,8 +84,8 @@ class Lists:
         if len(t):
             with np.errstate(invalid="ignore", over="ignore"):
                 table[:, 0] = (columns[0] - columns[0][0]) * scale
-                table[:, 1] = columns[1] * gain[0]
-                table[:, 2] = columns[2] * gain[1]
+                table[:, 1] = columns[1] * gain[0] + 0.0  # no negative zero where an axis is turned
+                table[:, 2] = columns[2] * gain[1] + 0.0
         self.trials.append(trial)
         self.tables.append(table)
         self.rows.append(row)

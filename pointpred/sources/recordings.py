@@ -133,7 +133,7 @@ def _keys(path: Path, table: Any) -> tuple[IntArray, list[tuple[str, str]]]:
             row = pc.index(pc.is_null(column), True).as_py()
             raise RecordingError(f"{path}: row {row} has no {name}, expected one in every row")
         encoded = column.combine_chunks().dictionary_encode()
-        codes.append(np.from_dlpack(encoded.indices).astype(np.int64))
+        codes.append(tables.as_array(encoded.indices).astype(np.int64))
         values.append(encoded.dictionary.to_pylist())
     users, trials = codes
     joint = users * max(len(values[1]), 1) + trials

@@ -25,6 +25,14 @@ NUMBER = r"^[ \t]*[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?[ \t]*$"
 NOT_A_NUMBER = r"^[ \t]*[+-]?(?i:nan?)?[ \t]*$"
 CELLS = re.compile(r"(?:Row #(\d+): )?Expected (\d+) columns, got (\d+)")
 LARGEST_BLOCK = 1 << 25
+PLAIN = (
+    pa.types.is_string,
+    pa.types.is_large_string,
+    pa.types.is_integer,
+    pa.types.is_floating,
+    pa.types.is_boolean,
+    pa.types.is_null,
+)
 UNREADABLE = (pa.ArrowException, OSError, UnicodeError, ValueError, KeyError, IndexError, MemoryError)
 """What Arrow raises on damaged bytes."""
 
@@ -41,14 +49,18 @@ def read_table(path: Path, text: Callable[[str], bool]) -> tuple[Any, dict[str, 
         if not magic:
             raise RecordingError(f"{path}: the file is empty, expected a header and rows")
         table, header = read_parquet(path) if magic == PARQUET_MAGIC else read_csv(path, text)
+        names = table.column_names
     except UNREADABLE as error:
         if isinstance(error, RecordingError):
             raise
         raise RecordingError(f"{path}: {' '.join(str(error).split())}") from error
-    names = table.column_names
     twice = sorted({name for name in names if names.count(name) > 1})
     if twice:
         raise RecordingError(f"{path}: column {twice[0]!r} occurs twice, expected every column once")
+    for name, column in zip(names, table.columns, strict=True):
+        kind = column.type.value_type if pa.types.is_dictionary(column.type) else column.type
+        if not any(fits(kind) for fits in PLAIN):
+            raise RecordingError(f"{path}: column {name!r} holds {kind}, expected words or numbers")
     if header.get("rows", table.num_rows) != table.num_rows:
         raise RecordingError(
             f"{path}: truncated after row {table.num_rows - 1}, expected {header['rows']} rows"
@@ -174,32 +186,20 @@ def numbers(column: Any) -> tuple[FloatArray, dict[int, str]]:
     if pa.types.is_string(column.type) or pa.types.is_large_string(column.type):
         good = pc.match_substring_regex(column, NUMBER)
         empty = pc.match_substring_regex(column, NOT_A_NUMBER)
-        wrong = np.flatnonzero(~pc.fill_null(pc.or_(good, empty), True).to_numpy(zero_copy_only=False))
+        wrong = np.flatnonzero(as_array(pc.cast(pc.fill_null(pc.or_(good, empty), True), pa.uint8())) == 0)
         faults = {int(row): str(column[int(row)].as_py()) for row in wrong}
         column = pc.utf8_trim_whitespace(pc.if_else(good, column, None))
     if pa.types.is_boolean(column.type):
         column = pc.cast(column, pa.int8())
     values = pc.cast(column, pa.float64(), safe=False)
-    return _float64(values), faults
+    return as_array(pc.fill_null(values, float("nan"))), faults
 
 
-def _float64(column: Any) -> FloatArray:
-    """A float64 column as an array, NaN where it is null; Arrow's own conversion would import pandas."""
-    out = np.full(len(column), np.nan)
-    first = 0
-    for chunk in column.chunks:
-        if chunk.null_count == len(chunk):
-            first += len(chunk)
-            continue
-        validity, data = chunk.buffers()
-        rows = slice(chunk.offset, chunk.offset + len(chunk))
-        values = np.frombuffer(data, np.float64)[rows]
-        known: Any = slice(None)
-        if chunk.null_count:
-            known = np.unpackbits(np.frombuffer(validity, np.uint8), bitorder="little")[rows] == 1
-        out[first : first + len(chunk)][known] = values[known]
-        first += len(chunk)
-    return out
+def as_array(column: Any) -> Any:
+    """A column of numbers without nulls as an array; Arrow's own ``to_numpy`` would import pandas."""
+    chunks = column.chunks if isinstance(column, pa.ChunkedArray) else [column]
+    parts = [np.from_dlpack(chunk) for chunk in chunks if len(chunk)]
+    return np.concatenate(parts) if parts else np.empty(0)
 
 
 def need_columns(path: Path, names: Iterable[str], required: Iterable[str], known: Iterable[str]) -> None:
