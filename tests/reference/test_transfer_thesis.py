@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from benchmarks.transfer import (
+from benchmarks.transfer_trials import (
     best_polynomial,
     gain_error,
     identify,
