@@ -58,7 +58,8 @@ def trials(figure: Any, prepared: Prepared) -> None:
     axes = figure.subplots(2, 3, sharex="col")
     for column, (title, pipeline, trial) in enumerate(panels):
         draw_trial(axes[:, column], pipeline, prepared, trial)
-        axes[0, column].set_title(f"{title} (simulated)")
+        axes[0, column].set_title(title)
+    figure.suptitle("Simulated people, one trial a column")
     axes[0, 0].set_ylabel("displacement, px")
     axes[1, 0].set_ylabel("hand speed along the axis, m/s")
     axes[0, 0].legend(loc="lower right")

@@ -32,12 +32,13 @@ def follow(
         return False, False, 0.0
     new = start == 1.0 or memory[at + KNOWN] == 0.0
     dt = 0.0 if new else t - memory[at + T]
-    if new:
+    if new or t == memory[at + T0]:  # of events at one time, the later position replaces
         memory[at + T0], memory[at + X0], memory[at + Y0] = t, x, y
-        memory[at + PEAK] = 0.0
         memory[at + PATH] = 0.0
     else:
         memory[at + PATH] += hypot(x - memory[at + X], y - memory[at + Y])
+    if new:
+        memory[at + PEAK] = 0.0
     memory[at + KNOWN] = 1.0
     memory[at + T], memory[at + X], memory[at + Y] = t, x, y
     memory[at + PEAK] = max(memory[at + PEAK], hypot(vx, vy))

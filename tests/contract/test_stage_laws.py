@@ -97,6 +97,17 @@ def test_zero_is_data(name: str) -> None:
         pipeline.update(PointerEvent(-1.0, 0.0, 0.0))
 
 
+@EVERY
+def test_events_at_one_time_are_one_event(name: str) -> None:
+    """The first event too: the later position replaces, so it is where the movement starts."""
+    rest = [PointerEvent(0.01 * i, 20.0 + 3.0 * i * i, -2.0 * i) for i in range(1, 30)]
+    once, twice = make(name), make(name)
+    left = [once.update(event) for event in [PointerEvent(0.0, 20.0, 0.0), *rest]]
+    twice.update(PointerEvent(0.0, 5.0, 7.0))
+    right = [twice.update(event) for event in [PointerEvent(0.0, 20.0, 0.0), *rest]]
+    assert left[1:] == right[1:]
+
+
 BAD = {
     "backwards": (PointerEvent(-1.0, 0.0, 0.0), EventOrderError, "t must not run backwards"),
     "NaN time": (PointerEvent(float("nan"), 0.0, 0.0), EventError, "t must lie"),
