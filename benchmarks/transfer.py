@@ -125,9 +125,8 @@ A position is off by what it is at the worst moment of a trial; rounding to whol
 {floor:.1f} px (median, with the true function instead of the identified one).
 
 The best polynomial of order 5 for the sigmoid has a largest gain error of {best:.1f} % (linear programme);
-the bar is 1.5 times that, {allowed:.1f} %. The default way stays below it on {within} of {seeds} seeds. The
-corner at 0.05 m/s is where it is worst: what 48 passes in whole pixels tell about a narrow band of speed is
-known to about one percent.
+the bar is 1.5 times that, {allowed:.1f} %. The default way stays below it on {within} of {seeds} seeds. It
+is worst at the corner, 0.05 m/s, where whole pixels blur what a narrow band of speed can tell.
 
 - Whole pixels ruin Euler differences between single reports: the speed is nearly all rounding, and the
   length of a rounded step is too long on average. Differences over 20 ms are better; displacements of each
