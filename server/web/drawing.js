@@ -90,7 +90,8 @@ export function drawErrors(canvas, movement, column, none, i) {
   const end = movement.t[movement.t.length - 1] || 1;
   const own = movement.t.map((_, k) => errorAt(movement, column, k));
   const floor = movement.t.map((_, k) => errorAt(movement, none, k));
-  const most = 1.5 * Math.max(1, ...floor);
+  const usual = Math.max(1, ...floor);
+  const most = Math.min(1.5 * usual, Math.max(1.05 * usual, ...own)); // what is far off leaves the picture
   const at = (k, value) => [
     MARGIN_PX + (movement.t[k] / end) * (width - 2 * MARGIN_PX),
     height - 20 - (Math.min(value, most) / most) * (height - 40),

@@ -48,3 +48,20 @@ NAMED = re.compile(r"`((?:pointpred|server|datasets|tests|benchmarks|docs)/[a-z0
 def test_files_named_on_a_page_exist(page: Path) -> None:
     for named in NAMED.findall(page.read_text(encoding="utf-8")):
         assert (ROOT / named).exists(), f"{page.name} names {named}"
+
+
+def test_every_page_can_be_reached_from_the_first() -> None:
+    index = (ROOT / "docs/index.md").read_text(encoding="utf-8")
+    pages = {path.name for path in (ROOT / "docs").glob("*.md")} - {"index.md"}
+    assert {page for page in pages if f"]({page})" not in index} == set()
+
+
+def test_every_correction_names_a_test_that_exists() -> None:
+    page = (ROOT / "docs/equations.md").read_text(encoding="utf-8")
+    rows = page.partition("## Corrections")[2].strip().splitlines()[2:]
+    assert rows
+    for row in rows:
+        named = re.findall(r"`(tests/[\w/]+\.py)::(\w+)`", row)
+        assert named, f"no test is named in: {row}"
+        for file, test in named:
+            assert f"def {test}(" in (ROOT / file).read_text(encoding="utf-8"), f"{file} has no {test}"
