@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pointpred import REGISTRY, EventColumns, build, run
+from pointpred import REGISTRY, EventColumns, build, run, scoring
 from pointpred.columns import PredictionColumns
 from pointpred.errors import ParameterError
 from pointpred.pipeline import Pipeline
@@ -192,6 +192,28 @@ def test_hold_is_always_scored_first_and_names_are_given_once() -> None:
         score([walks(2)], ["hold", "hold"])
     with pytest.raises(ParameterError, match="unknown predictor 'holt'; did you mean 'hold'"):
         score([walks(2)], ["holt"])
+
+
+@pytest.mark.parametrize(
+    ("given", "expected"),
+    [
+        ({}, {"cpi": 400.0, "dpi": 120.0}),
+        ({"cpi": 800.0}, {"cpi": 800.0, "dpi": 120.0}),
+        ({"dpi": 90.0}, {"cpi": 400.0, "dpi": 90.0}),
+    ],
+)
+def test_resolution_reaches_the_pipelines_from_the_caller_or_else_from_the_recording(
+    given: dict[str, float], expected: dict[str, float], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    seen: list[dict[str, Any]] = []
+
+    def watched(name: str, **settings: Any) -> Pipeline:
+        seen.append(settings)
+        return build(name, **settings)
+
+    monkeypatch.setattr(scoring, "build", watched)
+    score([walks(2, provenance=Provenance("own", cpi=400.0, dpi=120.0))], ["linear"], **given)
+    assert seen == [expected] * 2
 
 
 def test_every_set_keeps_its_name_and_says_whether_people_were_simulated() -> None:
