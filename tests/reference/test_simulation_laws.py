@@ -176,3 +176,38 @@ def test_doubling_starts_again_where_the_speed_grows_again() -> None:
     estimate = doubled(x, v, np.gradient(v, t))
     assert estimate[190] == pytest.approx(1.0, abs=0.03)
     assert estimate[-10] == pytest.approx(2 * 1.25, abs=0.03)
+
+
+def test_a_bent_piece_turns_at_the_planned_rate_and_keeps_its_speed() -> None:
+    """The velocity points along angle + curve (1 - 2 share); its size is that of the straight piece."""
+    curve, turn = 0.4, -0.7
+    straight, bent = (play(piece(bend, turn), 500) for bend in (0.0, curve))
+    np.testing.assert_allclose(
+        np.hypot(bent["vx"], bent["vy"]), np.hypot(straight["vx"], straight["vy"]), rtol=1e-3, atol=1e-6
+    )
+    share = 0.5 * (1.0 - np.cos(np.pi * bent["t"] / 0.5))
+    moving = slice(20, -20)
+    heading = np.unwrap(np.arctan2(bent["vy"], bent["vx"]))
+    np.testing.assert_allclose(heading[moving], (turn + curve * (1.0 - 2.0 * share))[moving], atol=2e-3)
+
+
+def piece(curve: float, turn: float) -> FloatArray:
+    """The memory of one ballistic piece of half a second along the x axis, turned and bent."""
+    memory = bare_memory(ConstantGain(1.0), period_s=0.001, px_per_metre=9000.0)
+    memory[slots.PIECE : slots.PIECE + slots.PIECE_SLOTS] = [1.0, 0.5, 0.0, turn, curve, 2.0]
+    memory[slots.PIECES], memory[slots.AIM_X] = 1.0, 450.0
+    return memory
+
+
+def test_sensor_delay_and_whole_pixels_barely_change_the_corrective_phase() -> None:
+    """The hand's known motion makes up for the eyes' delay where the gain is constant."""
+    scale = 96.0 / 0.0254
+    made = []
+    for unit, delay_s in ((0.0, 0.0), (0.0254 / 2000.0, 0.12)):
+        memory = bare_memory(ConstantGain(4.0), period_s=0.001, px_per_metre=scale)
+        memory[slots.METRES_PER_COUNT], memory[slots.DELAY_S] = unit, delay_s
+        memory[slots.PHASE], memory[slots.FEEDBACK] = slots.CORRECTIVE, 64.0 / (4.0 * scale)
+        memory[slots.B1], memory[slots.AIM_X] = 17.0, 300.0
+        made.append(play(memory, 2000))
+    np.testing.assert_allclose(made[1]["x"], made[0]["x"], atol=2.0)
+    assert made[1]["x"][-1] == pytest.approx(300.0, abs=1.5)
