@@ -48,6 +48,20 @@ def law(function: Function) -> Function:
     return cast(Function, compiled)
 
 
+def layout(function: Function) -> Function:
+    """Mark a function that tells places in a memory: laws may call it, and it stays plain Python.
+
+    Laying out a memory when a module is imported then loads no machine code.
+    """
+    if not COMPILED:
+        return function
+    from numba.extending import register_jitable
+
+    _fingerprints[id(function)] = _fingerprint(cast(FunctionType, function))
+    jitable: Function = register_jitable(function)
+    return jitable
+
+
 def _cache_folder() -> Path:
     """The folder of compiled code: chosen by the user, else the user's cache, else a temporary folder."""
     chosen = os.environ.get("POINTPRED_CACHE_DIR")

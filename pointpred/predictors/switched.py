@@ -18,7 +18,7 @@ X_AXIS = AT + movement.STATES
 
 # State of an axis, relative to its place: largest speed in m/s, displacement and endpoint in px; then DREM.
 PEAK, PLACE, ENDPOINT, DREM = 0, 1, 2, 3
-AXIS_STATES = DREM + int(drem.states(UNKNOWNS))
+AXIS_STATES = DREM + drem.states(UNKNOWNS)
 Y_AXIS = X_AXIS + AXIS_STATES
 STATES = movement.STATES + 2 * AXIS_STATES
 
@@ -117,7 +117,9 @@ class SwitchedPredictor(Predictor):
     """
 
     parameters = (
-        Parameter("threshold", "share of peak speed", 0.0, 10.0, "below it an axis is corrective; above 1: always"),
+        Parameter(
+            "threshold", "share of peak speed", 0.0, 10.0, "below it an axis is corrective; above 1: always"
+        ),
         Parameter("bound", "share of displacement", 0.0, 10.0, "largest step of the corrective estimate"),
         Parameter("delay_s", "s", 1e-3, 1.0, "delay between the copies of the regression"),
         Parameter("gamma", "1/s", 0.0, 1e9, "rate of the regression at full excitation"),

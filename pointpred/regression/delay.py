@@ -8,7 +8,7 @@ a signal runs on the line. All zeros: an empty ring.
 from __future__ import annotations
 
 from pointpred.columns import FloatArray
-from pointpred.compiled import law
+from pointpred.compiled import law, layout
 
 PER_DELAY = 64
 """Samples kept in one delay, at most."""
@@ -17,13 +17,13 @@ PER_DELAY = 64
 COUNT, NEWEST, SAMPLES = 0, 1, 2
 
 
-@law
+@layout
 def capacity(delays: int) -> int:
     """Samples needed to look back over a number of delays: two newest ones and both ends beside them."""
     return delays * PER_DELAY + 4
 
 
-@law
+@layout
 def states(width: int, samples: int) -> int:
     """Floats of a ring for that many samples of ``width`` values."""
     return SAMPLES + samples * (1 + width)

@@ -10,7 +10,7 @@ from __future__ import annotations
 from math import sqrt
 
 from pointpred.columns import FloatArray
-from pointpred.compiled import law
+from pointpred.compiled import law, layout
 from pointpred.regression import delay, gradient, mixing
 
 # Relative to `at`: a first sample is known, its time, the determinant phi of the last step, the integral of
@@ -20,19 +20,19 @@ KNOWN, T, PHI, EXCITATION, REGRESSOR = 0, 1, 2, 3, 4
 # the extended regressor (n^2), scratch (n^2), the ring of (t, w, y).
 
 
-@law
+@layout
 def estimates(at: int, n: int) -> int:
     """Where the n estimates lie."""
     return at + REGRESSOR + 2 * n
 
 
-@law
+@layout
 def ring(at: int, n: int) -> int:
     """Where the ring of past samples lies."""
     return at + REGRESSOR + 5 * n + n * n + mixing.work(n)
 
 
-@law
+@layout
 def states(n: int) -> int:
     """Floats that n parameters need."""
     return ring(0, n) + delay.states(n + 1, delay.capacity(n - 1))

@@ -13,20 +13,20 @@ from __future__ import annotations
 from math import hypot, sqrt
 
 from pointpred.columns import FloatArray
-from pointpred.compiled import law
+from pointpred.compiled import law, layout
 
 # Relative to `at`: samples so far, the same with old ones forgotten, forgotten sum of squared residuals, the
 # regressor (n), which is used up. Behind it: z (n) and R (n x n, row-major, upper).
 SAMPLES, EFFECTIVE, RESIDUAL, REGRESSOR = 0, 1, 2, 3
 
 
-@law
+@layout
 def root(at: int, n: int) -> int:
     """Where R lies; z lies n floats before it."""
     return at + REGRESSOR + 2 * n
 
 
-@law
+@layout
 def states(n: int) -> int:
     """Floats that n parameters need."""
     return REGRESSOR + 2 * n + n * n

@@ -7,10 +7,10 @@ adj(A) y is never formed from an inverse. Its entry i is the determinant of A wi
 from __future__ import annotations
 
 from pointpred.columns import FloatArray
-from pointpred.compiled import law
+from pointpred.compiled import law, layout
 
 
-@law
+@layout
 def work(n: int) -> int:
     """Floats of scratch space that ``mix`` needs."""
     return n * n
