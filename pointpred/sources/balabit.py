@@ -45,7 +45,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     faults: dict[int, str] = {}
     columns: dict[str, FloatArray] = {}
     for name in ("client timestamp", "x", "y"):
-        columns[name], wrong = tables.numbers(table[name])
+        columns[name], wrong = tables.finite_numbers(table[name])
         faults |= {row: f"{name} is {cell!r}, expected a number" for row, cell in wrong.items()}
     button, state = (_codes(table[name]) for name in ("button", "state"))
     wheel = np.isin(button, ["Scroll"]) & np.isin(state, ["Up", "Down"])
@@ -62,8 +62,9 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     rows = np.flatnonzero(~wheel)
     place = np.cumsum(~wheel) - 1
     time = columns["client timestamp"][rows]
+    known = time[np.isfinite(time)]
     events = EventColumns.of(
-        (time - (time[0] if len(time) else 0.0)) * (1.0 if seconds else 0.001),
+        (time - (known[0] if len(known) else 0.0)) * (1.0 if seconds else 0.001),
         columns["x"][rows],
         columns["y"][rows],
         buttons=_held(button[rows], state[rows]),

@@ -35,7 +35,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     faults: dict[int, str] = {}
     columns = {}
     for name in NEEDED:
-        columns[name], wrong = tables.numbers(table[name])
+        columns[name], wrong = tables.finite_numbers(table[name])
         faults |= {row: f"{name} is {cell!r}, expected a number" for row, cell in wrong.items()}
     target, width = columns["target"], columns["widthm"]
     for name in ("target", "widthm"):

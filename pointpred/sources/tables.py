@@ -33,7 +33,16 @@ PLAIN = (
     pa.types.is_boolean,
     pa.types.is_null,
 )
-UNREADABLE = (pa.ArrowException, OSError, UnicodeError, ValueError, KeyError, IndexError, MemoryError)
+UNREADABLE = (
+    pa.ArrowException,
+    OSError,
+    UnicodeError,
+    csv.Error,
+    ValueError,
+    KeyError,
+    IndexError,
+    MemoryError,
+)
 """What Arrow raises on damaged bytes."""
 
 
@@ -87,7 +96,7 @@ def read_csv(path: Path, text: Callable[[str], bool]) -> tuple[Any, dict[str, An
     header = parse_header(path, {KEY: first[len(MARK) :]}) if marked else {}
     if marked and not complete:
         raise RecordingError(f"{path}: truncated, the last row does not end with a line break")
-    names = next(csv.reader([columns.decode("utf-8-sig")]), [])
+    names = next(csv.reader(columns.decode("utf-8-sig").splitlines()[:1]), [])
     words = {name: pa.string() for name in names if text(name)}
     numeric = {name: pa.float64() for name in names if name not in words}
     try:
@@ -193,6 +202,15 @@ def numbers(column: Any) -> tuple[FloatArray, dict[int, str]]:
         column = pc.cast(column, pa.int8())
     values = pc.cast(column, pa.float64(), safe=False)
     return as_array(pc.fill_null(values, float("nan"))), faults
+
+
+def finite_numbers(column: Any) -> tuple[FloatArray, dict[int, str]]:
+    """As ``numbers``, with NaN for infinite cells too, which count among those that are no numbers."""
+    array, faults = numbers(column)
+    for row in np.flatnonzero(np.isinf(array)).tolist():
+        faults.setdefault(row, str(array[row]))
+        array[row] = np.nan
+    return array, faults
 
 
 def as_array(column: Any) -> Any:

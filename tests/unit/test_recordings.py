@@ -113,6 +113,16 @@ def test_rows_of_trials_may_interleave(tmp_path: Path) -> None:
     assert recording.rows(1).x.tolist() == [5, 6]
 
 
+def test_user_and_trial_together_are_the_key(tmp_path: Path) -> None:
+    keys = [("a", "1"), ("a", "2"), ("b", "1"), ("b", "2"), ("1", "a")]
+    lines = [f"{user},{trial},{t},{t},0" for user, trial in keys for t in (0, 1)]
+    path = tmp_path / "keys.csv"
+    path.write_text("user,trial,t_s,x_px,y_px\n" + "\n".join(lines) + "\n", encoding="utf-8")
+    recording = read(path)
+    assert [(trial.user, trial.trial) for trial in recording.trials] == keys
+    assert recording.offsets.tolist() == [0, 2, 4, 6, 8, 10]
+
+
 def test_a_recording_without_trials_survives(tmp_path: Path) -> None:
     for extension in (".parquet", ".csv"):
         samples, _ = write(Recording.of("none", [], []), tmp_path / f"none{extension}")

@@ -40,6 +40,11 @@ def test_a_wheel_after_x_and_y_does_not_disturb() -> None:
         mouse.decode(bytes(3))
 
 
+def test_a_field_without_negative_minimum_is_not_signed() -> None:
+    forward = "05 01 09 02 a1 01 09 30 15 00 26 ff 00 75 08 95 01 81 06 09 31 15 80 25 7f 81 06 c0"
+    assert parse_descriptor(bytes.fromhex(forward)).decode(bytes([0xFF, 0xFF])) == (255, -1, 0, 0)
+
+
 def test_buttons_on_one_report_and_motion_on_another() -> None:
     split = (
         "05 01 09 02 a1 01 85 01 05 09 19 01 29 08 15 00 25 01 75 01 95 08 81 02"

@@ -67,6 +67,15 @@ def test_sapimouse_counts_milliseconds() -> None:
     assert recording.provenance.clock == "the client's clock, ms"
 
 
+def test_an_infinite_time_costs_its_trial_only(tmp_path: Path) -> None:
+    text = (DATA / "user7" / "session_2020_05_14_1min.csv").read_text(encoding="utf-8")
+    path = tmp_path / "session"
+    path.write_text(text.replace("8,NoButton,Move,14", "1e999,NoButton,Move,14", 1), encoding="utf-8")
+    (recording,) = read_any(path)
+    assert recording.skipped == (Skip("0", "client timestamp is 'inf', expected a number", 1),)
+    assert rows(recording) == [[0, 14, 23, 0], [8000, 20, 31, 0], [150000, 22, 31, 1]]
+
+
 @pytest.mark.parametrize("name", ["jspsych.json", "jspsych.csv"])
 def test_jspsych(name: str) -> None:
     recording = one(name)
