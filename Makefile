@@ -35,7 +35,7 @@ results: $(READY)  ## write docs/results.md from the recordings in POINTPRED_REC
 	$(BIN)/python -m benchmarks.results
 
 sample: $(READY)  ## generate the embedded sample again (same bytes)
-	$(BIN)/python -m pointpred.datasets.sample
+	$(BIN)/python -m pointpred.datasets.generate
 
 clean:  ## remove the environment and every cache
 	rm -rf .venv .mypy_cache .ruff_cache .pytest_cache .hypothesis build dist *.egg-info

@@ -1,4 +1,4 @@
-"""``python -m pointpred.datasets.sample``: generate the embedded sample again, to the same bytes."""
+"""``python -m pointpred.datasets.generate``: generate the embedded sample again, to the same bytes."""
 
 from __future__ import annotations
 
