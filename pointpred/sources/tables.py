@@ -201,7 +201,7 @@ def numbers(column: Any) -> tuple[FloatArray, dict[int, str]]:
     if pa.types.is_boolean(column.type):
         column = pc.cast(column, pa.int8())
     values = pc.cast(column, pa.float64(), safe=False)
-    return as_array(pc.fill_null(values, float("nan"))), faults
+    return _float64(values), faults
 
 
 def finite_numbers(column: Any) -> tuple[FloatArray, dict[int, str]]:
@@ -213,11 +213,31 @@ def finite_numbers(column: Any) -> tuple[FloatArray, dict[int, str]]:
     return array, faults
 
 
+def _float64(column: Any) -> FloatArray:
+    """A float64 column as an array, NaN where null; even ``fill_null`` would import pandas for its scalar."""
+    out = np.full(len(column), np.nan)
+    first = 0
+    for chunk in _chunks(column):
+        reach = slice(first, first + len(chunk))
+        first += len(chunk)
+        if not chunk.null_count:
+            out[reach] = as_array(chunk)
+        elif chunk.null_count < len(chunk):
+            bits, data = (np.frombuffer(buffer, np.uint8) for buffer in chunk.buffers())
+            rows = slice(chunk.offset, chunk.offset + len(chunk))
+            known = np.unpackbits(bits, bitorder="little")[rows] == 1
+            out[reach][known] = data.view(np.float64)[rows][known]
+    return out
+
+
 def as_array(column: Any) -> Any:
     """A column of numbers without nulls as an array; Arrow's own ``to_numpy`` would import pandas."""
-    chunks = column.chunks if isinstance(column, pa.ChunkedArray) else [column]
-    parts = [np.from_dlpack(chunk) for chunk in chunks if len(chunk)]
+    parts = [np.from_dlpack(chunk) for chunk in _chunks(column) if len(chunk)]
     return np.concatenate(parts) if parts else np.empty(0)
+
+
+def _chunks(column: Any) -> list[Any]:
+    return column.chunks if isinstance(column, pa.ChunkedArray) else [column]
 
 
 def need_columns(path: Path, names: Iterable[str], required: Iterable[str], known: Iterable[str]) -> None:
