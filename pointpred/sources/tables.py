@@ -215,19 +215,15 @@ def finite_numbers(column: Any) -> tuple[FloatArray, dict[int, str]]:
 
 def _float64(column: Any) -> FloatArray:
     """A float64 column as an array, NaN where null; even ``fill_null`` would import pandas for its scalar."""
-    out = np.full(len(column), np.nan)
-    first = 0
+    parts = [np.empty(0)]
     for chunk in _chunks(column):
-        reach = slice(first, first + len(chunk))
-        first += len(chunk)
-        if not chunk.null_count:
-            out[reach] = as_array(chunk)
-        elif chunk.null_count < len(chunk):
+        parts.append(np.full(len(chunk), np.nan) if chunk.null_count else as_array(chunk))
+        if 0 < chunk.null_count < len(chunk):
             bits, data = (np.frombuffer(buffer, np.uint8) for buffer in chunk.buffers())
             rows = slice(chunk.offset, chunk.offset + len(chunk))
             known = np.unpackbits(bits, bitorder="little")[rows] == 1
-            out[reach][known] = data.view(np.float64)[rows][known]
-    return out
+            parts[-1][known] = data.view(np.float64)[rows][known]
+    return np.concatenate(parts)
 
 
 def as_array(column: Any) -> Any:
