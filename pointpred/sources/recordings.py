@@ -115,13 +115,13 @@ def _dataset(path: Path, table: Any) -> str:
     if "dataset" not in table.column_names or not table.num_rows:
         return path.stem.removesuffix(SAMPLES)
     column = tables.words(table["dataset"])
-    other = pc.index(pc.fill_null(pc.not_equal(column, column[0]), True), True).as_py()
-    if other >= 0 or column[0].as_py() is None:
+    found = pc.unique(column).to_pylist()
+    if len(found) > 1 or found[0] is None:
+        row = column.to_pylist().index(found[min(1, len(found) - 1)])
         raise RecordingError(
-            f"{path}: row {max(other, 0)} belongs to data set {column[max(other, 0)].as_py()!r}, "
-            f"expected {column[0].as_py()!r} in every row"
+            f"{path}: row {row} belongs to data set {column[row].as_py()!r}, expected {found[0]!r} in every row"
         )
-    return str(column[0].as_py())
+    return str(found[0])
 
 
 def _keys(path: Path, table: Any) -> tuple[IntArray, list[tuple[str, str]]]:
