@@ -119,7 +119,8 @@ def _dataset(path: Path, table: Any) -> str:
     if len(found) > 1 or found[0] is None:
         row = column.to_pylist().index(found[min(1, len(found) - 1)])
         raise RecordingError(
-            f"{path}: row {row} belongs to data set {column[row].as_py()!r}, expected {found[0]!r} in every row"
+            f"{path}: row {row} belongs to data set {column[row].as_py()!r}, "
+            f"expected {found[0]!r} in every row"
         )
     return str(found[0])
 

@@ -195,7 +195,7 @@ def numbers(column: Any) -> tuple[FloatArray, dict[int, str]]:
     if pa.types.is_string(column.type) or pa.types.is_large_string(column.type):
         good = pc.match_substring_regex(column, NUMBER)
         empty = pc.match_substring_regex(column, NOT_A_NUMBER)
-        wrong = np.flatnonzero(as_array(pc.cast(pc.fill_null(pc.or_(good, empty), True), pa.uint8())) == 0)
+        wrong = as_array(pc.indices_nonzero(pc.invert(pc.or_(good, empty))))
         faults = {int(row): str(column[int(row)].as_py()) for row in wrong}
         column = pc.utf8_trim_whitespace(pc.if_else(good, column, None))
     if pa.types.is_boolean(column.type):
