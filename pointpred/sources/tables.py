@@ -197,7 +197,7 @@ def numbers(column: Any) -> tuple[FloatArray, dict[int, str]]:
         empty = pc.match_substring_regex(column, NOT_A_NUMBER)
         wrong = as_array(pc.indices_nonzero(pc.invert(pc.or_(good, empty))))
         faults = {int(row): str(column[int(row)].as_py()) for row in wrong}
-        column = pc.utf8_trim_whitespace(pc.if_else(good, column, None))
+        column = pc.utf8_trim_whitespace(pc.if_else(good, column, pa.nulls(len(column), column.type)))
     if pa.types.is_boolean(column.type):
         column = pc.cast(column, pa.int8())
     values = pc.cast(column, pa.float64(), safe=False)
