@@ -36,6 +36,7 @@ class Skip(msgspec.Struct, frozen=True):
     trial: str
     reason: str
     row: int | None = None
+    user: str | None = None
 
 
 class Provenance(msgspec.Struct, frozen=True):

@@ -68,12 +68,13 @@ def score(
     from pointpred.scoring import summary
 
     with following() as progress:
-        recordings = _read(files, told, unread) if files else _sample()
+        recordings = _read(files, told, unread) if files else _sample(unread)
         scored = run(recordings, names, threads=threads, progress=progress, cpi=cpi, dpi=dpi, seed=seed)
     if report is not None and scored:
         from pointpred.scoring.report import write_report
 
-        write_report(scored, report)
+        again = _read(files, told, None) if files else _sample(None)
+        write_report(scored, report, recordings=again, cpi=cpi, dpi=dpi)
         remarks().print(f"report written: {report}", markup=False)
     described = [summary(one) for one in scored]
     if json is not None:
@@ -99,21 +100,26 @@ def chosen(text: str) -> list[str]:
     return names
 
 
-def _sample() -> Iterator[Recording]:
-    """The recording that is always there."""
+def _sample(unread: Unread | None) -> Iterator[Recording]:
+    """The recording that is always there; says so unless it is read again (no ``unread``)."""
     from pointpred.datasets import sample
 
-    remarks().print("No recording given: scoring the embedded sample of simulated people.")
+    if unread is not None:
+        remarks().print("No recording given: scoring the embedded sample of simulated people.")
     yield sample()
 
 
-def _read(files: list[Path], told: Reading, unread: Unread) -> Iterator[Recording]:
-    """The recordings one by one, so that only one is in memory; complains where a file cannot be read."""
+def _read(files: list[Path], told: Reading, unread: Unread | None) -> Iterator[Recording]:
+    """The recordings one by one, so that only one is in memory; complains where a file cannot be read.
+
+    The report reads them again (no ``unread``): what was complained about once is not said twice.
+    """
     from pointpred.sources import read_any
 
     for file in files:
         try:
             yield from read_any(file, told)
         except (PointpredError, OSError) as error:
-            unread[str(file)] = str(error)
-            remarks().print(f"left out: {error}", style="red", markup=False)
+            if unread is not None:
+                unread[str(file)] = str(error)
+                remarks().print(f"left out: {error}", style="red", markup=False)

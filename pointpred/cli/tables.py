@@ -65,7 +65,8 @@ def _remarks(one: dict[str, Any]) -> Iterator[str]:
     for reason, count in told:
         first = next(skip for skip in one["skipped"] if skip["reason"] == reason)
         row = "" if first["row"] is None else f", row {first['row']}"
-        yield f"skipped {count}: {reason} (first: trial {first['trial']}{row})"
+        user = "" if first["user"] is None else f" of {first['user']}"
+        yield f"skipped {count}: {reason} (first: trial {first['trial']}{user}{row})"
     rest = reasons.total() - sum(count for _, count in told)
     if rest:
         yield f"skipped {rest} more for other reasons; --json lists each"

@@ -111,7 +111,7 @@ def _unanswered(prepared: Prepared, trial: int, reason: str, seconds: float) -> 
     nothing = PredictionColumns(np.full((len(events), len(PredictionColumns.names)), np.nan))
     measures, regions, _ = _measure(prepared, trial, trial + 1, events, nothing)
     who = prepared.trials[trial].trial
-    skip = Skip(who.trial, f"{reason} (user {who.user})")
+    skip = Skip(who.trial, reason, user=who.user)
     return _Chunk(trial, trial + 1, measures, regions, (skip,), len(events), seconds)
 
 

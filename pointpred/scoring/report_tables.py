@@ -132,13 +132,16 @@ def skipped_table(described: Json, most: int = 20) -> str:
         return "<p>No trial was skipped.</p>"
     caption = f"{described['name']}: trials skipped: {len(skipped)}"
     if len(skipped) <= most:
-        rows = [(text(s["trial"]), text(s["reason"]), number(s["row"], 0)) for s in skipped]
-        return table(caption, ("trial", "reason", "row"), rows, words=True)
+        rows = [
+            (text(s["user"] or "–"), text(s["trial"]), text(s["reason"]), number(s["row"], 0))
+            for s in skipped
+        ]
+        return table(caption, ("user", "trial", "reason", "row"), rows, words=True)
     counted = Counter(s["reason"] for s in skipped)
     first = {reason: next(s["trial"] for s in skipped if s["reason"] == reason) for reason in counted}
     common = counted.most_common(most)
-    rows = [(text(reason), str(count), text(first[reason])) for reason, count in common]
+    grouped = [(text(reason), str(count), text(first[reason])) for reason, count in common]
     rest = len(skipped) - sum(count for _, count in common)
     if rest:
-        rows.append((f"{len(counted) - most} other reasons", str(rest), "–"))
-    return table(caption, ("reason", "trials", "first of them"), rows, words=True)
+        grouped.append((f"{len(counted) - most} other reasons", str(rest), "–"))
+    return table(caption, ("reason", "trials", "first of them"), grouped, words=True)

@@ -43,9 +43,9 @@ def worst(score: SetScore, prepared: Prepared, pipeline: Pipeline, count: int = 
     if pipeline.name not in scored:
         raise ParameterError(f"{pipeline.name!r} was not scored on {score.name}; scored: {', '.join(scored)}")
     errors = scored[pipeline.name]
-    failed = {skip.trial for skip in errors.failed}
+    failed = {(skip.user, skip.trial) for skip in errors.failed}
     order = np.argsort(-errors.time_averaged, kind="stable").tolist()
-    chosen = [k for k in order if names[k] not in failed][:count]
+    chosen = [k for k in order if (score.trials[k].trial.user, names[k]) not in failed][:count]
     return tuple(
         Drawing(
             score.trials[k],

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
+import msgspec
 import numpy as np
 
 from pointpred.columns import BoolArray, FloatArray
@@ -59,7 +60,7 @@ def summary(score: SetScore, *, draws: int = DRAWS) -> Json:
         "trials": len(score.trials),
         "users": len(np.unique(users)),
         "events": sum(trial.events for trial in score.trials),
-        "skipped": [{"trial": skip.trial, "reason": skip.reason, "row": skip.row} for skip in score.skipped],
+        "skipped": [msgspec.structs.asdict(skip) for skip in score.skipped],
         "notes": list(score.notes),
         "interval": {
             "level": LEVEL,
@@ -76,7 +77,7 @@ def summary(score: SetScore, *, draws: int = DRAWS) -> Json:
                 "coverage": _number(errors.coverage.mean() if len(users) else np.nan),
                 "us_per_event": _number(errors.us_per_event),
                 "calibration": _calibration(errors),
-                "failed": [{"trial": skip.trial, "reason": skip.reason} for skip in errors.failed],
+                "failed": [msgspec.structs.asdict(skip) for skip in errors.failed],
                 **parts[0][place],
                 "groups": {
                     _key(group): part[place] for group, part in zip(groups[1:], parts[1:], strict=True)

@@ -110,7 +110,7 @@ def resolution(recording: Recording, cpi: float | None, dpi: float | None) -> di
 
 def _skips(recording: Recording, cuts: cutting.Cuts) -> list[Skip]:
     """A skip for each trial that cannot be scored; a faulty event is named by its number in the trial."""
-    skips, several = [], len({trial.user for trial in recording.trials}) > 1
+    skips = []
     for k in np.flatnonzero(cuts[:, cutting.VERDICT] != cutting.GOOD).tolist():
         verdict, row = int(cuts[k, cutting.VERDICT]), int(cuts[k, cutting.ROW])
         reason = REASONS[verdict]
@@ -120,7 +120,5 @@ def _skips(recording: Recording, cuts: cutting.Cuts) -> list[Skip]:
                 for name, value in zip(EventColumns.names, recording.events.table[row].tolist(), strict=True)
             )
             reason = f"event {row - int(recording.offsets[k])} of the trial: {reason} ({values})"
-        if several:
-            reason += f" (user {recording.trials[k].user})"
-        skips.append(Skip(recording.trials[k].trial, reason))
+        skips.append(Skip(recording.trials[k].trial, reason, user=recording.trials[k].user))
     return skips

@@ -61,7 +61,7 @@ def assemble(
         reasons.setdefault(index, (reason, int(offsets[index]) if sizes[index] else None))
     kept = np.array([index not in reasons for index in range(count)], dtype=bool)
     skips = [
-        Skip(trials[index].trial, reason, None if at is None else int(row[at]))
+        Skip(trials[index].trial, reason, None if at is None else int(row[at]), trials[index].user)
         for index, (reason, at) in sorted(reasons.items())
     ]
     if not kept.all():

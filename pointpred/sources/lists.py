@@ -66,11 +66,11 @@ class Lists:
         """Add a trial: ``scale`` s a unit of time, from its first sample; ``gain`` px a unit of x, y."""
         key = (trial.user, trial.trial)
         if key in self.seen:
-            self.skip(Skip(trial.trial, f"occurs twice, first in row {self.seen[key]}", row))
+            self.skip(Skip(trial.trial, f"occurs twice, first in row {self.seen[key]}", row, trial.user))
             return
         if not len(t) == len(x) == len(y):
             words = f"{len(t)} times, {len(x)} x and {len(y)} y, expected as many of each"
-            self.skip(Skip(trial.trial, words, row))
+            self.skip(Skip(trial.trial, words, row, trial.user))
             return
         columns = []
         for cells in (t, x, y):

@@ -94,7 +94,7 @@ def write(recording: Recording, path: str | Path) -> tuple[Path, Path]:
             columns[column] = pa.array(values, mask=np.isnan(values))
     header |= {
         "provenance": msgspec.to_builtins(recording.provenance),
-        "skipped": [[skip.trial, skip.reason, skip.row] for skip in recording.skipped],
+        "skipped": [[skip.trial, skip.reason, skip.row, skip.user] for skip in recording.skipped],
         "notes": list(recording.notes),
     }
     beside = path.with_name(path.name.replace(SAMPLES, TRIALS))
@@ -153,7 +153,7 @@ def _provenance(path: Path, header: dict[str, Any]) -> tuple[Provenance, tuple[S
         return Provenance("parquet" if path.suffix == ".parquet" else "csv"), ()
     try:
         provenance = msgspec.convert(header["provenance"], Provenance)
-        skipped = msgspec.convert(header.get("skipped", []), list[tuple[str, str, int | None]])
+        skipped = msgspec.convert(header.get("skipped", []), list[tuple[str, str, int | None, str | None]])
         msgspec.convert(header.get("notes", []), list[str])
     except msgspec.ValidationError as error:
         raise RecordingError(f"{path}: the pointpred header is not as expected: {error}") from error

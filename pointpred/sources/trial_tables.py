@@ -63,7 +63,7 @@ def describe(path: Path | None, name: str, keys: Sequence[tuple[str, str]], size
         reason = twice.get(key) or faults.get(row) or _contradiction(columns, row, int(sizes[index]))
         if reason:
             result.unfit[index] = reason
-    result.without_samples = [Skip(trial, "no samples") for _, trial in rows]
+    result.without_samples = [Skip(trial, "no samples", user=user) for user, trial in rows]
     return result
 
 

@@ -36,7 +36,7 @@ def samples(folder: Path, text: str, name: str = "set_samples.csv") -> Path:
 )
 def test_a_bad_trial_is_skipped_with_its_row(rows: str, reason: str, row: int, tmp_path: Path) -> None:
     recording = read(samples(tmp_path, HEADER + GOOD + rows))
-    assert recording.skipped == (Skip("bad", reason, row),)
+    assert recording.skipped == (Skip("bad", reason, row, "u"),)
     assert [trial.trial for trial in recording.trials] == ["good"]
     assert recording.rows(0).x.tolist() == [0, 3]
 
@@ -132,17 +132,20 @@ def test_parquet_without_a_user_names_the_row(tmp_path: Path) -> None:
     [
         (
             "user,trial,n_samples\nu,good,3\n",
-            Skip("good", "2 samples, expected 3 as the trials file says", 0),
+            Skip("good", "2 samples, expected 3 as the trials file says", 0, "u"),
         ),
         (
             "user,trial,target_w\nu,good,-1\n",
-            Skip("good", "target_w is -1.0, expected a finite number above 0", 0),
+            Skip("good", "target_w is -1.0, expected a finite number above 0", 0, "u"),
         ),
-        ("user,trial,target_x\nu,good,far\n", Skip("good", "target_x is 'far', expected a number", 0)),
-        ("user,trial,clean\nu,good,maybe\n", Skip("good", "clean is 'maybe', expected true or false", 0)),
+        ("user,trial,target_x\nu,good,far\n", Skip("good", "target_x is 'far', expected a number", 0, "u")),
+        (
+            "user,trial,clean\nu,good,maybe\n",
+            Skip("good", "clean is 'maybe', expected true or false", 0, "u"),
+        ),
         (
             "user,trial,block\nu,good,1\nu,good,2\n",
-            Skip("good", "described twice, in rows 0 and 1 of set_trials.csv", 0),
+            Skip("good", "described twice, in rows 0 and 1 of set_trials.csv", 0, "u"),
         ),
     ],
 )
@@ -156,7 +159,7 @@ def test_a_contradicting_trials_file_costs_the_trial(trials: str, skip: Skip, tm
 def test_trials_on_one_side_only_are_reported(tmp_path: Path) -> None:
     samples(tmp_path, "user,trial,n_samples\nu,gone,5\n", "set_trials.csv")
     recording = read(samples(tmp_path, HEADER + GOOD))
-    assert recording.skipped == (Skip("gone", "no samples", None),)
+    assert recording.skipped == (Skip("gone", "no samples", None, "u"),)
     assert recording.notes == ("trial good of u is not described in set_trials.csv",)
     assert [trial.trial for trial in recording.trials] == ["good"]
 

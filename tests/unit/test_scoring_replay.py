@@ -136,7 +136,7 @@ def test_a_trial_in_which_a_pipeline_fails_is_scored_as_unanswered_and_reported(
         return np.column_stack([motions.x + 1.0, motions.y])
 
     errors = replay(prepared, scripted(answer), threads=2)
-    assert errors.failed == (Skip("2", "RuntimeError: lost its way (user u2)"),)
+    assert errors.failed == (Skip("2", "RuntimeError: lost its way", user="u2"),)
     assert errors.coverage.tolist() == [1.0, 1.0, 0.0, 1.0, 1.0, 1.0]
     held = replay(prepared, build("hold"))
     assert errors.time_averaged[2] == held.time_averaged[2]
@@ -152,7 +152,7 @@ def test_a_prediction_that_is_not_finite_fails_its_trial_only() -> None:
         return np.column_stack([x, motions.y])
 
     errors = replay(prepared, scripted(answer))
-    assert errors.failed == (Skip("3", "event 7: the prediction is not finite (user u0)"),)
+    assert errors.failed == (Skip("3", "event 7: the prediction is not finite", user="u0"),)
     assert errors.coverage.tolist() == [1.0, 1.0, 1.0, 0.0, 1.0]
     assert same(replay(prepared, scripted(lambda m: m.table[:, 1:3])), replay(prepared, build("hold")))
 

@@ -70,9 +70,11 @@ def test_names_of_the_public_document() -> None:
     assert written["version"] == 1
     one = written["sets"][0]
     assert (one["name"], one["trials"], one["users"], one["events"]) == ("set", 5, 3, 200)
-    assert one["skipped"] == [{"trial": "7", "reason": "two clocks", "row": 12}]
+    assert one["skipped"] == [{"trial": "7", "reason": "two clocks", "row": 12, "user": None}]
     half = one["predictors"][1]
-    assert half["failed"] == [{"trial": "3", "reason": "RuntimeError: lost its way"}]
+    assert half["failed"] == [
+        {"trial": "3", "reason": "RuntimeError: lost its way", "row": None, "user": None}
+    ]
     assert (half["name"], half["coverage"], half["us_per_event"]) == ("half", 0.65, 0.25)
     assert list(half["by_time"]) == ["0.2", "0.3", "0.4", "0.5", "0.6", "0.7", "0.8", "0.9"]
     assert list(half["by_path"]) == ["0.1", "0.25", "0.5", "0.75", "0.9", "0.95", "1.0"]

@@ -91,14 +91,14 @@ def test_only_a_primary_press_away_from_the_start_selects(buttons: list[int]) ->
 def test_a_trial_that_cannot_be_scored_is_skipped_with_its_reason(path: EventColumns, reason: str) -> None:
     good = along_x([0, 50, 100])
     prepared = prepare(recording(good, path, good))
-    assert prepared.skipped == (Skip("1", reason),)
+    assert prepared.skipped == (Skip("1", reason, user="ann"),)
     assert [scored.trial.trial for scored in prepared.trials] == ["0", "2"]
 
 
 def test_skips_of_the_reader_come_first_and_name_the_user_when_there_are_several() -> None:
     before = Skip("9", "two clocks", 77)
     prepared = prepare(recording(along_x([0, 50, 100]), along_x([1]), users="ab", skipped=[before]))
-    assert prepared.skipped == (before, Skip("1", "has one sample, a movement needs two (user b)"))
+    assert prepared.skipped == (before, Skip("1", "has one sample, a movement needs two", user="b"))
 
 
 def test_a_recording_without_trials_prepares_to_nothing() -> None:

@@ -37,7 +37,9 @@ def test_gofitts() -> None:
         100.0,
         "B04",
     )
-    assert recording.skipped == (Skip("S03 B04 1 1", "2 times, 2 x and 1 y, expected as many of each", 3),)
+    assert recording.skipped == (
+        Skip("S03 B04 1 1", "2 times, 2 x and 1 y, expected as many of each", 3, "P01"),
+    )
     assert np.isnan(recording.events.dx).all()
 
 
@@ -52,7 +54,7 @@ def test_balabit_is_cut_from_click_to_click() -> None:
     assert recording.skipped == (
         Skip("rows 4 to 4", "a button is held", 4),
         Skip("rows 12 to 13", "no click ends it", 12),
-        Skip("2", "x is 65535, the logger had no position", 10),
+        Skip("2", "x is 65535, the logger had no position", 10, "user7"),
     )
     assert recording.notes == ("1 wheel rows are left aside",)
 
@@ -72,7 +74,7 @@ def test_an_infinite_time_costs_its_trial_only(tmp_path: Path) -> None:
     path = tmp_path / "session"
     path.write_text(text.replace("8,NoButton,Move,14", "1e999,NoButton,Move,14", 1), encoding="utf-8")
     (recording,) = read_any(path)
-    assert recording.skipped == (Skip("0", "client timestamp is 'inf', expected a number", 1),)
+    assert recording.skipped == (Skip("0", "client timestamp is 'inf', expected a number", 1, tmp_path.name),)
     assert rows(recording) == [[0, 14, 23, 0], [8000, 20, 31, 0], [150000, 22, 31, 1]]
 
 
@@ -97,7 +99,7 @@ def test_mousetrap_with_and_without_brackets() -> None:
         [0, 5, 348, 0], [10000, 5, 340, 0], [25000, 250, -310, 0],
     ]  # fmt: skip
     assert [(trial.user, trial.trial) for trial in recording.trials] == [("4", "0"), ("4", "2")]
-    assert recording.skipped == (Skip("1", "no movement: every position equals the first", 1),)
+    assert recording.skipped == (Skip("1", "no movement: every position equals the first", 1, "4"),)
     assert recording.notes == ("1 cells hold no track",)
     assert (recording.provenance.origin, recording.provenance.y_axis) == ("centre of the screen", "down")
 
@@ -203,7 +205,7 @@ def test_dropped_kernel_events_cost_the_trial(tmp_path: Path) -> None:
     )
     (recording,) = read_any(path)
     assert recording.trials == ()
-    assert recording.skipped == (Skip("0", "the kernel dropped events (SYN_DROPPED)", 2),)
+    assert recording.skipped == (Skip("0", "the kernel dropped events (SYN_DROPPED)", 2, "unknown"),)
 
 
 def test_every_example_is_recognised_by_its_content(tmp_path: Path) -> None:
