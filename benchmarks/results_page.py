@@ -19,7 +19,8 @@ trial counts, from the onset of the movement to the selecting click or the last 
 last position; where a predictor does not answer, the cursor's position is scored in its place. **Every
 number is the mean error over trials divided by that of `hold`** (no prediction, the cursor's own
 position), unless px is written beside it: below 1 a predictor helps, above 1 it does harm. Sets are
-never pooled. Where a set says which of its trials are clean, a cell says `all / clean`.
+never pooled. A cell says `all / clean`: over all trials, and over
+the clean ones, as the set itself judges or, where it does not, by the rule in scoring.md.
 
 Brackets hold 95 % bootstrap intervals: people are drawn with replacement, or trials where a set has one
 person only (the interval then says nothing about other people). `answers` is the share of events with a
@@ -71,7 +72,7 @@ def section(one: Json, figures: Mapping[str, str], entry: DataSet | None) -> lis
     if entry is not None:
         parts.append(f"{entry.title}. {entry.sampling}; {entry.targets}. {entry.citation}, {entry.licence}.")
     clean = one["groups"].get("clean_trials", {}).get("trials")
-    judged = f", {clean} of them clean" if clean else ", none judged clean"
+    judged = f", {clean} of them clean" if clean else ", none of them clean"
     parts.append(
         f"{one['users']} people, {one['trials']} trials{judged}, {one['events']} events; "
         f"{len(one['skipped'])} trials skipped. Resampled: {one['interval']['resampled']}."
@@ -149,7 +150,7 @@ def series(one: Json, kind: str) -> str:
 def _beside(
     predictor: Json, kind: str, fractions: Sequence[str], say: Callable[[Json], str]
 ) -> tuple[str, ...]:
-    """A cell a fraction: all trials, and the clean ones where somebody judged."""
+    """A cell a fraction: all trials, and the clean ones."""
     clean = predictor["groups"].get("clean_trials")
     return tuple(
         say(predictor[kind][fraction]) + (f" / {say(clean[kind][fraction])}" if clean else "")

@@ -18,6 +18,10 @@ EXPERIENCE = ("experience", "skill", "group")
 """Conditions that may say who is experienced and who is a novice."""
 
 
+CLEAN_OWN = "the recording's own judgement: monotone, no long stop"
+CLEAN_RULE = "at least 80 px far, path at most 1.5 times that, no stop on the way over 0.1 s"
+
+
 class Group(msgspec.Struct, frozen=True):
     """Trials that are shown together; ``mask`` has a row a trial of the set."""
 
@@ -58,13 +62,14 @@ def groups_of(score: SetScore) -> tuple[Group, ...]:
     A group without a trial is not listed; one that holds every trial is, for it says so.
     """
     submovements = np.array([trial.submovements for trial in score.trials], dtype=np.bool_)
-    clean = np.array([trial.trial.clean is True for trial in score.trials], dtype=np.bool_)
+    clean = np.array([trial.clean for trial in score.trials], dtype=np.bool_)
+    own = any(trial.trial.clean is not None for trial in score.trials)
     peaks = "highest speed peak under, or at least, 5 times the next"
     found = [
         Group("all trials", np.ones(len(score.trials), dtype=np.bool_)),
         Group("with sub-movements", submovements, peaks),
         Group("without sub-movements", ~submovements, peaks),
-        Group("clean trials", clean, "the set's own judgement: monotone, no long stop"),
+        Group("clean trials", clean, CLEAN_OWN if own else CLEAN_RULE),
         *_people(score, submovements),
     ]
     return tuple(group for group in found if group.mask.any())

@@ -169,8 +169,8 @@ def clean_against_all(described: Json) -> Picture:
         return picture(
             figure,
             f"{title} on {described['name']}: time-averaged error of each predictor as a share of hold's.",
-            "Time-averaged error as a share of hold's on the same trials. What is clean is the set's own "
-            "judgement: monotone, no long stop.",
+            "Time-averaged error as a share of hold's on the same trials. A trial is clean as the recording "
+            "says, or else when it goes 80 px, straight enough and without a stop.",
         )
 
 

@@ -27,6 +27,8 @@ class ScoredTrial(msgspec.Struct, frozen=True):
     """Whether the highest speed peak is less than 5 times the next."""
     events: int
     """Events scored: from the onset on."""
+    clean: bool = False
+    """As the recording judges; where it does not, by the rule of ``clean_trials``."""
 
 
 class PredictorErrors(msgspec.Struct, frozen=True):

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from pointpred.columns import EventColumns
 from pointpred.recording import Recording, Skip
 from pointpred.scoring import cutting
+from pointpred.scoring.clean import clean_trials
 from pointpred.scoring.results import ScoredTrial
 from pointpred.scoring.submovements import submovements
 
@@ -88,6 +89,9 @@ def prepare(
     divided = submovements(events, offsets, threads=threads, **resolution(recording, cpi, dpi))
     first, last = offsets[:-1], offsets[1:] - 1
     distance = np.hypot(events.x[last] - events.x[first], events.y[last] - events.y[first])
+    said = [recording.trials[k].clean for k in good.tolist()]
+    ruled = clean_trials(events, offsets).tolist()
+    clean = [rule if own is None else own for own, rule in zip(said, ruled, strict=True)]
     measured = zip(
         good.tolist(),
         distance.tolist(),
@@ -95,6 +99,7 @@ def prepare(
         (events.t[arrivals] - events.t[first]).tolist(),
         divided.tolist(),
         np.diff(offsets).tolist(),
+        clean,
         strict=True,
     )
     trials = tuple(ScoredTrial(recording.trials[k], *values) for k, *values in measured)

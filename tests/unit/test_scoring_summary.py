@@ -32,7 +32,9 @@ def errors(name: str, scale: float, seed: int = 4) -> PredictorErrors:
 
 def scored(*predictors: PredictorErrors, trials: int = 5) -> SetScore:
     listed = [
-        ScoredTrial(Trial(USERS[i], str(i), clean=CLEAN[i]), 300.0, 0.1, 0.8, DIVIDED[i], 40)
+        ScoredTrial(
+            Trial(USERS[i], str(i), clean=CLEAN[i]), 300.0, 0.1, 0.8, DIVIDED[i], 40, CLEAN[i] is True
+        )
         for i in range(trials)
     ]
     return SetScore("set", tuple(listed), (Skip("7", "two clocks", 12),), predictors, seed=3)
