@@ -1,0 +1,205 @@
+"""The messages of ``pointpred.v1``: what a client may say, and what it hears."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+import msgspec
+from msgspec import Meta, Struct
+
+VERSION = 1
+SUBPROTOCOL = "pointpred.v1"
+
+Reply = Literal["frame", "event"]
+Encoding = Literal["json", "binary"]
+Code = Literal[
+    "bad_json",
+    "bad_field",
+    "unknown_type",
+    "unknown_predictor",
+    "out_of_order",
+    "out_of_place",
+    "too_large",
+    "too_fast",
+    "too_many",
+    "idle",
+    "slow",
+    "unauthorized",
+    "stopping",
+    "internal",
+]
+
+Bounded = Annotated[float, Meta(ge=-1e9, le=1e9)]
+Positive = Annotated[float, Meta(gt=0.0, le=1e9)]
+Buttons = Annotated[int, Meta(ge=0, le=65535)]
+Name = Annotated[str, Meta(min_length=1, max_length=128)]
+EventRow = tuple[Bounded, Bounded, Bounded, Bounded | None, Bounded | None, Buttons]
+"""t in s, x and y in px, dx and dy in counts or null, buttons."""
+
+
+class Device(Struct, forbid_unknown_fields=True):
+    """The pointing device: counts per inch, and reports a second as the client knows it."""
+
+    cpi: Positive | None = None
+    rate_hz: Positive | None = None
+
+
+class Screen(Struct, forbid_unknown_fields=True):
+    """The screen: its size in px, and px per inch."""
+
+    width_px: Positive | None = None
+    height_px: Positive | None = None
+    dpi: Positive = 96.0
+
+
+class Hello(Struct, tag="hello", forbid_unknown_fields=True):
+    """First message of a session: which predictor, on what device and screen, and how to answer."""
+
+    version: int
+    predictor: str
+    parameters: dict[str, bool | float | str] = {}
+    device: Device | None = None
+    screen: Screen | None = None
+    reply: Reply = "frame"
+    encoding: Encoding = "json"
+
+
+class Events(Struct, tag="events", forbid_unknown_fields=True):
+    """Pointer events in the order of their times."""
+
+    events: list[EventRow]
+
+
+class Target(Struct, forbid_unknown_fields=True):
+    """A rectangle that may be pointed at: its upper left corner and its size, px."""
+
+    id: Name
+    x: Bounded
+    y: Bounded
+    width: Positive
+    height: Positive
+
+
+class Targets(Struct, tag="targets", forbid_unknown_fields=True):
+    """Replaces the set of targets."""
+
+    targets: list[Target]
+
+
+class Goal(Struct, forbid_unknown_fields=True):
+    """The true target of a trial: centre and width, px."""
+
+    x: Bounded
+    y: Bounded
+    width: Positive
+
+
+class TrialMark(Struct, tag="trial", forbid_unknown_fields=True):
+    """Ground truth: a movement starts here, or it has ended; ``target`` where it is known."""
+
+    action: Literal["start", "end"]
+    target: Goal | None = None
+
+
+class Configure(Struct, tag="configure", forbid_unknown_fields=True):
+    """Changes what is given and leaves the rest; another predictor begins without memory."""
+
+    predictor: str | None = None
+    parameters: dict[str, bool | float | str] = {}
+    reply: Reply | None = None
+    precision: Annotated[float, Meta(ge=0.0, le=1.0)] | None = None
+
+
+class Reset(Struct, tag="reset", forbid_unknown_fields=True):
+    """Forget every event: the next one starts a movement."""
+
+
+class Bye(Struct, tag="bye", forbid_unknown_fields=True):
+    """The end of a session; the server says why."""
+
+    reason: str = ""
+
+
+ClientMessage = Hello | Events | Targets | TrialMark | Configure | Reset | Bye
+KNOWN = ("hello", "events", "targets", "trial", "configure", "reset", "bye")
+"""What a client may say."""
+
+
+class Limits(Struct, frozen=True):
+    """What a session may do."""
+
+    max_frame_bytes: int = 65536
+    max_events_per_frame: int = 1024
+    max_events_per_s: int = 20000
+    max_targets: int = 1000
+    max_sessions: int = 64
+    idle_s: float = 60.0
+
+
+class Welcome(Struct, tag="welcome"):
+    """The answer to ``hello``."""
+
+    version: int
+    session: str
+    predictor: str
+    limits: Limits
+
+
+class Region(Struct):
+    """Covariance of the endpoint, px^2."""
+
+    sxx: float
+    sxy: float
+    syy: float
+
+
+class PredictionMessage(Struct, tag="prediction"):
+    """Where the movement will end as seen at ``t``; null fields where nothing is justified."""
+
+    t: float
+    x: float | None = None
+    y: float | None = None
+    region: Region | None = None
+    phase: Literal["still", "ballistic", "corrective"] | None = None
+    remaining_s: float | None = None
+
+
+class TargetsTaken(Struct, tag="targets"):
+    """The set of targets now holds so many."""
+
+    count: int
+
+
+class Score(Struct, tag="score"):
+    """How good the predictions of the trial were, px; ``skill`` is 1 - error / error of no prediction."""
+
+    events: int
+    time_averaged_px: float | None = None
+    hold_px: float | None = None
+    skill: float | None = None
+    by_time: dict[str, float] = {}
+    by_path: dict[str, float] = {}
+    reason: str | None = None
+    """Why there is no score, where there is none."""
+
+
+class ErrorMessage(Struct, tag="error"):
+    """What was wrong, where, and whether the session goes on."""
+
+    code: Code
+    message: str
+    path: str | None = None
+    recoverable: bool = True
+
+
+ServerMessage = Welcome | PredictionMessage | TargetsTaken | Score | ErrorMessage | Bye
+
+encode = msgspec.json.Encoder().encode
+
+
+def schemas() -> tuple[dict[str, Any], dict[str, Any]]:
+    """JSON schemas of the messages from the client and from the server, with their components."""
+    (client, server), components = msgspec.json.schema_components(
+        (ClientMessage, ServerMessage), ref_template="#/components/schemas/{name}"
+    )
+    return {"client": client, "server": server}, components

@@ -1,0 +1,58 @@
+"""What a session still has to say: bounded, and predictions give way to newer ones.
+
+A client that reads slowly gets the newest prediction and is told how many it missed; one that does not read
+at all is given up after a limit.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+
+from pointpred.server.messages import ErrorMessage, encode
+
+Frame = str | bytes
+
+
+class Outbox:
+    """Frames in the order in which they are to be sent; not safe for threads."""
+
+    def __init__(self, *, most_notes: int = 64, most_dropped: int = 10_000) -> None:
+        self.most_notes = most_notes
+        self.most_dropped = most_dropped
+        self.dropped = 0
+        """Predictions replaced by newer ones since the client last read."""
+        self.dropped_in_all = 0
+        self._notes: deque[Frame] = deque()
+        self._newest: tuple[list[Frame], int] | None = None
+
+    def say(self, frame: Frame) -> None:
+        """Add a frame that must not be lost."""
+        self._notes.append(frame)
+
+    def predict(self, frames: list[Frame], count: int) -> None:
+        """Add the answer to the newest events, ``count`` predictions; unsent older ones give way."""
+        if self._newest is not None:
+            self.dropped += self._newest[1]
+            self.dropped_in_all += self._newest[1]
+        self._newest = (frames, count)
+
+    @property
+    def full(self) -> bool:
+        """Whether the client has fallen too far behind."""
+        return len(self._notes) > self.most_notes or self.dropped > self.most_dropped
+
+    def __bool__(self) -> bool:
+        return bool(self._notes) or self._newest is not None
+
+    def take(self) -> list[Frame]:
+        """Everything to send now."""
+        frames = list(self._notes)
+        self._notes.clear()
+        if self.dropped:
+            said = f"{self.dropped} predictions gave way to newer ones because they were not read in time"
+            frames.append(encode(ErrorMessage("slow", said)).decode())
+            self.dropped = 0
+        if self._newest is not None:
+            frames += self._newest[0]
+            self._newest = None
+        return frames

@@ -1,0 +1,22 @@
+"""How many events a client may send: a budget that refills with time and holds one second's worth."""
+
+from __future__ import annotations
+
+
+class Rate:
+    """A token bucket: ``most`` events a second, and as many at once."""
+
+    def __init__(self, most: float, now: float) -> None:
+        self.most = most
+        self._left = float(most)
+        self._since = now
+
+    def allows(self, count: int, now: float) -> bool:
+        """Take ``count`` out of the budget; False, and nothing taken, where it does not hold so many."""
+        left = min(float(self.most), self._left + max(0.0, now - self._since) * self.most)
+        self._since = now
+        self._left = left
+        if count > left:
+            return False
+        self._left = left - count
+        return True

@@ -1,0 +1,75 @@
+"""The trial that a client marks: its events are kept until it ends, then scored as the scorer does."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pointpred.columns import EventColumns, FloatArray
+from pointpred.pipeline import Pipeline
+from pointpred.recording import Recording, Trial
+from pointpred.registry import build
+from pointpred.scoring import Prepared, prepare, replay
+from pointpred.scoring.results import PATH_FRACTIONS, TIME_FRACTIONS
+from pointpred.server.messages import Goal, Score
+
+MOST_EVENTS = 100_000
+"""A longer trial is not scored: 12 s at 8 kHz, and memory stays bounded."""
+
+
+class TrialKeeper:
+    """Keeps the events of the running trial."""
+
+    def __init__(self) -> None:
+        self.running = False
+        self._forget()
+
+    def start(self, goal: Goal | None) -> None:
+        """A trial starts; one that was running is given up."""
+        self._forget(goal)
+        self.running = True
+
+    def add(self, events: EventColumns) -> None:
+        """Keep events while a trial runs."""
+        if self.running:
+            self._count += len(events)
+            if self._count <= MOST_EVENTS:
+                self._tables.append(events.table)
+
+    def end(self, goal: Goal | None, pipeline: Pipeline, cpi: float | None, dpi: float) -> Score:
+        """The trial's score by the offline protocol, in which pipelines begin at the movement's onset."""
+        goal, count, tables = goal or self._goal, self._count, self._tables
+        self._forget()
+        self.running = False
+        if count > MOST_EVENTS:
+            return Score(count, reason=f"has {count} events, at most {MOST_EVENTS} are scored")
+        about = Trial("session", "trial", *((goal.x, goal.y, goal.width) if goal else ()))
+        table = np.concatenate(tables) if tables else np.empty((0, 6))
+        recording = Recording.of("trial", [EventColumns(table)], [about])
+        prepared = prepare(recording, cpi=cpi, dpi=dpi, threads=1)
+        if prepared.skipped:
+            return Score(count, reason=prepared.skipped[0].reason)
+        return _score(prepared, pipeline, build("hold", cpi=cpi, dpi=dpi))
+
+    def _forget(self, goal: Goal | None = None) -> None:
+        self._tables: list[FloatArray] = []
+        self._count = 0
+        self._goal = goal
+
+
+def _score(prepared: Prepared, pipeline: Pipeline, floor: Pipeline) -> Score:
+    """The measures of one trial, beside those of no prediction."""
+    errors, hold = (replay(prepared, each, threads=1) for each in (pipeline, floor))
+    own, none = float(errors.time_averaged[0]), float(hold.time_averaged[0])
+    return Score(
+        prepared.trials[0].events,
+        time_averaged_px=own,
+        hold_px=none,
+        skill=1.0 - own / none if none > 0.0 else None,
+        by_time=_named(TIME_FRACTIONS, errors.by_time),
+        by_path=_named(PATH_FRACTIONS, errors.by_path),
+    )
+
+
+def _named(fractions: tuple[float, ...], errors: FloatArray) -> dict[str, float]:
+    values = errors[0].tolist()
+    return {f"{share:g}": value for share, value in zip(fractions, values, strict=True) if value == value}
