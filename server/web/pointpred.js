@@ -1,0 +1,474 @@
+/**
+ * The browser client of pointpred: streams pointer events to a service, receives where the movement will end.
+ *
+ *     import { connect } from "/pointpred.js";
+ *     const connection = connect();
+ *     connection.on("prediction", ({ x, y }) => x !== null && mark(x, y));
+ *
+ * Positions are CSS px of the viewport (clientX, clientY; y down), those of getBoundingClientRect. With
+ * `coordinates: "screen"` they are CSS px of the screen: what is predicted then survives moves of the window.
+ * Browsers give no device counts, so none are sent. Nothing is loaded from elsewhere.
+ *
+ * @typedef {[number, number, number, number|null, number|null, number]} EventRow t s, x px, y px, counts, buttons
+ * @typedef {{t: number, x: number, y: number, dx?: number|null, dy?: number|null, buttons?: number}} EventRecord
+ * @typedef {{id: string, x: number, y: number, width: number, height: number}} Target upper left corner, size, px
+ * @typedef {{x: number, y: number, width: number}} Goal centre and width, px
+ * @typedef {"connecting"|"open"|"waiting"|"idle"|"refused"|"closed"} State `waiting`: will try again; `idle`: the
+ *   service let a silent session go, the next event opens another; `refused`: waits for configure(); `closed`: for good
+ * @typedef {{type: "prediction", t: number, x: number|null, y: number|null,
+ *   region: {sxx: number, sxy: number, syy: number}|null, phase: "still"|"ballistic"|"corrective"|null,
+ *   remaining_s: number|null, targets?: {id: string, p: number}[]}} Prediction null: nothing is justified now
+ * @typedef {{type: "choice", id: string, p: number, action: "propose"|"retract"}} Choice
+ * @typedef {{type: "error", code: string, message: string, path: string|null, recoverable: boolean}} Fault
+ * @typedef {{type: "welcome", version: number, session: string, predictor: string, limits: Limits}} Welcome
+ * @typedef {{max_frame_bytes: number, max_events_per_frame: number, max_events_per_s: number, max_targets: number,
+ *   max_sessions: number, idle_s: number}} Limits
+ * @typedef {{type: "score", events: number, time_averaged_px: number|null, hold_px: number|null, skill: number|null,
+ *   by_time: Object<string, number>, by_path: Object<string, number>, reason: string|null}} Score
+ * @typedef {{prediction: Prediction, choice: Choice, error: Fault, state: State, welcome: Welcome, score: Score,
+ *   targets: {type: "targets", count: number}, bye: {type: "bye", reason: string}}} Messages by the name to listen for
+ * @typedef {Object} Options
+ * @property {string} [predictor] a name of the registry; "switched" unless given
+ * @property {Object<string, number|string|boolean>} [parameters] of the predictor or its differentiator
+ * @property {{cpi?: number, rate_hz?: number}} [device]
+ * @property {{width_px?: number, height_px?: number, dpi?: number}} [screen] 96 px per inch and this screen unless given
+ * @property {"frame"|"event"} [reply] one prediction a message, or one an event
+ * @property {"binary"|"json"} [encoding] of events and predictions
+ * @property {string} [token] where the service asks for one
+ * @property {EventTarget} [element] whose pointer events are streamed; the window unless given
+ * @property {boolean} [pointer] false: only what `send` is given
+ * @property {"client"|"screen"} [coordinates]
+ * @property {Target[]} [targets]
+ * @property {number} [queue] events kept while there is no connection; the oldest give way
+ */
+
+const SUBPROTOCOL = "pointpred.v1";
+const EVENT_BYTES = 30;
+const PREDICTION_BYTES = 57;
+const NO_COUNTS = -32768;
+const NO_TARGETS = JSON.stringify({ type: "targets", targets: [] });
+const PHASES = /** @type {const} */ (["still", "ballistic", "corrective"]);
+const FIRST_WAIT_MS = 250;
+const LONGEST_WAIT_MS = 8000;
+const STEADY_MS = 2000; // a connection that held so long starts the waits anew
+const LOOK_MS = 250; // observed elements are looked at so often while the pointer rests
+const ACTIVE_MS = 500; // and every frame for so long after an event
+const NAMES = ["prediction", "choice", "error", "state", "welcome", "score", "targets", "bye"];
+
+/**
+ * Opens a connection and keeps it open.
+ * @param {string|URL} [url] of the service or its stream, http or ws; where this module came from unless given
+ * @param {Options} [options]
+ * @returns {Connection}
+ */
+export function connect(url, options = {}) {
+  return new Connection(url, options);
+}
+
+/** One pointing session, opened again whenever it is lost. */
+export class Connection {
+  /** @type {State} */ state = "connecting";
+  /** The newest `welcome`. @type {Welcome|null} */ welcome = null;
+  /** Newest time from sending events to receiving their prediction, ms. @type {number|null} */ delayMs = null;
+  /** Events sent to the service. */ sent = 0;
+  /** Events that gave way because there was no connection for too long. */ dropped = 0;
+
+  #address; #options; #hello; #socket = null; #listeners = new Map(NAMES.map((name) => [name, new Set()]));
+  #waiting = []; #unanswered = []; #changes = []; #tries = 0; #openedAt = 0; #saidAt = 0; #retry; #why = "";
+  #given = []; #observed = new Map(); #told = NO_TARGETS; #frame = false; #activeUntil = 0; #offset = [0, 0];
+  #stop = new AbortController(); #timers = []; #sizes; #views; #last = [0, 0, 0];
+
+  /** Use `connect`. @param {string|URL|undefined} url @param {Options} options */
+  constructor(url, options) {
+    this.#options = { predictor: "switched", reply: "frame", encoding: "binary", element: window, pointer: true,
+      coordinates: "client", targets: [], queue: 8192, ...options };
+    this.#address = address(url, this.#options.token);
+    const { predictor, parameters = {}, device, reply, encoding } = this.#options;
+    const screen = { width_px: window.screen?.width || undefined, height_px: window.screen?.height || undefined,
+      ...this.#options.screen };
+    this.#hello = { type: "hello", version: 1, predictor, parameters, device, screen, reply, encoding };
+    this.#given = this.#options.targets;
+    this.#sizes = new ResizeObserver(() => this.#look());
+    this.#views = new IntersectionObserver((entries) => this.#seen(entries));
+    if (this.#options.pointer) this.#listen(this.#options.element);
+    const { signal } = this.#stop;
+    const look = () => this.#look();
+    for (const name of ["scroll", "resize"]) window.addEventListener(name, look, { signal, capture: true, passive: true });
+    window.addEventListener("online", () => this.state === "waiting" && this.#open(), { signal });
+    document.addEventListener("visibilitychange", () => this.#look(), { signal });
+    this.#timers = [setInterval(() => this.#observed.size && this.#look(), LOOK_MS), setInterval(() => this.#keepAlive(), 1000)];
+    this.#open();
+  }
+
+  /**
+   * Calls `listener` with every message of that name from now on.
+   * @template {keyof Messages} Name
+   * @param {Name} name @param {(message: Messages[Name]) => void} listener
+   * @returns {() => void} call it to hear no more
+   */
+  on(name, listener) {
+    const listeners = this.#listeners.get(name);
+    if (!listeners) throw new TypeError(`unknown event ${name}; known: ${NAMES.join(", ")}`);
+    listeners.add(listener);
+    return () => listeners.delete(listener);
+  }
+
+  /**
+   * Sends events: one message, or several where the limits of the service say so.
+   * @param {(EventRow|EventRecord)[]} events in the order of their times; equal times are normal
+   */
+  send(events) {
+    const rows = events.map(row);
+    if (rows.length === 0) return;
+    this.#activeUntil = performance.now() + ACTIVE_MS;
+    if (this.#observed.size) this.#look();
+    if (this.state === "open") this.#sendRows(rows);
+    else this.#keep(rows);
+  }
+
+  /** Replaces the targets given by hand; those of `observe` stay. @param {Target[]} list */
+  targets(list) {
+    this.#given = list;
+    this.#look();
+  }
+
+  /**
+   * Registers an element as a target and follows it: within a frame while the pointer moves or something scrolls or
+   * changes its size, otherwise within a quarter of a second. It is a target while a part of it is in view.
+   * @param {Element} element @param {string} [id] the element's own id unless given
+   * @returns {string} the id
+   */
+  observe(element, id = element.id || `element-${++numbered}`) {
+    for (const [other, { id: taken }] of this.#observed)
+      if (taken === id && other !== element) throw new TypeError(`the id ${id} belongs to another observed element`);
+    this.#observed.set(element, { id, inView: false });
+    this.#sizes.observe(element);
+    this.#views.observe(element);
+    return id;
+  }
+
+  /** Forgets an element. @param {Element} element */
+  unobserve(element) {
+    if (!this.#observed.delete(element)) return;
+    this.#sizes.unobserve(element);
+    this.#views.unobserve(element);
+    this.#look();
+  }
+
+  /**
+   * Says that a movement starts or has ended; the end is answered by `score`.
+   * @param {"start"|"end"} action @param {Goal|Element} [target] the true one, where it is known
+   */
+  trial(action, target) {
+    const goal = target instanceof Element ? this.#goal(target) : target;
+    this.#tell(goal ? { type: "trial", action, target: goal } : { type: "trial", action });
+  }
+
+  /**
+   * Changes what is given; another predictor or other parameters begin without memory. Answered by `welcome`.
+   * @param {{predictor?: string, parameters?: Object<string, number|string|boolean>, reply?: "frame"|"event",
+   *   precision?: number}} changes
+   */
+  configure(changes) {
+    if (this.state === "open") {
+      this.#changes.push(changes);
+      this.#transmit(JSON.stringify({ type: "configure", ...changes }));
+      return;
+    }
+    this.#merge(changes);
+    if (this.state === "refused") this.#open();
+  }
+
+  /** Forgets every event: the next one starts a movement. */
+  reset() {
+    this.#unanswered = [];
+    this.#tell({ type: "reset" });
+  }
+
+  /** Ends the session for good, and lets go of everything. */
+  close() {
+    if (this.state === "closed") return;
+    const socket = this.#socket;
+    this.#socket = null;
+    this.#stop.abort();
+    this.#timers.forEach(clearInterval);
+    clearTimeout(this.#retry);
+    this.#sizes.disconnect();
+    this.#views.disconnect();
+    if (this.state === "open") socket?.send(JSON.stringify({ type: "bye" }));
+    socket?.close(1000);
+    this.#become("closed");
+  }
+
+  #open() {
+    clearTimeout(this.#retry);
+    this.#become("connecting");
+    const socket = new WebSocket(this.#address, SUBPROTOCOL);
+    socket.binaryType = "arraybuffer";
+    const mine = (act) => (event) => socket === this.#socket && act(event);
+    socket.onopen = mine(() => socket.send(JSON.stringify(this.#hello)));
+    socket.onmessage = mine(({ data }) => this.#receive(data));
+    socket.onclose = mine(() => this.#lost());
+    this.#socket = socket;
+    this.#why = "";
+    this.#openedAt = Infinity;
+  }
+
+  #lost() {
+    if (performance.now() - this.#openedAt > STEADY_MS) this.#tries = 0;
+    this.#socket = null;
+    this.#unanswered = [];
+    this.#changes.splice(0).forEach((changes) => this.#merge(changes));
+    if (this.#why === "unauthorized" || this.#why === "hello") return this.#become("refused");
+    if (this.#why === "idle" && this.#waiting.length === 0) return this.#become("idle");
+    const wait = Math.min(LONGEST_WAIT_MS, FIRST_WAIT_MS * 2 ** this.#tries++) * (0.75 + 0.5 * Math.random());
+    this.#become("waiting");
+    this.#retry = setTimeout(() => this.#open(), wait);
+  }
+
+  #receive(data) {
+    if (data instanceof ArrayBuffer) {
+      for (const prediction of decode(data)) this.#predicted(prediction);
+      return;
+    }
+    const message = JSON.parse(data);
+    if (message.type === "prediction") return this.#predicted({ region: null, phase: null, remaining_s: null, ...message });
+    if (message.type === "welcome") this.#greeted(message);
+    if (message.type === "error") this.#refused(message);
+    if (this.#listeners.has(message.type)) this.#emit(message.type, message);
+  }
+
+  #predicted(prediction) {
+    const answered = this.#unanswered;
+    while (answered.length && answered[0].t < prediction.t) answered.shift();
+    if (answered.length && answered[0].t === prediction.t) this.delayMs = performance.now() - answered.shift().at;
+    this.#emit("prediction", prediction);
+  }
+
+  #greeted(message) {
+    this.welcome = message;
+    if (this.state === "open") return this.#merge(this.#changes.shift() ?? {});
+    this.#openedAt = performance.now();
+    this.#become("open");
+    this.#told = NO_TARGETS;
+    this.#sendTargets();
+    const waiting = this.#waiting.splice(0);
+    for (let first = 0, next; first < waiting.length; first = next) {
+      next = first + 1;
+      if (!Array.isArray(waiting[first])) {
+        this.#transmit(JSON.stringify(waiting[first]));
+        continue;
+      }
+      while (next < waiting.length && Array.isArray(waiting[next])) next++;
+      this.#sendRows(waiting.slice(first, next));
+    }
+  }
+
+  #refused({ code, path }) {
+    this.#why = code;
+    if (this.state === "connecting" && (code === "unknown_predictor" || code === "bad_field")) {
+      this.#why = "hello";
+      const socket = this.#socket;
+      this.#lost();
+      socket.close(1000);
+    } else if (code === "unknown_predictor" || /^\$\.(predictor|parameters|reply|precision)/.test(path ?? "")) {
+      this.#changes.shift(); // what was asked for does not hold
+    }
+  }
+
+  /** What a session opened again says at once. */
+  #merge({ predictor, parameters, reply }) {
+    const kept = predictor ? {} : this.#hello.parameters;
+    this.#hello = { ...this.#hello, predictor: predictor ?? this.#hello.predictor,
+      parameters: { ...kept, ...parameters }, reply: reply ?? this.#hello.reply };
+  }
+
+  #sendRows(rows) {
+    const limits = this.welcome.limits;
+    const parts = this.#hello.encoding === "binary" ? binaryFrames(rows, limits) : textFrames(rows, limits);
+    for (const { frame, last, count } of parts) {
+      this.#transmit(frame);
+      this.sent += count;
+      this.#unanswered.push({ t: last, at: performance.now() });
+      if (this.#unanswered.length > 4096) this.#unanswered.shift();
+    }
+  }
+
+  #tell(message) {
+    if (this.state === "open") this.#transmit(JSON.stringify(message));
+    else this.#keep([message]);
+  }
+
+  #transmit(frame) {
+    this.#saidAt = performance.now();
+    this.#socket.send(frame);
+  }
+
+  #keep(items) {
+    if (this.state === "closed") throw new Error("the connection is closed");
+    this.#waiting.push(...items);
+    const over = this.#waiting.splice(0, Math.max(0, this.#waiting.length - this.#options.queue));
+    this.dropped += over.filter(Array.isArray).length;
+    if (this.state === "idle") this.#open();
+  }
+
+  /** A page that is looked at keeps its session; a hidden one lets it go and opens another with the next event. */
+  #keepAlive() {
+    if (this.state !== "open" || document.hidden) return;
+    if (performance.now() - this.#saidAt < (1000 * this.welcome.limits.idle_s) / 3) return;
+    this.#sendTargets(true);
+  }
+
+  #listen(element) {
+    const settings = { signal: this.#stop.signal, capture: true, passive: true };
+    const moves = "onpointerrawupdate" in window ? "pointerrawupdate" : "pointermove";
+    for (const name of [moves, "pointerdown", "pointerup"]) element.addEventListener(name, (event) => this.#pointed(event), settings);
+    element.addEventListener("pointercancel", (event) => {
+      const [t, x, y] = this.#last; // a cancelled touch has no place: it ends where it was
+      if (event.isPrimary) this.send([[Math.max(t, event.timeStamp / 1000), x, y, null, null, 0]]);
+    }, settings);
+  }
+
+  #pointed(event) {
+    if (!event.isPrimary) return;
+    this.#offset = [event.screenX - event.clientX, event.screenY - event.clientY];
+    const whole = event.getCoalescedEvents?.() ?? [];
+    const onScreen = this.#options.coordinates === "screen";
+    const rows = (whole.length ? whole : [event]).map((one) => [one.timeStamp / 1000,
+      onScreen ? one.screenX : one.clientX, onScreen ? one.screenY : one.clientY, null, null, one.buttons]);
+    this.#last = rows[rows.length - 1];
+    this.send(rows);
+  }
+
+  #seen(entries) {
+    for (const { target, isIntersecting } of entries) {
+      const known = this.#observed.get(target);
+      if (known) known.inView = isIntersecting;
+    }
+    this.#look();
+  }
+
+  /** Looks at the observed elements before the next frame is drawn, once; hidden pages draw none. */
+  #look() {
+    if (this.#frame || this.state === "closed") return;
+    this.#frame = true;
+    const act = () => {
+      this.#frame = false;
+      this.#sendTargets();
+      if (this.#observed.size && performance.now() < this.#activeUntil) this.#look();
+    };
+    if (document.hidden) setTimeout(act, 0);
+    else requestAnimationFrame(act);
+  }
+
+  #place(element) {
+    const [right, down] = this.#options.coordinates === "screen" ? this.#offset : [0, 0];
+    const { x, y, width, height } = element.getBoundingClientRect();
+    return { x: x + right, y: y + down, width, height };
+  }
+
+  #goal(element) {
+    const { x, y, width, height } = this.#place(element);
+    return { x: x + width / 2, y: y + height / 2, width: Math.min(width, height) };
+  }
+
+  #sendTargets(always = false) {
+    if (this.state !== "open") return;
+    const targets = [...this.#given];
+    for (const [element, { id, inView }] of this.#observed) {
+      const place = inView ? this.#place(element) : { width: 0, height: 0 };
+      if (place.width > 0 && place.height > 0) targets.push({ id, ...place });
+    }
+    const most = this.welcome.limits.max_targets;
+    const over = targets.splice(most).length;
+    const text = JSON.stringify({ type: "targets", targets });
+    if (text === this.#told && !always) return;
+    this.#told = text;
+    this.#transmit(text);
+    const message = `${over} targets beyond ${most} were left out`;
+    if (over) this.#emit("error", { type: "error", code: "too_many", message, path: "$.targets", recoverable: true });
+  }
+
+  #become(state) {
+    if (state === this.state) return;
+    this.state = state;
+    this.#emit("state", state);
+  }
+
+  #emit(name, message) {
+    for (const listener of this.#listeners.get(name)) {
+      try {
+        listener(message);
+      } catch (error) {
+        reportError(error); // one listener's mistake is shown, and is not another's
+      }
+    }
+  }
+}
+
+let numbered = 0;
+
+/** The stream's address: `http` becomes `ws`, a bare address gets the usual path. */
+function address(url, token) {
+  const found = new URL(url ?? "/v1/stream", url === undefined ? import.meta.url : document.baseURI);
+  found.protocol = found.protocol.replace("http", "ws");
+  if (found.pathname === "/") found.pathname = "/v1/stream";
+  if (token) found.searchParams.set("token", token);
+  return found.href;
+}
+
+/** @param {EventRow|EventRecord} event @returns {EventRow} */
+function row(event) {
+  const [t, x, y, dx = null, dy = null, buttons = 0] = Array.isArray(event) ? event
+    : [event.t, event.x, event.y, event.dx, event.dy, event.buttons];
+  if (![t, x, y].every(Number.isFinite)) throw new RangeError(`t, x and y must be finite, received ${[t, x, y]}`);
+  for (const count of [dx, dy])
+    if (count !== null && !(Number.isInteger(count) && Math.abs(count) < -NO_COUNTS))
+      throw new RangeError(`counts must be whole numbers within 32767, received ${count}`);
+  return [t, x, y, dx, dy, buttons];
+}
+
+function* binaryFrames(rows, { max_events_per_frame: most, max_frame_bytes: bytes }) {
+  const room = Math.max(1, Math.min(most, Math.floor(bytes / EVENT_BYTES)));
+  for (let first = 0; first < rows.length; first += room) {
+    const part = rows.slice(first, first + room);
+    const view = new DataView(new ArrayBuffer(EVENT_BYTES * part.length));
+    part.forEach(([t, x, y, dx, dy, buttons], i) => {
+      const at = EVENT_BYTES * i;
+      [t, x, y].forEach((value, k) => view.setFloat64(at + 8 * k, value, true));
+      view.setInt16(at + 24, dx === null || dy === null ? NO_COUNTS : dx, true);
+      view.setInt16(at + 26, dx === null || dy === null ? NO_COUNTS : dy, true);
+      view.setUint16(at + 28, buttons, true);
+    });
+    yield { frame: view.buffer, last: part[part.length - 1][0], count: part.length };
+  }
+}
+
+function* textFrames(rows, { max_events_per_frame: most, max_frame_bytes: bytes }) {
+  const [head, tail] = ['{"type":"events","events":[', "]}"];
+  let part = [], size = head.length + tail.length, last = 0;
+  for (const one of rows) {
+    const text = JSON.stringify(one);
+    if (part.length && (part.length === most || size + text.length + 1 > bytes)) {
+      yield { frame: head + part.join(",") + tail, last, count: part.length };
+      [part, size] = [[], head.length + tail.length];
+    }
+    part.push(text);
+    size += text.length + 1;
+    last = one[0];
+  }
+  yield { frame: head + part.join(",") + tail, last, count: part.length };
+}
+
+/** Packed predictions as the objects that JSON would have given. @returns {Generator<Prediction>} */
+function* decode(buffer) {
+  const view = new DataView(buffer);
+  for (let at = 0; at + PREDICTION_BYTES <= buffer.byteLength; at += PREDICTION_BYTES) {
+    const [t, x, y, sxx, sxy, syy, remaining] = Array.from({ length: 7 }, (_, k) => view.getFloat64(at + 8 * k, true));
+    const there = !Number.isNaN(x);
+    yield { type: "prediction", t, x: there ? x : null, y: there ? y : null,
+      region: Number.isNaN(sxx) ? null : { sxx, sxy, syy },
+      phase: there ? PHASES[view.getUint8(at + 56)] : null,
+      remaining_s: Number.isNaN(remaining) ? null : remaining };
+  }
+}
