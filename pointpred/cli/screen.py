@@ -24,6 +24,15 @@ def remarks() -> Console:
     return Console(stderr=True, highlight=False, soft_wrap=True)
 
 
+def counted(number: int, noun: str) -> str:
+    """A number with its noun.
+
+    >>> counted(1, "trial"), counted(2, "trial")
+    ('1 trial', '2 trials')
+    """
+    return f"{number} {noun}" + "s" * (number != 1)
+
+
 def write_json(value: object, target: Path) -> None:
     """Write JSON to a file, or to stdout for ``-``."""
     text = msgspec.json.format(msgspec.json.encode(value), indent=2).decode()

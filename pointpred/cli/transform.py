@@ -8,10 +8,11 @@ from typing import Annotated
 import typer
 
 from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Unit, reading
-from pointpred.cli.screen import check_target, remarks
+from pointpred.cli.screen import check_target, counted, remarks
 from pointpred.errors import RecordingError
 
 Out = Annotated[Path, typer.Option(metavar="FILE", help="Samples file to write: .parquet or .csv.")]
+Force = Annotated[bool, typer.Option("--force", help="Replace files that exist.")]
 
 
 def simulate(
@@ -19,6 +20,7 @@ def simulate(
     people: Annotated[int, typer.Option(help="How many people, from novices to experts.")] = 10,
     seed: Annotated[int, typer.Option(help="The same seed gives the same bytes.")] = 0,
     trials: Annotated[int, typer.Option(help="Movements in each circle, at most 12.")] = 12,
+    force: Force = False,
 ) -> None:
     """Write a recording of simulated people pointing at targets on a circle.
 
@@ -29,11 +31,11 @@ def simulate(
 
       pointpred simulate
 
-      pointpred simulate --people 20 --seed 7 --out study_samples.csv
+      pointpred simulate --people 20 --seed 7 --out simulated_20_samples.csv
 
-      pointpred simulate --out a_samples.parquet && pointpred score a_samples.parquet
+      pointpred simulate --force && pointpred score simulated_samples.parquet
     """
-    check_target(out)
+    _check(out, force)
     from pointpred.simulation import people as persons
     from pointpred.simulation import simulate_circle
     from pointpred.sources import write
@@ -42,12 +44,14 @@ def simulate(
     recording = simulate_circle(persons(people, seed), seed=seed, trials=trials, name=name)
     for file in write(recording, out):
         typer.echo(file)
-    remarks().print(f"{len(recording.trials)} trials, {len(recording.events)} events, simulated")
+    trials_done, events = counted(len(recording.trials), "trial"), counted(len(recording.events), "event")
+    remarks().print(f"{trials_done}, {events}, simulated")
 
 
 def convert(
     source: Annotated[Path, typer.Argument(exists=True, help="A file of any known format, or a folder.")],
     out: Out,
+    force: Force = False,
     cut: Cut = None,
     pause_s: PauseS = None,
     unit: Unit = None,
@@ -66,19 +70,30 @@ def convert(
 
       pointpred convert mouse.evemu --cut bursts --cpi 1600 --out mouse_samples.parquet
 
-      pointpred convert psychopy_data.csv --unit height --screen 1920x1080 --out study_samples.csv
+      pointpred convert psychopy_data.csv --unit height --screen 1920x1080 --out psychopy_samples.csv
     """
-    check_target(out)
+    _check(out, force or source.is_dir())
     from pointpred.sources import convert as run
 
-    told = run(source, out, reading(cut, pause_s, unit, screen, cpi, dpi))
+    told = run(source, out, reading(cut, pause_s, unit, screen, cpi, dpi), replace=force)
     for file in told.files:
         typer.echo(file)
     screen_out = remarks()
-    screen_out.print(f"kept {told.trials} trials of {told.users} users, {told.rows} rows")
+    screen_out.print(
+        f"kept {counted(told.trials, 'trial')} of {counted(told.users, 'user')}, {counted(told.rows, 'row')}"
+    )
     for reason, count in told.skipped.items():
         screen_out.print(f"skipped {count}: {reason}", markup=False)
     for note in told.notes:
         screen_out.print(note, markup=False)
     if not told.trials:
         raise RecordingError(f"{source}: no trial could be read; the reasons stand above")
+
+
+def _check(out: Path, force: bool) -> None:
+    """Raise ParameterError before any work where the result could not be written, or not without --force."""
+    check_target(out)
+    from pointpred.sources import recordings
+
+    if not force:
+        recordings.check_free(out)

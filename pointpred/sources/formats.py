@@ -26,18 +26,24 @@ from pointpred.sources import (
     tables,
 )
 from pointpred.sources.joining import join
-from pointpred.sources.reading import AS_IS, Reading
+from pointpred.sources.reading import AS_IS, BYTE_ORDER, Reading
 
 HEAD_BYTES = 1 << 16
+MOST_MISSING = 2
+"""A file with all but so many of the needed columns was probably meant to be pointpred's own."""
 
 
 class Format(msgspec.Struct, frozen=True):
-    """A recording format: its key, what people call it, how it is recognised and read."""
+    """A recording format: its key, what people call it, how it is recognised and read.
+
+    ``streams``: it has no trials of its own, so that ``Reading.cut`` says how they are cut.
+    """
 
     key: str
     title: str
     recognises: Callable[[bytes], bool]
     read: Callable[[Path, Reading], Recording]
+    streams: bool = False
 
 
 def _is_own(head: bytes) -> bool:
@@ -51,17 +57,17 @@ def _is_own(head: bytes) -> bool:
 FORMATS: tuple[Format, ...] = (
     Format("own", "pointpred Parquet or CSV", _is_own, lambda path, _: recordings.read(path)),
     Format("gofitts", gofitts.TITLE, gofitts.recognises, gofitts.read),
-    Format("balabit", balabit.TITLE, balabit.recognises, balabit.read),
+    Format("balabit", balabit.TITLE, balabit.recognises, balabit.read, streams=True),
     Format(
         "pointing-dynamics", pointing_dynamics.TITLE, pointing_dynamics.recognises, pointing_dynamics.read
     ),
     Format("mousetrap", mousetrap.TITLE, mousetrap.recognises, mousetrap.read),
     Format("psychopy", psychopy.TITLE, psychopy.recognises, psychopy.read),
     Format("jspsych", jspsych.TITLE, jspsych.recognises, jspsych.read),
-    Format("libinput", libinput.TITLE, libinput.recognises, libinput.read),
-    Format("evtest", evtest.TITLE, evtest.recognises, evtest.read),
-    Format("hid-recorder", hid_recorder.TITLE, hid_recorder.recognises, hid_recorder.read),
-    Format("evemu", evemu.TITLE, evemu.recognises, evemu.read),
+    Format("libinput", libinput.TITLE, libinput.recognises, libinput.read, streams=True),
+    Format("evtest", evtest.TITLE, evtest.recognises, evtest.read, streams=True),
+    Format("hid-recorder", hid_recorder.TITLE, hid_recorder.recognises, hid_recorder.read, streams=True),
+    Format("evemu", evemu.TITLE, evemu.recognises, evemu.read, streams=True),
 )
 """In the order in which they are tried: the strictest first."""
 
@@ -79,14 +85,33 @@ class Summary(msgspec.Struct, frozen=True):
 
 def format_of(path: Path) -> Format | None:
     """The format of a file by its first 64 KiB, whatever its name; ``None`` where none fits."""
+    head = _head(path)
+    return next((form for form in FORMATS if form.recognises(head)), None)
+
+
+def _head(path: Path) -> bytes:
+    """The first 64 KiB, without a byte-order mark."""
     try:
         with path.open("rb") as file:
-            head = file.read(HEAD_BYTES)
+            head = file.read(HEAD_BYTES).removeprefix(BYTE_ORDER)
     except OSError as error:
         raise RecordingError(f"{path}: cannot be read: {error.strerror}") from error
     if not head:
         raise RecordingError(f"{path}: the file is empty, expected a recording")
-    return next((form for form in FORMATS if form.recognises(head)), None)
+    return head
+
+
+def _nearly_own(head: bytes) -> str:
+    """What keeps a file of no known format from being pointpred's own CSV; empty where it is far from it."""
+    line = head.split(b"\n", 1)[0].decode("utf-8", "replace")
+    for mark in (",", ";", "\t"):
+        names = [name.strip(' "\r') for name in line.split(mark)]
+        missing = [name for name in recordings.REQUIRED if name not in names]
+        if mark != "," and len(missing) <= MOST_MISSING:
+            return f"looks like pointpred CSV with {mark!r} between cells, expected ','"
+        if len(missing) <= MOST_MISSING:
+            return f"no column {missing[0]!r}; found {', '.join(names)}"
+    return ""
 
 
 def read_any(path: str | Path, reading: Reading = AS_IS) -> list[Recording]:
@@ -102,18 +127,22 @@ def read_any(path: str | Path, reading: Reading = AS_IS) -> list[Recording]:
     return _folder(path, reading) if path.is_dir() else [_file(path, reading)]
 
 
-def convert(path_in: str | Path, path_out: str | Path, reading: Reading = AS_IS) -> Summary:
+def convert(
+    path_in: str | Path, path_out: str | Path, reading: Reading = AS_IS, *, replace: bool = True
+) -> Summary:
     """Convert a recording of any format, or a folder of one, to pointpred's own Parquet or CSV.
 
     ``path_out`` ends in ``.parquet`` or ``.csv``; where the input holds several recordings, each goes to a
     file of that name with its own name put in front. Returns what was kept and skipped; raises
-    RecordingError.
+    RecordingError, and ParameterError where a file would be replaced without ``replace``.
     """
     out = Path(path_out)
     found = read_any(path_in, reading)
+    names = [out.name if len(found) == 1 else f"{recording.name}_{out.name}" for recording in found]
+    for name in () if replace else names:
+        recordings.check_free(out.with_name(name))
     files: list[str] = []
-    for recording in found:
-        name = out.name if len(found) == 1 else f"{recording.name}_{out.name}"
+    for recording, name in zip(found, names, strict=True):
         files += [str(file) for file in recordings.write(recording, out.with_name(name))]
     return Summary(
         tuple(files),
@@ -129,9 +158,21 @@ def _file(path: Path, reading: Reading) -> Recording:
     """The recording in one file."""
     form = format_of(path)
     if form is None:
+        near = _nearly_own(_head(path))
         tried = ", ".join(form.title for form in FORMATS)
-        raise RecordingError(f"{path}: no known recording format; tried {tried}")
-    return form.read(path, reading)
+        raise RecordingError(
+            f"{path}: {near}" if near else f"{path}: no known recording format; tried {tried}"
+        )
+    return _read(form, path, reading)
+
+
+def _read(form: Format, path: Path, reading: Reading) -> Recording:
+    """One file; a way of cutting that its format has no use for is named in a note."""
+    recording = form.read(path, reading)
+    if reading.cut is None or form.streams:
+        return recording
+    note = f"cut {reading.cut!r} has no effect: {form.title} has trials of its own"
+    return msgspec.structs.replace(recording, notes=(*recording.notes, note))
 
 
 def _folder(path: Path, reading: Reading) -> list[Recording]:
@@ -148,11 +189,12 @@ def _folder(path: Path, reading: Reading) -> list[Recording]:
         try:
             form = format_of(file)
             if form is None:
-                notes.append(f"{label} fits no recording format")
+                near = _nearly_own(_head(file))
+                notes.append(f"{label} fits no recording format" + (f": {near}" if near else ""))
             elif form.key == "own":
-                own.append(form.read(file, reading))
+                own.append(_read(form, file, reading))
             else:
-                foreign.setdefault(form.key, []).append((file, form.read(file, reading)))
+                foreign.setdefault(form.key, []).append((file, _read(form, file, reading)))
         except RecordingError as error:
             skipped.append(Skip(label, str(error)))
     found = _distinct(own + [_joined(parts) for parts in foreign.values()])

@@ -12,6 +12,8 @@ from pointpred.errors import ParameterError, RecordingError
 Cut = Literal["clicks", "bursts", "whole"]
 Unit = Literal["pix", "height", "norm", "cm", "m"]
 MOST_BYTES = 1 << 31
+BYTE_ORDER = b"\xef\xbb\xbf"
+"""What Excel puts before a file it calls "CSV UTF-8"."""
 
 
 class Reading(msgspec.Struct, frozen=True, kw_only=True):
@@ -73,6 +75,11 @@ def read_text(path: Path) -> str:
     if not text.strip():
         raise RecordingError(f"{path}: the file is empty, expected a recording")
     return text
+
+
+def row_name(row: int) -> str:
+    """How messages name a row: the header and the line above it are not counted."""
+    return f"data row {row} (counted from 0)"
 
 
 def user_of(path: Path) -> str:

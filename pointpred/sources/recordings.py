@@ -10,10 +10,11 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.compute as pc
 
-from pointpred.errors import RecordingError
+from pointpred.errors import ParameterError, RecordingError
 from pointpred.recording import Provenance, Recording, Skip
 from pointpred.sources import tables
 from pointpred.sources.assembly import IntArray, assemble
+from pointpred.sources.reading import row_name
 from pointpred.sources.trial_tables import describe, trial_table
 
 REQUIRED = ("user", "trial", "t_s", "x_px", "y_px")
@@ -21,6 +22,8 @@ VALUES = ("t_s", "x_px", "y_px", "dx_counts", "dy_counts", "buttons")
 KNOWN = ("dataset", *REQUIRED, "dx_counts", "dy_counts", "buttons", "t_raw_s")
 SAMPLES, TRIALS = "_samples", "_trials"
 EXTENSIONS = (".parquet", ".csv")
+SLOW_S = 1.0
+"""A longer median interval between samples is no pointing device's: a note asks about the unit of time."""
 
 
 def read(path: str | Path, trials: str | Path | None = None) -> Recording:
@@ -54,7 +57,7 @@ def read(path: str | Path, trials: str | Path | None = None) -> Recording:
     notes = ["column t_raw_s is left aside"] if "t_raw_s" in names else []
     described = describe(_sibling(path) if trials is None else Path(trials), name, keys, np.bincount(group))
     provenance, before = _provenance(path, header)
-    return assemble(
+    recording = assemble(
         name,
         events,
         group,
@@ -65,6 +68,8 @@ def read(path: str | Path, trials: str | Path | None = None) -> Recording:
         provenance=provenance,
         notes=(*header.get("notes", ()), *notes, *described.notes),
     )
+    slow = [] if "provenance" in header else _too_slow(recording)
+    return msgspec.structs.replace(recording, notes=(*recording.notes, *slow))
 
 
 def write(recording: Recording, path: str | Path) -> tuple[Path, Path]:
@@ -75,13 +80,7 @@ def write(recording: Recording, path: str | Path) -> tuple[Path, Path]:
     Returns both paths; raises RecordingError when the extension is neither, two trials share user and name,
     or a condition is words in one trial and a number in another.
     """
-    path = Path(path)
-    if path.suffix not in EXTENSIONS:
-        raise RecordingError(
-            f"{path}: cannot write {path.suffix or 'no extension'}, expected .parquet or .csv"
-        )
-    if not path.stem.endswith(SAMPLES):
-        path = path.with_name(f"{path.stem}{SAMPLES}{path.suffix}")
+    path, beside = files_of(path)
     sizes = np.diff(recording.offsets)
     about, header = trial_table(recording, sizes)
     index = pa.array(np.repeat(np.arange(len(sizes), dtype=np.int32), sizes))
@@ -97,10 +96,43 @@ def write(recording: Recording, path: str | Path) -> tuple[Path, Path]:
         "skipped": [[skip.trial, skip.reason, skip.row, skip.user] for skip in recording.skipped],
         "notes": list(recording.notes),
     }
-    beside = path.with_name(path.name.replace(SAMPLES, TRIALS))
     tables.write_table(path, pa.table(columns), header)
     tables.write_table(beside, about, {key: header[key] for key in ("name", "text")})
     return path, beside
+
+
+def _too_slow(recording: Recording) -> list[str]:
+    """A note where the clock, of which nobody said anything, can hardly be in seconds."""
+    inside = ~recording.events.begin[1:]
+    intervals = np.diff(recording.events.t)[inside]
+    middle = float(np.median(intervals)) if len(intervals) else 0.0
+    if middle <= SLOW_S:
+        return []
+    return [f"the median interval is {middle:g} s; t_s is in seconds: are these milliseconds?"]
+
+
+def files_of(path: str | Path) -> tuple[Path, Path]:
+    """The samples file and the trials file that ``write`` makes of ``path``; raises RecordingError.
+
+    >>> [file.name for file in files_of("study.csv")]
+    ['study_samples.csv', 'study_trials.csv']
+    """
+    path = Path(path)
+    if path.suffix not in EXTENSIONS:
+        raise RecordingError(
+            f"{path}: cannot write {path.suffix or 'no extension'}, expected .parquet or .csv"
+        )
+    stem = path.stem.removesuffix(SAMPLES)
+    return path.with_name(f"{stem}{SAMPLES}{path.suffix}"), path.with_name(f"{stem}{TRIALS}{path.suffix}")
+
+
+def check_free(path: str | Path) -> None:
+    """Raise ParameterError where ``write`` to ``path`` would replace a file."""
+    files = files_of(path)
+    taken = [file for file in files if file.exists()]
+    if taken:
+        other = files[1] if taken[0] == files[0] else files[0]
+        raise ParameterError(f"{taken[0]} exists; pass --force to replace it and {other.name}")
 
 
 def _sibling(path: Path) -> Path | None:
@@ -119,7 +151,7 @@ def _dataset(path: Path, table: Any) -> str:
     if len(found) > 1 or found[0] is None:
         row = column.to_pylist().index(found[min(1, len(found) - 1)])
         raise RecordingError(
-            f"{path}: row {row} belongs to data set {column[row].as_py()!r}, "
+            f"{path}: {row_name(row)} belongs to data set {column[row].as_py()!r}, "
             f"expected {found[0]!r} in every row"
         )
     return str(found[0])
@@ -132,7 +164,7 @@ def _keys(path: Path, table: Any) -> tuple[IntArray, list[tuple[str, str]]]:
         column = tables.words(table[name])
         if column.null_count:
             row = pc.index(pc.is_null(column), True).as_py()
-            raise RecordingError(f"{path}: row {row} has no {name}, expected one in every row")
+            raise RecordingError(f"{path}: {row_name(row)} has no {name}, expected one in every row")
         encoded = column.combine_chunks().dictionary_encode()
         codes.append(tables.as_array(encoded.indices).astype(np.int64))
         values.append(encoded.dictionary.to_pylist())

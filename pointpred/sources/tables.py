@@ -17,6 +17,7 @@ import pyarrow.parquet as pq
 
 from pointpred.columns import FloatArray
 from pointpred.errors import RecordingError
+from pointpred.sources.reading import BYTE_ORDER, row_name
 
 MARK = b"# pointpred:"
 PARQUET_MAGIC = b"PAR1"
@@ -72,7 +73,7 @@ def read_table(path: Path, text: Callable[[str], bool]) -> tuple[Any, dict[str, 
             raise RecordingError(f"{path}: column {name!r} holds {kind}, expected words or numbers")
     if header.get("rows", table.num_rows) != table.num_rows:
         raise RecordingError(
-            f"{path}: truncated after row {table.num_rows - 1}, expected {header['rows']} rows"
+            f"{path}: truncated, it holds {table.num_rows} rows, expected {header['rows']} rows"
         )
     return table, header
 
@@ -88,7 +89,7 @@ def read_parquet(path: Path) -> tuple[Any, dict[str, Any]]:
 def read_csv(path: Path, text: Callable[[str], bool]) -> tuple[Any, dict[str, Any]]:
     """The table in a CSV file and the header in its first line, if there is one."""
     with path.open("rb") as file:
-        first = file.readline(1 << 26)
+        first = file.readline(1 << 26).removeprefix(BYTE_ORDER)
         marked = first.startswith(MARK)
         columns = file.readline(1 << 26) if marked else first
         file.seek(-1, 2)
@@ -96,7 +97,7 @@ def read_csv(path: Path, text: Callable[[str], bool]) -> tuple[Any, dict[str, An
     header = parse_header(path, {KEY: first[len(MARK) :]}) if marked else {}
     if marked and not complete:
         raise RecordingError(f"{path}: truncated, the last row does not end with a line break")
-    names = next(csv.reader(columns.decode("utf-8-sig").splitlines()[:1]), [])
+    names = next(csv.reader(columns.decode().splitlines()[:1]), [])
     words = {name: pa.string() for name in names if text(name)}
     numeric = {name: pa.float64() for name in names if name not in words}
     try:
@@ -136,7 +137,7 @@ def parse_csv(path: Path, skip: int, types: dict[str, Any]) -> Any:
             raise
         row, expected, cells = (int(number) for number in found.groups())
         raise RecordingError(
-            f"{path}: row {row - 2 - skip}: {cells} cells, expected {expected}; cut or mixed up?"
+            f"{path}: {row_name(row - 2 - skip)}: {cells} cells, expected {expected}; cut or mixed up?"
         ) from error
 
 

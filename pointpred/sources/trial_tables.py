@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -14,11 +15,14 @@ from pointpred.errors import RecordingError
 from pointpred.recording import Recording, Skip, Trial
 from pointpred.sources import tables
 from pointpred.sources.assembly import IntArray
+from pointpred.sources.reading import row_name
 
 TARGET = ("target_x", "target_y", "target_w")
 OWN = ("dataset", "user", "trial", *TARGET, "n_samples", "clean")
 KEYS = ("dataset", "user", "trial")
 YES, NO = "true", "false"
+NEAR = 0.75
+"""Likeness, as difflib measures it, from which on a condition may be a misspelt column of ours."""
 
 
 class Described(msgspec.Struct):
@@ -53,6 +57,7 @@ def describe(path: Path | None, name: str, keys: Sequence[tuple[str, str]], size
         rows.setdefault(key, row)
     result = Described([], [], {}, [])
     conditions = [column for column in columns if column not in OWN]
+    result.notes += _misnamed(columns, conditions)
     for index, key in enumerate(keys):
         if key not in rows:
             result.trials.append(Trial(*key))
@@ -65,6 +70,18 @@ def describe(path: Path | None, name: str, keys: Sequence[tuple[str, str]], size
             result.unfit[index] = reason
     result.without_samples = [Skip(trial, "no samples", user=user) for user, trial in rows]
     return result
+
+
+def _misnamed(columns: dict[str, list[Any]], conditions: Sequence[str]) -> list[str]:
+    """A note for each of our columns that is missing while a condition has nearly its name."""
+    lower = {condition.lower(): condition for condition in conditions}
+    notes = []
+    for own in (*TARGET, "clean"):
+        near = difflib.get_close_matches(own, lower, 1, NEAR) if own not in columns else []
+        if near and difflib.get_close_matches(near[0], OWN, 1) == [own]:
+            what = "targets are" if own in TARGET else "clean is"
+            notes.append(f"{what} unknown: no column {own}; did {lower[near[0]]!r} mean it?")
+    return notes
 
 
 def trial_table(recording: Recording, sizes: IntArray) -> tuple[Any, dict[str, Any]]:
@@ -115,7 +132,7 @@ def _columns(path: Path, table: Any, text: list[str] | None) -> tuple[dict[str, 
         if name in KEYS:
             columns[name] = tables.words(column).to_pylist()
             if None in columns[name]:
-                raise RecordingError(f"{path}: row {columns[name].index(None)} has no {name}")
+                raise RecordingError(f"{path}: {row_name(columns[name].index(None))} has no {name}")
             continue
         if name == "clean" and not typed:
             column, wrong = _flags(column)

@@ -66,12 +66,18 @@ def test_equal_times_and_a_first_time_of_zero_are_normal(tmp_path: Path) -> None
         ("user,trial,t_s,x_px\nu,1,0,0\n", "column 'y_px' is missing, found user, trial, t_s, x_px"),
         ("user,trial,t_s,x_px,y_px,pressure\nu,1,0,0,0,1\n", "unknown column 'pressure', expected only"),
         ("user,trial,t_s,x_px,y_px,t_s\nu,1,0,0,0,1\n", "column 't_s' occurs twice"),
-        (HEADER + GOOD + "u,1,0.5,7\n", "row 2: 4 cells, expected 5"),
-        (HEADER + GOOD + "u,1,0.5,7,8,9\n", "row 2: 6 cells, expected 5"),
-        ("dataset," + HEADER + "a,u,1,0,0,0\nb,u,1,1,0,0\n", "row 1 belongs to data set 'b', expected 'a'"),
+        (HEADER + GOOD + "u,1,0.5,7\n", r"data row 2 \(counted from 0\): 4 cells, expected 5"),
+        (HEADER + GOOD + "u,1,0.5,7,8,9\n", r"data row 2 \(counted from 0\): 6 cells, expected 5"),
+        (
+            "dataset," + HEADER + "a,u,1,0,0,0\nb,u,1,1,0,0\n",
+            r"data row 1 \(counted from 0\) belongs to data set 'b', expected 'a'",
+        ),
         ("# pointpred:{oops\n" + HEADER + GOOD, "header is not JSON"),
         ('# pointpred:{"version":7}\n' + HEADER + GOOD, "header version 7, expected 1"),
-        ('# pointpred:{"version":1,"rows":3}\n' + HEADER + GOOD, "truncated after row 1, expected 3 rows"),
+        (
+            '# pointpred:{"version":1,"rows":3}\n' + HEADER + GOOD,
+            "truncated, it holds 2 rows, expected 3 rows",
+        ),
         ('# pointpred:{"version":1}\n' + HEADER + GOOD[:-1], "last row does not end with a line break"),
         ('# pointpred:{"version":1,"provenance":{"dpi":"x"}}\n' + HEADER + GOOD, "not as expected"),
     ],
@@ -123,7 +129,7 @@ def test_parquet_without_a_user_names_the_row(tmp_path: Path) -> None:
         {"user": ["u", None], "trial": [1, 1], "t_s": [0.0, 1.0], "x_px": [0, 1], "y_px": [0, 0]}
     )
     pq.write_table(table, tmp_path / "gap_samples.parquet")
-    with pytest.raises(RecordingError, match="row 1 has no user"):
+    with pytest.raises(RecordingError, match=r"data row 1 \(counted from 0\) has no user"):
         read(tmp_path / "gap_samples.parquet")
 
 
