@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
-from pointpred.differentiators import sampling
+from pointpred.differentiators import constant_acceleration, sampling
 from pointpred.differentiators.differentiator import REFUSED_ROW, Differentiator
 from pointpred.stage import Parameter, check
 
@@ -18,52 +18,6 @@ AT = NOISE + 1  # sampling state
 X = AT + sampling.STATES  # position, velocity, acceleration of x, then of y
 COVARIANCE = X + 6  # p00 p01 p02 p11 p12 p22, the same for both axes
 STATES = sampling.STATES + 12
-
-
-@law
-def spread(memory: FloatArray, dt: float) -> None:
-    """Covariance after ``dt`` s: P <- F P F' + Q, Q that of white jerk integrated exactly."""
-    p = memory[COVARIANCE : COVARIANCE + 6]
-    p00, p01, p02, p11, p12, p22 = p[0], p[1], p[2], p[3], p[4], p[5]
-    half = 0.5 * dt * dt
-    q = memory[JERK_DENSITY] * dt
-    # F P, row by row, then times F'.
-    f01, f02 = p01 + dt * p11 + half * p12, p02 + dt * p12 + half * p22
-    f00 = p00 + dt * p01 + half * p02
-    g11, g12 = p11 + dt * p12, p12 + dt * p22
-    p[0] = f00 + dt * f01 + half * f02 + q * dt**4 / 20.0
-    p[1] = f01 + dt * f02 + q * dt**3 / 8.0
-    p[2] = f02 + q * dt * dt / 6.0
-    p[3] = g11 + dt * g12 + q * dt * dt / 3.0
-    p[4] = g12 + q * dt / 2.0
-    p[5] = p22 + q
-
-
-@law
-def correct(memory: FloatArray, u: float, v: float) -> None:
-    """Both axes and the covariance after measuring the positions ``u`` and ``v``."""
-    p = memory[COVARIANCE : COVARIANCE + 6]
-    noise = memory[NOISE]
-    total = p[0] + noise
-    k0, k1, k2 = p[0] / total, p[1] / total, p[2] / total
-    for axis in range(2):
-        x = X + 3 * axis
-        innovation = (v if axis else u) - memory[x]
-        memory[x] += k0 * innovation
-        memory[x + 1] += k1 * innovation
-        memory[x + 2] += k2 * innovation
-    # Rounding must not make a variance negative, whatever the parameters.
-    p[3] = max(p[3] - k1 * p[1], 0.0)
-    p[4] -= k1 * p[2]
-    p[5] = max(p[5] - k2 * p[2], 0.0)
-    p[0], p[1], p[2] = k0 * noise, k1 * noise, k2 * noise
-
-
-@law
-def predict(memory: FloatArray, x: int, dt: float) -> None:
-    """One axis after ``dt`` s of constant acceleration."""
-    memory[x] += dt * (memory[x + 1] + 0.5 * dt * memory[x + 2])
-    memory[x + 1] += dt * memory[x + 2]
 
 
 @law
@@ -89,10 +43,12 @@ def step(
         memory[COVARIANCE + 3] = START_SPEED_M_S**2
         memory[COVARIANCE + 5] = START_ACCELERATION_M_S2**2
     elif verdict == sampling.MOVED:
-        predict(memory, X, dt)
-        predict(memory, X + 3, dt)
-        spread(memory, dt)
-        correct(memory, memory[AT + sampling.U], memory[AT + sampling.V])
+        constant_acceleration.predict(memory, X, dt)
+        constant_acceleration.predict(memory, X + 3, dt)
+        constant_acceleration.spread(memory, COVARIANCE, memory[JERK_DENSITY], dt)
+        constant_acceleration.correct(memory, X, COVARIANCE, memory[NOISE], memory[AT + sampling.U])
+        constant_acceleration.correct(memory, X + 3, COVARIANCE, memory[NOISE], memory[AT + sampling.V])
+        constant_acceleration.narrow(memory, COVARIANCE, memory[NOISE])
     return (
         t,
         x,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
+from pointpred.differentiators import constant_acceleration
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import NONE, REFUSED, Predictor
 from pointpred.stage import Parameter, check
@@ -47,27 +48,13 @@ def corrected(memory: FloatArray, mean: int, measured: float) -> tuple[float, fl
 @law
 def expect(memory: FloatArray, dt: float, x: float, y: float) -> None:
     """Take the last position (x, y) in and expect the state ``dt`` later."""
+    noise = memory[NOISE_PX] ** 2
     for axis in range(2):
         mean = MEAN_Y if axis else MEAN_X
-        p, v, a = corrected(memory, mean, y if axis else x)
-        memory[mean] = p + dt * (v + 0.5 * dt * a)
-        memory[mean + 1] = v + dt * a
-        memory[mean + 2] = a
-    noise = memory[NOISE_PX] ** 2
-    pp, pv, pa = memory[SPREAD], memory[SPREAD + 1], memory[SPREAD + 2]
-    vv, va, aa = memory[SPREAD + 3], memory[SPREAD + 4], memory[SPREAD + 5]
-    total = pp + noise
-    vv, va, aa = vv - pv * pv / total, va - pv * pa / total, aa - pa * pa / total
-    pp, pv, pa = pp * noise / total, pv * noise / total, pa * noise / total
-    h, q = 0.5 * dt * dt, memory[JERK_DENSITY] * dt
-    # F P F' with F = [[1, dt, h], [0, 1, dt], [0, 0, 1]], then a white jerk of density q / dt.
-    fp, fv, fa = pp + dt * pv + h * pa, pv + dt * vv + h * va, pa + dt * va + h * aa
-    memory[SPREAD] = fp + dt * fv + h * fa + q * dt**4 / 20.0
-    memory[SPREAD + 1] = fv + dt * fa + q * dt**3 / 8.0
-    memory[SPREAD + 2] = fa + q * dt**2 / 6.0
-    memory[SPREAD + 3] = vv + dt * va + dt * (va + dt * aa) + q * dt**2 / 3.0
-    memory[SPREAD + 4] = va + dt * aa + q * dt / 2.0
-    memory[SPREAD + 5] = aa + q
+        constant_acceleration.correct(memory, mean, SPREAD, noise, y if axis else x)
+        constant_acceleration.predict(memory, mean, dt)
+    constant_acceleration.narrow(memory, SPREAD, noise)
+    constant_acceleration.spread(memory, SPREAD, memory[JERK_DENSITY], dt)
 
 
 @law

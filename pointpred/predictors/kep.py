@@ -7,39 +7,56 @@ from math import hypot
 from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
 from pointpred.errors import ParameterError
-from pointpred.predictors import kep_fit, kep_zero, movement
+from pointpred.predictors import kep_zero, movement
 from pointpred.predictors.predictor import NONE, REFUSED, Predictor
+from pointpred.regression import least_squares
 from pointpred.stage import Parameter, check
 
 DEGREE, REACH, CHANGE_MOST, AT = 0, 1, 2, 3
 FIT = AT + movement.STATES
+DEGREE_MOST = 4
+TERMS = DEGREE_MOST + 1
+COEFFICIENTS = FIT + least_squares.states(TERMS)
 # The stability check: length predicted after the sample before, whether an endpoint was accepted, which.
-LENGTH, HELD, HELD_X, HELD_Y = (FIT + kep_fit.STATES + i for i in range(4))
-STATES = movement.STATES + kep_fit.STATES + 4
+LENGTH, HELD, HELD_X, HELD_Y = (COEFFICIENTS + TERMS + i for i in range(4))
+STATES = HELD_Y + 1 - AT
+
+EXCITATION_LEAST = 1e-5
+"""A power of the distance whose own part is smaller than this share depends on the lower powers."""
+
+
+@law
+def add(memory: FloatArray, distance: float, speed: float) -> None:
+    """Take the row (1, d, d^2, ... | speed) into the fit."""
+    terms = int(memory[DEGREE]) + 1
+    power = 1.0
+    for j in range(terms):
+        memory[FIT + least_squares.REGRESSOR + j] = power
+        power *= distance
+    least_squares.advance(memory, FIT, terms, 1.0, speed)
 
 
 @law
 def remaining(memory: FloatArray, travelled: float) -> float:
     """Distance in px from where the cursor is to where the fitted speed returns to zero, else NaN."""
     degree = int(memory[DEGREE])
-    if not (travelled > 0.0 and kep_fit.solve(memory, FIT, degree)):
+    if not (travelled > 0.0 and least_squares.solve(memory, FIT, degree + 1, EXCITATION_LEAST, COEFFICIENTS)):
         return NONE
-    unit = memory[FIT + kep_fit.UNIT]
-    w = travelled / unit
-    first = FIT + kep_fit.COEFFICIENTS
-    c0, c1, c2 = memory[first], memory[first + 1], memory[first + 2]
-    c3 = memory[first + 3] if degree > 2 else 0.0
-    c4 = memory[first + 4] if degree > 3 else 0.0
+    # The distance travelled is the unit of what follows.
+    c0, c1 = memory[COEFFICIENTS], memory[COEFFICIENTS + 1] * travelled
+    c2 = memory[COEFFICIENTS + 2] * travelled**2
+    c3 = memory[COEFFICIENTS + 3] * travelled**3 if degree > 2 else 0.0
+    c4 = memory[COEFFICIENTS + 4] * travelled**4 if degree > 3 else 0.0
     # The same polynomial of the distance from here.
     zero = kep_zero.first_zero(
-        kep_zero.value(c0, c1, c2, c3, c4, w),
-        c1 + w * (2.0 * c2 + w * (3.0 * c3 + w * 4.0 * c4)),
-        c2 + w * (3.0 * c3 + w * 6.0 * c4),
-        c3 + w * 4.0 * c4,
+        kep_zero.value(c0, c1, c2, c3, c4, 1.0),
+        c1 + 2.0 * c2 + 3.0 * c3 + 4.0 * c4,
+        c2 + 3.0 * c3 + 6.0 * c4,
+        c3 + 4.0 * c4,
         c4,
-        memory[REACH] * w,
+        memory[REACH],
     )
-    return float(zero * unit)
+    return float(zero * travelled)
 
 
 @law
@@ -70,10 +87,9 @@ def step(
         return REFUSED
     travelled = memory[AT + movement.PATH]
     if new:
-        kep_fit.clear(memory, FIT)
-        memory[LENGTH], memory[HELD] = 0.0, 0.0
+        memory[FIT:] = 0.0
     if new or dt > 0.0:
-        kep_fit.add(memory, FIT, int(memory[DEGREE]), travelled, hypot(vx, vy))
+        add(memory, travelled, hypot(vx, vy))
     away_x, away_y = x - memory[AT + movement.X0], y - memory[AT + movement.Y0]
     away = hypot(away_x, away_y)
     end_x, end_y = NONE, NONE
@@ -126,7 +142,7 @@ class KinematicEndpointPredictor(Predictor):
     samples, so it is the laxer the higher the rate.
 
     Parameters: ``degree`` 2 (as in 2009) to 4 (as in 2007); ``reach``; ``change_most``, ``None`` for no
-    check. Memory: 58 floats. Claims neither region nor time of arrival: along a polynomial that crosses zero
+    check. Memory: 59 floats. Claims neither region nor time of arrival: along a polynomial that crosses zero
     the time to get there is infinite. Raises ParameterError, and EventError from ``update``.
 
     Reference: Lank, Cheng, Ruiz 2007; Ruiz, Lank 2009 (stability check); Khalin 2022, section 2.6.3.
@@ -141,7 +157,7 @@ class KinematicEndpointPredictor(Predictor):
     """
 
     parameters = (
-        Parameter("degree", "", 2, kep_fit.DEGREE_MOST, "degree of the polynomial of speed over distance"),
+        Parameter("degree", "", 2, DEGREE_MOST, "degree of the polynomial of speed over distance"),
         Parameter("reach", "", 1e-3, 1e6, "farthest zero ahead, as a multiple of the distance travelled"),
         Parameter("change_most", "", 1e-6, 1.0, "relative change between samples of an accepted prediction"),
     )

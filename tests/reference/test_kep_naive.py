@@ -11,7 +11,8 @@ from benchmarks.naive_kep import NaiveKep
 from pointpred import EventColumns, Motion, build
 from pointpred.columns import FloatArray
 from pointpred.differentiators import BackwardDifferentiator, HomogeneousDifferentiator
-from pointpred.predictors import KinematicEndpointPredictor, kep_fit, kep_zero
+from pointpred.predictors import KinematicEndpointPredictor, kep, kep_zero
+from pointpred.regression import least_squares
 
 
 def curved_reach(seed: int, rate_hz: float, distance_px: float = 600.0) -> EventColumns:
@@ -60,13 +61,13 @@ def test_the_registry_names_the_degrees() -> None:
 
 def fitted(distances: FloatArray, speeds: FloatArray, degree: int) -> FloatArray:
     """Coefficients of the recursive fit, from the constant up, of the distance in px."""
-    memory = np.zeros(kep_fit.STATES)
-    kep_fit.clear(memory, 0)
+    memory = np.zeros(kep.AT + kep.STATES)
+    memory[kep.DEGREE] = degree
     for distance, speed in zip(distances, speeds, strict=True):
-        kep_fit.add(memory, 0, degree, distance, speed)
-    assert kep_fit.solve(memory, 0, degree)
-    c = memory[kep_fit.COEFFICIENTS : kep_fit.COEFFICIENTS + degree + 1]
-    return c / memory[kep_fit.UNIT] ** np.arange(degree + 1)
+        kep.add(memory, distance, speed)
+    least = kep.EXCITATION_LEAST
+    assert least_squares.solve(memory, kep.FIT, degree + 1, least, kep.COEFFICIENTS)
+    return memory[kep.COEFFICIENTS : kep.COEFFICIENTS + degree + 1]
 
 
 @pytest.mark.parametrize("degree", [2, 3, 4])
