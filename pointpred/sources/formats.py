@@ -12,6 +12,7 @@ import msgspec
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording, Skip
 from pointpred.sources import (
+    appended,
     balabit,
     evemu,
     evtest,
@@ -29,6 +30,8 @@ from pointpred.sources.joining import join
 from pointpred.sources.reading import AS_IS, BYTE_ORDER, Reading
 
 HEAD_BYTES = 1 << 16
+OWN = ("recorder", "own")
+"""Formats of which each file is a recording of its own."""
 MOST_MISSING = 2
 """A file with all but so many of the needed columns was probably meant to be pointpred's own."""
 
@@ -55,6 +58,13 @@ def _is_own(head: bytes) -> bool:
 
 
 FORMATS: tuple[Format, ...] = (
+    Format(
+        "recorder",
+        appended.TITLE,
+        appended.recognises,
+        lambda path, reading: recordings.read(path, reading=reading),
+        streams=True,
+    ),
     Format("own", "pointpred Parquet or CSV", _is_own, lambda path, _: recordings.read(path)),
     Format("gofitts", gofitts.TITLE, gofitts.recognises, gofitts.read),
     Format("balabit", balabit.TITLE, balabit.recognises, balabit.read, streams=True),
@@ -191,7 +201,7 @@ def _folder(path: Path, reading: Reading) -> list[Recording]:
             if form is None:
                 near = _nearly_own(_head(file))
                 notes.append(f"{label} fits no recording format" + (f": {near}" if near else ""))
-            elif form.key == "own":
+            elif form.key in OWN:
                 own.append(_read(form, file, reading))
             else:
                 foreign.setdefault(form.key, []).append((file, _read(form, file, reading)))

@@ -12,33 +12,36 @@ import pyarrow.compute as pc
 
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.recording import Provenance, Recording, Skip
-from pointpred.sources import tables
+from pointpred.sources import appended, tables
 from pointpred.sources.assembly import IntArray, assemble
-from pointpred.sources.reading import row_name
+from pointpred.sources.reading import AS_IS, Reading, row_name
 from pointpred.sources.trial_tables import describe, trial_table
 
 REQUIRED = ("user", "trial", "t_s", "x_px", "y_px")
 VALUES = ("t_s", "x_px", "y_px", "dx_counts", "dy_counts", "buttons")
 KNOWN = ("dataset", *REQUIRED, "dx_counts", "dy_counts", "buttons", "t_raw_s")
-SAMPLES, TRIALS = "_samples", "_trials"
+SAMPLES, TRIALS, PREDICTIONS = "_samples", "_trials", "_predictions"
 EXTENSIONS = (".parquet", ".csv")
 SLOW_S = 1.0
 """A longer median interval between samples is no pointing device's: a note asks about the unit of time."""
 
 
-def read(path: str | Path, trials: str | Path | None = None) -> Recording:
+def read(path: str | Path, trials: str | Path | None = None, reading: Reading = AS_IS) -> Recording:
     """Read a samples file together with its trials file.
 
     Assumes the columns ``user, trial, t_s, x_px, y_px`` and takes ``dataset, dx_counts, dy_counts, buttons``
     where they are; any other column is an error (``t_raw_s`` is known and left aside, with a note). The rows
     of a trial must be in the order of time. The trials file is ``trials`` or the sibling ``<set>_trials``;
     without one every target is unknown. Its columns beyond the target and ``clean`` become conditions;
-    ``n_samples`` is compared with the samples.
-    A trial that cannot be used is in ``Recording.skipped`` with the reason and the row.
+    ``n_samples`` is compared with the samples. Only a stream of the service's recorder is cut into trials, as
+    ``reading`` says. A trial that cannot be used is in ``Recording.skipped`` with the reason and the row.
     Memory: about 200 bytes a row while reading, 48 afterwards.
     Returns the recording; raises RecordingError naming the file, the row and what was expected.
     """
     path = Path(path)
+    beside = _sibling(path) if trials is None else Path(trials)
+    if is_appended(path):
+        return appended.read(path, beside, reading)
     table, header = tables.read_table(path, lambda column: column in ("dataset", "user", "trial"))
     names = table.column_names
     if "n_samples" in names and "t_s" not in names:
@@ -55,7 +58,7 @@ def read(path: str | Path, trials: str | Path | None = None) -> Recording:
     group, keys = _keys(path, table)
     del table
     notes = ["column t_raw_s is left aside"] if "t_raw_s" in names else []
-    described = describe(_sibling(path) if trials is None else Path(trials), name, keys, np.bincount(group))
+    described = describe(beside, name, keys, np.bincount(group))
     provenance, before = _provenance(path, header)
     recording = assemble(
         name,
@@ -192,9 +195,18 @@ def _provenance(path: Path, header: dict[str, Any]) -> tuple[Provenance, tuple[S
     return provenance, tuple(Skip(*skip) for skip in skipped)
 
 
+def is_appended(path: Path) -> bool:
+    """Whether a file is the service's recorder's, to which rows were added one after another."""
+    try:
+        with path.open("rb") as file:
+            return appended.recognises(file.readline(appended.MOST_HEADER))
+    except OSError as error:
+        raise RecordingError(f"{path}: cannot be read: {error.strerror}") from error
+
+
 def samples_beside(path: Path) -> bool:
-    """Whether ``path`` is the trials file of a samples file beside it."""
-    if not path.stem.endswith(TRIALS):
+    """Whether ``path`` holds the trials or predictions of a samples file beside it."""
+    if not path.stem.endswith((TRIALS, PREDICTIONS)):
         return False
-    stem = path.stem.removesuffix(TRIALS)
+    stem = path.stem.removesuffix(TRIALS).removesuffix(PREDICTIONS)
     return any(path.with_name(f"{stem}{SAMPLES}{end}").exists() for end in EXTENSIONS)

@@ -1,0 +1,128 @@
+"""The files of one recorded session: rows as CSV, appended, each file made when its first row comes."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import numpy as np
+import pyarrow as pa
+import pyarrow.csv as pacsv
+
+from pointpred.columns import FloatArray
+from pointpred.events import PHASES
+from pointpred.sources.appended import SAMPLES, TRIALS
+from pointpred.sources.tables import MARK
+
+PREDICTED = ("t_s", "x_px", "y_px", "sxx_px2", "sxy_px2", "syy_px2", "remaining_s", "phase")
+COLUMNS = {
+    "samples": SAMPLES,
+    "trials": TRIALS,
+    "predictions": (*PREDICTED, "predictor", "parameters"),
+}
+FLAGS = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_APPEND | os.O_CLOEXEC | getattr(os, "O_NOFOLLOW", 0)
+
+Words = Sequence[tuple[str | None, int]]
+"""A word and in how many rows it stands, one after another; ``None`` is an empty cell."""
+Write = Callable[[int, bytes], int]
+
+
+class SessionFiles:
+    """Appends to up to three files of one name; not safe for threads.
+
+    Assumes that nobody else writes to them. Every method may raise OSError: what was written before it stays,
+    at worst with a last line cut short, which the reader leaves aside.
+    """
+
+    def __init__(self, folder: Path, name: str, about: dict[str, Any], write: Write = os.write) -> None:
+        self.folder = folder
+        self.name = name
+        self.about = about
+        self._write = write
+        self._opened: dict[str, int] = {}
+        self._dirty: set[str] = set()
+
+    def append(self, part: str, rows: bytes) -> None:
+        """Append rows to one of the files; the file begins with its header."""
+        if part not in self._opened:
+            rows = self._head(part) + rows
+            path = self.folder / f"{self.name}_{part}.csv"
+            self._opened[part] = os.open(path, FLAGS, 0o600)
+            self._sync_folder()
+        self._dirty.add(part)
+        left = memoryview(rows)
+        while left:
+            left = left[self._write(self._opened[part], bytes(left)) :]
+
+    def sync(self) -> None:
+        """See that what was written survives a loss of power."""
+        while self._dirty:
+            os.fsync(self._opened[self._dirty.pop()])
+
+    def close(self) -> None:
+        """Close the files, whatever happened before."""
+        opened, self._opened = self._opened, {}
+        self._dirty.clear()
+        for descriptor in opened.values():
+            os.close(descriptor)
+
+    def _head(self, part: str) -> bytes:
+        columns = ",".join(COLUMNS[part]).encode() + b"\n"
+        if part == "predictions":
+            return columns
+        header = {"version": 1, "append": True, "name": self.name} | (
+            self.about if part == "samples" else {"text": []}
+        )
+        return MARK + msgspec.json.encode(header, order="sorted") + b"\n" + columns
+
+    def _sync_folder(self) -> None:
+        folder = os.open(self.folder, os.O_RDONLY | os.O_DIRECTORY)
+        try:
+            os.fsync(folder)
+        finally:
+            os.close(folder)
+
+
+def sample_rows(user: str, trials: Words, table: FloatArray) -> bytes:
+    """Events as rows of the samples file."""
+    return _csv([_spread([(user, len(table))]), _spread(trials), *(_numbers(column) for column in table.T)])
+
+
+def prediction_rows(predictors: Words, parameters: Words, table: FloatArray) -> bytes:
+    """Predictions as rows of the predictions file; empty cells where nothing was justified."""
+    codes = table[:, 7]
+    phases = pa.DictionaryArray.from_arrays(
+        pa.array(np.nan_to_num(codes).astype(np.int8), mask=np.isnan(codes)), pa.array(PHASES)
+    )
+    numbers = [_numbers(column) for column in table[:, :7].T]
+    return _csv([*numbers, phases.cast(pa.string()), _spread(predictors), _spread(parameters)])
+
+
+def trial_row(user: str, trial: str, target: tuple[float, float, float] | None, samples: int) -> bytes:
+    """One row of the trials file."""
+    place = ",".join(repr(value) for value in target) if target else ",,"
+    return f"{user},{trial},{place},{samples}\n".encode()
+
+
+def _numbers(column: FloatArray) -> Any:
+    values = np.ascontiguousarray(column)
+    return pa.array(values, mask=np.isnan(values))
+
+
+def _spread(words: Words) -> Any:
+    """Each word in as many rows as it stands."""
+    known = [word for word, _ in words]
+    counts = [count for _, count in words]
+    index = np.repeat(np.arange(len(known), dtype=np.int32), counts)
+    return pa.DictionaryArray.from_arrays(index, pa.array(known, pa.string())).cast(pa.string())
+
+
+def _csv(columns: list[Any]) -> bytes:
+    table = pa.table(columns, names=[str(place) for place in range(len(columns))])
+    out = pa.BufferOutputStream()
+    pacsv.write_csv(table, out, pacsv.WriteOptions(include_header=False))
+    rows: bytes = out.getvalue().to_pybytes()
+    return rows
