@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
+import msgspec
 import typer
 
 from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Unit, reading
@@ -109,6 +110,16 @@ def _sample(unread: Unread | None) -> Iterator[Recording]:
     yield sample()
 
 
+def _free_name(name: str, file: Path, taken: Mapping[str, Path]) -> str:
+    """The recording's name; where that is taken, with the folder it lies in put before it, then a number."""
+    found, count = name, 1
+    while found in taken:
+        folder = file.absolute() if file.is_dir() else file.absolute().parent
+        found = f"{folder.name}/{name}" + f"_{count}" * (count > 1)
+        count += 1
+    return found
+
+
 def _read(files: list[Path], told: Reading, unread: Unread | None) -> Iterator[Recording]:
     """The recordings one by one, so that only one is in memory; complains where a file cannot be read.
 
@@ -116,9 +127,16 @@ def _read(files: list[Path], told: Reading, unread: Unread | None) -> Iterator[R
     """
     from pointpred.sources import read_any
 
+    taken: dict[str, Path] = {}
     for file in files:
         try:
-            yield from read_any(file, told)
+            for recording in read_any(file, told):
+                name = _free_name(recording.name, file, taken)
+                if name != recording.name and unread is not None:
+                    said = f"{file} is called {name!r} here: {recording.name!r} is {taken[recording.name]}"
+                    remarks().print(said, markup=False)
+                taken[name] = file
+                yield msgspec.structs.replace(recording, name=name)
         except (PointpredError, OSError) as error:
             if unread is not None:
                 unread[str(file)] = str(error)

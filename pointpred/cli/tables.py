@@ -8,7 +8,7 @@ from typing import Any
 
 from rich.table import Table
 
-from pointpred.cli.screen import remarks, results
+from pointpred.cli.screen import counted, remarks, results
 from pointpred.scoring import HEADINGS, rows
 
 NARROW = 120
@@ -38,7 +38,8 @@ def title(one: dict[str, Any]) -> str:
     skipped = f", {len(one['skipped'])} skipped" if one["skipped"] else ""
     noun = "person" if one["users"] == 1 else "people"
     people = f"{one['users']} {'simulated ' if one['simulated'] else ''}{noun}"
-    return f"{one['name']}: {one['trials']} trials{skipped}, {people}; hold is {floor:.1f} px off"
+    trials = counted(one["trials"], "trial")
+    return f"{one['name']}: {trials}{skipped}, {people}; hold is {floor:.1f} {one['unit']} off"
 
 
 def _table(one: dict[str, Any]) -> Table:
@@ -64,7 +65,7 @@ def _remarks(one: dict[str, Any]) -> Iterator[str]:
     told = reasons.most_common(REASONS_SHOWN)
     for reason, count in told:
         first = next(skip for skip in one["skipped"] if skip["reason"] == reason)
-        row = "" if first["row"] is None else f", row {first['row']}"
+        row = "" if first["row"] is None else f", data row {first['row']} (counted from 0)"
         user = "" if first["user"] is None else f" of {first['user']}"
         yield f"skipped {count}: {reason} (first: trial {first['trial']}{user}{row})"
     rest = reasons.total() - sum(count for _, count in told)
@@ -74,4 +75,4 @@ def _remarks(one: dict[str, Any]) -> Iterator[str]:
         failed = predictor["failed"]
         if failed:
             first = f"{failed[0]['reason']} (first: trial {failed[0]['trial']})"
-            yield f"{predictor['name']} failed in {len(failed)} trials: {first}"
+            yield f"{predictor['name']} failed in {counted(len(failed), 'trial')}: {first}"

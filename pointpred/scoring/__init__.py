@@ -17,6 +17,8 @@ from pointpred.scoring.trials import Prepared, prepare, resolution
 Progress = Callable[[str, int, int], None]
 """Called with the set's name, the events replayed so far and all events to replay for it."""
 
+IN_COUNTS = ("positions are counts of the device and not pixels: what is called px is counts",)
+
 __all__ = [
     "FLOOR",
     "HEADINGS",
@@ -77,6 +79,7 @@ def _score(
 ) -> SetScore:
     """Score one recording."""
     settings = resolution(recording, cpi, dpi)
+    counted = recording.provenance.unit == "counts"
     pipelines = [p if isinstance(p, Pipeline) else build(p, **settings) for p in chosen.values()]
     prepared = prepare(recording, **settings, threads=threads)
     total, done = len(prepared.events) * len(pipelines), 0
@@ -94,5 +97,6 @@ def _score(
         tuple(replay(prepared, pipeline, threads=threads, progress=advance) for pipeline in pipelines),
         simulated=recording.provenance.simulated,
         seed=seed,
-        notes=recording.notes,
+        notes=(*recording.notes, *IN_COUNTS[:counted]),
+        unit="counts" if counted else "px",
     )

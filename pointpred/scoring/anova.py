@@ -70,15 +70,17 @@ def balance(users: Sequence[str], factors: Mapping[str, Sequence[str]]) -> Desig
         if not reason:
             complete = _complete(everyone, len(people), inside * len(levels) + index, cells * len(levels))
             if complete.sum() < max(KEPT_USERS * len(people), LEAST_USERS):
-                reason = f"{complete.sum()} of {len(people)} people did every combination"
+                reason = f"only {complete.sum()} of {len(people)} people did every combination"
+            if complete.sum() < LEAST_USERS:
+                reason += f", at least {LEAST_USERS} are needed"
         if reason:
             reasons.setdefault(reason, []).append(name)
             continue
         chosen[name] = tuple(levels.tolist())
         inside, cells, kept = inside * len(levels) + index, cells * len(levels), complete
-    notes = [f"{', '.join(names)} left out: {reason}" for reason, names in reasons.items()]
+    notes = [f"{', '.join(names)}: not a factor, {reason}" for reason, names in reasons.items()]
     if not kept.all():
-        notes.append(f"{(~kept).sum()} of {len(people)} people left out: they miss a combination")
+        notes.append(f"{(~kept).sum()} of {len(people)} people not counted: they miss a combination")
     row = np.cumsum(kept) - 1
     cell = np.where(kept[everyone], row[everyone] * cells + inside, -1)
     return Design(tuple(people[kept].tolist()), tuple(chosen), tuple(chosen.values()), cell, tuple(notes))

@@ -12,12 +12,16 @@ from pointpred.scoring.results import ScoredTrial, SetScore
 
 FIRST = ("distance", "width", "transfer", "ptf")
 """Factors of the thesis, tried before whatever else a recording knows; a name that begins so counts."""
-OUTCOMES = ("hit", "miss", "correct", "error", "clean")
-"""Conditions that say how a trial went; what follows from the movement is no cause of its error."""
+OUTCOMES = ("hit", "miss", "correct", "error", "clean", "end_", "duration", "onset", "t_", "begins")
+"""Conditions that begin so say how or when a trial went: what was measured is no cause of its error."""
+MOST_VALUES = 12
+"""A number with more values than this is a measurement and no condition, unless its name is in FIRST."""
 EXPERIENCE = ("experience", "skill", "group")
 """Conditions that may say who is experienced and who is a novice."""
 
-
+DIVIDED = "highest speed peak less than 5 times the next"
+WHOLE = "highest speed peak at least 5 times the next"
+BY_SHARE = "median split of people by their share of trials with sub-movements (Khalin 2022, remark 2.3.1)"
 CLEAN_OWN = "the recording's own judgement: monotone, no long stop"
 CLEAN_RULE = "at least 80 px far, path at most 1.5 times that, no stop on the way over 0.1 s"
 
@@ -34,17 +38,25 @@ class Group(msgspec.Struct, frozen=True):
 def factors_of(trials: Sequence[ScoredTrial]) -> dict[str, list[str]]:
     """Every condition that all trials know, as labels with a row a trial, the thesis's factors first.
 
-    Outcomes are not among them. The target's width is a factor where no condition says it.
+    Outcomes and measured numbers are not among them. The target's width is a factor where no condition
+    says it.
     """
     if not trials:
         return {}
     shared = set.intersection(*(set(trial.trial.condition) for trial in trials))
-    shared = {name for name in shared if not name.startswith(OUTCOMES)}
+    shared = {name for name in shared if not name.startswith(OUTCOMES) and not _measured(name, trials)}
     found = {name: [_label(trial.trial.condition[name]) for trial in trials] for name in sorted(shared)}
     widths = [trial.trial.target_w for trial in trials]
     if not any(name.startswith("width") for name in found) and np.isfinite(widths).all():
         found["width"] = [_label(width) for width in widths]
     return {name: found[name] for name in sorted(found, key=_rank)}
+
+
+def _measured(name: str, trials: Sequence[ScoredTrial]) -> bool:
+    """Whether a condition is a number that hardly comes twice."""
+    values = {trial.trial.condition[name] for trial in trials}
+    words = any(isinstance(value, str) for value in values)
+    return len(values) > MOST_VALUES and not words and not name.startswith(FIRST)
 
 
 def _rank(name: str) -> tuple[int, str]:
@@ -64,11 +76,10 @@ def groups_of(score: SetScore) -> tuple[Group, ...]:
     submovements = np.array([trial.submovements for trial in score.trials], dtype=np.bool_)
     clean = np.array([trial.clean for trial in score.trials], dtype=np.bool_)
     own = any(trial.trial.clean is not None for trial in score.trials)
-    peaks = "highest speed peak under, or at least, 5 times the next"
     found = [
         Group("all trials", np.ones(len(score.trials), dtype=np.bool_)),
-        Group("with sub-movements", submovements, peaks),
-        Group("without sub-movements", ~submovements, peaks),
+        Group("with sub-movements", submovements, DIVIDED),
+        Group("without sub-movements", ~submovements, WHOLE),
         Group("clean trials", clean, CLEAN_OWN if own else CLEAN_RULE),
         *_people(score, submovements),
     ]
@@ -91,5 +102,4 @@ def _people(score: SetScore, submovements: BoolArray) -> list[Group]:
     few = (share <= np.median(share))[index]
     if few.all():
         return []
-    basis = "median split of people by their share of trials with sub-movements (section 2.3.1)"
-    return [Group("experienced people", few, basis), Group("novice people", ~few, basis)]
+    return [Group("experienced people", few, BY_SHARE), Group("novice people", ~few, BY_SHARE)]

@@ -66,3 +66,5 @@ class SetScore(msgspec.Struct, frozen=True):
     """Seed of the resampling behind every interval."""
     notes: tuple[str, ...] = ()
     """What the reader of the recording saw and mended."""
+    unit: str = "px"
+    """Of positions and errors: ``"counts"`` where the recording holds a device's counts and no cursor."""

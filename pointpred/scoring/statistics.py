@@ -134,17 +134,19 @@ def axis_anova(score: SetScore, names: Sequence[str]) -> AnovaSeries:
     errors = np.stack([known[name].single_axis for name in names], axis=-1)
     usable = np.logical_and.reduce(np.isfinite(errors), axis=(1, 2))
     trials = [trial for trial, good in zip(score.trials, usable, strict=True) if good]
-    notes = [f"{(~usable).sum()} trials without an error at some fraction"] if not usable.all() else []
+    notes = [f"trials without an error at some fraction: {(~usable).sum()}"] if not usable.all() else []
     design = balance([trial.trial.user for trial in trials], factors_of(trials))
-    notes += design.notes
+    people = len({trial.trial.user for trial in trials})
+    notes += design.notes if people >= LEAST_USERS else ()
     models = ("model",) if len(names) > 1 else ()
     factors, levels = (*models, *design.factors), design.levels
     if models:
         levels = (tuple(names), *levels)
+    who = "1 person" if people == 1 else f"{people} people"
     enough = len(design.users) >= LEAST_USERS and factors != ()
     if not enough:
         notes.append(
-            f"not run: {len(design.users)} people, at least {LEAST_USERS} are needed"
+            f"not run: only {who}, at least {LEAST_USERS} are needed"
             if factors
             else "not run: one predictor and no condition that varies"
         )

@@ -57,7 +57,7 @@ def submovements(
     The speed is the length of the velocity that the homogeneous differentiator with the thesis's gains
     finds, restarted at each row marked ``begin``. ``resolution``: ``cpi`` and ``dpi`` as for ``build``.
 
-    Reference: Khalin 2022, section 2.6.3 (ratio 5; what a peak is, it does not say).
+    Reference: Khalin 2022, remark 2.3.1 and section 2.6.3 (ratio 5; what a peak is, it does not say).
     """
 
     def work(first: int, stop: int) -> BoolArray:

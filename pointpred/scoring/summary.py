@@ -46,6 +46,7 @@ def summary(score: SetScore, *, draws: int = DRAWS) -> Json:
     experienced people and of novices, as far as the set has them; ``by_user`` holds the time-averaged error
     of each person; ``calibration`` (``None`` without regions) the share of time with a region, the shares of
     that time with the endpoint inside those of 50, 80 and 95 %, and their ranked probability score in px.
+    ``unit`` is ``counts`` where the recording holds no cursor: all ``px`` are then counts.
     Raises ParameterError when the set was scored without ``hold``.
     """
     floor = [errors for errors in score.predictors if errors.name == FLOOR]
@@ -57,6 +58,7 @@ def summary(score: SetScore, *, draws: int = DRAWS) -> Json:
     return {
         "name": score.name,
         "simulated": score.simulated,
+        "unit": score.unit,
         "trials": len(score.trials),
         "users": len(np.unique(users)),
         "events": sum(trial.events for trial in score.trials),
@@ -69,7 +71,8 @@ def summary(score: SetScore, *, draws: int = DRAWS) -> Json:
             "seed": score.seed,
         },
         "groups": {
-            _key(group): {"basis": group.basis, "trials": int(group.mask.sum())} for group in groups[1:]
+            _key(group): {"label": group.label, "basis": group.basis, "trials": int(group.mask.sum())}
+            for group in groups[1:]
         },
         "predictors": [
             {

@@ -118,8 +118,8 @@ def test_a_factor_between_people_is_left_out_and_said():
     assert design.factors == ("width",)
     assert len(design.users) == 4
     assert design.notes == (
-        "hand, unique left out: 0 of 4 people did every combination",
-        "screen left out: it is the same in every trial",
+        "hand, unique: not a factor, only 0 of 4 people did every combination, at least 3 are needed",
+        "screen: not a factor, it is the same in every trial",
     )
 
 
@@ -128,6 +128,6 @@ def test_one_of_many_people_with_a_missing_cell_is_left_out_and_said():
     design = balance(users[1:], {"width": factors["width"][1:]})
     assert len(design.users) == 19
     assert "p00" not in design.users
-    assert design.notes == ("1 of 20 people left out: they miss a combination",)
+    assert design.notes == ("1 of 20 people not counted: they miss a combination",)
     assert design.cell[0] == -1
     assert cell_means(design, np.ones((39, 1))).shape == (19, 1, 2)

@@ -58,6 +58,38 @@ def test_table_has_hold_whoever_was_asked_for_and_counts_what_it_skips(command, 
     assert any(line.split()[:2] == ["hold", "1.00"] for line in left.out.splitlines())
     assert "walk: skipped 1: " in left.err
     assert "(first: trial 2" in left.err
+    assert "1 trials" not in left.out + left.err
+
+
+def test_a_faulty_row_is_counted_as_the_messages_say(command, tmp_path: Path) -> None:
+    path = tmp_path / "walk.csv"
+    path.write_text("user,trial,t_s,x_px,y_px\nu,1,0,0,0\nu,1,1,9,0\nu,2,0,0,0\nu,2,1,left,0\n")
+    left = command("score", path, "--predictors", "hold")
+    assert "walk: 1 trial, 1 skipped, 1 person; hold is 9.0 px off" in left.out
+    assert "(first: trial 2 of u, data row 3 (counted from 0))" in left.err
+
+
+def test_two_recordings_of_one_name_are_told_apart(command, good: Path, tmp_path: Path) -> None:
+    files = []
+    for folder in ("c", "d"):
+        (tmp_path / folder).mkdir()
+        files.append(tmp_path / folder / good.name)
+        files[-1].write_bytes(good.read_bytes())
+    page = tmp_path / "out.html"
+    left = command("score", *files, files[1], "--predictors", "hold", "--json", "-", "--report", page)
+    names = ["walk", "d/walk", "d/walk_2"]
+    assert [one["name"] for one in json.loads(left.out)["sets"]] == names
+    assert left.err.count("is called 'd/walk' here: 'walk' is " + str(files[0])) == 1
+    assert page.read_text().count("Worst trials of hold") >= 3
+
+
+def test_counts_are_not_called_pixels(command) -> None:
+    stream = Path(__file__).parents[1] / "data" / "sources" / "hid-recorder.txt"
+    left = command("score", stream, "--predictors", "hold")
+    assert " counts off" in left.out
+    assert "counts of the device and not pixels" in left.err
+    (one,) = json.loads(command("score", stream, "--predictors", "hold", "--json", "-").out)["sets"]
+    assert one["unit"] == "counts"
 
 
 def test_json_to_a_file_leaves_the_table(command, good: Path, tmp_path: Path) -> None:

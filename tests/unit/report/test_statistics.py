@@ -109,10 +109,38 @@ def test_outcomes_and_partly_known_conditions_are_no_factors():
     assert list(factors_of(trials)) == ["ptf", "block"]
 
 
+def test_what_was_measured_is_no_factor():
+    def trial(i):
+        said = {"end_x": 7.0, "duration_s": 1.0, "t_onset_s": 0.2, "room": 20.0 + 0.1 * i}
+        known = {"distance": 100.0 + i, "name": f"n{i}"}
+        return ScoredTrial(Trial("a", str(i), condition=said | known), 300.0, 0.0, 1.0, False, 9)
+
+    assert list(factors_of([trial(i) for i in range(13)])) == ["distance", "name"]
+    assert "room" in factors_of([trial(i) for i in range(12)])
+
+
 def test_two_people_are_too_few_and_it_is_said(make_score):
     series = axis_anova(make_score(people=2), ["linear", "ktm"])
     assert series.effects == series.effects_replaced == ((),) * len(AXIS_FRACTIONS)
-    assert any("2 people, at least 3" in note for note in series.notes)
+    assert series.notes == ("not run: only 2 people, at least 3 are needed",)
+
+
+def test_a_factor_that_too_few_people_completed_is_named_once(make_score):
+    score = make_score(people=5, names=("hold", "linear"))
+    few = tuple(
+        one for one in score.trials if one.trial.user < "user 2" or one.trial.condition["distance"] == 200.0
+    )
+    kept = np.array([one in few for one in score.trials])
+    rows = tuple(
+        p.__class__(p.name, *(a[kept] for a in (
+            p.time_averaged, p.by_time, p.by_path, p.single_axis, p.coverage)), 0.1)
+        for p in score.predictors
+    )  # fmt: skip
+    series = axis_anova(SetScore("few", few, (), rows), ["linear"])
+    assert series.factors == ("width",)
+    assert series.notes == (
+        "distance: not a factor, only 2 of 5 people did every combination, at least 3 are needed",
+    )
 
 
 def test_an_unknown_predictor_is_refused(score):
@@ -130,6 +158,10 @@ def test_groups_partition_the_trials(score):
     share = {name: np.mean([t.submovements for t, m in zip(score.trials, groups[name], strict=True) if m])
              for name in ("experienced people", "novice people")}  # fmt: skip
     assert share["experienced people"] < share["novice people"]
+    basis = {group.label: group.basis for group in groups_of(score)}
+    assert basis["with sub-movements"] == "highest speed peak less than 5 times the next"
+    assert basis["without sub-movements"] == "highest speed peak at least 5 times the next"
+    assert "Khalin 2022, remark 2.3.1" in basis["novice people"]
 
 
 def test_the_recording_s_own_word_on_experience_counts_more():
