@@ -14,13 +14,13 @@ import numpy as np
 
 from benchmarks import simulation_figures
 from benchmarks.markdown import table
+from benchmarks.shape import Shape, shapes
 from pointpred import build
 from pointpred.columns import EventColumns
 from pointpred.recording import Recording
 from pointpred.regression import DynamicRegressorExtension
 from pointpred.simulation import Aim, Setup, people, thesis_setup
 from pointpred.simulation.movement import Movement, move, move_assisted
-from pointpred.simulation.shape import Shape, shapes
 from pointpred.simulation.validation import corrective_signals
 from pointpred.sources import recordings
 from pointpred.transfer import ConstantGain

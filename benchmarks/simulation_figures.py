@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
+from benchmarks.shape import Shape, shapes, speeds
 from pointpred.recording import Recording
 from pointpred.regression import DynamicRegressorExtension
-from pointpred.simulation.shape import Shape, shapes, speeds
 from pointpred.simulation.validation import corrective_signals, minimum_jerk_check
 
 
@@ -45,7 +45,7 @@ def _typical(simulated: Recording, forms: list[Shape | None], user: str, one_pie
         (form.movement_s, i)
         for i, (trial, form) in enumerate(zip(simulated.trials, forms, strict=True))
         if trial.user == user and form and trial.condition["distance_mm"] == 150.0
-        if form.one_piece == one_piece and (one_piece or form.peak_ratio > 1.3)
+        if form.one_piece == one_piece
     ]
     return sorted(found)[len(found) // 2][1]
 
