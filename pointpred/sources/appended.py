@@ -41,7 +41,7 @@ def recognises(head: bytes) -> bool:
         return False
     try:
         header = msgspec.json.decode(first[len(tables.MARK) :], type=dict[str, Any])
-    except msgspec.DecodeError:
+    except (msgspec.DecodeError, UnicodeError):
         return False
     return header.get("append") is True
 
@@ -115,7 +115,7 @@ def _table(path: Path, columns: tuple[str, ...]) -> tuple[Any, dict[str, Any], l
     )
     try:
         table = pacsv.read_csv(pa.BufferReader(rest), convert_options=options)
-    except pa.ArrowInvalid as error:
+    except (pa.ArrowException, UnicodeError) as error:
         raise RecordingError(f"{path}: {' '.join(str(error).split())}") from error
     cut = len(data) - end
     notes = [f"{path.name}: the last line is cut after {cut} bytes and left aside"] if cut else []
@@ -131,6 +131,8 @@ def _described(
     table, _, notes = _table(path, TRIALS)
     targets = np.column_stack([tables.numbers(table[column])[0] for column in TARGET]).tolist()
     counts = tables.numbers(table["n_samples"])[0].tolist()
+    if table["trial"].null_count:
+        raise RecordingError(f"{path}: row {pc.index(pc.is_null(table['trial']), True)} names no trial")
     known = dict(zip(table["trial"].to_pylist(), zip(targets, counts, strict=True), strict=True))
     trials = [Trial(user, name, *known[name][0]) if name in known else Trial(user, name) for name in names]
     sizes = {index: known[name][1] if name in known else None for index, name in enumerate(names)}
