@@ -10,13 +10,18 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+import numpy as np
+
 from benchmarks.markdown import filled, table
 from benchmarks.thesis_figures import write_figures
 from pointpred import Pipeline, build
-from pointpred.scoring import SetScore, prepare, score
+from pointpred.columns import FloatArray
+from pointpred.recording import Recording
+from pointpred.scoring import Prepared, SetScore, prepare, score
 from pointpred.scoring.conditions import groups_of
 from pointpred.scoring.results import AXIS_FRACTIONS, PredictorErrors
 from pointpred.scoring.statistics import axis_anova, axis_profile
+from pointpred.scoring.trials import resolution
 from pointpred.simulation import thesis_setup
 from pointpred.sources import read
 
@@ -133,6 +138,32 @@ def open_choices(folder: Path) -> str:
     return table(("choice", *OPEN_SETS), rows)
 
 
+def peaks_table(simulated: Recording, folder: Path | None) -> str:
+    """How much of the way is done when the speed of the hand peaks, along the line from start to end."""
+    sets = {"simulated": simulated}
+    for name in OPEN_SETS if folder else ():
+        sets[name] = read(Path(folder or "") / f"{name}_samples.parquet")
+    rows = []
+    for name, recording in sets.items():
+        prepared = prepare(recording, **resolution(recording, None, None))
+        motions = build("switched", **resolution(recording, None, None)).differentiator.run(prepared.events)
+        speed = np.hypot(motions.vx, motions.vy)
+        shares = np.array([peak_share(prepared, speed, k) for k in range(len(prepared.trials))])
+        whole = np.array([not trial.submovements for trial in prepared.trials])
+        cut = [np.quantile(part, [0.25, 0.5, 0.75]) for part in (shares, shares[whole])]
+        rows.append((name, *(f"{middle:.2f} ({low:.2f}-{high:.2f})" for low, middle, high in cut)))
+    return table(("people", "all trials", "without sub-movements"), rows)
+
+
+def peak_share(prepared: Prepared, speed: FloatArray, k: int) -> float:
+    """The progress of trial ``k`` at its highest speed."""
+    rows = prepared.rows(k)
+    at = int(speed[prepared.offsets[k] : prepared.offsets[k + 1]].argmax())
+    way = np.array([rows.x[-1] - rows.x[0], rows.y[-1] - rows.y[0]])
+    done = np.array([rows.x[at] - rows.x[0], rows.y[at] - rows.y[0]])
+    return float(done @ way / (way @ way))
+
+
 def main() -> None:
     """Simulate, score, write."""
     print("simulating 960 trials and scoring them; this takes about half a minute")
@@ -148,8 +179,9 @@ def main() -> None:
     folder = os.environ.get("POINTPRED_RECORDINGS")
     if folder:
         page = filled(page, "open", open_choices(Path(folder)))
+        page = filled(page, "peaks", peaks_table(recording, Path(folder)))
     else:
-        print("POINTPRED_RECORDINGS is not set: the table of open choices stays as it was")
+        print("POINTPRED_RECORDINGS is not set: the tables of recorded people stay as they were")
     PAGE.write_text(page, encoding="utf-8")
     write_figures(prepare(recording), scored, PAGE.parent / "figures")
     print(f"wrote {PAGE}")
