@@ -26,6 +26,16 @@ class Pipeline:
         """
         return self.predictor.consume(self.differentiator.consume(event))
 
+    def advance(
+        self, t: float, x: float, y: float, dx: float, dy: float, buttons: float
+    ) -> tuple[float, ...] | None:
+        """``update`` in plain numbers, NaN for what is missing: a row of ``PredictionColumns``.
+
+        ``None`` where the event is refused; nothing has changed then, and ``update`` says why.
+        """
+        motion = self.differentiator.advance(t, x, y, dx, dy, buttons)
+        return None if motion[0] != motion[0] else self.predictor.advance(motion)
+
     def reset(self) -> None:
         """Forget every event: the next one starts a movement."""
         self.differentiator.reset()

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from pointpred.columns import PredictionColumns
 from pointpred.events import PHASES
-from pointpred.server.decoding import pack
 from pointpred.server.messages import PredictionMessage, Region, encode
 from pointpred.server.outbox import Frame
+from pointpred.server.records import pack, pack_one
 
 
 def frames(predictions: PredictionColumns, *, binary: bool, each: bool) -> tuple[list[Frame], int]:
@@ -15,13 +17,20 @@ def frames(predictions: PredictionColumns, *, binary: bool, each: bool) -> tuple
     Binary: one frame of packed records. JSON: one text a prediction. ``each``: one prediction an event,
     otherwise the newest one only.
     """
-    told = predictions if each else PredictionColumns(predictions.table[-1:])
+    told = predictions.table if each else predictions.table[-1:]
+    if len(told) == 1:
+        return [frame(told[0].tolist(), binary=binary)], 1
     if binary:
         return [pack(told)], len(told)
-    return [encode(message(row)).decode() for row in told.table.tolist()], len(told)
+    return [frame(row, binary=False) for row in told.tolist()], len(told)
 
 
-def message(row: list[float]) -> PredictionMessage:
+def frame(row: Sequence[float], *, binary: bool) -> Frame:
+    """One row of predictions as a frame."""
+    return pack_one(row) if binary else encode(message(row)).decode()
+
+
+def message(row: Sequence[float]) -> PredictionMessage:
     """A row of predictions as a message."""
     t, x, y, sxx, sxy, syy, remaining_s, phase = row
     if x != x:

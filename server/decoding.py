@@ -6,22 +6,24 @@ import json
 import re
 from collections.abc import Iterable, Sequence
 from math import isfinite
+from typing import Any
 
 import msgspec
 import numpy as np
 
-from pointpred.columns import EventColumns, FloatArray, PredictionColumns
-from pointpred.server.messages import KNOWN, ClientMessage, Code, ErrorMessage
+from pointpred.columns import EventColumns, FloatArray
+from pointpred.server.messages import KNOWN, ClientMessage, Code, ErrorMessage, EventRow, Setting
+from pointpred.server.records import EVENT as EVENT
+from pointpred.server.records import NO_COUNTS as NO_COUNTS
+from pointpred.server.records import NONE, unpack
+from pointpred.server.records import PREDICTION as PREDICTION
 
-EVENT = np.dtype([("t", "<f8"), ("x", "<f8"), ("y", "<f8"), ("dx", "<i2"), ("dy", "<i2"), ("buttons", "<u2")])
-"""A packed event: 30 bytes; -32768 in dx or dy means no counts."""
-PREDICTION = np.dtype([("numbers", "<f8", (7,)), ("phase", "u1")])
-"""A packed prediction: t, x, y, sxx, sxy, syy, remaining_s, then the phase: 57 bytes."""
-NO_COUNTS = -32768
 LARGEST = 1e9
+WORDS_MOST = 1000
+"""What an error quotes of a client's frame is no longer than this."""
 
 _decoder = msgspec.json.Decoder(ClientMessage)
-_place = re.compile(r" - at `(?P<path>.+)`$")
+_place = re.compile(r" - at `(?P<path>\$.*)`$", re.DOTALL)
 _fields = ("t", "x", "y")
 
 
@@ -32,8 +34,13 @@ class RefusedError(Exception):
         self, code: Code, message: str, path: str | None = None, *, close: int | None = None
     ) -> None:
         super().__init__(message)
-        self.answer = ErrorMessage(code, message, path, recoverable=close is None)
+        self.answer = ErrorMessage(code, short(message), path and short(path), recoverable=close is None)
         self.close = close
+
+
+def short(words: str) -> str:
+    """Words that a client may have chosen, of bounded length."""
+    return words if len(words) <= WORDS_MOST else f"{words[:WORDS_MOST]}..."
 
 
 def decode_text(text: str) -> ClientMessage:
@@ -42,15 +49,36 @@ def decode_text(text: str) -> ClientMessage:
         message: ClientMessage = _decoder.decode(text)
         return message
     except msgspec.ValidationError as error:
-        words = str(error)
-        found = _place.search(words)
-        path = found["path"] if found else "$"
-        words = _place.sub("", words)
-        if path == "$.type" or "`type`" in words:
-            raise RefusedError("unknown_type", f"{words}; known: {', '.join(KNOWN)}", path) from None
-        raise RefusedError("bad_field", words, path) from None
+        raise _not_fitting(text, str(error)) from None
     except (msgspec.DecodeError, UnicodeError, RecursionError) as error:
         raise _not_json(text, str(error)) from None
+
+
+def _not_fitting(text: str, words: str) -> RefusedError:
+    """JSON, but no message: the decoder says where, only not which parameter."""
+    found = _place.search(words)
+    path = found["path"] if found else "$"
+    words = _place.sub("", words)
+    if path == "$.type" or (path == "$" and words.endswith("required field `type`")):
+        return RefusedError("unknown_type", f"{words}; known: {', '.join(KNOWN)}", path)
+    if path.startswith("$.parameters["):
+        path = _wrong_parameter(text)
+    return RefusedError("bad_field", words, path)
+
+
+def _wrong_parameter(text: str) -> str:
+    """The path of the first parameter whose value is of no type a parameter has."""
+    for name, value in _parameters(text).items():
+        try:
+            msgspec.convert(value, Setting)
+        except msgspec.ValidationError:
+            return f"$.parameters.{name}"
+    return "$.parameters"
+
+
+def _parameters(text: str) -> dict[str, Any]:
+    found: dict[str, Any] = msgspec.json.decode(text)["parameters"]
+    return found
 
 
 def _not_json(text: str, reason: str) -> RefusedError:
@@ -60,7 +88,7 @@ def _not_json(text: str, reason: str) -> RefusedError:
     except (ValueError, RecursionError):
         path = None
     if path is None:
-        return RefusedError("bad_json", reason)
+        return RefusedError("bad_json", f"expected JSON: {reason}")
     return RefusedError("bad_field", "expected a finite number, received NaN or an infinity", path)
 
 
@@ -76,55 +104,36 @@ def _not_finite(value: object, path: str) -> str | None:
     return next((found for where, item in inside if (found := _not_finite(item, where))), None)
 
 
-def events_of_rows(
-    rows: Sequence[tuple[float, float, float, float | None, float | None, int]],
-) -> EventColumns:
+def row_of(row: EventRow) -> tuple[float, float, float, float, float, float]:
+    """One event of an ``events`` message as a row of the table."""
+    t, x, y, dx, dy, buttons = row
+    return t, x, y, NONE if dx is None else dx, NONE if dy is None else dy, float(buttons)
+
+
+def events_of_rows(rows: Sequence[EventRow]) -> EventColumns:
     """A table from the rows of an ``events`` message."""
-    none = float("nan")
-    table = [
-        (t, x, y, none if dx is None else dx, none if dy is None else dy, buttons)
-        for t, x, y, dx, dy, buttons in rows
-    ]
-    return EventColumns(np.array(table, dtype=np.float64).reshape(-1, 6))
+    return EventColumns(np.array(rows, dtype=np.float64).reshape(-1, 6))  # null becomes NaN
 
 
 def events_of_bytes(frame: bytes) -> EventColumns:
     """A table from a frame of packed events; raises RefusedError."""
     if len(frame) % EVENT.itemsize:
-        raise RefusedError(
-            "bad_field",
-            f"a binary frame holds records of {EVENT.itemsize} bytes, received {len(frame)} bytes",
-            "$",
-        )
-    packed = np.frombuffer(frame, EVENT)
-    table = np.empty((len(packed), 6))
-    for column, name in enumerate(EVENT.names or ()):
-        table[:, column] = packed[name]
-    none = (packed["dx"] == NO_COUNTS) | (packed["dy"] == NO_COUNTS)
-    table[none, 3:5] = np.nan
-    check_range(table)
-    return EventColumns(table)
+        words = f"a binary frame holds records of {EVENT.itemsize} bytes, received {len(frame)} bytes"
+        raise RefusedError("bad_field", words, "$")
+    return EventColumns(unpack(frame))
 
 
-def check_range(table: FloatArray) -> None:
-    """Refuse times and places that are not finite or beyond 1e9, naming the first."""
-    wrong = ~(np.abs(table[:, :3]) <= LARGEST)
-    if wrong.any():
-        row, field = (int(i) for i in np.argwhere(wrong)[0])
+def check_numbers(table: FloatArray) -> None:
+    """Refuse, naming the first, what a pipeline would: numbers out of range, one count without the other."""
+    outside = ~(np.abs(table[:, :3]) <= LARGEST)
+    alone = np.isnan(table[:, 3:5])
+    alone &= ~alone.all(axis=1, keepdims=True)
+    wrong = np.argwhere(np.hstack([outside, alone]))
+    if not len(wrong):
+        return
+    row, field = (int(i) for i in wrong[0])
+    words = "dx and dy are both numbers or both null"
+    if field < outside.shape[1]:
         value = float(table[row, field])
-        raise RefusedError(
-            "bad_field",
-            f"{_fields[field]} must lie in [{-LARGEST:g}, {LARGEST:g}], received {value!r}",
-            f"$.events[{row}][{field}]",
-        )
-
-
-def pack(predictions: PredictionColumns) -> bytes:
-    """Predictions as packed records."""
-    table = predictions.table
-    packed = np.empty(len(table), PREDICTION)
-    packed["numbers"] = table[:, :7]
-    # A row without a prediction is NaN but for t; its phase byte is 0.
-    packed["phase"] = np.where(np.isnan(table[:, 1]), 0.0, table[:, 7]).astype(np.uint8)
-    packed["numbers"][np.isnan(table[:, 1]), 1:] = np.nan
-    return packed.tobytes()
+        words = f"{_fields[field]} must lie in [{-LARGEST:g}, {LARGEST:g}], received {value!r}"
+    raise RefusedError("bad_field", words, f"$.events[{row}][{field}]")

@@ -31,16 +31,22 @@ Code = Literal[
 
 Bounded = Annotated[float, Meta(ge=-1e9, le=1e9)]
 Positive = Annotated[float, Meta(gt=0.0, le=1e9)]
+Cpi = Annotated[float, Meta(ge=1.0, le=1e6)]
+Dpi = Annotated[float, Meta(ge=1.0, le=1e5)]
 Buttons = Annotated[int, Meta(ge=0, le=65535)]
 Name = Annotated[str, Meta(min_length=1, max_length=128)]
 EventRow = tuple[Bounded, Bounded, Bounded, Bounded | None, Bounded | None, Buttons]
 """t in s, x and y in px, dx and dy in counts or null, buttons."""
 
 
+Setting = bool | float | str | list[float]
+"""The value of a parameter of a predictor or a differentiator."""
+
+
 class Device(Struct, forbid_unknown_fields=True):
     """The pointing device: counts per inch, and reports a second as the client knows it."""
 
-    cpi: Positive | None = None
+    cpi: Cpi | None = None
     rate_hz: Positive | None = None
 
 
@@ -49,7 +55,7 @@ class Screen(Struct, forbid_unknown_fields=True):
 
     width_px: Positive | None = None
     height_px: Positive | None = None
-    dpi: Positive = 96.0
+    dpi: Dpi = 96.0
 
 
 class Hello(Struct, tag="hello", forbid_unknown_fields=True):
@@ -57,7 +63,7 @@ class Hello(Struct, tag="hello", forbid_unknown_fields=True):
 
     version: int
     predictor: str
-    parameters: dict[str, bool | float | str] = {}
+    parameters: dict[str, Setting] = {}
     device: Device | None = None
     screen: Screen | None = None
     reply: Reply = "frame"
@@ -105,7 +111,7 @@ class Configure(Struct, tag="configure", forbid_unknown_fields=True):
     """Changes what is given and leaves the rest; another predictor begins without memory."""
 
     predictor: str | None = None
-    parameters: dict[str, bool | float | str] = {}
+    parameters: dict[str, Setting] = {}
     reply: Reply | None = None
     precision: Annotated[float, Meta(ge=0.0, le=1.0)] | None = None
 

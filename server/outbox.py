@@ -16,7 +16,7 @@ Frame = str | bytes
 class Outbox:
     """Frames in the order in which they are to be sent; not safe for threads."""
 
-    def __init__(self, *, most_notes: int = 64, most_dropped: int = 10_000) -> None:
+    def __init__(self, *, most_notes: int = 1024, most_dropped: int = 10_000) -> None:
         self.most_notes = most_notes
         self.most_dropped = most_dropped
         self.dropped = 0

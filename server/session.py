@@ -6,12 +6,22 @@ clock. Nothing a client sends may raise: what is wrong is answered.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from typing import Literal
 
-from msgspec import Struct, structs
+from msgspec import Struct
 
 from pointpred.columns import EventColumns
-from pointpred.server.decoding import RefusedError, decode_text, events_of_bytes, events_of_rows
+from pointpred.errors import EventError
+from pointpred.server.allowance import Allowance
+from pointpred.server.decoding import (
+    RefusedError,
+    decode_text,
+    events_of_bytes,
+    events_of_rows,
+    row_of,
+    short,
+)
 from pointpred.server.messages import (
     VERSION,
     Bye,
@@ -19,6 +29,7 @@ from pointpred.server.messages import (
     Code,
     Configure,
     ErrorMessage,
+    EventRow,
     Events,
     Hello,
     Limits,
@@ -31,12 +42,14 @@ from pointpred.server.messages import (
     encode,
 )
 from pointpred.server.outbox import Outbox
-from pointpred.server.rate import Rate
+from pointpred.server.records import EVENT, unpack_one
 from pointpred.server.stream import Stream
+from pointpred.server.watch import Watch
 
 State = Literal["connecting", "greeted", "streaming", "closed"]
 HELLO_S = 10.0
 """A client says hello within this time."""
+RECORD = EVENT.itemsize
 
 
 class Close(Struct, frozen=True):
@@ -47,9 +60,18 @@ class Close(Struct, frozen=True):
 
 
 class Session:
-    """The server's side of one connection."""
+    """The server's side of one connection.
 
-    def __init__(self, name: str, limits: Limits, now: float) -> None:
+    ``watch`` opens, at the client's hello, what is told of the session's events, such as a recording.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        limits: Limits,
+        now: float,
+        watch: Callable[[str, Hello], Watch | None] | None = None,
+    ) -> None:
         self.name = name
         self.limits = limits
         self.state: State = "connecting"
@@ -60,24 +82,29 @@ class Session:
         self.refused: dict[Code, int] = {}
         """What was refused, by error code: events that run backwards, frames for all else."""
         self._heard = now
-        self._rate = Rate(limits.max_events_per_s, now)
+        self._allowance = Allowance(limits, now)
+        self._watch = watch
 
     def receive(self, frame: str | bytes, now: float) -> None:
         """Take in one frame; answers are in the outbox, and ``close`` is set when the connection ends."""
         if self.state == "closed":
             return
         try:
-            self._check_size(frame)
+            self._allowance.check_size(frame)
             if isinstance(frame, bytes):
-                self._feed(self._greeted("a binary frame"), events_of_bytes(frame), now)
+                self._take_bytes(frame, now)
             else:
                 self._handle(decode_text(frame), now)
-            if self.state != "connecting":
+            if self.stream is not None:
                 self._heard = now
         except RefusedError as refused:
             self._refuse(refused.answer)
             if refused.close is not None:
-                self._close(refused.close, refused.answer.message)
+                self._shut(refused.close, refused.answer.message)
+        except EventError as error:
+            self._refuse(ErrorMessage("bad_field", short(str(error)), "$.events"))
+        if self.outbox.full:
+            self._end("slow", "the answers are not read", 1013)
 
     def tick(self, now: float) -> None:
         """Notice what only time tells: no hello, nothing heard, nothing read."""
@@ -88,46 +115,76 @@ class Session:
             self._end("idle", f"expected 'hello' within {HELLO_S:g} s", 1008)
         elif self.state != "connecting" and silent > self.limits.idle_s:
             self._end("idle", f"nothing was heard for {self.limits.idle_s:g} s", 1008)
-        elif self.outbox.full:
-            self._end("slow", "the answers are not read", 1013)
 
     def stop(self, reason: str) -> None:
         """The server stops."""
         if self.state != "closed":
             self._say(Bye(reason))
-            self._close(1001, reason)
+            self._shut(1001, reason)
 
     def fail(self) -> None:
         """Something broke on this side."""
-        self._end("internal", "the server failed; the session ends", 1011)
+        if self.state != "closed":
+            self._end("internal", "the server failed; the session ends", 1011)
+
+    def lose(self) -> None:
+        """The connection is gone: nothing more can be said."""
+        if self.state != "closed":
+            self._shut(1006, "the connection was lost")
+
+    def _take_bytes(self, frame: bytes, now: float) -> None:
+        """Packed events; raises RefusedError."""
+        stream = self.stream
+        if stream is None:
+            raise _out_of_place("a binary frame")
+        self._allowance.take(len(frame) // RECORD, now)
+        if len(frame) != RECORD or not self._predict_one(stream, unpack_one(frame)):
+            self._predict(stream, events_of_bytes(frame))
+
+    def _take_rows(self, stream: Stream, rows: list[EventRow], now: float) -> None:
+        """Events in JSON; raises RefusedError."""
+        self._allowance.take(len(rows), now)
+        if len(rows) != 1 or not self._predict_one(stream, row_of(rows[0])):
+            self._predict(stream, events_of_rows(rows))
+
+    def _predict_one(self, stream: Stream, row: Sequence[float]) -> bool:
+        taken = stream.feed_one(row, self.outbox)
+        if taken:
+            self.state = "streaming"
+        return taken
+
+    def _predict(self, stream: Stream, events: EventColumns) -> None:
+        error, dropped = stream.feed(events, self.outbox)
+        if len(events):
+            self.state = "streaming"
+        if error is not None:
+            self._refuse(error, dropped)
 
     def _handle(self, message: ClientMessage, now: float) -> None:
         """Answer one message; raises RefusedError."""
+        stream = self.stream
         if isinstance(message, Hello):
             self._greet(message)
-            return
-        if isinstance(message, Bye):
-            self._close(1000, message.reason or "bye")
-            return
-        stream = self._greeted(repr(message.__struct_config__.tag))
-        if isinstance(message, Events):
-            self._feed(stream, events_of_rows(message.events), now)
+        elif isinstance(message, Bye):
+            self._shut(1000, message.reason or "bye")
+        elif stream is None:
+            raise _out_of_place(repr(message.__struct_config__.tag))
+        elif isinstance(message, Events):
+            self._take_rows(stream, message.events, now)
         elif isinstance(message, Targets):
-            self._take_targets(message)
+            self._allowance.check_targets(message.targets)
+            self.targets = message
+            self._say(TargetsTaken(len(message.targets)))
         elif isinstance(message, TrialMark):
             if message.action == "start":
                 stream.start_trial(message.target)
             else:
                 self._say(stream.end_trial(message.target))
         elif isinstance(message, Configure):
-            self._configure(stream, message)
+            stream.configure(message)
+            self._welcome(stream)
         elif isinstance(message, Reset):
             stream.reset()
-
-    def _greeted(self, what: str) -> Stream:
-        if self.stream is None:
-            raise RefusedError("out_of_place", f"expected 'hello' first, received {what}")
-        return self.stream
 
     def _greet(self, hello: Hello) -> None:
         if self.stream is not None:
@@ -137,59 +194,12 @@ class Session:
                 "bad_field", f"version must be {VERSION}, received {hello.version}", "$.version"
             )
         self.stream = Stream(hello)
+        self.stream.watch = self._watch(self.name, hello) if self._watch else None
         self.state = "greeted"
-        self._say(Welcome(VERSION, self.name, hello.predictor, self.limits))
+        self._welcome(self.stream)
 
-    def _configure(self, stream: Stream, message: Configure) -> None:
-        """Another predictor or other parameters begin without memory; the answer says what holds now."""
-        kept = {} if message.predictor else stream.hello.parameters
-        hello = structs.replace(
-            stream.hello,
-            predictor=message.predictor or stream.hello.predictor,
-            parameters={**kept, **message.parameters},
-            reply=message.reply or stream.hello.reply,
-        )
-        if message.predictor or message.parameters:
-            self.stream = Stream(hello)
-        else:
-            stream.hello = hello
-        self._say(Welcome(VERSION, self.name, hello.predictor, self.limits))
-
-    def _feed(self, stream: Stream, events: EventColumns, now: float) -> None:
-        """Predict from events, within the limits."""
-        count, most = len(events), self.limits.max_events_per_frame
-        if count > most:
-            words = f"a frame holds at most {most} events, received {count}"
-            raise RefusedError("too_large", words, "$.events", close=1009)
-        if not self._rate.allows(count, now):
-            raise RefusedError(
-                "too_fast", f"at most {self.limits.max_events_per_s} events a second", close=1008
-            )
-        if count:
-            self.state = "streaming"
-        error, dropped = stream.feed(events, self.outbox)
-        if error is not None:
-            self._refuse(error, dropped)
-
-    def _take_targets(self, message: Targets) -> None:
-        count, most = len(message.targets), self.limits.max_targets
-        if count > most:
-            raise RefusedError("too_many", f"at most {most} targets, received {count}", "$.targets")
-        seen: set[str] = set()
-        for place, target in enumerate(message.targets):
-            if target.id in seen:
-                raise RefusedError("bad_field", f"id {target.id!r} occurs twice", f"$.targets[{place}].id")
-            seen.add(target.id)
-        self.targets = message
-        self._say(TargetsTaken(count))
-
-    def _check_size(self, frame: str | bytes) -> None:
-        most = self.limits.max_frame_bytes
-        size = len(frame) if isinstance(frame, bytes) or len(frame) > most else len(frame.encode())
-        if size > most:
-            raise RefusedError(
-                "too_large", f"a frame holds at most {most} bytes, received {size}", close=1009
-            )
+    def _welcome(self, stream: Stream) -> None:
+        self._say(Welcome(VERSION, self.name, stream.hello.predictor, self.limits))
 
     def _say(self, message: ServerMessage) -> None:
         self.outbox.say(encode(message).decode())
@@ -200,8 +210,14 @@ class Session:
 
     def _end(self, code: Code, message: str, close: int) -> None:
         self._refuse(ErrorMessage(code, message, None, recoverable=False))
-        self._close(close, message)
+        self._shut(close, message)
 
-    def _close(self, code: int, reason: str) -> None:
+    def _shut(self, code: int, reason: str) -> None:
         self.state = "closed"
         self.close = Close(code, reason.encode()[:120].decode(errors="ignore"))
+        if self.stream and self.stream.watch:
+            self.stream.watch.close()
+
+
+def _out_of_place(what: str) -> RefusedError:
+    return RefusedError("out_of_place", f"expected 'hello' first, received {what}")

@@ -2,82 +2,134 @@
 
 from __future__ import annotations
 
-import numpy as np
+from collections.abc import Sequence
 
-from pointpred.columns import EventColumns
-from pointpred.errors import ParameterError
+import numpy as np
+from msgspec import structs
+
+from pointpred.columns import EventColumns, PredictionColumns
+from pointpred.errors import EventError
 from pointpred.pipeline import run
-from pointpred.registry import REGISTRY, build
 from pointpred.server import answers
-from pointpred.server.decoding import RefusedError
-from pointpred.server.messages import ErrorMessage, Goal, Hello, Score
+from pointpred.server.building import cpi_of, dpi_of, pipeline_of
+from pointpred.server.decoding import RefusedError, check_numbers
+from pointpred.server.messages import Configure, ErrorMessage, Goal, Hello, Score
 from pointpred.server.outbox import Outbox
 from pointpred.server.trials import TrialKeeper
+from pointpred.server.watch import Watch
+
+NEVER = float("-inf")
 
 
 class Stream:
     """A pipeline as a client asked for it, and the trial it marks."""
 
-    def __init__(self, hello: Hello) -> None:
-        """Raises RefusedError, naming what is known, for an unknown predictor or a wrong parameter."""
-        if hello.predictor not in REGISTRY:
-            words = f"unknown predictor {hello.predictor!r}; known: {', '.join(REGISTRY)}"
-            raise RefusedError("unknown_predictor", words, "$.predictor")
+    def __init__(self, hello: Hello, watch: Watch | None = None) -> None:
+        """Raises RefusedError for an unknown predictor or a wrong parameter."""
         self.hello = hello
-        self.cpi = hello.device.cpi if hello.device else None
-        self.dpi = hello.screen.dpi if hello.screen else 96.0
-        try:
-            self.pipeline = build(hello.predictor, cpi=self.cpi, dpi=self.dpi, **hello.parameters)
-        except (ParameterError, TypeError) as error:
-            raise RefusedError("bad_field", str(error), "$.parameters") from None
+        self.pipeline = pipeline_of(hello)
+        self.precision: float | None = None
+        """The precision a client wishes proposals to have; remembered for the decisions."""
         self.events = 0
         """Events taken in."""
-        self._last_t = -np.inf
+        self.watch = watch
+        self._binary = hello.encoding == "binary"
+        self._last_t = NEVER
         self._trial = TrialKeeper()
 
     def feed(self, events: EventColumns, outbox: Outbox) -> tuple[ErrorMessage | None, int]:
         """Predict; events before the last one are dropped, the rest of the frame is kept.
 
-        Returns what to say of the dropped ones, and how many they are.
+        Returns what to say of the dropped ones, and how many they are. Raises RefusedError, nothing changed,
+        where a number cannot be used.
         """
-        late, error = self._late(events)
-        kept = events if error is None else EventColumns(events.table[~late])
-        if len(kept):
+        error, kept = None, events
+        try:
+            predictions = run(self.pipeline, events)
+        except EventError:  # the pipeline knows that something is wrong, the protocol says where
+            check_numbers(events.table)
+            error, kept = self._without_late(events)
             predictions = run(self.pipeline, kept)
-            self.events += len(kept)
-            self._last_t = float(kept.table[-1, 0])
-            self._trial.add(kept)
-            binary, each = self.hello.encoding == "binary", self.hello.reply == "event"
-            outbox.predict(*answers.frames(predictions, binary=binary, each=each))
+        if len(kept):
+            self._keep(kept, predictions)
+            each = self.hello.reply == "event"
+            outbox.predict(*answers.frames(predictions, binary=self._binary, each=each))
         return error, len(events) - len(kept)
+
+    def feed_one(self, row: Sequence[float], outbox: Outbox) -> bool:
+        """``feed`` for the one event of most frames, without a table: the same steps, the same answer.
+
+        False, and nothing changed, where the event is refused or somebody keeps it: then it is for ``feed``.
+        """
+        if self.watch or self._trial.running:
+            return False
+        prediction = self.pipeline.advance(*row)
+        if prediction is None:
+            return False
+        self.events += 1
+        self._last_t = row[0]
+        outbox.predict([answers.frame(prediction, binary=self._binary)], 1)
+        return True
+
+    def configure(self, message: Configure) -> None:
+        """Another predictor or other parameters begin without memory; raises RefusedError, nothing changed.
+
+        Parameters add to those said before, but another predictor begins with its own. A running trial goes
+        on, and is scored with the predictor it ends with.
+        """
+        another = message.predictor is not None
+        known = {} if another else self.hello.parameters
+        hello = structs.replace(
+            self.hello,
+            predictor=self.hello.predictor if message.predictor is None else message.predictor,
+            parameters={**known, **message.parameters},
+            reply=message.reply or self.hello.reply,
+        )
+        if another or message.parameters:
+            self.pipeline = pipeline_of(hello)
+            self._last_t = NEVER
+        self.hello = hello
+        if message.precision is not None:
+            self.precision = message.precision
+        if self.watch:
+            self.watch.configure(hello)
 
     def reset(self) -> None:
         """Forget every event: the next one starts a movement."""
         self.pipeline.reset()
-        self._last_t = -np.inf
+        self._last_t = NEVER
 
     def start_trial(self, goal: Goal | None) -> None:
         """A movement starts at the next event; its events are kept until the trial ends."""
         self._trial.start(goal)
         self.reset()
+        if self.watch:
+            self.watch.trial("start", goal)
 
     def end_trial(self, goal: Goal | None) -> Score:
         """Score the trial; raises RefusedError where none was started."""
         if not self._trial.running:
             words = "expected 'trial' with action 'start' before 'end'"
             raise RefusedError("out_of_place", words, "$.action")
-        return self._trial.end(goal, self.pipeline, self.cpi, self.dpi)
+        if self.watch:
+            self.watch.trial("end", goal)
+        return self._trial.end(goal, self.pipeline, cpi_of(self.hello), dpi_of(self.hello))
 
-    def _late(
-        self, events: EventColumns
-    ) -> tuple[np.ndarray[tuple[int], np.dtype[np.bool_]], ErrorMessage | None]:
+    def _keep(self, events: EventColumns, predictions: PredictionColumns) -> None:
+        self.events += len(events)
+        self._last_t = float(events.table[-1, 0])
+        self._trial.add(events)
+        if self.watch:
+            self.watch.events(events, predictions)
+
+    def _without_late(self, events: EventColumns) -> tuple[ErrorMessage | None, EventColumns]:
+        """The events that do not run backwards, and what to say of the others."""
         t = events.table[:, 0]
         before = np.maximum.accumulate(np.concatenate([[self._last_t], t[:-1]]))
         late = t < before
         if not late.any():
-            return late, None
-        row = int(late.argmax())
-        more = int(late.sum()) - 1
+            return None, events
+        row, more = int(late.argmax()), int(late.sum()) - 1
         also = f" ({more} more in this frame)" if more else ""
         said = f"t must not run backwards: {float(t[row])!r} s after {float(before[row])!r} s; dropped{also}"
-        return late, ErrorMessage("out_of_order", said, f"$.events[{row}][0]")
+        return ErrorMessage("out_of_order", said, f"$.events[{row}][0]"), EventColumns(events.table[~late])

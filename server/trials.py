@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from array import array
+
 import numpy as np
 
 from pointpred.columns import EventColumns, FloatArray
@@ -33,17 +35,17 @@ class TrialKeeper:
         if self.running:
             self._count += len(events)
             if self._count <= MOST_EVENTS:
-                self._tables.append(events.table)
+                self._numbers.frombytes(events.table.tobytes())
 
     def end(self, goal: Goal | None, pipeline: Pipeline, cpi: float | None, dpi: float) -> Score:
         """The trial's score by the offline protocol, in which pipelines begin at the movement's onset."""
-        goal, count, tables = goal or self._goal, self._count, self._tables
+        goal, count, numbers = goal or self._goal, self._count, self._numbers
         self._forget()
         self.running = False
         if count > MOST_EVENTS:
             return Score(count, reason=f"has {count} events, at most {MOST_EVENTS} are scored")
         about = Trial("session", "trial", *((goal.x, goal.y, goal.width) if goal else ()))
-        table = np.concatenate(tables) if tables else np.empty((0, 6))
+        table = np.frombuffer(numbers).reshape(-1, 6)
         recording = Recording.of("trial", [EventColumns(table)], [about])
         prepared = prepare(recording, cpi=cpi, dpi=dpi, threads=1)
         if prepared.skipped:
@@ -51,7 +53,7 @@ class TrialKeeper:
         return _score(prepared, pipeline, build("hold", cpi=cpi, dpi=dpi))
 
     def _forget(self, goal: Goal | None = None) -> None:
-        self._tables: list[FloatArray] = []
+        self._numbers = array("d")
         self._count = 0
         self._goal = goal
 

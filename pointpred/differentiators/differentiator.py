@@ -53,6 +53,12 @@ class Differentiator(CompiledStage):
             raise sampling.explain(event, self._last_t())
         return row
 
+    def advance(
+        self, t: float, x: float, y: float, dx: float, dy: float, buttons: float
+    ) -> tuple[float, ...]:
+        """``consume`` for plain numbers, NaN for what is missing; t is NaN where the event is refused."""
+        return type(self).step(self._memory, t, x, y, dx, dy, buttons)
+
     def run(self, events: EventColumns) -> MotionColumns:
         """Consume a table of events; when a row is refused the error names it and nothing is consumed."""
         kept = self._memory.copy()

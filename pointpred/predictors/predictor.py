@@ -39,11 +39,16 @@ class Predictor(CompiledStage):
 
     def consume(self, row: tuple[float, ...]) -> Prediction | None:
         """``update`` for a motion that is still the plain row a differentiator made."""
+        answer = self.advance(row)
+        return prediction_of(answer[0], answer[1:])
+
+    def advance(self, row: tuple[float, ...]) -> tuple[float, ...]:
+        """``consume``, with the prediction as a row of ``PredictionColumns``."""
         t, x, y, vx, vy, ax, ay, settled, start, _ = row
         values = type(self).step(self._memory, t, x, y, vx, vy, ax, ay, float(settled), float(start))
         if values[6] != values[6]:
             raise EventError(f"motion must be finite and not before the last one, received {row!r}")
-        return prediction_of(t, values)
+        return t, *values
 
     def run(self, motions: MotionColumns, begin: BoolArray) -> PredictionColumns:
         """Consume a table of motions; when a row is refused the error names it and nothing is consumed."""

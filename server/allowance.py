@@ -1,0 +1,46 @@
+"""What a session may send: the size of frames, events a frame and a second, targets."""
+
+from __future__ import annotations
+
+from pointpred.server.decoding import RefusedError
+from pointpred.server.messages import Limits, Target
+from pointpred.server.rate import Rate
+
+
+class Allowance:
+    """The limits of one session; every check raises RefusedError."""
+
+    def __init__(self, limits: Limits, now: float) -> None:
+        self.limits = limits
+        self._rate = Rate(limits.max_events_per_s, now)
+
+    def check_size(self, frame: str | bytes) -> None:
+        """The bytes of a frame; the session ends where it holds more."""
+        most, size = self.limits.max_frame_bytes, len(frame)
+        # A character takes at most four bytes: most texts need not be encoded to be measured.
+        if isinstance(frame, str) and most < 4 * size <= 4 * most:
+            size = len(frame.encode(errors="surrogatepass"))
+        if size > most:
+            words = f"a frame holds at most {most} bytes, received {size}"
+            raise RefusedError("too_large", words, close=1009)
+
+    def take(self, count: int, now: float) -> None:
+        """The events of a frame, and of the last second; the session ends where there are more."""
+        most = self.limits.max_events_per_frame
+        if count > most:
+            words = f"a frame holds at most {most} events, received {count}"
+            raise RefusedError("too_large", words, "$.events", close=1009)
+        if not self._rate.allows(count, now):
+            words = f"at most {self.limits.max_events_per_s} events a second"
+            raise RefusedError("too_fast", words, close=1008)
+
+    def check_targets(self, targets: list[Target]) -> None:
+        """How many targets, and that each has a name of its own."""
+        count, most = len(targets), self.limits.max_targets
+        if count > most:
+            raise RefusedError("too_many", f"at most {most} targets, received {count}", "$.targets")
+        seen: set[str] = set()
+        for place, target in enumerate(targets):
+            if target.id in seen:
+                raise RefusedError("bad_field", f"id {target.id!r} occurs twice", f"$.targets[{place}].id")
+            seen.add(target.id)

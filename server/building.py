@@ -1,0 +1,57 @@
+"""A pipeline as a client asked for it; what is wrong with the wish, and where it says so."""
+
+from __future__ import annotations
+
+import re
+
+from pointpred.errors import ParameterError
+from pointpred.pipeline import Pipeline
+from pointpred.registry import REGISTRY, build
+from pointpred.server.decoding import RefusedError
+from pointpred.server.messages import Hello
+
+DPI = 96.0
+ELSEWHERE = {"cpi": "device.cpi", "dpi": "screen.dpi", "name": "predictor"}
+"""What ``build`` takes besides parameters, and where a client says it."""
+
+
+def cpi_of(hello: Hello) -> float | None:
+    """Counts per inch of the client's device; ``None`` where it does not say."""
+    return hello.device.cpi if hello.device else None
+
+
+def dpi_of(hello: Hello) -> float:
+    """Pixels per inch of the client's screen."""
+    return hello.screen.dpi if hello.screen else DPI
+
+
+def pipeline_of(hello: Hello) -> Pipeline:
+    """Raises RefusedError, naming what is known, for an unknown predictor or a wrong parameter."""
+    if hello.predictor not in REGISTRY:
+        words = f"unknown predictor {hello.predictor!r}; known: {', '.join(REGISTRY)}"
+        raise RefusedError("unknown_predictor", words, "$.predictor")
+    for name, place in ELSEWHERE.items():
+        if name in hello.parameters:
+            raise RefusedError("bad_field", f"{name} is said as {place}", f"$.parameters.{name}")
+    try:
+        return build(hello.predictor, cpi=cpi_of(hello), dpi=dpi_of(hello), **hello.parameters)
+    except ParameterError as error:
+        raise RefusedError("bad_field", str(error), _place(str(error), hello)) from None
+    except (TypeError, ValueError) as error:
+        words = f"a parameter is of a wrong type: {error}"
+        raise RefusedError("bad_field", words, "$.parameters") from None
+
+
+def _place(words: str, hello: Hello) -> str:
+    """The path of the parameter that an error speaks of first."""
+    found = {name: _mentioned(name, words) for name in hello.parameters}
+    named = [name for name, at in found.items() if at >= 0]
+    return f"$.parameters.{min(named, key=found.__getitem__)}" if named else "$.parameters"
+
+
+def _mentioned(name: str, words: str) -> int:
+    """Where words mention a parameter, -1 where they do not: quoted where it is unknown, else as a word."""
+    if (quoted := words.find(repr(name))) >= 0:
+        return quoted
+    found = re.search(rf"\b{re.escape(name)}\b", words)
+    return found.start() if found else -1
