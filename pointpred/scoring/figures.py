@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -29,7 +29,8 @@ KINDS = {
     "by_time": ("Error against time", "share of the time to arrival [%]"),
     "single_axis": ("Single-axis MAE against path", "share of the longer axis done [%]"),
 }
-QUANTITIES = {"px": ("", "mean error [px]"), "of_hold": (", share of hold", "share of hold's error")}
+LAST_SHARE = 0.9
+"""Further along the path hold itself is as good as right, and shares of its error say little."""
 SHARE_LABEL = "share of hold's error (left is better)"
 
 
@@ -44,22 +45,36 @@ def numbers(predictor: Json, kind: str, quantity: str) -> FloatArray:
 
 
 def curves(described: Json, shown: Sequence[str], kind: str, quantity: str = "px") -> Picture:
-    """Mean error of every predictor against path or time: ``kind`` of KINDS, ``quantity`` of QUANTITIES."""
+    """Mean error of every predictor against path or time: ``kind`` of KINDS, ``quantity`` px or of_hold."""
     what, across = KINDS[kind]
-    title = marked(described, what + QUANTITIES[quantity][0])
-    series = {p["name"]: numbers(p, kind, quantity) for p in described["predictors"]}
+    shares = quantity == "of_hold"
+    title = marked(described, what + (", share of hold" if shares else ""))
+    ended = shares and kind == "by_path"
+    fractions = [f for f in SERIES[kind] if f <= LAST_SHARE or not ended]
+    series = {p["name"]: numbers(p, kind, quantity)[: len(fractions)] for p in described["predictors"]}
     with canvas() as (figure, (axes,)):
-        _lines(axes, series, shown, SERIES[kind])
+        _lines(axes, series, shown, fractions)
         axes.set_ylim(0.0, _top([series], shown))
-        axes.set(title=title, xlabel=across, ylabel=QUANTITIES[quantity][1])
+        ylabel = "share of hold's error" if shares else f"mean error [{described['unit']}]"
+        axes.set(title=title, xlabel=across, ylabel=ylabel)
         legend_outside(figure, axes)
-        hidden = len([name for name in series if name not in (*shown, HOLD)])
-        others = f" Thin lines: {hidden} other predictors." if hidden else ""
+        unit = "" if shares else " " + described["unit"]
+        others = _thin(series, shown)
+        if ended:
+            others += (
+                f" Beyond {LAST_SHARE:.0%} hold is as good as right, and shares of its error say little."
+            )
         return picture(
             figure,
-            f"{title} on {described['name']}: {_in_words(series, shown, SERIES[kind], quantity)}",
-            f"{title}; mean over {described['trials']} trials.{others}",
+            f"{title} on {described['name']}: {_in_words(series, shown, fractions, unit)}",
+            f"{title}; number of trials averaged: {described['trials']}.{others}",
         )
+
+
+def _thin(series: Iterable[str], shown: Sequence[str]) -> str:
+    """Which predictors the thin lines are."""
+    hidden = [name for name in series if name not in (*shown, HOLD)]
+    return f" Thin lines: {', '.join(hidden)}." if hidden else ""
 
 
 def group_curves(described: Json, shown: Sequence[str], groups: Sequence[str]) -> Picture:
@@ -75,17 +90,20 @@ def group_curves(described: Json, shown: Sequence[str], groups: Sequence[str]) -
         for axes, key, series in zip(panels, groups, drawn, strict=False):
             _lines(axes, series, shown, fractions)
             axes.tick_params(labelbottom=True)
-            axes.set_title(f"{key.replace('_', ' ')} ({described['groups'][key]['trials']})")
+            group = described["groups"][key]
+            axes.set_title(f"{group['label']} ({group['trials']})")
         for axes in panels[len(groups) :]:
             axes.set_visible(False)
         panels[0].set_ylim(0.0, _top(drawn, shown))
         figure.supxlabel(KINDS["single_axis"][1], fontsize=10.5)
-        figure.supylabel("mean error [px]", fontsize=10.5)
+        figure.supylabel(f"mean error [{described['unit']}]", fontsize=10.5)
         legend_outside(figure, panels[0], above=True, columns=4)
         return picture(
             figure,
-            f"{title} on {described['name']}: a panel each for {', '.join(groups).replace('_', ' ')}.",
-            f"{title}. Numbers of trials in brackets; how groups were told apart stands in the table.",
+            f"{title} on {described['name']}: a panel each for "
+            f"{', '.join(described['groups'][key]['label'] for key in groups)}.",
+            f"{title}. Numbers of trials in brackets; how groups were told apart stands in the table."
+            + _thin(drawn[0], shown),
             wide=True,
         )
 
@@ -107,11 +125,10 @@ def _top(panels: Sequence[dict[str, FloatArray]], shown: Sequence[str]) -> float
 
 
 def _in_words(
-    series: dict[str, FloatArray], shown: Sequence[str], fractions: Sequence[float], quantity: str
+    series: dict[str, FloatArray], shown: Sequence[str], fractions: Sequence[float], unit: str
 ) -> str:
     """The named lines at their first, middle and last fraction."""
     places = (0, len(fractions) // 2, len(fractions) - 1)
-    unit = " px" if quantity == "px" else ""
     said = [
         f"{name} " + ", ".join(f"{series[name][i]:.3g}{unit} at {fractions[i]:.0%}" for i in places)
         for name in series
@@ -195,17 +212,18 @@ def cost(described: Json) -> Picture:
 
     drawn = [p for p in _by_share(described) if p["us_per_event"]]
     title = marked(described, "Cost beside accuracy")
-    with canvas(height=4.0) as (figure, (axes,)):
+    with canvas(height=5.2) as (figure, (axes,)):
         for p in drawn:
             point = (p["us_per_event"], p["time_averaged"]["of_hold"])
-            axes.plot(*point, "o", color=GREY if p["name"] == HOLD else PALETTE[0])
-            axes.annotate(p["name"], point, (5, 3), textcoords="offset points", fontsize=9)
+            style: Any = line_style(p["name"], [p["name"]]) | {"linestyle": "none", "markersize": 7.5}
+            axes.plot(*[[value] for value in point], **({"marker": "o"} | style))
         if drawn:
             axes.set_xscale("log")
             axes.xaxis.set_major_formatter("{x:g}")  # the usual one writes powers as mathematics
             axes.xaxis.set_minor_formatter("")
             axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
             axes.margins(x=0.25)
+            legend_outside(figure, axes)
         axes.set(title=title, xlabel="cost [µs per event, one core]", ylabel="share of hold's error")
         axes.grid()
         said = [f"{p['name']} {p['us_per_event']:.2g} µs, {p['time_averaged']['of_hold']:.2f}" for p in drawn]

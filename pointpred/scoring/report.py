@@ -107,7 +107,7 @@ def _what(described: Json) -> str:
     parts = [
         "<h3>What was scored</h3>",
         f"<p>Trials: {described['trials']}; people: {described['users']}; events: {described['events']}; "
-        f"predictors: {len(described['predictors'])}; trials skipped: {len(described['skipped'])}.</p>",
+        f"predictors: {len(described['predictors'])}.</p>",
         f"<ul>{notes}</ul>" if notes else "",
         skipped_table(described),
     ]
@@ -130,19 +130,25 @@ def _single_axis(score: SetScore, described: Json, shown: Sequence[str]) -> str:
     boxed = [axis_profile(known[name]) for name in (*chosen, HOLD)]
     drawn = [
         curves(described, shown, "single_axis"),
-        boxes(score.name, boxed, shown, simulated=score.simulated),
+        boxes(score.name, boxed, shown, simulated=score.simulated, unit=score.unit),
     ]
     groups = [key for key in GROUPS if key in described["groups"]]
     if groups:
         drawn.append(group_curves(described, shown, groups))
     profiles = [axis_profile(predictor) for predictor in score.predictors]
     models = compared(score)
-    caption = f"{score.name}: single-axis MAE in px, below it with outliers replaced by the quartile bound"
+    below = "below it with outliers replaced by the quartile bound"
+    caption = f"{score.name}: single-axis MAE in {score.unit}, {below}"
     return (
         f'<h3>Single axis</h3><div class="figures">{"".join(one.html() for one in drawn)}</div>'
         + mae_table(caption, profiles)
         + "<h3>Statistics</h3>"
-        + statistics_html(score.name, axis_anova(score, models), [p for p in profiles if p.name in models])
+        + statistics_html(
+            score.name,
+            axis_anova(score, models),
+            [p for p in profiles if p.name in models],
+            thesis=models == pair(list(known)),
+        )
     )
 
 
@@ -151,8 +157,9 @@ def _worst(score: SetScore, name: str, drawings: Sequence[Drawing] | None) -> st
     if drawings is None:
         return "<h3>Worst trials</h3><p>Not drawn: the recording was not given to the report.</p>"
     rows = [_worst_row(i, drawing) for i, drawing in enumerate(drawings)]
-    head = ("panel", "user", "trial", "distance [px]", "time [s]", "error [px]", "answered")
-    figure = draw_worst(score.name, name, drawings, simulated=score.simulated).html()
+    unit = f"[{score.unit}]"
+    head = ("panel", "user", "trial", f"distance {unit}", "time [s]", f"error {unit}", "answered")
+    figure = draw_worst(score.name, name, drawings, simulated=score.simulated, unit=score.unit).html()
     return f'<h3>Worst trials</h3><div class="figures">{figure}</div>' + table(
         f"{score.name}: trials with the largest time-averaged error of {name}", head, rows
     )

@@ -17,7 +17,12 @@ HEADROOM = 1.6
 
 
 def boxes(
-    name: str, profiles: Sequence[AxisProfile], shown: Sequence[str], *, simulated: bool = False
+    name: str,
+    profiles: Sequence[AxisProfile],
+    shown: Sequence[str],
+    *,
+    simulated: bool = False,
+    unit: str = "px",
 ) -> Picture:
     """A panel a predictor, all on one scale, in the colours of the curves; ``name`` is the set's."""
     title = "Single axis: spread of the error" + (" (simulated)" if simulated else "")
@@ -48,8 +53,8 @@ def boxes(
         panels[0].set(xlim=(3, 107), ylim=(0.0, top))
         panels[0].set_xticks(range(10, 101, 10))
         figure.supxlabel("share of the longer axis done [%]", fontsize=10.5)
-        figure.supylabel("error [px]", fontsize=10.5)
-        said = [f"{p.name} median {p.boxes[TENTHS[4]].median:.3g} px at 50 %" for p in profiles]
+        figure.supylabel(f"error [{unit}]", fontsize=10.5)
+        said = [f"{p.name} median {p.boxes[TENTHS[4]].median:.3g} {unit} at 50 %" for p in profiles]
         return picture(
             figure,
             f"{title} on {name}, box plots at every tenth of the path: {'; '.join(said)}.",

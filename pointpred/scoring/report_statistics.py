@@ -111,17 +111,20 @@ def leads(profiles: Sequence[AxisProfile], *, replaced: bool = False) -> str:
     return f"Lowest MAE: {'; '.join(said)} of the path."
 
 
-def statistics_html(name: str, series: AnovaSeries, profiles: Sequence[AxisProfile]) -> str:
-    """The whole analysis of a set: design, words, both tables, what was left out.
+def statistics_html(
+    name: str, series: AnovaSeries, profiles: Sequence[AxisProfile], *, thesis: bool = False
+) -> str:
+    """The whole analysis of a set: design, words, both tables, what could not enter.
 
-    ``profiles`` are those of the models compared.
+    ``profiles`` are those of the models compared; ``thesis``: they are the thesis's two.
     """
     levels = (
         f"{text(factor)} ({', '.join(text(level) for level in of)})"
         for factor, of in zip(series.factors, series.levels, strict=True)
     )
     notes = "".join(f"<li>{text(note, 400)}</li>" for note in series.notes)
-    parts = []
+    compared = " and ".join(text(model) for model in series.models)
+    parts = [f"<p>Models compared: the thesis's two, {compared}.</p>" if thesis else ""]
     if any(series.effects):
         parts.append(
             f"<p>Repeated-measures ANOVA of the single-axis error, {series.users} people. Within factors: "
@@ -138,7 +141,7 @@ def statistics_html(name: str, series: AnovaSeries, profiles: Sequence[AxisProfi
             parts.append(f"<h4>{title}</h4><ul>{said}</ul>")
             parts.append(anova_table(f"{name}: analysis of variance, {title.lower()}", effects))
     if notes:
-        parts.append(f"<p>What the analysis leaves out:</p><ul>{notes}</ul>")
+        parts.append(f"<p>Of the analysis:</p><ul>{notes}</ul>")
     return "".join(parts)
 
 

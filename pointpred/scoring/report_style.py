@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import html
 import io
+import zlib
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, Literal
@@ -20,6 +21,19 @@ MOST_LINES = 6
 PALETTE = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00")
 """Okabe and Ito's colours, told apart with any colour vision; markers say the same once more."""
 MARKERS = ("o", "s", "^", "D", "v", "P")
+DASHED = (0, (3, 1.2))
+STYLES: dict[str, tuple[int, str, object]] = {
+    "linear": (5, "v", "solid"),
+    "kalman": (4, "D", "solid"),
+    "minimum-jerk": (2, "^", "solid"),
+    "kep-quadratic": (3, "s", "solid"),
+    "kep-quadratic-gated": (3, "P", DASHED),
+    "kep-quartic": (1, "X", "solid"),
+    "kep-quartic-gated": (1, "*", DASHED),
+    "switched": (0, "o", "solid"),
+    "switched-printed": (0, "h", DASHED),
+}
+"""Place in PALETTE, marker and dash of each name of the registry, the same in every figure and set."""
 GREY = "#808080"
 INK = "#010203"
 """Stands for the text colour of the page: replaced by ``currentColor`` once drawn."""
@@ -107,15 +121,20 @@ def picture(figure: Figure, alt: str, caption: str, *, wide: bool = False) -> Pi
 
 
 def line_style(name: str, shown: Sequence[str]) -> dict[str, object]:
-    """Colour, marker and dash of a predictor: ``hold`` is the grey reference, the rest count up."""
+    """Colour, marker and dash of a predictor: ``hold`` is the grey reference, what is not shown is faint.
+
+    A name that is not in the registry has a look of its own too, told by the letters of the name.
+    """
     if name == HOLD:
         return {"color": GREY, "linestyle": (0, (4, 2)), "label": "hold (no prediction)", "zorder": 2.5}
     if name not in shown:
         return {"color": FAINT, "linewidth": 0.8, "zorder": 1.5}
-    place = [other for other in shown if other != HOLD].index(name)
+    other = zlib.crc32(name.encode("utf-8", "replace"))
+    place, marker, dash = STYLES.get(name, (other % 6, MARKERS[other // 6 % 6], "dotted"))
     return {
-        "color": PALETTE[place % len(PALETTE)],
-        "marker": MARKERS[place % len(MARKERS)],
+        "color": PALETTE[place],
+        "marker": marker,
+        "linestyle": dash,
         "label": name,
         "zorder": 3.0,
     }

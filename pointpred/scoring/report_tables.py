@@ -57,9 +57,9 @@ def number(value: float | None, digits: int = 2) -> str:
     return "–" if value is None else f"{value:.{digits}f}"
 
 
-def cell(measure: Json) -> str:
-    """Share of hold above its px."""
-    return f"{number(measure['of_hold'])}<small>{number(measure['px'], 1)} px</small>"
+def cell(measure: Json, unit: str) -> str:
+    """Share of hold above the error itself."""
+    return f"{number(measure['of_hold'])}<small>{number(measure['px'], 1)} {unit}</small>"
 
 
 def summary_table(described: Json) -> str:
@@ -82,8 +82,8 @@ def summary_table(described: Json) -> str:
                 str(len(predictor["failed"])),
             )
         )
-    head = ("predictor", "share of hold", "95% interval", "px", "skill", "clean trials", "answered",
-            "µs per event", "failed")  # fmt: skip
+    head = ("predictor", "share of hold", "95% interval", described["unit"], "skill", "clean trials",
+            "answered", "µs per event", "failed")  # fmt: skip
     return table(f"{described['name']}: time-averaged error", head, rows, marked=_reference(described))
 
 
@@ -91,11 +91,11 @@ def series_table(described: Json, kind: str) -> str:
     """Error at each fraction of the time (``by_time``) or of the path (``by_path``)."""
     fractions, what = {"by_time": (TIME_FRACTIONS, "time"), "by_path": (PATH_FRACTIONS, "path")}[kind]
     rows = [
-        (text(p["name"]), *(cell(p[kind][str(fraction)]) for fraction in fractions))
+        (text(p["name"]), *(cell(p[kind][str(fraction)], described["unit"]) for fraction in fractions))
         for p in described["predictors"]
     ]
     return table(
-        f"{described['name']}: error at shares of the {what}, as a share of hold and in px",
+        f"{described['name']}: error at shares of the {what}, as a share of hold and in {described['unit']}",
         (f"share of the {what}", *(f"{fraction:.0%}" for fraction in fractions)),
         rows,
         marked=_reference(described),
@@ -109,18 +109,16 @@ def _reference(described: Json) -> frozenset[int]:
 def groups_table(described: Json) -> str:
     """The time-averaged error in each group of trials, and how the trials were told apart."""
     groups = described["groups"]
-    head = [
-        f"{text(key.replace('_', ' '))}<small>{group['trials']} trials</small>"
-        for key, group in groups.items()
-    ]
+    head = [f"{text(group['label'])}<small>trials: {group['trials']}</small>" for group in groups.values()]
     rows = [
-        (text(p["name"]), *(cell(p["groups"][key]["time_averaged"]) for key in groups))
+        (text(p["name"]), *(cell(p["groups"][key]["time_averaged"], described["unit"]) for key in groups))
         for p in described["predictors"]
     ]
-    caption = f"{described['name']}: time-averaged error by group, as a share of hold and in px"
+    caption = (
+        f"{described['name']}: time-averaged error by group, as a share of hold and in {described['unit']}"
+    )
     basis = "".join(
-        f"<li>{text(key.replace('_', ' '))}: {text(group['basis'], 200)}</li>"
-        for key, group in groups.items()
+        f"<li>{text(group['label'])}: {text(group['basis'], 200)}</li>" for group in groups.values()
     )
     return table(caption, ("predictor", *head), rows, marked=_reference(described)) + f"<ul>{basis}</ul>"
 
@@ -136,7 +134,7 @@ def skipped_table(described: Json, most: int = 20) -> str:
             (text(s["user"] or "–"), text(s["trial"]), text(s["reason"]), number(s["row"], 0))
             for s in skipped
         ]
-        return table(caption, ("user", "trial", "reason", "row"), rows, words=True)
+        return table(caption, ("user", "trial", "reason", "data row, from 0"), rows, words=True)
     counted = Counter(s["reason"] for s in skipped)
     first = {reason: next(s["trial"] for s in skipped if s["reason"] == reason) for reason in counted}
     common = counted.most_common(most)

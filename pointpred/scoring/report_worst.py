@@ -57,7 +57,9 @@ def worst(score: SetScore, prepared: Prepared, pipeline: Pipeline, count: int = 
     )
 
 
-def draw_worst(name: str, predictor: str, drawings: Sequence[Drawing], *, simulated: bool = False) -> Picture:
+def draw_worst(
+    name: str, predictor: str, drawings: Sequence[Drawing], *, simulated: bool = False, unit: str = "px"
+) -> Picture:
     """A panel a trial: path, predicted endpoints coloured by time, true endpoint, target where known."""
     title = f"Worst trials of {predictor}" + (" (simulated)" if simulated else "")
     rows = (len(drawings) + 1) // 2
@@ -65,7 +67,10 @@ def draw_worst(name: str, predictor: str, drawings: Sequence[Drawing], *, simula
         colours = None
         for place, (axes, drawing) in enumerate(zip(panels, drawings, strict=False)):
             colours = _panel(axes, drawing)
-            axes.set_title(f"{place + 1}: {drawing.error_px:.0f} px over {drawing.trial.distance_px:.0f} px")
+            axes.set_title(
+                f"{place + 1}: mean error {drawing.error_px:.0f} {unit}, "
+                f"distance {drawing.trial.distance_px:.0f} {unit}"
+            )
         for axes in panels[len(drawings) :]:
             axes.set_visible(False)
         if colours is not None:
@@ -77,9 +82,10 @@ def draw_worst(name: str, predictor: str, drawings: Sequence[Drawing], *, simula
         return picture(
             figure,
             f"{title} on {name}: {len(drawings)} paths with the predicted endpoints; largest error "
-            f"{worst_of_all:.3g} px.",
-            f"{title}: time-averaged error and distance above each panel. Positions in px, y down; "
-            "predictions far outside the frame are not drawn.",
+            f"{worst_of_all:.3g} {unit}.",
+            f"{title}, which has the lowest time-averaged error on this set. Each dot is an endpoint it "
+            f"predicted, coloured by when. Above each panel: time-averaged error and distance. Positions in "
+            f"{unit}, y down; predictions far outside the frame are not drawn.",
             wide=True,
         )
 
@@ -101,8 +107,8 @@ def _panel(axes: Any, drawing: Drawing) -> Any:
         c=np.minimum(share, 100),
         cmap="cividis",
         s=16,
-        edgecolors=GREY,
-        linewidths=0.4,
+        edgecolors=INK,
+        linewidths=0.5,
         vmin=0,
         vmax=100,
     )
