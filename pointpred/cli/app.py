@@ -11,6 +11,8 @@ import typer
 import pointpred
 from pointpred.cli.datasets import app as datasets
 from pointpred.cli.predictors import predictors
+from pointpred.cli.recordings import app as recordings
+from pointpred.cli.replay import replay
 from pointpred.cli.score import score
 from pointpred.cli.serve import serve
 from pointpred.cli.transform import convert, simulate
@@ -27,9 +29,10 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-for command in (score, simulate, convert, predictors, serve):
+for command in (score, simulate, convert, predictors, serve, replay):
     app.command()(command)
 app.add_typer(datasets, name="datasets")
+app.add_typer(recordings, name="recordings")
 
 
 def _version(wanted: bool) -> None:

@@ -30,7 +30,10 @@ MAY_IMPORT = {
     "sources": {"errors", "events", "columns", "recording"},
     "datasets": PIPELINE | {"simulation", "sources"},
     "server": PIPELINE | {"simulation", "scoring", "sources", "datasets", "pointpred"},
-    "cli": PIPELINE | {"simulation", "scoring", "sources", "datasets", "server", "pointpred"},
+    "client": {"errors", "events", "columns", "server"},
+    "replaying": PIPELINE | {"scoring", "server", "client"},
+    "cli": PIPELINE
+    | {"simulation", "scoring", "sources", "datasets", "server", "client", "replaying", "pointpred"},
     "pointpred": {"columns", "events", "pipeline", "registry"},
     "__main__": {"cli"},
 }

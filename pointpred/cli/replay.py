@@ -1,0 +1,194 @@
+"""``pointpred replay``: a recording to a service, or as the mouse of a real page."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Unit, reading
+from pointpred.cli.replay_tables import described, plain, print_played
+from pointpred.cli.screen import check_target, remarks, write_json
+from pointpred.errors import ParameterError, RecordingError
+
+if TYPE_CHECKING:
+    from pointpred.recording import Recording
+
+PAGE = "As the mouse of a page"
+
+
+def replay(
+    file: Annotated[
+        Path | None,
+        typer.Argument(exists=True, help="A recording in any known format; none: the embedded sample."),
+    ] = None,
+    to: Annotated[
+        str | None, typer.Option(metavar="URL", help="Address of a service, ws:// or http://.")
+    ] = None,
+    devtools: Annotated[
+        str | None,
+        typer.Option(metavar="URL", help="A browser, http://127.0.0.1:9222.", rich_help_panel=PAGE),
+    ] = None,
+    url: Annotated[
+        str | None,
+        typer.Option(metavar="PAGE", help="Page to open; none: the first tab.", rich_help_panel=PAGE),
+    ] = None,
+    offset: Annotated[
+        str, typer.Option(metavar="X,Y", help="Added to every position, px.", rich_help_panel=PAGE)
+    ] = "0,0",
+    scale: Annotated[
+        float, typer.Option(help="Multiplies every position first.", rich_help_panel=PAGE)
+    ] = 1.0,
+    speed: Annotated[str, typer.Option(help="1 as recorded, 2 twice as fast, max without waiting.")] = "1",
+    predictor: Annotated[str, typer.Option(help="Name of a predictor.")] = "switched",
+    trial: Annotated[
+        list[str] | None, typer.Option(help="USER-TRIAL or its place from 1; repeatable; none: all.")
+    ] = None,
+    json: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Write every number as JSON; - for stdout.")
+    ] = None,
+    token: Annotated[
+        str | None, typer.Option(envvar="POINTPRED_TOKEN", help="Where the service asks for one.")
+    ] = None,
+    cut: Cut = None,
+    pause_s: PauseS = None,
+    unit: Unit = None,
+    screen: Screen = None,
+    cpi: Cpi = None,
+    dpi: Dpi = None,
+) -> None:
+    """Play a recording again: to a service, compared with the local batch; or on a page, as its mouse.
+
+    Try:
+
+      pointpred replay --to ws://127.0.0.1:8765 --trial 1
+
+      pointpred replay study_samples.parquet --to ws://127.0.0.1:8765 --speed max --json -
+
+      pointpred replay study_samples.parquet --devtools http://127.0.0.1:9222 --url http://127.0.0.1:8765/
+    """
+    if (to is None) == (devtools is None):
+        raise ParameterError("say either --to URL of a service or --devtools URL of a browser")
+    pace, shift = _speed(speed), _pair(offset)
+    check_target(json)
+    told = reading(cut, pause_s, unit, screen, cpi, dpi)
+    recording = _one(file, told)
+    names = trial or []
+    if devtools is not None:
+        answer = _drive(devtools, url, recording, names, speed=pace, offset=shift, scale=scale)
+    else:
+        assert to is not None
+        answer = _send(to, recording, names, predictor, pace, token, cpi, dpi, quiet=str(json) == "-")
+    if json is not None:
+        write_json(answer, json)
+    if not answer["trials"]:
+        raise RecordingError("no trial could be played; the reasons stand above")
+    if answer.get("agree") is False:
+        raise typer.Exit(1)
+
+
+def _send(
+    to: str,
+    recording: Recording,
+    names: list[str],
+    predictor: str,
+    speed: float,
+    token: str | None,
+    cpi: float | None,
+    dpi: float | None,
+    *,
+    quiet: bool,
+) -> dict[str, Any]:
+    """Play to a service and print what came back."""
+    from pointpred.cli.progress import following
+    from pointpred.replaying import replay_to
+
+    with following() as progress:
+        played = replay_to(
+            to,
+            recording,
+            predictor=predictor,
+            speed=speed,
+            trials=names,
+            cpi=cpi,
+            dpi=dpi,
+            token=token,
+            progress=progress,
+        )
+    _complain(played.skipped)
+    if not quiet:
+        print_played(played)
+    return described(played)
+
+
+def _drive(
+    devtools: str, url: str | None, recording: Recording, names: list[str], **how: Any
+) -> dict[str, Any]:
+    """Play as the mouse of a page and say what was done."""
+    from pointpred.replaying import drive_mouse, open_page
+    from pointpred.replaying.choosing import chosen, named, unplayable
+
+    places = chosen(recording, names)
+    skips = {k: skip for k in places if (skip := unplayable(recording, k)) is not None}
+    _complain(tuple(skips.values()))
+    done = []
+    with open_page(devtools, url) as page:
+        for k in places:
+            if k in skips:
+                continue
+            driven = drive_mouse(page, recording.rows(k), **how)
+            done.append({"trial": named(recording, k), **plain(driven)})
+            remarks().print(
+                f"{named(recording, k)}: {driven.moves} moves, {driven.presses} presses, "
+                f"{driven.releases} releases in {driven.seconds:.2f} s",
+                markup=False,
+            )
+    return {
+        "version": 1,
+        "recording": recording.name,
+        "trials": done,
+        "skipped": [plain(s) for s in skips.values()],
+    }
+
+
+def _complain(skips: tuple[Any, ...]) -> None:
+    for skip in skips:
+        remarks().print(f"left out: {skip.user}-{skip.trial} {skip.reason}", style="red", markup=False)
+
+
+def _one(file: Path | None, told: Any) -> Recording:
+    """The recording to play; the embedded sample where none is named."""
+    if file is None:
+        from pointpred.datasets import sample
+
+        remarks().print("No recording given: playing the embedded sample of simulated people.")
+        return sample()
+    from pointpred.sources import read_any
+
+    found = list(read_any(file, told))
+    if len(found) != 1:
+        raise RecordingError(f"{file} holds {len(found)} recordings, one is played at a time")
+    return found[0]
+
+
+def _speed(text: str) -> float:
+    try:
+        value = math.inf if text == "max" else float(text)
+    except ValueError:
+        value = math.nan
+    if not value > 0.0:
+        raise ParameterError(f"speed must be a positive number or 'max', received {text!r}")
+    return value
+
+
+def _pair(text: str) -> tuple[float, float]:
+    x, _, y = text.partition(",")
+    try:
+        pair = float(x), float(y)
+    except ValueError:
+        pair = math.nan, math.nan
+    if not all(map(math.isfinite, pair)):
+        raise ParameterError(f"offset must be X,Y in px, received {text!r}")
+    return pair

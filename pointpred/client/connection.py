@@ -1,0 +1,202 @@
+"""A connection for scripts: every call that has an answer waits for it."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterable, Iterator
+from types import TracebackType
+from typing import Any, Self, TypeVar
+
+from websockets.exceptions import ConnectionClosed, InvalidHandshake
+from websockets.sync.client import ClientConnection
+from websockets.sync.client import connect as dial
+from websockets.typing import Subprotocol
+
+from pointpred.client.dialogue import Dialogue
+from pointpred.client.wire import Row, address, encode
+from pointpred.columns import EventColumns, PredictionColumns
+from pointpred.errors import SourceError
+from pointpred.events import PointerEvent
+from pointpred.server.messages import (
+    SUBPROTOCOL,
+    Bye,
+    Goal,
+    Limits,
+    PredictionMessage,
+    Score,
+    Target,
+    TargetsTaken,
+    Welcome,
+)
+
+Answer = TypeVar("Answer")
+QUEUE = 1024
+"""Frames kept for a script that does not read; then the service keeps only its newest prediction."""
+
+
+def connect(url: str, *, token: str | None = None, timeout_s: float = 10.0, **hello: Any) -> Connection:
+    """Open a session; use it as a context manager.
+
+    ``url``: of the service or of its stream, http or ws. ``hello``: ``predictor``, ``parameters``,
+    ``device``, ``screen``, ``reply``, ``encoding`` as in the protocol; binary unless told otherwise. No
+    answer for ``timeout_s`` is an error. Raises SourceError where nobody answers, ServiceError where the
+    service refuses, ParameterError where a field does not fit.
+    """
+    dialogue = Dialogue(**hello)
+    where = address(url, token)
+    try:
+        socket = dial(
+            where,
+            subprotocols=[Subprotocol(SUBPROTOCOL)],
+            compression=None,
+            max_queue=QUEUE,
+            open_timeout=timeout_s,
+            proxy=None,
+        )
+    except (OSError, InvalidHandshake, TimeoutError) as error:
+        raise SourceError(f"cannot connect to {where.partition('?')[0]}: {error}") from error
+    connection = Connection(socket, dialogue, timeout_s)
+    try:
+        connection.greet()
+    except BaseException:
+        socket.close()
+        raise
+    return connection
+
+
+class Connection:
+    """One session; made by ``connect``. Not safe for threads."""
+
+    def __init__(self, socket: ClientConnection, dialogue: Dialogue, timeout_s: float) -> None:
+        self.dialogue = dialogue
+        self.timeout_s = timeout_s
+        self._socket = socket
+
+    def greet(self) -> Welcome:
+        """Say hello; ``connect`` does."""
+        self._say(encode(self.dialogue.hello).decode())
+        return self._await(Welcome)
+
+    @property
+    def welcome(self) -> Welcome:
+        """What the service said last about the session."""
+        assert self.dialogue.welcome is not None
+        return self.dialogue.welcome
+
+    @property
+    def limits(self) -> Limits:
+        """What the session may do."""
+        return self.welcome.limits
+
+    def send(self, events: EventColumns | Iterable[PointerEvent | Row]) -> int:
+        """Send events, in as many frames as the limits ask for; returns how many."""
+        count = 0
+        for frame in self.dialogue.events(events):
+            self._say(frame)
+            count += 1
+        return count
+
+    def predictions(self) -> Iterator[PredictionMessage]:
+        """Predictions in order, until the newest event sent has its own; null where nothing is justified.
+
+        Raises ServiceError for an event that was refused; call again for what comes after.
+        """
+        while True:
+            while (message := self.dialogue.take()) is not None:
+                yield message
+            if self.dialogue.answered:
+                return
+            self._hear(self.timeout_s)
+
+    def columns(self) -> PredictionColumns:
+        """The same predictions as a table."""
+        while not self.dialogue.answered:
+            self._hear(self.timeout_s)
+        return self.dialogue.take_all()
+
+    def poll(self) -> PredictionColumns:
+        """The predictions that are there, without waiting."""
+        while True:
+            try:
+                self.dialogue.heard(self._socket.recv(timeout=0))
+            except TimeoutError:
+                return self.dialogue.take_all()
+            except ConnectionClosed as closed:
+                raise SourceError(closed_words(closed)) from closed
+
+    def targets(self, targets: Iterable[dict[str, Any] | Target]) -> int:
+        """Replace the set of targets; returns how many the service holds."""
+        self._say(self.dialogue.targets(targets))
+        return self._await(TargetsTaken).count
+
+    def trial(self, action: str, target: dict[str, float] | Goal | None = None) -> Score | None:
+        """A movement starts, or has ended; the end returns its score."""
+        self._say(self.dialogue.trial(action, target))
+        return self._await(Score) if action == "end" else None
+
+    def configure(self, **changes: Any) -> Welcome:
+        """Change ``predictor``, ``parameters``, ``reply`` or ``precision``; the rest stays."""
+        self._say(self.dialogue.configure(**changes))
+        answer = self._await(Welcome)
+        self.dialogue.configured(**changes)
+        return answer
+
+    def reset(self) -> None:
+        """Forget every event: the next one starts a movement."""
+        self._say(self.dialogue.reset())
+
+    def close(self) -> None:
+        """Take leave; twice is as good as once."""
+        try:
+            self._socket.send(encode(Bye()).decode())
+        except ConnectionClosed:
+            return
+        finally:
+            self._socket.close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def _say(self, frame: str | bytes) -> None:
+        try:
+            self._socket.send(frame)
+        except ConnectionClosed as closed:
+            self._last_words()
+            raise SourceError(closed_words(closed)) from closed
+
+    def _last_words(self) -> None:
+        """What the service said before it left, where it said why: raises ServiceError."""
+        try:
+            while True:
+                self.dialogue.heard(self._socket.recv(timeout=0))
+        except (ConnectionClosed, TimeoutError):
+            return
+
+    def _hear(self, timeout_s: float) -> Any:
+        try:
+            return self.dialogue.heard(self._socket.recv(timeout=timeout_s))
+        except TimeoutError:
+            raise SourceError(f"the service did not answer for {timeout_s:g} s") from None
+        except ConnectionClosed as closed:
+            raise SourceError(closed_words(closed)) from closed
+
+    def _await(self, kind: type[Answer]) -> Answer:
+        """The next answer of a kind; predictions that come before it are kept."""
+        until = time.monotonic() + self.timeout_s
+        while True:
+            message = self._hear(max(0.0, until - time.monotonic()))
+            if isinstance(message, kind):
+                return message
+
+
+def closed_words(closed: ConnectionClosed) -> str:
+    """How the service took leave."""
+    said = closed.rcvd
+    if said is None:
+        return "the connection to the service was lost"
+    return f"the service closed the session: {said.code} {said.reason}".rstrip()

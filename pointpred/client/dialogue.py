@@ -1,0 +1,183 @@
+"""The client's side of a session without a socket: what to send, and what an answer means."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from pointpred.client.wire import (
+    Frame,
+    Row,
+    columns_of,
+    encode,
+    frames,
+    message_of,
+    row_of,
+    unpack_predictions,
+)
+from pointpred.columns import EventColumns, PredictionColumns
+from pointpred.errors import ParameterError, PointpredError
+from pointpred.events import PointerEvent
+from pointpred.server.messages import (
+    VERSION,
+    ClientMessage,
+    Configure,
+    Encoding,
+    ErrorMessage,
+    Goal,
+    Hello,
+    PredictionMessage,
+    Reply,
+    Reset,
+    ServerMessage,
+    Target,
+    Targets,
+    TrialMark,
+    Welcome,
+)
+
+_decode = msgspec.json.Decoder(ServerMessage).decode
+
+
+class ServiceError(PointpredError, ValueError):
+    """The service refused something: ``code`` and ``path`` as in the protocol's ``error`` message."""
+
+    def __init__(self, answer: ErrorMessage) -> None:
+        place = f" at {answer.path}" if answer.path else ""
+        super().__init__(f"{answer.code}{place}: {answer.message}")
+        self.code = answer.code
+        self.path = answer.path
+        self.recoverable = answer.recoverable
+
+
+class Dialogue:
+    """Remembers what was asked and what is still unanswered; not safe for threads."""
+
+    def __init__(
+        self,
+        predictor: str = "switched",
+        parameters: dict[str, Any] | None = None,
+        device: dict[str, float] | None = None,
+        screen: dict[str, float] | None = None,
+        reply: Reply = "frame",
+        encoding: Encoding = "binary",
+    ) -> None:
+        """Raises ParameterError where the hello would not fit the protocol."""
+        described = {"predictor": predictor, "parameters": parameters or {}, "device": device}
+        described |= {"screen": screen, "reply": reply, "encoding": encoding}
+        self.hello = _fit(Hello, {"type": "hello", "version": VERSION, **described})
+        self.welcome: Welcome | None = None
+        self.notices: list[ErrorMessage] = []
+        """Remarks of the service that break nothing: predictions that gave way to newer ones."""
+        self._rows: deque[list[float]] = deque()
+        self._unanswered: deque[float] = deque()
+        self._newest = -np.inf
+
+    def events(self, events: EventColumns | Iterable[PointerEvent | Row]) -> Iterator[Frame]:
+        """Frames to send, one after another; what they ask for counts as asked once it is taken."""
+        if self.welcome is None:
+            raise ParameterError("events may be sent after the service has said welcome")
+        for frame, part in frames(columns_of(events), self.hello.encoding, self.welcome.limits):
+            self._expect(part.table[:, 0].tolist())
+            yield frame
+
+    def _expect(self, times: list[float]) -> None:
+        """The times that predictions will carry; the service drops events that run backwards."""
+        kept = []
+        for t in times:
+            if t >= self._newest:
+                self._newest = t
+                kept.append(t)
+        self._unanswered.extend(kept if self.hello.reply == "event" else kept[-1:])
+
+    def targets(self, targets: Iterable[dict[str, Any] | Target]) -> Frame:
+        """Replaces the set of targets."""
+        return self._text(_fit(Targets, {"type": "targets", "targets": [_plain(each) for each in targets]}))
+
+    def trial(self, action: str, target: dict[str, float] | Goal | None) -> Frame:
+        """A trial starts or ends; a start begins anew, as ``reset`` does."""
+        mark = {"type": "trial", "action": action, "target": None if target is None else _plain(target)}
+        fitted = _fit(TrialMark, mark)
+        if action == "start":
+            self._newest = -np.inf
+        return self._text(fitted)
+
+    def configure(self, **changes: Any) -> Frame:
+        """Changes the predictor, its parameters or the kind of reply."""
+        fitted = _fit(Configure, {"type": "configure", **changes})
+        return self._text(fitted)
+
+    def configured(self, **changes: Any) -> None:
+        """The service took the changes."""
+        if "reply" in changes:
+            self.hello.reply = changes["reply"]
+        if {"predictor", "parameters"} & changes.keys():
+            self._newest = -np.inf
+
+    def reset(self) -> Frame:
+        """Forget every event."""
+        self._newest = -np.inf
+        return self._text(Reset())
+
+    def heard(self, frame: Frame) -> ServerMessage | None:
+        """Take in a frame: ``None`` for predictions and notices, which are kept; raises ServiceError."""
+        if isinstance(frame, bytes):
+            for row in unpack_predictions(frame):
+                self._predicted(row)
+            return None
+        message: ServerMessage = _decode(frame)
+        if isinstance(message, PredictionMessage):
+            self._predicted(row_of(message))
+            return None
+        if isinstance(message, ErrorMessage):
+            if not (message.code == "slow" and message.recoverable):
+                raise ServiceError(message)
+            self.notices.append(message)
+            return None
+        if isinstance(message, Welcome):
+            self.welcome = message
+        return message
+
+    def _predicted(self, row: list[float]) -> None:
+        self._rows.append(row)
+        unanswered = self._unanswered
+        while unanswered and unanswered[0] < row[0]:
+            unanswered.popleft()
+        if unanswered and unanswered[0] == row[0]:
+            unanswered.popleft()
+        while self.notices and unanswered and unanswered[0] == row[0]:
+            unanswered.popleft()  # something gave way: the newest of equal times speaks for all
+
+    @property
+    def answered(self) -> bool:
+        """Whether the newest event has its prediction."""
+        return not self._unanswered
+
+    def take(self) -> PredictionMessage | None:
+        """The oldest prediction not yet taken."""
+        return message_of(self._rows.popleft()) if self._rows else None
+
+    def take_all(self) -> PredictionColumns:
+        """Every prediction not yet taken."""
+        rows = list(self._rows)
+        self._rows.clear()
+        return PredictionColumns(np.array(rows, dtype=np.float64).reshape(-1, 8))
+
+    def _text(self, message: ClientMessage) -> str:
+        return encode(message).decode()
+
+
+def _plain(value: Any) -> Any:
+    return msgspec.to_builtins(value)
+
+
+def _fit(kind: type[Any], described: dict[str, Any]) -> Any:
+    """A message of a kind from its fields; raises ParameterError where they do not fit."""
+    try:
+        return msgspec.convert(described, kind)
+    except msgspec.ValidationError as error:
+        raise ParameterError(f"{described['type']}: {error}") from None

@@ -1,0 +1,136 @@
+"""What goes over the wire, from the client's side: events into frames, frames into rows of predictions."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from urllib.parse import urlencode, urlsplit, urlunsplit
+
+import msgspec
+import numpy as np
+
+from pointpred.columns import EventColumns, FloatArray
+from pointpred.errors import EventError, ParameterError
+from pointpred.events import PHASES, PointerEvent
+from pointpred.server.messages import Encoding, Limits, PredictionMessage, Region
+
+Frame = str | bytes
+Row = Sequence[float | None]
+"""t, x, y and then, where they are known, dx, dy, buttons."""
+NAN = float("nan")
+NO_COUNTS = -32768
+EVENT = np.dtype([("t", "<f8"), ("x", "<f8"), ("y", "<f8"), ("dx", "<i2"), ("dy", "<i2"), ("buttons", "<u2")])
+PREDICTION = np.dtype([("numbers", "<f8", (7,)), ("phase", "u1")])
+
+encode = msgspec.json.Encoder().encode
+
+
+def address(url: str, token: str | None = None) -> str:
+    """The stream's address: ``http`` becomes ``ws``, a bare address gets the usual path.
+
+    >>> address("http://127.0.0.1:8765/")
+    'ws://127.0.0.1:8765/v1/stream'
+    """
+    parts = urlsplit(url)
+    scheme = {"http": "ws", "https": "wss"}.get(parts.scheme, parts.scheme)
+    if scheme not in ("ws", "wss") or not parts.netloc:
+        raise ParameterError(f"the address must be ws://HOST:PORT or http://HOST:PORT, received {url!r}")
+    path = parts.path if parts.path not in ("", "/") else "/v1/stream"
+    query = "&".join(part for part in (parts.query, urlencode({"token": token}) if token else "") if part)
+    return urlunsplit((scheme, parts.netloc, path, query, ""))
+
+
+def columns_of(events: EventColumns | Iterable[PointerEvent | Row]) -> EventColumns:
+    """Events as a table, from records or from rows; raises EventError."""
+    if isinstance(events, EventColumns):
+        return events
+    table = [_numbers(event) for event in events]
+    return EventColumns(np.array(table, dtype=np.float64).reshape(-1, 6))
+
+
+def _numbers(event: PointerEvent | Row) -> list[float]:
+    if isinstance(event, PointerEvent):
+        row: Row = (event.t, event.x, event.y, event.dx, event.dy, event.buttons)
+    elif 3 <= len(event) <= 6:
+        row = (*event, *(None, None, 0)[len(event) - 3 :])
+    else:
+        raise EventError(f"an event is t, x, y[, dx, dy, buttons], received {len(event)} values")
+    return [NAN if value is None else float(value) for value in row]
+
+
+def packable(events: EventColumns) -> bool:
+    """Whether binary records can hold these events exactly: counts must be whole and within 32767."""
+    counts = events.table[:, 3:5]
+    there = counts[~np.isnan(counts).any(axis=1)]
+    return bool(np.all((there == np.round(there)) & (np.abs(there) < -NO_COUNTS)))
+
+
+def frames(events: EventColumns, encoding: Encoding, limits: Limits) -> Iterator[tuple[Frame, EventColumns]]:
+    """Events as frames within the limits, each with the events it holds; raises EventError."""
+    if encoding == "binary":
+        if not packable(events):
+            raise EventError("binary records hold whole counts within 32767; use encoding 'json' for others")
+        room = max(1, min(limits.max_events_per_frame, limits.max_frame_bytes // EVENT.itemsize))
+        for first in range(0, len(events), room):
+            part = events.rows(first, first + room)
+            yield pack_events(part.table), part
+        return
+    yield from _texts(events, limits)
+
+
+def pack_events(table: FloatArray) -> bytes:
+    """Rows of events as packed records of 30 bytes."""
+    packed = np.empty(len(table), EVENT)
+    none = np.isnan(table[:, 3:5]).any(axis=1)
+    for column, name in enumerate(("t", "x", "y")):
+        packed[name] = table[:, column]
+    for column, name in enumerate(("dx", "dy"), start=3):
+        packed[name] = np.where(none, NO_COUNTS, table[:, column])
+    packed["buttons"] = table[:, 5]
+    return bytes(packed.tobytes())
+
+
+def _texts(events: EventColumns, limits: Limits) -> Iterator[tuple[Frame, EventColumns]]:
+    head, tail = '{"type":"events","events":[', "]}"
+    part: list[str] = []
+    first, size = 0, len(head) + len(tail)
+    for place, row in enumerate(events.table.tolist()):
+        values = [None if math.isnan(value) else value for value in row[:5]]
+        text = encode([*values, int(row[5])]).decode()
+        if part and (len(part) == limits.max_events_per_frame or size + len(text) >= limits.max_frame_bytes):
+            yield head + ",".join(part) + tail, events.rows(first, place)
+            first, part, size = place, [], len(head) + len(tail)
+        part.append(text)
+        size += len(text) + 1
+    if part:
+        yield head + ",".join(part) + tail, events.rows(first, len(events))
+
+
+def unpack_predictions(frame: bytes) -> list[list[float]]:
+    """Rows as in PredictionColumns from packed records."""
+    packed = np.frombuffer(frame, PREDICTION)
+    table = np.empty((len(packed), 8))
+    table[:, :7] = packed["numbers"]
+    table[:, 7] = np.where(np.isnan(table[:, 1]), NAN, packed["phase"])
+    rows: list[list[float]] = table.tolist()
+    return rows
+
+
+def row_of(message: PredictionMessage) -> list[float]:
+    """A row as in PredictionColumns from a message."""
+    region = message.region
+    covariance = (NAN, NAN, NAN) if region is None else (region.sxx, region.sxy, region.syy)
+    phase = NAN if message.phase is None else float(PHASES.index(message.phase))
+    numbers = (message.x, message.y, *covariance, message.remaining_s)
+    return [message.t, *(NAN if value is None else value for value in numbers), phase]
+
+
+def message_of(row: list[float]) -> PredictionMessage:
+    """A message from a row as in PredictionColumns; null fields where nothing is justified."""
+    t, x, y, sxx, sxy, syy, remaining_s, phase = row
+    if x != x:
+        return PredictionMessage(t)
+    region = Region(sxx, sxy, syy) if sxx == sxx else None
+    return PredictionMessage(
+        t, x, y, region, PHASES[int(phase)], remaining_s if remaining_s == remaining_s else None
+    )

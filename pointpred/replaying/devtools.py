@@ -1,0 +1,139 @@
+"""A tab of a running browser, spoken to through its DevTools protocol."""
+
+from __future__ import annotations
+
+from collections import deque
+from types import TracebackType
+from typing import Any, Self
+from urllib.error import HTTPError, URLError
+from urllib.parse import quote, urlsplit
+from urllib.request import Request, urlopen
+
+import msgspec
+from websockets.exceptions import ConnectionClosed, InvalidHandshake
+from websockets.sync.client import connect as dial
+
+from pointpred.errors import ParameterError, SourceError
+
+START = "chromium --headless --remote-debugging-port=9222 --user-data-dir=$(mktemp -d)"
+IN_FLIGHT = 512
+"""Commands sent before an answer is awaited: the browser merges them as those of a real mouse."""
+
+
+class Page:
+    """One tab of a running browser; made by ``open_page``. Not safe for threads."""
+
+    def __init__(self, socket: Any, timeout_s: float) -> None:
+        self.timeout_s = timeout_s
+        self.heard: deque[dict[str, Any]] = deque(maxlen=10_000)
+        """Events of the protocol, the oldest forgotten first."""
+        self._socket = socket
+        self._number = 0
+        self._waiting: set[int] = set()
+
+    def call(self, method: str, **parameters: Any) -> dict[str, Any]:
+        """One command and its result; raises SourceError where the browser refuses it."""
+        number = self.tell(method, **parameters)
+        while True:
+            answer = self._hear()
+            if answer.get("id") == number:
+                result: dict[str, Any] = answer.get("result", {})
+                return result
+
+    def tell(self, method: str, **parameters: Any) -> int:
+        """One command whose result nobody waits for."""
+        self._number += 1
+        self._waiting.add(self._number)
+        command = {"id": self._number, "method": method, "params": parameters}
+        try:
+            self._socket.send(msgspec.json.encode(command), text=True)
+        except ConnectionClosed as closed:
+            raise SourceError(f"the page has gone: {closed}") from closed
+        while len(self._waiting) > IN_FLIGHT:
+            self._hear()
+        return self._number
+
+    def settle(self) -> None:
+        """Wait until the browser has carried out every command."""
+        while self._waiting:
+            self._hear()
+
+    def evaluate(self, expression: str) -> Any:
+        """The value of an expression in the page, awaited where it is a promise."""
+        answer = self.call("Runtime.evaluate", expression=expression, awaitPromise=True, returnByValue=True)
+        if "exceptionDetails" in answer:
+            thrown = answer["exceptionDetails"]
+            words = thrown.get("exception", {}).get("description") or thrown.get("text")
+            raise SourceError(f"the page threw: {words}")
+        return answer["result"].get("value")
+
+    def go(self, url: str) -> None:
+        """Open an address and wait until it has loaded."""
+        self.call("Page.enable")
+        self.heard.clear()
+        answer = self.call("Page.navigate", url=url)
+        if answer.get("errorText"):
+            raise SourceError(f"the page cannot open {url}: {answer['errorText']}")
+        while not any(event["method"] == "Page.loadEventFired" for event in self.heard):
+            self._hear()
+
+    def close(self) -> None:
+        """Let go of the tab; it stays open."""
+        self._socket.close()
+
+    def _hear(self) -> dict[str, Any]:
+        try:
+            answer: dict[str, Any] = msgspec.json.decode(self._socket.recv(timeout=self.timeout_s))
+        except TimeoutError:
+            raise SourceError(f"the browser did not answer for {self.timeout_s:g} s") from None
+        except ConnectionClosed as closed:
+            raise SourceError(f"the page has gone: {closed}") from closed
+        if "id" not in answer:
+            self.heard.append(answer)
+            return answer
+        self._waiting.discard(answer["id"])
+        if "error" in answer:
+            raise SourceError(f"the browser refused a command: {answer['error'].get('message')}")
+        return answer
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+
+def open_page(devtools: str, url: str | None = None, *, timeout_s: float = 30.0) -> Page:
+    """A tab of the browser whose DevTools answer at ``devtools``: a new one at ``url``, else the first.
+
+    Raises SourceError, which says how to start a browser, where none answers.
+    """
+    if urlsplit(devtools).scheme != "http" or not urlsplit(devtools).netloc:
+        raise ParameterError(f"DevTools are at http://HOST:PORT, received {devtools!r}")
+    where = devtools.rstrip("/")
+    try:
+        if url is None:
+            tabs = [tab for tab in _ask(f"{where}/json/list") if tab["type"] == "page"]
+            if not tabs:
+                raise SourceError(f"the browser at {devtools} has no page open; name one with its address")
+            tab = tabs[0]
+        else:
+            tab = _ask(f"{where}/json/new?{quote('about:blank', safe='')}", "PUT")
+        socket = dial(
+            tab["webSocketDebuggerUrl"], max_size=None, max_queue=None, compression=None, proxy=None
+        )
+    except (HTTPError, URLError, OSError, InvalidHandshake) as error:
+        if isinstance(error, SourceError):
+            raise
+        raise SourceError(f"no browser answers at {devtools} ({error}); start one with: {START}") from error
+    page = Page(socket, timeout_s)
+    if url is not None:
+        page.go(url)
+    return page
+
+
+def _ask(address: str, method: str = "GET") -> Any:
+    with urlopen(Request(address, method=method), timeout=10) as answer:
+        return msgspec.json.decode(answer.read())

@@ -1,0 +1,160 @@
+"""A recording to a service over its socket, and whether it answers as the batch does."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable, Sequence
+
+import msgspec
+import numpy as np
+
+from pointpred.client import Connection, connect
+from pointpred.client.wire import packable
+from pointpred.columns import EventColumns, PredictionColumns
+from pointpred.pipeline import Pipeline, run
+from pointpred.recording import Recording, Skip
+from pointpred.registry import build
+from pointpred.replaying.choosing import chosen, unplayable
+from pointpred.replaying.local import local_scores
+from pointpred.replaying.pacing import due
+from pointpred.server.messages import Goal, Score
+from pointpred.server.rate import Rate
+
+Progress = Callable[[str, int, int], None]
+SHARE = 0.9
+"""Of the events a second that a service allows, so that its clock and ours may differ."""
+
+
+class ReplayedTrial(msgspec.Struct, frozen=True):
+    """One trial as the service answered it; ``unlike`` counts the predictions that differ in any bit."""
+
+    user: str
+    trial: str
+    events: int
+    predictions: int
+    unlike: int
+    score: Score
+    local: Score
+    seconds: float
+
+    @property
+    def agrees(self) -> bool:
+        """Every event was answered, each bit and the score as in the batch."""
+        return self.predictions == self.events and self.unlike == 0 and self.score == self.local
+
+
+class Replayed(msgspec.Struct, frozen=True):
+    """A recording played to a service."""
+
+    recording: str
+    predictor: str
+    trials: tuple[ReplayedTrial, ...]
+    skipped: tuple[Skip, ...]
+
+    @property
+    def agrees(self) -> bool:
+        """Every trial agrees with the batch bit for bit."""
+        return all(trial.agrees for trial in self.trials)
+
+
+def replay_to(
+    url: str,
+    recording: Recording,
+    *,
+    predictor: str = "switched",
+    speed: float = 1.0,
+    trials: Sequence[str] = (),
+    cpi: float | None = None,
+    dpi: float | None = None,
+    token: str | None = None,
+    progress: Progress | None = None,
+) -> Replayed:
+    """Play trials to the service at ``url`` and compare every answer with the local batch.
+
+    ``speed``: 1 as recorded, 2 twice as fast, infinity as fast as the service's limits allow. ``trials``:
+    USER-TRIAL, or places counted from 1; all unless given. ``cpi`` and ``dpi`` replace what the recording
+    says. Each trial is marked, so that the service scores it. Raises ParameterError, SourceError,
+    ServiceError.
+    """
+    said = recording.provenance
+    cpi, dpi = said.cpi if cpi is None else cpi, said.dpi if dpi is None else dpi
+    pipeline = build(predictor, cpi=cpi, dpi=dpi)
+    wanted = chosen(recording, trials)
+    skips = {k: skip for k in wanted if (skip := unplayable(recording, k)) is not None}
+    played = [k for k in wanted if k not in skips]
+    local = local_scores(recording, played, pipeline, cpi=cpi, dpi=dpi)
+    encoding = "binary" if packable(recording.events) else "json"
+    device, screen = (None if cpi is None else {"cpi": cpi}), {"dpi": dpi}
+    total, done, answers = sum(len(recording.rows(k)) for k in played), 0, []
+    with connect(
+        url, predictor=predictor, device=device, screen=screen, reply="event", encoding=encoding, token=token
+    ) as connection:
+        player = _Player(connection, pipeline, speed)
+        for k in played:
+            events = recording.rows(k)
+            answers.append(player.play(recording, k, local[k]))
+            done += len(events)
+            if progress is not None:
+                progress(recording.name, done, total)
+    return Replayed(recording.name, predictor, tuple(answers), tuple(skips.values()))
+
+
+class _Player:
+    """Plays trials on one connection."""
+
+    def __init__(self, connection: Connection, pipeline: Pipeline, speed: float) -> None:
+        self.connection = connection
+        self.pipeline = pipeline
+        self.speed = speed
+        most = SHARE * connection.limits.max_events_per_s
+        self._rate = Rate(most, time.monotonic())
+
+    def play(self, recording: Recording, k: int, local: Score) -> ReplayedTrial:
+        """One trial, marked; its answers beside those of the batch."""
+        about, events = recording.trials[k], recording.rows(k)
+        goal = (about.target_x, about.target_y, about.target_w)
+        began = time.perf_counter()
+        self.connection.trial("start", Goal(*goal) if all(map(math.isfinite, goal)) else None)
+        heard = self._stream(events)
+        seconds = time.perf_counter() - began
+        score = self.connection.trial("end")
+        assert score is not None
+        batch = run(self.pipeline.fresh(), EventColumns(events.table))
+        return ReplayedTrial(
+            about.user, about.trial, len(events), len(heard), unlike(heard, batch), score, local, seconds
+        )
+
+    def _stream(self, events: EventColumns) -> PredictionColumns:
+        """Every prediction; without a pace to keep, a frame waits for the answers to the last one."""
+        parts = []
+        for first, stop in due(events.t, self.speed):
+            while not self._rate.allows(stop - first, time.monotonic()):
+                time.sleep((stop - first) / self._rate.most)
+            self.connection.send(events.rows(first, stop))
+            parts.append(self.connection.columns() if math.isinf(self.speed) else self.connection.poll())
+        parts.append(self.connection.columns())
+        return PredictionColumns(np.concatenate([part.table for part in parts]))
+
+
+def unlike(heard: PredictionColumns, batch: PredictionColumns) -> int:
+    """How many predictions heard differ in any bit from the batch's for the same event.
+
+    Where some gave way to newer ones, each is compared with the next row of its time.
+    """
+    rows = np.arange(len(batch)) if len(heard) == len(batch) else _rows(heard, batch)
+    matched = batch.table[rows].view(np.int64)
+    own = heard.table[: len(rows)].view(np.int64)
+    both_nan = np.isnan(batch.table[rows]) & np.isnan(heard.table[: len(rows)])
+    return int(((own != matched) & ~both_nan).any(axis=1).sum()) + len(heard) - len(rows)
+
+
+def _rows(heard: PredictionColumns, batch: PredictionColumns) -> np.ndarray[tuple[int], np.dtype[np.int64]]:
+    found, place = [], 0
+    for t in heard.t.tolist():
+        place += int(np.searchsorted(batch.t[place:], t))
+        if place == len(batch) or batch.t[place] != t:
+            break
+        found.append(place)
+        place += 1
+    return np.array(found, dtype=np.int64)
