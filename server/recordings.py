@@ -113,7 +113,7 @@ def _describe(name: str, files: list[Path], counted: bool) -> Recorded:
         with samples[0].open("rb") as file:
             lines = sum(block.count(b"\n") for block in iter(lambda: file.read(1 << 20), b""))
     except (PointpredError, OSError) as error:
-        return msgspec.structs.replace(one, problem=str(error))
+        return msgspec.structs.replace(one, problem=str(error).removeprefix(f"{samples[0]}: "))
     return msgspec.structs.replace(
         one,
         events=max(0, lines - 2),

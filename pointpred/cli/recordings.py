@@ -1,0 +1,137 @@
+"""``pointpred recordings``: what the service has recorded, and how to get rid of it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from pointpred.cli.screen import remarks, results, write_json
+from pointpred.errors import ParameterError
+
+if TYPE_CHECKING:
+    from pointpred.server.recordings import Recorded
+
+app = typer.Typer(no_args_is_help=True, help="Sessions that 'pointpred serve --record FOLDER' has kept.")
+
+Folder = Annotated[
+    Path | None,
+    typer.Option(envvar="POINTPRED_RECORD", file_okay=False, help="The folder that was recorded into."),
+]
+
+
+@app.command("list")
+def list_recordings(
+    folder: Folder = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON with everything known.")] = False,
+) -> None:
+    """List the recorded sessions: when they began, events, trials, size on disk.
+
+    Trials are those that 'pointpred score' would find; a session without marks is cut at clicks.
+
+    Try:
+
+      pointpred recordings list --folder kept
+
+      pointpred recordings list --folder kept --json | jq '.recordings[].name'
+    """
+    from pointpred.server.recordings import listing
+
+    found = listing(_chosen(folder))
+    if as_json:
+        write_json({"version": 1, "recordings": [_described(one) for one in found]}, Path("-"))
+    elif found:
+        _show(found)
+    else:
+        remarks().print(f"nothing is recorded in {_chosen(folder)}", markup=False)
+
+
+@app.command("delete")
+def delete_recordings(
+    names: Annotated[
+        list[str] | None, typer.Argument(metavar="NAME...", help="Names from 'pointpred recordings list'.")
+    ] = None,
+    folder: Folder = None,
+    everything: Annotated[bool, typer.Option("--all", help="Delete every recording in the folder.")] = False,
+    yes: Annotated[bool, typer.Option("--yes", "-y", help="Do not ask.")] = False,
+) -> None:
+    """Delete recorded sessions with everything that belongs to them; there is no way back.
+
+    Only files of the recorder are touched. A session that is still going on loses what was written, and
+    nothing more of it is kept.
+
+    Try:
+
+      pointpred recordings delete 20260102T030405Z-k3x9 --folder kept
+
+      pointpred recordings delete --all --folder kept
+    """
+    from pointpred.server.recordings import delete, listing
+
+    chosen = _chosen(folder)
+    if everything == bool(names):
+        raise ParameterError("name the recordings to delete, or give --all, and not both")
+    there = {one.name: one for one in listing(chosen, counted=False)}
+    wanted = list(there) if everything else list(dict.fromkeys(names or ()))
+    size = sum(there[name].size for name in wanted if name in there)
+    if not wanted:
+        remarks().print(f"nothing is recorded in {chosen}", markup=False)
+        return
+    known = all(name in there for name in wanted)
+    if known and not yes and not _sure(f"Delete {len(wanted)} recordings ({_size(size)}) in {chosen}?"):
+        remarks().print("nothing was deleted")
+        raise typer.Exit(1)
+    gone = delete(chosen, wanted)
+    remarks().print(f"deleted {len(gone)} recordings, {_size(size)}", markup=False)
+
+
+def _chosen(folder: Path | None) -> Path:
+    if folder is None:
+        raise ParameterError("name the folder with --folder, or by POINTPRED_RECORD")
+    return folder
+
+
+def _sure(question: str) -> bool:
+    """Whether somebody is there who says yes."""
+    try:
+        return typer.confirm(question, err=True)
+    except typer.Abort:
+        return False
+
+
+def _show(found: list[Recorded]) -> None:
+    from rich.table import Table
+
+    table = Table(box=None, pad_edge=False)
+    for column in ("name", "begun (UTC)", "events", "trials", "skipped", "size", "remark"):
+        number = column in ("events", "trials", "skipped", "size")
+        table.add_column(column, no_wrap=column == "name", justify="right" if number else "left")
+    for one in found:
+        counts = (str(one.events), str(one.trials), str(one.skipped)) if one.problem is None else ("-",) * 3
+        remark = one.problem or "; ".join(one.notes)
+        table.add_row(one.name, f"{one.begun:%Y-%m-%d %H:%M:%S}", *counts, _size(one.size), remark)
+    results().print(table, markup=False)
+
+
+def _described(one: Recorded) -> dict[str, Any]:
+    return {
+        "name": one.name,
+        "begun": one.begun.isoformat(),
+        "events": one.events,
+        "trials": one.trials,
+        "skipped": one.skipped,
+        "bytes": one.size,
+        "files": [str(path) for path in one.files],
+        "notes": list(one.notes),
+        "problem": one.problem,
+    }
+
+
+def _size(size: float) -> str:
+    """Bytes as people read them."""
+    for unit in ("B", "kB", "MB"):
+        if size < 1000:
+            return f"{size:.0f} {unit}" if unit == "B" else f"{size:.1f} {unit}"
+        size /= 1000
+    return f"{size:.1f} GB"
