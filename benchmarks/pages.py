@@ -14,9 +14,11 @@ from typing import Any
 import msgspec
 
 from benchmarks.markdown import filled, table
+from benchmarks.results_verdict import recorded
 from pointpred.cli.predictors import describe
 from pointpred.differentiators import DIFFERENTIATORS
-from pointpred.registry import REGISTRY
+from pointpred.registry import GAINS, REGISTRY
+from pointpred.registry import parameters as values_of
 from pointpred.stage import defaults
 
 ROOT = Path(__file__).parents[1]
@@ -37,11 +39,30 @@ def parameters() -> str:
         one = describe(name)
         own = [_row(p) for p in one["parameters"] if p["of"] == "predictor"]
         listed = table(HEADER, own) if own else "No parameters."
-        preset = [f"`{key}` {value}" for key, value in entry.preset.items()]
+        gains = ", ".join(f"`{key}` {value:g}" for key, value in own_gains(name).items())
+        own_names = {parameter.name for parameter in entry.predictor.parameters}
+        preset = [f"`{key}` {value:g}" for key, value in entry.preset.items() if key in own_names]
         sets = f" It sets {', '.join(preset)}." if preset else ""
-        head = f"{one['title']}. Differentiator: `{one['differentiator']}`.{sets}"
+        head = f"{one['title']}. Differentiator: `{one['differentiator']}` with {gains}.{sets}"
         sections.append(f"### {name}\n\n{head[0].upper()}{head[1:]}\n\n{listed}")
     return "\n\n".join(sections)
+
+
+def own_gains(name: str) -> dict[str, float]:
+    """What ``build(name)`` gives its differentiator, where the registry says it."""
+    stage = DIFFERENTIATORS[REGISTRY[name].differentiator]
+    said = GAINS | REGISTRY[name].preset
+    return {p.name: values_of(name)[p.name][1] for p in stage.parameters if p.name in said}
+
+
+def gains() -> str:
+    """Which names use which gains: the classes' defaults in the tables below them are not used."""
+    groups: dict[str, list[str]] = {}
+    for name in REGISTRY:
+        values = ", ".join(f"`{key}` {value:g}" for key, value in own_gains(name).items())
+        groups.setdefault(values, []).append(f"`{name}`")
+    told = "; ".join(f"{values} for {', '.join(names)}" for values, names in groups.items())
+    return f"The defaults below are those of the classes. `build(name)` sets {told}."
 
 
 def differentiators() -> str:
@@ -64,8 +85,10 @@ PARTS: dict[str, dict[str, Callable[[], str]]] = {
     "docs/predictors.md": {
         "predictors": predictors,
         "parameters": parameters,
+        "gains": gains,
         "differentiators": differentiators,
     },
+    "README.md": {"recorded": lambda: recorded(ROOT / "docs" / "results.md")},
 }
 """What the tests compare with the code: page, part, and the function that writes it."""
 

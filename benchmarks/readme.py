@@ -12,7 +12,7 @@ from pointpred.scoring import HEADINGS, rows, score, summary
 
 SHOWN = (
     "predictor",
-    "error of hold",
+    "share of hold's error",
     "95 % interval",
     "time 30 %",
     "time 50 %",

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-from benchmarks import results_page
+from benchmarks import pages, results_page
 from pointpred import REGISTRY
 from pointpred.datasets import listing, sample
 from pointpred.errors import RecordingError
@@ -47,13 +47,14 @@ def described(sets: Iterable[Recording], predictors: Sequence[str]) -> Iterator[
 
 
 def write_figures(one: dict[str, Any], folder: Path) -> dict[str, str]:
-    """Draw error against time and against path, as a share of hold's; returns file names by kind."""
+    """Draw error against time and against path, as a share of hold's; returns Markdown by kind."""
     folder.mkdir(parents=True, exist_ok=True)
     names = {}
     for kind in DRAWN:
-        names[kind] = f"{one['name']}-{kind.replace('_', '-')}.svg"
+        file = f"{one['name']}-{kind.replace('_', '-')}.svg"
         drawn = curves(one, highlighted(one), kind, "of_hold")
-        (folder / names[kind]).write_text(drawn.svg, encoding="utf-8")
+        (folder / file).write_text(drawn.svg, encoding="utf-8")
+        names[kind] = f"![{drawn.alt}](figures/{file})\n\n*{one['name']}. {drawn.caption}*"
     return names
 
 
@@ -77,6 +78,7 @@ def main() -> None:
     elif not Path(named).is_dir():
         raise SystemExit(f"{VARIABLE} must name a folder, received {named!r}")
     print(f"wrote {write(Path(named) if named else None, list(REGISTRY), ROOT / 'docs')}")
+    pages.main([])  # the README quotes the page
 
 
 if __name__ == "__main__":

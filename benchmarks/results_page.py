@@ -7,7 +7,9 @@ from collections.abc import Callable, Mapping, Sequence
 from importlib.metadata import version
 from typing import Any
 
-from benchmarks.pages import table
+from benchmarks.markdown import table
+from benchmarks.results_verdict import OVERVIEW, verdict
+from pointpred.cli.screen import counted
 from pointpred.datasets import DataSet
 
 Json = dict[str, Any]
@@ -45,10 +47,25 @@ def page(
     missing = [f"`{name}`" for name in absent]
     said = [f"Sets of the catalogue that were not at hand: {', '.join(missing)}."] if missing else []
     said += [f"Not read: {reason}." for reason in unread.values()]
-    parts = [PROTOCOL, about, *said, "## Time-averaged error of all sets", overview(sets)]
+    parts = [PROTOCOL, about, *said, contents(sets), OVERVIEW, *verdict(sets), overview(sets)]
     for one in sets:
         parts += section(one, figures.get(one["name"], {}), known.get(one["name"]))
     return "\n\n".join(parts) + "\n"
+
+
+def contents(sets: Sequence[Json]) -> str:
+    """A link to each section."""
+    lines = [OVERVIEW.lstrip("# "), *(title(one) for one in sets)]
+    return "\n".join(f"- [{line}](#{anchor(line)})" for line in lines)
+
+
+def anchor(heading: str) -> str:
+    """The anchor that GitHub gives a heading.
+
+    >>> anchor("simulated-circle (simulated)")
+    'simulated-circle-simulated'
+    """
+    return "".join(c for c in heading.lower().replace(" ", "-") if c.isalnum() or c in "-_")
 
 
 def title(one: Json) -> str:
@@ -73,9 +90,10 @@ def section(one: Json, figures: Mapping[str, str], entry: DataSet | None) -> lis
         parts.append(f"{entry.title}. {entry.sampling}; {entry.targets}. {entry.citation}, {entry.licence}.")
     clean = one["groups"].get("clean_trials", {}).get("trials")
     judged = f", {clean} of them clean" if clean else ", none of them clean"
+    people = "1 person" if one["users"] == 1 else f"{one['users']} people"
     parts.append(
-        f"{one['users']} people, {one['trials']} trials{judged}, {one['events']} events; "
-        f"{len(one['skipped'])} trials skipped. Resampled: {one['interval']['resampled']}."
+        f"{people}, {counted(one['trials'], 'trial')}{judged}, {counted(one['events'], 'event')}; "
+        f"{counted(len(one['skipped']), 'trial')} skipped. Resampled: {one['interval']['resampled']}."
     )
     parts += [*told_apart(one), *skipped(one)]
     if not one["trials"]:
@@ -84,16 +102,14 @@ def section(one: Json, figures: Mapping[str, str], entry: DataSet | None) -> lis
     parts += ["### By time from onset to arrival", series(one, "by_time")]
     parts += ["### By path", series(one, "by_path")]
     parts += ["### Mean absolute error on the longer axis, px, by path along it", single_axis(one)]
-    for kind, file in figures.items():
-        parts.append(f"![{title(one)}: mean error {kind.replace('_', ' ')}](figures/{file})")
-    return parts
+    return [*parts, *figures.values()]
 
 
 def told_apart(one: Json) -> list[str]:
     """What the groups of trials are, those with the same basis together."""
     named: dict[str, list[str]] = {}
-    for key, group in one["groups"].items():
-        named.setdefault(group["basis"], []).append(key.replace("_", " "))
+    for group in one["groups"].values():
+        named.setdefault(group["basis"], []).append(group["label"])
     told = [f"{' and '.join(keys)}: {basis}" for basis, keys in named.items()]
     return [f"How trials were told apart. {'; '.join(told)}."] if told else []
 
@@ -102,14 +118,15 @@ def skipped(one: Json) -> list[str]:
     """Skipped trials, and trials in which a predictor failed, counted by reason."""
     lines = []
     if one["skipped"]:
-        reasons = Counter(skip["reason"].split(" (user ")[0] for skip in one["skipped"])
+        reasons = Counter(skip["reason"] for skip in one["skipped"])
         lines.append("Skipped: " + "; ".join(f"{reason} ({n})" for reason, n in reasons.most_common()) + ".")
     for predictor in one["predictors"]:
         if predictor["failed"]:
             first = predictor["failed"][0]
+            trials = counted(len(predictor["failed"]), "trial")
             lines.append(
-                f"`{predictor['name']}` failed in {len(predictor['failed'])} trials, scored there as if it "
-                f"had not answered; the first: trial {first['trial']}, {first['reason']}."
+                f"`{predictor['name']}` failed in {trials}, scored there as if it had not answered; the "
+                f"first: trial {first['trial']}, {first['reason']}."
             )
     return lines
 
@@ -131,7 +148,7 @@ def averaged(one: Json) -> str:
                 number(predictor["us_per_event"]),
             )
         )
-    heads = (f"{key.replace('_', ' ')} ({one['groups'][key]['trials']})" for key in groups)
+    heads = (f"{group['label']} ({group['trials']})" for group in one["groups"].values())
     return table(("predictor", "px", "all trials", *heads, "answers", "us/event"), rows)
 
 

@@ -104,9 +104,9 @@ def _corrective(path: Path) -> None:
         place, pace = axes[:, column]
         place.plot(signals.t, signals.x, label="x")
         place.plot(signals.t, goal, label="estimate of T", lw=2.0, ls="--")
-        place.set(ylabel="[px]", xlim=(0.0, until), ylim=(-30.0, 640.0))
+        place.set(ylabel="x [units of the model]", xlim=(0.0, until), ylim=(-30.0, 640.0))
         pace.plot(signals.t, signals.v, "C2")
-        pace.set(xlabel="t [s]", ylabel="V [px/s]")
+        pace.set(xlabel="t [s]", ylabel="V [units/s]")
     axes[0, 1].legend(loc="lower right")
     figure.suptitle("Corrective phase (simulated): b1 = 4, b2 = 7, T = 600, PTF = arctan, h = 0.01 s")
     _save(figure, path)

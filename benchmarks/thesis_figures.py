@@ -12,10 +12,12 @@ from pointpred import build, run
 from pointpred.columns import FloatArray
 from pointpred.pipeline import Pipeline
 from pointpred.scoring import Prepared, SetScore
-from pointpred.scoring.results import AXIS_FRACTIONS
+from pointpred.scoring.results import AXIS_FRACTIONS, PredictorErrors
 from pointpred.scoring.statistics import axis_profile
 
 PRINTED, KEP = "switched-printed", "kep-quartic-gated"
+HEADROOM = 1.6
+"""The frame of the box plots ends at this many times the highest whisker."""
 COLOURS = {"hold": "#777777", PRINTED: "#0072b2", "switched": "#009e73", KEP: "#d55e00"}
 
 
@@ -94,15 +96,25 @@ def path(figure: Any, scored: SetScore) -> None:
     axes.legend()
 
 
+def find(scored: SetScore, name: str) -> PredictorErrors:
+    """The errors of one predictor."""
+    return next(one for one in scored.predictors if one.name == name)
+
+
 def boxes(figure: Any, scored: SetScore) -> None:
     """Figure 2.13: the distribution of the error."""
     axes = figure.subplots(1, 2, sharey=True)
     for panel, name in zip(axes, (PRINTED, KEP), strict=True):
-        errors = next(one for one in scored.predictors if one.name == name)
+        errors = find(scored, name)
         columns: list[FloatArray] = [errors.single_axis[:, i] for i in range(1, 20, 2)]
         labels = [f"{AXIS_FRACTIONS[i]:.0%}" for i in range(1, 20, 2)]
         panel.boxplot(columns, tick_labels=labels, flierprops={"marker": "+", "markersize": 3})
         panel.set_title(f"{name} (simulated)")
         panel.set_xlabel("way done along the longer axis")
     axes[0].set_ylabel("absolute error, px")
-    axes[0].set_ylim(0.0, 900.0)
+    highest = max(box.high for name in (PRINTED, KEP) for box in axis_profile(find(scored, name)).boxes)
+    axes[0].set_ylim(0.0, HEADROOM * highest)
+    beyond = sum(
+        int((find(scored, name).single_axis[:, 1:20:2] > HEADROOM * highest).sum()) for name in (PRINTED, KEP)
+    )
+    figure.suptitle(f"Outliers above the frame: {beyond}")

@@ -13,7 +13,15 @@ from pointpred.scoring import HEADINGS, rows
 
 NARROW = 120
 """A terminal with fewer columns shows fewer of the table's."""
-IN_NARROW = ("predictor", "error of hold", "95 % interval", "time 50 %", "time 90 %", "path 75 %", "answers")
+IN_NARROW = (
+    "predictor",
+    "share of hold's error",
+    "95 % interval",
+    "time 50 %",
+    "time 90 %",
+    "path 75 %",
+    "answers",
+)
 REASONS_SHOWN = 5
 
 

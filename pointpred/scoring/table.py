@@ -9,7 +9,7 @@ Json = dict[str, Any]
 
 HEADINGS = (
     "predictor",
-    "error of hold",
+    "share of hold's error",
     "95 % interval",
     "clean",
     "time 30 %",

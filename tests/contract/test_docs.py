@@ -5,12 +5,13 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from benchmarks.markdown import filled
 from benchmarks.pages import PARTS, ROOT, rendered
-from pointpred.differentiators import DIFFERENTIATORS
-from pointpred.registry import REGISTRY, parameters
+from pointpred.differentiators import DIFFERENTIATORS, HomogeneousDifferentiator
+from pointpred.registry import REGISTRY, build, parameters
 
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "CHANGELOG.md", *(ROOT / "docs").glob("*.md")]
 
@@ -28,6 +29,16 @@ def test_every_predictor_and_parameter_is_listed() -> None:
             assert f"| `{parameter}` |" in page, f"{parameter} of {name}"
     for name in DIFFERENTIATORS:
         assert f"### {name}\n" in page
+
+
+@pytest.mark.parametrize("name", REGISTRY)
+def test_the_gains_on_the_page_are_those_that_build_gives(name: str) -> None:
+    page = (ROOT / "docs/predictors.md").read_text(encoding="utf-8")
+    section = page.partition(f"### {name}\n")[2].partition("###")[0]
+    said = {key: float(value) for key, value in re.findall(r"`(gain_\w+|alpha)` (-?[\d.]+\d|\d)", section)}
+    assert set(said) == {"gain_lambda", "gain_xi", "alpha"}
+    expected = HomogeneousDifferentiator(dpi=96.0, **said)
+    assert np.array_equal(expected.__dict__["_memory"], build(name).differentiator.__dict__["_memory"])
 
 
 def test_a_part_that_is_missing_is_an_error() -> None:

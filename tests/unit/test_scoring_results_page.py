@@ -44,6 +44,7 @@ def test_every_set_is_named_present_absent_or_unread(page: str) -> None:
     assert "not at hand: `freihaut2021`," in page
     assert "Not read: broken_samples.csv" in page
     assert page.count("![") == 4
+    assert "- [simulated-circle (simulated)](#simulated-circle-simulated)\n- [reaches](#reaches)" in page
 
 
 def test_cells_hold_the_numbers_of_the_summary(page: str) -> None:
@@ -52,7 +53,7 @@ def test_cells_hold_the_numbers_of_the_summary(page: str) -> None:
     whole, clean = linear["time_averaged"], linear["groups"]["clean_trials"]
     section = page.split("## reaches\n")[1]
     assert "3 people, 12 trials, 6 of them clean" in section
-    assert "1 trials skipped" in section
+    assert "1 trial skipped" in section
     assert "\nSkipped: " in section
     low, high = whole["interval"]
     assert f"| `linear` | {whole['px']:.1f} | {whole['of_hold']:.2f} [{low:.2f}, {high:.2f}] |" in section
@@ -68,7 +69,7 @@ def test_what_failed_and_what_means_nothing_is_said() -> None:
     one["predictors"][1]["failed"] = [{"trial": "4", "reason": "RuntimeError: lost its way"}]
     said = results_page.skipped(one)
     assert said[0].startswith("Skipped: ")
-    assert said[1].startswith("`linear` failed in 1 trials")
+    assert said[1].startswith("`linear` failed in 1 trial,")
     assert results_page.number(None) == "-"
     empty = summary(score([Recording.of("none", [], [])], ["linear"])[0])
     assert results_page.section(empty, {}, None)[-1] == "No trial could be scored."
