@@ -23,12 +23,13 @@ class Columns:
 
     names: ClassVar[tuple[str, ...]] = ()
 
-    def __init__(self, table: FloatArray) -> None:
+    def __init__(self, table: ArrayLike) -> None:
+        table = _numbers(table, type(self).__name__)
         if table.ndim != 2 or table.shape[1] != len(self.names):
             raise EventError(
                 f"{type(self).__name__} needs shape (rows, {len(self.names)}), received {table.shape}"
             )
-        self.table = np.ascontiguousarray(table, dtype=np.float64)
+        self.table = np.ascontiguousarray(table)
 
     def __len__(self) -> int:
         return len(self.table)
@@ -48,11 +49,12 @@ class EventColumns(Columns):
 
     names = ("t", "x", "y", "dx", "dy", "buttons")
 
-    def __init__(self, table: FloatArray, begin: BoolArray | None = None) -> None:
+    def __init__(self, table: ArrayLike, begin: BoolArray | None = None) -> None:
         super().__init__(table)
-        self.begin = np.zeros(len(table), dtype=np.bool_) if begin is None else np.asarray(begin, np.bool_)
-        if self.begin.shape != (len(table),):
-            raise EventError(f"begin needs {len(table)} rows, received shape {self.begin.shape}")
+        count = len(self.table)
+        self.begin = np.zeros(count, dtype=np.bool_) if begin is None else np.asarray(begin, np.bool_)
+        if self.begin.shape != (count,):
+            raise EventError(f"begin needs {count} rows, received shape {self.begin.shape}")
 
     @classmethod
     def of(
@@ -65,13 +67,24 @@ class EventColumns(Columns):
         buttons: ArrayLike | None = None,
         begin: BoolArray | None = None,
     ) -> Self:
-        """Columns from one array a field, all of the same length; what is missing is ``None`` or 0."""
-        time = np.asarray(t, np.float64)
+        """Columns from one array a field, all of the same length; what is missing is ``None`` or 0.
+
+        Raises EventError for an array of another length or of what is no number.
+        """
+        time = _numbers(t, "t")
+        if time.ndim != 1:
+            raise EventError(f"t needs one number a row, received shape {time.shape}")
         table = np.full((len(time), 6), np.nan)
         table[:, 5] = 0.0
         for column, values in enumerate((time, x, y, dx, dy, buttons)):
-            if values is not None:
-                table[:, column] = np.asarray(values, np.float64)
+            if values is None:
+                continue
+            numbers = _numbers(values, cls.names[column])
+            if numbers.shape != time.shape:
+                raise EventError(
+                    f"{cls.names[column]} needs {len(time)} rows as t has, received shape {numbers.shape}"
+                )
+            table[:, column] = numbers
         return cls(table, begin)
 
     @classmethod
@@ -117,6 +130,17 @@ class PredictionColumns(Columns):
         """The rows as records, ``None`` where nothing was justified."""
         for row in self.table.tolist():
             yield prediction_of(row[0], tuple(row[1:]))
+
+
+def _numbers(values: ArrayLike, name: str) -> FloatArray:
+    """An array of floats, from what numpy takes for numbers."""
+    try:
+        array = np.asarray(values)
+        if array.dtype.kind not in "biufO":
+            raise TypeError(f"received {array.dtype}")
+        return array.astype(np.float64, copy=False)
+    except (TypeError, ValueError) as wrong:
+        raise EventError(f"{name} needs numbers: {wrong}") from wrong
 
 
 def prediction_of(t: float, values: tuple[float, ...]) -> Prediction | None:

@@ -7,6 +7,10 @@ numba notices that the file of a law has changed, but not that a law it *calls*,
 has changed in another file. Each law therefore caches in a folder named after its own code and
 everything it reaches, so an upgraded installation never runs yesterday's machine code.
 
+The index of such a folder is a pickle: whoever can write there runs code as the user. Where the user's own
+cache cannot be written, a temporary folder serves only if it is his, closed to others and no link; else laws
+are compiled anew in every process, and a warning says so.
+
 Environment: ``POINTPRED_COMPILED=0`` runs plain Python; ``POINTPRED_CACHE_DIR`` moves the cache.
 """
 
@@ -14,8 +18,11 @@ from __future__ import annotations
 
 import hashlib
 import os
+import stat
 import tempfile
+import warnings
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from types import CodeType, FunctionType, ModuleType
 from typing import Any, TypeVar, cast
@@ -38,10 +45,11 @@ def law(function: Function) -> Function:
 
     plain = cast(FunctionType, function)
     fingerprint = _fingerprint(plain)
+    folder = _cache_folder()
     # The cache's place is fixed when the decorator runs: set it for that moment only.
-    elsewhere, config.CACHE_DIR = config.CACHE_DIR, str(_cache_folder() / fingerprint)
+    elsewhere, config.CACHE_DIR = config.CACHE_DIR, str(folder / fingerprint) if folder else ""
     try:
-        compiled = numba.njit(cache=True, nogil=True, error_model="numpy")(plain)
+        compiled = numba.njit(cache=folder is not None, nogil=True, error_model="numpy")(plain)
     finally:
         config.CACHE_DIR = elsewhere
     _fingerprints[id(compiled)] = fingerprint
@@ -62,19 +70,42 @@ def layout(function: Function) -> Function:
     return jitable
 
 
-def _cache_folder() -> Path:
-    """The folder of compiled code: chosen by the user, else the user's cache, else a temporary folder."""
+@cache
+def _cache_folder() -> Path | None:
+    """The folder of compiled code: chosen by the user, else his cache, else a temporary one, else none."""
     chosen = os.environ.get("POINTPRED_CACHE_DIR")
     if chosen:
         return Path(chosen)
-    cache = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "pointpred"
+    own = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "pointpred"
     try:
-        cache.mkdir(parents=True, exist_ok=True)
+        own.mkdir(parents=True, exist_ok=True)
+        if os.access(own, os.W_OK):
+            return own
     except OSError:
-        return Path(tempfile.gettempdir()) / f"pointpred-{os.getuid() if hasattr(os, 'getuid') else 'user'}"
-    if os.access(cache, os.W_OK):
-        return cache
-    return Path(tempfile.gettempdir()) / f"pointpred-{os.getuid() if hasattr(os, 'getuid') else 'user'}"
+        pass
+    shared = Path(tempfile.gettempdir()) / f"pointpred-{os.getuid() if hasattr(os, 'getuid') else 'user'}"
+    if _private(shared):
+        return shared
+    warnings.warn(
+        f"pointpred compiles anew in every process: {own} cannot be written and {shared} is not a folder of "
+        "this user alone; name another with POINTPRED_CACHE_DIR",
+        RuntimeWarning,
+        stacklevel=2,
+    )
+    return None
+
+
+def _private(folder: Path) -> bool:
+    """Whether a folder in a place that others may write to is ours alone; it is made where it is missing."""
+    try:
+        folder.mkdir(mode=0o700, exist_ok=True)
+        found = folder.lstat()
+    except OSError:
+        return False
+    if not stat.S_ISDIR(found.st_mode):
+        return False
+    # Without user ids (Windows) the temporary folder is the user's own already.
+    return not hasattr(os, "getuid") or (found.st_uid == os.getuid() and found.st_mode & 0o077 == 0)
 
 
 def _fingerprint(function: FunctionType) -> str:

@@ -14,6 +14,11 @@ Phase = Literal["still", "ballistic", "corrective"]
 PHASES: tuple[Phase, ...] = ("still", "ballistic", "corrective")
 """Phases in the order of their codes in columns and binary frames."""
 
+LATEST_S = 1e11
+"""Bound on the magnitude of a time: seconds of any clock fit, milliseconds since 1970 are a mistaken unit."""
+LARGEST = 1e9
+"""Bound on the magnitude of positions (px), counts and buttons: beyond it arithmetic means nothing."""
+
 
 class PointerEvent(msgspec.Struct, frozen=True):
     """One report of a pointing device.

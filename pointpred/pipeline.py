@@ -24,7 +24,13 @@ class Pipeline:
         Raises EventOrderError when time runs backwards and EventError when a value is not finite or out of
         range; the pipeline is then unchanged.
         """
-        return self.predictor.consume(self.differentiator.consume(event))
+        kept = self.differentiator.remembered()  # it has moved on when the predictor refuses its motion
+        motion = self.differentiator.consume(event)
+        try:
+            return self.predictor.consume(motion)
+        except Exception:
+            self.differentiator.recall(kept)
+            raise
 
     def advance(
         self, t: float, x: float, y: float, dx: float, dy: float, buttons: float
@@ -33,8 +39,15 @@ class Pipeline:
 
         ``None`` where the event is refused; nothing has changed then, and ``update`` says why.
         """
+        kept = self.differentiator.remembered()
         motion = self.differentiator.advance(t, x, y, dx, dy, buttons)
-        return None if motion[0] != motion[0] else self.predictor.advance(motion)
+        if motion[0] != motion[0]:
+            return None
+        try:
+            return self.predictor.advance(motion)
+        except Exception:
+            self.differentiator.recall(kept)
+            raise
 
     def reset(self) -> None:
         """Forget every event: the next one starts a movement."""
@@ -54,10 +67,10 @@ def run(pipeline: Pipeline, columns: EventColumns) -> PredictionColumns:
     Continues from the pipeline's memory, so chunks equal the whole; a row marked ``begin`` resets first.
     Raises EventOrderError or EventError naming the row; nothing is then consumed.
     """
-    kept = pipeline.differentiator.__copy__()
+    kept = pipeline.differentiator.remembered()
     motions = pipeline.differentiator.run(columns)
     try:
         return pipeline.predictor.run(motions, columns.begin)
-    except ValueError:
-        pipeline.differentiator = kept
+    except Exception:
+        pipeline.differentiator.recall(kept)
         raise

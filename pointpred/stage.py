@@ -77,6 +77,14 @@ class CompiledStage:
         twin.reset()
         return twin
 
+    def remembered(self) -> bytes:
+        """The memory as it is now, to be given back to ``recall``."""
+        return self._memory.tobytes()
+
+    def recall(self, memory: bytes) -> None:
+        """Go on from where ``remembered`` was asked."""
+        self._memory[:] = np.frombuffer(memory)
+
     def __copy__(self) -> Self:
         twin = type(self).__new__(type(self))
         twin.__dict__.update(self.__dict__)

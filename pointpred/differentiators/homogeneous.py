@@ -12,6 +12,7 @@ from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
 from pointpred.differentiators import sampling
 from pointpred.differentiators.differentiator import REFUSED_ROW, Differentiator
+from pointpred.differentiators.poles import check_gains, check_step
 from pointpred.errors import ParameterError
 from pointpred.stage import Parameter, check
 
@@ -20,6 +21,10 @@ SUBSTEPS_MOST = 10_000
 """Bound on the cost of one event."""
 SETTLING_SPEED_M_S = 0.3
 """Speed of the hand from which the settling time is told."""
+CHATTER_MOST_M_S = 0.05
+"""Speed that a device at rest may seem to have at the longest Euler step: a sixth of a usual reach."""
+STEPS_M = (0.0254 / 2000.0, 0.0254 / 96.0)
+"""Displacements after which that is looked at: a count of a 2000 CPI mouse, a pixel at 96 dpi."""
 
 # Parameters, after those of sampling.
 ORDER, ALPHA, STEP_S, HOLD, SETTLE_S, GAIN = 4, 5, 6, 7, 8, 9
@@ -104,6 +109,19 @@ def settling(memory: FloatArray, speed: float, h: float, steps: int) -> float:
     return settled_s
 
 
+@law
+def chatter(memory: FloatArray, place: float, h: float, steps: int) -> float:
+    """Largest speed in m/s long after the position stepped to ``place`` m and rests; spoils ``memory``."""
+    advance(memory, ZX, place, place, h, steps)
+    fastest = 0.0
+    for _ in range(steps // 4):
+        advance(memory, ZX, place, place, h, 1)
+        speed = abs(memory[ZX + 1])
+        if not speed <= fastest:  # NaN too is not at rest
+            fastest = speed
+    return fastest
+
+
 def gains(gain_lambda: float, gain_xi: float, order: int) -> list[float]:
     """The gains k_1 ... k_n: coefficients of (s + lambda)(s + lambda xi) ... (s + lambda xi^(n-1)).
 
@@ -118,7 +136,8 @@ class HomogeneousDifferentiator(Differentiator):
     """Homogeneous finite-time differentiator of any order from 2 to 8 (HOMD), one for each axis.
 
     Assumes a position that is smooth between samples. It is homogeneous, not scale free: gains that suit
-    metres make another filter of pixels. Explicit Euler costs grow with the gap between events.
+    metres make another filter of pixels. Explicit Euler costs grow with the gap between events, and with
+    alpha < 0 the velocity chatters at rest; settings by which it would by more than 0.05 m/s are refused.
 
     z_j' = z_(j+1) - k_j |e|^(1 + j alpha) sgn e, e = z_1 - y, z_(n+1) = 0; velocity is z_2, acceleration z_3
     (for order 2 the last slope of z_2). ``alpha`` 0 is the linear high-gain observer, -1/order Levant's
@@ -183,35 +202,31 @@ class HomogeneousDifferentiator(Differentiator):
             raise ParameterError(
                 f"gap_s must be at most {SUBSTEPS_MOST} sub-steps = {longest_s:g} s, received {gap_s!r}"
             )
-        chosen = _check_gains(gains, order) if gains is not None else _gains(gain_lambda, gain_xi, order)
-        _check_step(chosen, step_s)
+        chosen = check_gains(gains, order) if gains is not None else _gains(gain_lambda, gain_xi, order)
+        check_step(chosen, step_s)
         self.gains = tuple(chosen)
         padded = [*chosen, *([0.0] * (ORDER_MOST - len(chosen)))]
         own = [float(order), float(alpha), float(step_s), 1.0 if between == "hold" else 0.0, 0.0, *padded]
         super().__init__([*sampling.settings(cpi, dpi, gap_s, pause_s), *own], STATES)
         h = min(step_s, 1e-3)
+        if alpha < 0.0:
+            _check_rest(self._memory, alpha, step_s)
         self._memory[SETTLE_S] = settling(self._memory.copy(), SETTLING_SPEED_M_S, h, round(2.0 / h))
 
 
 _gains = gains  # the constructor's parameter of the same name hides the function
 
 
-def _check_step(gains: Sequence[float], step_s: float) -> None:
-    """The Euler step must keep the linear law stable; with alpha < 0 it then is for every error below 1 m."""
-    poles = np.roots([1.0, *gains])
-    longest_s = float(np.min(-2.0 * poles.real / np.abs(poles) ** 2))
-    if step_s >= longest_s:
+def _check_rest(memory: FloatArray, alpha: float, step_s: float) -> None:
+    """With alpha < 0 the gain k_j |e|^(j alpha) grows without bound as e -> 0: Euler's method must chatter.
+
+    How far depends on the step; it is measured by running the law, from each of the two displacements.
+    """
+    steps = min(max(round(2.0 / step_s), 2_000), 20_000)
+    speeds = [chatter(memory.copy(), place, step_s, steps) for place in STEPS_M]
+    if not all(speed <= CHATTER_MOST_M_S for speed in speeds):
         raise ParameterError(
-            f"step_s must be below {longest_s:g} s, where Euler's method with these gains becomes unstable, "
-            f"received {step_s!r}"
+            f"with step_s = {step_s:g} s, alpha = {alpha:g} and these gains the velocity of a device at rest "
+            f"chatters by {max(speeds):.2g} m/s, at most {CHATTER_MOST_M_S:g} m/s: choose a smaller step_s, "
+            "smaller gains (gain_lambda) or an alpha nearer to 0"
         )
-
-
-def _check_gains(gains: Sequence[float], order: int) -> list[float]:
-    """Given gains must be one positive number an order, and make a stable linear law."""
-    if len(gains) != order or not all(k > 0.0 and np.isfinite(k) for k in gains):
-        raise ParameterError(f"gains must be {order} positive numbers, received {list(gains)!r}")
-    slowest = float(np.max(np.roots([1.0, *gains]).real))
-    if slowest >= 0.0:
-        raise ParameterError(f"gains {list(gains)!r} make an unstable law: a pole has real part {slowest:g}")
-    return [float(k) for k in gains]

@@ -11,12 +11,10 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.errors import EventError, EventOrderError, ParameterError
-from pointpred.events import PointerEvent
-from pointpred.stage import Parameter
+from pointpred.events import LARGEST, LATEST_S, PointerEvent
+from pointpred.stage import Parameter, check
 
 METRES_PER_INCH = 0.0254
-LARGEST = 1e9
-"""Bound on the magnitude of positions (px), counts and times (s): beyond it arithmetic means nothing."""
 
 # Parameters, first in the memory of every differentiator.
 METRES_PER_COUNT, METRES_PER_PX, GAP_S, PAUSE_S = 0, 1, 2, 3
@@ -39,6 +37,14 @@ PARAMETERS = (
 
 
 @law
+def usable(t: float, x: float, y: float, dx: float, dy: float, buttons: float) -> bool:
+    """Whether the values make an event: all within their bounds, counts both there or both absent (NaN)."""
+    if not (abs(t) <= LATEST_S and abs(x) <= LARGEST and abs(y) <= LARGEST and 0.0 <= buttons <= LARGEST):
+        return False
+    return bool((dx != dx and dy != dy) or (abs(dx) <= LARGEST and abs(dy) <= LARGEST))
+
+
+@law
 def accept(
     memory: FloatArray, at: int, t: float, x: float, y: float, dx: float, dy: float, buttons: float
 ) -> tuple[int, float, float, float, bool]:
@@ -47,20 +53,13 @@ def accept(
     A refused event changes nothing. A merged one has changed the motor position, which the law sees at the
     next later time. After a restart the motor position is 0: the law starts there, at rest.
     """
-    none = dx != dx
-    if none != (dy != dy):
-        return REFUSED, 0.0, 0.0, 0.0, False
-    if not (abs(t) <= LARGEST and abs(x) <= LARGEST and abs(y) <= LARGEST and 0.0 <= buttons <= LARGEST):
-        return REFUSED, 0.0, 0.0, 0.0, False
-    if not none and not (abs(dx) <= LARGEST and abs(dy) <= LARGEST):
-        return REFUSED, 0.0, 0.0, 0.0, False
     started = memory[at + STARTED] == 1.0
-    if started and t < memory[at + T]:
+    if not usable(t, x, y, dx, dy, buttons) or (started and t < memory[at + T]):
         return REFUSED, 0.0, 0.0, 0.0, False
     dt = t - memory[at + T]
     released = int(memory[at + BUTTONS]) & ~int(buttons) != 0
     start = not started or released or dt > memory[PAUSE_S]
-    counted = not none and memory[METRES_PER_COUNT] > 0.0
+    counted = dx == dx and memory[METRES_PER_COUNT] > 0.0
     merged = started and dt == 0.0
     # What shares the time of a restart belongs to the place where the device starts, not to a movement.
     restarted = not started or dt > memory[GAP_S] or (merged and memory[at + SEEN] == 1.0)
@@ -107,11 +106,12 @@ def explain(event: PointerEvent, last_t: float | None) -> EventError:
         value = getattr(event, name)
         if value is None and name in ("dx", "dy"):
             continue
-        low = 0.0 if name == "buttons" else -LARGEST
+        high = LATEST_S if name == "t" else LARGEST
+        low = 0.0 if name == "buttons" else -high
         if not isinstance(value, int | float | np.integer | np.floating):
             return EventError(f"{name} must be a number, received {value!r}")
-        if not low <= value <= LARGEST:
-            return EventError(f"{name} must lie in [{low:g}, {LARGEST:g}], received {value!r}")
+        if not low <= value <= high:
+            return EventError(f"{name} must lie in [{low:g}, {high:g}], received {value!r}")
     if (event.dx is None) != (event.dy is None):
         return EventError(f"dx and dy come together or not at all, received {event.dx!r} and {event.dy!r}")
     if last_t is not None and event.t < last_t:
@@ -120,7 +120,9 @@ def explain(event: PointerEvent, last_t: float | None) -> EventError:
 
 
 def named(cpi: float | None, dpi: float, gap_s: float, pause_s: float) -> dict[str, float]:
-    """The shared parameters by name, to be checked; refuses a pause shorter than a gap."""
+    """The shared parameters by name, checked: each on its own, and no pause shorter than a gap."""
+    values = {"cpi": 1.0 if cpi is None else cpi, "dpi": dpi, "gap_s": gap_s, "pause_s": pause_s}
+    check(PARAMETERS, values)
     if pause_s < gap_s:
         raise ParameterError(f"pause_s must be at least gap_s = {gap_s:g} s, received {pause_s:g} s")
-    return {"cpi": 1.0 if cpi is None else cpi, "dpi": dpi, "gap_s": gap_s, "pause_s": pause_s}
+    return values

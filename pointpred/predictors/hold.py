@@ -24,7 +24,7 @@ def step(
     start: float,
 ) -> tuple[float, float, float, float, float, float, float]:
     """The cursor's position is the answer."""
-    accepted, _, _ = movement.follow(memory, AT, t, x, y, vx, vy, start)
+    accepted, _, _ = movement.follow(memory, AT, t, x, y, vx, vy, ax, ay, start)
     if not accepted:
         return REFUSED
     return x, y, NONE, NONE, NONE, NONE, movement.phase(memory, AT, vx, vy)

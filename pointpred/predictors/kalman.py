@@ -72,7 +72,7 @@ def step(
 ) -> tuple[float, float, float, float, float, float, float]:
     """One position through the filter of both axes, and its state carried over the horizon."""
     last_x, last_y = memory[AT + movement.X], memory[AT + movement.Y]
-    accepted, new, dt = movement.follow(memory, AT, t, x, y, vx, vy, start)
+    accepted, new, dt = movement.follow(memory, AT, t, x, y, vx, vy, ax, ay, start)
     if not accepted:
         return REFUSED
     x0, y0 = memory[AT + movement.X0], memory[AT + movement.Y0]

@@ -82,7 +82,7 @@ def step(
     start: float,
 ) -> tuple[float, float, float, float, float, float, float]:
     """Add the motion to the fit and look for its zero ahead."""
-    accepted, new, dt = movement.follow(memory, AT, t, x, y, vx, vy, start)
+    accepted, new, dt = movement.follow(memory, AT, t, x, y, vx, vy, ax, ay, start)
     if not accepted:
         return REFUSED
     travelled = memory[AT + movement.PATH]

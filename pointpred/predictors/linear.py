@@ -57,7 +57,7 @@ def step(
     start: float,
 ) -> tuple[float, float, float, float, float, float, float]:
     """Carry the mean velocity of the window on over the horizon."""
-    accepted, new, _ = movement.follow(memory, AT, t, x, y, vx, vy, start)
+    accepted, new, _ = movement.follow(memory, AT, t, x, y, vx, vy, ax, ay, start)
     if not accepted:
         return REFUSED
     if new:

@@ -33,7 +33,7 @@ def step(
     start: float,
 ) -> tuple[float, float, float, float, float, float, float]:
     """Divide the way done by the share that the speed says is done."""
-    accepted, _, _ = movement.follow(memory, AT, t, x, y, vx, vy, start)
+    accepted, _, _ = movement.follow(memory, AT, t, x, y, vx, vy, ax, ay, start)
     if not accepted:
         return REFUSED
     phase = movement.phase(memory, AT, vx, vy)

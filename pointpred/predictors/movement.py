@@ -21,13 +21,22 @@ STILL, BALLISTIC, CORRECTIVE = 0.0, 1.0, 2.0
 
 @law
 def follow(
-    memory: FloatArray, at: int, t: float, x: float, y: float, vx: float, vy: float, start: float
+    memory: FloatArray,
+    at: int,
+    t: float,
+    x: float,
+    y: float,
+    vx: float,
+    vy: float,
+    ax: float,
+    ay: float,
+    start: float,
 ) -> tuple[bool, bool, float]:
     """Take one motion in: (accepted, a movement starts here, dt in s since the motion before).
 
     Not accepted, and the memory unchanged: a value that is not finite, or a time before the last one.
     """
-    size = abs(t) + abs(x) + abs(y) + abs(vx) + abs(vy)
+    size = abs(t) + abs(x) + abs(y) + abs(vx) + abs(vy) + abs(ax) + abs(ay)
     if not size < inf or (memory[at + KNOWN] == 1.0 and t < memory[at + T]):
         return False, False, 0.0
     new = start == 1.0 or memory[at + KNOWN] == 0.0

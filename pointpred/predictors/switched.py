@@ -65,7 +65,7 @@ def step(
     start: float,
 ) -> tuple[float, float, float, float, float, float, float]:
     """Both axes, each in its own phase (Remark 2.5.1)."""
-    accepted, new, _ = movement.follow(memory, AT, t, x, y, vx, vy, start)
+    accepted, new, _ = movement.follow(memory, AT, t, x, y, vx, vy, ax, ay, start)
     if not accepted:
         return REFUSED
     if new:

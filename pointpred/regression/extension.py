@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import expm1, inf
+from math import expm1
 from typing import Any
 
 import msgspec
-import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.regression import drem
-from pointpred.regression.recursive_least_squares import check_sample
+from pointpred.regression.recursive_least_squares import moment, sample
 from pointpred.stage import CompiledStage, Parameter, check
 
 DELAY_S, GAMMA, AT = 0, 1, 2
@@ -78,11 +77,13 @@ class DynamicRegressorExtension(CompiledStage):
         That is before n - 1 delays have passed. Raises EventError for a value that is not finite or a
         regressor of another length, EventOrderError when time runs backwards; nothing is then changed.
         """
-        memory, n, w = self._memory, self.count, np.asarray(regressor, np.float64)
-        check_sample(n, w, output, t, float(memory[AT + drem.T]) if memory[AT + drem.KNOWN] == 1.0 else -inf)
+        memory, n = self._memory, self.count
+        last_t = float(memory[AT + drem.T]) if memory[AT + drem.KNOWN] == 1.0 else None
+        w, y = sample(n, regressor, output)
+        now = moment(t, last_t)
         memory[AT + drem.REGRESSOR : AT + drem.REGRESSOR + n] = w
-        if not drem.advance(memory, AT, n, memory[DELAY_S], memory[GAMMA], t, output):
+        if not drem.advance(memory, AT, n, memory[DELAY_S], memory[GAMMA], now, y):
             return None
         first = drem.estimates(AT, n)
         learnt = -expm1(-float(memory[AT + drem.EXCITATION]))
-        return Estimate(t, tuple(memory[first : first + n].tolist()), float(memory[AT + drem.PHI]), learnt)
+        return Estimate(now, tuple(memory[first : first + n].tolist()), float(memory[AT + drem.PHI]), learnt)

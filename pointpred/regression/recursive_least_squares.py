@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import exp, inf, sqrt
+from math import exp, inf, isfinite, sqrt
 from typing import Any
 
 import msgspec
 import numpy as np
+from numpy.typing import ArrayLike
 
 from pointpred.columns import FloatArray
 from pointpred.errors import EventError, EventOrderError, ParameterError
@@ -88,34 +89,52 @@ class RecursiveLeastSquares(CompiledStage):
         settings = [float(forgetting), float(forgetting_rate), float(least_excitation)]
         super().__init__(settings, 2 + least_squares.states(self.count))
 
-    def update(self, regressor: Sequence[float] | FloatArray, output: float, t: float = 0.0) -> None:
-        """Take in output = regressor . theta at ``t`` s (only the forgetting rate needs the time).
+    def update(self, regressor: Sequence[float] | FloatArray, output: float, t: float | None = None) -> None:
+        """Take in output = regressor . theta at ``t`` s; ``None``: no time has passed since the last sample.
 
-        Raises EventError for a value that is not finite or a regressor of another length, EventOrderError
-        when time runs backwards; nothing is then changed.
+        Only the forgetting rate needs the time. Raises EventError for a value that is no finite number or a
+        regressor of another length, EventOrderError when time runs backwards; nothing is then changed.
         """
-        memory, w = self._memory, np.asarray(regressor, np.float64)
-        check_sample(self.count, w, output, t, float(memory[T]) if memory[KNOWN] == 1.0 else -inf)
-        h = t - memory[T] if memory[KNOWN] == 1.0 else 0.0
-        memory[KNOWN], memory[T] = 1.0, t
+        memory = self._memory
+        last_t = float(memory[T]) if memory[KNOWN] == 1.0 else None
+        w, y = sample(self.count, regressor, output)
+        now = last_t if t is None else moment(t, last_t)
+        h = 0.0 if last_t is None or now is None else now - last_t
+        if now is not None:
+            memory[KNOWN], memory[T] = 1.0, now
         memory[AT + least_squares.REGRESSOR : AT + least_squares.REGRESSOR + self.count] = w
-        least_squares.advance(memory, AT, self.count, memory[FORGETTING] * exp(-memory[RATE] * h), output)
+        least_squares.advance(memory, AT, self.count, memory[FORGETTING] * exp(-memory[RATE] * h), y)
 
     def fit(self) -> Fit:
         """The estimate now, with what it rests on."""
         return fit(self._memory, AT, self.count, float(self._memory[LEAST]))
 
 
-def check_sample(count: int, regressor: FloatArray, output: float, t: float, last_t: float) -> None:
-    """Raise EventError or EventOrderError for a sample that a regression cannot take in."""
-    if regressor.shape != (count,):
-        raise EventError(f"regressor needs {count} values, received shape {regressor.shape}")
-    if not (np.isfinite(regressor).all() and np.isfinite(output) and np.isfinite(t)):
-        raise EventError(
-            f"sample must be finite, received regressor {regressor.tolist()}, output {output!r}, t {t!r}"
-        )
-    if t < last_t:
-        raise EventOrderError(f"t must not run backwards: received {t!r} s after {last_t!r} s")
+def sample(count: int, regressor: ArrayLike, output: float) -> tuple[FloatArray, float]:
+    """A sample as numbers; raises EventError where a regression cannot take it in."""
+    received = f"received regressor {regressor!r}, output {output!r}"
+    try:
+        w, y = np.asarray(regressor, np.float64), float(output)
+    except (TypeError, ValueError, OverflowError) as unusable:
+        raise EventError(f"sample must be numbers, {received}") from unusable
+    if w.shape != (count,):
+        raise EventError(f"regressor needs {count} values, received shape {w.shape}")
+    if not (np.isfinite(w).all() and isfinite(y)):
+        raise EventError(f"sample must be finite, {received}")
+    return w, y
+
+
+def moment(t: float, last_t: float | None) -> float:
+    """The time of a sample; raises EventError for no number and EventOrderError when it runs backwards."""
+    try:
+        now = float(t)
+    except (TypeError, ValueError, OverflowError) as unusable:
+        raise EventError(f"t must be a number of seconds, received {t!r}") from unusable
+    if not isfinite(now):
+        raise EventError(f"t must be finite, received {t!r}")
+    if last_t is not None and now < last_t:
+        raise EventOrderError(f"t must not run backwards: received {now!r} s after {last_t!r} s")
+    return now
 
 
 def fit(memory: FloatArray, at: int, count: int, least: float) -> Fit:

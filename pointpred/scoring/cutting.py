@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.differentiators.sampling import LARGEST
+from pointpred.differentiators import sampling
 
 ONSET_PX = 3.0
 """A movement has begun once the cursor has left this circle around the trial's first position for good."""
@@ -29,21 +29,13 @@ Cuts = NDArray[np.int64]
 
 
 @law
-def usable(rows: FloatArray, i: int) -> bool:
-    """Whether a row is an event that a differentiator accepts; absent counts (NaN) are."""
-    t, x, y, dx, dy, buttons = rows[i, 0], rows[i, 1], rows[i, 2], rows[i, 3], rows[i, 4], rows[i, 5]
-    if not (abs(t) <= LARGEST and abs(x) <= LARGEST and abs(y) <= LARGEST and 0.0 <= buttons <= LARGEST):
-        return False
-    return bool(dx != dx or dy != dy or (abs(dx) <= LARGEST and abs(dy) <= LARGEST))
-
-
-@law
 def fault(rows: FloatArray, first: int, stop: int) -> tuple[int, int]:
     """The first reason not to score a trial as it was recorded, and its row."""
     if stop == first:
         return EMPTY, first
     for i in range(first, stop):
-        if not usable(rows, i):
+        r = rows[i]
+        if not sampling.usable(r[0], r[1], r[2], r[3], r[4], r[5]):
             return UNUSABLE, i
         if i > first and rows[i, 0] < rows[i - 1, 0]:
             return BACKWARD, i

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pointpred.columns import EventColumns, FloatArray
+from pointpred.events import LARGEST, LATEST_S
 from pointpred.recording import IN_MEMORY, Provenance, Recording, Skip, Trial
 
 T, X, Y, DX, DY, BUTTONS = range(6)
@@ -34,8 +35,9 @@ def assemble(
 
     Assumes that the rows of one trial are in the order of their time; rows of several trials may interleave:
     they are put together and a note says so. A trial is skipped, with the reason and the first row at fault,
-    when it has fewer than two samples, a cell that is not a finite number (``faults``: row -> what is wrong),
-    time that runs backwards, buttons that are no whole number in 0..65535, or no movement at all.
+    when it has fewer than two samples, a cell that is not a finite number (``faults``: row -> what is wrong)
+    or beyond the bounds of events, one count without the other, time that runs backwards, buttons that are
+    no whole number in 0..65535, or no movement at all.
     ``unfit`` names further trials with the caller's reason. Equal times are normal. ``row_of`` gives the
     file's row of each table row where the two differ.
     Every trial is either in the recording or in its ``skipped``. Memory: two copies of the table at most.
@@ -107,10 +109,14 @@ def _judge(table: FloatArray, offsets: IntArray, faults: dict[int, str]) -> dict
         np.array(sorted(faults), dtype=np.int64),
         {at: words.replace("{", "{{").replace("}", "}}") for at, words in faults.items()},
     )
-    for column in (T, X, Y):
-        bad = np.flatnonzero(~np.isfinite(table[:, column]))
-        blame(bad, f"{FIELDS[column]} is {{{6 + column}}}, expected a finite number")
-    blame(np.flatnonzero(np.isinf(table[:, DX]) | np.isinf(table[:, DY])), "counts are not finite")
+    for column, most in ((T, LATEST_S), (X, LARGEST), (Y, LARGEST)):
+        said, size = f"{FIELDS[column]} is {{{6 + column}}}, expected", np.abs(table[:, column])
+        blame(np.flatnonzero(~np.isfinite(size)), f"{said} a finite number")
+        blame(np.flatnonzero(size > most), f"{said} at most {most:g} either way")
+    counts, said = np.abs(table[:, [DX, DY]]), "dx is {9} and dy {10}, expected"
+    blame(np.flatnonzero(np.isinf(counts).any(axis=1)), "counts are not finite")
+    blame(np.flatnonzero((counts > LARGEST).any(axis=1)), f"{said} at most {LARGEST:g} either way")
+    blame(np.flatnonzero(np.isnan(counts[:, 0]) != np.isnan(counts[:, 1])), f"{said} both or neither")
     buttons = table[:, BUTTONS]
     with np.errstate(invalid="ignore"):
         bad = ~((buttons >= 0) & (buttons <= MOST_BUTTONS) & (buttons == np.floor(buttons)))

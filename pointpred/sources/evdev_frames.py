@@ -35,12 +35,21 @@ class Frames(msgspec.Struct):
     notes: list[str]
 
 
-def frames(path: Path, raw: Iterable[RawEvent]) -> Frames:
+def moving(path: Path, raw: Iterable[RawEvent]) -> Frames:
+    """``frames`` of a device that must move; raises RecordingError when nothing does."""
+    stream = frames(path, raw)
+    if isinstance(stream, str):
+        raise RecordingError(f"{path}: {stream}")
+    return stream
+
+
+def frames(path: Path, raw: Iterable[RawEvent]) -> Frames | str:
     """Sum the relative motion of each frame; x and y are the summed counts, 1 count = 1 px.
 
     Frames without motion and button (the wheel) are left aside and counted in a note. After SYN_DROPPED the
     kernel has lost events: what came before it in the frame is void, and the frame is a fault.
-    Raises RecordingError when nothing moves or a value cannot be one.
+    Returns in words what there is instead when nothing moves; raises RecordingError when a value cannot be
+    one.
     """
     table: list[tuple[int, int, int, int]] = []
     rows: list[int] = []
@@ -72,8 +81,8 @@ def frames(path: Path, raw: Iterable[RawEvent]) -> Frames:
             dx, dy, begins, useful, lost = 0, 0, row + 1, False, False
     if not any(move[1] or move[2] for move in table):
         what = "absolute positions only" if absolute else "no relative motion"
-        raise RecordingError(f"{path}: {what} in {count} events, expected REL_X or REL_Y in a complete frame")
-    notes = [f"{aside} frames without motion or button are left aside"] if aside else []
+        return f"{what} in {count} events, expected REL_X or REL_Y in a complete frame"
+    notes = [f"frames without motion or button left aside: {aside}"] if aside else []
     if useful:
         notes.append(f"the last frame, from event {begins}, is not complete and left aside")
     whole = np.array(table, dtype=np.int64)

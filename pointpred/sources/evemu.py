@@ -8,7 +8,7 @@ from pathlib import Path
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording
-from pointpred.sources.evdev_frames import RawEvent, frames, recording
+from pointpred.sources.evdev_frames import RawEvent, moving, recording
 from pointpred.sources.reading import AS_IS, Reading, read_text
 
 TITLE = "evemu 1.x"
@@ -29,7 +29,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     text = read_text(path)
     named = re.search(r"^N: (.*)$", text, re.MULTILINE)
     device = named.group(1).strip() if named else path.stem
-    stream = frames(path, _events(path, text))
+    stream = moving(path, _events(path, text))
     return recording(path, "evemu", device, stream, reading, "kernel stamps, us; which clock is not said")
 
 

@@ -14,7 +14,7 @@ from pointpred.sources.evdev_frames import (
     SYN_DROPPED,
     SYN_REPORT,
     RawEvent,
-    frames,
+    moving,
     recording,
 )
 from pointpred.sources.reading import AS_IS, Reading, read_text
@@ -39,7 +39,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     text = read_text(path)
     named = re.search(r'^Input device name: "(.*)"$', text, re.MULTILINE)
     device = named.group(1).strip() if named else path.stem
-    stream = frames(path, _events(path, text))
+    stream = moving(path, _events(path, text))
     return recording(
         path, "evtest", device, stream, reading, "kernel stamps, us, usually the real-time clock"
     )

@@ -41,12 +41,9 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     still: list[str] = []
     for index, device in enumerate(devices):
         name = _name(device, index)
-        try:
-            stream = frames(path, list(_events(path, name, device)))
-        except RecordingError as error:
-            if "expected REL_X" not in str(error):
-                raise
-            still.append(f"device {name}: {str(error).removeprefix(f'{path}: ')}")
+        stream = frames(path, list(_events(path, name, device)))
+        if isinstance(stream, str):
+            still.append(f"device {name}: {stream}")
             continue
         clock = "kernel stamps, us from the recording's start, monotonic"
         parts.append(recording(path, "libinput", name, stream, reading, clock))

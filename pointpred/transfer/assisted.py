@@ -8,6 +8,7 @@ from typing import Any
 from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
 from pointpred.errors import EventError
+from pointpred.events import LARGEST
 from pointpred.stage import CompiledStage, Parameter, check
 from pointpred.transfer import known, pixels
 
@@ -35,7 +36,7 @@ def step(
 ) -> tuple[float, float, float]:
     """One report: (t, dx in px, dy in px); NaN for a report that is refused."""
     ok, dt = pixels.accept(memory, PIXELS, t, dx, dy)
-    if not ok or abs(off_x) > pixels.LARGEST or abs(off_y) > pixels.LARGEST:
+    if not ok or abs(off_x) > LARGEST or abs(off_y) > LARGEST:
         return pixels.NONE, pixels.NONE, pixels.NONE
     scale = pixels.turn(memory, PIXELS, t, dt, dx, dy)
     x, y = scale * dx, scale * dy

@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.compiled import law
+from pointpred.compiled import law, layout
 
 BANDS = 20
 ROUNDS = 6
@@ -19,7 +19,7 @@ TRUSTED = 0.02
 """A band whose gain is known to this share counts half: the scale of trust."""
 
 
-@law
+@layout
 def states(n: int) -> int:
     """Floats of all bands: for each the sum of w_1 y and those of w_1 w_i, w_1 the regressor of c_1."""
     return BANDS * (1 + n)

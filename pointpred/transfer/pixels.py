@@ -10,11 +10,11 @@ import numpy as np
 from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
 from pointpred.errors import EventError
+from pointpred.events import LARGEST, LATEST_S
 from pointpred.stage import CompiledStage, Parameter, check
 from pointpred.transfer import known
 
 METRES_PER_INCH = 0.0254
-LARGEST = 1e9
 NONE = float("nan")
 
 # Remainders of x and y in px, relative to `at`: all that carrying needs.
@@ -43,7 +43,7 @@ def carry(memory: FloatArray, at: int, moved_px: float) -> float:
 @law
 def accept(memory: FloatArray, at: int, t: float, dx: float, dy: float) -> tuple[bool, float]:
     """Whether a report can be used, and the time in s that its counts took."""
-    fine = abs(t) <= LARGEST and abs(dx) <= LARGEST and abs(dy) <= LARGEST
+    fine = abs(t) <= LATEST_S and abs(dx) <= LARGEST and abs(dy) <= LARGEST
     if memory[at + KNOWN] == 0.0:
         return fine, float(memory[at + PERIOD_S])
     return fine and t >= memory[at + T], float(min(t - memory[at + T], memory[at + GAP_S]))

@@ -11,11 +11,10 @@ from math import hypot
 
 from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
+from pointpred.events import LARGEST, LATEST_S
 from pointpred.regression import least_squares
 from pointpred.transfer import bands
 from pointpred.transfer.known import COEFFICIENTS_MOST
-
-LARGEST = 1e9
 
 # Parameters: number of coefficients, the power of the first (0 or 1), ...
 N, POWER, METRES_PER_COUNT, METRES_PER_PX, WINDOW_S, GAP_S, FORGETTING, SPEED_LOW, BAND_WIDTH = range(9)
@@ -83,7 +82,7 @@ def gather(memory: FloatArray, dt: float, dx: float, dy: float) -> None:
 @law
 def step(memory: FloatArray, t: float, x: float, y: float, dx: float, dy: float) -> float:
     """One report of the device with the cursor's position after it: refused, taken or left out."""
-    if not abs(t) + abs(x) + abs(y) + abs(dx) + abs(dy) <= LARGEST:
+    if not (abs(t) <= LATEST_S and abs(x) + abs(y) + abs(dx) + abs(dy) <= LARGEST):
         return REFUSED
     known, dt = memory[KNOWN] == 1.0, t - memory[T]
     if known and dt < 0.0:

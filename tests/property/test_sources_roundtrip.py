@@ -14,8 +14,12 @@ from pointpred.sources import read, write
 
 finite = st.floats(allow_nan=False, allow_infinity=False, width=64)
 words = st.text(st.characters(blacklist_categories=["Cs"], blacklist_characters="\x00\r"), max_size=8)
-counts = st.one_of(st.none(), st.floats(-1e6, 1e6))
-samples = st.tuples(st.floats(0, 10), finite, finite, counts, counts, st.integers(0, 65535))
+places = st.floats(-1e9, 1e9)
+counts = st.one_of(st.just((None, None)), st.tuples(st.floats(-1e6, 1e6), st.floats(-1e6, 1e6)))
+samples = st.builds(
+    lambda t, x, y, pair, buttons: (t, x, y, *pair, buttons),
+    *(st.floats(0, 10), places, places, counts, st.integers(0, 65535)),
+)
 unknown = st.one_of(st.just(float("nan")), finite)
 
 
@@ -31,7 +35,7 @@ def recordings(draw: st.DrawFn) -> Recording:
         none = float("nan")
         table = np.array([[none if cell is None else cell for cell in row] for row in cells], dtype=float)
         table[:, 0] = np.cumsum(table[:, 0])
-        table[-1, 3] = 1.0  # something moves
+        table[-1, 3:5] = 1.0, -1.0  # something moves
         parts.append(EventColumns(table))
         condition = {
             key: draw(words if text else finite) for key, text in kinds.items() if draw(st.booleans())

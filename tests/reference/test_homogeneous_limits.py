@@ -10,7 +10,7 @@ from pointpred import EventColumns
 from pointpred.differentiators import HomogeneousDifferentiator
 
 H = 0.001
-GAINS = {2: [40.0, 400.0], 3: [60.0, 1100.0, 6000.0], 4: [75.0, 1750.0, 15000.0, 40000.0]}
+GAINS = {2: [10.0, 25.0], 3: [60.0, 1100.0, 6000.0], 4: [75.0, 1750.0, 15000.0, 40000.0]}
 PX_PER_M = 96.0 / 0.0254
 
 

@@ -11,8 +11,7 @@ import pytest
 from pointpred import EventColumns, Motion, PointerEvent
 from pointpred.differentiators import DIFFERENTIATORS, Differentiator
 from pointpred.errors import EventError, EventOrderError
-
-LARGEST = 1e9
+from pointpred.events import LARGEST, LATEST_S
 
 
 @pytest.fixture(params=list(DIFFERENTIATORS))
@@ -185,6 +184,6 @@ def test_whole_numbers_are_numbers(differentiator: Differentiator) -> None:
 
 
 def test_the_largest_values_are_data(differentiator: Differentiator) -> None:
-    differentiator.update(PointerEvent(-LARGEST, LARGEST, -LARGEST))
-    motion = differentiator.update(PointerEvent(LARGEST, -LARGEST, LARGEST, LARGEST, -LARGEST, int(LARGEST)))
-    assert (motion.t, motion.x, motion.vx) == (LARGEST, -LARGEST, 0.0)
+    differentiator.update(PointerEvent(-LATEST_S, LARGEST, -LARGEST))
+    motion = differentiator.update(PointerEvent(LATEST_S, -LARGEST, LARGEST, LARGEST, -LARGEST, int(LARGEST)))
+    assert (motion.t, motion.x, motion.vx) == (LATEST_S, -LARGEST, 0.0)

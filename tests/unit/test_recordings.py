@@ -19,7 +19,7 @@ NONE = float("nan")
 def small() -> Recording:
     parts = [
         EventColumns.of([0.0, 0.1], [1.0, 2.0], [3.0, -0.1], [1, 2], [0, 0], [0, 1]),
-        EventColumns.of([5.0, 5.0, 5.5], [0.1 + 0.2, 1e-300, 3.0], [0.0, -0.0, 1e22]),
+        EventColumns.of([5.0, 5.0, 5.5], [0.1 + 0.2, 1e-300, 3.0], [0.0, -0.0, 123456789.1]),
     ]
     trials = [
         Trial("ann", "a,b", 1.0, 2.0, 3.0, clean=True, condition={"device": 'a "mouse"\n', "block": 1.0}),

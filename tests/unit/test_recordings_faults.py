@@ -28,6 +28,8 @@ def samples(folder: Path, text: str, name: str = "set_samples.csv") -> Path:
         ("u,bad,0,0,0\nu,bad,1,nan,0\n", "x is nan, expected a finite number", 3),
         ("u,bad,0,0,0\nu,bad,,1,0\n", "t is nan, expected a finite number", 3),
         ("u,bad,0,0,0\nu,bad,1,1,inf\n", "y is inf, expected a finite number", 3),
+        ("u,bad,0,0,0\nu,bad,1,1e10,0\n", "x is 10000000000.0, expected at most 1e+09 either way", 3),
+        ("u,bad,0,0,0\nu,bad,1.7e12,1,0\n", "t is 1700000000000.0, expected at most 1e+11 either way", 3),
         ("u,bad,0,0,0\nu,bad,1,left,0\n", "x_px is 'left', expected a number", 3),
         ("u,bad,2,0,0\nu,bad,2,1,0\nu,bad,1.5,2,0\n", "time goes backwards, from 2.0 s to 1.5 s", 4),
         ("u,bad,0,0,0\n", "one sample, expected at least two", 2),
@@ -50,6 +52,17 @@ def test_buttons_and_counts_are_checked(tmp_path: Path) -> None:
     assert [trial.trial for trial in recording.trials] == ["2"]  # counts moved while the cursor could not
     assert [(skip.trial, skip.row) for skip in recording.skipped] == [("1", 1), ("3", 4)]
     assert "expected a whole number from 0 to 65535" in recording.skipped[0].reason
+
+
+def test_one_count_without_the_other_is_skipped_with_its_row_and_the_rest_is_kept(tmp_path: Path) -> None:
+    text = "user,trial,t_s,x_px,y_px,dx_counts,dy_counts\n"
+    text += "u,1,0,0,0,0,0\nu,1,1,9,0,4,\nu,2,0,0,0,,\nu,2,1,9,0,,3\nu,3,0,0,0,,\nu,3,1,9,0,4,3\n"
+    recording = read(samples(tmp_path, text))
+    assert [trial.trial for trial in recording.trials] == ["3"]
+    assert recording.skipped == (
+        Skip("1", "dx is 4.0 and dy nan, expected both or neither", 1, "u"),
+        Skip("2", "dx is nan and dy 3.0, expected both or neither", 3, "u"),
+    )
 
 
 def test_equal_times_and_a_first_time_of_zero_are_normal(tmp_path: Path) -> None:
