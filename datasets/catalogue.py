@@ -77,5 +77,5 @@ def find(name: str) -> DataSet:
     if name in known:
         return known[name]
     near = difflib.get_close_matches(name, known, 1)
-    hint = f"; did you mean {near[0]!r}?" if near else ""
+    hint = f"; did you mean {near[0]!r}?" if near else "."
     raise ParameterError(f"unknown data set {name!r}{hint} Known: {', '.join(known)}")

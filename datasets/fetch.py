@@ -6,7 +6,7 @@ import hashlib
 import ipaddress
 import urllib.error
 import urllib.request
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from http.client import HTTPException
 from pathlib import Path
 from typing import IO, Any
@@ -72,8 +72,13 @@ def fetch(
     if entry.note:
         say(f"{entry.name}: {entry.note}")
     place = Path(folder)
+    made = [path for path in (place, *place.parents) if not path.exists()]
     _make(place)
-    return tuple(_one(file, place, most_bytes, timeout_s, progress, say) for file in entry.files)
+    try:
+        return tuple(_one(file, place, most_bytes, timeout_s, progress, say) for file in entry.files)
+    except BaseException:
+        _clear(made)
+        raise
 
 
 def check_url(url: str) -> None:
@@ -110,6 +115,14 @@ def _make(folder: Path) -> None:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise SourceError(f"{folder}: cannot be made: {error}") from error
+
+
+def _clear(made: Sequence[Path]) -> None:
+    """Remove the folders this call made that are still empty, the innermost first."""
+    for path in made:
+        if any(path.iterdir()):
+            return
+        path.rmdir()
 
 
 def _one(

@@ -141,5 +141,5 @@ def _entry(name: str) -> Entry:
 
 def _unknown(kind: str, name: object, known: list[str]) -> str:
     near = difflib.get_close_matches(str(name), known, 1)
-    hint = f"; did you mean {near[0]!r}?" if near else ""
+    hint = f"; did you mean {near[0]!r}?" if near else "."
     return f"unknown {kind} {name!r}{hint} Known: {', '.join(known)}"

@@ -11,6 +11,9 @@ from rich.table import Table
 
 from pointpred.cli.screen import remarks, results, write_json
 
+BOUNDLESS = 1000
+"""Columns of the list where nobody looks at it: no address is cut."""
+
 app = typer.Typer(no_args_is_help=True, help="Public recordings: which exist, and how to get them.")
 
 
@@ -34,11 +37,14 @@ def list_sets(
         return
     table = Table(box=None, pad_edge=False)
     for column in ("name", "people", "trials", "sampling", "licence", "to get it"):
-        table.add_column(column, no_wrap=column == "name")
+        table.add_column(column, no_wrap=column == "name", overflow="fold")
     for one in sets:
         way = f"pointpred datasets fetch {one.name}" if one.fetchable else one.page
         table.add_row(one.name, _count(one.users), _count(one.trials), one.sampling, one.licence, way)
-    results().print(table, markup=False)
+    screen = results()
+    if not screen.is_terminal:  # a line a set, however long, for whoever cuts it up
+        screen.width = BOUNDLESS
+    screen.print(table, markup=False)
 
 
 @app.command("fetch")

@@ -69,7 +69,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
         columns["y"][rows],
         buttons=_held(button[rows], state[rows]),
     )
-    notes = [f"{len(state) - len(rows)} wheel rows are left aside"] if len(rows) < len(state) else []
+    notes = [f"wheel rows left aside: {len(state) - len(rows)}"] if len(rows) < len(state) else []
     clock = "the client's clock, s" if seconds else "the client's clock, ms"
     return trials_of_stream(
         path.stem,

@@ -35,6 +35,7 @@ def test_help_teaches_by_example(command, words: tuple[str, ...]) -> None:
         (["scor"], "scor"),
         (["predictors", "hol"], "did you mean 'hold'?"),
         (["score", "--predictors", "hold,swiched"], "unknown predictor 'swiched'"),
+        (["score", "--predictors", "foo"], "unknown predictor 'foo'. Known: hold, "),
         (["score", "--predictors", " , "], "--predictors needs names"),
         (["score", "--threads", "0"], "--threads"),
         (["score", "no_such_file.csv"], "no_such_file.csv"),

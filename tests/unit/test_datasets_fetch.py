@@ -129,6 +129,27 @@ def test_a_redirect_away_from_https_is_not_followed(server: str, tmp_path: Path)
     assert not list(tmp_path.iterdir())
 
 
+def test_a_failure_leaves_no_folder_that_it_made(server: str, tmp_path: Path) -> None:
+    (tmp_path / "kept").mkdir()
+    for folder in (tmp_path / "kept", tmp_path / "kept" / "deep" / "er"):
+        with pytest.raises(SourceError):
+            fetch(entry(f"{server}/missing.csv"), folder, say=lambda _: None)
+    assert (tmp_path / "kept").is_dir()
+    assert not list((tmp_path / "kept").iterdir())
+    (tmp_path / "kept" / "mine.txt").write_text("mine")
+    with pytest.raises(SourceError):
+        fetch(entry(f"{server}/missing.csv"), tmp_path / "kept", say=lambda _: None)
+    assert (tmp_path / "kept" / "mine.txt").exists()
+
+
+def test_the_list_cuts_no_address_where_it_is_piped(command) -> None:
+    said = command("datasets", "list").out
+    pages = [known.page for known in listing() if not known.fetchable]
+    assert pages
+    assert all(page in said for page in pages)
+    assert len(said.splitlines()) == len(listing()) + 1
+
+
 @pytest.mark.parametrize(
     "url", ["http://example.org/a", "ftp://example.org/a", "file:///etc/passwd", "https:///a", "moves.csv"]
 )
