@@ -13,6 +13,7 @@ from typing import Any
 
 import msgspec
 
+from benchmarks import asyncapi, openapi
 from benchmarks.markdown import filled, table
 from benchmarks.results_verdict import recorded
 from pointpred.cli.predictors import describe
@@ -93,8 +94,17 @@ PARTS: dict[str, dict[str, Callable[[], str]]] = {
 """What the tests compare with the code: page, part, and the function that writes it."""
 
 
+WHOLE: dict[str, Callable[[], str]] = {
+    "docs/asyncapi.yaml": asyncapi.render,
+    "docs/openapi.json": openapi.render,
+}
+"""Files that are written as a whole."""
+
+
 def rendered(path: str) -> str:
     """A page as it should be."""
+    if path in WHOLE:
+        return WHOLE[path]()
     page = (ROOT / path).read_text(encoding="utf-8")
     for name, write in PARTS[path].items():
         page = filled(page, name, write())
@@ -103,7 +113,7 @@ def rendered(path: str) -> str:
 
 def main(arguments: list[str]) -> None:
     """Write every page; with ``scores``, the README's score table as well."""
-    for path in PARTS:
+    for path in (*PARTS, *WHOLE):
         (ROOT / path).write_text(rendered(path), encoding="utf-8")
         print(f"wrote {path}")
     if "scores" in arguments:

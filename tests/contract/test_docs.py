@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 
 from benchmarks.markdown import filled
-from benchmarks.pages import PARTS, ROOT, rendered
+from benchmarks.pages import PARTS, ROOT, WHOLE, rendered
 from pointpred.differentiators import DIFFERENTIATORS, HomogeneousDifferentiator
 from pointpred.registry import REGISTRY, build, parameters
 
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "CHANGELOG.md", *(ROOT / "docs").glob("*.md")]
 
 
-@pytest.mark.parametrize("path", PARTS)
+@pytest.mark.parametrize("path", [*PARTS, *WHOLE])
 def test_generated_parts_are_current(path: str) -> None:
     assert (ROOT / path).read_text(encoding="utf-8") == rendered(path), "run `make docs`"
 

@@ -1,0 +1,67 @@
+"""What the AsyncAPI document shows: one session, each message as it goes over the wire."""
+
+from __future__ import annotations
+
+from pointpred.server.messages import (
+    Bye,
+    Configure,
+    Device,
+    ErrorMessage,
+    Events,
+    Goal,
+    Hello,
+    Limits,
+    PredictionMessage,
+    Region,
+    Reset,
+    Score,
+    Screen,
+    Target,
+    Targets,
+    TargetsTaken,
+    TrialMark,
+    Welcome,
+)
+
+HELLO = Hello(
+    1,
+    "switched",
+    device=Device(cpi=800.0, rate_hz=1000.0),
+    screen=Screen(width_px=1920.0, height_px=1080.0, dpi=96.0),
+    reply="frame",
+    encoding="json",
+)
+CLIENT = (
+    (HELLO, Hello(1, "hold", reply="event", encoding="binary")),
+    (Events([(0.5, 640.0, 360.0, None, None, 0), (0.508, 643.0, 359.0, 4.0, -1.0, 0)]),),
+    (Targets([Target("save", 900.0, 20.0, 80.0, 24.0)]), Targets([])),
+    (TrialMark("start", Goal(940.0, 32.0, 24.0)), TrialMark("end")),
+    (Configure(predictor="kalman"), Configure(reply="event")),
+    (Reset(),),
+    (Bye("done"),),
+)
+"""A tuple a message, in the order of ``ClientMessage``."""
+
+SERVER = (
+    (Welcome(1, "k3x9Qw", "switched", Limits()),),
+    (
+        PredictionMessage(0.508, 871.5, 251.0, Region(220.5, -12.0, 180.25), "ballistic", 0.35),
+        PredictionMessage(0.5),
+    ),
+    (TargetsTaken(1),),
+    (
+        Score(182, 41.5, 120.25, 0.655, {"0.5": 60.0}, {"0.5": 72.5}),
+        Score(1, reason="one sample, expected at least two"),
+    ),
+    (
+        ErrorMessage("bad_field", "Expected `float`, got `str`", "$.events[0][0]"),
+        ErrorMessage("idle", "expected 'hello' within 10 s", recoverable=False),
+    ),
+    (Bye("the server stops"),),
+)
+"""A tuple a message, in the order of ``ServerMessage``."""
+
+EVENT_ROWS = [(0.5, 640.0, 360.0, -32768, -32768, 0), (0.508, 643.0, 359.0, 4, -1, 1)]
+PREDICTION_ROW = (0.508, 871.5, 251.0, 220.5, -12.0, 180.25, 0.35, 1.0)
+"""A row of ``PredictionColumns``."""
+NO_PREDICTION_ROW = (0.5, *(float("nan"),) * 6, 0.0)
