@@ -102,11 +102,14 @@ def check(parameters: tuple[Parameter, ...], values: dict[str, Any]) -> None:
     """Raise ParameterError for a value that is not a number within its bounds."""
     for parameter in parameters:
         value = values[parameter.name]
+        unit = f" {parameter.unit}" if parameter.unit else ""
         if isinstance(value, bool) or not isinstance(value, int | float | np.integer | np.floating):
-            raise ParameterError(f"{parameter.name} must be a number ({parameter.unit}), received {value!r}")
+            raise ParameterError(
+                f"{parameter.name} must be a number{unit and f' of{unit}'}, received {value!r}"
+            )
         if not parameter.low <= value <= parameter.high:
             raise ParameterError(
-                f"{parameter.name} must lie in [{parameter.low:g}, {parameter.high:g}] {parameter.unit}, "
+                f"{parameter.name} must lie in [{parameter.low:g}, {parameter.high:g}]{unit}, "
                 f"received {value!r}"
             )
 

@@ -7,6 +7,7 @@ from typing import ClassVar
 
 from pointpred.columns import EventColumns, MotionColumns
 from pointpred.differentiators import sampling
+from pointpred.errors import EventError
 from pointpred.events import Motion, PointerEvent
 from pointpred.stage import CompiledStage
 
@@ -36,8 +37,8 @@ class Differentiator(CompiledStage):
 
     def consume(self, event: PointerEvent) -> tuple[float, ...]:
         """``update``, with the motion as the plain row that a pipeline hands to its predictor."""
-        dx, dy = event.dx, event.dy
         try:
+            dx, dy = event.dx, event.dy
             row = type(self).step(
                 self._memory,
                 float(event.t),
@@ -49,6 +50,8 @@ class Differentiator(CompiledStage):
             )
         except (TypeError, ValueError, OverflowError) as unusable:
             raise sampling.explain(event, None) from unusable
+        except AttributeError as missing:
+            raise EventError(f"an event must be a PointerEvent, received {event!r:.80}") from missing
         if row[0] != row[0]:
             raise sampling.explain(event, self._last_t())
         return row

@@ -121,5 +121,5 @@ def _frames(device: _Device) -> Frames:
     x, y = np.cumsum(whole[:, 1]), np.cumsum(whole[:, 2])
     seconds = (whole[:, 0] - whole[0, 0]) / 1e6
     events = EventColumns.of(seconds, x, y, whole[:, 1], whole[:, 2], whole[:, 3])
-    notes = [f"{device.aside} reports without motion or button are left aside"] if device.aside else []
+    notes = [f"reports without motion or button left aside: {device.aside}"] if device.aside else []
     return Frames(events, np.array(device.rows, dtype=np.int64), {}, notes)

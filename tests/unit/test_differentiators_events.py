@@ -31,6 +31,14 @@ def test_first_event_starts_a_movement_at_rest(differentiator: Differentiator) -
     assert motion == Motion(5.0, 700.0, -3.0, 0.0, 0.0, 0.0, 0.0, False, start=True, counts=False)
 
 
+@pytest.mark.parametrize("event", [(1, 2, 3), None, "move", {"t": 0.0}])
+def test_what_is_no_event_is_told_so(differentiator: Differentiator, event: object) -> None:
+    before = moving(differentiator)
+    with pytest.raises(EventError, match="must be a PointerEvent, received"):
+        differentiator.update(event)  # type: ignore[arg-type]
+    assert differentiator.update(PointerEvent(before.t, before.x, before.y)).vx == before.vx
+
+
 def test_equal_times_keep_the_motion_and_take_the_later_position(differentiator: Differentiator) -> None:
     before = moving(differentiator)
     merged = differentiator.update(PointerEvent(before.t, 99.0, 98.0))

@@ -56,7 +56,7 @@ def test_balabit_is_cut_from_click_to_click() -> None:
         Skip("rows 12 to 13", "no click ends it", 12),
         Skip("2", "x is 65535, the logger had no position", 10, "user7"),
     )
-    assert recording.notes == ("1 wheel rows are left aside",)
+    assert recording.notes == ("wheel rows left aside: 1",)
 
 
 def test_sapimouse_counts_milliseconds() -> None:
@@ -159,7 +159,7 @@ def test_evemu_counts_are_the_position() -> None:
     ]
     np.testing.assert_allclose(recording.events.table, expected, atol=1e-12)
     assert recording.skipped == (Skip("rows 7 to 7", "no movement", 7),)
-    assert recording.notes == ("1 frames without motion or button are left aside",)
+    assert recording.notes == ("frames without motion or button left aside: 1",)
     assert (recording.provenance.unit, recording.trials[0].condition["device"]) == (
         "counts",
         "Hand-made Mouse",
@@ -193,7 +193,7 @@ def test_hid_recorder_decodes_signed_fields() -> None:
         [0.002, 5 - 2048 - 300, 2047 - 3 + 256, -300, 256, 17],
     ]
     np.testing.assert_allclose(recording.events.table, expected, atol=1e-12)
-    assert recording.notes == ("1 reports without motion or button are left aside",)
+    assert recording.notes == ("reports without motion or button left aside: 1",)
 
 
 def test_dropped_kernel_events_cost_the_trial(tmp_path: Path) -> None:
