@@ -104,9 +104,8 @@ def check(parameters: tuple[Parameter, ...], values: dict[str, Any]) -> None:
         value = values[parameter.name]
         unit = f" {parameter.unit}" if parameter.unit else ""
         if isinstance(value, bool) or not isinstance(value, int | float | np.integer | np.floating):
-            raise ParameterError(
-                f"{parameter.name} must be a number{unit and f' of{unit}'}, received {value!r}"
-            )
+            kind = f"a number ({parameter.unit})" if unit else "a number"
+            raise ParameterError(f"{parameter.name} must be {kind}, received {value!r}")
         if not parameter.low <= value <= parameter.high:
             raise ParameterError(
                 f"{parameter.name} must lie in [{parameter.low:g}, {parameter.high:g}]{unit}, "

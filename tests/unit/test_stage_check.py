@@ -12,7 +12,7 @@ from pointpred.stage import Parameter, check
         ("", 13, "trials must lie in [1, 12], received 13"),
         ("s", 13, "trials must lie in [1, 12] s, received 13"),
         ("", "x", "trials must be a number, received 'x'"),
-        ("s", True, "trials must be a number of s, received True"),
+        ("s", True, "trials must be a number (s), received True"),
     ],
 )
 def test_the_sentence_has_a_unit_only_where_there_is_one(unit: str, value: object, said: str) -> None:
