@@ -16,6 +16,8 @@ from pointpred.scoring.results import ScoredTrial, SetScore
 from pointpred.scoring.trials import Prepared
 
 COUNT = 6
+MIDDLE = np.linspace(0.3, 0.85, 64)
+"""The part of matplotlib's plasma that stands out from a light page and from a dark one."""
 
 
 class Drawing(msgspec.Struct, frozen=True):
@@ -81,17 +83,19 @@ def draw_worst(
         worst_of_all = max((drawing.error_px for drawing in drawings), default=0.0)
         return picture(
             figure,
-            f"{title} on {name}: {len(drawings)} paths with the predicted endpoints; largest error "
+            f"{title} on {name}: paths with the predicted endpoints, panels: {len(drawings)}; largest error "
             f"{worst_of_all:.3g} {unit}.",
-            f"{title}, which has the lowest time-averaged error on this set. Each dot is an endpoint it "
-            f"predicted, coloured by when. Above each panel: time-averaged error and distance. Positions in "
-            f"{unit}, y down; predictions far outside the frame are not drawn.",
+            f"{title}, which has the lowest time-averaged error on this set, hold apart. Each dot is an "
+            "endpoint it predicted, coloured by when. Above each panel: time-averaged error and distance. "
+            f"Positions in {unit}, y down; predictions far outside the frame are not drawn.",
             wide=True,
         )
 
 
 def _panel(axes: Any, drawing: Drawing) -> Any:
     """One trial; returns what the colour bar explains."""
+    from matplotlib import colormaps
+    from matplotlib.colors import LinearSegmentedColormap
     from matplotlib.patches import Circle
 
     events, answers, about = drawing.events, drawing.answers, drawing.trial.trial
@@ -105,10 +109,9 @@ def _panel(axes: Any, drawing: Drawing) -> Any:
         answers.x,
         answers.y,
         c=np.minimum(share, 100),
-        cmap="cividis",
+        cmap=LinearSegmentedColormap.from_list("middle", colormaps["plasma"](MIDDLE)),
         s=16,
-        edgecolors=INK,
-        linewidths=0.5,
+        linewidths=0,
         vmin=0,
         vmax=100,
     )
