@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from pointpred.server.decoding import RefusedError
 from pointpred.server.messages import Limits, Target
 from pointpred.server.rate import Rate
+from pointpred.server.refusals import RefusedError
 
 
 class Allowance:

@@ -7,8 +7,8 @@ import re
 from pointpred.errors import ParameterError
 from pointpred.pipeline import Pipeline
 from pointpred.registry import REGISTRY, build
-from pointpred.server.decoding import RefusedError
-from pointpred.server.messages import Hello
+from pointpred.server.messages import Hello, Setting
+from pointpred.server.refusals import RefusedError
 
 DPI = 96.0
 ELSEWHERE = {"cpi": "device.cpi", "dpi": "screen.dpi", "name": "predictor"}
@@ -34,12 +34,19 @@ def pipeline_of(hello: Hello) -> Pipeline:
         if name in hello.parameters:
             raise RefusedError("bad_field", f"{name} is said as {place}", f"$.parameters.{name}")
     try:
-        return build(hello.predictor, cpi=cpi_of(hello), dpi=dpi_of(hello), **hello.parameters)
+        settings = {name: _whole(value) for name, value in hello.parameters.items()}
+        return build(hello.predictor, cpi=cpi_of(hello), dpi=dpi_of(hello), **settings)
     except ParameterError as error:
         raise RefusedError("bad_field", str(error), _place(str(error), hello)) from None
     except (TypeError, ValueError) as error:
-        words = f"a parameter is of a wrong type: {error}"
-        raise RefusedError("bad_field", words, "$.parameters") from None
+        given = list(hello.parameters)
+        path = f"$.parameters.{given[0]}" if len(given) == 1 else "$.parameters"
+        raise RefusedError("bad_field", f"a parameter is of a wrong type: {error}", path) from None
+
+
+def _whole(value: Setting) -> Setting:
+    """JSON does not tell 4.0 from 4; a parameter that counts wants the latter, the others take both."""
+    return int(value) if isinstance(value, float) and value.is_integer() else value
 
 
 def _place(words: str, hello: Hello) -> str:

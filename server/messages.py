@@ -7,6 +7,8 @@ from typing import Annotated, Any, Literal
 import msgspec
 from msgspec import Meta, Struct
 
+from pointpred.events import LARGEST, LATEST_S
+
 VERSION = 1
 SUBPROTOCOL = "pointpred.v1"
 
@@ -29,17 +31,18 @@ Code = Literal[
     "internal",
 ]
 
-Bounded = Annotated[float, Meta(ge=-1e9, le=1e9)]
-Positive = Annotated[float, Meta(gt=0.0, le=1e9)]
+Moment = Annotated[float, Meta(ge=-LATEST_S, le=LATEST_S)]
+Bounded = Annotated[float, Meta(ge=-LARGEST, le=LARGEST)]
+Positive = Annotated[float, Meta(gt=0.0, le=LARGEST)]
 Cpi = Annotated[float, Meta(ge=1.0, le=1e6)]
 Dpi = Annotated[float, Meta(ge=1.0, le=1e5)]
 Buttons = Annotated[int, Meta(ge=0, le=65535)]
 Name = Annotated[str, Meta(min_length=1, max_length=128)]
-EventRow = tuple[Bounded, Bounded, Bounded, Bounded | None, Bounded | None, Buttons]
+EventRow = tuple[Moment, Bounded, Bounded, Bounded | None, Bounded | None, Buttons]
 """t in s, x and y in px, dx and dy in counts or null, buttons."""
 
 
-Setting = bool | float | str | list[float]
+Setting = bool | int | float | str | list[float]
 """The value of a parameter of a predictor or a differentiator."""
 
 

@@ -6,8 +6,6 @@ at all is given up after a limit.
 
 from __future__ import annotations
 
-from collections import deque
-
 from pointpred.server.messages import ErrorMessage, encode
 
 Frame = str | bytes
@@ -22,8 +20,10 @@ class Outbox:
         self.dropped = 0
         """Predictions replaced by newer ones since the client last read."""
         self.dropped_in_all = 0
-        self._notes: deque[Frame] = deque()
-        self._newest: tuple[list[Frame], int] | None = None
+        self._notes: list[Frame] = []
+        self._newest: list[Frame] = []
+        self._count = 0
+        self._after = 0  # how many notes were there before the newest prediction
 
     def say(self, frame: Frame) -> None:
         """Add a frame that must not be lost."""
@@ -31,10 +31,9 @@ class Outbox:
 
     def predict(self, frames: list[Frame], count: int) -> None:
         """Add the answer to the newest events, ``count`` predictions; unsent older ones give way."""
-        if self._newest is not None:
-            self.dropped += self._newest[1]
-            self.dropped_in_all += self._newest[1]
-        self._newest = (frames, count)
+        self.dropped += self._count
+        self.dropped_in_all += self._count
+        self._newest, self._count, self._after = frames, count, len(self._notes)
 
     @property
     def full(self) -> bool:
@@ -42,17 +41,16 @@ class Outbox:
         return len(self._notes) > self.most_notes or self.dropped > self.most_dropped
 
     def __bool__(self) -> bool:
-        return bool(self._notes) or self._newest is not None
+        return bool(self._notes or self._newest)
 
     def take(self) -> list[Frame]:
-        """Everything to send now."""
-        frames = list(self._notes)
-        self._notes.clear()
+        """Everything to send now, in the order in which it was said."""
+        newest, self._newest, self._count = self._newest, [], 0
+        if not self._notes and not self.dropped:
+            return newest
         if self.dropped:
             said = f"{self.dropped} predictions gave way to newer ones because they were not read in time"
-            frames.append(encode(ErrorMessage("slow", said)).decode())
+            newest = [encode(ErrorMessage("slow", said)).decode(), *newest]
             self.dropped = 0
-        if self._newest is not None:
-            frames += self._newest[0]
-            self._newest = None
-        return frames
+        notes, self._notes = self._notes, []
+        return [*notes[: self._after], *newest, *notes[self._after :]]

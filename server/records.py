@@ -25,6 +25,8 @@ _one_prediction = Struct("<dddddddB")
 def _view(frame: bytes | bytearray, kind: str, first: int, width: int, record: int) -> NDArray[Any]:
     """Neighbouring fields of one kind in every record, where they lie."""
     item = np.dtype(kind).itemsize
+    if not frame:
+        return np.empty((0, width), kind)
     return np.ndarray((len(frame) // record, width), kind, frame, first, (record, item))
 
 

@@ -15,12 +15,10 @@ from pointpred.columns import EventColumns
 from pointpred.errors import EventError
 from pointpred.server.allowance import Allowance
 from pointpred.server.decoding import (
-    RefusedError,
     decode_text,
     events_of_bytes,
     events_of_rows,
     row_of,
-    short,
 )
 from pointpred.server.messages import (
     VERSION,
@@ -43,6 +41,7 @@ from pointpred.server.messages import (
 )
 from pointpred.server.outbox import Outbox
 from pointpred.server.records import EVENT, unpack_one
+from pointpred.server.refusals import RefusedError, short
 from pointpred.server.stream import Stream
 from pointpred.server.watch import Watch
 
@@ -89,14 +88,14 @@ class Session:
         """Take in one frame; answers are in the outbox, and ``close`` is set when the connection ends."""
         if self.state == "closed":
             return
+        if self.stream is not None:
+            self._heard = now
         try:
             self._allowance.check_size(frame)
             if isinstance(frame, bytes):
                 self._take_bytes(frame, now)
             else:
                 self._handle(decode_text(frame), now)
-            if self.stream is not None:
-                self._heard = now
         except RefusedError as refused:
             self._refuse(refused.answer)
             if refused.close is not None:
@@ -164,7 +163,7 @@ class Session:
         """Answer one message; raises RefusedError."""
         stream = self.stream
         if isinstance(message, Hello):
-            self._greet(message)
+            self._greet(message, now)
         elif isinstance(message, Bye):
             self._shut(1000, message.reason or "bye")
         elif stream is None:
@@ -186,7 +185,7 @@ class Session:
         elif isinstance(message, Reset):
             stream.reset()
 
-    def _greet(self, hello: Hello) -> None:
+    def _greet(self, hello: Hello, now: float) -> None:
         if self.stream is not None:
             raise RefusedError("out_of_place", f"expected 'hello' once, the session is {self.state}")
         if hello.version != VERSION:
@@ -195,7 +194,7 @@ class Session:
             )
         self.stream = Stream(hello)
         self.stream.watch = self._watch(self.name, hello) if self._watch else None
-        self.state = "greeted"
+        self.state, self._heard = "greeted", now
         self._welcome(self.stream)
 
     def _welcome(self, stream: Stream) -> None:

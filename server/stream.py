@@ -12,9 +12,10 @@ from pointpred.errors import EventError
 from pointpred.pipeline import run
 from pointpred.server import answers
 from pointpred.server.building import cpi_of, dpi_of, pipeline_of
-from pointpred.server.decoding import RefusedError, check_numbers
+from pointpred.server.decoding import check_numbers
 from pointpred.server.messages import Configure, ErrorMessage, Goal, Hello, Score
 from pointpred.server.outbox import Outbox
+from pointpred.server.refusals import RefusedError
 from pointpred.server.trials import TrialKeeper
 from pointpred.server.watch import Watch
 

@@ -1,0 +1,161 @@
+"""The same events give the same predictions bit for bit: one by one, whole, in chunks, over the socket."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator
+from functools import cache
+from itertools import pairwise
+from struct import Struct
+from typing import Any
+
+import numpy as np
+import pytest
+
+from pointpred import REGISTRY, EventColumns, PredictionColumns, build, run
+from pointpred.columns import FloatArray
+from pointpred.datasets import sample
+from pointpred.events import PHASES
+from pointpred.server.messages import Limits
+from pointpred.server.session import Session
+
+LIMITS = Limits(max_events_per_s=10**9)
+EVENT, PREDICTION = Struct("<dddhhH"), Struct("<dddddddB")
+NAN = float("nan")
+TRIALS = 6
+"""Trials taken from the embedded sample; a reset lies between them."""
+
+
+@cache
+def trials() -> tuple[EventColumns, ...]:
+    recording = sample()
+    picked = np.linspace(0, len(recording.trials) - 1, TRIALS).astype(int)
+    return tuple(recording.rows(int(number)) for number in picked)
+
+
+def resolution() -> tuple[float | None, float]:
+    said = sample().provenance
+    return said.cpi, said.dpi or 96.0
+
+
+@cache
+def whole(name: str) -> tuple[bytes, ...]:
+    """The reference: each trial as one table."""
+    cpi, dpi = resolution()
+    return tuple(packed(run(build(name, cpi=cpi, dpi=dpi), rows)) for rows in trials())
+
+
+def packed(predictions: PredictionColumns) -> bytes:
+    """Predictions as the bytes of their numbers; of a row without one only the time counts."""
+    table = predictions.table.copy()
+    table[np.isnan(table[:, 1]), 1:] = NAN
+    table[np.isnan(table)] = NAN
+    return table.tobytes()
+
+
+def one_by_one(name: str) -> Iterator[bytes]:
+    cpi, dpi = resolution()
+    pipeline = build(name, cpi=cpi, dpi=dpi)
+    for rows in trials():
+        pipeline.reset()
+        found = []
+        for event in rows.events():
+            p = pipeline.update(event)
+            none = (NAN, NAN, NAN)
+            if p is None:
+                found.append((event.t, *none, *none, NAN))
+                continue
+            region, rest = p.covariance or none, NAN if p.remaining_s is None else p.remaining_s
+            found.append((p.t, p.x, p.y, *region, rest, float(PHASES.index(p.phase))))
+        yield packed(PredictionColumns(np.array(found)))
+
+
+def in_chunks(name: str) -> Iterator[bytes]:
+    cpi, dpi = resolution()
+    pipeline, random = build(name, cpi=cpi, dpi=dpi), np.random.default_rng(5)
+    for rows in trials():
+        pipeline.reset()
+        cuts = np.unique([0, len(rows), *random.integers(0, len(rows), 20)])
+        parts = [run(pipeline, rows.rows(a, b)).table for a, b in pairwise(cuts)]
+        yield packed(PredictionColumns(np.concatenate(parts)))
+
+
+def hello(name: str, encoding: str) -> str:
+    cpi, dpi = resolution()
+    device = {} if cpi is None else {"device": {"cpi": cpi}}
+    words = {"type": "hello", "version": 1, "predictor": name, "reply": "event", "encoding": encoding}
+    return json.dumps({**words, **device, "screen": {"dpi": dpi}})
+
+
+def text_frame(table: FloatArray) -> str:
+    rows = [[None if v != v else v for v in row[:5]] + [int(row[5])] for row in table.tolist()]
+    return json.dumps({"type": "events", "events": rows})
+
+
+def binary_frame(table: FloatArray) -> bytes:
+    frame = b""
+    for t, x, y, dx, dy, buttons in table.tolist():
+        counts = (-32768, -32768) if dx != dx else (int(dx), int(dy))
+        frame += EVENT.pack(t, x, y, *counts, int(buttons))
+    return frame
+
+
+def row_of(answer: str | bytes) -> list[tuple[float, ...]]:
+    """The numbers of an answer frame."""
+    if isinstance(answer, bytes):
+        return [tuple(map(float, record)) for record in PREDICTION.iter_unpack(answer)]
+    said: dict[str, Any] = json.loads(answer)
+    assert said["type"] == "prediction"
+    region = said["region"] or {}
+    numbers = [said["t"], said["x"], said["y"], *(region.get(k) for k in ("sxx", "sxy", "syy"))]
+    phase = 0.0 if said["phase"] is None else float(PHASES.index(said["phase"]))
+    return [(*(NAN if n is None else n for n in (*numbers, said["remaining_s"])), phase)]
+
+
+def talking(
+    name: str, encoding: str, frame: int, exchange: Callable[[str | bytes], list[Any]]
+) -> Iterator[bytes]:
+    """Every trial through a session: ``exchange`` sends a frame and returns the answers."""
+    exchange(hello(name, encoding))
+    for rows in trials():
+        exchange('{"type": "reset"}')
+        found: list[tuple[float, ...]] = []
+        for first in range(0, len(rows), frame):
+            table = rows.table[first : first + frame]
+            answers = exchange(binary_frame(table) if encoding == "binary" else text_frame(table))
+            found += [row for answer in answers for row in row_of(answer)]
+        yield packed(PredictionColumns(np.array(found)))
+
+
+def session(name: str, encoding: str, frame: int) -> Iterator[bytes]:
+    one = Session("session", LIMITS, 0.0)
+
+    def exchange(sent: str | bytes) -> list[Any]:
+        one.receive(sent, 0.0)
+        return one.outbox.take()
+
+    return talking(name, encoding, frame, exchange)
+
+
+@pytest.mark.parametrize("name", REGISTRY)
+def test_one_by_one(name: str) -> None:
+    assert tuple(one_by_one(name)) == whole(name)
+
+
+@pytest.mark.parametrize("name", REGISTRY)
+def test_in_chunks(name: str) -> None:
+    assert tuple(in_chunks(name)) == whole(name)
+
+
+@pytest.mark.parametrize("frame", [1, 8, 32])
+@pytest.mark.parametrize("encoding", ["json", "binary"])
+@pytest.mark.parametrize("name", REGISTRY)
+def test_session(name: str, encoding: str, frame: int) -> None:
+    assert tuple(session(name, encoding, frame)) == whole(name)
+
+
+def test_the_sample_has_counts_and_predictors_that_differ() -> None:
+    """Otherwise equality would say little."""
+    assert sum(len(rows) for rows in trials()) > 1000
+    assert any((rows.dx == rows.dx).any() for rows in trials())
+    assert len({whole(name) for name in REGISTRY}) == len(REGISTRY)

@@ -1,0 +1,55 @@
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from hypothesis import given
+from hypothesis import strategies as st
+
+from pointpred.server.records import EVENT, PREDICTION, pack, pack_one, unpack, unpack_one
+from tests.unit import talking
+
+real = st.floats(allow_nan=True, allow_infinity=True)
+count = st.integers(-32768, 32767)
+record = st.tuples(real, real, real, count, count, st.integers(0, 65535))
+phase = st.sampled_from([0.0, 1.0, 2.0])
+
+
+def same(one: Any, other: Any) -> bool:
+    return np.array(one, np.float64).tobytes() == np.array(other, np.float64).tobytes()
+
+
+def plain(values: tuple[float, ...]) -> list[float]:
+    """An event's numbers as the table has them."""
+    *place, dx, dy, buttons = values
+    none = talking.NO_COUNTS in (dx, dy)
+    return [*place, *((math.nan, math.nan) if none else (dx, dy)), buttons]
+
+
+@given(st.lists(record, max_size=6))
+def test_events_are_unpacked_as_struct_says(records: list[tuple[Any, ...]]) -> None:
+    frame = b"".join(talking.EVENT.pack(*one) for one in records)
+    assert unpack(frame).shape == (len(records), 6)
+    assert same(unpack(frame), [plain(one) for one in records])
+    for one in records:
+        assert same(unpack_one(talking.EVENT.pack(*one)), plain(one))
+
+
+@given(st.lists(st.tuples(*[real] * 7, phase), max_size=6))
+def test_predictions_are_packed_as_struct_says(rows: list[tuple[float, ...]]) -> None:
+    table = np.array(rows, np.float64).reshape(-1, 8)
+    nothing = [math.nan] * 6
+    wanted = b"".join(
+        talking.PREDICTION.pack(row[0], *nothing, 0)
+        if math.isnan(row[1])
+        else talking.PREDICTION.pack(*row[:7], int(row[7]))
+        for row in table.tolist()
+    )
+    assert pack(table) == wanted
+    assert b"".join(pack_one(row) for row in table.tolist()) == wanted
+
+
+def test_the_records_have_the_sizes_of_the_contract() -> None:
+    assert (EVENT.itemsize, PREDICTION.itemsize) == (30, 57)
+    assert (talking.EVENT.size, talking.PREDICTION.size) == (30, 57)

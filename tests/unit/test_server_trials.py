@@ -1,0 +1,165 @@
+"""A trial that a client marks, its score, and who looks on."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from pointpred import EventColumns, PredictionColumns, build, run
+from pointpred.datasets import sample
+from pointpred.recording import Recording
+from pointpred.scoring import prepare, replay
+from pointpred.server.messages import Goal, Hello, Limits
+from pointpred.server.session import Session
+from pointpred.server.trials import MOST_EVENTS, TrialKeeper
+from tests.unit.talking import Talk, events, hello, packed
+
+START = {"type": "trial", "action": "start"}
+END = {"type": "trial", "action": "end"}
+CPI, DPI = sample().provenance.cpi, sample().provenance.dpi
+
+
+def rows_of(number: int) -> list[list[float | None]]:
+    table = sample().rows(number).table.tolist()
+    return [[*(None if v != v else v for v in row[:5]), int(row[5])] for row in table]
+
+
+def greeting(name: str = "switched") -> dict[str, Any]:
+    return hello(name, device={"cpi": CPI} if CPI else None, screen={"dpi": DPI})
+
+
+def scored(talk: Talk, number: int, form: Any = packed, frame: int = 1000, **marks: Any) -> dict[str, Any]:
+    """Run a trial of the embedded sample through a session."""
+    talk.say({**START, **marks.get("start", {})})
+    rows = rows_of(number)
+    for first in range(0, len(rows), frame):
+        talk.say(form(*rows[first : first + frame]))
+    (score,) = talk.say({**END, **marks.get("end", {})})
+    found: dict[str, Any] = score
+    return found
+
+
+@pytest.mark.parametrize("frame", [1, 7, 1000])
+@pytest.mark.parametrize("name", ["switched", "kep-quartic-gated", "hold"])
+def test_the_score_is_that_of_the_offline_scorer(name: str, frame: int) -> None:
+    score = scored(Talk(greet=greeting(name)), 0, packed, frame)
+    recording = Recording.of("one", [sample().rows(0)], [sample().trials[0]])
+    prepared = prepare(recording, cpi=CPI, dpi=DPI, threads=1)
+    errors = replay(prepared, build(name, cpi=CPI, dpi=DPI), threads=1)
+    hold = replay(prepared, build("hold", cpi=CPI, dpi=DPI), threads=1)
+    assert score["type"] == "score"
+    assert score["time_averaged_px"] == errors.time_averaged[0]
+    assert score["hold_px"] == hold.time_averaged[0]
+    assert score["skill"] == 1.0 - errors.time_averaged[0] / hold.time_averaged[0]
+    assert score["events"] == prepared.trials[0].events
+    assert score["reason"] is None
+    assert list(score["by_time"].values()) == errors.by_time[0].tolist()
+
+
+def test_the_score_does_not_depend_on_what_was_before() -> None:
+    talk = Talk(greet=greeting())
+    first = scored(talk, 0)
+    talk.say(events([1e6, 1.0, 2.0, None, None, 0]))
+    assert scored(talk, 1) != first
+    assert scored(talk, 0) == first
+
+
+def test_a_trial_starts_a_movement() -> None:
+    talk, other = Talk(greet=greeting()), Talk(greet=greeting())
+    talk.say(packed(*rows_of(0)[:500]))
+    assert talk.say(START) == []
+    assert talk.say(packed(*rows_of(1)[:500])) == other.say(packed(*rows_of(1)[:500]))
+
+
+def test_another_predictor_within_a_trial_scores_the_whole_trial() -> None:
+    talk = Talk(greet=greeting())
+    talk.say(START)
+    rows = rows_of(0)
+    talk.say(packed(*rows[:30]))
+    talk.say({"type": "configure", "predictor": "linear"})
+    for first in range(30, len(rows), 1000):
+        talk.say(packed(*rows[first : first + 1000]))
+    (score,) = talk.say(END)
+    assert score == scored(Talk(greet=greeting("linear")), 0)
+
+
+def test_an_end_without_a_start_is_out_of_place() -> None:
+    talk = Talk()
+    for _ in range(2):
+        error = talk.error(END)
+        assert (error["code"], error["path"], error["recoverable"]) == ("out_of_place", "$.action", True)
+        assert "'start'" in error["message"]
+        scored(talk, 0)
+
+
+@pytest.mark.parametrize("rows", [[], [[0.0, 1.0, 1.0, None, None, 0]]])
+def test_a_trial_that_cannot_be_scored_says_why(rows: list[Any]) -> None:
+    talk = Talk()
+    talk.say(START)
+    talk.say(events(*rows))
+    (score,) = talk.say(END)
+    assert (score["type"], score["events"], score["time_averaged_px"]) == ("score", len(rows), None)
+    assert score["reason"]
+
+
+def test_memory_is_bounded_and_a_trial_that_is_too_long_says_so() -> None:
+    keeper = TrialKeeper()
+    keeper.start(None)
+    table = EventColumns.of(np.arange(30_000.0), np.zeros(30_000), np.zeros(30_000))
+    for _ in range(5):
+        keeper.add(table)
+    score = keeper.end(None, build("hold"), None, 96.0)
+    assert (score.events, score.time_averaged_px) == (150_000, None)
+    assert str(MOST_EVENTS) in str(score.reason)
+
+
+class Diary:
+    """Looks on, and writes everything down."""
+
+    def __init__(self) -> None:
+        self.lines: list[Any] = []
+
+    def open(self, name: str, hello: Hello) -> Diary:
+        self.lines.append(("open", name, hello.predictor))
+        return self
+
+    def configure(self, hello: Hello) -> None:
+        self.lines.append(("configure", hello.predictor))
+
+    def events(self, table: EventColumns, predictions: PredictionColumns) -> None:
+        self.lines.append((table.table.tobytes(), predictions.table.tobytes()))
+
+    def trial(self, action: str, target: Goal | None = None) -> None:
+        self.lines.append(("trial", action, target))
+
+    def close(self) -> None:
+        self.lines.append("close")
+
+
+@pytest.mark.parametrize("form", [events, packed])
+def test_who_looks_on_is_told_everything_that_was_taken_in(form: Any) -> None:
+    diary, talk = Diary(), Talk(greet=False)
+    talk.session = Session("name", Limits(), 0.0, watch=diary.open)
+    talk.say(events([0.0, 1.0, 1.0, None, None, 0]))
+    talk.say(hello("linear"))
+    rows = [[0.1 * i, 5.0 * i, 1.0, 3, 4, 0] for i in range(4)]
+    talk.say(form(rows[0]))
+    talk.say({**START, "target": {"x": 1, "y": 2, "width": 3}})
+    talk.say(form(rows[1], rows[3], rows[2]))
+    talk.say(END)
+    talk.say({"type": "configure", "predictor": "hold"})
+    talk.say({"type": "bye"})
+    talk.session.stop("again")
+    first = EventColumns(np.array([rows[0]], np.float64))
+    taken = EventColumns(np.array([rows[1], rows[3]]))
+    assert diary.lines == [
+        ("open", "name", "linear"),
+        (first.table.tobytes(), run(build("linear"), first).table.tobytes()),
+        ("trial", "start", Goal(1.0, 2.0, 3.0)),
+        (taken.table.tobytes(), run(build("linear"), taken).table.tobytes()),
+        ("trial", "end", None),
+        ("configure", "hold"),
+        "close",
+    ]
