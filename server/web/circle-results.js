@@ -1,0 +1,90 @@
+// The end of a circle run: statistics, scores of every predictor, and the recording to save.
+
+import { recording } from "./circle-recording.js";
+import { statistics } from "./circle-statistics.js";
+import { fill, number, part, percent, write } from "./elements.js";
+import { legend, plotErrors } from "./plots.js";
+import { expectScores, linesOf, scoreTable, sentence, setOf } from "./scores.js";
+import { score } from "./service.js";
+
+let addresses = [];
+
+function tiles(found) {
+  const told = [
+    ["Throughput", number(found.throughput, 2, "bits/s"), found.throughput],
+    ["Movement time", number(found.movementTime, 3, "s"), found.movementTime],
+    ["Effective width", number(found.effectiveWidth, 1, "px"), found.effectiveWidth],
+    ["Effective distance", number(found.effectiveDistance, 1, "px"), found.effectiveDistance],
+    ["Errors", percent(found.errorRate, 1), found.errorRate],
+    ["Movements", String(found.trials), found.trials],
+  ];
+  part("circle-tiles").replaceChildren(...told.map(([name, value, exact]) => {
+    const tile = document.createElement("div");
+    const [term, said] = [document.createElement("dt"), document.createElement("dd")];
+    term.textContent = name;
+    said.textContent = value;
+    said.dataset.exact = String(exact);
+    tile.append(term, said);
+    return tile;
+  }));
+}
+
+function blocks(found) {
+  const heads = ["block", "movements", "errors", "time, s", "effective width, px", "effective distance, px", "throughput, bits/s"];
+  fill(part("circle-blocks"), [heads, ...found.blocks.map((one) => [
+    String(one.block), String(one.trials), percent(one.errorRate, 1), number(one.movementTime, 3),
+    number(one.effectiveWidth, 1), number(one.effectiveDistance, 1), number(one.throughput, 2),
+  ])]);
+}
+
+function offerFiles({ samples, trials }) {
+  addresses.forEach((address) => URL.revokeObjectURL(address));
+  addresses = [["circle-samples", samples], ["circle-trials", trials]].map(([id, { name, text }]) => {
+    const link = part(id);
+    link.href = URL.createObjectURL(new Blob([text], { type: "text/csv" }));
+    link.download = name;
+    return link.href;
+  });
+}
+
+/** The files' name: when the run ended, by the person's own clock. */
+function named(when) {
+  const two = (value) => String(value).padStart(2, "0");
+  const day = [when.getFullYear(), two(when.getMonth() + 1), two(when.getDate())].join("-");
+  return `circle-${day}-${two(when.getHours())}${two(when.getMinutes())}${two(when.getSeconds())}`;
+}
+
+/**
+ * Shows a run, then its scores once the service has them.
+ * @param {import("./circle-task.js").Trial[]} trials @param {string[]} names of the predictors that will be scored
+ */
+export async function showResult(trials, names) {
+  const found = statistics(trials);
+  const files = recording(trials, named(new Date()));
+  tiles(found);
+  blocks(found);
+  offerFiles(files);
+  expectScores(part("circle-scores"), names);
+  legend(part("circle-legend"), names);
+  const result = part("circle-result");
+  result.hidden = false;
+  result.dataset.state = "scoring";
+  part("circle-result-title").focus({ preventScroll: true });
+  result.scrollIntoView();
+  const said = part("circle-scored");
+  write(said, "The service scores every predictor on these movements…");
+  try {
+    const set = setOf(await score(files.samples.text));
+    scoreTable(part("circle-scores"), set);
+    legend(part("circle-legend"), set.predictors.map(({ name }) => name));
+    for (const [id, measure] of [["circle-by-path", "by_path"], ["circle-by-time", "by_time"]]) {
+      const { shares, lines } = linesOf(set, measure);
+      plotErrors(part(id), shares, lines);
+    }
+    write(said, sentence(set));
+    result.dataset.state = "done";
+  } catch (error) {
+    write(said, `Not scored: ${error.message}. The recording can be saved all the same.`);
+    result.dataset.state = "failed";
+  }
+}

@@ -1,0 +1,46 @@
+// The settings of a circle run: read from the form, held against what the picture has room for.
+
+import { radiusFor } from "./geometry.js";
+
+const NAMES = { targets: "Targets", distance: "Distance", width: "Width", blocks: "Blocks" };
+const MARGIN_PX = 6;
+const LEAST = { targets: 13, distance: 200, width: 30, blocks: 1 };
+
+/** The longest distance between targets for which circle and targets lie inside the picture. */
+function room(canvas, targets, width) {
+  const side = Math.min(canvas.clientWidth, canvas.clientHeight);
+  return Math.floor(((side - width) / 2 - MARGIN_PX) / radiusFor(1, targets));
+}
+
+function problemWith(field, name) {
+  const value = field.valueAsNumber;
+  const { min, max, step } = field;
+  const odd = Number(step) === 2 && value % 2 === 0 ? " and odd" : "";
+  if (Number.isInteger(value) && value >= Number(min) && value <= Number(max) && !odd) return null;
+  return `${NAMES[name]} must be a whole number from ${min} to ${max}${Number(step) === 2 ? ", and odd" : ""}.`;
+}
+
+/** Sets a distance that suits the picture, where the one in the form does not fit. */
+export function suit(form, canvas) {
+  const most = room(canvas, form.elements.targets.valueAsNumber, form.elements.width.valueAsNumber);
+  if (form.elements.distance.valueAsNumber > most) form.elements.distance.value = String(Math.max(50, 10 * Math.floor(most / 10)));
+}
+
+/**
+ * @returns {{settings: {targets: number, distance: number, width: number, blocks: number, centre: [number, number]},
+ *   problem: string | null}} settings that can be drawn in any case; `problem` says why they cannot be run
+ */
+export function readSettings(form, canvas) {
+  let problem = null;
+  const settings = { centre: [Math.round(canvas.clientWidth / 2), Math.round(canvas.clientHeight / 2)] };
+  for (const name of Object.keys(NAMES)) {
+    const field = form.elements[name];
+    const wrong = problemWith(field, name);
+    settings[name] = wrong ? LEAST[name] : field.valueAsNumber;
+    field.setAttribute("aria-invalid", String(wrong !== null));
+    problem ??= wrong;
+  }
+  const most = room(canvas, settings.targets, settings.width);
+  if (problem === null && settings.distance > most) problem = `There is room for a distance of at most ${most} px here.`;
+  return { settings, problem };
+}

@@ -1,0 +1,189 @@
+// The circle view: settings, the run, a row for each movement as it is scored.
+
+import { showResult } from "./circle-results.js";
+import { readSettings, suit } from "./circle-settings.js";
+import { CircleTask } from "./circle-task.js";
+import { drawCircle } from "./draw-circle.js";
+import { number, offer, part, write } from "./elements.js";
+import { circle } from "./geometry.js";
+import { follow } from "./pointer.js";
+import { predictors } from "./service.js";
+import { Track, words } from "./track.js";
+
+const FRESH_MS = 500;
+
+const [canvas, form, startButton, stopButton] = ["circle-scene", "circle-form", "circle-start", "circle-stop"].map(part);
+const [said, status, rows, progress] = ["circle-said", "circle-connection", "circle-rows", "circle-progress"].map(part);
+
+let active = false;
+let drawing = false;
+let offered = false;
+let suited = false;
+let names = []; // of every predictor
+/** @type {Track|null} */ let track = null;
+/** @type {CircleTask|null} */ let task = null;
+let pending = []; // the table's rows whose scores are to come, in order
+
+function goal() {
+  const { x, y, width } = task.goal;
+  return { x, y, width };
+}
+
+function moved(events) {
+  if (task === null || task.done) return;
+  task.move(events);
+  track?.connection.send(events);
+}
+
+/** A press selects; a finger has no path but while it touches, so that its lifting selects. */
+function selected(row) {
+  if (task === null || task.done) return;
+  const trial = task.select(row);
+  if (trial !== null) {
+    track?.connection.trial("end", { x: trial.target[0], y: trial.target[1], width: trial.width });
+    addRow(trial);
+  }
+  if (task.running) track?.connection.trial("start", goal());
+  canvas.dataset.target = JSON.stringify(task.done ? null : { ...goal(), running: task.running });
+  tell();
+  if (task.done) finish();
+}
+
+function addRow(trial) {
+  const row = rows.insertRow(0);
+  row.classList.toggle("missed", !trial.hit);
+  for (const word of [`${trial.block}.${trial.number}`, number(trial.end[0] - trial.start[0], 2, "s"), "…", "…", "…"]) row.insertCell().textContent = word;
+  pending.push(row);
+}
+
+function scored({ time_averaged_px: px, hold_px: hold, skill, reason }) {
+  const row = pending.shift();
+  if (row === undefined) return;
+  const words = reason ? ["none", "–", "–"] : [number(px, 1), number(hold, 1), number(skill, 2)];
+  words.forEach((word, i) => (row.cells[2 + i].textContent = word));
+  if (reason) row.title = `Not scored: ${reason}`;
+  row.dataset.px = String(px);
+}
+
+/** Movements whose connection was lost are not scored one by one; the recording keeps them. */
+function lost() {
+  for (const row of pending.splice(0)) scoredNever(row);
+}
+
+function scoredNever(row) {
+  [2, 3, 4].forEach((i) => (row.cells[i].textContent = "–"));
+  row.title = "Not scored here: the connection was lost";
+}
+
+function tell() {
+  const misses = task.trials.filter(({ hit }) => !hit).length;
+  progress.max = task.total;
+  progress.value = task.trials.length;
+  const counted = `${task.trials.length} of ${task.total} movements, ${misses} missed`;
+  if (task.done) write(said, `Done: ${counted}. The result stands below.`);
+  else if (!task.running) write(said, `Block ${task.block} of ${task.settings.blocks}: click the filled target to begin. ${counted}.`);
+  else write(said, `Block ${task.block} of ${task.settings.blocks}: ${counted}.`);
+}
+
+function stateOf(state) {
+  status.dataset.state = state;
+  write(status, words(state) + (track?.fault && state !== "open" ? ` ${track.fault}` : ""));
+  if (state !== "open") lost();
+}
+
+function connectWith(predictor) {
+  if (track?.predictor === predictor && track.connection.state !== "closed") return;
+  track?.close();
+  track = null;
+  track = new Track(predictor, { state: stateOf, score: scored, error: ({ code }) => code === "out_of_place" && lost() });
+}
+
+function start() {
+  const { settings, problem } = readSettings(form, canvas);
+  if (problem) {
+    write(said, problem);
+    return;
+  }
+  task = new CircleTask(settings);
+  lost();
+  rows.replaceChildren();
+  connectWith(form.elements.predictor.value);
+  running(true);
+  canvas.dataset.target = JSON.stringify({ ...goal(), running: false });
+  tell();
+}
+
+function running(yes) {
+  startButton.textContent = yes ? "Start again" : "Start";
+  stopButton.disabled = !yes;
+  part("circle-invitation").classList.toggle("away", yes);
+  for (const field of form.elements) if (!["circle-start", "circle-stop"].includes(field.id) && field.name !== "shown") field.disabled = yes;
+}
+
+function stop() {
+  if (task === null || task.done) return;
+  const trials = task.trials;
+  task = null;
+  running(false);
+  write(said, trials.length ? `Stopped after ${trials.length} movements.` : "Stopped.");
+  if (trials.length > 1) showResult(trials, names);
+}
+
+function finish() {
+  running(false);
+  showResult(task.trials, names);
+}
+
+function frame() {
+  drawing = active;
+  if (!active) return;
+  const { settings } = readSettings(form, canvas);
+  const shown = task ?? { places: circle(settings.distance, settings.centre, settings.targets), settings };
+  const going = task !== null && !task.done;
+  const fresh = track !== null && performance.now() - track.at < FRESH_MS && form.elements.shown.checked;
+  drawCircle(canvas, {
+    places: shown.places, width: shown.settings.width, current: going ? task.current : null,
+    last: task?.trials[task.trials.length - 1] ?? null, predicted: going && fresh ? track.latest : null,
+  });
+  requestAnimationFrame(frame);
+}
+
+/** Connects and draws from now on. */
+export async function open() {
+  active = true;
+  if (!suited) suit(form, canvas);
+  suited = true;
+  if (!drawing) requestAnimationFrame(frame);
+  drawing = true;
+  const listing = await predictors();
+  if (!offered) offer(part("circle-predictor"), listing.predictors, "switched");
+  offered = true;
+  names = listing.predictors.map(({ name }) => name);
+  startButton.disabled = false;
+  if (active) connectWith(form.elements.predictor.value);
+}
+
+/** Gives up a run that goes on, and lets the connection go. */
+export function close() {
+  if (task !== null && !task.done) {
+    task = null;
+    running(false);
+    write(said, "The run was given up when another view was opened.");
+  }
+  active = false;
+  track?.close();
+  track = null;
+}
+
+if (window.matchMedia("(pointer: coarse)").matches) {
+  write(part("circle-invitation").querySelector("span"), "drag to each next one and lift your finger on it");
+}
+form.addEventListener("submit", (event) => { event.preventDefault(); start(); });
+form.elements.predictor.addEventListener("change", () => active && connectWith(form.elements.predictor.value));
+stopButton.addEventListener("click", stop);
+document.addEventListener("keydown", (event) => event.key === "Escape" && active && stop());
+follow(canvas, {
+  moved,
+  pressed: (row, event) => event.pointerType !== "touch" && event.button === 0 && selected(row),
+  released: (row, event) => event.pointerType === "touch" && selected(row),
+});

@@ -1,0 +1,25 @@
+// The picture of the circle: its targets, the one to select, where the last selection fell.
+
+import { MARKS, disc, inks, line, prepare } from "./draw.js";
+import { inside } from "./geometry.js";
+
+function cross(pen, [x, y], reach, colour) {
+  line(pen, [[x - reach, y - reach], [x + reach, y + reach]], colour, 2);
+  line(pen, [[x - reach, y + reach], [x + reach, y - reach]], colour, 2);
+}
+
+/**
+ * @param {HTMLCanvasElement} canvas
+ * @param {{places: number[][], width: number, current: number | null, last: object | null, predicted: object | null}} scene
+ */
+export function drawCircle(canvas, { places, width: size, current, last, predicted }) {
+  const { pen, width, height } = prepare(canvas);
+  const ink = inks();
+  places.forEach((place, i) => disc(pen, place, size / 2, i === current ? ink.target : ink.none, i === current, i === current ? 3 : 1.5));
+  if (current !== null) cross(pen, places[current], Math.min(5, size / 5), ink.panel);
+  if (last !== null) cross(pen, last.end.slice(1, 3), 4, last.hit ? ink.quiet : ink.endpoint);
+  if (predicted !== null && predicted.x !== null) {
+    const { shape, colour } = MARKS[0];
+    shape(pen, inside([predicted.x, predicted.y], width, height), 9, ink[colour], false, 3);
+  }
+}

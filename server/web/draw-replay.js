@@ -1,0 +1,97 @@
+// Two pictures of one recorded movement: the scene on the screen, and the errors against time.
+
+import { MARKS, disc, inks, line, prepare } from "./draw.js";
+import { inside } from "./geometry.js";
+
+const MARGIN_PX = 22;
+const FOOT_PX = 22;
+
+/**
+ * @typedef {{t: number[], x: number[], y: number[], target: {x: number, y: number, width: number} | null}} Movement
+ * @typedef {{x: (number|null)[], y: (number|null)[]}} Column a predictor's answers, one an event
+ */
+
+/** The distance from a predicted point to where the movement ended, px; null where nothing was predicted. */
+export function errorAt(movement, column, i) {
+  const last = movement.x.length - 1;
+  const x = column.x[i], y = column.y[i];
+  return x === null ? null : Math.hypot(x - movement.x[last], y - movement.y[last]);
+}
+
+/** Smallest and largest of many numbers; spreading long arrays as arguments would fail. */
+function bounds(values) {
+  return values.reduce(([low, high], value) => [Math.min(low, value), Math.max(high, value)], [Infinity, -Infinity]);
+}
+
+/** Screen px of the movement to px of the canvas: one scale for both axes, the trail and the target inside. */
+function projection(movement, width, height) {
+  const { target } = movement;
+  const reach = target === null ? 0 : (target.width || 0) / 2;
+  const xs = target === null ? movement.x : [...movement.x, target.x - reach, target.x + reach];
+  const ys = target === null ? movement.y : [...movement.y, target.y - reach, target.y + reach];
+  const [left, right] = bounds(xs);
+  const [top, bottom] = bounds(ys);
+  const room = 0.25 * Math.max(right - left, bottom - top, 1);
+  const scale = Math.min(
+    (width - 2 * MARGIN_PX) / (right - left + 2 * room),
+    (height - 2 * MARGIN_PX) / (bottom - top + 0.6 * room),
+  );
+  const place = (x, y) => [width / 2 + scale * (x - (left + right) / 2), height / 2 + scale * (y - (top + bottom) / 2)];
+  return { place, scale };
+}
+
+/**
+ * The trail so far and to come, the target, the cursor and the predicted endpoints at event `i`.
+ * @param {HTMLCanvasElement} canvas @param {Movement} movement @param {(Column|null)[]} columns @param {number} i
+ */
+export function drawScene(canvas, movement, columns, i) {
+  const { pen, width, height } = prepare(canvas);
+  const ink = inks();
+  const { place, scale } = projection(movement, width, height);
+  const trail = movement.x.map((x, k) => place(x, movement.y[k]));
+  if (movement.target !== null) {
+    const { target } = movement;
+    disc(pen, place(target.x, target.y), Math.max(4, (scale * (target.width || 0)) / 2), ink.target);
+  }
+  line(pen, trail.slice(i), ink.future, 2, [6, 5]);
+  line(pen, trail.slice(0, i + 1), ink.past, 3);
+  disc(pen, trail[i], 5, ink.none, true);
+  columns.forEach((column, which) => {
+    if (column === null || column.x[i] === null) return;
+    const { shape, colour, dash } = MARKS[which];
+    const point = inside(place(column.x[i], column.y[i]), width, height);
+    line(pen, [trail[i], point], ink[colour], 1.5, dash);
+    shape(pen, point, 8, ink[colour], false, 2.5);
+  });
+}
+
+/** The errors of the predictions and of no prediction against time, with a line at event `i`. */
+export function drawErrors(canvas, movement, columns, i) {
+  const { pen, width, height } = prepare(canvas);
+  const ink = inks();
+  const end = movement.t[movement.t.length - 1] || 1;
+  const errors = (column) => movement.t.map((_, k) => errorAt(movement, column, k));
+  const floor = errors(movement);
+  const own = columns.map((column) => (column === null ? [] : errors(column)));
+  const usual = Math.max(1, bounds(floor)[1]);
+  const most = Math.min(1.5 * usual, Math.max(1.05 * usual, ...own.map((values) => bounds(values)[1]))); // what is far off leaves the picture
+  const foot = height - FOOT_PX;
+  const at = (k, value) => [
+    MARGIN_PX + (movement.t[k] / end) * (width - 2 * MARGIN_PX),
+    foot - (Math.min(value, most) / most) * (foot - 20),
+  ];
+  line(pen, [[MARGIN_PX, foot], [width - MARGIN_PX, foot]], ink.line, 1);
+  line(pen, floor.map((value, k) => at(k, value)), ink.none, 2);
+  own.forEach((values, which) => {
+    const { colour } = MARKS[which];
+    line(pen, values.flatMap((value, k) => (value === null ? [] : [at(k, value)])), ink[colour], 2, which ? [6, 4] : []);
+  });
+  line(pen, [[at(i, 0)[0], 20], [at(i, 0)[0], foot]], ink.past, 1);
+  pen.fillStyle = ink.quiet;
+  pen.font = "12px system-ui, sans-serif";
+  pen.textAlign = "left";
+  pen.fillText(`error, px (full height ${most.toFixed(0)})`, MARGIN_PX, 14);
+  pen.fillText("0", MARGIN_PX, height - 6);
+  pen.textAlign = "right";
+  pen.fillText(`${end.toFixed(2)} s`, width - MARGIN_PX, height - 6);
+}

@@ -1,0 +1,105 @@
+// Strokes and marks on a canvas, in CSS pixels and in the colours of the style sheet.
+
+const NAMES = [
+  "panel", "text", "quiet", "line", "past", "future", "endpoint", "second", "none", "target", "ballistic", "corrective",
+];
+
+let ink = null;
+const listeners = new Set();
+
+/** The colours of the style sheet, by name; read again when the theme changes. */
+export function inks() {
+  if (ink === null) {
+    const style = getComputedStyle(document.documentElement);
+    ink = Object.fromEntries(NAMES.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
+    ink.series = [1, 2, 3, 4, 5, 6, 7, 8].map((i) => style.getPropertyValue(`--series-${i}`).trim());
+  }
+  return ink;
+}
+
+/** Calls back when pictures must be drawn again: another theme or another size of the window. */
+export function onRepaint(callback) {
+  listeners.add(callback);
+}
+
+for (const query of ["(prefers-color-scheme: dark)", "(prefers-contrast: more)"]) {
+  window.matchMedia(query).addEventListener("change", () => {
+    ink = null;
+    for (const callback of listeners) callback();
+  });
+}
+window.addEventListener("resize", () => {
+  for (const callback of listeners) callback();
+});
+
+/** Whether the person asked for less motion. */
+export const calm = () => window.matchMedia("(prefers-reduced-motion: reduce)").matches;
+
+/** The canvas cleared and sharp on any display; lengths are CSS pixels. */
+export function prepare(canvas) {
+  const ratio = window.devicePixelRatio || 1;
+  const width = canvas.clientWidth, height = canvas.clientHeight;
+  const columns = Math.round(width * ratio), rows = Math.round(height * ratio);
+  if (canvas.width !== columns || canvas.height !== rows) [canvas.width, canvas.height] = [columns, rows];
+  const pen = canvas.getContext("2d");
+  pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+  pen.clearRect(0, 0, width, height);
+  pen.lineJoin = pen.lineCap = "round";
+  return { pen, width, height };
+}
+
+/** A stroke through points [x, y]. */
+export function line(pen, points, colour, width, dash = []) {
+  if (points.length < 2) return;
+  pen.strokeStyle = colour;
+  pen.lineWidth = width;
+  pen.setLineDash(dash);
+  pen.beginPath();
+  points.forEach(([x, y], i) => (i === 0 ? pen.moveTo(x, y) : pen.lineTo(x, y)));
+  pen.stroke();
+  pen.setLineDash([]);
+}
+
+function finish(pen, colour, filled, width) {
+  pen.strokeStyle = pen.fillStyle = colour;
+  pen.lineWidth = width;
+  if (filled) pen.fill();
+  else pen.stroke();
+}
+
+/** A disc, or a ring where it is not filled. */
+export function disc(pen, [x, y], radius, colour, filled = false, width = 2) {
+  pen.beginPath();
+  pen.arc(x, y, radius, 0, 2 * Math.PI);
+  finish(pen, colour, filled, width);
+}
+
+/** A square on its corner. */
+export function diamond(pen, [x, y], radius, colour, filled = false, width = 2) {
+  pen.beginPath();
+  pen.moveTo(x, y - radius);
+  pen.lineTo(x + radius, y);
+  pen.lineTo(x, y + radius);
+  pen.lineTo(x - radius, y);
+  pen.closePath();
+  finish(pen, colour, filled, width);
+}
+
+/** The marks of the first and the second predictor: they differ in shape as in colour. */
+export const MARKS = [
+  { shape: disc, colour: "endpoint", dash: [4, 5] },
+  { shape: diamond, colour: "second", dash: [1, 5] },
+];
+
+/** An ellipse with half axes `a` and `b` turned by `angle`, its inside tinted. */
+export function ellipse(pen, [x, y], { a, b, angle }, colour, dash = []) {
+  pen.beginPath();
+  pen.ellipse(x, y, a, b, angle, 0, 2 * Math.PI);
+  pen.save();
+  pen.globalAlpha = 0.12;
+  finish(pen, colour, true, 0);
+  pen.restore();
+  pen.setLineDash(dash);
+  finish(pen, colour, false, 1.5);
+  pen.setLineDash([]);
+}

@@ -1,0 +1,65 @@
+// What the live view says about one predictor: its choice, its connection, phase, time left and region.
+
+import { number, write } from "./elements.js";
+import { ellipseOf } from "./geometry.js";
+import { Track, words } from "./track.js";
+
+/** One predictor's card; `track` is null while none is chosen or the view is closed. */
+export class LiveCard {
+  /** @type {Track|null} */ track = null;
+  offered = false;
+  #status; #of; #told;
+
+  /** @param {HTMLElement} card @param {(prediction: object) => void} predicted hears of each prediction */
+  constructor(card, predicted) {
+    this.select = card.querySelector("select");
+    this.#status = card.querySelector(".connection");
+    this.#of = Object.fromEntries(["phase", "left", "region"].map((of) => [of, card.querySelector(`[data-of=${of}]`)]));
+    this.#told = { prediction: predicted, state: () => this.#say(), error: () => this.#say() };
+    this.select.addEventListener("change", () => this.#choose());
+  }
+
+  /** Connects with the predictor chosen, if any. */
+  open() {
+    if (this.track === null && this.select.value) this.track = new Track(this.select.value, this.#told);
+    this.#say();
+  }
+
+  close() {
+    this.track?.close();
+    this.track = null;
+  }
+
+  /** The newest prediction, if it came within so many ms. */
+  fresh(ms) {
+    const track = this.track;
+    return track !== null && performance.now() - track.at < ms ? track.latest : null;
+  }
+
+  /** Writes the numbers. */
+  tell(fresh) {
+    const now = this.fresh(fresh);
+    write(this.#of.phase, now?.phase ?? "–");
+    write(this.#of.left, now?.remaining_s == null ? "–" : number(now.remaining_s, 2, "s"));
+    write(this.#of.region, now?.region ? this.#size(now.region) : now?.x == null ? "–" : "none");
+  }
+
+  #size(region) {
+    const { a, b } = ellipseOf(region);
+    return `${number(2 * a)} × ${number(2 * b)} px`;
+  }
+
+  #choose() {
+    if (!this.select.value) this.close();
+    else if (this.track === null) this.open();
+    else this.track.choose(this.select.value);
+    this.#say();
+  }
+
+  #say() {
+    const state = this.track?.connection.state;
+    this.#status.dataset.state = state ?? "";
+    const said = state === undefined ? (this.select.value || !this.offered ? "Connecting…" : "None chosen.") : words(state);
+    write(this.#status, this.track?.fault && state !== "open" ? `${said} ${this.track.fault}` : said);
+  }
+}

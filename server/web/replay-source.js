@@ -1,0 +1,46 @@
+// Where replayed movements come from: the embedded sample, or a recording that was opened.
+
+import { readFiles } from "./replay-file.js";
+import { predictionsAlong } from "./replay-stream.js";
+import { read } from "./service.js";
+
+/**
+ * @typedef {{title: string, said: string, csv: string|null,
+ *   movement: (at: number, predictors: string[]) => Promise<object>, names: string[]}} Source
+ */
+
+/** The embedded sample: the service computes the predictions from its own copy. @returns {Promise<Source>} */
+export async function embedded() {
+  const { samples } = await read("/v1/samples");
+  return {
+    title: "the embedded sample",
+    said: "The people in this sample are simulated: no recording of a person is shipped. Each prediction sees only the past of its moment.",
+    csv: null,
+    names: samples.map(({ name, events }) => `${name} (${events} events)`),
+    async movement(at, predictors) {
+      const asked = encodeURIComponent(predictors.join(","));
+      const found = await read(`/v1/samples/${encodeURIComponent(samples[at].name)}?predictors=${asked}`);
+      return { ...found, who: `simulated person ${found.user}` };
+    },
+  };
+}
+
+/** A recording opened in this page; each movement's events go to the service when it is shown. @returns {Promise<Source>} */
+export async function opened(files) {
+  const { name, csv, left, movements, simulated, ...resolution } = await readFiles(files);
+  return {
+    title: name,
+    said: `${name}: ${movements.length} movements${left ? `, ${left} more cannot be shown` : ""}. It goes to this service alone, which keeps nothing of it.`,
+    csv,
+    names: movements.map(({ user, name: trial, rows }) => `${user} ${trial} (${rows.length} events)`),
+    async movement(at, predictors) {
+      const { user, name: trial, target, rows } = movements[at];
+      const columns = await Promise.all(predictors.map((one) => predictionsAlong(rows, one, resolution)));
+      return {
+        name: trial, user, target, who: `${simulated ? "simulated person" : "person"} ${user}`,
+        t: rows.map(([t]) => t - rows[0][0]), x: rows.map(([, x]) => x), y: rows.map(([, , y]) => y),
+        predictions: Object.fromEntries(predictors.map((one, i) => [one, columns[i]])),
+      };
+    },
+  };
+}

@@ -1,0 +1,48 @@
+// The scores that the service gives for a recording, as a table and as lines.
+
+import { fill, number, percent } from "./elements.js";
+
+/** The one set in the answer to a recording; an error with the service's reason where nothing could be scored. */
+export function setOf(answer) {
+  const set = answer.sets?.[0];
+  if (set === undefined) throw new Error(answer.unread?.[0]?.reason ?? "the service found no recording");
+  if (set.trials === 0) throw new Error(`no movement could be scored (${set.skipped[0]?.reason ?? "none there"})`);
+  return set;
+}
+
+/** A sentence on what was scored and what was left out, with the first reason. */
+export function sentence({ trials, skipped }) {
+  const left = skipped.length ? ` ${skipped.length} left out, the first because it ${skipped[0].reason}.` : "";
+  return `${trials} movements scored by the service, as pointpred score does it.${left}`;
+}
+
+const HEADS = ["predictor", "error, px", "of hold", "interval", "half of the time, px", "half of the way, px", "answered"];
+
+/** The table before its numbers are known, as high as with them: nothing moves when they come. */
+export function expectScores(table, names) {
+  fill(table, [HEADS, ...names.map((name) => [name, ...HEADS.slice(1).map(() => "…")])]);
+}
+
+/** Time-averaged errors of all predictors, the best first. */
+export function scoreTable(table, set) {
+  const sorted = [...set.predictors].sort((a, b) => a.time_averaged.px - b.time_averaged.px);
+  fill(table, [
+    HEADS,
+    ...sorted.map(({ name, time_averaged: { px, of_hold: ratio, interval }, by_time: time, by_path: path, coverage }) => [
+      name, number(px, 1), number(ratio, 2), interval ? interval.map((bound) => number(bound, 2)).join(" to ") : "–",
+      number(time["0.5"]?.px, 1), number(path["0.5"]?.px, 1), percent(coverage),
+    ]),
+  ]);
+  sorted.forEach(({ name, time_averaged: { px } }, i) => {
+    const row = table.tBodies[0].rows[i];
+    row.dataset.predictor = name;
+    row.dataset.px = String(px);
+  });
+}
+
+/** The shares and the errors at them: `measure` is "by_path" or "by_time". */
+export function linesOf(set, measure) {
+  const shares = Object.keys(set.predictors[0][measure]).sort((a, b) => a - b);
+  const lines = set.predictors.map((one) => ({ name: one.name, errors: shares.map((share) => one[measure][share].px) }));
+  return { shares: shares.map(Number), lines };
+}

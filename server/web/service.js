@@ -1,0 +1,25 @@
+// What the service answers over HTTP.
+
+/** Reads JSON; a refusal is an error with the service's own words. */
+export async function read(address, options) {
+  const answer = await fetch(address, options);
+  const body = await answer.json().catch(() => ({}));
+  if (!answer.ok) throw new Error(body.message ?? `the service answered ${answer.status}`);
+  return body;
+}
+
+let listed = null;
+
+/** The predictors the service has: name, title, whether preferred; asked once, again after a failure. */
+export function predictors() {
+  listed ??= read("/v1/predictors").catch((error) => {
+    listed = null;
+    throw error;
+  });
+  return listed;
+}
+
+/** The scores of a recording, as `pointpred score --json` prints them. @param {string} csv the samples file */
+export function score(csv) {
+  return read("/v1/score", { method: "POST", headers: { "Content-Type": "text/csv" }, body: csv });
+}
