@@ -48,12 +48,45 @@ def law(function: Function) -> Function:
     folder = _cache_folder()
     # The cache's place is fixed when the decorator runs: set it for that moment only.
     elsewhere, config.CACHE_DIR = config.CACHE_DIR, str(folder / fingerprint) if folder else ""
+    sealed = folder is not None and _sealed(folder)
     try:
-        compiled = numba.njit(cache=folder is not None, nogil=True, error_model="numpy")(plain)
+        compiled = numba.njit(cache=folder is not None and not sealed, nogil=True, error_model="numpy")(plain)
+        if sealed:
+            _only_read(compiled, plain)
     finally:
         config.CACHE_DIR = elsewhere
     _fingerprints[id(compiled)] = fingerprint
     return cast(Function, compiled)
+
+
+@cache
+def _sealed(folder: Path) -> bool:
+    """Whether a cache is there to be read only, as in an image whose file system is read-only."""
+    return folder.is_dir() and not os.access(folder, os.W_OK)
+
+
+def _only_read(compiled: Any, plain: FunctionType) -> None:
+    """Let a law use a cache that cannot be written: numba itself takes none that it could not write to.
+
+    What is missing there is compiled anew in each process.
+    """
+    from numba.core import caching
+
+    class Locator(caching.UserProvidedCacheLocator):
+        def ensure_cache_path(self) -> None:
+            """Nothing is made."""
+
+    class Reader(caching.CompileResultCacheImpl):
+        _locator_classes = (Locator,)
+
+    class Kept(caching.FunctionCache):
+        _impl_class = Reader
+
+        def save_overload(self, sig: Any, data: Any) -> None:
+            """Nothing is written."""
+
+    keep: Any = Kept
+    compiled._cache = keep(plain)
 
 
 def layout(function: Function) -> Function:

@@ -2,6 +2,12 @@
 
 from __future__ import annotations
 
+import os
+import stat
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
 from types import FunctionType
 
 import pytest
@@ -53,3 +59,96 @@ def test_a_layout_stays_plain_python_and_laws_may_call_it() -> None:
 
     assert isinstance(quadrupled, FunctionType)
     assert through(2.0) == 8.0
+
+
+@pytest.fixture
+def homeless(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[Path]:
+    """No cache of the user's own; the temporary folder's place for it, which does not exist yet."""
+    monkeypatch.delenv("POINTPRED_CACHE_DIR", raising=False)
+    (tmp_path / "file").write_text("no folder")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "file"))
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    compiled._cache_folder.cache_clear()
+    yield tmp_path / f"pointpred-{os.getuid()}"
+    compiled._cache_folder.cache_clear()
+
+
+@pytest.mark.skipif(not hasattr(os, "getuid"), reason="without user ids")
+def test_the_cache_in_a_shared_folder_is_made_for_its_user_alone(homeless: Path) -> None:
+    assert compiled._cache_folder() == homeless
+    assert stat.S_IMODE(homeless.stat().st_mode) == 0o700
+    compiled._cache_folder.cache_clear()
+    assert compiled._cache_folder() == homeless  # and is used again
+
+
+@pytest.mark.skipif(not hasattr(os, "getuid"), reason="without user ids")
+@pytest.mark.parametrize("trap", ["link", "open to all", "of someone else", "file"])
+def test_a_cache_that_others_could_have_written_is_not_read(
+    homeless: Path, trap: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if trap == "link":
+        homeless.symlink_to(homeless.parent, target_is_directory=True)
+    elif trap == "file":
+        homeless.write_text("")
+    else:
+        homeless.mkdir(mode=0o700)
+    if trap == "open to all":
+        homeless.chmod(0o777)
+    if trap == "of someone else":
+        mine = os.getuid()
+        owner = f"pointpred-{mine + 1}"
+        monkeypatch.setattr(os, "getuid", lambda: mine + 1)
+        homeless.rename(homeless.with_name(owner))
+    with pytest.warns(RuntimeWarning, match="compiles anew in every process.*POINTPRED_CACHE_DIR"):
+        assert compiled._cache_folder() is None
+
+    @compiled.law
+    def halved(x: float) -> float:
+        return 0.5 * x
+
+    assert halved(3.0) == 1.5
+    assert halved.stats.cache_path is None  # type: ignore[attr-defined]
+
+
+SEALED = """
+import os, sys
+seen = {"read": 0, "written": 0}
+from numba.core import caching
+load = caching.IndexDataCacheFile.load
+def counted(self, key):
+    found = load(self, key)
+    seen["read"] += found is not None
+    return found
+caching.IndexDataCacheFile.load = counted
+caching.IndexDataCacheFile.save = lambda *_: seen.update(written=seen["written"] + 1)
+if sys.argv[1] == "sealed":
+    access = os.access
+    os.access = lambda path, mode: mode == os.R_OK and access(path, mode)
+    from tempfile import TemporaryFile
+    def refused(*a, **k): raise PermissionError(13, "read-only")
+    caching.tempfile.TemporaryFile = refused
+from pointpred import build, PointerEvent
+pipeline = build("linear")
+for i in range(20):
+    pipeline.update(PointerEvent(i / 100, float(i * i), 0.0))
+print(seen["read"] > 0, seen["written"] > 0)
+"""
+
+
+def test_a_cache_that_is_only_read_is_used_and_not_written(tmp_path: Path) -> None:
+    environment = {**os.environ, "POINTPRED_CACHE_DIR": str(tmp_path)}
+
+    def told(*arguments: str) -> str:
+        command = [sys.executable, "-c", *arguments]
+        run = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
+        return run.stdout.strip()
+
+    warm = "from pointpred import build, PointerEvent\npipeline = build('linear')\n"
+    warm += "for i in range(20): pipeline.update(PointerEvent(i / 100, float(i * i), 0.0))"
+    told(warm)
+    assert told(SEALED, "sealed") == "True False"
+    assert told(SEALED, "open") == "True False"
+    for path in sorted(tmp_path.rglob("*"), reverse=True):
+        path.rmdir() if path.is_dir() else path.unlink()
+    assert told(SEALED, "sealed") == "False False"
+    assert not list(tmp_path.iterdir())
