@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from pointpred.sources import Reading
 
 Unread = dict[str, str]
-"""Files that could not be read, and why."""
+"""Files that could not be read and recordings that could not be scored, and why."""
 
 
 def score(
@@ -70,7 +70,16 @@ def score(
 
     with following() as progress:
         recordings = _read(files, told, unread) if files else _sample(unread)
-        scored = run(recordings, names, threads=threads, progress=progress, cpi=cpi, dpi=dpi, seed=seed)
+        scored = run(
+            recordings,
+            names,
+            threads=threads,
+            progress=progress,
+            cpi=cpi,
+            dpi=dpi,
+            seed=seed,
+            failed=lambda recording, error: _left_out(unread, recording.name, error),
+        )
     if report is not None and scored:
         from pointpred.scoring.report import write_report
 
@@ -139,5 +148,13 @@ def _read(files: list[Path], told: Reading, unread: Unread | None) -> Iterator[R
                 yield msgspec.structs.replace(recording, name=name)
         except (PointpredError, OSError) as error:
             if unread is not None:
-                unread[str(file)] = str(error)
-                remarks().print(f"left out: {error}", style="red", markup=False)
+                _left_out(unread, str(file), error)
+
+
+def _left_out(unread: Unread, name: str, error: Exception) -> None:
+    """Complain about a file that cannot be read or a recording that cannot be scored, and remember it."""
+    expected = isinstance(error, PointpredError | OSError)
+    reason = str(error) if expected else f"{type(error).__name__}: {error}"
+    unread[name] = reason
+    said = reason if name in reason else f"{name}: {reason}"
+    remarks().print(f"left out: {said}", style="red", markup=False)

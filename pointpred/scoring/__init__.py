@@ -45,13 +45,16 @@ def score(
     cpi: float | None = None,
     dpi: float | None = None,
     seed: int = 0,
+    failed: Callable[[Recording, Exception], None] | None = None,
 ) -> list[SetScore]:
     """Score predictors on recordings, each recording on its own: distances differ, errors are never pooled.
 
     ``predictors``: names of the registry, or pipelines as patterns; ``hold`` is always scored and first.
     ``cpi`` and ``dpi`` (counts and px per inch) replace what a recording says of itself. ``threads``: one
     a processor unless given. ``seed`` fixes the resampling behind the intervals. Raises ParameterError for
-    an unknown name or a name given twice. Recordings may come one by one from a generator.
+    an unknown name or a name given twice, and for a ``cpi`` or ``dpi`` out of bounds. Recordings may come one
+    by one from a generator; one that cannot be scored is told to ``failed`` and the others are scored, or its
+    error is raised where nobody listens.
 
     >>> from pointpred.columns import EventColumns
     >>> from pointpred.recording import Trial
@@ -65,7 +68,18 @@ def score(
         if given.count(name) > 1:
             raise ParameterError(f"each predictor at most once, received {name!r} {given.count(name)} times")
     chosen = {FLOOR: FLOOR} | dict(zip(given, predictors, strict=True))
-    return [_score(recording, chosen, threads, progress, cpi, dpi, seed) for recording in recordings]
+    for predictor in chosen.values():
+        if isinstance(predictor, str):
+            build(predictor, cpi=cpi, dpi=96.0 if dpi is None else dpi)
+    scores = []
+    for recording in recordings:
+        try:
+            scores.append(_score(recording, chosen, threads, progress, cpi, dpi, seed))
+        except Exception as error:
+            if failed is None:
+                raise
+            failed(recording, error)
+    return scores
 
 
 def _score(

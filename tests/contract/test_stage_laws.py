@@ -71,9 +71,11 @@ def test_a_begin_mark_is_a_reset(name: str, events: EventColumns, troubled_event
 
 
 @EVERY
-def test_the_clock_has_no_origin(name: str, events: EventColumns) -> None:
+@pytest.mark.parametrize("origin", [1024.0, 1.7e9])
+def test_the_clock_has_no_origin(name: str, origin: float, events: EventColumns) -> None:
+    """Nor is any clock too late: 1.7e9 s have passed since 1970."""
     shifted = events.table.copy()
-    shifted[:, 0] += 1024.0  # exact for these stamps
+    shifted[:, 0] += origin  # exact for these stamps
     late = answers(make(name), EventColumns(shifted))
     assert same(late[:, 1:], answers(make(name), events)[:, 1:])
 
@@ -111,8 +113,10 @@ def test_events_at_one_time_are_one_event(name: str) -> None:
 BAD = {
     "backwards": (PointerEvent(-1.0, 0.0, 0.0), EventOrderError, "t must not run backwards"),
     "NaN time": (PointerEvent(float("nan"), 0.0, 0.0), EventError, "t must lie"),
+    "time in milliseconds": (PointerEvent(1.7e12, 0.0, 0.0), EventError, r"t must lie in .*1e\+11"),
     "NaN place": (PointerEvent(9.0, float("nan"), 0.0), EventError, "x must lie"),
     "infinite place": (PointerEvent(9.0, 0.0, float("inf")), EventError, "y must lie"),
+    "half counts": (PointerEvent(9.0, 0.0, 0.0, 1.0), EventError, "dx and dy come together"),
     "infinite counts": (PointerEvent(9.0, 0.0, 0.0, float("inf"), 0.0), EventError, "dx must lie"),
     "too far": (PointerEvent(9.0, 1e300, 0.0), EventError, "x must lie"),
 }

@@ -76,13 +76,17 @@ def test_the_corrective_phase_finds_the_end_before_it_is_reached() -> None:
     assert ends[early] == pytest.approx(200.0, abs=2.0)
 
 
-def plain(columns: MotionColumns, predictor: dict[str, float]) -> list[float]:
-    """The thesis's figure 2.4 for the x axis, with numpy matrices and whole histories: a second method."""
+PARAMETERS = {"threshold": 0.35, "bound": 0.1, "delay_s": 0.1, "gamma": 3e3}
+
+
+def plain(columns: MotionColumns, predictor: dict[str, float], axis: int = 0) -> list[float]:
+    """The thesis's figure 2.4 for one axis, with numpy matrices and whole histories: a second method."""
     rows = columns.table
     times, history = [], []
     end, peak, ends, scale = 0.0, 0.0, [], np.zeros(3)
     for now in range(len(rows)):
-        t, x, v, a = rows[now, 0], rows[now, 1] - rows[0, 1], rows[now, 3], rows[now, 5]
+        t, x = rows[now, 0], rows[now, 1 + axis] - rows[0, 1 + axis]
+        v, a = rows[now, 3 + axis], rows[now, 5 + axis]
         times.append(t)
         history.append([-a, -v, 1.0, x])
         scale = np.maximum(scale, np.abs(history[-1][:3]))
@@ -94,7 +98,7 @@ def plain(columns: MotionColumns, predictor: dict[str, float]) -> list[float]:
                 end = candidate
         elif a * v >= 0:
             end += 2 * (x - before)
-        ends.append(end + rows[0, 1])
+        ends.append(end + rows[0, 1 + axis])
     return ends
 
 
@@ -125,10 +129,58 @@ def test_a_plain_implementation_of_figure_2_4_agrees() -> None:
     x -= 25 * np.clip((t - 0.7) / 0.5, 0, 1) ** 2 * (3 - 2 * np.clip((t - 0.7) / 0.5, 0, 1))
     v = np.gradient(x, t) / 2000
     columns = motions(t, 100 + x, v, np.gradient(v, t))
-    parameters = {"threshold": 0.35, "bound": 0.1, "delay_s": 0.1, "gamma": 3e3}
-    ours = endpoints(SwitchedPredictor(**parameters), columns)
-    np.testing.assert_allclose(ours, plain(columns, parameters), rtol=1e-7, atol=1e-6)
+    ours = endpoints(SwitchedPredictor(**PARAMETERS), columns)
+    np.testing.assert_allclose(ours, plain(columns, PARAMETERS), rtol=1e-7, atol=1e-6)
     assert len(np.unique(np.round(ours[t > 0.7], 3))) > 20  # the corrective phase was really visited
+
+
+def glide(t: FloatArray, start: float, stop: float) -> FloatArray:
+    """From 0 to 1 between two times."""
+    s = np.clip((t - start) / (stop - start), 0.0, 1.0)
+    return s**2 * (3 - 2 * s)
+
+
+def diagonal() -> MotionColumns:
+    """Both axes reach and correct, each in its own time; x reaches once more while y corrects."""
+    t = np.arange(0.0, 1.6, 0.008)
+    table = np.zeros((len(t), 10))
+    table[:, 0], table[0, 8], table[:, 7] = t, 1.0, 1.0
+    x = 500 * glide(t, 0.0, 0.7) - 25 * glide(t, 0.7, 1.2) + 150 * glide(t, 1.2, 1.6)
+    y = -220 * glide(t, 0.1, 1.0) + 30 * glide(t, 1.0, 1.4)
+    for axis, (origin, place) in enumerate(((100.0, x), (-40.0, y))):
+        v = np.gradient(place, t) / 2000
+        table[:, 1 + axis], table[:, 3 + axis], table[:, 5 + axis] = origin + place, v, np.gradient(v, t)
+    return MotionColumns(table)
+
+
+def corrective(columns: MotionColumns) -> NDArray[np.bool_]:
+    """Rows in which each axis is below its threshold, in two columns."""
+    speed = np.abs(columns.table[:, 3:5])
+    below: NDArray[np.bool_] = speed < PARAMETERS["threshold"] * np.maximum.accumulate(speed)
+    return below
+
+
+def test_each_axis_of_a_diagonal_movement_has_its_own_phase() -> None:
+    """Remark 2.5.1, against the plain implementation run for one axis at a time."""
+    columns = diagonal()
+    phases = corrective(columns)
+    assert np.count_nonzero(phases[:, 0] & ~phases[:, 1]) > 20
+    assert np.count_nonzero(~phases[:, 0] & phases[:, 1]) > 5
+    answers = SwitchedPredictor(**PARAMETERS).run(columns, np.zeros(len(columns), np.bool_))
+    for axis, ours in enumerate((answers.x, answers.y)):
+        np.testing.assert_allclose(ours, plain(columns, PARAMETERS, axis), rtol=1e-7, atol=1e-6)
+        assert len(np.unique(np.round(ours[phases[:, axis]], 3))) > 20  # the regression has a say
+
+
+def test_an_axis_does_not_hear_of_the_other() -> None:
+    both = diagonal().table
+    for axis in (0, 1):
+        alone = both.copy()
+        alone[:, [2 - axis, 4 - axis, 6 - axis]] = 0.0
+        begin = np.zeros(len(both), np.bool_)
+        one = SwitchedPredictor(**PARAMETERS).run(MotionColumns(alone), begin).table
+        two = SwitchedPredictor(**PARAMETERS).run(MotionColumns(both), begin).table
+        assert np.array_equal(one[:, 1 + axis], two[:, 1 + axis])
 
 
 def test_a_step_larger_than_the_bound_is_refused() -> None:

@@ -122,6 +122,7 @@ def test_counts_are_used_only_with_a_resolution(differentiator: Differentiator) 
 REFUSALS: dict[str, tuple[Callable[[float], PointerEvent], type[EventError], str]] = {
     "backwards": (lambda t: PointerEvent(t - 1e-9, 0.0, 0.0), EventOrderError, "must not run backwards"),
     "t nan": (lambda t: PointerEvent(math.nan, 0.0, 0.0), EventError, r"t must lie in .*nan"),
+    "t in milliseconds": (lambda t: PointerEvent(1.7e12, 0.0, 0.0), EventError, r"t must lie .*1e\+11\]"),
     "x infinite": (lambda t: PointerEvent(t + 1, math.inf, 0.0), EventError, r"x must lie in .*received inf"),
     "y large": (lambda t: PointerEvent(t + 1, 0.0, -1.1e9), EventError, r"y must lie in \[-1e\+09, 1e\+09\]"),
     "dx large": (lambda t: PointerEvent(t + 1, 0.0, 0.0, 2e9, 0), EventError, "dx must lie in"),

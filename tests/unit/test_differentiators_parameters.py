@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pointpred import EventColumns
+from pointpred import EventColumns, build
 from pointpred.differentiators import (
     DIFFERENTIATORS,
     BackwardDifferentiator,
@@ -83,3 +83,14 @@ def test_every_order_follows_a_slow_sine(order: int) -> None:
         assert error.max() == pytest.approx(k1 * (0.45 / k2) ** (0.9 / 0.8), rel=0.05)
     else:
         assert error.max() < 1e-3
+
+
+@pytest.mark.parametrize("name", DIFFERENTIATORS)
+@pytest.mark.parametrize(("parameter", "value"), [("gap_s", "x"), ("pause_s", None), ("gap_s", math.nan)])
+def test_shared_parameters_are_checked_before_they_are_compared(
+    name: str, parameter: str, value: Any
+) -> None:
+    with pytest.raises(ParameterError, match=f"{parameter} must"):
+        DIFFERENTIATORS[name](**{parameter: value})
+    with pytest.raises(ParameterError, match=f"{parameter} must"):
+        build("hold", differentiator=name, **{parameter: value})

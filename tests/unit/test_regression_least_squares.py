@@ -1,12 +1,14 @@
 """Recursive least squares against numpy's least squares with weights."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from pointpred.errors import EventError, EventOrderError, ParameterError
-from pointpred.regression import RecursiveLeastSquares, least_squares
+from pointpred.regression import DynamicRegressorExtension, RecursiveLeastSquares, least_squares
 from pointpred.regression.recursive_least_squares import AT
 
 
@@ -136,3 +138,35 @@ def test_reset_equals_fresh_and_bounds_are_named() -> None:
         RecursiveLeastSquares(2, forgetting=1.5)
     with pytest.raises(ParameterError, match="whole number"):
         RecursiveLeastSquares(2.5)  # type: ignore[arg-type]
+
+
+def test_a_sample_without_a_time_takes_no_time() -> None:
+    timed, twin = RecursiveLeastSquares(2, forgetting_rate=3.0), RecursiveLeastSquares(2, forgetting_rate=3.0)
+    for row, output, t in (((1.0, 2.0), 3.0, 5.0), ((1.0, -1.0), 1.0, None), ((1.0, 0.5), 2.0, 5.5)):
+        timed.update(row, output, t)
+        twin.update(row, output, 5.0 if t is None else t)
+    assert np.array_equal(timed._memory, twin._memory)
+    first = RecursiveLeastSquares(2, forgetting_rate=3.0)
+    first.update((1.0, 2.0), 3.0)
+    first.update((1.0, -1.0), 1.0, -7.0)  # no time was told before: nothing runs backwards
+    assert first.fit().effective_samples == 2.0
+
+
+@pytest.mark.parametrize(
+    ("regressor", "output", "t"),
+    [
+        ((1.0, 2.0), "three", 1.0),
+        ((1.0, 2.0), None, 1.0),
+        ((1.0, 2.0), [1.0, 2.0], 1.0),
+        (("a", 2.0), 1.0, 1.0),
+        ((1.0, 2.0), 1.0, "late"),
+        ((1.0, 2.0), 1.0, np.nan),
+    ],
+)
+def test_what_is_no_number_is_refused(regressor: Any, output: Any, t: Any) -> None:
+    for stage in (RecursiveLeastSquares(2), DynamicRegressorExtension(2)):
+        stage.update((1.0, 2.0), 3.0, 1.0)
+        before = stage._memory.copy()
+        with pytest.raises(EventError, match="must be"):
+            stage.update(regressor, output, t)
+        assert np.array_equal(before, stage._memory)

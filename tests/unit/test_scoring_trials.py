@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from pointpred import EventColumns
+from pointpred.errors import ParameterError
 from pointpred.recording import Provenance, Recording, Skip, Trial
-from pointpred.scoring import prepare
+from pointpred.scoring import prepare, score
 
 NAN = float("nan")
 
@@ -128,3 +129,30 @@ def test_resolution_comes_from_the_recording_unless_given() -> None:
     assert [t.submovements for t in prepare(recording(path)).trials] == [True]
     assert [t.submovements for t in prepare(counted).trials] == [False]
     assert [t.submovements for t in prepare(recording(path), cpi=800.0).trials] == [False]
+
+
+def test_half_counts_are_named_and_the_rest_is_scored() -> None:
+    good = along_x([0, 2, 5, 60, 100])
+    half = good.table.copy()
+    half[3, 3] = 7.0
+    prepared = prepare(recording(EventColumns(half), good))
+    assert [trial.trial.trial for trial in prepared.trials] == ["1"]
+    (skip,) = prepared.skipped
+    assert skip.trial == "0"
+    assert skip.reason.startswith("event 3 of the trial: a value is not finite or out of range")
+
+
+def test_a_recording_that_cannot_be_scored_does_not_lose_the_others() -> None:
+    good = recording(along_x([0, 2, 5, 60, 100]))
+    bad = recording(along_x([0, 2, 5, 60, 100]), provenance=Provenance("csv", dpi=0.0))
+    lost: list[tuple[Recording, Exception]] = []
+    scores = score([bad, good], ["hold"], failed=lambda *told: lost.append(told))
+    assert len(scores) == 1
+    assert len(scores[0].trials) == 1
+    ((where, why),) = lost
+    assert where is bad
+    assert "dpi must lie in" in str(why)
+    with pytest.raises(ParameterError, match="dpi must lie in"):
+        score([bad, good], ["hold"])
+    with pytest.raises(ParameterError, match="cpi must lie in"):
+        score([], ["hold"], cpi=0.0, failed=lambda *told: lost.append(told))
