@@ -77,7 +77,7 @@ def _only_read(compiled: Any, plain: FunctionType) -> None:
             """Nothing is made."""
 
     class Reader(caching.CompileResultCacheImpl):
-        _locator_classes = (Locator,)
+        """Looks in that place only."""
 
     class Kept(caching.FunctionCache):
         _impl_class = Reader
@@ -85,6 +85,7 @@ def _only_read(compiled: Any, plain: FunctionType) -> None:
         def save_overload(self, sig: Any, data: Any) -> None:
             """Nothing is written."""
 
+    Reader._locator_classes = [Locator]
     keep: Any = Kept
     compiled._cache = keep(plain)
 
