@@ -15,8 +15,8 @@ from pointpred.datasets import DataSet
 Json = dict[str, Any]
 
 PROTOCOL = """Written by `make results`; do not edit. The protocol stands in [scoring.md](scoring.md). In
-short: every trial counts, from the onset of the movement to the selecting click or the last sample; the truth is the
-last position; where a predictor does not answer, the cursor's position is scored in its place. **Every
+short: every trial counts, from the onset of the movement to the selecting click or the last sample; the
+truth is the last position; where a predictor does not answer, the cursor's position is scored in its place. **Every
 number is the mean error over trials divided by that of `hold`** (no prediction, the cursor's own
 position), unless px is written beside it: below 1 a predictor helps, above 1 it does harm. Sets are
 never pooled. A cell says `all / clean`: over all trials, and over
