@@ -16,9 +16,8 @@ import msgspec
 from benchmarks import asyncapi, openapi
 from benchmarks.markdown import filled, table
 from benchmarks.results_verdict import recorded
-from pointpred.cli.predictors import describe
 from pointpred.differentiators import DIFFERENTIATORS
-from pointpred.registry import GAINS, REGISTRY
+from pointpred.registry import GAINS, REGISTRY, describe
 from pointpred.registry import parameters as values_of
 from pointpred.stage import defaults
 

@@ -107,6 +107,30 @@ def parameters(name: str) -> dict[str, tuple[Parameter, Any]]:
     return found
 
 
+def describe(name: str) -> dict[str, Any]:
+    """A predictor as the JSON, the terminal and the docs show it."""
+    entry = REGISTRY[name]
+    settable = [
+        {
+            "name": parameter.name,
+            "unit": parameter.unit,
+            "low": parameter.low,
+            "high": parameter.high,
+            "default": default,
+            "meaning": parameter.meaning,
+            "of": "predictor" if parameter in entry.predictor.parameters else "differentiator",
+        }
+        for parameter, default in parameters(name).values()
+    ]
+    return {
+        "name": name,
+        "title": entry.title,
+        "reference": entry.reference,
+        "differentiator": entry.differentiator,
+        "parameters": settable,
+    }
+
+
 def build(name: str, *, cpi: float | None = None, dpi: float = 96.0, **parameters: Any) -> Pipeline:
     """Return a fresh pipeline for a name of the registry.
 
@@ -119,7 +143,7 @@ def build(name: str, *, cpi: float | None = None, dpi: float = 96.0, **parameter
     """
     entry = _entry(name)
     chosen = parameters.pop("differentiator", entry.differentiator)
-    if chosen not in DIFFERENTIATORS:
+    if not isinstance(chosen, str) or chosen not in DIFFERENTIATORS:
         raise ParameterError(_unknown("differentiator", chosen, list(DIFFERENTIATORS)))
     stages = (entry.predictor, DIFFERENTIATORS[chosen])
     own = [settable(stage) for stage in stages]
@@ -134,7 +158,7 @@ def build(name: str, *, cpi: float | None = None, dpi: float = 96.0, **parameter
 
 
 def _entry(name: str) -> Entry:
-    if name not in REGISTRY:
+    if not isinstance(name, str) or name not in REGISTRY:
         raise ParameterError(_unknown("predictor", name, list(REGISTRY)))
     return REGISTRY[name]
 

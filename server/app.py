@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import asyncio
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
 from pathlib import Path
 from typing import Any
 
@@ -9,11 +12,16 @@ import msgspec
 from fastapi import FastAPI, Request, Response
 from fastapi.responses import FileResponse
 from fastapi.staticfiles import StaticFiles
+from starlette.routing import WebSocketRoute
 
 import pointpred
-from pointpred.errors import ParameterError
+from pointpred.errors import ParameterError, RecordingError
+from pointpred.registry import REGISTRY, describe
 from pointpred.server import samples
+from pointpred.server.endpoint import StreamEndpoint, shows_token
 from pointpred.server.hosts import HostGuard, HostRule
+from pointpred.server.service import Service
+from pointpred.server.warm import warm
 
 WEB = Path(__file__).with_name("web")
 SAFE = {
@@ -22,24 +30,51 @@ SAFE = {
     "X-Content-Type-Options": "nosniff",
     "Referrer-Policy": "no-referrer",
     "Cache-Control": "no-cache",
+    "Cross-Origin-Opener-Policy": "same-origin",
+    "Cross-Origin-Embedder-Policy": "require-corp",
 }
-"""Headers of every answer: nothing is loaded from elsewhere, and an upgrade is seen at once."""
+"""Headers of every answer: nothing is loaded from elsewhere, an upgrade is seen at once, and the page is
+isolated, which lets the browser stamp events to 5 us instead of 100."""
 
 READ = ["GET", "HEAD"]
+OPEN = ("/healthz", "/readyz", "/web/", "/pointpred.js")
+"""Paths that need no token: they hold nothing of anybody."""
 
 
-def create_app(hosts: HostRule | None = None) -> FastAPI:
+def create_app(hosts: HostRule | None = None, service: Service | None = None) -> FastAPI:
     """The application; ``hosts`` says which ``Host`` headers are answered, the loopback names by default."""
-    app = FastAPI(title="pointpred", version=pointpred.__version__, docs_url=None, redoc_url=None)
+    serving = service or Service()
+    app = FastAPI(
+        title="pointpred", version=pointpred.__version__, docs_url=None, redoc_url=None, lifespan=_lifespan
+    )
+    app.state.service = serving
     app.middleware("http")(_harden)
     app.add_middleware(HostGuard, rule=hosts or HostRule())
     app.exception_handler(ParameterError)(_refuse)
+    app.exception_handler(RecordingError)(_refuse)
     app.add_api_route("/healthz", _health, methods=READ)
+    app.add_api_route("/readyz", _ready, methods=READ)
+    app.add_api_route("/metrics", _metrics, methods=["GET"])
     app.add_api_route("/", _page, methods=READ, response_class=FileResponse)
-    app.add_api_route("/v1/samples", _samples, methods=["GET"])
-    app.add_api_route("/v1/samples/{name}", _sample, methods=["GET"])
+    app.add_api_route("/pointpred.js", _client, methods=READ, response_class=FileResponse)
+    app.add_api_route("/v1/predictors", _predictors, methods=READ)
+    app.add_api_route("/v1/samples", _samples, methods=READ)
+    app.add_api_route("/v1/samples/{name}", _sample, methods=READ)
+    app.add_api_route("/v1/score", _score, methods=["POST"])
+    app.router.routes.append(WebSocketRoute("/v1/stream", StreamEndpoint(serving)))
     app.mount("/web", StaticFiles(directory=WEB))
     return app
+
+
+@asynccontextmanager
+async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
+    """Warm compiled code beside answering; write what is recorded at the end."""
+    service: Service = app.state.service
+    warming = asyncio.get_running_loop().run_in_executor(None, warm, service.warming)
+    warming.add_done_callback(service.warmed)
+    yield
+    service.stop()
+    await asyncio.to_thread(service.end)
 
 
 def _health() -> dict[str, str]:
@@ -47,8 +82,31 @@ def _health() -> dict[str, str]:
     return {"status": "ok", "version": pointpred.__version__}
 
 
+def _ready(request: Request) -> Response:
+    """Compiled code is warm: 200, before that 503."""
+    service: Service = request.app.state.service
+    return _json({"ready": service.ready, "stopping": service.stopping}, 200 if service.ready else 503)
+
+
+def _metrics(request: Request) -> Response:
+    """Counters and histograms for Prometheus."""
+    service: Service = request.app.state.service
+    service.settle()
+    return Response(service.metrics.text(), media_type="text/plain; version=0.0.4; charset=utf-8")
+
+
 def _page() -> FileResponse:
     return FileResponse(WEB / "index.html")
+
+
+def _client() -> FileResponse:
+    """The browser client, an ES module."""
+    return FileResponse(WEB / "pointpred.js", media_type="text/javascript")
+
+
+def _predictors() -> Response:
+    """Every predictor with its parameters, units, bounds and reference."""
+    return _json({"version": 1, "predictors": [describe(name) for name in REGISTRY]})
 
 
 def _samples() -> Response:
@@ -58,19 +116,45 @@ def _samples() -> Response:
 
 def _sample(name: str, predictors: str = "switched,hold") -> Response:
     """One trial with the predictions of the predictors named, separated by commas."""
-    chosen = tuple(dict.fromkeys(part.strip() for part in predictors.split(",") if part.strip()))
-    return _json(samples.trial(name, chosen))
+    return _json(samples.trial(name, _names(predictors)))
+
+
+async def _score(request: Request, predictors: str = "") -> Response:
+    """The scores of a recording: the body is a CSV or Parquet file of samples; nothing is kept."""
+    from pointpred.server.scoring_api import MOST_BYTES, score_body
+
+    body = bytearray()
+    async for part in request.stream():
+        body += part
+        if len(body) > MOST_BYTES:
+            return _error("too_large", f"a recording holds at most {MOST_BYTES} bytes here", 413)
+    return _json(await asyncio.to_thread(score_body, bytes(body), _names(predictors)))
+
+
+def _names(text: str) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(part.strip() for part in text.split(",") if part.strip()))
 
 
 def _json(value: Any, status: int = 200) -> Response:
     return Response(msgspec.json.encode(value), status, media_type="application/json")
 
 
+def _error(code: str, message: str, status: int) -> Response:
+    error = {"type": "error", "code": code, "message": message, "path": None, "recoverable": True}
+    return _json(error, status)
+
+
 async def _harden(request: Request, forward: Any) -> Response:
-    response: Response = await forward(request)
+    token = request.app.state.service.settings.token
+    if not request.url.path.startswith(OPEN) and not shows_token(request.scope, token):
+        response = _error("unauthorized", "show the token as ?token= or Authorization: Bearer", 401)
+    else:
+        response = await forward(request)
     response.headers.update(SAFE)
     return response
 
 
 async def _refuse(request: Request, error: Exception) -> Response:
-    return _json({"type": "error", "code": "bad_field", "message": str(error)}, 404)
+    unknown = "unknown predictor" in str(error)
+    found = request.url.path.startswith("/v1/samples/")
+    return _error("unknown_predictor" if unknown else "bad_field", str(error), 404 if found else 422)

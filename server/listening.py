@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import errno
 import socket
 from collections.abc import Callable
@@ -11,7 +12,11 @@ import uvicorn
 from pointpred.errors import SourceError
 from pointpred.server.app import create_app
 from pointpred.server.hosts import WILDCARDS, HostRule
+from pointpred.server.service import Service
 
+FRAME_BYTES = 2**20
+"""The framework's own limit lies above every limit of ours, so that our error goes out first."""
+GOODBYE_S = 0.2
 STOP_S = 5
 """Seconds that requests under way get to finish when the service stops."""
 
@@ -48,27 +53,36 @@ def address(host: str, opened: socket.socket) -> str:
 
 
 class _Server(uvicorn.Server):
-    """uvicorn that says when it has begun to answer."""
+    """uvicorn that says when it has begun to answer, and tells sessions when it is asked to stop."""
 
     announce: Callable[[], None]
+    service: Service
 
     async def startup(self, sockets: list[socket.socket] | None = None) -> None:
         await super().startup(sockets)
         if self.started:
             self.announce()
 
+    async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
+        self.service.stop()
+        await asyncio.sleep(GOODBYE_S)  # answers under way and goodbyes go out before connections close
+        await super().shutdown(sockets)
 
-def serve(opened: socket.socket, hosts: HostRule, announce: Callable[[], None]) -> None:
+
+def serve(opened: socket.socket, hosts: HostRule, service: Service, announce: Callable[[], None]) -> None:
     """Answer on a listening socket until interrupted; ``announce`` is called when the page can be opened."""
     config = uvicorn.Config(
-        create_app(hosts),
+        create_app(hosts, service),
+        log_config=None,
         log_level="warning",
         access_log=False,
-        ws="none",
+        ws="websockets-sansio",
+        ws_max_size=FRAME_BYTES,
+        ws_per_message_deflate=False,
         server_header=False,
         timeout_graceful_shutdown=STOP_S,
     )
     server = _Server(config)
-    server.announce = announce
+    server.announce, server.service = announce, service
     with opened:
         server.run([opened])

@@ -9,7 +9,7 @@ import typer
 from rich.table import Table
 
 from pointpred.cli.screen import results, write_json
-from pointpred.registry import REGISTRY, build, parameters
+from pointpred.registry import REGISTRY, build, describe
 
 
 def predictors(
@@ -35,30 +35,6 @@ def predictors(
         _print_all(described)
     else:
         _print_one(described[0])
-
-
-def describe(name: str) -> dict[str, Any]:
-    """A predictor as the JSON, the terminal and the docs show it."""
-    entry = REGISTRY[name]
-    settable = [
-        {
-            "name": parameter.name,
-            "unit": parameter.unit,
-            "low": parameter.low,
-            "high": parameter.high,
-            "default": default,
-            "meaning": parameter.meaning,
-            "of": "predictor" if parameter in entry.predictor.parameters else "differentiator",
-        }
-        for parameter, default in parameters(name).values()
-    ]
-    return {
-        "name": name,
-        "title": entry.title,
-        "reference": entry.reference,
-        "differentiator": entry.differentiator,
-        "parameters": settable,
-    }
 
 
 def _print_all(described: list[dict[str, Any]]) -> None:

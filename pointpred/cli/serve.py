@@ -1,12 +1,14 @@
-"""``pointpred serve``: the page, on this machine unless told otherwise."""
+"""``pointpred serve``: the page and the WebSocket, on this machine unless told otherwise."""
 
 from __future__ import annotations
 
-from typing import Annotated
+from pathlib import Path
+from typing import Annotated, Any
 
 import typer
 
 from pointpred.cli.screen import remarks
+from pointpred.errors import ParameterError
 
 PORT = 8765
 TRIES = 20
@@ -14,7 +16,7 @@ TRIES = 20
 
 
 def serve(
-    host: Annotated[str, typer.Option(help="Address to listen on.")] = "127.0.0.1",
+    host: Annotated[str | None, typer.Option(help="Address to listen on: 127.0.0.1.")] = None,
     port: Annotated[
         int | None,
         typer.Option(
@@ -24,30 +26,72 @@ def serve(
     allow_host: Annotated[
         list[str] | None, typer.Option(help="A further name this service may be called by; repeatable.")
     ] = None,
+    allow_origin: Annotated[
+        list[str] | None, typer.Option(help="The origin of another site that may connect; repeatable.")
+    ] = None,
+    token: Annotated[str | None, typer.Option(help="A word of at least 8 letters that clients show.")] = None,
+    record: Annotated[
+        Path | None, typer.Option(metavar="FOLDER", help="Record every session there; off by default.")
+    ] = None,
+    log_format: Annotated[str | None, typer.Option(help="json or text.")] = None,
+    max_sessions: Annotated[int | None, typer.Option(help="Sessions at a time.")] = None,
+    max_events_per_s: Annotated[int | None, typer.Option(help="Events a second in one session.")] = None,
+    max_events_per_frame: Annotated[int | None, typer.Option(help="Events in one frame.")] = None,
+    max_frame_bytes: Annotated[int | None, typer.Option(help="Bytes of one frame.")] = None,
+    max_targets: Annotated[int | None, typer.Option(help="Targets of one session.")] = None,
+    idle_s: Annotated[float | None, typer.Option(help="Seconds of silence that end a session.")] = None,
 ) -> None:
-    """Serve the page with the embedded sample; prints its address once it can be opened.
+    """Serve the live page and the WebSocket; prints the address once the page can be opened.
+
+    Every flag is also read from the environment: POINTPRED_PORT, POINTPRED_TOKEN, ...
 
     Try:
 
       pointpred serve
 
-      pointpred serve --port 0
+      pointpred serve --port 0 --record sessions
 
       pointpred serve --host 0.0.0.0 --allow-host lab.example
     """
+    given = {name: value for name, value in locals().items() if value not in (None, [])}
     from pointpred.server.hosts import HostRule
     from pointpred.server.listening import address, listen
     from pointpred.server.listening import serve as answer
+    from pointpred.server.logs import set_up
+    from pointpred.server.service import Service
 
-    opened = listen(host, PORT if port is None else port, TRIES if port is None else 1)
-    if port is None and opened.getsockname()[1] != PORT:
+    settings = _settings(given)
+    set_up(settings.log_format)
+    wanted = settings.port
+    opened = listen(settings.host, PORT if wanted is None else wanted, TRIES if wanted is None else 1)
+    if wanted is None and opened.getsockname()[1] != PORT:
         remarks().print(f"port {PORT} is in use; taking the next free one")
+    service = Service(settings)
 
     def announce() -> None:
-        typer.echo(address(host, opened))
-        remarks().print("Open it in a browser. Ctrl-C stops.")
+        shown = service.settings
+        typer.echo(address(shown.host, opened) + (f"?token={shown.token}" if shown.token else ""))
+        told = ", ".join(f"{name} {value}" for name, value in shown.told().items() if value not in (None, []))
+        remarks().print(f"Open it in a browser. Ctrl-C stops. Settings: {told}", markup=False)
 
     try:
-        answer(opened, HostRule(host, allow_host or ()), announce)
+        answer(opened, HostRule(settings.host, settings.allow_host), service, announce)
     except KeyboardInterrupt:
         remarks().print("stopped")
+
+
+def _settings(given: dict[str, Any]) -> Any:
+    """The settings from flags and environment; raises ParameterError in one line for a wrong one."""
+    from pydantic import ValidationError
+
+    from pointpred.server.settings import Settings
+
+    try:
+        return Settings(**given)
+    except ValidationError as error:
+        first = error.errors()[0]
+        name = "_".join(str(part) for part in first["loc"]) or "settings"
+        said = f"{name}: {first['msg']}, received {first['input']!r}"
+        raise ParameterError(
+            f"{said} (flag --{name.replace('_', '-')} or POINTPRED_{name.upper()})"
+        ) from None

@@ -1,0 +1,61 @@
+"""What the service counts and times, for Prometheus: never where anybody pointed."""
+
+from __future__ import annotations
+
+from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram, generate_latest
+from prometheus_client.platform_collector import PlatformCollector
+from prometheus_client.process_collector import ProcessCollector
+
+from pointpred.server.session import Session
+
+BUCKETS = (5e-5, 1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 1e-2, 2e-2, 5e-2, 0.1, 0.5, 1.0)
+
+
+class Metrics:
+    """Counters of one service, in a registry of their own."""
+
+    def __init__(self) -> None:
+        self.registry = CollectorRegistry()
+        ProcessCollector(registry=self.registry)
+        PlatformCollector(registry=self.registry)
+        self.delay = Histogram(
+            "pointpred_event_to_prediction_seconds",
+            "From a frame's arrival to its answer on the socket",
+            buckets=BUCKETS,
+            registry=self.registry,
+        )
+        self.sessions = Gauge("pointpred_sessions", "Sessions now", registry=self.registry)
+        self.ended = Counter(
+            "pointpred_sessions_ended", "Sessions that ended, by close code", ["code"], registry=self.registry
+        )
+        self.events = Counter("pointpred_events", "Events taken in", registry=self.registry)
+        self.refused = Counter(
+            "pointpred_refused", "Frames and events refused, by error code", ["code"], registry=self.registry
+        )
+        self.dropped = Counter(
+            "pointpred_predictions_dropped", "Predictions that gave way to newer ones", registry=self.registry
+        )
+
+    def settle(self, session: Session, counted: Counted) -> None:
+        """Add what a session has done since it was last settled."""
+        taken = session.stream.events if session.stream else 0
+        self.events.inc(taken - counted.events)
+        counted.events = taken
+        self.dropped.inc(session.outbox.dropped_in_all - counted.dropped)
+        counted.dropped = session.outbox.dropped_in_all
+        for code, count in session.refused.items():
+            self.refused.labels(code).inc(count - counted.refused.get(code, 0))
+            counted.refused[code] = count
+
+    def text(self) -> bytes:
+        """The exposition format."""
+        return generate_latest(self.registry)
+
+
+class Counted:
+    """How much of a session the counters already hold."""
+
+    def __init__(self) -> None:
+        self.events = 0
+        self.dropped = 0
+        self.refused: dict[str, int] = {}

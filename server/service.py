@@ -1,0 +1,89 @@
+"""Everything that one running service holds: its settings, its sessions, its counters."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import secrets
+
+from pointpred.server.messages import Hello
+from pointpred.server.metrics import Counted, Metrics
+from pointpred.server.recorder import Recorder
+from pointpred.server.session import Session
+from pointpred.server.settings import Settings
+from pointpred.server.talk import Talk
+from pointpred.server.watch import Watch
+
+log = logging.getLogger("pointpred.service")
+
+
+class Service:
+    """Opens sessions, knows those that are open, and stops them."""
+
+    def __init__(self, settings: Settings | None = None) -> None:
+        self.settings = (settings or Settings()).guarded()
+        self.metrics = Metrics()
+        self.recorder = Recorder(self.settings.record) if self.settings.record else None
+        self.stopping = False
+        self.ready = False
+        """Whether compiled code is warm."""
+        self._open: dict[Session, tuple[Talk | None, Counted]] = {}
+
+    @property
+    def full(self) -> bool:
+        """Whether no further session is admitted."""
+        return len(self._open) >= self.settings.max_sessions
+
+    def open(self, now: float) -> Session:
+        """A session without a name that means anything."""
+        session = Session(secrets.token_hex(8), self.settings.limits, now, self._watch)
+        self._open[session] = (None, Counted())
+        self.metrics.sessions.set(len(self._open))
+        log.info("session opened", extra={"session": session.name})
+        return session
+
+    def attach(self, session: Session, talk: Talk) -> None:
+        """Name the connection that is woken when the service stops."""
+        self._open[session] = (talk, self._open[session][1])
+
+    def closed(self, session: Session) -> None:
+        """A session has ended."""
+        _, counted = self._open.pop(session)
+        self.metrics.settle(session, counted)
+        self.metrics.sessions.set(len(self._open))
+        code = session.close.code if session.close else 1006
+        self.metrics.ended.labels(str(code)).inc()
+        log.info("session closed", extra={"session": session.name, "code": code, "events": counted.events})
+
+    def settle(self) -> None:
+        """Bring the counters up to date with the open sessions."""
+        for session, (_, counted) in self._open.items():
+            self.metrics.settle(session, counted)
+
+    def warming(self, done: int, of: int, name: str) -> None:
+        """Compiled code is being warmed; the first start ever takes a while."""
+        if name:
+            log.info("warming %s, %d of %d", name, done + 1, of)
+
+    def warmed(self, result: asyncio.Future[None]) -> None:
+        """Compiled code is warm, or could not be."""
+        error = None if result.cancelled() else result.exception()
+        if error is not None:
+            log.error("compiled code could not be warmed: %s", type(error).__name__)
+        self.ready = not result.cancelled() and error is None
+
+    def stop(self, reason: str = "the server stops") -> None:
+        """Say bye to every session; new ones are refused."""
+        self.stopping = True
+        for session, (talk, _) in list(self._open.items()):
+            session.stop(reason)
+            if talk is not None:
+                talk.wake()
+
+    def end(self) -> None:
+        """Write what is recorded; the service is over."""
+        if self.recorder is not None:
+            self.recorder.close()
+
+    def _watch(self, name: str, hello: Hello) -> Watch | None:
+        return self.recorder.open(name, hello) if self.recorder else None

@@ -1,0 +1,79 @@
+"""Settings of the service: by environment (``POINTPRED_...``) or by the flags of ``pointpred serve``."""
+
+from __future__ import annotations
+
+import secrets
+from ipaddress import ip_address
+from pathlib import Path
+from typing import Literal
+
+from pydantic import Field
+from pydantic_settings import BaseSettings, SettingsConfigDict
+
+from pointpred.server.messages import Limits
+
+
+class Settings(BaseSettings):
+    """What a service is started with; printed on start, the token masked."""
+
+    model_config = SettingsConfigDict(env_prefix="POINTPRED_", extra="ignore", frozen=True)
+
+    host: str = Field(default="127.0.0.1", description="Address to listen on.")
+    port: int | None = Field(
+        default=None,
+        ge=0,
+        le=65535,
+        description="Port; 0 takes any free one. Not given: the first free from 8765.",
+    )
+    allow_host: tuple[str, ...] = Field(
+        default=(), description="Further names this service may be called by."
+    )
+    allow_origin: tuple[str, ...] = Field(
+        default=(), description="Origins of other sites' pages that may connect."
+    )
+    token: str | None = Field(
+        default=None,
+        min_length=8,
+        description="Word that clients must show; made up where others can reach the port.",
+    )
+    record: Path | None = Field(
+        default=None, description="Folder for recordings of sessions; not given: none is made."
+    )
+    log_format: Literal["json", "text"] = Field(default="json", description="How log entries are written.")
+    max_sessions: int = Field(default=64, ge=1, le=100_000, description="Sessions at a time.")
+    max_events_per_s: int = Field(
+        default=20_000, ge=1, le=10**8, description="Events a second in one session."
+    )
+    max_events_per_frame: int = Field(default=1024, ge=1, le=10**5, description="Events in one frame.")
+    max_frame_bytes: int = Field(default=65_536, ge=1024, le=900_000, description="Bytes of one frame.")
+    max_targets: int = Field(default=1000, ge=0, le=10**5, description="Targets of one session.")
+    idle_s: float = Field(
+        default=60.0, gt=0.0, le=1e6, description="Seconds without a frame until a session ends."
+    )
+
+    @property
+    def limits(self) -> Limits:
+        """What a session may do."""
+        names = Limits.__struct_fields__
+        return Limits(**{name: getattr(self, name) for name in names})
+
+    def guarded(self) -> Settings:
+        """The same, with a token made up where others than this machine can reach the port."""
+        if self.token is not None or is_loopback(self.host):
+            return self
+        return self.model_copy(update={"token": secrets.token_urlsafe(24)})
+
+    def told(self) -> dict[str, object]:
+        """What is printed on start: every setting, the token masked."""
+        shown = self.model_dump(mode="json")
+        return {**shown, "token": None if self.token is None else f"{self.token[:2]}..."}
+
+
+def is_loopback(host: str) -> bool:
+    """Whether only this machine can reach an address."""
+    if host == "localhost":
+        return True
+    try:
+        return ip_address(host).is_loopback
+    except ValueError:
+        return False
