@@ -14,7 +14,7 @@ from websockets.typing import Subprotocol
 
 from pointpred.client.connection import QUEUE, closed_words
 from pointpred.client.dialogue import Dialogue
-from pointpred.client.wire import Row, address, encode
+from pointpred.client.wire import Row, address, authorization, encode
 from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.errors import SourceError
 from pointpred.events import PointerEvent
@@ -37,18 +37,19 @@ async def connect_async(
 ) -> AsyncConnection:
     """Open a session as ``connect`` does, and wait for it: ``async with await ...``."""
     dialogue = Dialogue(**hello)
-    where = address(url, token)
+    where = address(url)
     try:
         socket = await dial(
             where,
             subprotocols=[Subprotocol(SUBPROTOCOL)],
+            additional_headers=authorization(token),
             compression=None,
             max_queue=QUEUE,
             open_timeout=timeout_s,
             proxy=None,
         )
     except (OSError, InvalidHandshake, TimeoutError) as error:
-        raise SourceError(f"cannot connect to {where.partition('?')[0]}: {error}") from error
+        raise SourceError(f"cannot connect to {where}: {error}") from error
     connection = AsyncConnection(socket, dialogue, timeout_s)
     try:
         await connection.greet()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterable, Iterator
+from contextlib import ExitStack
 from types import TracebackType
 from typing import Any, Self, TypeVar
 
@@ -13,7 +14,7 @@ from websockets.sync.client import connect as dial
 from websockets.typing import Subprotocol
 
 from pointpred.client.dialogue import Dialogue
-from pointpred.client.wire import Row, address, encode
+from pointpred.client.wire import Row, address, authorization, encode
 from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.errors import SourceError
 from pointpred.events import PointerEvent
@@ -43,18 +44,20 @@ def connect(url: str, *, token: str | None = None, timeout_s: float = 10.0, **he
     service refuses, ParameterError where a field does not fit.
     """
     dialogue = Dialogue(**hello)
-    where = address(url, token)
+    where = address(url)
     try:
-        socket = dial(
+        opened = dial(
             where,
             subprotocols=[Subprotocol(SUBPROTOCOL)],
+            additional_headers=authorization(token),
             compression=None,
             max_queue=QUEUE,
             open_timeout=timeout_s,
             proxy=None,
         )
+        socket = ExitStack().enter_context(opened)  # websockets 17 wants to be entered; `close` leaves
     except (OSError, InvalidHandshake, TimeoutError) as error:
-        raise SourceError(f"cannot connect to {where.partition('?')[0]}: {error}") from error
+        raise SourceError(f"cannot connect to {where}: {error}") from error
     connection = Connection(socket, dialogue, timeout_s)
     try:
         connection.greet()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from urllib.parse import urlencode, urlsplit, urlunsplit
+from urllib.parse import urlsplit, urlunsplit
 
 import msgspec
 import numpy as np
@@ -25,7 +25,7 @@ PREDICTION = np.dtype([("numbers", "<f8", (7,)), ("phase", "u1")])
 encode = msgspec.json.Encoder().encode
 
 
-def address(url: str, token: str | None = None) -> str:
+def address(url: str) -> str:
     """The stream's address: ``http`` becomes ``ws``, a bare address gets the usual path.
 
     >>> address("http://127.0.0.1:8765/")
@@ -36,8 +36,12 @@ def address(url: str, token: str | None = None) -> str:
     if scheme not in ("ws", "wss") or not parts.netloc:
         raise ParameterError(f"the address must be ws://HOST:PORT or http://HOST:PORT, received {url!r}")
     path = parts.path if parts.path not in ("", "/") else "/v1/stream"
-    query = "&".join(part for part in (parts.query, urlencode({"token": token}) if token else "") if part)
-    return urlunsplit((scheme, parts.netloc, path, query, ""))
+    return urlunsplit((scheme, parts.netloc, path, parts.query, ""))
+
+
+def authorization(token: str | None) -> dict[str, str]:
+    """The header that shows a token."""
+    return {} if token is None else {"Authorization": f"Bearer {token}"}
 
 
 def columns_of(events: EventColumns | Iterable[PointerEvent | Row]) -> EventColumns:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
+from contextlib import ExitStack
 from types import TracebackType
 from typing import Any, Self
 from urllib.error import HTTPError, URLError
@@ -121,9 +122,9 @@ def open_page(devtools: str, url: str | None = None, *, timeout_s: float = 30.0)
             tab = tabs[0]
         else:
             tab = _ask(f"{where}/json/new?{quote('about:blank', safe='')}", "PUT")
-        socket = dial(
-            tab["webSocketDebuggerUrl"], max_size=None, max_queue=None, compression=None, proxy=None
-        )
+        target = tab["webSocketDebuggerUrl"]
+        opened = dial(target, max_size=None, max_queue=None, compression=None, proxy=None)
+        socket = ExitStack().enter_context(opened)  # websockets 17 wants to be entered; `close` leaves
     except (HTTPError, URLError, OSError, InvalidHandshake) as error:
         if isinstance(error, SourceError):
             raise

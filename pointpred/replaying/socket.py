@@ -11,7 +11,7 @@ import numpy as np
 
 from pointpred.client import Connection, connect
 from pointpred.client.wire import packable
-from pointpred.columns import EventColumns, PredictionColumns
+from pointpred.columns import EventColumns, FloatArray, PredictionColumns
 from pointpred.pipeline import Pipeline, run
 from pointpred.recording import Recording, Skip
 from pointpred.registry import build
@@ -143,10 +143,16 @@ def unlike(heard: PredictionColumns, batch: PredictionColumns) -> int:
     Where some gave way to newer ones, each is compared with the next row of its time.
     """
     rows = np.arange(len(batch)) if len(heard) == len(batch) else _rows(heard, batch)
-    matched = batch.table[rows].view(np.int64)
-    own = heard.table[: len(rows)].view(np.int64)
-    both_nan = np.isnan(batch.table[rows]) & np.isnan(heard.table[: len(rows)])
-    return int(((own != matched) & ~both_nan).any(axis=1).sum()) + len(heard) - len(rows)
+    wanted, own = _told(batch.table[rows]), _told(heard.table[: len(rows)])
+    differ = (wanted.view(np.int64) != own.view(np.int64)) & ~(np.isnan(wanted) & np.isnan(own))
+    return int(differ.any(axis=1).sum()) + len(heard) - len(rows)
+
+
+def _told(table: FloatArray) -> FloatArray:
+    """What goes over the wire: nothing but its time where there is no prediction."""
+    told = table.copy()
+    told[np.isnan(told[:, 1]), 1:] = np.nan
+    return told
 
 
 def _rows(heard: PredictionColumns, batch: PredictionColumns) -> np.ndarray[tuple[int], np.dtype[np.int64]]:

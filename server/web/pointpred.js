@@ -53,6 +53,7 @@ const LONGEST_WAIT_MS = 8000;
 const STEADY_MS = 2000; // a connection that held so long starts the waits anew
 const LOOK_MS = 250; // observed elements are looked at so often while the pointer rests
 const ACTIVE_MS = 500; // and every frame for so long after an event
+const LAG_S = 0.002; // a dispatch that spans more comes from a page that lags behind
 const NAMES = ["prediction", "choice", "error", "state", "welcome", "score", "targets", "bye"];
 
 /**
@@ -77,6 +78,7 @@ export class Connection {
   #waiting = []; #unanswered = []; #changes = []; #tries = 0; #openedAt = 0; #saidAt = 0; #retry; #why = "";
   #given = []; #observed = new Map(); #told = NO_TARGETS; #frame = false; #activeUntil = 0; #offset = [0, 0];
   #stop = new AbortController(); #timers = []; #sizes; #views; #last = [0, 0, 0];
+  #gathered = []; #clicks = new Map(); #turn = new MessageChannel();
 
   /** Use `connect`. @param {string|URL|undefined} url @param {Options} options */
   constructor(url, options) {
@@ -88,6 +90,7 @@ export class Connection {
       ...this.#options.screen };
     this.#hello = { type: "hello", version: 1, predictor, parameters, device, screen, reply, encoding };
     this.#given = this.#options.targets;
+    this.#turn.port1.onmessage = () => this.#flush();
     this.#sizes = new ResizeObserver(() => this.#look());
     this.#views = new IntersectionObserver((entries) => this.#seen(entries));
     if (this.#options.pointer) this.#listen(this.#options.element);
@@ -118,8 +121,11 @@ export class Connection {
    * @param {(EventRow|EventRecord)[]} events in the order of their times; equal times are normal
    */
   send(events) {
-    const rows = events.map(row);
-    if (rows.length === 0) return;
+    this.#flush();
+    if (events.length) this.#pass(events.map(row));
+  }
+
+  #pass(rows) {
     this.#activeUntil = performance.now() + ACTIVE_MS;
     if (this.#observed.size) this.#look();
     if (this.state === "open") this.#sendRows(rows);
@@ -170,6 +176,7 @@ export class Connection {
    *   precision?: number}} changes
    */
   configure(changes) {
+    this.#flush();
     if (this.state === "open") {
       this.#changes.push(changes);
       this.#transmit(JSON.stringify({ type: "configure", ...changes }));
@@ -188,9 +195,11 @@ export class Connection {
   /** Ends the session for good, and lets go of everything. */
   close() {
     if (this.state === "closed") return;
+    this.#flush();
     const socket = this.#socket;
     this.#socket = null;
     this.#stop.abort();
+    this.#turn.port1.close();
     this.#timers.forEach(clearInterval);
     clearTimeout(this.#retry);
     this.#sizes.disconnect();
@@ -295,6 +304,7 @@ export class Connection {
   }
 
   #tell(message) {
+    this.#flush();
     if (this.state === "open") this.#transmit(JSON.stringify(message));
     else this.#keep([message]);
   }
@@ -337,7 +347,28 @@ export class Connection {
     const rows = (whole.length ? whole : [event]).map((one) => [one.timeStamp / 1000,
       onScreen ? one.screenX : one.clientX, onScreen ? one.screenY : one.clientY, null, null, one.buttons]);
     this.#last = rows[rows.length - 1];
-    this.send(rows);
+    const behind = this.#gathered.length > 0;
+    this.#gathered.push(...rows);
+    if (event.type === "pointerdown" || event.type === "pointerup") this.#clicks.set(this.#last[0], this.#last);
+    if (!behind && this.#last[0] - rows[0][0] <= LAG_S) this.#flush();
+    else if (!behind) this.#turn.port2.postMessage(null);
+  }
+
+  /**
+   * Sends what was gathered in the order of its times. After a stall of the page, the browser merges moves from before
+   * a click with moves from after it, and delivers them before the click: so what it still holds is awaited first.
+   */
+  #flush() {
+    const rows = this.#gathered.splice(0), clicks = this.#clicks;
+    if (rows.length === 0) return;
+    const side = (row) => { // of a click at the same time: before it, the click itself, after it
+      const click = clicks.get(row[0]);
+      if (click === undefined || row === click) return click === undefined ? 0 : 1;
+      return row[5] === click[5] ? 2 : 0;
+    };
+    if (rows.length > 1) rows.sort((one, other) => one[0] - other[0] || side(one) - side(other));
+    clicks.clear();
+    this.#pass(rows);
   }
 
   #seen(entries) {

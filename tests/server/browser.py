@@ -1,0 +1,45 @@
+"""A browser of its own for tests, where there is one."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+
+BROWSER = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+QUIET = (
+    "--headless",
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--window-size=1280,720",
+)
+
+needed = pytest.mark.skipif(BROWSER is None, reason="no chromium on this machine")
+
+
+@contextmanager
+def running(profile: Path) -> Iterator[str]:
+    """A browser; yields the address of its DevTools."""
+    assert BROWSER is not None
+    command = [BROWSER, *QUIET, f"--user-data-dir={profile}", "--remote-debugging-port=0", "about:blank"]
+    with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
+        assert process.stderr is not None
+        try:
+            for line in process.stderr:
+                if line.startswith("DevTools listening on "):
+                    yield f"http://{line.split('/')[2]}"
+                    break
+            else:
+                pytest.fail("the browser left before it listened")
+        finally:
+            process.terminate()
+            process.stderr.read()

@@ -1,0 +1,118 @@
+"""A service in this process that keeps every frame it hears: the real session behind a plain socket."""
+
+from __future__ import annotations
+
+import http
+import mimetypes
+import threading
+import time
+from pathlib import Path
+from types import TracebackType
+from typing import Self
+
+import msgspec
+import numpy as np
+from websockets.datastructures import Headers
+from websockets.exceptions import ConnectionClosed
+from websockets.http11 import Request, Response
+from websockets.sync.server import ServerConnection, serve
+from websockets.typing import Subprotocol
+
+from pointpred.server.app import SAFE
+from pointpred.server.messages import SUBPROTOCOL, Limits
+from pointpred.server.session import Session
+
+WEB = Path(__file__).parents[2] / "server" / "web"
+RECORD = np.dtype(
+    [("t", "<f8"), ("x", "<f8"), ("y", "<f8"), ("dx", "<i2"), ("dy", "<i2"), ("buttons", "<u2")]
+)
+BARE = b'<!doctype html><title>bare</title><body style="margin:0"><div id="box"></div>'
+
+
+class Listener:
+    """Serves the client and a bare page, speaks the protocol, and remembers what it was told."""
+
+    def __init__(self, port: int = 0, limits: Limits | None = None) -> None:
+        self.limits = limits or Limits()
+        self.frames: list[str | bytes] = []
+        self.requests: list[str] = []
+        self._open: set[ServerConnection] = set()
+        self._server = serve(
+            self._talk,
+            "127.0.0.1",
+            port,
+            subprotocols=[Subprotocol(SUBPROTOCOL)],
+            process_request=self._page,
+            compression=None,
+        )
+        self.port: int = self._server.socket.getsockname()[1]
+        self._thread = threading.Thread(target=self._server.serve_forever)
+        self._thread.start()
+
+    @property
+    def url(self) -> str:
+        return f"http://127.0.0.1:{self.port}"
+
+    def events(self) -> np.ndarray:
+        """Every event that came as a binary frame."""
+        return np.concatenate([np.empty(0, RECORD), *(np.frombuffer(f, RECORD) for f in self.binary())])
+
+    def binary(self) -> list[bytes]:
+        return [frame for frame in self.frames if isinstance(frame, bytes)]
+
+    def messages(self, kind: str) -> list[dict]:
+        """Every JSON message of a type."""
+        texts = [msgspec.json.decode(frame) for frame in self.frames if isinstance(frame, str)]
+        return [message for message in texts if message["type"] == kind]
+
+    def stop(self, code: int = 1001) -> None:
+        self._server.shutdown()
+        for connection in list(self._open):
+            connection.close(code)
+        self._thread.join()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.stop()
+
+    def _talk(self, connection: ServerConnection) -> None:
+        self._open.add(connection)
+        session = Session("here", self.limits, time.monotonic())
+        try:
+            for frame in connection:
+                self.frames.append(frame)
+                session.receive(frame, time.monotonic())
+                for answer in session.outbox.take():
+                    connection.send(answer)
+                if session.close is not None:
+                    connection.close(session.close.code, session.close.reason)
+        except ConnectionClosed:
+            pass
+        finally:
+            self._open.discard(connection)
+
+    def _page(self, connection: ServerConnection, request: Request) -> Response | None:
+        path = request.path.partition("?")[0]
+        if path == "/v1/stream":
+            return None
+        self.requests.append(path)
+        name = path.removeprefix("/").removeprefix("web/")
+        file = WEB / name
+        body = file.read_bytes() if name and file.is_file() else BARE
+        kind = mimetypes.guess_type(name)[0] or "text/html"
+        headers = Headers(
+            {**SAFE, "Content-Type": kind, "Content-Length": str(len(body)), "Connection": "close"}
+        )
+        return Response(http.HTTPStatus.OK, "OK", headers, body)
+
+
+def soon(condition: object, what: str, seconds: float = 20.0) -> None:
+    """Wait until something holds."""
+    until = time.monotonic() + seconds
+    while not condition():  # type: ignore[operator]
+        assert time.monotonic() < until, f"not within {seconds:g} s: {what}"
+        time.sleep(0.01)

@@ -1,0 +1,240 @@
+"""The browser client in a real browser, driven through its DevTools; the real session hears it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+
+from pointpred.columns import EventColumns
+from pointpred.replaying import Page, drive_mouse, open_page
+from pointpred.server.messages import Limits
+from tests.server import browser
+from tests.server.listener import Listener, soon
+
+pytestmark = browser.needed
+
+CONNECT = """import("/pointpred.js").then(({ connect }) => {
+  window.heard = { prediction: [], state: [], error: [], welcome: [], score: [], targets: [] };
+  window.connection = connect(undefined, OPTIONS);
+  for (const name in heard) connection.on(name, (message) => heard[name].push(message));
+})"""
+
+
+@pytest.fixture(scope="module")
+def devtools(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    with browser.running(tmp_path_factory.mktemp("profile")) as address:
+        yield address
+
+
+@pytest.fixture
+def listener() -> Iterator[Listener]:
+    with Listener() as service:
+        yield service
+
+
+@pytest.fixture
+def page(devtools: str, listener: Listener) -> Iterator[Page]:
+    with open_page(devtools, listener.url) as tab:
+        yield tab
+        tab.call("Page.close")
+
+
+def connected(page: Page, options: str = "{}") -> None:
+    page.evaluate(CONNECT.replace("OPTIONS", options))
+    soon(lambda: page.evaluate("connection.state") == "open", "the connection is open")
+
+
+def path(count: int, press: tuple[int, int] = (0, 0)) -> EventColumns:
+    """Positions that all differ, in steps of a quarter of a pixel; the button is held over some rows."""
+    i = np.arange(count)
+    held = ((i >= press[0]) & (i < press[1])).astype(float)
+    return EventColumns.of(i / 1000, 100 + 1.5 * i, 100 + 0.25 * i, buttons=held)
+
+
+@pytest.mark.parametrize("encoding", ["binary", "json"])
+def test_500_coalesced_events_arrive_and_none_is_lost(page: Page, listener: Listener, encoding: str) -> None:
+    connected(page, f"{{ encoding: '{encoding}' }}")
+    sent = path(500, press=(200, 300))
+    driven = drive_mouse(page, sent, speed=math.inf)
+    assert (driven.moves, driven.presses, driven.releases) == (498, 1, 1)
+    soon(lambda: page.evaluate("connection.sent") == 500, "500 events were sent")
+
+    def rows() -> list[list[float]]:
+        if encoding == "binary":
+            return [[*list(row)[:3], row[5]] for row in listener.events().tolist()]
+        return [[*row[:3], row[5]] for m in listener.messages("events") for row in m["events"]]
+
+    soon(lambda: len(rows()) == 500, "500 events were heard")
+    heard = np.array(rows())
+    assert np.array_equal(heard[:, 1], sent.x)
+    assert np.array_equal(heard[:, 2], sent.y)
+    assert np.array_equal(heard[:, 3], sent.buttons)
+    assert (np.diff(heard[:, 0]) >= 0.0).all()
+    messages = len(listener.binary()) or len(listener.messages("events"))
+    assert messages < 500, "nothing was coalesced"
+    soon(lambda: page.evaluate("heard.prediction.length") == messages, "one prediction a message")
+    last = page.evaluate("heard.prediction.at(-1)")
+    assert set(last) == {"type", "t", "x", "y", "region", "phase", "remaining_s"}
+    assert last["t"] == heard[-1, 0]
+    assert math.isfinite(last["x"])
+    assert last["phase"] in ("still", "ballistic", "corrective")
+    assert 0.0 < page.evaluate("connection.delayMs") < 20_000.0
+    assert page.evaluate("[heard.error, connection.dropped]") == [[], 0]
+
+
+def test_a_dispatch_is_split_where_the_limits_say_so(devtools: str) -> None:
+    with (
+        Listener(limits=Limits(max_events_per_frame=7)) as listener,
+        open_page(devtools, listener.url) as page,
+    ):
+        connected(page)
+        page.evaluate("connection.send(Array.from({ length: 20 }, (_, i) => [i, i, 0, null, null, 0]))")
+        page.evaluate("connection.send([{ t: 20, x: -1.5, y: 2, dx: -3, dy: 32767, buttons: 5 }])")
+        soon(lambda: len(listener.events()) == 21, "21 events")
+        assert [len(frame) // 30 for frame in listener.binary()] == [7, 7, 6, 1]
+        assert listener.events()[-1].tolist() == (20.0, -1.5, 2.0, -3, 32767, 5)
+        page.call("Page.close")
+
+
+def test_binary_predictions_are_the_objects_that_json_gives(page: Page) -> None:
+    sent = "connection.send(Array.from({ length: 60 }, (_, i) => [i / 60, i * i, i, null, null, 0]))"
+    found = []
+    for encoding in ("binary", "json"):
+        for predictor in ("switched", "minimum-jerk"):
+            connected(page, f"{{ reply: 'event', encoding: '{encoding}', predictor: '{predictor}' }}")
+            page.evaluate(sent)
+            soon(lambda: page.evaluate("heard.prediction.length") == 60, "60 predictions")
+            found.append(page.evaluate("heard.prediction"))
+            page.evaluate("connection.close()")
+    assert found[:2] == found[2:]
+    assert any(one["x"] is None for one in found[1])
+    assert any(one["x"] is not None for one in found[1])
+
+
+def test_it_comes_back_when_the_service_does(page: Page, listener: Listener) -> None:
+    connected(page, "{ targets: [{ id: 'a', x: 1, y: 2, width: 3, height: 4 }], pointer: false, queue: 5 }")
+    page.evaluate("connection.configure({ predictor: 'hold' })")
+    soon(lambda: page.evaluate("heard.welcome.length") == 2, "the change was taken")
+    listener.stop()
+    soon(lambda: page.evaluate("connection.state") == "waiting", "the loss was noticed")
+    page.evaluate("connection.send(Array.from({ length: 8 }, (_, i) => [i, i, 0, null, null, 0]))")
+    with Listener(listener.port) as again:
+        soon(lambda: len(again.events()) == 5, "what waited was sent")
+        assert [hello["predictor"] for hello in again.messages("hello")] == ["hold"]
+        assert [one["targets"][0]["id"] for one in again.messages("targets")] == ["a"]
+        assert again.events()["t"].tolist() == [3.0, 4.0, 5.0, 6.0, 7.0]  # the oldest gave way, counted
+        assert page.evaluate("connection.dropped") == 3
+        states = page.evaluate("heard.state")
+        assert states[:3] == ["open", "waiting", "connecting"]
+        assert states[-1] == "open"
+        page.evaluate("connection.close()")
+        soon(lambda: len(again.messages("bye")) == 1, "bye")
+
+
+def test_a_refused_hello_waits_for_another(page: Page, listener: Listener) -> None:
+    page.evaluate(CONNECT.replace("OPTIONS", "{ predictor: 'swiched' }"))
+    soon(lambda: page.evaluate("connection.state") == "refused", "the refusal")
+    assert page.evaluate("heard.error.map(({ code }) => code)") == ["unknown_predictor"]
+    page.evaluate("connection.configure({ predictor: 'switched' })")
+    soon(lambda: page.evaluate("connection.state") == "open", "the second hello")
+    page.evaluate("connection.configure({ predictor: 'nobody' })")
+    soon(lambda: page.evaluate("heard.error.length") == 2, "the second refusal")
+    listener.stop()
+    with Listener(listener.port) as again:
+        soon(lambda: len(again.messages("hello")) == 1, "the session was resumed")
+        assert again.messages("hello")[0]["predictor"] == "switched"
+
+
+def test_an_observed_element_is_followed(page: Page, listener: Listener) -> None:
+    page.evaluate("document.body.style.height = '3000px'")
+    page.evaluate("box.style = 'position: absolute; left: 40px; top: 50px; width: 60px; height: 70px'")
+    connected(page)
+
+    def told() -> object:
+        return [tuple(one.values()) for one in listener.messages("targets")[-1]["targets"]]
+
+    def becomes(*wanted: tuple[str, float, float, float, float]) -> None:
+        soon(lambda: listener.messages("targets") and told() == list(wanted), f"targets {wanted}")
+
+    assert page.evaluate("connection.observe(box)") == "box"
+    becomes(("box", 40, 50, 60, 70))
+    page.evaluate("box.style.left = '400px'")
+    becomes(("box", 400, 50, 60, 70))
+    page.evaluate("box.style.height = '30px'")
+    becomes(("box", 400, 50, 60, 30))
+    page.evaluate("scrollTo(0, 20)")
+    becomes(("box", 400, 30, 60, 30))
+    page.evaluate("scrollTo(0, 2000)")
+    becomes()  # out of view
+    page.evaluate("connection.targets([{ id: 'own', x: 1, y: 2, width: 3, height: 4 }]); scrollTo(0, 0)")
+    becomes(("own", 1, 2, 3, 4), ("box", 400, 50, 60, 30))
+    before = len(listener.messages("targets"))
+    drive_mouse(page, path(50), speed=math.inf)
+    soon(lambda: len(listener.events()) == 50, "50 events")
+    page.evaluate("new Promise((done) => setTimeout(done, 600))")
+    assert len(listener.messages("targets")) == before  # nothing changed, nothing was said
+    page.evaluate("connection.unobserve(box)")
+    becomes(("own", 1, 2, 3, 4))
+
+
+def test_a_trial_is_scored(page: Page, listener: Listener) -> None:
+    connected(page, "{ pointer: false }")
+    page.evaluate("box.style = 'position: absolute; left: 90px; top: 0; width: 20px; height: 30px'")
+    page.evaluate("connection.trial('start', box)")
+    page.evaluate(
+        "connection.send(Array.from({ length: 60 }, (_, i) => [i / 60, i * i / 36, 15, null, null, 0]))"
+    )
+    page.evaluate("connection.trial('end')")
+    soon(lambda: page.evaluate("heard.score.length") == 1, "the score")
+    assert listener.messages("trial")[0]["target"] == {"x": 100, "y": 15, "width": 20}
+    assert page.evaluate("heard.score[0].time_averaged_px") > 0.0
+
+
+def test_mistakes_are_named(page: Page) -> None:
+    connected(page, "{ pointer: false }")
+    for call, said in {
+        "connection.send([[0, NaN, 0]])": "t, x and y must be finite",
+        "connection.send([[0, 0, 0, 40000, 0, 0]])": "counts must be whole numbers within 32767",
+        "connection.on('predictions', () => {})": "unknown event predictions; known: prediction",
+    }.items():
+        answer = page.call("Runtime.evaluate", expression=call)
+        assert said in answer["exceptionDetails"]["exception"]["description"]
+
+
+def test_the_example_prefetches_before_the_cursor_is_there(devtools: str, listener: Listener) -> None:
+    with open_page(devtools, f"{listener.url}/web/example.html") as page:
+        place = "(a) => [a.pathname, a.getBoundingClientRect().toJSON()]"
+        places = dict(page.evaluate(f"[...document.querySelectorAll('nav a')].map({place})"))
+        goal = places["/v1/predictors"]
+        soon(lambda: len(listener.messages("targets")[-1:]) == 1, "the links are targets")
+        assert {one["id"] for one in listener.messages("targets")[-1]["targets"]} == set(places)
+        x, y = goal["x"] + goal["width"] / 2, goal["y"] + goal["height"] / 2
+        t = np.arange(0.0, 1.2, 0.002)
+        share = 10 * (t / 1.2) ** 3 - 15 * (t / 1.2) ** 4 + 6 * (t / 1.2) ** 5
+        movement = EventColumns.of(t, x - 500 + 500 * share, y - 150 + 150 * share)
+        ahead = movement.rows(0, int(np.argmax(movement.y > goal["y"] - 5)))  # never reaches the link
+        assert len(ahead) > 200
+        assert "/v1/predictors" not in listener.requests
+        drive_mouse(page, ahead)
+        soon(lambda: "/v1/predictors" in listener.requests, "the prefetch")
+        assert page.evaluate("document.getElementById('said').textContent").startswith("Prefetched: ")
+        page.call("Page.close")
+
+
+def test_a_click_during_a_stall_stays_in_its_place(page: Page, listener: Listener) -> None:
+    """The browser merges moves from before the click with those from after it, and delivers them first."""
+    connected(page)
+    sent = path(400, press=(150, 250))
+    page.evaluate(
+        "setTimeout(() => { const end = performance.now() + 600; while (performance.now() < end); }, 50)"
+    )
+    drive_mouse(page, sent)
+    soon(lambda: len(listener.events()) == 400, "400 events")
+    heard = listener.events()
+    assert np.array_equal(heard["x"], sent.x)
+    assert np.array_equal(heard["buttons"], sent.buttons)
+    assert (np.diff(heard["t"]) >= 0.0).all()
+    assert page.evaluate("heard.error") == []
