@@ -16,8 +16,8 @@ Json = dict[str, Any]
 
 PROTOCOL = """Written by `make results`; do not edit. The protocol stands in [scoring.md](scoring.md). In
 short: every trial counts, from the onset of the movement to the selecting click or the last sample; the
-truth is the last position; where a predictor does not answer, the cursor's position is scored in its place. **Every
-number is the mean error over trials divided by that of `hold`** (no prediction, the cursor's own
+truth is the last position; where a predictor does not answer, the cursor's position is scored in its place.
+**Every number is the mean error over trials divided by that of `hold`** (no prediction, the cursor's own
 position), unless px is written beside it: below 1 a predictor helps, above 1 it does harm. Sets are
 never pooled. A cell says `all / clean`: over all trials, and over
 the clean ones, as the set itself judges or, where it does not, by the rule in scoring.md.
