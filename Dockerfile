@@ -1,0 +1,27 @@
+# The steps are functions of container/steps.sh, which also runs them where no Docker engine does.
+FROM python:3.11-slim-bookworm AS build
+WORKDIR /source
+COPY . .
+RUN ["sh", "container/steps.sh", "wheel"]
+# hadolint ignore=DL3059
+RUN ["sh", "container/steps.sh", "install"]
+# hadolint ignore=DL3059
+RUN ["sh", "container/steps.sh", "warm"]
+
+FROM python:3.11-slim-bookworm
+COPY --from=build /opt/pointpred /opt/pointpred
+# A generic processor: what was compiled at build time fits every machine of this architecture.
+ENV POINTPRED_CACHE_DIR=/opt/pointpred/cache \
+    NUMBA_CPU_NAME=generic \
+    PYTHONDONTWRITEBYTECODE=1 \
+    PYTHONUNBUFFERED=1 \
+    POINTPRED_HOST=0.0.0.0 \
+    POINTPRED_PORT=8765
+WORKDIR /opt/pointpred
+USER 65532:65532
+EXPOSE 8765
+STOPSIGNAL SIGTERM
+HEALTHCHECK --interval=10s --timeout=3s --start-period=30s --start-interval=1s --retries=3 \
+    CMD ["/opt/pointpred/bin/python", "-I", "/opt/pointpred/healthy.py"]
+ENTRYPOINT ["/opt/pointpred/bin/pointpred"]
+CMD ["serve"]

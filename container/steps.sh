@@ -1,0 +1,73 @@
+#!/bin/sh
+# The steps of the Dockerfile, one a function. The Dockerfile runs them one by one; where no Docker engine
+# runs, `container/steps.sh rehearse` runs all of them in a temporary folder, starts the service as the image
+# would (another user, nothing writable, nothing but the installed folder) and asks its health check.
+set -eu
+
+PYTHON="${PYTHON:-python3.11}"
+SOURCE="${SOURCE:-.}"
+APP="${APP:-/opt/pointpred}"
+PORT="${PORT:-8765}"
+USER_ID=65532
+
+step_wheel() { # build the wheel
+    "$PYTHON" -m venv "$APP"
+    "$APP/bin/python" -m pip wheel --quiet --no-deps --disable-pip-version-check -w "$APP/wheels" "$SOURCE"
+}
+
+step_install() { # install it with the versions the project is tested with
+    "$APP/bin/python" -m pip install --quiet --disable-pip-version-check --no-cache-dir \
+        -c "$SOURCE/constraints.txt" "$APP"/wheels/pointpred-*.whl
+    rm -r "$APP/wheels"
+    cp "$SOURCE/container/healthy.py" "$APP/healthy.py"
+}
+
+step_warm() { # compile the laws into the cache that the image carries
+    # A whole second: a cached law is told to be stale by its file's time, and layers keep whole seconds only.
+    find "$APP" -name '*.py' -exec touch -d '2000-01-01T00:00:00Z' {} +
+    "$APP/bin/python" -m compileall -q "$APP/lib" || true # some packages carry templates that are no Python
+    mkdir -p "$APP/cache"
+    POINTPRED_CACHE_DIR="$APP/cache" NUMBA_CPU_NAME=generic "$APP/bin/python" "$SOURCE/container/warm.py"
+}
+
+rehearse() { # every step, then what the image does: serve, and the health check
+    folder="$(mktemp -d)"
+    trap 'rm -rf "$folder"' EXIT
+    chmod 755 "$folder"
+    APP="$folder/pointpred"
+    for step in wheel install warm; do
+        echo "step: $step"
+        "step_$step"
+    done
+    echo "step: serve, read-only, as user $USER_ID"
+    export APP PORT USER_ID
+    unshare --mount --propagation private sh -c '
+        for place in / /dev/shm; do mount -o remount,bind,ro "$place"; done
+        cd "$APP"
+        exec setpriv --reuid "$USER_ID" --regid "$USER_ID" --clear-groups --no-new-privs --bounding-set=-all \
+            env -i HOME=/nonexistent PYTHONDONTWRITEBYTECODE=1 PYTHONUNBUFFERED=1 NUMBA_CPU_NAME=generic \
+            POINTPRED_CACHE_DIR="$APP/cache" POINTPRED_PORT="$PORT" \
+            "$APP/bin/pointpred" serve --host 0.0.0.0
+    ' &
+    served=$!
+    trap 'kill "$served" 2>/dev/null || true; rm -rf "$folder"' EXIT
+    begun="$(date +%s%N)"
+    until POINTPRED_PORT="$PORT" "$APP/bin/python" -I "$APP/healthy.py" 2>/dev/null; do
+        kill -0 "$served" || { echo "the service ended before it was ready" >&2; exit 1; }
+        [ "$(($(date +%s%N) - begun))" -lt 60000000000 ] || { echo "not ready within 60 s" >&2; exit 1; }
+        sleep 0.1
+    done
+    echo "healthy after $((($(date +%s%N) - begun) / 1000000)) ms"
+    kill -TERM "$served"
+    wait "$served" && code=0 || code=$?
+    echo "left with $code after SIGTERM"
+}
+
+case "${1:-}" in
+wheel | install | warm) "step_$1" ;;
+rehearse) rehearse ;;
+*)
+    echo "usage: $0 wheel | install | warm | rehearse" >&2
+    exit 2
+    ;;
+esac
