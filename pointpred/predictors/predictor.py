@@ -35,7 +35,11 @@ class Predictor(CompiledStage):
 
         Raises EventError for a motion that is not finite or lies before the last; nothing is then changed.
         """
-        return self.consume(msgspec.structs.astuple(motion))
+        try:
+            row = tuple(map(float, msgspec.structs.astuple(motion)))
+        except (TypeError, ValueError, OverflowError) as unusable:
+            raise EventError(f"motion must be numbers, received {motion!r}") from unusable
+        return self.consume(row)
 
     def consume(self, row: tuple[float, ...]) -> Prediction | None:
         """``update`` for a motion that is still the plain row a differentiator made."""
@@ -45,7 +49,7 @@ class Predictor(CompiledStage):
     def advance(self, row: tuple[float, ...]) -> tuple[float, ...]:
         """``consume``, with the prediction as a row of ``PredictionColumns``."""
         t, x, y, vx, vy, ax, ay, settled, start, _ = row
-        values = type(self).step(self._memory, t, x, y, vx, vy, ax, ay, float(settled), float(start))
+        values = type(self).step(self._memory, t, x, y, vx, vy, ax, ay, settled, start)
         if values[6] != values[6]:
             raise EventError(f"motion must be finite and not before the last one, received {row!r}")
         return t, *values

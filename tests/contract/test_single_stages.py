@@ -164,6 +164,18 @@ def test_two_stages_share_nothing(alone: Alone) -> None:
     assert same(np.concatenate([head, alone.run(one, rows[50:])]), whole)
 
 
+@pytest.mark.parametrize("name", list(REGISTRY))
+def test_a_motion_of_whole_numbers_is_one_and_words_are_none(name: str) -> None:
+    one, two = build(name).predictor, build(name).predictor
+    assert one.update(Motion(1, 2, 3, 0, 0, 0, 0, True)) == two.update(
+        Motion(1.0, 2.0, 3.0, 0.0, 0.0, 0.0, 0.0, True)
+    )
+    kept = pickle.dumps(one)
+    with pytest.raises(EventError, match="motion must be numbers"):
+        one.update(Motion(2.0, "left", 3.0, 0.0, 0.0, 0.0, 0.0, True))  # type: ignore[arg-type]
+    assert pickle.dumps(one) == kept
+
+
 def test_a_pipeline_whose_predictor_refuses_is_unchanged() -> None:
     """The differentiator has moved on by then: it must go back."""
     pipeline = build("hold")
