@@ -16,6 +16,10 @@ REFUSED_ROW = (NONE, NONE, NONE, NONE, NONE, NONE, NONE, 0.0, 0.0, 0.0)
 """What a step returns for an event it refuses; its memory is then unchanged."""
 
 
+PLAIN = frozenset({float, int, type(None)})
+"""Kinds of the fields of an event that need no second look."""
+
+
 class Differentiator(CompiledStage):
     """A ``Stage[PointerEvent, Motion]`` around a compiled ``step(memory, t, x, y, dx, dy, buttons)``.
 
@@ -39,6 +43,9 @@ class Differentiator(CompiledStage):
         """``update``, with the motion as the plain row that a pipeline hands to its predictor."""
         try:
             dx, dy = event.dx, event.dy
+            kinds = {type(event.t), type(event.x), type(event.y), type(dx), type(dy), type(event.buttons)}
+            if (not kinds <= PLAIN and not _numbers(event)) or dx != dx or dy != dy:
+                raise TypeError("a value that is no number, or NaN for a count")
             row = type(self).step(
                 self._memory,
                 float(event.t),
@@ -89,6 +96,12 @@ class Differentiator(CompiledStage):
         """The time of the last event, ``None`` before the first."""
         started = self._memory[self.at + sampling.STARTED] == 1.0
         return float(self._memory[self.at + sampling.T]) if started else None
+
+
+def _numbers(event: PointerEvent) -> bool:
+    """Whether every field is a number, or a count that is missing."""
+    counts = [count for count in (event.dx, event.dy) if count is not None]
+    return all(map(sampling.is_number, (event.t, event.x, event.y, *counts, event.buttons)))
 
 
 def _record(events: EventColumns, row: int) -> PointerEvent:

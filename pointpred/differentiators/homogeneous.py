@@ -193,6 +193,7 @@ class HomogeneousDifferentiator(Differentiator):
         check(self.parameters, {**values, "step_s": step_s, **sampling.named(cpi, dpi, gap_s, pause_s)})
         if order != int(order):
             raise ParameterError(f"order must be a whole number, received {order!r}")
+        order = int(order)
         if alpha * order < -1.0 - 1e-12:
             raise ParameterError(f"alpha must lie in [-1/order, 0] = [{-1 / order:g}, 0], received {alpha!r}")
         if between not in ("line", "hold"):

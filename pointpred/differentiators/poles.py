@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
 
 
@@ -26,8 +27,10 @@ def check_step(gains: Sequence[float], step_s: float) -> None:
 
 def check_gains(gains: Sequence[float], order: int) -> list[float]:
     """Given gains must be one positive number an order, and make a stable linear law."""
-    if len(gains) != order or not all(k > 0.0 and np.isfinite(k) for k in gains):
-        raise ParameterError(f"gains must be {order} positive numbers, received {list(gains)!r}")
+    listed = isinstance(gains, Sequence | np.ndarray) and not isinstance(gains, str | bytes)
+    whole = listed and len(gains) == order and all(is_number(k) and 0.0 < k < np.inf for k in gains)
+    if not whole:
+        raise ParameterError(f"gains must be {order} positive numbers, received {gains!r:.80}")
     slowest = float(np.max(np.roots([1.0, *gains]).real))
     if slowest >= 0.0:
         raise ParameterError(f"gains {list(gains)!r} make an unstable law: a pole has real part {slowest:g}")

@@ -6,12 +6,14 @@ movement is noticed. The rules are those of the public interface, so all differe
 
 from __future__ import annotations
 
+from math import floor
+
 import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.errors import EventError, EventOrderError, ParameterError
-from pointpred.events import LARGEST, LATEST_S, PointerEvent
+from pointpred.events import LARGEST, LATEST_S, ROUNDING_S, PointerEvent
 from pointpred.stage import Parameter, check
 
 METRES_PER_INCH = 0.0254
@@ -38,8 +40,10 @@ PARAMETERS = (
 
 @law
 def usable(t: float, x: float, y: float, dx: float, dy: float, buttons: float) -> bool:
-    """Whether the values make an event: all within their bounds, counts both there or both absent (NaN)."""
+    """Whether the values make an event: all within their bounds, buttons whole, counts both or none (NaN)."""
     if not (abs(t) <= LATEST_S and abs(x) <= LARGEST and abs(y) <= LARGEST and 0.0 <= buttons <= LARGEST):
+        return False
+    if buttons != floor(buttons):
         return False
     return bool((dx != dx and dy != dy) or (abs(dx) <= LARGEST and abs(dy) <= LARGEST))
 
@@ -58,11 +62,11 @@ def accept(
         return REFUSED, 0.0, 0.0, 0.0, False
     dt = t - memory[at + T]
     released = int(memory[at + BUTTONS]) & ~int(buttons) != 0
-    start = not started or released or dt > memory[PAUSE_S]
+    start = not started or released or dt > memory[PAUSE_S] + ROUNDING_S
     counted = dx == dx and memory[METRES_PER_COUNT] > 0.0
     merged = started and dt == 0.0
     # What shares the time of a restart belongs to the place where the device starts, not to a movement.
-    restarted = not started or dt > memory[GAP_S] or (merged and memory[at + SEEN] == 1.0)
+    restarted = not started or dt > memory[GAP_S] + ROUNDING_S or (merged and memory[at + SEEN] == 1.0)
     if restarted:
         memory[at + U], memory[at + V] = 0.0, 0.0
         memory[at + SEEN_U], memory[at + SEEN_V] = 0.0, 0.0
@@ -100,6 +104,11 @@ def settings(cpi: float | None, dpi: float, gap_s: float, pause_s: float) -> lis
     return [0.0 if cpi is None else METRES_PER_INCH / cpi, METRES_PER_INCH / dpi, gap_s, pause_s]
 
 
+def is_number(value: object) -> bool:
+    """Whether a value is a number by its kind: no word that reads like one, no truth value."""
+    return isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool)
+
+
 def explain(event: PointerEvent, last_t: float | None) -> EventError:
     """Why an event was refused, in words; ``last_t`` is the time it must not precede, if there is one."""
     for name in ("t", "x", "y", "dx", "dy", "buttons"):
@@ -108,10 +117,12 @@ def explain(event: PointerEvent, last_t: float | None) -> EventError:
             continue
         high = LATEST_S if name == "t" else LARGEST
         low = 0.0 if name == "buttons" else -high
-        if not isinstance(value, int | float | np.integer | np.floating):
+        if not is_number(value):
             return EventError(f"{name} must be a number, received {value!r}")
         if not low <= value <= high:
             return EventError(f"{name} must lie in [{low:g}, {high:g}], received {value!r}")
+        if name == "buttons" and value != int(value):
+            return EventError(f"buttons must be a whole number, received {value!r}")
     if (event.dx is None) != (event.dy is None):
         return EventError(f"dx and dy come together or not at all, received {event.dx!r} and {event.dy!r}")
     if last_t is not None and event.t < last_t:

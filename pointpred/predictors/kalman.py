@@ -5,6 +5,7 @@ from __future__ import annotations
 from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
 from pointpred.differentiators import constant_acceleration
+from pointpred.events import ROUNDING_S
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import NONE, REFUSED, Predictor
 from pointpred.stage import Parameter, check
@@ -76,7 +77,7 @@ def step(
     if not accepted:
         return REFUSED
     x0, y0 = memory[AT + movement.X0], memory[AT + movement.Y0]
-    if new or dt > memory[GAP_S]:
+    if new or dt > memory[GAP_S] + ROUNDING_S:
         expect_rest(memory, x - x0, y - y0)
     elif dt > 0.0:
         expect(memory, dt, last_x - x0, last_y - y0)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
+from pointpred.events import ROUNDING_S
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import NONE, REFUSED, Predictor
 from pointpred.stage import Parameter, check
@@ -21,7 +22,7 @@ def remember(memory: FloatArray, t: float, x: float, y: float) -> None:
     """Keep a sample if the newest kept is an eighth of the window old; one of the same time is replaced."""
     kept = int(memory[KEPT])
     same = kept > 0 and memory[PAST] == t
-    if kept > 0 and not same and t - memory[PAST] < memory[WINDOW_S] / KEPT_MOST:
+    if kept > 0 and not same and t - memory[PAST] < memory[WINDOW_S] / KEPT_MOST - ROUNDING_S:
         return
     if not same:
         for i in range(3 * KEPT_MOST - 1, 2, -1):
@@ -36,7 +37,7 @@ def before(memory: FloatArray, t: float) -> tuple[bool, float, float, float]:
     found = -1
     for i in range(int(memory[KEPT])):
         age = t - memory[PAST + 3 * i]
-        if age > 0.0 and (found < 0 or age <= memory[WINDOW_S]):
+        if age > 0.0 and (found < 0 or age <= memory[WINDOW_S] + ROUNDING_S):
             found = PAST + 3 * i
     if found < 0:
         return False, t, 0.0, 0.0

@@ -11,7 +11,7 @@ from math import hypot
 
 from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
-from pointpred.events import LARGEST, LATEST_S
+from pointpred.events import LARGEST, LATEST_S, ROUNDING_S
 from pointpred.regression import least_squares
 from pointpred.transfer import bands
 from pointpred.transfer.known import COEFFICIENTS_MOST
@@ -89,7 +89,7 @@ def step(memory: FloatArray, t: float, x: float, y: float, dx: float, dy: float)
         return REFUSED
     memory[KNOWN] = 1.0
     memory[T], memory[X], memory[Y] = t, x, y
-    if not known or dt > memory[GAP_S]:
+    if not known or dt > memory[GAP_S] + ROUNDING_S:
         memory[SKIPPED] += 1.0
         memory[WAITING_X], memory[WAITING_Y] = 0.0, 0.0
         open_window(memory)

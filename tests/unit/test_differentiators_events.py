@@ -39,6 +39,48 @@ def test_what_is_no_event_is_told_so(differentiator: Differentiator, event: obje
     assert differentiator.update(PointerEvent(before.t, before.x, before.y)).vx == before.vx
 
 
+@pytest.mark.parametrize(
+    ("field", "value"),
+    [
+        *[(field, wrong) for field in ("t", "x", "y", "dx", "buttons") for wrong in ("3", b"3", True)],
+        ("x", None),
+        ("dx", math.nan),
+        ("buttons", 1.5),
+        ("buttons", None),
+    ],
+)
+def test_what_only_reads_like_a_number_is_refused(
+    differentiator: Differentiator, field: str, value: object
+) -> None:
+    before = moving(differentiator)
+    fields = {"t": before.t + 0.008, "x": 1.0, "y": 1.0, "dx": 1.0, "dy": 1.0, "buttons": 0, field: value}
+    if field == "dx" and value != value:
+        fields["dy"] = value
+    with pytest.raises(EventError, match=f"^{field} must"):
+        differentiator.update(PointerEvent(**fields))  # type: ignore[arg-type]
+    assert differentiator.update(PointerEvent(before.t, before.x, before.y)).vx == before.vx
+
+
+def test_numbers_of_numpy_are_numbers(differentiator: Differentiator) -> None:
+    twin = differentiator.fresh()
+    for i in range(9):
+        plain = differentiator.update(PointerEvent(i / 128, i, -i, i, i, 1))
+        numpy = PointerEvent(*map(np.float32, (i / 128, i, -i, i, i)), np.uint8(1))  # type: ignore[arg-type]
+        assert twin.update(numpy) == plain
+
+
+@pytest.mark.parametrize("tenths", [1, 3])
+def test_a_gap_of_exactly_the_bound_is_none_however_it_is_rounded(
+    differentiator: Differentiator, tenths: int
+) -> None:
+    """0.1 s restarts and 0.3 s begins a movement only where they are exceeded: 0.3 - 0.2 is above 0.1."""
+    t = np.arange(200) * (0.1 * tenths)
+    assert (np.diff(t) > 0.1 * tenths).any()
+    motions = differentiator.run(EventColumns.of(t, np.arange(200.0) ** 2, np.zeros(200)))
+    assert not motions.start[1:].any()
+    assert (motions.vx[5:] > 0.0).all() == (tenths == 1)
+
+
 def test_equal_times_keep_the_motion_and_take_the_later_position(differentiator: Differentiator) -> None:
     before = moving(differentiator)
     merged = differentiator.update(PointerEvent(before.t, 99.0, 98.0))

@@ -29,6 +29,9 @@ REFUSED: list[tuple[type, dict[str, Any], str]] = [
     (HomogeneousDifferentiator, {"between": "spline"}, "'line' or 'hold', received 'spline'"),
     (HomogeneousDifferentiator, {"gains": [1.0, 2.0]}, "gains must be 4 positive numbers"),
     (HomogeneousDifferentiator, {"gains": [1.0, 2.0, -3.0, 4.0]}, "gains must be 4 positive numbers"),
+    (HomogeneousDifferentiator, {"gains": 5}, "gains must be 4 positive numbers, received 5"),
+    (HomogeneousDifferentiator, {"gains": "abcd"}, "gains must be 4 positive numbers, received 'abcd'"),
+    (HomogeneousDifferentiator, {"gains": [1, 2, 3, None]}, "gains must be 4 positive numbers"),
     (HomogeneousDifferentiator, {"gains": [1.0, 1.0, 100.0, 1.0]}, "unstable law: a pole has real part"),
     (HomogeneousDifferentiator, {"gain_lambda": 500.0}, r"step_s must be below 0.0005 s.*received 0.0015"),
     (HomogeneousDifferentiator, {"gap_s": 20.0, "pause_s": 30.0}, "gap_s must be at most 10000 sub-steps"),
@@ -47,6 +50,21 @@ REFUSED: list[tuple[type, dict[str, Any], str]] = [
 def test_refuses(kind: type, parameters: dict[str, Any], message: str) -> None:
     with pytest.raises(ParameterError, match=message):
         kind(**parameters)
+
+
+def test_a_whole_order_may_be_a_float() -> None:
+    assert np.array_equal(
+        HomogeneousDifferentiator(order=4.0)._memory,  # type: ignore[arg-type]
+        HomogeneousDifferentiator(order=4)._memory,
+    )
+
+
+@pytest.mark.parametrize("wrong", [["hold"], None, 5, {}])
+def test_a_name_that_is_no_word_is_refused(wrong: Any) -> None:
+    with pytest.raises(ParameterError, match="unknown predictor"):
+        build(wrong)
+    with pytest.raises(ParameterError, match="unknown differentiator"):
+        build("hold", differentiator=wrong)
 
 
 @pytest.mark.parametrize("name", DIFFERENTIATORS)
