@@ -1,5 +1,6 @@
 // Predictions along a recorded movement: its events go over the socket, one answer comes back for each.
 
+import { token } from "./service.js";
 import { connect } from "/pointpred.js";
 
 const PART = 512; // events a message; the next one waits for the answer, so that no answer gives way to a newer
@@ -29,7 +30,7 @@ function waiting(connection, name, ready) {
  * @returns {Promise<{x: (number|null)[], y: (number|null)[]}>}
  */
 export async function predictionsAlong(rows, predictor, { dpi, cpi }) {
-  const options = { predictor, pointer: false, reply: "event", screen: { dpi }, ...(cpi ? { device: { cpi } } : {}) };
+  const options = { predictor, pointer: false, token, reply: "event", screen: { dpi }, ...(cpi ? { device: { cpi } } : {}) };
   const connection = connect(undefined, options);
   const column = { x: [], y: [] };
   connection.on("prediction", ({ x, y }) => {

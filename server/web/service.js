@@ -1,8 +1,13 @@
 // What the service answers over HTTP.
 
+/** The token in the page's own address, where the service asks for one: the address that it printed has it. */
+export const token = new URLSearchParams(window.location.search).get("token") ?? undefined;
+
+const SHOWN = token === undefined ? {} : { Authorization: `Bearer ${token}` };
+
 /** Reads JSON; a refusal is an error with the service's own words. */
-export async function read(address, options) {
-  const answer = await fetch(address, options);
+export async function read(address, options = {}) {
+  const answer = await fetch(address, { ...options, headers: { ...SHOWN, ...options.headers } });
   const body = await answer.json().catch(() => ({}));
   if (!answer.ok) throw new Error(body.message ?? `the service answered ${answer.status}`);
   return body;

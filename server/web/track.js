@@ -1,6 +1,7 @@
 // One predictor followed live: its connection, its newest prediction, and how long answers take.
 
 import { median } from "./geometry.js";
+import { token } from "./service.js";
 import { connect } from "/pointpred.js";
 
 const WORDS = {
@@ -30,7 +31,7 @@ export class Track {
    */
   constructor(predictor, told = {}, options = {}) {
     this.predictor = predictor;
-    this.connection = connect(undefined, { predictor, pointer: false, ...options });
+    this.connection = connect(undefined, { predictor, pointer: false, token, ...options });
     this.connection.on("prediction", (prediction) => {
       this.latest = prediction;
       this.at = performance.now();

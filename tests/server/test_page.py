@@ -1,75 +1,197 @@
-"""The page in a real browser, where there is one: it draws, and it says nothing but what it was told."""
+"""The page in a real browser, where there is one: each view shows what it was told, and nothing else happens."""
 
 from __future__ import annotations
 
-import re
-import shutil
-import subprocess
-import sys
+import base64
+import io
 from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+from pointpred import build, run
 from pointpred.datasets import sample
+from pointpred.recording import Recording
+from pointpred.registry import REGISTRY
+from pointpred.sources import write
+from tests.server import browser, page_browser
+from tests.server.page_browser import Visitor
 
-BROWSER = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
-QUIET = (
-    "--headless",
-    "--no-sandbox",
-    "--disable-gpu",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-    "--virtual-time-budget=20000",
-)
+pytestmark = browser.needed
 
-pytestmark = pytest.mark.skipif(BROWSER is None, reason="no chromium on this machine")
+STATUS = "document.querySelector('#live-card-{} .connection').dataset.state"
+SEEN = """
+window.seen = { phase: [], delay: [] };
+for (const of in seen) {
+  const shown = document.querySelector(`#view-live [data-of=${of}]`);
+  new MutationObserver(() => seen[of].push(shown.textContent)).observe(shown, { childList: true });
+}
+"""
+"""Keeps every word that two of the numbers show."""
+LIGHT = {"endpoint": (194, 65, 12), "second": (126, 34, 206), "past": (37, 99, 168), "target": (63, 125, 79)}
 
 
 @pytest.fixture(scope="module")
 def url() -> Iterator[str]:
-    command = [sys.executable, "-m", "pointpred", "serve", "--port", "0"]
-    service = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-    assert service.stdout is not None
-    yield service.stdout.readline().strip()
-    service.kill()
-    service.communicate()
+    with page_browser.service() as address:
+        yield address
 
 
 @pytest.fixture(scope="module")
-def page(url: str, tmp_path_factory: pytest.TempPathFactory) -> str:
-    """The document after its script has run."""
-    assert BROWSER is not None
-    profile = f"--user-data-dir={tmp_path_factory.mktemp('profile')}"
-    command = [BROWSER, *QUIET, profile, "--window-size=390,844", "--dump-dom", url]
-    return subprocess.run(command, capture_output=True, text=True, check=True, timeout=120).stdout
+def one(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
+    with page_browser.visitor(tmp_path_factory.mktemp("profile")) as opened:
+        yield opened
 
 
-def test_the_readout_names_the_movement(page: str) -> None:
-    readout = re.search(r'<p id="readout"[^>]*>([^<]*)</p>', page)
-    assert readout is not None
-    assert f"Movement 1 of {len(sample().trials)}, simulated person" in readout[1]
-    assert "px from where it ended" in readout[1]
+@pytest.fixture
+def visitor(one: Visitor, url: str) -> Iterator[Visitor]:
+    """Whatever a test does: no complaint, no other host, nothing moves by itself."""
+    one.prefer(prefers_color_scheme="light")
+    one.resize(1280, 720)
+    yield one
+    assert one.complaints() == []
+    assert {address.split("/")[2] for address in one.asked() if "//" in address} == {url.split("/")[2]}
+    assert one.shift() < 0.001
 
 
-def test_the_controls_can_be_used(page: str) -> None:
-    for control in ("play", "time", "previous", "next", "predictor"):
-        tag = re.search(rf'<\w+ id="{control}"[^>]*>', page)
-        assert tag is not None
-        assert "disabled" not in tag[0]
-
-
-def test_something_is_drawn(url: str, tmp_path: Path) -> None:
+def pixels(visitor: Visitor, part: str) -> set[tuple[int, int, int]]:
+    """The colours in an element, as it is drawn now."""
     from matplotlib.image import imread
 
-    assert BROWSER is not None
-    target = tmp_path / "page.png"
-    profile = f"--user-data-dir={tmp_path / 'profile'}"
-    command = [BROWSER, *QUIET, profile, "--window-size=1280,720", f"--screenshot={target}", url]
-    subprocess.run(command, capture_output=True, check=True, timeout=120)
-    scene = imread(target)[130:410, 150:1130, :3]  # inside the first canvas
-    colours = {tuple(colour) for colour in (scene.reshape(-1, 3) * 255).round().astype(int).tolist()}
-    assert {(37, 99, 168), (63, 125, 79)} <= colours  # the trail and the target, in light colours
+    shot = visitor.page.call("Page.captureScreenshot")
+    picture = imread(io.BytesIO(base64.b64decode(shot["data"])))
+    left, top, width, height = (round(value) for value in visitor.corner(part))
+    shown = (picture[top : top + height, left : left + width, :3] * 255).round().astype(int)
+    return {(r, g, b) for r, g, b in shown.reshape(-1, 3).tolist()}
+
+
+def live(visitor: Visitor, url: str, second: str = "") -> tuple[float, float, float, float]:
+    """Open the live view, connected; returns the picture's place."""
+    visitor.open(f"{url}#live")
+    visitor.wait(f"{STATUS.format(0)} === 'open'")
+    if second:
+        visitor.choose("#live-predictor-1", second)
+        visitor.wait(f"{STATUS.format(1)} === 'open'")
+    return visitor.corner("#live-scene")
+
+
+def test_a_replayed_movement_invites_while_nobody_moves(visitor: Visitor, url: str) -> None:
+    live(visitor, url)
+    visitor.wait("document.querySelector('#live-scene').dataset.shows === 'demo'")
+    assert "Move your mouse here" in visitor.text("#live-invitation")
+    visitor.prefer(prefers_reduced_motion="reduce", prefers_color_scheme="light")
+    assert LIGHT["endpoint"] in pixels(visitor, "#live-scene")
+
+
+def test_predictions_of_two_predictors_are_drawn_while_the_mouse_moves(visitor: Visitor, url: str) -> None:
+    left, top, width, height = live(visitor, url, second="linear")
+    start, end = (left + 0.2 * width, top + 0.7 * height), (left + 0.7 * width, top + 0.3 * height)
+    visitor.value(SEEN)
+    visitor.mouse("mouseMoved", *start)
+    half = ((start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
+    visitor.reach(start, half, 0.25)
+    assert pixels(visitor, "#live-scene") >= {LIGHT["endpoint"], LIGHT["second"], LIGHT["past"]}
+    assert visitor.value("Number(document.querySelector('#live-scene').dataset.drawn)") > 0
+    assert {"ballistic"} < set(visitor.value("seen.phase")) <= {"ballistic", "corrective", "still", "–"}
+    assert any(words.endswith(" ms") for words in visitor.value("seen.delay"))
+    assert visitor.value("document.querySelector('#live-invitation').classList.contains('away')")
+    visitor.reach(half, end, 0.25)
+    visitor.wait("document.querySelector('#live-verdict').textContent.startsWith('Half-way')")
+    assert "switched was" in visitor.text("#live-verdict")
+    assert "linear" in visitor.text("#live-verdict")
+
+
+def test_another_predictor_can_be_chosen_live(visitor: Visitor, url: str) -> None:
+    left, top, width, height = live(visitor, url)
+    offered = visitor.value("[...document.querySelector('#live-predictor-0').options].map(({value}) => value)")
+    assert offered == list(REGISTRY)
+    visitor.choose("#live-predictor-0", "hold")
+    visitor.reach((left + 30, top + 30), (left + width / 2, top + height / 2), 0.3)
+    visitor.wait("document.querySelector('#live-verdict').textContent.startsWith('Half-way')")
+    assert "hold was" in visitor.text("#live-verdict")
+
+
+def test_tabs_take_arrow_keys_and_deep_links(visitor: Visitor, url: str) -> None:
+    visitor.open(f"{url}#circle")
+    shown = "[...document.querySelectorAll('[role=tabpanel]')].filter(one => !one.hidden).map(one => one.id)"
+    assert visitor.value(shown) == ["view-circle"]
+    visitor.value("document.getElementById('tab-circle').focus()")
+    for key, view in [("ArrowRight", "replay"), ("ArrowRight", "live"), ("End", "replay"), ("Home", "live")]:
+        visitor.press(key)
+        assert visitor.value(shown) == [f"view-{view}"]
+        assert visitor.value("document.activeElement.id") == f"tab-{view}"
+        assert visitor.value("location.hash") == f"#{view}"
+        assert visitor.value("document.querySelectorAll('[role=tab][tabindex=\"-1\"]').length") == 2
+    visitor.value("history.back()")
+    visitor.wait(f"{shown}[0] === 'view-replay'")
+
+
+def test_the_sample_is_replayed_with_two_predictors(visitor: Visitor, url: str) -> None:
+    visitor.open(f"{url}#replay")
+    visitor.wait("!document.querySelector('#replay-play').disabled")
+    visitor.choose("#replay-predictor-1", "minimum-jerk")
+    visitor.wait("document.querySelector('#replay-readout').textContent.includes('minimum-jerk')")
+    assert f"Movement 1 of {len(sample().trials)}, simulated person" in visitor.text("#replay-readout")
+    assert "px from where it ended" in visitor.text("#replay-readout")
+    assert pixels(visitor, "#replay-scene") >= {LIGHT["past"], LIGHT["target"], LIGHT["second"]}
+    before = visitor.value("Number(document.querySelector('#replay-time').value)")
+    visitor.value("document.querySelector('#replay-play').click()")
+    visitor.wait(f"Number(document.querySelector('#replay-time').value) > {before} + 200")
+    visitor.value("document.querySelector('#replay-play').click()")
+    assert visitor.text("#replay-play") == "Play"
+
+
+def test_an_opened_file_gets_the_predictions_and_scores_of_the_command(
+    visitor: Visitor, url: str, tmp_path: Path
+) -> None:
+    whole = sample()
+    parts = [whole.rows(i) for i in (3, 4, 5)]
+    own = Recording.of("study", parts, [whole.trials[i] for i in (3, 4, 5)], provenance=whole.provenance)
+    files = write(own, tmp_path / "study_samples.csv")
+    visitor.open(f"{url}#replay")
+    visitor.wait("!document.querySelector('#replay-play').disabled")
+    visitor.page.call("DOM.enable")
+    root = visitor.page.call("DOM.getDocument")["root"]["nodeId"]
+    node = visitor.page.call("DOM.querySelector", nodeId=root, selector="#replay-file")["nodeId"]
+    visitor.page.call("DOM.setFileInputFiles", nodeId=node, files=[str(file) for file in files])
+    visitor.wait("document.querySelector('#replay-readout').textContent.includes('Movement 1 of 3')")
+    predicted = visitor.value(
+        "import('/web/replay-stream.js').then(async ({ predictionsAlong }) => {"
+        "const { readFiles } = await import('/web/replay-file.js');"
+        "const { movements, dpi, cpi } = await readFiles([...document.querySelector('#replay-file').files]);"
+        "return predictionsAlong(movements[1].rows, 'switched', { dpi, cpi }); })"
+    )
+    said = own.provenance
+    expected = run(build("switched", cpi=said.cpi, dpi=said.dpi), parts[1])
+    for axis, column in (("x", expected.x), ("y", expected.y)):
+        assert np.array_equal(np.array(predicted[axis], dtype=float), column, equal_nan=True)
+    visitor.wait("document.querySelector('#replay-scored').textContent.startsWith('3 movements scored')")
+    visitor.wait("document.querySelectorAll('#replay-scores tbody tr[data-px]').length > 1")
+
+
+def test_a_file_that_is_no_recording_is_refused_with_the_reason(
+    visitor: Visitor, url: str, tmp_path: Path
+) -> None:
+    file = tmp_path / "shopping.csv"
+    file.write_text("what,price\nmilk,1\n")
+    visitor.open(f"{url}#replay")
+    visitor.wait("!document.querySelector('#replay-play').disabled")
+    root = visitor.page.call("DOM.getDocument")["root"]["nodeId"]
+    node = visitor.page.call("DOM.querySelector", nodeId=root, selector="#replay-file")["nodeId"]
+    visitor.page.call("DOM.setFileInputFiles", nodeId=node, files=[str(file)])
+    visitor.wait("document.querySelector('#replay-source').textContent.includes('shopping.csv')")
+    assert "no table of samples" in visitor.text("#replay-source")
+    assert "Movement 1 of" in visitor.text("#replay-readout")
+
+
+@pytest.mark.parametrize("view", ["live", "circle", "replay"])
+@pytest.mark.parametrize("size", [(1280, 720), (390, 844), (320, 640)])
+def test_views_fit_their_window_and_nothing_shifts(
+    visitor: Visitor, url: str, view: str, size: tuple[int, int]
+) -> None:
+    visitor.resize(*size)
+    visitor.open(f"{url}#{view}")
+    selects = "[...document.querySelectorAll('[role=tabpanel]:not([hidden]) select')]"
+    visitor.wait(f"{selects}.every(({{ disabled }}) => !disabled)")
+    assert visitor.value("document.documentElement.scrollWidth <= document.documentElement.clientWidth")

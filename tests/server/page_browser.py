@@ -1,0 +1,164 @@
+"""The live page in a real browser: a hand for its mouse, and what it complained about, asked for and shifted."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from pointpred.replaying import Page, open_page
+from tests.server import browser
+
+SHIFTS = """
+window.shifts = [];
+new PerformanceObserver((list) => {
+  for (const entry of list.getEntries())
+    if (!entry.hadRecentInput)
+      window.shifts.push([entry.value, entry.sources.map(({node}) => node?.id || node?.nodeName).join(" ")]);
+}).observe({ type: "layout-shift", buffered: true });
+"""
+PATIENCE_S = 20.0
+KEYS = {"ArrowRight": 39, "ArrowLeft": 37, "Home": 36, "End": 35, "Tab": 9, "Escape": 27}
+
+
+@contextmanager
+def service() -> Iterator[str]:
+    """A service of its own; yields the address of its page."""
+    command = [sys.executable, "-m", "pointpred", "serve", "--port", "0"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as process:
+        assert process.stdout is not None
+        try:
+            yield next(line.strip() for line in process.stdout if line.startswith("http"))
+        finally:
+            process.kill()
+
+
+@contextmanager
+def visitor(profile: Path, size: tuple[int, int] = (1280, 720)) -> Iterator[Visitor]:
+    """Somebody with a browser of his own, on an empty page."""
+    with browser.running(profile) as devtools, open_page(devtools) as page:
+        yield Visitor(page, size)
+
+
+def until(asked: Callable[[], Any], words: str, patience_s: float = PATIENCE_S) -> Any:
+    """Ask until the answer is true; returns it."""
+    end = time.monotonic() + patience_s
+    while not (answer := asked()):
+        assert time.monotonic() < end, f"waited {patience_s:g} s in vain for {words}"
+        time.sleep(0.03)
+    return answer
+
+
+class Visitor:
+    """Looks at the page, moves its mouse and presses its keys."""
+
+    def __init__(self, page: Page, size: tuple[int, int]) -> None:
+        self.page = page
+        for domain in ("Page", "Runtime", "Network", "Log"):
+            page.call(f"{domain}.enable")
+        page.call("Page.addScriptToEvaluateOnNewDocument", source=SHIFTS)
+        self.resize(*size)
+
+    def resize(self, width: int, height: int) -> None:
+        """Give the page a size in CSS px."""
+        size = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False}
+        self.page.call("Emulation.setDeviceMetricsOverride", **size)
+
+    def prefer(self, **features: str) -> None:
+        """Set media features, such as ``prefers_color_scheme="dark"``."""
+        told = [{"name": name.replace("_", "-"), "value": value} for name, value in features.items()]
+        self.page.call("Emulation.setEmulatedMedia", features=told)
+
+    def open(self, url: str) -> None:
+        """Go to an address in a new document, and wait until it has loaded."""
+        self.page.go("about:blank")
+        self.page.go(url)
+
+    def value(self, expression: str) -> Any:
+        """What an expression yields in the page."""
+        return self.page.evaluate(expression)
+
+    def wait(self, expression: str, patience_s: float = PATIENCE_S) -> Any:
+        """Wait until an expression is true; returns its value."""
+        return until(lambda: self.value(expression), expression, patience_s)
+
+    def text(self, part: str) -> str:
+        """The words in the first element that a selector finds."""
+        return str(self.value(f"document.querySelector({part!r}).textContent"))
+
+    def choose(self, part: str, value: str) -> None:
+        """Choose an option of a select."""
+        self.value(
+            f"{{ const found = document.querySelector({part!r}); found.value = {value!r};"
+            "found.dispatchEvent(new Event('change')); }"
+        )
+
+    def corner(self, part: str) -> tuple[float, float, float, float]:
+        """Left, top, width and height of an element, CSS px."""
+        box = f"document.querySelector({part!r}).getBoundingClientRect()"
+        left, top, width, height = self.value(f"(({{x, y, width, height}}) => [x, y, width, height])({box})")
+        return left, top, width, height
+
+    def mouse(self, kind: str, x: float, y: float) -> None:
+        """Move, press or release the mouse without waiting for the page, as a hand does."""
+        pressed = kind in ("mousePressed", "mouseReleased")
+        about = {"button": "left" if pressed else "none", "clickCount": int(pressed)}
+        self.page.tell(
+            "Input.dispatchMouseEvent", type=kind, x=x, y=y, buttons=int(kind == "mousePressed"), **about
+        )
+
+    def click(self, x: float, y: float) -> None:
+        """Press and release, and wait until the page has seen it."""
+        self.mouse("mousePressed", x, y)
+        self.mouse("mouseReleased", x, y)
+        self.page.settle()
+
+    def reach(
+        self, start: tuple[float, float], end: tuple[float, float], seconds: float, rate_hz: float = 200.0
+    ) -> None:
+        """Move in a straight line at the speed of least jerk."""
+        began, count = time.perf_counter(), round(seconds * rate_hz)
+        for i in range(1, count + 1):
+            u = i / count
+            share = 10 * u**3 - 15 * u**4 + 6 * u**5
+            place = [a + share * (b - a) for a, b in zip(start, end, strict=True)]
+            time.sleep(max(0.0, began + i / rate_hz - time.perf_counter()))
+            self.mouse("mouseMoved", place[0], place[1])
+        self.page.settle()
+
+    def press(self, key: str) -> None:
+        """Press and release a key."""
+        for kind in ("keyDown", "keyUp"):
+            self.page.call("Input.dispatchKeyEvent", type=kind, key=key, windowsVirtualKeyCode=KEYS[key])
+
+    def shift(self) -> float:
+        """The sum of the layout shifts that no input explains; 0.1 is called good on the web."""
+        return float(self.value("shifts.reduce((sum, [one]) => sum + one, 0)"))
+
+    def complaints(self) -> list[str]:
+        """Errors and warnings of the page and of the browser about it, since it was opened."""
+        self.value("0")
+        said = []
+        for event in self.page.heard:
+            about = event["params"]
+            if event["method"] == "Runtime.exceptionThrown":
+                said.append(str(about["exceptionDetails"]))
+            elif event["method"] == "Runtime.consoleAPICalled" and about["type"] in ("error", "warning"):
+                said.append(str(about["args"]))
+            elif event["method"] == "Log.entryAdded" and about["entry"]["level"] in ("error", "warning"):
+                said.append(str(about["entry"]))
+        return said
+
+    def asked(self) -> set[str]:
+        """Every address that the page has asked for since it was opened, sockets included."""
+        found = set()
+        for event in self.page.heard:
+            if event["method"] == "Network.requestWillBeSent":
+                found.add(event["params"]["request"]["url"])
+            elif event["method"] == "Network.webSocketCreated":
+                found.add(event["params"]["url"])
+        return found
