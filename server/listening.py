@@ -69,8 +69,8 @@ class _Server(uvicorn.Server):
         await super().shutdown(sockets)
 
 
-def serve(opened: socket.socket, hosts: HostRule, service: Service, announce: Callable[[], None]) -> None:
-    """Answer on a listening socket until interrupted; ``announce`` is called when the page can be opened."""
+def make_server(hosts: HostRule, service: Service, announce: Callable[[], None]) -> _Server:
+    """The web server, ready to run on a listening socket."""
     config = uvicorn.Config(
         create_app(hosts, service),
         log_config=None,
@@ -84,5 +84,10 @@ def serve(opened: socket.socket, hosts: HostRule, service: Service, announce: Ca
     )
     server = _Server(config)
     server.announce, server.service = announce, service
+    return server
+
+
+def serve(opened: socket.socket, hosts: HostRule, service: Service, announce: Callable[[], None]) -> None:
+    """Answer on a listening socket until interrupted; ``announce`` is called when the page can be opened."""
     with opened:
-        server.run([opened])
+        make_server(hosts, service, announce).run([opened])

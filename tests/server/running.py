@@ -1,0 +1,65 @@
+"""A real service for tests: uvicorn in a thread, on a free port of loopback."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any
+
+from websockets.sync.client import ClientConnection, connect
+from websockets.typing import Subprotocol
+
+from pointpred.server.hosts import HostRule
+from pointpred.server.listening import listen, make_server
+from pointpred.server.messages import SUBPROTOCOL
+from pointpred.server.service import Service
+from pointpred.server.settings import Settings
+
+HELLO = '{"type":"hello","version":1,"predictor":"switched"}'
+
+
+@dataclass
+class Running:
+    """Where a service answers."""
+
+    service: Service
+    port: int
+    server: Any
+
+    @property
+    def url(self) -> str:
+        return f"http://127.0.0.1:{self.port}"
+
+    def connect(self, query: str = "", **options: Any) -> ClientConnection:
+        """A WebSocket to the stream."""
+        url = f"ws://127.0.0.1:{self.port}/v1/stream{query}"
+        return connect(url, subprotocols=[Subprotocol(SUBPROTOCOL)], compression=None, **options)
+
+    @contextmanager
+    def greeted(self, hello: str = HELLO, **options: Any) -> Iterator[ClientConnection]:
+        """A WebSocket whose hello was answered."""
+        with self.connect(**options) as socket:
+            socket.send(hello)
+            assert '"type":"welcome"' in socket.recv(10)
+            yield socket
+
+
+@contextmanager
+def running(**settings: Any) -> Iterator[Running]:
+    """Serve until the block ends; ``settings`` as for ``pointpred serve``."""
+    service = Service(Settings(**settings))
+    opened = listen("127.0.0.1", 0)
+    up = threading.Event()
+    server = make_server(HostRule(), service, up.set)
+    thread = threading.Thread(target=server.run, args=([opened],))
+    thread.start()
+    try:
+        assert up.wait(30)
+        yield Running(service, opened.getsockname()[1], server)
+    finally:
+        server.should_exit = True
+        thread.join(20)
+        opened.close()
+        assert not thread.is_alive()

@@ -1,0 +1,224 @@
+"""The WebSocket over a real socket: every row of the table of bad input, and the next good event after it."""
+
+from __future__ import annotations
+
+import json
+import resource
+import time
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+from httpx2 import get
+from websockets.exceptions import ConnectionClosed, InvalidStatus
+from websockets.sync.client import ClientConnection
+
+from tests.server.listener import soon
+from tests.server.running import HELLO, Running, running
+
+
+@pytest.fixture(scope="module")
+def service() -> Iterator[Running]:
+    with running() as here:
+        yield here
+
+
+def told(socket: ClientConnection) -> dict[str, Any]:
+    answer: dict[str, Any] = json.loads(socket.recv(10))
+    return answer
+
+
+def good(socket: ClientConnection, t: float = 1.0) -> None:
+    """The next good event is answered."""
+    socket.send(f'{{"type":"events","events":[[{t},5,6,null,null,0]]}}')
+    answer = told(socket)
+    assert answer["type"] == "prediction"
+    assert answer["t"] == t
+
+
+BAD = {
+    "no JSON": ("{oops", "bad_json", None),
+    "a field missing": ('{"type":"events"}', "bad_field", "$.events"),
+    "another type": ('{"type":"events","events":[[0,1,"2",null,null,0]]}', "bad_field", "$.events[0][2]"),
+    "NaN": (
+        '{"type":"events","events":[[0,1,2,null,null,0],[NaN,1,2,null,null,0]]}',
+        "bad_field",
+        "$.events[1][0]",
+    ),
+    "out of range": ('{"type":"events","events":[[0,1e300,2,null,null,0]]}', "bad_field", "$.events[0][1]"),
+    "unknown field": ('{"type":"reset","now":true}', "bad_field", "$.now"),
+    "unknown message": ('{"type":"dance"}', "unknown_type", "$.type"),
+    "unknown predictor": ('{"type":"configure","predictor":"oracle"}', "unknown_predictor", "$.predictor"),
+    "unknown parameter": ('{"type":"configure","parameters":{"luck":1}}', "bad_field", "$.parameters.luck"),
+    "hello twice": (HELLO, "out_of_place", None),
+    "a trial that never began": ('{"type":"trial","action":"end"}', "out_of_place", "$.action"),
+    "a torn binary frame": (b"12345", "bad_field", "$"),
+}
+
+
+@pytest.mark.parametrize("kind", list(BAD))
+def test_bad_input_is_answered_and_the_session_lives(service: Running, kind: str) -> None:
+    frame, code, path = BAD[kind]
+    with service.greeted() as socket:
+        socket.send(frame)
+        answer = told(socket)
+        assert (answer["type"], answer["code"], answer["recoverable"]) == ("error", code, True)
+        assert path is None or answer["path"] == path
+        good(socket)
+
+
+def test_unknown_names_are_answered_with_the_known_ones(service: Running) -> None:
+    with service.greeted() as socket:
+        socket.send('{"type":"configure","predictor":"oracle"}')
+        assert "minimum-jerk" in told(socket)["message"]
+        socket.send('{"type":"dance"}')
+        assert "configure" in told(socket)["message"]
+
+
+def test_time_backwards_drops_the_event_and_keeps_the_rest(service: Running) -> None:
+    with service.greeted() as socket:
+        socket.send(
+            '{"type":"events","events":[[2,1,1,null,null,0],[1,2,2,null,null,0],[3,3,3,null,null,0]]}'
+        )
+        error, prediction = sorted((told(socket), told(socket)), key=lambda answer: answer["type"])
+        assert (error["code"], error["path"]) == ("out_of_order", "$.events[1][0]")
+        assert (prediction["type"], prediction["t"]) == ("prediction", 3.0)
+        good(socket, 4.0)
+
+
+@pytest.mark.parametrize(
+    "times", [[1.0, 1.0, 1.0], [0.0, 1.0, 2.0], [0.000125 * i for i in range(800)], [0.0, 9.0]]
+)
+def test_equal_times_gaps_and_fast_devices_are_no_errors(service: Running, times: list[float]) -> None:
+    rows = [[t, 3.0 * i, 2.0 * i, None, None, 0] for i, t in enumerate(times)]
+    with service.greeted() as socket:
+        socket.send(json.dumps({"type": "events", "events": rows}))
+        assert told(socket)["type"] == "prediction"
+        good(socket, times[-1] + 1.0)
+
+
+def ends(socket: ClientConnection, code: str, close: int) -> None:
+    """An error that ends the session, then the close."""
+    answer = told(socket)
+    assert (answer["type"], answer["code"], answer["recoverable"]) == ("error", code, False)
+    with pytest.raises(ConnectionClosed) as closed:
+        socket.recv(10)
+    assert closed.value.rcvd is not None
+    assert closed.value.rcvd.code == close
+    assert closed.value.rcvd.reason
+
+
+def test_too_large_a_frame_ends_the_session_with_1009(service: Running) -> None:
+    with service.greeted() as socket:
+        socket.send(b"0" * 70_000)
+        ends(socket, "too_large", 1009)
+    with service.greeted() as socket:
+        socket.send(b"\0" * 30 * 1025)
+        ends(socket, "too_large", 1009)
+    with service.greeted() as socket:  # the process goes on
+        good(socket)
+
+
+def test_too_many_events_a_second_end_the_session_with_1008() -> None:
+    with running(max_events_per_s=100) as here, here.greeted() as socket:
+        row = [0.0, 1.0, 1.0, None, None, 0]
+        socket.send(json.dumps({"type": "events", "events": [row] * 101}))
+        ends(socket, "too_fast", 1008)
+
+
+def test_silence_ends_the_session_with_1008() -> None:
+    with running(idle_s=0.5) as here, here.greeted() as socket:
+        ends(socket, "idle", 1008)
+
+
+def test_more_sessions_than_allowed_are_turned_away_with_1013() -> None:
+    with running(max_sessions=1) as here, here.greeted() as first:
+        with here.connect() as second:
+            ends(second, "too_many", 1013)
+        good(first)
+
+
+def test_a_foreign_page_is_refused_before_the_upgrade(service: Running) -> None:
+    with pytest.raises(InvalidStatus) as refused:
+        service.connect(origin="http://evil.example")
+    assert refused.value.response.status_code == 403
+    with pytest.raises(InvalidStatus) as refused:
+        service.connect(additional_headers={"Host": "evil.example"})
+    assert refused.value.response.status_code == 403
+    with service.connect(origin=service.url) as socket:
+        socket.send(HELLO)
+        assert told(socket)["type"] == "welcome"
+
+
+def test_another_sites_page_connects_where_it_is_allowed() -> None:
+    with (
+        running(allow_origin=["https://lab.example"]) as here,
+        here.connect(origin="https://lab.example") as socket,
+    ):
+        socket.send(HELLO)
+        assert told(socket)["type"] == "welcome"
+
+
+def test_a_token_is_asked_for_where_there_is_one() -> None:
+    with running(token="open sesame") as here:
+        with here.connect() as socket:
+            ends(socket, "unauthorized", 1008)
+        for shown in (
+            {"query": "?token=open%20sesame"},
+            {"additional_headers": {"Authorization": "Bearer open sesame"}},
+        ):
+            with here.connect(**shown) as socket:
+                socket.send(HELLO)
+                assert told(socket)["type"] == "welcome"
+
+
+def test_a_service_that_stops_says_bye_and_closes_with_1001() -> None:
+    with running() as here, here.greeted() as socket:
+        good(socket)
+        here.server.should_exit = True
+        assert told(socket)["type"] == "bye"
+        with pytest.raises(ConnectionClosed) as closed:
+            socket.recv(10)
+        assert closed.value.rcvd is not None
+        assert closed.value.rcvd.code == 1001
+
+
+def test_a_client_that_does_not_read_leaves_memory_flat_and_others_served() -> None:
+    """It sends far more answers' worth than any buffer holds; what it missed is counted, not kept."""
+    with running(max_events_per_s=10**8) as here, here.greeted() as other:
+        hello = HELLO.replace('"switched"', '"switched","reply":"event"')
+        with here.greeted(hello, max_queue=1, close_timeout=0.5) as silent:
+            rows = [[0.001 * i, float(i), 1.0, None, None, 0] for i in range(1000)]
+            before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+            dropped = 0.0
+            for k in range(400):  # 400,000 predictions, about 50 MB of JSON
+                for row in rows:
+                    row[0] += 1.0
+                try:
+                    silent.send(json.dumps({"type": "events", "events": rows}))
+                except ConnectionClosed:
+                    break
+                if k % 50 == 0:
+                    good(other, float(k + 1))
+                here.service.settle()
+                dropped = here.service.metrics.dropped._value.get()
+            until = time.monotonic() + 10
+            while not dropped and time.monotonic() < until:
+                here.service.settle()
+                dropped = here.service.metrics.dropped._value.get()
+            grown = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before
+        assert dropped > 0
+        assert grown < 40_000  # kB
+        good(other, 1e6)
+
+
+def test_metrics_and_readiness(service: Running) -> None:
+    with service.greeted() as socket:
+        good(socket)
+        socket.send("{oops")
+        told(socket)
+        text = get(f"{service.url}/metrics").text
+    assert "pointpred_event_to_prediction_seconds_count" in text
+    assert 'pointpred_refused_total{code="bad_json"}' in text
+    soon(lambda: get(f"{service.url}/readyz").status_code == 200, "warm", 60.0)
+    assert get(f"{service.url}/readyz").json() == {"ready": True, "stopping": False}
