@@ -132,7 +132,8 @@ def _drive(
 
     places = chosen(recording, names)
     skips = {k: skip for k in places if (skip := unplayable(recording, k)) is not None}
-    _complain(tuple(skips.values()))
+    skipped = (*(() if names else recording.skipped), *skips.values())
+    _complain(skipped)
     done = []
     with open_page(devtools, url) as page:
         for k in places:
@@ -149,7 +150,7 @@ def _drive(
         "version": 1,
         "recording": recording.name,
         "trials": done,
-        "skipped": [plain(s) for s in skips.values()],
+        "skipped": [plain(s) for s in skipped],
     }
 
 

@@ -23,6 +23,7 @@ def described(played: Replayed) -> dict[str, Any]:
                 "trial": one.trial,
                 "events": one.events,
                 "predictions": one.predictions,
+                "gave_way": one.gave_way,
                 "unlike": one.unlike,
                 "seconds": one.seconds,
                 "agree": one.agrees,
@@ -45,8 +46,10 @@ def print_played(played: Replayed) -> None:
             _px(v) for v in (one.score.time_averaged_px, one.local.time_averaged_px, one.score.hold_px)
         )
         verdict = "bit for bit" if one.agrees else f"{one.unlike} of {one.predictions} differ"
-        if one.predictions != one.events:
-            verdict += f", {one.events - one.predictions} gave way"
+        if one.unlike == 0 and not one.agrees:
+            verdict = "the scores differ"
+        if one.gave_way:
+            verdict += f", {one.gave_way} gave way"
         table.add_row(
             f"{one.user}-{one.trial}", str(one.events), own, local, none, f"{one.seconds:.2f}", verdict
         )

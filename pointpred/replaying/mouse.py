@@ -39,14 +39,15 @@ def drive_mouse(
 
     A point goes to ``scale * (x, y) + offset``, CSS px of the viewport. ``speed``: 1 as recorded, infinity
     as fast as the browser takes it (some 2,000 a second). No command waits for the last one's result, so
-    that the browser merges moves within a frame as it does for a real mouse. Raises SourceError where the
-    browser refuses a command or goes away, ParameterError for a speed or a scale that is not positive.
+    that the browser merges moves within a frame as it does for a real mouse. A button still held at the end
+    is released there. Raises SourceError where the browser refuses a command or goes away, ParameterError
+    for a speed or a scale that is not positive.
     """
     for name, value in (("speed", speed), ("scale", scale)):
         if not value > 0.0:
             raise ParameterError(f"{name} must be positive, received {value!r}")
     counts: Counter[str] = Counter()
-    rows, held, began = events.table.tolist(), 0, time.perf_counter()
+    rows, held, x, y, began = events.table.tolist(), 0, 0.0, 0.0, time.perf_counter()
     for first, stop in due(events.t, speed):
         for row in rows[first:stop]:
             x, y = (scale * value + shift for value, shift in zip(row[1:3], offset, strict=True))
@@ -55,6 +56,10 @@ def drive_mouse(
                 counts[command["type"]] += 1
                 page.tell("Input.dispatchMouseEvent", **command)
             held = buttons
+    if held:
+        for command in _commands(x, y, held, 0):
+            counts[command["type"]] += 1
+            page.tell("Input.dispatchMouseEvent", **command)
     page.settle()
     moves, presses, releases = (counts[kind] for kind in ("mouseMoved", "mousePressed", "mouseReleased"))
     return Driven(moves, presses, releases, time.perf_counter() - began)

@@ -40,8 +40,13 @@ class ReplayedTrial(msgspec.Struct, frozen=True):
 
     @property
     def agrees(self) -> bool:
-        """Every event was answered, each bit and the score as in the batch."""
-        return self.predictions == self.events and self.unlike == 0 and self.score == self.local
+        """Each bit of every prediction heard, and the score, are as in the batch."""
+        return self.unlike == 0 and self.score == self.local
+
+    @property
+    def gave_way(self) -> int:
+        """Predictions that the service replaced by newer ones before it could send them."""
+        return self.events - self.predictions
 
 
 class Replayed(msgspec.Struct, frozen=True):
@@ -82,6 +87,7 @@ def replay_to(
     pipeline = build(predictor, cpi=cpi, dpi=dpi)
     wanted = chosen(recording, trials)
     skips = {k: skip for k in wanted if (skip := unplayable(recording, k)) is not None}
+    left_out = (*(() if trials else recording.skipped), *skips.values())
     played = [k for k in wanted if k not in skips]
     local = local_scores(recording, played, pipeline, cpi=cpi, dpi=dpi)
     encoding = "binary" if packable(recording.events) else "json"
@@ -97,7 +103,7 @@ def replay_to(
             done += len(events)
             if progress is not None:
                 progress(recording.name, done, total)
-    return Replayed(recording.name, predictor, tuple(answers), tuple(skips.values()))
+    return Replayed(recording.name, predictor, tuple(answers), left_out)
 
 
 class _Player:
