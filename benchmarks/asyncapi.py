@@ -46,7 +46,7 @@ def document() -> dict[str, Any]:
                 "host": "127.0.0.1:8765",
                 "protocol": "ws",
                 "description": "What `pointpred serve` prints; on loopback no token is needed.",
-                "security": [{"$ref": "#/components/securitySchemes/token"}],
+                "security": [{"$ref": f"#/components/securitySchemes/{name}"} for name in words.SECURITY],
             }
         },
         "channels": {
@@ -64,7 +64,7 @@ def document() -> dict[str, Any]:
         "components": {
             "messages": messages,
             "schemas": {name: _draft7(schema) for name, schema in components.items()},
-            "securitySchemes": {"token": words.TOKEN},
+            "securitySchemes": words.SECURITY,
         },
     }
 

@@ -39,11 +39,10 @@ CODES = {
     "stopping": "the server stops; the session ends",
     "internal": "something failed in the server; the session ends",
 }
-TOKEN = {
-    "type": "httpApiKey",
-    "in": "query",
-    "name": "token",
-    "description": "Needed only where the service is bound to an address that is not loopback.",
+NEEDED = "Needed only where the service is bound to an address that is not loopback."
+SECURITY = {
+    "token": {"type": "httpApiKey", "in": "query", "name": "token", "description": NEEDED},
+    "bearer": {"type": "http", "scheme": "bearer", "description": f"The same token as a header. {NEEDED}"},
 }
 EVENTS = (
     "Pointer events as packed little-endian records without padding, in a session with `encoding: binary`; "

@@ -1,0 +1,139 @@
+"""A real service is killed in the middle of a stream at 1 kHz: at most the last second is lost."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from websockets.exceptions import ConnectionClosed
+from websockets.sync.client import connect
+
+from pointpred.server.recordings import listing
+from pointpred.server.records import EVENT
+from pointpred.sources import read
+
+RATE_HZ = 1000
+LASTS_S = 3.0
+REACH_S, CYCLE_S, CLICK_S = 0.6, 0.8, 0.05
+
+
+def reach(t: float) -> tuple[float, float, float, int, int, int]:
+    """Reaches of 400 px to and fro, each ended by a click; ``t`` from the stream's beginning."""
+    number, phase = divmod(t, CYCLE_S)
+    s = min(1.0, phase / REACH_S)
+    way = 10 * s**3 - 15 * s**4 + 6 * s**5
+    x = 100.0 + 400.0 * (way if number % 2 == 0 else 1.0 - way)
+    held = REACH_S + 0.1 <= phase < REACH_S + 0.1 + CLICK_S
+    return t, x, 300.0 + 0.1 * x, -32768, -32768, int(held)
+
+
+@pytest.fixture
+def serving(tmp_path: Path) -> Iterator[tuple[subprocess.Popen[str], str, Path]]:
+    """A service that records into a folder, ready to answer."""
+    folder = tmp_path / "kept"
+    command = [sys.executable, "-m", "pointpred", "serve", "--port", "0", "--record", str(folder)]
+    with (tmp_path / "log").open("w") as log:
+        process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=log, text=True)
+        try:
+            assert process.stdout is not None
+            address = process.stdout.readline().strip()
+            assert address.startswith("http://127.0.0.1:"), (tmp_path / "log").read_text()
+            yield process, address.replace("http", "ws", 1) + "v1/stream", folder
+        finally:
+            process.kill()
+            process.wait()
+            if process.stdout:
+                process.stdout.close()
+
+
+def drain(socket: Any) -> None:
+    """Read answers until the connection is gone."""
+    try:
+        while True:
+            socket.recv()
+    except ConnectionClosed:
+        return
+
+
+def stream(url: str, seconds: float, end: Any) -> np.ndarray:
+    """Send events at 1 kHz, one a message, then call ``end``; returns the rows sent."""
+    sent = []
+    with connect(url, subprotocols=["pointpred.v1"], compression=None) as socket:
+        hello = {"type": "hello", "version": 1, "predictor": "linear", "encoding": "binary"}
+        socket.send(json.dumps(hello))
+        reader = threading.Thread(target=drain, args=(socket,))
+        reader.start()
+        begun = time.monotonic()
+        while (now := time.monotonic() - begun) < seconds:
+            while len(sent) < now * RATE_HZ:
+                row = reach(len(sent) / RATE_HZ)
+                socket.send(np.array([row], EVENT).tobytes())
+                sent.append(row)
+            time.sleep(0.0005)
+        end()
+    reader.join()
+    return np.array(sent)
+
+
+def test_a_killed_service_loses_at_most_one_second(
+    serving: tuple[subprocess.Popen[str], str, Path], command: Any
+) -> None:
+    process, url, folder = serving
+    sent = stream(url, LASTS_S, lambda: os.kill(process.pid, signal.SIGKILL))
+    assert process.wait() == -signal.SIGKILL
+    assert len(sent) >= 0.9 * LASTS_S * RATE_HZ
+    (one,) = listing(folder)
+    assert one.problem is None
+    samples = next(path for path in one.files if path.name.endswith("_samples.csv"))
+    lines = samples.read_bytes().splitlines(keepends=True)
+    rows = [line.split(b",") for line in lines[2:] if line.endswith(b"\n")]
+    kept = np.array([[float(cell) for cell in row[2:5]] for row in rows])
+    lost_s = (len(sent) - len(kept)) / RATE_HZ
+    np.testing.assert_array_equal(kept, sent[: len(kept), :3])
+    assert lost_s <= 1.0, f"lost {lost_s} s"
+    left = command("score", samples, "--predictors", "linear", "--json", "-")
+    assert left.code == 0, left.err
+    (scored,) = json.loads(left.out)["sets"]
+    clicks = np.count_nonzero(np.diff(sent[: len(kept), 5]) > 0)
+    assert scored["trials"] == clicks >= 2
+
+
+def test_a_stopped_service_loses_nothing(serving: tuple[subprocess.Popen[str], str, Path]) -> None:
+    process, url, folder = serving
+    sent = stream(url, 0.9, lambda: time.sleep(0.1))
+    process.send_signal(signal.SIGTERM)
+    process.wait(10)
+    recording = read(next(folder.glob("*_samples.csv")))
+    outside = [skip.trial.split() for skip in recording.skipped]
+    rows = len(recording.events) + sum(int(words[3]) - int(words[1]) + 1 for words in outside)
+    assert rows == len(sent)
+    (predictions,) = folder.glob("*_predictions.csv")
+    assert len(predictions.read_text(encoding="utf-8").splitlines()) == 1 + len(sent)
+
+
+def test_a_service_that_is_not_asked_to_record_writes_nothing(tmp_path: Path) -> None:
+    environment = {name: value for name, value in os.environ.items() if name != "POINTPRED_RECORD"}
+    command = [sys.executable, "-m", "pointpred", "serve", "--port", "0"]
+    process = subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, cwd=tmp_path, env=environment
+    )
+    try:
+        assert process.stdout is not None
+        url = process.stdout.readline().strip().replace("http", "ws", 1) + "v1/stream"
+        assert len(stream(url, 0.3, lambda: None)) > 100
+    finally:
+        process.terminate()
+        process.wait(10)
+        if process.stdout:
+            process.stdout.close()
+    assert list(tmp_path.iterdir()) == []
