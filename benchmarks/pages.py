@@ -81,6 +81,26 @@ def _row(p: dict[str, Any]) -> tuple[str, ...]:
     return (f"`{p['name']}`", p["unit"] or "-", bounds, f"`{p['default']}`", p["meaning"])
 
 
+def settings() -> str:
+    """Every setting of the service."""
+    from pointpred.server.settings import Settings
+
+    rows = [
+        (
+            f"`--{name.replace('_', '-')}`",
+            f"`POINTPRED_{name.upper()}`",
+            _shown(field.default),
+            field.description or "",
+        )
+        for name, field in Settings.model_fields.items()
+    ]
+    return table(("flag", "environment", "default", "meaning"), rows)
+
+
+def _shown(default: object) -> str:
+    return "-" if default is None or default == () else f"`{default}`"
+
+
 PARTS: dict[str, dict[str, Callable[[], str]]] = {
     "docs/predictors.md": {
         "predictors": predictors,
@@ -88,6 +108,7 @@ PARTS: dict[str, dict[str, Callable[[], str]]] = {
         "gains": gains,
         "differentiators": differentiators,
     },
+    "docs/service.md": {"settings": settings},
     "README.md": {"recorded": lambda: recorded(ROOT / "docs" / "results.md")},
 }
 """What the tests compare with the code: page, part, and the function that writes it."""

@@ -1,0 +1,147 @@
+"""The HTTP part over a real socket, and the process as a person starts and stops it."""
+
+from __future__ import annotations
+
+import inspect
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from pathlib import Path
+
+import numpy as np
+import pytest
+from httpx2 import get, post
+from websockets.exceptions import ConnectionClosed
+from websockets.sync.client import ClientConnection, connect
+
+from pointpred.cli.serve import serve
+from pointpred.columns import EventColumns
+from pointpred.recording import Recording, Trial
+from pointpred.registry import REGISTRY, describe
+from pointpred.scoring import score, summary
+from pointpred.server.settings import Settings
+from pointpred.sources import read, write
+from tests.server.running import HELLO, Running, running
+
+
+@pytest.fixture(scope="module")
+def service() -> Iterator[Running]:
+    with running() as here:
+        yield here
+
+
+@pytest.fixture
+def recording(tmp_path: Path) -> Path:
+    """Three reaches of one person, as our CSV."""
+    t = np.arange(0.0, 0.8, 0.01)
+    s = np.clip(t / 0.6, 0.0, 1.0)
+    way = 10 * s**3 - 15 * s**4 + 6 * s**5
+    parts = [EventColumns.of(t, np.round(way * x), np.round(way * 90)) for x in (300, 500, -400)]
+    trials = [Trial("ann", str(i)) for i in range(3)]
+    write(Recording.of("study", parts, trials), tmp_path / "study_samples.csv")
+    return tmp_path / "study_samples.csv"
+
+
+def test_predictors_are_those_of_the_registry(service: Running) -> None:
+    told = get(f"{service.url}/v1/predictors").json()
+    assert told == {"version": 1, "predictors": [describe(name) for name in REGISTRY]}
+
+
+def test_a_posted_recording_is_scored_as_on_the_command_line(service: Running, recording: Path) -> None:
+    answer = post(
+        f"{service.url}/v1/score?predictors=hold,switched", content=recording.read_bytes(), timeout=120
+    )
+    assert answer.status_code == 200
+    (told,) = answer.json()["sets"]
+    expected = json.loads(json.dumps(summary(score([read(recording)], ["hold", "switched"])[0])))
+    for ours, theirs in zip(told["predictors"], expected["predictors"], strict=True):
+        assert ours["time_averaged"] == theirs["time_averaged"]
+        assert ours["by_path"] == theirs["by_path"]
+
+
+@pytest.mark.parametrize(
+    ("query", "body", "status", "words"),
+    [
+        ("", b"nonsense", 422, "the recording"),
+        ("", b"", 422, "the recording"),
+        ("?predictors=oracle", b"nonsense", 422, "unknown predictor 'oracle'"),
+    ],
+)
+def test_what_cannot_be_scored_is_answered(
+    service: Running, query: str, body: bytes, status: int, words: str
+) -> None:
+    answer = post(f"{service.url}/v1/score{query}", content=body, timeout=60)
+    assert answer.status_code == status
+    told = answer.json()
+    assert told["type"] == "error"
+    assert words in told["message"]
+    assert "/tmp" not in told["message"]
+
+
+def test_too_large_a_recording_is_refused(service: Running) -> None:
+    answer = post(f"{service.url}/v1/score", content=b"0" * (17 * 2**20), timeout=60)
+    assert (answer.status_code, answer.json()["code"]) == (413, "too_large")
+
+
+def test_pages_ask_for_the_token_but_health_does_not() -> None:
+    with running(token="open sesame") as here:
+        assert get(f"{here.url}/").status_code == 401
+        assert get(f"{here.url}/?token=open%20sesame").status_code == 200
+        assert get(f"{here.url}/metrics", headers={"Authorization": "Bearer open sesame"}).status_code == 200
+        assert get(f"{here.url}/healthz").status_code == 200
+
+
+def test_a_service_that_others_reach_makes_up_a_token() -> None:
+    open_to_all = Settings(host="0.0.0.0").guarded()
+    assert open_to_all.token is not None
+    assert len(open_to_all.token) >= 20
+    assert open_to_all.token not in str(open_to_all.told())
+    assert Settings(host="127.0.0.1").guarded().token is None
+
+
+def test_every_setting_has_a_flag() -> None:
+    assert set(inspect.signature(serve).parameters) == set(Settings.model_fields)
+
+
+def started(*arguments: str) -> tuple[subprocess.Popen[str], str]:
+    """``pointpred serve`` in a process of its own, once it has printed its address."""
+    command = [sys.executable, "-m", "pointpred", "serve", "--port", "0", *arguments]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    assert process.stdout is not None
+    address = process.stdout.readline().strip()
+    assert re.fullmatch(r"http://127\.0\.0\.1:\d+/", address), address
+    return process, address
+
+
+def talk(socket: ClientConnection, heard: list[str], then: Callable[[], None]) -> None:
+    """Send events and hear the answers until the connection closes; after 200 something happens."""
+    for i in range(100_000):
+        with suppress(ConnectionClosed):  # a goodbye may still wait to be heard
+            socket.send(f'{{"type":"events","events":[[{i / 1000},{i},3.25,null,null,0]]}}')
+        heard.append(str(socket.recv(20)))
+        if i == 200:
+            then()
+
+
+@pytest.mark.parametrize("stop", [signal.SIGTERM, signal.SIGINT])
+def test_a_stopped_process_says_bye_in_the_middle_of_traffic(stop: signal.Signals) -> None:
+    process, address = started()
+    with connect(address.replace("http", "ws") + "v1/stream", compression=None) as socket:
+        socket.send(HELLO)
+        socket.recv(20)
+        heard: list[str] = []
+        with pytest.raises(ConnectionClosed) as closed:
+            talk(socket, heard, lambda: process.send_signal(stop))
+    out, err = process.communicate(timeout=20)
+    assert process.returncode in (0, -stop, 128 + stop)
+    assert any('"type":"bye"' in answer for answer in heard)
+    assert closed.value.rcvd is not None
+    assert closed.value.rcvd.code == 1001
+    assert "Traceback" not in err
+    assert "3.25" not in err, "movement data in the log"
+    assert os.linesep.join(out.splitlines()) == ""
