@@ -96,7 +96,7 @@ def test_an_unknown_parameter_is_told_the_known_ones(differentiator: str) -> Non
         ("threshold", [1.0, "a"], "str"),
         ("order", 2.5, "whole"),
         ("between", 3, "line"),
-        ("gains", 3.0, "type"),
+        ("gains", 3.0, "4 positive numbers"),
         ("gains", [1.0], "4"),
         ("gap_s", 0.5, "0.5"),
         ("differentiator", "x", "homogeneous"),
