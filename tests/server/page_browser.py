@@ -1,4 +1,4 @@
-"""The live page in a real browser: a hand for its mouse, and what it complained about, asked for and shifted."""
+"""The live page in a real browser: a hand for its mouse, and what it complained of, asked for and shifted."""
 
 from __future__ import annotations
 

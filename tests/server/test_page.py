@@ -1,4 +1,4 @@
-"""The page in a real browser, where there is one: each view shows what it was told, and nothing else happens."""
+"""The page in a real browser: each view shows what it was told, and nothing else happens."""
 
 from __future__ import annotations
 
@@ -104,7 +104,9 @@ def test_predictions_of_two_predictors_are_drawn_while_the_mouse_moves(visitor: 
 
 def test_another_predictor_can_be_chosen_live(visitor: Visitor, url: str) -> None:
     left, top, width, height = live(visitor, url)
-    offered = visitor.value("[...document.querySelector('#live-predictor-0').options].map(({value}) => value)")
+    offered = visitor.value(
+        "[...document.querySelector('#live-predictor-0').options].map(({value}) => value)"
+    )
     assert offered == list(REGISTRY)
     visitor.choose("#live-predictor-0", "hold")
     visitor.reach((left + 30, top + 30), (left + width / 2, top + height / 2), 0.3)

@@ -1,0 +1,210 @@
+"""The page's own arithmetic, run in the browser and held against Python's."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.stats import chi2
+
+from pointpred.simulation.circle import positions
+from pointpred.sources import read
+from tests.server import browser, page_browser
+from tests.server.page_browser import Visitor
+
+pytestmark = browser.needed
+
+
+@pytest.fixture(scope="module")
+def visitor(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
+    with page_browser.service() as url, page_browser.visitor(tmp_path_factory.mktemp("profile")) as opened:
+        opened.open(f"{url}#circle")
+        yield opened
+
+
+def call(visitor: Visitor, module: str, expression: str, **given: Any) -> Any:
+    """An expression with the module's exports as ``m`` and what is given by name."""
+    names, values = ", ".join(given), ", ".join(json.dumps(value) for value in given.values())
+    return visitor.value(f"import('/web/{module}.js').then((m) => (({names}) => {expression})({values}))")
+
+
+@pytest.mark.parametrize(("distance", "count"), [(300.0, 13), (120.5, 3), (500.0, 41)])
+def test_targets_lie_where_the_simulation_puts_them(visitor: Visitor, distance: float, count: int) -> None:
+    placed = call(visitor, "geometry", "m.circle(d, [10, 20], n)", d=distance, n=count)
+    assert np.allclose(placed, positions(distance, (10.0, 20.0), count), atol=1e-9)
+
+
+def test_an_even_number_of_targets_is_refused(visitor: Visitor) -> None:
+    said = call(visitor, "geometry", "{ try { m.circle(100, [0, 0], 12) } catch (e) { return e.message } }")
+    assert said == "the number of targets must be odd and at least 3, received 12"
+
+
+@pytest.mark.parametrize("share", [0.5, 0.95])
+@pytest.mark.parametrize("covariance", [(400.0, 120.0, 90.0), (9.0, 0.0, 25.0), (1.0, -0.9, 1.0)])
+def test_regions_hold_their_share(
+    visitor: Visitor, covariance: tuple[float, float, float], share: float
+) -> None:
+    sxx, sxy, syy = covariance
+    region = {"sxx": sxx, "sxy": sxy, "syy": syy}
+    found = call(visitor, "geometry", "m.ellipseOf(r, p)", r=region, p=share)
+    matrix = np.array([[sxx, sxy], [sxy, syy]])
+    values, vectors = np.linalg.eigh(matrix)
+    scale = math.sqrt(chi2.ppf(share, 2))
+    assert [found["b"], found["a"]] == pytest.approx((scale * np.sqrt(values)).tolist())
+    along = np.array([math.cos(found["angle"]), math.sin(found["angle"])])
+    assert abs(along @ vectors[:, 1]) == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("values", [[3.0, 1.0, 2.0], [4.0, 1.0, 2.0, 10.0], [7.0]])
+def test_median(visitor: Visitor, values: list[float]) -> None:
+    assert call(visitor, "geometry", "m.median(v)", v=values) == np.median(values)
+
+
+PRESSES = """(() => {
+  const task = new m.CircleTask({ targets: 3, distance: 100, width: 20, blocks: 2, centre: [0, 0] });
+  const press = (t, off = 0) => {
+    const { x, y } = task.goal;
+    const row = [t, x + off, y, null, null, 1];
+    task.move([[t - 0.01, x, y, null, null, 0], row]);
+    return task.select(row);
+  };
+  press(0, 15);
+  const before = [task.running, task.astray, task.trials.length];
+  const ends = [press(1), press(2), press(3, 15), press(4), press(5, -15)];
+  const between = [task.running, task.block, task.astray, task.done];
+  press(6); press(7); press(8); press(9);
+  const late = press(10);
+  const ended = ends.map((one) => one && [one.number, one.hit, one.rows.length]);
+  return { before, between, ended, done: task.done, late,
+     all: task.trials.map(({ block, number, rows }) => [block, number, rows[0][0], rows.length]) };
+})()"""
+
+
+def test_a_block_begins_on_its_first_target_and_a_miss_counts(visitor: Visitor) -> None:
+    found = call(visitor, "circle-task", PRESSES)
+    assert found["before"] == [False, 1, 0]
+    assert found["ended"] == [None, [1, True, 2], [2, False, 2], [3, True, 2], None]
+    assert found["between"] == [False, 2, 2, False]
+    assert found["done"] is True
+    assert found["late"] is None
+    assert [row[:2] for row in found["all"]] == [[1, 1], [1, 2], [1, 3], [2, 1], [2, 2], [2, 3]]
+    assert [row[2] for row in found["all"]] == pytest.approx([1.99, 2.99, 3.99, 6.99, 7.99, 8.99])
+
+
+def trial(number: int, start: list[float], end: list[float], block: int = 1, **other: Any) -> dict[str, Any]:
+    """A movement along the x axis from 0 to 100."""
+    about = {"from": [0.0, 0.0], "target": [100.0, 0.0], "width": 20.0, "distance": 100.0, "hit": True}
+    rows = [[*start, None, None, 0], [*end, None, None, 1]]
+    return about | {"block": block, "number": number, "start": rows[0], "end": rows[1], "rows": rows} | other
+
+
+def test_statistics_of_a_block_worked_out_by_hand(visitor: Visitor) -> None:
+    trials = [
+        trial(1, [0.0, 2.0, 5.0], [0.5, 98.0, 0.0]),
+        trial(2, [1.0, 0.0, 0.0], [1.7, 104.0, 3.0]),
+        trial(3, [2.0, -2.0, 1.0], [2.9, 100.0, 0.0], hit=False),
+    ]
+    found = call(visitor, "circle-statistics", "m.blockStatistics(t)", t=trials)
+    width = 4.133 * math.sqrt(28.0 / 3.0)  # beside by -2, 4 and 0: mean 2/3
+    assert found["effectiveWidth"] == pytest.approx(width)
+    assert found["effectiveDistance"] == pytest.approx((96 + 104 + 102) / 3)
+    assert found["movementTime"] == pytest.approx(0.7)
+    assert found["throughput"] == pytest.approx(math.log2(302 / 3 / width + 1) / 0.7)
+    assert (found["misses"], found["trials"]) == (1, 3)
+
+
+def test_statistics_say_nothing_where_they_mean_nothing(visitor: Visitor) -> None:
+    same = [trial(i, [i, 0.0, 0.0], [i + 0.5, 100.0, 0.0]) for i in (1, 2)]
+    for trials in ([], same[:1], same):
+        found = call(visitor, "circle-statistics", "m.statistics(t)", t=trials)
+        assert found["throughput"] is None
+        assert found["trials"] == len(trials)
+
+
+def test_throughput_is_the_mean_over_blocks(visitor: Visitor) -> None:
+    first = [trial(i, [i, 0.0, 0.0], [i + 0.5, 99.0 + 2 * (i % 2), 0.0]) for i in range(1, 5)]
+    second = [trial(i, [i, 0.0, 0.0], [i + 0.8, 97.0 + 6 * (i % 2), 0.0], block=2) for i in range(1, 5)]
+    each = [call(visitor, "circle-statistics", "m.blockStatistics(t)", t=part) for part in (first, second)]
+    found = call(visitor, "circle-statistics", "m.statistics(t)", t=first + second)
+    assert found["throughput"] == pytest.approx((each[0]["throughput"] + each[1]["throughput"]) / 2)
+    assert [block["block"] for block in found["blocks"]] == [1, 2]
+
+
+def test_recordings_read_back_to_the_same_bits(visitor: Visitor, tmp_path: Path) -> None:
+    rng = np.random.default_rng(3)
+    trials = []
+    for number in (1, 2, 3):
+        rows = [
+            [t, *rng.normal(300.0, 200.0, 2).tolist(), None, None, 0]
+            for t in (10.0 * number + np.sort(rng.random(5))).tolist()
+        ]
+        trials.append(trial(number, [10.0 * number, 0.1, 0.2], [rows[-1][0], 99.7, 1e-7], rows=rows))
+    trials[1]["rows"] = []
+    files = call(visitor, "circle-recording", "m.recording(t, 'night')", t=trials)
+    for file in files.values():
+        (tmp_path / file["name"]).write_text(file["text"], encoding="utf-8")
+    recording = read(tmp_path / "night_samples.csv")
+    assert recording.name == "night"
+    assert [skip.trial for skip in recording.skipped] == ["block-1-movement-2"]
+    assert [one.condition["hit"] for one in recording.trials] == [1.0, 1.0]
+    for i, one in enumerate((trials[0], trials[2])):
+        events = recording.rows(i)
+        written = np.array([row[:3] for row in one["rows"]])
+        assert np.array_equal(np.column_stack([events.t, events.x, events.y]), written)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("user,trial,t_s\nu,1,0\n", "row 0 has 3 cells, expected 4"),
+        ('# pointpred: {"rows": 2}\na,b\n1,2\n', "1 rows, its header says 2"),
+    ],
+)
+def test_damaged_tables_are_refused(visitor: Visitor, text: str, said: str) -> None:
+    damaged = text.replace("t_s\n", "t_s,x_px\n")
+    catch = "{ try { m.parse(text) } catch (e) { return e.message } }"
+    assert call(visitor, "replay-file", catch, text=damaged) == said
+
+
+def test_quoted_cells(visitor: Visitor) -> None:
+    text = '"a","b"\n"one, two","say ""so"""\n,3\n'
+    assert call(visitor, "replay-file", "m.parse(text).rows", text=text) == [
+        ["one, two", 'say "so"'],
+        ["", "3"],
+    ]
+
+
+def test_the_verdict_judges_half_of_the_time_by_where_the_movement_ended(visitor: Visitor) -> None:
+    rows = [[0.01 * i, 2.0 * i, 0.0] for i in range(101)]
+    judge = """(() => {
+      const movement = new m.Movement();
+      movement.move([[-5, 900, 900]]);
+      movement.move(rows);
+      movement.predicted(0, { t: -5, x: 0, y: 0 });
+      movement.predicted(0, { t: 0.4, x: 260, y: 80 });
+      movement.predicted(0, { t: 0.6, x: 200, y: 0 });
+      movement.predicted(1, { t: 0.3, x: null, y: null });
+      return movement.verdict();
+    })()"""
+    found = call(visitor, "live-movement", judge, rows=rows)
+    assert found == {"distance": 200.0, "hold": pytest.approx(100.0), "errors": [pytest.approx(100.0), None]}
+
+
+def test_speed_and_stretches_of_phases(visitor: Visitor) -> None:
+    trail = [[0.01 * i, 3.0 * i, 4.0 * i] for i in range(20)]
+    assert call(visitor, "live-movement", "m.speed(t, 0.19)", t=trail) == pytest.approx(500.0)
+    samples = [
+        [0, "still"],
+        [1, "ballistic"],
+        [2, "ballistic"],
+        [3, "corrective"],
+        [4, None],
+        [5, "ballistic"],
+    ]
+    found = call(visitor, "strip", "m.stretches(s)", s=samples)
+    assert found == [["ballistic", 1, 3], ["corrective", 3, 4]]
