@@ -30,7 +30,7 @@ export async function opened(files) {
   const { name, csv, left, movements, simulated, ...resolution } = await readFiles(files);
   return {
     title: name,
-    said: `${name}: ${movements.length} movements${left ? `, ${left} more cannot be shown` : ""}. It goes to this service alone, which keeps nothing of it.`,
+    said: `${name}: ${movements.length} movements${left ? `, ${left} more cannot be shown` : ""}. It goes to this service alone.`,
     csv,
     names: movements.map(({ user, name: trial, rows }) => `${user} ${trial} (${rows.length} events)`),
     async movement(at, predictors) {
