@@ -12,7 +12,7 @@ class Allowance:
 
     def __init__(self, limits: Limits, now: float) -> None:
         self.limits = limits
-        self._rate = Rate(limits.max_events_per_s, now)
+        self.rate = Rate(limits.max_events_per_s, now)
 
     def check_size(self, frame: str | bytes) -> None:
         """The bytes of a frame; the session ends where it holds more."""
@@ -30,7 +30,7 @@ class Allowance:
         if count > most:
             words = f"a frame holds at most {most} events, received {count}"
             raise RefusedError("too_large", words, "$.events", close=1009)
-        if not self._rate.allows(count, now):
+        if not self.rate.allows(count, now):
             words = f"at most {self.limits.max_events_per_s} events a second"
             raise RefusedError("too_fast", words, close=1008)
 

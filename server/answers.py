@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from pointpred.columns import PredictionColumns
 from pointpred.events import PHASES
@@ -18,16 +18,20 @@ def frames(predictions: PredictionColumns, *, binary: bool, each: bool) -> tuple
     otherwise the newest one only.
     """
     told = predictions.table if each else predictions.table[-1:]
-    if len(told) == 1:
-        return [frame(told[0].tolist(), binary=binary)], 1
-    if binary:
-        return [pack(told)], len(told)
-    return [frame(row, binary=False) for row in told.tolist()], len(told)
+    if len(told) == 1 or not binary:
+        frame = frame_of(binary=binary)
+        return [frame(row) for row in told.tolist()], len(told)
+    return [pack(told)], len(told)
 
 
-def frame(row: Sequence[float], *, binary: bool) -> Frame:
-    """One row of predictions as a frame."""
-    return pack_one(row) if binary else encode(message(row)).decode()
+def frame_of(*, binary: bool) -> Callable[[Sequence[float]], Frame]:
+    """What makes a frame of one row of predictions."""
+    return pack_one if binary else text_of
+
+
+def text_of(row: Sequence[float]) -> str:
+    """One row of predictions as JSON text."""
+    return encode(message(row)).decode()
 
 
 def message(row: Sequence[float]) -> PredictionMessage:

@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 import msgspec
 from msgspec import Meta, Struct
 
-from pointpred.events import LARGEST, LATEST_S
+from pointpred.events import CPI, DPI, LARGEST, LATEST_S
 
 VERSION = 1
 SUBPROTOCOL = "pointpred.v1"
@@ -34,8 +34,8 @@ Code = Literal[
 Moment = Annotated[float, Meta(ge=-LATEST_S, le=LATEST_S)]
 Bounded = Annotated[float, Meta(ge=-LARGEST, le=LARGEST)]
 Positive = Annotated[float, Meta(gt=0.0, le=LARGEST)]
-Cpi = Annotated[float, Meta(ge=1.0, le=1e6)]
-Dpi = Annotated[float, Meta(ge=1.0, le=1e5)]
+Cpi = Annotated[float, Meta(ge=CPI[0], le=CPI[1])]
+Dpi = Annotated[float, Meta(ge=DPI[0], le=DPI[1])]
 Buttons = Annotated[int, Meta(ge=0, le=65535)]
 Name = Annotated[str, Meta(min_length=1, max_length=128)]
 EventRow = tuple[Moment, Bounded, Bounded, Bounded | None, Bounded | None, Buttons]

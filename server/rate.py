@@ -7,16 +7,23 @@ class Rate:
     """A token bucket: ``most`` events a second, and as many at once."""
 
     def __init__(self, most: float, now: float) -> None:
-        self.most = most
+        self.most = float(most)
         self._left = float(most)
         self._since = now
 
     def allows(self, count: int, now: float) -> bool:
         """Take ``count`` out of the budget; False, and nothing taken, where it does not hold so many."""
-        left = min(float(self.most), self._left + max(0.0, now - self._since) * self.most)
-        self._since = now
+        left = self._left
+        if now != self._since:
+            if now > self._since:
+                left = min(self.most, left + (now - self._since) * self.most)
+            self._since = now
         self._left = left
         if count > left:
             return False
         self._left = left - count
         return True
+
+    def give_back(self, count: int) -> None:
+        """Put back what was taken and not used."""
+        self._left += count

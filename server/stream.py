@@ -35,6 +35,7 @@ class Stream:
         """Events taken in."""
         self.watch = watch
         self._binary = hello.encoding == "binary"
+        self._frame = answers.frame_of(binary=self._binary)
         self._last_t = NEVER
         self._trial = TrialKeeper()
 
@@ -69,7 +70,7 @@ class Stream:
             return False
         self.events += 1
         self._last_t = row[0]
-        outbox.predict([answers.frame(prediction, binary=self._binary)], 1)
+        outbox.predict([self._frame(prediction)], 1)
         return True
 
     def configure(self, message: Configure) -> None:
