@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import itertools
 from collections.abc import Iterator
 from functools import partial
@@ -20,6 +21,7 @@ from pointpred.differentiators import (
 )
 from pointpred.differentiators.bounds import BOUNDS, measure, named
 from pointpred.differentiators.signals import SIGNALS, Signal, exact, minimum_jerk, quantised
+from pointpred.errors import ParameterError
 
 PAGE = Path(__file__).parent.parent / "docs" / "differentiators.md"
 WEIGHT = 0.3
@@ -141,8 +143,13 @@ def recommended() -> str:
 
 
 def _settings(kind: type[Differentiator]) -> Iterator[dict[str, float]]:
+    """All of a grid that can be built: gains whose velocity chatters at rest are refused."""
     grid = GRIDS[kind]
-    return (dict(zip(grid, values, strict=True)) for values in itertools.product(*grid.values()))
+    for values in itertools.product(*grid.values()):
+        one = dict(zip(grid, values, strict=True))
+        with contextlib.suppress(ParameterError):
+            kind(**one)
+            yield one
 
 
 def _errors(
