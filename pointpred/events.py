@@ -18,6 +18,8 @@ LATEST_S = 1e11
 """Bound on the magnitude of a time: seconds of any clock fit, milliseconds since 1970 are a mistaken unit."""
 LARGEST = 1e9
 """Bound on the magnitude of positions (px), counts and buttons: beyond it arithmetic means nothing."""
+CPI, DPI = (1.0, 1e6), (1.0, 1e5)
+"""Bounds on the counts per inch of a device and the pixels per inch of a screen."""
 ROUNDING_S = 1e-6
 """Spans of time that differ by less are compared as equal: no rule may hang on how a clock is rounded."""
 

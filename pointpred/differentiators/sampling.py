@@ -13,7 +13,7 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.errors import EventError, EventOrderError, ParameterError
-from pointpred.events import LARGEST, LATEST_S, ROUNDING_S, PointerEvent
+from pointpred.events import CPI, DPI, LARGEST, LATEST_S, ROUNDING_S, PointerEvent
 from pointpred.stage import Parameter, check
 
 METRES_PER_INCH = 0.0254
@@ -31,8 +31,8 @@ STATES = 12
 REFUSED, MERGED, RESTARTED, MOVED = -1, 0, 1, 2
 
 PARAMETERS = (
-    Parameter("cpi", "counts per inch", 1.0, 1e6, "resolution of the device; None: counts are not used"),
-    Parameter("dpi", "px per inch", 1.0, 1e5, "resolution of the screen, used where counts are not"),
+    Parameter("cpi", "counts per inch", *CPI, "resolution of the device; None: counts are not used"),
+    Parameter("dpi", "px per inch", *DPI, "resolution of the screen, used where counts are not"),
     Parameter("gap_s", "s", 1e-3, 1e3, "a longer gap between events means that the device was still"),
     Parameter("pause_s", "s", 1e-3, 1e3, "the first event after a longer pause starts a movement"),
 )

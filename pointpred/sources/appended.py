@@ -9,7 +9,6 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-import msgspec
 import numpy as np
 import pyarrow as pa
 import pyarrow.compute as pc
@@ -20,6 +19,7 @@ from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording, Skip, Trial
 from pointpred.sources import tables
 from pointpred.sources.assembly import IntArray, assemble
+from pointpred.sources.header import Header, parse_header, says_appended
 from pointpred.sources.reading import AS_IS, Reading
 from pointpred.sources.segmentation import trials_of_stream
 
@@ -37,13 +37,7 @@ UNFINISHED = "the trial never ended"
 def recognises(head: bytes) -> bool:
     """Whether the header of a file that begins with ``head`` says that it was appended to."""
     first = head.split(b"\n", 1)[0]
-    if not first.startswith(tables.MARK):
-        return False
-    try:
-        header = msgspec.json.decode(first[len(tables.MARK) :], type=dict[str, Any])
-    except (msgspec.DecodeError, UnicodeError):
-        return False
-    return header.get("append") is True
+    return first.startswith(tables.MARK) and says_appended(first[len(tables.MARK) :])
 
 
 def read(path: Path, trials: Path | None, reading: Reading = AS_IS) -> Recording:
@@ -55,11 +49,8 @@ def read(path: Path, trials: Path | None, reading: Reading = AS_IS) -> Recording
     Returns the recording; raises RecordingError.
     """
     table, header, notes = _table(path, SAMPLES)
-    name = str(header.get("name", path.stem.removesuffix("_samples")))
-    try:
-        provenance = msgspec.convert(header.get("provenance", {"format": FORMAT}), Provenance)
-    except msgspec.ValidationError as error:
-        raise RecordingError(f"{path}: the pointpred header is not as expected: {error}") from error
+    name = header.name or path.stem.removesuffix("_samples")
+    provenance = header.provenance or Provenance(FORMAT)
     events = np.column_stack([tables.numbers(table[column])[0] for column in VALUES])
     marks = table["trial"].combine_chunks()
     users = table["user"].drop_null()
@@ -94,7 +85,7 @@ def read(path: Path, trials: Path | None, reading: Reading = AS_IS) -> Recording
     )
 
 
-def _table(path: Path, columns: tuple[str, ...]) -> tuple[Any, dict[str, Any], list[str]]:
+def _table(path: Path, columns: tuple[str, ...]) -> tuple[Any, Header, list[str]]:
     """The complete lines of a file as a table, its header, and a note about a last line that is cut short."""
     try:
         data = path.read_bytes()
@@ -104,7 +95,7 @@ def _table(path: Path, columns: tuple[str, ...]) -> tuple[Any, dict[str, Any], l
     first, _, rest = data[:end].partition(b"\n")
     if not first.startswith(tables.MARK):
         raise RecordingError(f"{path}: not even the first line is complete, expected a header and rows")
-    header = tables.parse_header(path, {tables.KEY: first[len(tables.MARK) :]})
+    header = parse_header(path, first[len(tables.MARK) :])
     if rest.partition(b"\n")[0] != ",".join(columns).encode():
         raise RecordingError(f"{path}: expected the columns {', '.join(columns)} below the header")
     words = {name: pa.string() for name in ("user", "trial")}

@@ -8,6 +8,7 @@ from typing import Literal
 import msgspec
 
 from pointpred.errors import ParameterError, RecordingError
+from pointpred.events import CPI, DPI
 
 Cut = Literal["clicks", "bursts", "whole"]
 Unit = Literal["pix", "height", "norm", "cm", "m"]
@@ -23,8 +24,8 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
     ``pause_s`` > 0 s ends a burst; trials of fewer than ``least_samples`` >= 2 or shorter
     than ``least_s`` >= 0 s are skipped.
     ``unit`` of positions where the experiment chose it (PsychoPy); ``screen`` width and height in px, needed
-    for the units height and norm; ``dpi`` > 0 px per inch, for positions in cm or m; ``cpi`` > 0 counts per
-    inch of the device, kept in the provenance.
+    for the units height and norm; ``dpi`` in [1, 1e5] px per inch, for positions in cm or m; ``cpi`` in
+    [1, 1e6] counts per inch of the device, kept in the provenance.
     """
 
     cut: Cut | None = None
@@ -48,8 +49,13 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
             ("pause_s", self.pause_s, self.pause_s > 0, "above 0 s"),
             ("least_samples", self.least_samples, self.least_samples >= 2, "at least 2"),
             ("least_s", self.least_s, self.least_s >= 0, "at least 0 s"),
-            ("dpi", self.dpi, 0 < self.dpi < float("inf"), "above 0 px per inch"),
-            ("cpi", self.cpi, self.cpi is None or 0 < self.cpi < float("inf"), "above 0 counts per inch"),
+            ("dpi", self.dpi, DPI[0] <= self.dpi <= DPI[1], f"in [{DPI[0]:g}, {DPI[1]:g}] px per inch"),
+            (
+                "cpi",
+                self.cpi,
+                self.cpi is None or CPI[0] <= self.cpi <= CPI[1],
+                f"in [{CPI[0]:g}, {CPI[1]:g}] counts per inch",
+            ),
             ("screen", self.screen, self.screen is None or min(self.screen) > 0, "above 0 px both ways"),
         )
         for name, value, good, bound in bounds:

@@ -47,7 +47,9 @@ def read(path: str | Path, trials: str | Path | None = None, reading: Reading = 
     if "n_samples" in names and "t_s" not in names:
         raise RecordingError(f"{path}: this is a table of trials, expected the {SAMPLES} file beside it")
     tables.need_columns(path, names, REQUIRED, KNOWN)
-    name = header.get("name") or _dataset(path, table)
+    if header.rows is None:
+        tables.unbroken(path, table, ("dataset", "user", "trial"))
+    name = header.name or _dataset(path, table)
     events = np.full((table.num_rows, 6), np.nan)
     events[:, 5] = 0.0
     faults: dict[int, str] = {}
@@ -58,20 +60,23 @@ def read(path: str | Path, trials: str | Path | None = None, reading: Reading = 
     group, keys = _keys(path, table)
     del table
     notes = ["column t_raw_s is left aside"] if "t_raw_s" in names else []
+    notes += [] if len(group) or header.rows == 0 else ["no rows below the header"]
     described = describe(beside, name, keys, np.bincount(group))
-    provenance, before = _provenance(path, header)
+    if not tables.is_ended(path):
+        notes.append(tables.UNENDED)
+        described.unfit |= {int(index): tables.UNENDED for index in group[-1:]}
     recording = assemble(
         name,
         events,
         group,
         described.trials,
-        skipped=(*before, *described.without_samples),
+        skipped=(*(Skip(*skip) for skip in header.skipped), *described.without_samples),
         faults=faults,
         unfit=described.unfit,
-        provenance=provenance,
-        notes=(*header.get("notes", ()), *notes, *described.notes),
+        provenance=header.provenance or Provenance("parquet" if path.suffix == ".parquet" else "csv"),
+        notes=(*header.notes, *notes, *described.notes),
     )
-    slow = [] if "provenance" in header else _too_slow(recording)
+    slow = [] if header.provenance else _too_slow(recording)
     return msgspec.structs.replace(recording, notes=(*recording.notes, *slow))
 
 
@@ -180,19 +185,6 @@ def _keys(path: Path, table: Any) -> tuple[IntArray, list[tuple[str, str]]]:
     group = np.repeat(rank[run], np.diff(starts, append=len(joint)))
     keys = [(values[0][users[row]], values[1][trials[row]]) for row in np.sort(starts[first])]
     return group, keys
-
-
-def _provenance(path: Path, header: dict[str, Any]) -> tuple[Provenance, tuple[Skip, ...]]:
-    """What the header says about the origin, and the trials that were skipped before it was written."""
-    if "provenance" not in header:
-        return Provenance("parquet" if path.suffix == ".parquet" else "csv"), ()
-    try:
-        provenance = msgspec.convert(header["provenance"], Provenance)
-        skipped = msgspec.convert(header.get("skipped", []), list[tuple[str, str, int | None, str | None]])
-        msgspec.convert(header.get("notes", []), list[str])
-    except msgspec.ValidationError as error:
-        raise RecordingError(f"{path}: the pointpred header is not as expected: {error}") from error
-    return provenance, tuple(Skip(*skip) for skip in skipped)
 
 
 def is_appended(path: Path) -> bool:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import re
 from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
@@ -17,6 +16,8 @@ import pyarrow.parquet as pq
 
 from pointpred.columns import FloatArray
 from pointpred.errors import RecordingError
+from pointpred.sources.csv_rows import parse_csv
+from pointpred.sources.header import NO_HEADER, Header, parse_header
 from pointpred.sources.reading import BYTE_ORDER, row_name
 
 MARK = b"# pointpred:"
@@ -24,8 +25,8 @@ PARQUET_MAGIC = b"PAR1"
 KEY = b"pointpred"
 NUMBER = r"^[ \t]*[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?[ \t]*$"
 NOT_A_NUMBER = r"^[ \t]*[+-]?(?i:nan?)?[ \t]*$"
-CELLS = re.compile(r"(?:Row #(\d+): )?Expected (\d+) columns, got (\d+)")
-LARGEST_BLOCK = 1 << 25
+CELL_MOST = 40
+UNENDED = "the last line has no end: the file may be cut"
 PLAIN = (
     pa.types.is_string,
     pa.types.is_large_string,
@@ -47,7 +48,7 @@ UNREADABLE = (
 """What Arrow raises on damaged bytes."""
 
 
-def read_table(path: Path, text: Callable[[str], bool]) -> tuple[Any, dict[str, Any]]:
+def read_table(path: Path, text: Callable[[str], bool]) -> tuple[Any, Header]:
     """The table in a Parquet or CSV file and its pointpred header; ``text`` says which columns are words.
 
     In a CSV file every column that is not text is read as numbers where all its cells are numbers, and as
@@ -71,31 +72,30 @@ def read_table(path: Path, text: Callable[[str], bool]) -> tuple[Any, dict[str, 
         kind = column.type.value_type if pa.types.is_dictionary(column.type) else column.type
         if not any(fits(kind) for fits in PLAIN):
             raise RecordingError(f"{path}: column {name!r} holds {kind}, expected words or numbers")
-    if header.get("rows", table.num_rows) != table.num_rows:
+    if header.rows not in (None, table.num_rows):
         raise RecordingError(
-            f"{path}: truncated, it holds {table.num_rows} rows, expected {header['rows']} rows"
+            f"{path}: truncated, it holds {table.num_rows} rows, expected {header.rows} rows"
         )
+    unbroken(path, table, [name for name in names if not text(name)])
     return table, header
 
 
-def read_parquet(path: Path) -> tuple[Any, dict[str, Any]]:
+def read_parquet(path: Path) -> tuple[Any, Header]:
     """The table in a Parquet file and its pointpred header; checksums are verified where present."""
     with pq.ParquetFile(path, page_checksum_verification=True) as file:
         table = file.read()
     table.validate(full=True)
-    return table.replace_schema_metadata(None), parse_header(path, file.metadata.metadata or {})
+    return table.replace_schema_metadata(None), _header(path, (file.metadata.metadata or {}).get(KEY))
 
 
-def read_csv(path: Path, text: Callable[[str], bool]) -> tuple[Any, dict[str, Any]]:
+def read_csv(path: Path, text: Callable[[str], bool]) -> tuple[Any, Header]:
     """The table in a CSV file and the header in its first line, if there is one."""
     with path.open("rb") as file:
         first = file.readline(1 << 26).removeprefix(BYTE_ORDER)
         marked = first.startswith(MARK)
         columns = file.readline(1 << 26) if marked else first
-        file.seek(-1, 2)
-        complete = file.read(1) == b"\n"
-    header = parse_header(path, {KEY: first[len(MARK) :]}) if marked else {}
-    if marked and not complete:
+    header = _header(path, first[len(MARK) :] if marked else None)
+    if marked and not is_ended(path):
         raise RecordingError(f"{path}: truncated, the last row does not end with a line break")
     names = next(csv.reader(columns.decode().splitlines()[:1]), [])
     words = {name: pa.string() for name in names if text(name)}
@@ -108,55 +108,35 @@ def read_csv(path: Path, text: Callable[[str], bool]) -> tuple[Any, dict[str, An
         return parse_csv(path, int(marked), dict.fromkeys(names, pa.string())), header
 
 
-def parse_csv(path: Path, skip: int, types: dict[str, Any]) -> Any:
-    """The rows below ``skip`` lines; raises RecordingError naming the first row that is cut or too long."""
-
-    def parse(threads: bool) -> Any:
-        return pacsv.read_csv(
-            path,
-            read_options=pacsv.ReadOptions(skip_rows=skip, use_threads=threads, block_size=_block(path)),
-            parse_options=pacsv.ParseOptions(newlines_in_values=True),
-            convert_options=pacsv.ConvertOptions(
-                column_types=types,
-                null_values=[""],
-                strings_can_be_null=True,
-                quoted_strings_can_be_null=False,
-            ),
-        )
-
-    try:
-        return parse(threads=True)
-    except pa.ArrowInvalid as error:
-        if not CELLS.search(str(error)):
-            raise
-    try:
-        return parse(threads=False)  # Arrow numbers the rows only when it reads them in order
-    except pa.ArrowInvalid as error:
-        found = CELLS.search(str(error))
-        if found is None or found.group(1) is None:
-            raise
-        row, expected, cells = (int(number) for number in found.groups())
-        raise RecordingError(
-            f"{path}: {row_name(row - 2 - skip)}: {cells} cells, expected {expected}; cut or mixed up?"
-        ) from error
+def _header(path: Path, encoded: bytes | None) -> Header:
+    return NO_HEADER if encoded is None else parse_header(path, encoded)
 
 
-def _block(path: Path) -> int:
-    """Bytes to parse at once: Arrow wants the longest row in one block."""
-    return min(max(path.stat().st_size, 1), LARGEST_BLOCK)
+def is_ended(path: Path) -> bool:
+    """Whether a file ends with a line break, or is no CSV file at all."""
+    with path.open("rb") as file:
+        magic = file.read(len(PARQUET_MAGIC))
+        file.seek(-1, 2)
+        return magic == PARQUET_MAGIC or file.read(1) == b"\n"
 
 
-def parse_header(path: Path, metadata: dict[bytes, bytes]) -> dict[str, Any]:
-    """The pointpred header among a file's metadata, empty where there is none."""
-    if KEY not in metadata:
-        return {}
-    try:
-        header = msgspec.json.decode(metadata[KEY], type=dict[str, Any])
-    except msgspec.DecodeError as error:
-        raise RecordingError(f"{path}: the pointpred header is not JSON: {error}") from error
-    if header.get("version") != 1:
-        raise RecordingError(f"{path}: pointpred header version {header.get('version')!r}, expected 1")
-    return header
+def unbroken(path: Path, table: Any, columns: Iterable[str]) -> None:
+    """Raise RecordingError for a line break inside a cell: a quote that is not closed swallows rows."""
+    for name in columns:
+        if name in table.column_names and pa.types.is_string(table[name].type):
+            broken = as_array(pc.indices_nonzero(pc.match_substring_regex(table[name], "[\r\n]")))
+            if len(broken):
+                row = int(broken[0])
+                cell = short(str(table[name][row].as_py()))
+                raise RecordingError(
+                    f"{path}: {row_name(row)}: {name} is {cell!r}, "
+                    "a line break inside a cell: unclosed quote?"
+                )
+
+
+def short(cell: str) -> str:
+    """A cell as messages show it: cut after 40 characters."""
+    return cell if len(cell) <= CELL_MOST else cell[:CELL_MOST] + "..."
 
 
 def write_table(path: Path, table: Any, header: dict[str, Any]) -> None:
@@ -197,7 +177,7 @@ def numbers(column: Any) -> tuple[FloatArray, dict[int, str]]:
         good = pc.match_substring_regex(column, NUMBER)
         empty = pc.match_substring_regex(column, NOT_A_NUMBER)
         wrong = as_array(pc.indices_nonzero(pc.invert(pc.or_(good, empty))))
-        faults = {int(row): str(column[int(row)].as_py()) for row in wrong}
+        faults = {int(row): short(str(column[int(row)].as_py())) for row in wrong}
         column = pc.utf8_trim_whitespace(pc.if_else(good, column, pa.nulls(len(column), column.type)))
     if pa.types.is_boolean(column.type):
         column = pc.cast(column, pa.int8())

@@ -45,7 +45,10 @@ def describe(path: Path | None, name: str, keys: Sequence[tuple[str, str]], size
         return Described([Trial(user, trial) for user, trial in keys])
     table, header = tables.read_table(path, lambda column: True)
     tables.need_columns(path, table.column_names, ("user", "trial"), table.column_names)
-    columns, faults = _columns(path, table, header.get("text"))
+    tables.unbroken(path, table, (*TARGET, "n_samples", "clean", *(KEYS if header.rows is None else ())))
+    columns, faults = _columns(path, table, header.text)
+    if table.num_rows and not tables.is_ended(path):
+        faults.setdefault(table.num_rows - 1, f"{path.name}: {tables.UNENDED}")
     if any(other != name for other in columns.get("dataset", [])):
         other = next(other for other in columns["dataset"] if other != name)
         raise RecordingError(f"{path}: describes data set {other!r}, expected {name!r}")
@@ -122,7 +125,7 @@ def trial_table(recording: Recording, sizes: IntArray) -> tuple[Any, dict[str, A
     return table, {"name": recording.name, "text": text}
 
 
-def _columns(path: Path, table: Any, text: list[str] | None) -> tuple[dict[str, list[Any]], dict[int, str]]:
+def _columns(path: Path, table: Any, text: Sequence[str]) -> tuple[dict[str, list[Any]], dict[int, str]]:
     """The columns as Python values (None where empty), and what is wrong in which row."""
     columns: dict[str, list[Any]] = {}
     faults: dict[int, str] = {}
@@ -137,7 +140,7 @@ def _columns(path: Path, table: Any, text: list[str] | None) -> tuple[dict[str, 
         if name == "clean" and not typed:
             column, wrong = _flags(column)
             faults |= wrong
-        elif name not in OWN and not typed and (name in (text or ()) or not _numeric(column)):
+        elif name not in OWN and not typed and (name in text or not _numeric(column)):
             columns[name] = column.to_pylist()
             continue
         values, wrong_cells = tables.numbers(column)

@@ -1,0 +1,65 @@
+"""What pointpred's own files say about themselves before their rows: one JSON object, converted once."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from pointpred.errors import RecordingError
+from pointpred.events import CPI, DPI
+from pointpred.recording import Provenance
+
+
+class Header(msgspec.Struct, frozen=True):
+    """The header of a file; a foreign file has none, so that everything is as it is here.
+
+    ``rows`` the file must hold; ``text`` names conditions that are words; ``skipped`` trials that were left
+    out before the file was written, each (trial, reason, row, user); ``append``: the recorder's.
+    """
+
+    version: Any = None
+    name: str = ""
+    rows: int | None = None
+    text: tuple[str, ...] = ()
+    provenance: Provenance | None = None
+    skipped: tuple[tuple[str, str, int | None, str | None], ...] = ()
+    notes: tuple[str, ...] = ()
+    append: bool = False
+
+
+NO_HEADER = Header(version=1)
+
+
+class _Appended(msgspec.Struct, frozen=True):
+    append: bool = False
+
+
+def parse_header(path: Path, encoded: bytes) -> Header:
+    """The header in ``encoded``; raises RecordingError where it is no JSON, or not what we write."""
+    try:
+        header = msgspec.json.decode(encoded, type=Header)
+    except msgspec.ValidationError as error:
+        raise RecordingError(f"{path}: the pointpred header is not as expected: {error}") from error
+    except (msgspec.DecodeError, UnicodeError, RecursionError) as error:
+        raise RecordingError(f"{path}: the pointpred header is not JSON: {error}") from error
+    if header.version != 1:
+        raise RecordingError(f"{path}: pointpred header version {header.version!r:.40}, expected 1")
+    said = header.provenance
+    if said is not None:
+        for name, value, (low, high) in (("cpi", said.cpi, CPI), ("dpi", said.dpi, DPI)):
+            if value is not None and not low <= value <= high:
+                raise RecordingError(
+                    f"{path}: {name} of the pointpred header must lie in [{low:g}, {high:g}], "
+                    f"received {value!r}"
+                )
+    return header
+
+
+def says_appended(encoded: bytes) -> bool:
+    """Whether a header says that rows were added to its file one after another."""
+    try:
+        return msgspec.json.decode(encoded, type=_Appended).append
+    except (msgspec.DecodeError, UnicodeError, RecursionError):
+        return False
