@@ -16,9 +16,9 @@ from pointpred import REGISTRY
 from pointpred.datasets import listing, sample
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording
+from pointpred.report.choice import highlighted
+from pointpred.report.figures import curves
 from pointpred.scoring import score, summary
-from pointpred.scoring.figures import curves
-from pointpred.scoring.report_choice import highlighted
 from pointpred.sources import read
 
 ROOT = Path(__file__).parents[1]

@@ -81,7 +81,7 @@ def score(
             failed=lambda recording, error: _left_out(unread, recording.name, error),
         )
     if report is not None and scored:
-        from pointpred.scoring.report import write_report
+        from pointpred.report import write_report
 
         again = _read(files, told, None) if files else _sample(None)
         write_report(scored, report, recordings=again, cpi=cpi, dpi=dpi)

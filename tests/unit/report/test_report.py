@@ -11,12 +11,12 @@ from pointpred import build
 from pointpred.columns import EventColumns
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.recording import Provenance, Recording, Trial
+from pointpred.report import write_report
+from pointpred.report.choice import compared, highlighted
+from pointpred.report.style import Picture, canvas, picture
+from pointpred.report.worst import worst
 from pointpred.scoring import prepare
 from pointpred.scoring import score as run
-from pointpred.scoring.report import write_report
-from pointpred.scoring.report_choice import compared, highlighted
-from pointpred.scoring.report_style import Picture, canvas, picture
-from pointpred.scoring.report_worst import worst
 from pointpred.scoring.results import SetScore
 from pointpred.scoring.summary import summary
 

@@ -1,7 +1,7 @@
 import numpy as np
 
+from pointpred.report.statistics import anova_table, leads, sentences
 from pointpred.scoring.anova import Effect
-from pointpred.scoring.report_statistics import anova_table, leads, sentences
 from pointpred.scoring.results import AXIS_FRACTIONS
 from pointpred.scoring.statistics import AxisProfile, box
 

@@ -7,9 +7,9 @@ import matplotlib.colors
 import pytest
 
 from pointpred.registry import REGISTRY
-from pointpred.scoring.figures import cost, curves
-from pointpred.scoring.report import write_report
-from pointpred.scoring.report_style import FAINT, STYLES, line_style
+from pointpred.report import write_report
+from pointpred.report.figures import cost, curves
+from pointpred.report.style import FAINT, STYLES, line_style
 from pointpred.scoring.summary import summary
 
 

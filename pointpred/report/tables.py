@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from pointpred.scoring.report_style import HOLD
+from pointpred.report.style import HOLD
 from pointpred.scoring.results import PATH_FRACTIONS, TIME_FRACTIONS
 
 Json = dict[str, Any]

@@ -10,13 +10,13 @@ from pointpred.errors import ParameterError
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
 from pointpred.registry import build
-from pointpred.scoring.figures import clean_against_all, cost, curves, group_curves, skill_bars
-from pointpred.scoring.report_boxes import boxes
-from pointpred.scoring.report_choice import compared, highlighted, pair
-from pointpred.scoring.report_page import page
-from pointpred.scoring.report_statistics import mae_table, statistics_html
-from pointpred.scoring.report_style import HOLD
-from pointpred.scoring.report_tables import (
+from pointpred.report.boxes import boxes
+from pointpred.report.choice import compared, highlighted, pair
+from pointpred.report.figures import clean_against_all, cost, curves, group_curves, skill_bars
+from pointpred.report.page import page
+from pointpred.report.statistics import mae_table, statistics_html
+from pointpred.report.style import HOLD
+from pointpred.report.tables import (
     groups_table,
     series_table,
     skipped_table,
@@ -24,7 +24,7 @@ from pointpred.scoring.report_tables import (
     table,
     text,
 )
-from pointpred.scoring.report_worst import Drawing, draw_worst, worst
+from pointpred.report.worst import Drawing, draw_worst, worst
 from pointpred.scoring.results import SetScore
 from pointpred.scoring.statistics import axis_anova, axis_profile
 from pointpred.scoring.summary import summary

@@ -11,7 +11,7 @@ import numpy as np
 from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.pipeline import Pipeline, run
-from pointpred.scoring.report_style import GREY, INK, PALETTE, Picture, canvas, picture
+from pointpred.report.style import GREY, INK, PALETTE, Picture, canvas, picture
 from pointpred.scoring.results import ScoredTrial, SetScore
 from pointpred.scoring.trials import Prepared
 

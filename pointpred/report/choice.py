@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from pointpred.scoring.report_style import HOLD, MOST_LINES
+from pointpred.report.style import HOLD, MOST_LINES
 from pointpred.scoring.results import SetScore
 
 Json = dict[str, Any]

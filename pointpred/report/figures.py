@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.scoring.report_style import (
+from pointpred.report.style import (
     FAINT,
     GREY,
     HOLD,

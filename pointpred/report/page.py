@@ -8,7 +8,7 @@ from importlib.metadata import PackageNotFoundError, version
 from importlib.resources import files
 from string import Template
 
-from pointpred.scoring.report_tables import table, text
+from pointpred.report.tables import table, text
 
 PACKAGES = ("pointpred", "numpy", "numba", "scipy", "statsmodels", "matplotlib")
 
@@ -28,7 +28,7 @@ def page(title: str, names: Sequence[str], body: str) -> str:
     """One HTML document without a single request; set i of ``names`` has the anchor ``set-i`` in ``body``."""
     contents = [(f"set-{i}", name) for i, name in enumerate(names)]
     contents += [("protocol", "How it was measured"), ("versions", "Versions")]
-    template = files("pointpred.scoring").joinpath("report.html").read_text(encoding="utf-8")
+    template = files("pointpred.report").joinpath("report.html").read_text(encoding="utf-8")
     return Template(template).substitute(
         title=text(title),
         contents="".join(f'<li><a href="#{anchor}">{text(name)}</a></li>' for anchor, name in contents),

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from pointpred.report.tables import number, table, text
 from pointpred.scoring.anova import Effect
-from pointpred.scoring.report_tables import number, table, text
 from pointpred.scoring.results import AXIS_FRACTIONS, PATH_FRACTIONS
 from pointpred.scoring.statistics import AnovaSeries, AxisProfile
 
