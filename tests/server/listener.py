@@ -43,6 +43,7 @@ class Listener:
             port,
             subprotocols=[Subprotocol(SUBPROTOCOL)],
             process_request=self._page,
+            close_timeout=1,
             compression=None,
         )
         self.port: int = self._server.socket.getsockname()[1]
@@ -110,7 +111,7 @@ class Listener:
         return Response(http.HTTPStatus.OK, "OK", headers, body)
 
 
-def soon(condition: object, what: str, seconds: float = 20.0) -> None:
+def soon(condition: object, what: str, seconds: float = 40.0) -> None:
     """Wait until something holds."""
     until = time.monotonic() + seconds
     while not condition():  # type: ignore[operator]
