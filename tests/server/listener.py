@@ -6,6 +6,7 @@ import http
 import mimetypes
 import threading
 import time
+from contextlib import suppress
 from pathlib import Path
 from types import TracebackType
 from typing import Self
@@ -87,8 +88,9 @@ class Listener:
             for frame in connection:
                 self.frames.append(frame)
                 session.receive(frame, time.monotonic())
-                for answer in session.outbox.take():
-                    connection.send(answer)
+                with suppress(ConnectionClosed):  # what came before the client left is still heard
+                    for answer in session.outbox.take():
+                        connection.send(answer)
                 if session.close is not None:
                     connection.close(session.close.code, session.close.reason)
         except ConnectionClosed:
