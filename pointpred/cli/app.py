@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import io
 import os
 import sys
+from pathlib import Path
 from typing import Annotated, NoReturn
 
 import typer
@@ -14,6 +16,7 @@ from pointpred.cli.predictors import predictors
 from pointpred.cli.recordings import app as recordings
 from pointpred.cli.replay import replay
 from pointpred.cli.score import score
+from pointpred.cli.screen import plain
 from pointpred.cli.serve import serve
 from pointpred.cli.transform import convert, simulate
 from pointpred.errors import ParameterError, PointpredError
@@ -52,6 +55,7 @@ def _options(
 
 def main(arguments: list[str] | None = None) -> NoReturn:
     """Run the command line and leave with its exit code: 0 done, 1 nothing to show for it, 2 wrong use."""
+    _open_streams()
     try:
         code = app(args=arguments, prog_name="pointpred", standalone_mode=False)
         sys.stdout.flush()
@@ -64,9 +68,20 @@ def main(arguments: list[str] | None = None) -> NoReturn:
     except (typer.TyperException, PointpredError, OSError) as error:
         if os.environ.get("POINTPRED_DEBUG") == "1":
             raise
-        print(f"pointpred: {_sentence(error)}", file=sys.stderr)
+        if said := _sentence(error):
+            print(f"pointpred: {plain(said)}", file=sys.stderr)
         code = WRONG_USE if isinstance(error, typer.TyperException | ParameterError) else NOTHING
     sys.exit(code or DONE)
+
+
+def _open_streams() -> None:
+    """Closed streams (``>&-``) lead nowhere; what a stream cannot write is escaped."""
+    for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
+        if getattr(sys, name) is None:
+            setattr(sys, name, Path(os.devnull).open(mode))  # noqa: SIM115
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")
 
 
 def _abandon_output() -> None:
@@ -79,6 +94,8 @@ def _sentence(error: Exception) -> str:
     if isinstance(error, typer.TyperException):
         context = getattr(error, "ctx", None)
         command = context.command_path if context is not None else "pointpred"
+        if not error.format_message():  # the help stands there already
+            return ""
         return f"{error.format_message().rstrip('.')}. See '{command} --help'."
     if isinstance(error, OSError) and error.strerror:
         return f"{error.strerror}: {error.filename}" if error.filename else error.strerror

@@ -10,7 +10,7 @@ import msgspec
 import typer
 
 from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Unit, reading
-from pointpred.cli.screen import check_target, remarks, write_json
+from pointpred.cli.screen import check_targets, remarks, write_json
 from pointpred.errors import ParameterError, PointpredError, RecordingError
 from pointpred.registry import REGISTRY, build
 
@@ -60,8 +60,7 @@ def score(
       pointpred score session.csv --json - | jq '.sets[0].predictors'
     """
     names = chosen(predictors)
-    for target in (json, report):
-        check_target(target)
+    check_targets({"--json": json, "--report": report}, files or ())
     told = reading(cut, pause_s, unit, screen, cpi, dpi)
     unread: Unread = {}
     from pointpred.cli.progress import following
@@ -88,7 +87,9 @@ def score(
         remarks().print(f"report written: {report}", markup=False)
     described = [summary(one) for one in scored]
     if json is not None:
-        failed = [{"file": file, "reason": reason} for file, reason in unread.items()]
+        from pointpred.sources.naming import readable
+
+        failed = [{"file": readable(file), "reason": readable(why)} for file, why in unread.items()]
         write_json({"version": 1, "sets": described, "unread": failed}, json)
     if json is None or str(json) != "-":
         from pointpred.cli.tables import print_sets

@@ -3,25 +3,49 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import msgspec
 from rich.console import Console
+from rich.text import Text
 
-from pointpred.errors import ParameterError
+from pointpred.errors import ParameterError, RecordingError
 
 WIDE = 160
 """Columns of a table that goes to a file or a pipe, where no terminal says how wide it is."""
 
 
+CONTROLS = {code: f"\\x{code:02x}" for code in (*range(32), *range(127, 160)) if chr(code) not in "\n\t"}
+"""Characters that steer a terminal, and what is shown in their place: names of files may hold them."""
+
+
+def plain(text: str) -> str:
+    r"""Text that moves no cursor and rings no bell.
+
+    >>> plain("a\x1b[2Jb")
+    'a\\x1b[2Jb'
+    """
+    return text.translate(CONTROLS)
+
+
+class Screen(Console):
+    """A console on which no text steers the terminal."""
+
+    def render_str(self, text: str, **options: Any) -> Text:
+        """As rich does, with control characters shown."""
+        return super().render_str(plain(text), **options)
+
+
 def results() -> Console:
     """The console for results; plain and wide when it is not a terminal."""
-    return Console(width=None if sys.stdout.isatty() else WIDE, highlight=False)
+    return Screen(width=None if sys.stdout.isatty() else WIDE, highlight=False)
 
 
 def remarks() -> Console:
     """The console for progress, remarks and complaints."""
-    return Console(stderr=True, highlight=False, soft_wrap=True)
+    return Screen(stderr=True, highlight=False, soft_wrap=True)
 
 
 def counted(number: int, noun: str) -> str:
@@ -34,12 +58,14 @@ def counted(number: int, noun: str) -> str:
 
 
 def write_json(value: object, target: Path) -> None:
-    """Write JSON to a file, or to stdout for ``-``."""
-    text = msgspec.json.format(msgspec.json.encode(value), indent=2).decode()
+    """Write JSON to a file, or to stdout for ``-``; UTF-8, whatever the terminal speaks."""
+    encoded = msgspec.json.format(msgspec.json.encode(value), indent=2) + b"\n"
     if str(target) == "-":
-        print(text)
+        sys.stdout.flush()
+        sys.stdout.buffer.write(encoded)
+        sys.stdout.buffer.flush()
     else:
-        target.write_text(text + "\n", encoding="utf-8")
+        target.write_bytes(encoded)
 
 
 def check_target(target: Path | None) -> None:
@@ -50,3 +76,36 @@ def check_target(target: Path | None) -> None:
         raise ParameterError(
             f"cannot write {target}: its folder must exist and it must not be a folder itself"
         )
+
+
+def check_targets(targets: dict[str, Path | None], inputs: Sequence[Path]) -> None:
+    """Raise ParameterError where a result could not be written, or would replace a recording or each other.
+
+    ``targets`` by the option that names them; nobody ever wants scores in place of what was scored.
+    """
+    from pointpred.sources import recordings
+
+    written: dict[Path, str] = {}
+    beside = [recordings.trials_beside(path) for path in inputs if path.is_file()]
+    read = [path for path in (*inputs, *beside) if path is not None]
+    for option, target in targets.items():
+        check_target(target)
+        if target is None or str(target) == "-":
+            continue
+        if target.resolve() in written:
+            raise ParameterError(f"{option} and {written[target.resolve()]} both name {target}")
+        written[target.resolve()] = option
+        if any(target.exists() and path.exists() and target.samefile(path) for path in read):
+            raise ParameterError(f"{option} {target} would replace what is scored; name another file")
+        if target.is_file() and _is_recording(target):
+            raise ParameterError(f"{option} {target} would replace a recording; name another file")
+
+
+def _is_recording(path: Path) -> bool:
+    """Whether a file is a recording by its content."""
+    from pointpred.sources import format_of
+
+    try:
+        return format_of(path) is not None
+    except RecordingError:  # empty or not to be read: no recording is lost
+        return False

@@ -9,7 +9,7 @@ import typer
 
 from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Unit, reading
 from pointpred.cli.screen import check_target, counted, remarks
-from pointpred.errors import RecordingError
+from pointpred.errors import ParameterError, RecordingError
 
 Out = Annotated[Path, typer.Option(metavar="FILE", help="Samples file to write: .parquet or .csv.")]
 Force = Annotated[bool, typer.Option("--force", help="Replace files that exist.")]
@@ -95,5 +95,9 @@ def _check(out: Path, force: bool) -> None:
     check_target(out)
     from pointpred.sources import recordings
 
+    if out.suffix not in recordings.EXTENSIONS:
+        raise ParameterError(
+            f"--out {out}: cannot write {out.suffix or 'no extension'}, expected .parquet or .csv"
+        )
     if not force:
         recordings.check_free(out)

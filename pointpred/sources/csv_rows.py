@@ -20,8 +20,12 @@ def parse_csv(path: Path, skip: int, types: dict[str, Any]) -> Any:
     """The rows below ``skip`` lines; raises RecordingError naming the first row that is cut or too long."""
 
     def parse(threads: bool) -> Any:
+        with path.open("rb") as file:  # Arrow opens no name that is not UTF-8
+            return rows_of(file, threads)
+
+    def rows_of(file: Any, threads: bool) -> Any:
         return pacsv.read_csv(
-            path,
+            file,
             read_options=pacsv.ReadOptions(skip_rows=skip, use_threads=threads, block_size=_block(path)),
             parse_options=pacsv.ParseOptions(newlines_in_values=True),
             convert_options=pacsv.ConvertOptions(

@@ -26,7 +26,9 @@ from pointpred.sources import (
     recordings,
     tables,
 )
+from pointpred.sources.folders import listed
 from pointpred.sources.joining import join
+from pointpred.sources.naming import described_readably, file_names
 from pointpred.sources.reading import AS_IS, BYTE_ORDER, Reading
 
 HEAD_BYTES = 1 << 16
@@ -95,6 +97,8 @@ class Summary(msgspec.Struct, frozen=True):
 
 def format_of(path: Path) -> Format | None:
     """The format of a file by its first 64 KiB, whatever its name; ``None`` where none fits."""
+    if path.exists() and not path.is_file():
+        raise RecordingError(f"{path}: no file that can be read twice (a pipe?); write it to a file first")
     head = _head(path)
     return next((form for form in FORMATS if form.recognises(head)), None)
 
@@ -134,7 +138,8 @@ def read_any(path: str | Path, reading: Reading = AS_IS) -> list[Recording]:
     Returns at least one recording; raises RecordingError naming the formats that were tried.
     """
     path = Path(path)
-    return _folder(path, reading) if path.is_dir() else [_file(path, reading)]
+    found = _folder(path, reading) if path.is_dir() else [_file(path, reading)]
+    return [described_readably(recording) for recording in found]
 
 
 def convert(
@@ -148,9 +153,10 @@ def convert(
     """
     out = Path(path_out)
     found = read_any(path_in, reading)
-    names = [out.name if len(found) == 1 else f"{recording.name}_{out.name}" for recording in found]
-    for name in () if replace else names:
-        recordings.check_free(out.with_name(name))
+    several = len(found) > 1
+    names = file_names([recording.name for recording in found], out.name) if several else [out.name]
+    for name in names:
+        (recordings.files_of if replace else recordings.check_free)(out.with_name(name))
     files: list[str] = []
     for recording, name in zip(found, names, strict=True):
         files += [str(file) for file in recordings.write(recording, out.with_name(name))]
@@ -189,9 +195,8 @@ def _folder(path: Path, reading: Reading) -> list[Recording]:
     """The recordings in a folder."""
     own: list[Recording] = []
     foreign: dict[str, list[tuple[Path, Recording]]] = {}
-    notes: list[str] = []
     skipped: list[Skip] = []
-    files = [file for file in sorted(path.rglob("*")) if file.is_file() and not file.name.startswith(".")]
+    files, notes = listed(path)
     for file in files:
         label = file.relative_to(path).as_posix()
         if recordings.samples_beside(file):

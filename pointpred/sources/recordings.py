@@ -39,7 +39,7 @@ def read(path: str | Path, trials: str | Path | None = None, reading: Reading = 
     Returns the recording; raises RecordingError naming the file, the row and what was expected.
     """
     path = Path(path)
-    beside = _sibling(path) if trials is None else Path(trials)
+    beside = trials_beside(path) if trials is None else Path(trials)
     if is_appended(path):
         return appended.read(path, beside, reading)
     table, header = tables.read_table(path, lambda column: column in ("dataset", "user", "trial"))
@@ -143,7 +143,7 @@ def check_free(path: str | Path) -> None:
         raise ParameterError(f"{taken[0]} exists; pass --force to replace it and {other.name}")
 
 
-def _sibling(path: Path) -> Path | None:
+def trials_beside(path: Path) -> Path | None:
     """The trials file beside a samples file, where there is one."""
     stem = path.stem.removesuffix(SAMPLES)
     found = [path.with_name(f"{stem}{TRIALS}{end}") for end in (path.suffix, *EXTENSIONS)]
@@ -201,4 +201,5 @@ def samples_beside(path: Path) -> bool:
     if not path.stem.endswith((TRIALS, PREDICTIONS)):
         return False
     stem = path.stem.removesuffix(TRIALS).removesuffix(PREDICTIONS)
-    return any(path.with_name(f"{stem}{SAMPLES}{end}").exists() for end in EXTENSIONS)
+    names = (SAMPLES, "") if path.stem.endswith(TRIALS) else (SAMPLES,)
+    return any(path.with_name(f"{stem}{name}{end}").exists() for name in names for end in EXTENSIONS)

@@ -82,7 +82,7 @@ def read_table(path: Path, text: Callable[[str], bool]) -> tuple[Any, Header]:
 
 def read_parquet(path: Path) -> tuple[Any, Header]:
     """The table in a Parquet file and its pointpred header; checksums are verified where present."""
-    with pq.ParquetFile(path, page_checksum_verification=True) as file:
+    with path.open("rb") as opened, pq.ParquetFile(opened, page_checksum_verification=True) as file:
         table = file.read()
     table.validate(full=True)
     return table.replace_schema_metadata(None), _header(path, (file.metadata.metadata or {}).get(KEY))

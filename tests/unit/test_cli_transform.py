@@ -51,5 +51,5 @@ def test_one_of_a_thing_is_not_called_many(command, tmp_path: Path) -> None:
 
 def test_an_unknown_ending_is_refused_before_anything_is_simulated(command, tmp_path: Path) -> None:
     left = command("simulate", "--people", "1000", "--out", tmp_path / "study.xlsx")
-    assert left.code == 1
+    assert left.code == 2
     assert "cannot write .xlsx, expected .parquet or .csv" in left.err

@@ -1,0 +1,62 @@
+"""Names of files that any file system takes, and names from any file system that are text."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+import msgspec
+
+from pointpred.recording import Recording
+
+LONGEST_BYTES = 150
+
+
+def readable(text: str) -> str:
+    """A file's name as text that can be written anywhere; bytes that are no UTF-8 become replacement marks.
+
+    >>> readable("study") == "study"
+    True
+    """
+    return text.encode("utf-8", "surrogateescape").decode("utf-8", "replace")
+
+
+def described_readably(recording: Recording) -> Recording:
+    """The recording with every name, reason and note ``readable``."""
+    replace = msgspec.structs.replace
+    return replace(
+        recording,
+        name=readable(recording.name),
+        trials=tuple(
+            replace(trial, user=readable(trial.user), trial=readable(trial.trial))
+            for trial in recording.trials
+        ),
+        skipped=tuple(
+            replace(
+                skip,
+                trial=readable(skip.trial),
+                reason=readable(skip.reason),
+                user=None if skip.user is None else readable(skip.user),
+            )
+            for skip in recording.skipped
+        ),
+        notes=tuple(map(readable, recording.notes)),
+    )
+
+
+def file_names(names: Sequence[str], ending: str) -> list[str]:
+    """A file name ``<name>_<ending>`` for each name, no two the same where case does not count.
+
+    >>> file_names(["study", "lab/a", "lab:a"], "all.csv")
+    ['study_all.csv', 'lab_a_all.csv', 'lab_a_2_all.csv']
+    """
+    found: dict[str, str] = {}
+    for name in names:
+        plain = re.sub(r"[^\w.,+ -]+", "_", readable(name)).strip(". ")
+        plain = plain.encode()[:LONGEST_BYTES].decode(errors="ignore") or "recording"
+        chosen, count = f"{plain}_{ending}", 1
+        while chosen.lower() in found:
+            count += 1
+            chosen = f"{plain}_{count}_{ending}"
+        found[chosen.lower()] = chosen
+    return list(found.values())
