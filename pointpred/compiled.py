@@ -53,6 +53,8 @@ def law(function: Function) -> Function:
         compiled = numba.njit(cache=folder is not None and not sealed, nogil=True, error_model="numpy")(plain)
         if sealed:
             _only_read(compiled, plain)
+        if folder is not None:
+            _distrust(compiled)
     finally:
         config.CACHE_DIR = elsewhere
     _fingerprints[id(compiled)] = fingerprint
@@ -90,6 +92,24 @@ def _only_read(compiled: Any, plain: FunctionType) -> None:
     compiled._cache = keep(plain)
 
 
+def _distrust(compiled: Any) -> None:
+    """Compile anew where the cached code cannot be loaded, as after a full disk or a killed process."""
+    store = compiled._cache
+    load = store.load_overload
+
+    def load_or_forget(signature: Any, context: Any) -> Any:
+        try:
+            return load(signature, context)
+        except Exception:  # whatever damaged bytes make of a pickle or of machine code
+            try:
+                store.flush()
+            except OSError:
+                store.disable()
+            return None
+
+    store.load_overload = load_or_forget
+
+
 def layout(function: Function) -> Function:
     """Mark a function that tells places in a memory: laws may call it, and it stays plain Python.
 
@@ -110,8 +130,13 @@ def _cache_folder() -> Path | None:
     chosen = os.environ.get("POINTPRED_CACHE_DIR")
     if chosen:
         return Path(chosen)
-    own = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "pointpred"
     try:
+        own = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "pointpred"
+    except (RuntimeError, KeyError):  # neither HOME nor an entry of this user anywhere
+        own = Path("~", ".cache", "pointpred")
+    try:
+        if not own.is_absolute():
+            raise OSError("no folder of this user")
         own.mkdir(parents=True, exist_ok=True)
         if os.access(own, os.W_OK):
             return own

@@ -49,7 +49,7 @@ def create_app(hosts: HostRule | None = None, service: Service | None = None) ->
     )
     app.state.service = serving
     app.middleware("http")(_harden)
-    app.add_middleware(HostGuard, rule=hosts or HostRule())
+    app.add_middleware(HostGuard, rule=hosts or HostRule(), headers=SAFE)
     app.exception_handler(ParameterError)(_refuse)
     app.exception_handler(RecordingError)(_refuse)
     app.add_api_route("/healthz", _health, methods=READ)

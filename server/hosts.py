@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Awaitable, Callable, Iterable, MutableMapping
+import re
+from collections.abc import Awaitable, Callable, Iterable, Mapping, MutableMapping
 from ipaddress import ip_address
 from typing import Any
 
 LOOPBACK = frozenset({"127.0.0.1", "localhost", "::1"})
+HOST = re.compile(r"(?:\[([0-9a-f:.]+)\]|([^\s:/@\[\]?#]+))(?::[0-9]{0,5})?")
 WILDCARDS = frozenset({"0.0.0.0", "::"})
 
 Scope = MutableMapping[str, Any]
@@ -34,8 +36,9 @@ class HostRule:
 class HostGuard:
     """ASGI middleware: 403 for a ``Host`` header the rule does not admit, before anything else runs."""
 
-    def __init__(self, app: Application, rule: HostRule) -> None:
+    def __init__(self, app: Application, rule: HostRule, headers: Mapping[str, str] | None = None) -> None:
         self.app = app
+        self.headers = [(name.lower().encode(), text.encode()) for name, text in (headers or {}).items()]
         self.rule = rule
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
@@ -50,15 +53,15 @@ class HostGuard:
             await receive()
             await send({"type": "websocket.close", "code": 1008})
         else:
-            headers = [(b"content-type", b"text/plain; charset=utf-8")]
+            headers = [(b"content-type", b"text/plain; charset=utf-8"), *self.headers]
             await send({"type": "http.response.start", "status": 403, "headers": headers})
             await send({"type": "http.response.body", "body": b"This host name is not served here.\n"})
 
 
 def _without_port(host: str) -> str:
-    if host.startswith("["):
-        return host[1:].partition("]")[0]
-    return host.partition(":")[0]
+    """The name or address in a ``Host`` header; empty, which nobody admits, where it is malformed."""
+    found = HOST.fullmatch(host)
+    return (found.group(1) or found.group(2)) if found else ""
 
 
 def _is_address(name: str) -> bool:

@@ -29,6 +29,8 @@ def listen(host: str, port: int, tries: int = 1) -> socket.socket:
         except OSError as error:
             if error.errno != errno.EADDRINUSE:
                 raise SourceError(f"cannot listen on {host} port {candidate}: {error.strerror}") from error
+        except UnicodeError as error:
+            raise SourceError(f"cannot listen on {host!r}: no name of a host") from error
     ports = f"port {port} is" if tries == 1 else f"ports {port} to {port + tries - 1} are"
     raise SourceError(f"{ports} in use on {host}; choose another with --port, or --port 0 for any free one")
 

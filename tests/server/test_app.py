@@ -102,6 +102,10 @@ def test_unknown_names_are_404_and_say_so(client: TestClient, path: str, said: s
         ("127.0.0.1", "127.0.0.1.evil.example", False),
         ("127.0.0.1", "localhost.evil.example", False),
         ("127.0.0.1", "192.168.0.7", False),
+        ("127.0.0.1", "[::1].evil.com", False),
+        ("127.0.0.1", "[::1]:80@evil.com", False),
+        ("127.0.0.1", "localhost:80@evil", False),
+        ("127.0.0.1", "localhost:", True),
         ("127.0.0.1", "", False),
         ("0.0.0.0", "192.168.0.7:8765", True),
         ("0.0.0.0", "evil.example", False),
@@ -113,4 +117,7 @@ def test_foreign_hosts_are_refused(bound: str, header: str, admitted: bool) -> N
     rule = HostRule(bound, ["lab.example"] if bound != "127.0.0.1" else [])
     with TestClient(create_app(rule), base_url="http://127.0.0.1") as client:
         for path in ("/", "/healthz", "/v1/samples", "/web/page.js"):
-            assert client.get(path, headers={"Host": header}).status_code == (200 if admitted else 403)
+            answer = client.get(path, headers={"Host": header})
+            assert answer.status_code == (200 if admitted else 403)
+            assert answer.headers["X-Content-Type-Options"] == "nosniff"
+            assert "frame-ancestors 'none'" in answer.headers["Content-Security-Policy"]

@@ -152,3 +152,43 @@ def test_a_cache_that_is_only_read_is_used_and_not_written(tmp_path: Path) -> No
         path.rmdir() if path.is_dir() else path.unlink()
     assert told(SEALED, "sealed") == "False False"
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("ending", [".nbi", ".nbc"])
+@pytest.mark.parametrize("kept", [0, 7, 60])
+def test_damaged_files_of_the_cache_are_compiled_anew(ending: str, kept: int, tmp_path: Path) -> None:
+    """As a full disk leaves them; the second process finds them damaged, the third mended."""
+    program = "from pointpred.compiled import law\n@law\ndef f(x):\n    return 2.0 * x\nprint(f(4.0))"
+    (tmp_path / "program.py").write_text(program)
+    environment = {**os.environ, "POINTPRED_CACHE_DIR": str(tmp_path / "cache")}
+
+    def run() -> str:
+        left = subprocess.run(
+            [sys.executable, tmp_path / "program.py"],
+            env=environment,
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        return left.stdout + left.stderr
+
+    assert run() == "8.0\n"
+    (damaged,) = (tmp_path / "cache").rglob(f"*{ending}")
+    whole = damaged.read_bytes()
+    damaged.write_bytes(whole[:kept])
+    assert run() == "8.0\n"
+    (mended,) = (tmp_path / "cache").rglob(f"*{ending}")
+    assert len(mended.read_bytes()) == len(whole)
+
+
+def test_a_user_without_a_home_gets_a_folder(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    def homeless() -> Path:
+        raise RuntimeError("Could not determine home directory.")
+
+    for name in ("POINTPRED_CACHE_DIR", "XDG_CACHE_HOME"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr(Path, "home", homeless)
+    monkeypatch.setattr(compiled.tempfile, "gettempdir", lambda: str(tmp_path))
+    folder = compiled._cache_folder.__wrapped__()
+    assert folder is not None
+    assert folder.parent == tmp_path
