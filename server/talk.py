@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Awaitable, Callable, MutableMapping
+from collections import deque
+from collections.abc import Awaitable, Callable, Coroutine, MutableMapping
 from typing import Any, Protocol
 
-from pointpred.server.outbox import Outbox
+from pointpred.server.eager import begin
+from pointpred.server.outbox import Frame, Outbox
 from pointpred.server.session import Close
 
 Receive = Callable[[], Awaitable[MutableMapping[str, Any]]]
-Send = Callable[[MutableMapping[str, Any]], Awaitable[None]]
+Send = Callable[[MutableMapping[str, Any]], Coroutine[Any, Any, None]]
 
 TICK_S = 1.0
 """How often a session is told that time passes."""
@@ -37,8 +39,9 @@ class Speaker(Protocol):
 class Talk:
     """Runs a session over one accepted WebSocket.
 
-    Receiving and sending are two tasks, so that a client that does not read holds up its answers only: they
-    wait in the session's outbox, where predictions give way to newer ones.
+    What a session says to a frame is sent at once. Where that would have to wait, because the client does not
+    read, another task waits and sends, and frames are taken in meanwhile: their answers wait in the session's
+    outbox, where predictions give way to newer ones.
     """
 
     def __init__(
@@ -52,6 +55,7 @@ class Talk:
         self._wake = asyncio.Event()
         self._arrived = 0.0
         self._sending_since: float | None = None
+        self._begun: deque[Awaitable[None] | Frame] = deque()  # what the sending task is to finish first
         self._loop = asyncio.get_running_loop()
 
     async def run(self) -> None:
@@ -84,6 +88,20 @@ class Talk:
             frame = message.get("bytes")
             self._arrived = loop.time()
             session.receive(message["text"] if frame is None else frame, self._arrived)
+            if self._sending_since is None:
+                self._answer()
+
+    def _answer(self) -> None:
+        """Send what can be sent without waiting; the rest is for the sending task."""
+        frames = deque(self.session.outbox.take())
+        while frames:
+            if rest := begin(self._send(_message(frames.popleft()))):
+                self._begun.extend((rest, *frames))
+                self._sending_since = self._arrived
+                break
+        else:
+            self._delayed(self._loop.time() - self._arrived)
+        if self._begun or self.session.close is not None:
             self._wake.set()
 
     async def _send_answers(self) -> None:
@@ -93,11 +111,13 @@ class Talk:
             await wake.wait()
             wake.clear()
             self._sending_since = loop.time()
-            while session.outbox:
+            while self._begun or session.outbox:
                 arrived = self._arrived
+                while self._begun:
+                    part = self._begun.popleft()
+                    await (send(_message(part)) if isinstance(part, str | bytes) else part)
                 for frame in session.outbox.take():
-                    kind = "bytes" if isinstance(frame, bytes) else "text"
-                    await send({"type": "websocket.send", kind: frame})
+                    await send(_message(frame))
                 self._delayed(loop.time() - arrived)
             self._sending_since = None
             if (close := session.close) is not None:
@@ -110,3 +130,7 @@ class Talk:
             await asyncio.sleep(TICK_S)
             self.session.tick(self._loop.time())
             self._wake.set()
+
+
+def _message(frame: Frame) -> MutableMapping[str, Any]:
+    return {"type": "websocket.send", "bytes" if isinstance(frame, bytes) else "text": frame}

@@ -18,11 +18,12 @@ from pointpred.datasets import sample
 from pointpred.events import PHASES
 from pointpred.server.messages import Limits
 from pointpred.server.session import Session
+from tests.server.running import Running, running
 
 LIMITS = Limits(max_events_per_s=10**9)
 EVENT, PREDICTION = Struct("<dddhhH"), Struct("<dddddddB")
 NAN = float("nan")
-TRIALS = 6
+TRIALS = 4
 """Trials taken from the embedded sample; a reset lies between them."""
 
 
@@ -112,27 +113,35 @@ def row_of(answer: str | bytes) -> list[tuple[float, ...]]:
     return [(*(NAN if n is None else n for n in (*numbers, said["remaining_s"])), phase)]
 
 
-def talking(
-    name: str, encoding: str, frame: int, exchange: Callable[[str | bytes], list[Any]]
-) -> Iterator[bytes]:
-    """Every trial through a session: ``exchange`` sends a frame and returns the answers."""
-    exchange(hello(name, encoding))
+Exchange = Callable[[list[str | bytes], int], list[Any]]
+"""Sends frames that bring so many answers, and returns these."""
+
+
+def talking(name: str, encoding: str, frame: int, exchange: Exchange, at_once: int = 1) -> Iterator[bytes]:
+    """Every trial through a session, ``at_once`` frames before an answer is read."""
+    exchange([hello(name, encoding)], 1)
     for rows in trials():
-        exchange('{"type": "reset"}')
+        exchange(['{"type": "reset"}'], 0)
+        form = binary_frame if encoding == "binary" else text_frame
+        frames = [form(rows.table[first : first + frame]) for first in range(0, len(rows), frame)]
         found: list[tuple[float, ...]] = []
-        for first in range(0, len(rows), frame):
-            table = rows.table[first : first + frame]
-            answers = exchange(binary_frame(table) if encoding == "binary" else text_frame(table))
-            found += [row for answer in answers for row in row_of(answer)]
+        for first in range(0, len(frames), at_once):
+            sent = frames[first : first + at_once]
+            events = min(len(rows), (first + at_once) * frame) - first * frame
+            for answer in exchange(sent, len(sent) if encoding == "binary" else events):
+                found += row_of(answer)
         yield packed(PredictionColumns(np.array(found)))
 
 
 def session(name: str, encoding: str, frame: int) -> Iterator[bytes]:
     one = Session("session", LIMITS, 0.0)
 
-    def exchange(sent: str | bytes) -> list[Any]:
-        one.receive(sent, 0.0)
-        return one.outbox.take()
+    def exchange(frames: list[str | bytes], count: int) -> list[Any]:
+        for frame in frames:
+            one.receive(frame, 0.0)
+        answers = one.outbox.take()
+        assert len(answers) == count
+        return answers
 
     return talking(name, encoding, frame, exchange)
 
@@ -152,6 +161,28 @@ def test_in_chunks(name: str) -> None:
 @pytest.mark.parametrize("name", REGISTRY)
 def test_session(name: str, encoding: str, frame: int) -> None:
     assert tuple(session(name, encoding, frame)) == whole(name)
+
+
+@pytest.fixture(scope="module")
+def service() -> Iterator[Running]:
+    with running(max_events_per_s=10**8) as here:
+        yield here
+
+
+@pytest.mark.parametrize(
+    ("encoding", "frame", "at_once"), [("json", 32, 2), ("binary", 1, 64), ("binary", 32, 2)]
+)
+@pytest.mark.parametrize("name", REGISTRY)
+def test_socket(service: Running, name: str, encoding: str, frame: int, at_once: int) -> None:
+    """Frames sent in a burst are answered each: only a client that does not read misses predictions."""
+    with service.connect() as socket:
+
+        def exchange(frames: list[str | bytes], count: int) -> list[Any]:
+            for frame in frames:
+                socket.send(frame)
+            return [socket.recv(10) for _ in range(count)]
+
+        assert tuple(talking(name, encoding, frame, exchange, at_once)) == whole(name)
 
 
 def test_the_sample_has_counts_and_predictors_that_differ() -> None:
