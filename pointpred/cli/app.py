@@ -65,6 +65,9 @@ def main(arguments: list[str] | None = None) -> NoReturn:
             raise
         code = DONE
         _abandon_output()
+    except typer.Abort:  # Ctrl-C, or the end of what was asked for
+        print("pointpred: interrupted", file=sys.stderr)
+        code = INTERRUPTED
     except (typer.TyperException, PointpredError, OSError) as error:
         if os.environ.get("POINTPRED_DEBUG") == "1":
             raise

@@ -123,6 +123,8 @@ def _nearly_own(head: bytes) -> str:
         missing = [name for name in recordings.REQUIRED if name not in names]
         if mark != "," and len(missing) <= MOST_MISSING:
             return f"looks like pointpred CSV with {mark!r} between cells, expected ','"
+        if not missing:
+            return "looks like pointpred CSV with blanks beside the names of its columns, expected none"
         if len(missing) <= MOST_MISSING:
             return f"no column {missing[0]!r}; found {', '.join(names)}"
     return ""

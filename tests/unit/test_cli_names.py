@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 
 import pytest
+import typer
 
 from pointpred.cli.screen import plain
 
@@ -163,3 +164,13 @@ def test_everything_in_a_folder_is_accounted_for(
         "dangling.csv is a link to nothing",
         "pipe is no file that can be read twice",
     ]
+
+
+def test_an_interrupted_command_says_so_without_a_traceback(command, monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(*_: object, **__: object) -> None:
+        raise typer.Abort
+
+    monkeypatch.setattr("pointpred.cli.score.chosen", interrupted)
+    left = command("score")
+    assert left.code == 130
+    assert left.err.strip() == "pointpred: interrupted"

@@ -109,3 +109,9 @@ def test_a_file_without_rows_says_so(tmp_path: Path) -> None:
     recording = read(written(tmp_path, HEADER))
     assert recording.trials == ()
     assert recording.notes == ("no rows below the header",)
+
+
+def test_blanks_beside_the_names_of_columns_are_told(tmp_path: Path) -> None:
+    path = written(tmp_path, HEADER.replace(",", ", ") + ROWS)
+    with pytest.raises(RecordingError, match="blanks beside the names of its columns"):
+        read_any(path)
