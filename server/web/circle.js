@@ -7,7 +7,7 @@ import { drawCircle } from "./draw-circle.js";
 import { number, offer, part, write } from "./elements.js";
 import { circle } from "./geometry.js";
 import { follow } from "./pointer.js";
-import { predictors } from "./service.js";
+import { PREFERRED, predictors } from "./service.js";
 import { Track, words } from "./track.js";
 
 const FRESH_MS = 500;
@@ -156,7 +156,7 @@ export async function open() {
   if (!drawing) requestAnimationFrame(frame);
   drawing = true;
   const listing = await predictors();
-  if (!offered) offer(part("circle-predictor"), listing.predictors, "switched");
+  if (!offered) offer(part("circle-predictor"), listing.predictors, PREFERRED);
   offered = true;
   names = listing.predictors.map(({ name }) => name);
   startButton.disabled = false;

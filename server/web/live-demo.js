@@ -18,7 +18,12 @@ export class Demo {
   #movements = []; #began = null; #at = 0;
 
   constructor(predictor) {
-    this.#load(predictor).catch(() => {}); // without it the page invites without a picture
+    this.#load(predictor).catch(() => {}); // the page invites without a picture, and asks again when it is opened
+  }
+
+  /** Whether there is something to show. */
+  get loaded() {
+    return this.#movements.length > 0;
   }
 
   /** Begins again with the next movement. */
@@ -31,7 +36,7 @@ export class Demo {
    * @returns {{movement: object, event: number} | null} up to which event the movement is to be shown
    */
   at(now, still) {
-    if (!this.#movements.length) return null;
+    if (!this.loaded) return null;
     const movement = this.#movements[this.#at % this.#movements.length];
     const last = movement.t[movement.t.length - 1];
     if (still) return { movement, event: this.#event(movement, last / 2) };

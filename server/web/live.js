@@ -7,7 +7,7 @@ import { Demo } from "./live-demo.js";
 import { Movement, speed } from "./live-movement.js";
 import { LiveCard } from "./live-card.js";
 import { follow } from "./pointer.js";
-import { predictors } from "./service.js";
+import { PREFERRED, predictors } from "./service.js";
 import { Strip } from "./strip.js";
 
 const INVITE_MS = 4000;
@@ -103,13 +103,13 @@ export async function open() {
   active = true;
   strip ??= new Strip(part("live-strip"));
   strip.fit();
-  demo ??= new Demo("switched");
+  if (!demo?.loaded) demo = new Demo(PREFERRED);
   for (const card of cards) card.open();
   if (!drawing) requestAnimationFrame(frame);
   drawing = true;
   const listing = await predictors();
   if (cards[0].offered) return;
-  offer(cards[0].select, listing.predictors, "switched");
+  offer(cards[0].select, listing.predictors, PREFERRED);
   offer(cards[1].select, listing.predictors, "", "none");
   for (const card of cards) card.offered = true;
   if (active) for (const card of cards) card.open();

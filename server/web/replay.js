@@ -5,7 +5,7 @@ import { drawErrors, drawScene, errorAt } from "./draw-replay.js";
 import { number as written, offer, part, write } from "./elements.js";
 import { embedded, opened } from "./replay-source.js";
 import { expectScores, scoreTable, sentence as scoredSentence, setOf } from "./scores.js";
-import { predictors, score } from "./service.js";
+import { PREFERRED, predictors, score } from "./service.js";
 
 const [scene, errors, play, time, previous, next] = ["scene", "errors", "play", "time", "previous", "next"].map((id) => part(`replay-${id}`));
 const [list, readout, said, file, back, drop] = ["trials", "readout", "source", "file", "sample", "drop"].map((id) => part(`replay-${id}`));
@@ -137,7 +137,7 @@ async function scoreFile() {
 export async function open() {
   const listing = await predictors();
   if (choices[0].options.length === 0) {
-    offer(choices[0], listing.predictors, "switched");
+    offer(choices[0], listing.predictors, PREFERRED);
     offer(choices[1], listing.predictors, "", "none");
   }
   if (source === null) await take(await embedded());

@@ -1,5 +1,8 @@
 // What the service answers over HTTP.
 
+/** The predictor shown first. */
+export const PREFERRED = "switched";
+
 /** The token in the page's own address, where the service asks for one: the address that it printed has it. */
 export const token = new URLSearchParams(window.location.search).get("token") ?? undefined;
 

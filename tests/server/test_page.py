@@ -16,7 +16,7 @@ from pointpred.recording import Recording
 from pointpred.registry import REGISTRY
 from pointpred.sources import write
 from tests.server import browser, page_browser
-from tests.server.page_browser import Visitor
+from tests.server.page_browser import Visitor, until
 
 pytestmark = browser.needed
 
@@ -114,6 +114,13 @@ def test_another_predictor_can_be_chosen_live(visitor: Visitor, url: str) -> Non
     assert "hold was" in visitor.text("#live-verdict")
 
 
+def sockets(visitor: Visitor) -> int:
+    """How many connections the page holds."""
+    visitor.value("0")
+    told = [event["method"] for event in visitor.page.heard]
+    return told.count("Network.webSocketCreated") - told.count("Network.webSocketClosed")
+
+
 def test_tabs_take_arrow_keys_and_deep_links(visitor: Visitor, url: str) -> None:
     visitor.open(f"{url}#circle")
     shown = "[...document.querySelectorAll('[role=tabpanel]')].filter(one => !one.hidden).map(one => one.id)"
@@ -127,6 +134,7 @@ def test_tabs_take_arrow_keys_and_deep_links(visitor: Visitor, url: str) -> None
         assert visitor.value("document.querySelectorAll('[role=tab][tabindex=\"-1\"]').length") == 2
     visitor.value("history.back()")
     visitor.wait(f"{shown}[0] === 'view-replay'")
+    until(lambda: sockets(visitor) == 0, "views that are not open have no connection")
 
 
 def test_the_sample_is_replayed_with_two_predictors(visitor: Visitor, url: str) -> None:
@@ -197,3 +205,36 @@ def test_views_fit_their_window_and_nothing_shifts(
     selects = "[...document.querySelectorAll('[role=tabpanel]:not([hidden]) select')]"
     visitor.wait(f"{selects}.every(({{ disabled }}) => !disabled)")
     assert visitor.value("document.documentElement.scrollWidth <= document.documentElement.clientWidth")
+
+
+def touch(visitor: Visitor, kind: str, *places: tuple[float, float]) -> None:
+    points = [{"x": x, "y": y} for x, y in places]
+    visitor.page.call("Input.dispatchTouchEvent", type=kind, touchPoints=points)
+
+
+def test_a_finger_selects_by_lifting(visitor: Visitor, url: str) -> None:
+    visitor.page.call("Emulation.setTouchEmulationEnabled", enabled=True)
+    visitor.open(f"{url}#circle")
+    visitor.wait("!document.querySelector('#circle-start').disabled")
+    for name, value in (("targets", 3), ("blocks", 1)):
+        visitor.value(f"document.querySelector('[name={name}]').value = {value}")
+    visitor.value("document.querySelector('#circle-start').click()")
+    left, top, *_ = visitor.corner("#circle-scene")
+    place = (left + 20, top + 20)
+    goal = "JSON.parse(document.querySelector('#circle-scene').dataset.target)"
+    for _ in range(4):
+        end = tuple(visitor.value(f"(({{ x, y }}) => [{left} + x, {top} + y])({goal})"))
+        touch(visitor, "touchStart", place)
+        for i in range(1, 13):
+            share = i / 12
+            touch(
+                visitor,
+                "touchMove",
+                (place[0] + share * (end[0] - place[0]), place[1] + share * (end[1] - place[1])),
+            )
+        touch(visitor, "touchEnd")
+        place = (end[0], end[1])
+    visitor.page.call("Emulation.setTouchEmulationEnabled", enabled=False)
+    visitor.wait("document.querySelector('#circle-result').dataset.state === 'done'")
+    assert visitor.text("#circle-said").startswith("Done: 3 of 3 movements, 0 missed")
+    assert visitor.text("#circle-scored").startswith("3 movements scored")

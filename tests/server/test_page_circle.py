@@ -47,6 +47,7 @@ def run_blocks(visitor: Visitor) -> int:
         visitor.reach(place, end, 0.22)
         visitor.click(*end)
         place, clicks = end, clicks + 1
+        assert clicks <= 2 * BLOCKS * TARGETS, "the run does not end"
     return clicks
 
 
