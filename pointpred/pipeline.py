@@ -4,10 +4,21 @@ from __future__ import annotations
 
 from typing import Self
 
-from pointpred.columns import EventColumns, PredictionColumns
+from pointpred.columns import BoolArray, EventColumns, FloatArray, PredictionColumns
+from pointpred.compiled import law
 from pointpred.differentiators import Differentiator
 from pointpred.events import PointerEvent, Prediction
 from pointpred.predictors import Predictor
+from pointpred.predictors.predictor import PHASE
+
+
+@law
+def refused(motions: FloatArray, predictions: FloatArray) -> bool:
+    """Whether a stage refused a row: the time of its motion, or the phase, is NaN."""
+    for i in range(len(motions)):
+        if motions[i, 0] != motions[i, 0] or predictions[i, PHASE] != predictions[i, PHASE]:
+            return True
+    return False
 
 
 class Pipeline:
@@ -48,6 +59,21 @@ class Pipeline:
         except Exception:
             self.differentiator.recall(kept)
             raise
+
+    def advance_all(self, begin: BoolArray, table: FloatArray) -> FloatArray | None:
+        """``run`` in plain tables, for frames so short that records around them would be felt.
+
+        ``None`` where a row is refused; nothing has changed then, and ``run`` says why.
+        """
+        stages = (self.differentiator, self.predictor)
+        kept = [stage.remembered() for stage in stages]
+        motions = self.differentiator.walk(begin, table)
+        predictions = self.predictor.walk(begin, motions)
+        if not refused(motions, predictions):
+            return predictions
+        for stage, memory in zip(stages, kept, strict=True):
+            stage.recall(memory)
+        return None
 
     def reset(self) -> None:
         """Forget every event: the next one starts a movement."""

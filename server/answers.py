@@ -4,20 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from pointpred.columns import PredictionColumns
+from pointpred.columns import FloatArray
 from pointpred.events import PHASES
 from pointpred.server.messages import PredictionMessage, Region, encode
 from pointpred.server.outbox import Frame
 from pointpred.server.records import pack, pack_one
 
 
-def frames(predictions: PredictionColumns, *, binary: bool, each: bool) -> tuple[list[Frame], int]:
-    """What to send after a frame of events, and how many predictions that are.
+def frames(predictions: FloatArray, *, binary: bool, each: bool) -> tuple[list[Frame], int]:
+    """What to send after a frame of events with these rows of predictions, and how many that are.
 
     Binary: one frame of packed records. JSON: one text a prediction. ``each``: one prediction an event,
     otherwise the newest one only.
     """
-    told = predictions.table if each else predictions.table[-1:]
+    told = predictions if each else predictions[-1:]
     if len(told) == 1 or not binary:
         frame = frame_of(binary=binary)
         return [frame(row) for row in told.tolist()], len(told)

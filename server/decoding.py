@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import msgspec
 import numpy as np
 
-from pointpred.columns import EventColumns, FloatArray
+from pointpred.columns import FloatArray
 from pointpred.events import LARGEST, LATEST_S
 from pointpred.server.messages import ClientMessage, EventRow
 from pointpred.server.records import EVENT as EVENT
@@ -38,17 +38,17 @@ def row_of(row: EventRow) -> tuple[float, float, float, float, float, float]:
     return t, x, y, NONE if dx is None else dx, NONE if dy is None else dy, float(buttons)
 
 
-def events_of_rows(rows: Sequence[EventRow]) -> EventColumns:
-    """A table from the rows of an ``events`` message."""
-    return EventColumns(np.array(rows, dtype=np.float64).reshape(-1, 6))  # null becomes NaN
+def table_of_rows(rows: Sequence[EventRow]) -> FloatArray:
+    """The table from the rows of an ``events`` message."""
+    return np.array(rows, dtype=np.float64).reshape(-1, 6)  # null becomes NaN
 
 
-def events_of_bytes(frame: bytes) -> EventColumns:
-    """A table from a frame of packed events; raises RefusedError."""
+def table_of_bytes(frame: bytes) -> FloatArray:
+    """The table of a frame of packed events; raises RefusedError."""
     if len(frame) % EVENT.itemsize:
         words = f"a binary frame holds records of {EVENT.itemsize} bytes, received {len(frame)} bytes"
         raise RefusedError("bad_field", words, "$")
-    return EventColumns(unpack(frame))
+    return unpack(frame)
 
 
 def check_numbers(table: FloatArray) -> None:

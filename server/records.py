@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from struct import Struct
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pointpred.columns import FloatArray
+from pointpred.compiled import law
 
 EVENT = np.dtype([("t", "<f8"), ("x", "<f8"), ("y", "<f8"), ("dx", "<i2"), ("dy", "<i2"), ("buttons", "<u2")])
 """A packed event; ``NO_COUNTS`` in dx or dy means no counts."""
@@ -18,29 +18,27 @@ PREDICTION = np.dtype([("numbers", "<f8", (7,)), ("phase", "u1")])
 NO_COUNTS = -32768
 
 NONE = float("nan")
+ByteArray = NDArray[np.uint8]
 _one_event = Struct("<dddhhH")
 _one_prediction = Struct("<dddddddB")
 
 
-def _view(frame: bytes | bytearray, kind: str, first: int, width: int, record: int) -> NDArray[Any]:
-    """Neighbouring fields of one kind in every record, where they lie."""
-    item = np.dtype(kind).itemsize
-    if not frame:
-        return np.empty((0, width), kind)
-    return np.ndarray((len(frame) // record, width), kind, frame, first, (record, item))
+@law
+def take_apart(frame: ByteArray, table: FloatArray) -> None:
+    """The fields of each record into a row of the table."""
+    for i in range(len(table)):
+        record = frame[30 * i : 30 * i + 30]
+        table[i, 0:3] = record[0:24].view(np.float64)
+        table[i, 3:5] = record[24:28].view(np.int16)
+        table[i, 5] = record[28:30].view(np.uint16)[0]
+        if table[i, 3] == NO_COUNTS or table[i, 4] == NO_COUNTS:
+            table[i, 3:5] = np.nan
 
 
 def unpack(frame: bytes) -> FloatArray:
     """The events of a frame as the table of ``EventColumns``; the frame holds whole records."""
-    record = EVENT.itemsize
-    counts = _view(frame, "<i2", 24, 2, record)
-    table = np.empty((len(counts), 6))
-    table[:, :3] = _view(frame, "<f8", 0, 3, record)
-    table[:, 3:5] = counts
-    table[:, 5:] = _view(frame, "<u2", 28, 1, record)
-    none = counts == NO_COUNTS
-    if none.any():
-        table[none.any(axis=1), 3:5] = NONE
+    table = np.empty((len(frame) // EVENT.itemsize, 6))
+    take_apart(np.frombuffer(bytearray(frame), np.uint8), table)
     return table
 
 
@@ -54,16 +52,12 @@ def unpack_one(frame: bytes) -> tuple[float, float, float, float, float, float]:
 
 def pack(table: FloatArray) -> bytes:
     """The rows of ``PredictionColumns`` as records."""
-    record = PREDICTION.itemsize
-    frame = bytearray(len(table) * record)
-    numbers, phase = _view(frame, "<f8", 0, 7, record), _view(frame, "u1", 56, 1, record)
-    numbers[:] = table[:, :7]
-    phase[:] = table[:, 7:]
+    packed = np.empty(len(table), PREDICTION)
     none = np.isnan(table[:, 1])
-    if none.any():
-        numbers[none, 1:] = NONE
-        phase[none] = 0
-    return bytes(frame)
+    packed["numbers"] = table[:, :7]
+    packed["phase"] = np.where(none, 0.0, table[:, 7])
+    packed["numbers"][none, 1:] = NONE
+    return packed.tobytes()
 
 
 def pack_one(row: Sequence[float]) -> bytes:

@@ -11,14 +11,14 @@ from typing import Literal
 
 from msgspec import Struct
 
-from pointpred.columns import EventColumns
+from pointpred.columns import FloatArray
 from pointpred.errors import EventError
 from pointpred.server.allowance import Allowance
 from pointpred.server.decoding import (
     decode_text,
-    events_of_bytes,
-    events_of_rows,
     row_of,
+    table_of_bytes,
+    table_of_rows,
 )
 from pointpred.server.messages import (
     VERSION,
@@ -133,6 +133,11 @@ class Session:
         if self.state != "closed":
             self._end("internal", "the server failed; the session ends", 1011)
 
+    def give_up(self) -> None:
+        """The client has not read for too long."""
+        if self.state != "closed":
+            self._end("slow", SLOW, 1013)
+
     def lose(self) -> None:
         """The connection is gone: nothing more can be said."""
         if self.state != "closed":
@@ -154,7 +159,7 @@ class Session:
         if stream is None:
             raise _out_of_place("a binary frame")
         self._allowance.take(len(frame) // RECORD, now)
-        self._predict(stream, events_of_bytes(frame))
+        self._predict(stream, table_of_bytes(frame))
 
     def _take_rows(self, stream: Stream, rows: list[EventRow], now: float) -> None:
         """Events in JSON; raises RefusedError."""
@@ -162,11 +167,11 @@ class Session:
         if len(rows) == 1 and stream.feed_one(row_of(rows[0]), self.outbox):
             self.state = "streaming"
         else:
-            self._predict(stream, events_of_rows(rows))
+            self._predict(stream, table_of_rows(rows))
 
-    def _predict(self, stream: Stream, events: EventColumns) -> None:
-        error, dropped = stream.feed(events, self.outbox)
-        if len(events):
+    def _predict(self, stream: Stream, table: FloatArray) -> None:
+        error, dropped = stream.feed(table, self.outbox)
+        if len(table):
             self.state = "streaming"
         if error is not None:
             self._refuse(error, dropped)

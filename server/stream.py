@@ -7,8 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from msgspec import structs
 
-from pointpred.columns import EventColumns, PredictionColumns
-from pointpred.errors import EventError
+from pointpred.columns import EventColumns, FloatArray, PredictionColumns
 from pointpred.pipeline import run
 from pointpred.server import answers
 from pointpred.server.building import cpi_of, dpi_of, pipeline_of
@@ -20,6 +19,8 @@ from pointpred.server.trials import TrialKeeper
 from pointpred.server.watch import Watch
 
 NEVER = float("-inf")
+NOWHERE = np.zeros(100_000, np.bool_)
+"""A frame resets nothing between its events; as long as the longest frame that settings allow."""
 
 
 class Stream:
@@ -39,24 +40,23 @@ class Stream:
         self._last_t = NEVER
         self._trial = TrialKeeper()
 
-    def feed(self, events: EventColumns, outbox: Outbox) -> tuple[ErrorMessage | None, int]:
+    def feed(self, table: FloatArray, outbox: Outbox) -> tuple[ErrorMessage | None, int]:
         """Predict; events before the last one are dropped, the rest of the frame is kept.
 
         Returns what to say of the dropped ones, and how many they are. Raises RefusedError, nothing changed,
         where a number cannot be used.
         """
-        error, kept = None, events
-        try:
-            predictions = run(self.pipeline, events)
-        except EventError:  # the pipeline knows that something is wrong, the protocol says where
-            check_numbers(events.table)
-            error, kept = self._without_late(events)
-            predictions = run(self.pipeline, kept)
+        error, kept, count = None, table, len(table)
+        predictions = self.pipeline.advance_all(NOWHERE[:count], table)
+        if predictions is None:  # the pipeline knows that something is wrong, the protocol says where
+            check_numbers(table)
+            error, kept = self._without_late(table)
+            predictions = run(self.pipeline, EventColumns(kept)).table
         if len(kept):
             self._keep(kept, predictions)
             each = self.hello.reply == "event"
             outbox.predict(*answers.frames(predictions, binary=self._binary, each=each))
-        return error, len(events) - len(kept)
+        return error, count - len(kept)
 
     def feed_one(self, row: Sequence[float], outbox: Outbox) -> bool:
         """``feed`` for the one event of most frames, without a table: the same steps, the same answer.
@@ -117,21 +117,21 @@ class Stream:
             self.watch.trial("end", goal)
         return self._trial.end(goal, self.pipeline, cpi_of(self.hello), dpi_of(self.hello))
 
-    def _keep(self, events: EventColumns, predictions: PredictionColumns) -> None:
-        self.events += len(events)
-        self._last_t = float(events.table[-1, 0])
-        self._trial.add(events)
+    def _keep(self, table: FloatArray, predictions: FloatArray) -> None:
+        self.events += len(table)
+        self._last_t = float(table[-1, 0])
+        self._trial.add(table)
         if self.watch:
-            self.watch.events(events, predictions)
+            self.watch.events(EventColumns(table), PredictionColumns(predictions))
 
-    def _without_late(self, events: EventColumns) -> tuple[ErrorMessage | None, EventColumns]:
+    def _without_late(self, table: FloatArray) -> tuple[ErrorMessage | None, FloatArray]:
         """The events that do not run backwards, and what to say of the others."""
-        t = events.table[:, 0]
+        t = table[:, 0]
         before = np.maximum.accumulate(np.concatenate([[self._last_t], t[:-1]]))
         late = t < before
         if not late.any():
-            return None, events
+            return None, table
         row, more = int(late.argmax()), int(late.sum()) - 1
         also = f" ({more} more in this frame)" if more else ""
         said = f"t must not run backwards: {float(t[row])!r} s after {float(before[row])!r} s; dropped{also}"
-        return ErrorMessage("out_of_order", said, f"$.events[{row}][0]"), EventColumns(events.table[~late])
+        return ErrorMessage("out_of_order", said, f"$.events[{row}][0]"), table[~late]

@@ -30,12 +30,12 @@ class TrialKeeper:
         self._forget(goal)
         self.running = True
 
-    def add(self, events: EventColumns) -> None:
+    def add(self, table: FloatArray) -> None:
         """Keep events while a trial runs."""
         if self.running:
-            self._count += len(events)
+            self._count += len(table)
             if self._count <= MOST_EVENTS:
-                self._numbers.frombytes(events.table.tobytes())
+                self._numbers.frombytes(table.tobytes())
 
     def end(self, goal: Goal | None, pipeline: Pipeline, cpi: float | None, dpi: float) -> Score:
         """The trial's score by the offline protocol, in which pipelines begin at the movement's onset."""

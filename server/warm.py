@@ -8,15 +8,23 @@ from pointpred.columns import EventColumns
 from pointpred.events import PointerEvent
 from pointpred.pipeline import run
 from pointpred.registry import REGISTRY, build
+from pointpred.server.records import EVENT, unpack
 
 
-def warm(progress: Callable[[int, int, str], None] = lambda done, of, name: None) -> None:
-    """Run each predictor over a few events, one by one and as columns; tells how many are done."""
+def warm(progress: Callable[[int, int, str], bool] = lambda done, of, name: True) -> None:
+    """Run each predictor over a few events, one by one and as columns.
+
+    ``progress`` is told how many of how many are done and what comes next, and says whether to go on.
+    """
     events = [PointerEvent(0.01 * i, 5.0 * i, 2.0 * i, 4.0, 2.0) for i in range(4)]
     for done, name in enumerate(REGISTRY):
-        progress(done, len(REGISTRY), name)
+        if not progress(done, len(REGISTRY), name):
+            return
         pipeline = build(name, cpi=1000.0)
         for event in events:
             pipeline.update(event)
-        run(pipeline.fresh(), EventColumns.of_events(events))
+        table = EventColumns.of_events(events)
+        run(pipeline.fresh(), table)
+        pipeline.fresh().advance_all(table.begin, table.table)
+    unpack(bytes(2 * EVENT.itemsize))
     progress(len(REGISTRY), len(REGISTRY), "")

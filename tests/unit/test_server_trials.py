@@ -109,7 +109,7 @@ def test_memory_is_bounded_and_a_trial_that_is_too_long_says_so() -> None:
     keeper.start(None)
     table = EventColumns.of(np.arange(30_000.0), np.zeros(30_000), np.zeros(30_000))
     for _ in range(5):
-        keeper.add(table)
+        keeper.add(table.table)
     score = keeper.end(None, build("hold"), None, 96.0)
     assert (score.events, score.time_averaged_px) == (150_000, None)
     assert str(MOST_EVENTS) in str(score.reason)
