@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 from collections.abc import AsyncIterator
-from contextlib import asynccontextmanager
 from pathlib import Path
 from typing import Any
 
@@ -19,9 +19,8 @@ from pointpred.errors import ParameterError, RecordingError
 from pointpred.registry import REGISTRY, describe
 from pointpred.server import samples
 from pointpred.server.endpoint import StreamEndpoint, shows_token
-from pointpred.server.hosts import HostGuard, HostRule
+from pointpred.server.hosts import HostGuard, HostRule, admits_origin
 from pointpred.server.service import Service
-from pointpred.server.warm import warm
 
 WEB = Path(__file__).with_name("web")
 SAFE = {
@@ -36,6 +35,8 @@ SAFE = {
 """Headers of every answer: nothing is loaded from elsewhere, an upgrade is seen at once, and the page is
 isolated, which lets the browser stamp events to 5 us instead of 100."""
 
+SHARED = {"Access-Control-Allow-Origin": "*", "Cross-Origin-Resource-Policy": "cross-origin"}
+"""Any page may load the client; whether its origin may connect is another matter."""
 READ = ["GET", "HEAD"]
 OPEN = ("/healthz", "/readyz", "/web/", "/pointpred.js")
 """Paths that need no token: they hold nothing of anybody."""
@@ -45,13 +46,19 @@ def create_app(hosts: HostRule | None = None, service: Service | None = None) ->
     """The application; ``hosts`` says which ``Host`` headers are answered, the loopback names by default."""
     serving = service or Service()
     app = FastAPI(
-        title="pointpred", version=pointpred.__version__, docs_url=None, redoc_url=None, lifespan=_lifespan
+        title="pointpred",
+        version=pointpred.__version__,
+        docs_url=None,
+        redoc_url=None,
+        lifespan=_lifespan,
+        generate_unique_id_function=lambda route: route.name.strip("_"),
     )
     app.state.service = serving
     app.middleware("http")(_harden)
     app.add_middleware(HostGuard, rule=hosts or HostRule(), headers=SAFE)
     app.exception_handler(ParameterError)(_refuse)
     app.exception_handler(RecordingError)(_refuse)
+    app.exception_handler(Exception)(_fail)
     app.add_api_route("/healthz", _health, methods=READ)
     app.add_api_route("/readyz", _ready, methods=READ)
     app.add_api_route("/metrics", _metrics, methods=["GET"])
@@ -66,12 +73,11 @@ def create_app(hosts: HostRule | None = None, service: Service | None = None) ->
     return app
 
 
-@asynccontextmanager
+@contextlib.asynccontextmanager
 async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     """Warm compiled code beside answering; write what is recorded at the end."""
     service: Service = app.state.service
-    warming = asyncio.get_running_loop().run_in_executor(None, warm, service.warming)
-    warming.add_done_callback(service.warmed)
+    service.begin()
     yield
     service.stop()
     await asyncio.to_thread(service.end)
@@ -101,7 +107,7 @@ def _page() -> FileResponse:
 
 def _client() -> FileResponse:
     """The browser client, an ES module."""
-    return FileResponse(WEB / "pointpred.js", media_type="text/javascript")
+    return FileResponse(WEB / "pointpred.js", media_type="text/javascript", headers=SHARED)
 
 
 def _predictors() -> Response:
@@ -124,11 +130,12 @@ async def _score(request: Request, predictors: str = "") -> Response:
     from pointpred.server.scoring_api import MOST_BYTES, score_body
 
     body = bytearray()
-    async for part in request.stream():
-        body += part
-        if len(body) > MOST_BYTES:
-            return _error("too_large", f"a recording holds at most {MOST_BYTES} bytes here", 413)
-    return _json(await asyncio.to_thread(score_body, bytes(body), _names(predictors)))
+    async with request.app.state.service.scoring:  # one at a time: bodies are large, and sessions go first
+        async for part in request.stream():
+            body += part
+            if len(body) > MOST_BYTES:
+                return _error("too_large", f"a recording holds at most {MOST_BYTES} bytes here", 413)
+        return _json(await asyncio.to_thread(score_body, bytes(body), _names(predictors)))
 
 
 def _names(text: str) -> tuple[str, ...]:
@@ -145,13 +152,21 @@ def _error(code: str, message: str, status: int) -> Response:
 
 
 async def _harden(request: Request, forward: Any) -> Response:
-    token = request.app.state.service.settings.token
+    settings = request.app.state.service.settings
+    token, allowed = settings.token, settings.allow_origin
     if not request.url.path.startswith(OPEN) and not shows_token(request.scope, token):
         response = _error("unauthorized", "show the token as ?token= or Authorization: Bearer", 401)
+    elif request.method not in READ and not admits_origin(request.scope, allowed):
+        response = _error("unauthorized", "pages of this origin may not use this service", 403)
     else:
         response = await forward(request)
     response.headers.update(SAFE)
     return response
+
+
+async def _fail(request: Request, error: Exception) -> Response:
+    """Something broke on this side; the server logs where."""
+    return _error("internal", "the server failed", 500)
 
 
 async def _refuse(request: Request, error: Exception) -> Response:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Awaitable, Callable, Iterable, Mapping, MutableMapping
+from collections.abc import Awaitable, Callable, Collection, Iterable, Mapping, MutableMapping
 from ipaddress import ip_address
 from typing import Any
 
@@ -56,6 +56,21 @@ class HostGuard:
             headers = [(b"content-type", b"text/plain; charset=utf-8"), *self.headers]
             await send({"type": "http.response.start", "status": 403, "headers": headers})
             await send({"type": "http.response.body", "body": b"This host name is not served here.\n"})
+
+
+def header(scope: Scope, name: bytes) -> str | None:
+    """The value of a header; several are joined by commas, as HTTP has it."""
+    found = [value.decode("latin-1") for key, value in scope["headers"] if key == name]
+    return ", ".join(found) if found else None
+
+
+def admits_origin(scope: Scope, allowed: Collection[str]) -> bool:
+    """Whether the page that asks is ours or allowed; what sends no ``Origin`` is no page."""
+    origin = header(scope, b"origin")
+    if origin is None or origin in allowed:
+        return True
+    host = header(scope, b"host")
+    return origin in (f"http://{host}", f"https://{host}")
 
 
 def _without_port(host: str) -> str:

@@ -11,11 +11,14 @@ import uvicorn
 
 from pointpred.errors import SourceError
 from pointpred.server.app import create_app
+from pointpred.server.cutting import CuttingProtocol
 from pointpred.server.hosts import WILDCARDS, HostRule
 from pointpred.server.service import Service
 
 FRAME_BYTES = 2**20
 """The framework's own limit lies above every limit of ours, so that our error goes out first."""
+UNREAD_BYTES = 2**18
+"""What the kernel may hold unread for a client: more would be predictions long out of date."""
 GOODBYE_S = 0.2
 STOP_S = 5
 """Seconds that requests under way get to finish when the service stops."""
@@ -40,6 +43,7 @@ def _bind(host: str, port: int) -> socket.socket:
     opened = socket.socket(family, kind, protocol)
     try:
         opened.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        opened.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, UNREAD_BYTES)  # connections inherit it
         opened.bind(address)
         opened.listen(socket.SOMAXCONN)
     except OSError:
@@ -78,7 +82,8 @@ def make_server(hosts: HostRule, service: Service, announce: Callable[[], None])
         log_config=None,
         log_level="warning",
         access_log=False,
-        ws="websockets-sansio",
+        http="httptools",
+        ws=CuttingProtocol,  # websockets-sansio, and an end for clients that do not read
         ws_max_size=FRAME_BYTES,
         ws_per_message_deflate=False,
         server_header=False,

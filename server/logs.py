@@ -1,41 +1,75 @@
-"""Log entries of the service, one JSON object a line or plain text; movement data never reach them."""
+"""Log entries of the service, one JSON object a line or plain text; movement data never reach them.
+
+An error's words may quote what a client sent, and so may those of a library: an error is told by its types
+and places, and of a library's entry only the words its author wrote.
+"""
 
 from __future__ import annotations
 
 import json
 import logging
 import sys
+import traceback
 from datetime import UTC, datetime
-from typing import Literal
+from pathlib import Path
+from typing import Any, Literal
 
-FIELDS = ("session", "code", "events", "error")
+OWN = "pointpred"
+FIELDS = ("session", "code", "events", "error", "seconds")
 """What an entry may carry beside its message; nothing that a pointer did."""
+
+
+def place_of(error: BaseException) -> str:
+    """Types and places of an error and of those that led to it, without their words."""
+    frames = traceback.extract_tb(error.__traceback__)
+    places = " > ".join(f"{Path(frame.filename).name}:{frame.lineno}" for frame in frames)
+    told = f"{type(error).__name__} at {places}" if places else type(error).__name__
+    before = error.__cause__ or (None if error.__suppress_context__ else error.__context__)
+    return f"{told}, after {place_of(before)}" if before is not None else told
+
+
+def words_of(record: logging.LogRecord) -> str:
+    """The message of an entry of ours; of another's, its first line with nothing filled in."""
+    if record.name.partition(".")[0] == OWN:
+        return record.getMessage()
+    words = record.msg if isinstance(record.msg, str) and not record.exc_info else "an error in a library"
+    return words.partition("\n")[0]
 
 
 class JsonLines(logging.Formatter):
     """An entry as one JSON object."""
 
     def format(self, record: logging.LogRecord) -> str:
-        """Time, level, logger, message, the known fields, and the traceback where there is one."""
+        """Time, level, logger, message, and the known fields."""
         entry: dict[str, object] = {
             "time": datetime.fromtimestamp(record.created, UTC).isoformat(timespec="milliseconds"),
             "level": record.levelname.lower(),
             "logger": record.name,
-            "message": record.getMessage(),
+            "message": words_of(record),
         }
-        entry |= {name: record.__dict__[name] for name in FIELDS if name in record.__dict__}
-        if record.exc_info:
-            entry["traceback"] = self.formatException(record.exc_info)
-        return json.dumps(entry)
+        return json.dumps(entry | fields_of(record))
+
+
+class PlainLines(logging.Formatter):
+    """An entry as a line for people."""
+
+    def format(self, record: logging.LogRecord) -> str:
+        """Time, level, message, and the known fields."""
+        time = datetime.fromtimestamp(record.created).astimezone().strftime("%H:%M:%S")
+        more = "".join(f" {name}={value}" for name, value in fields_of(record).items())
+        return f"{time} {record.levelname.lower()}: {words_of(record)}{more}"
+
+
+def fields_of(record: logging.LogRecord) -> dict[str, Any]:
+    """What an entry carries beside its message."""
+    found = {name: record.__dict__[name] for name in FIELDS if name in record.__dict__}
+    error = record.exc_info[1] if record.exc_info else None
+    return found if error is None else {**found, "error": place_of(error)}
 
 
 def set_up(style: Literal["json", "text"]) -> None:
-    """Send the entries of pointpred and its web server to stderr."""
+    """Send every entry of this process to stderr: ours from info on, others' from warning on."""
     handler = logging.StreamHandler(sys.stderr)
-    plain = logging.Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s")
-    handler.setFormatter(JsonLines() if style == "json" else plain)
-    for name, level in {"pointpred": logging.INFO, "uvicorn": logging.WARNING}.items():
-        logger = logging.getLogger(name)
-        logger.handlers[:] = [handler]
-        logger.setLevel(level)
-        logger.propagate = False
+    handler.setFormatter(JsonLines() if style == "json" else PlainLines())
+    logging.basicConfig(handlers=[handler], level=logging.WARNING, force=True)
+    logging.getLogger(OWN).setLevel(logging.INFO)

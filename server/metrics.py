@@ -20,7 +20,7 @@ class Metrics:
         PlatformCollector(registry=self.registry)
         self.delay = Histogram(
             "pointpred_event_to_prediction_seconds",
-            "From a frame's arrival to its answer on the socket",
+            "From the newest frame to its prediction handed to the socket",
             buckets=BUCKETS,
             registry=self.registry,
         )
@@ -29,6 +29,12 @@ class Metrics:
             "pointpred_sessions_ended", "Sessions that ended, by close code", ["code"], registry=self.registry
         )
         self.events = Counter("pointpred_events", "Events taken in", registry=self.registry)
+        self.frames = Counter("pointpred_frames", "Frames received", registry=self.registry)
+        self.predictions = Counter(
+            "pointpred_predictions",
+            "Predictions made for clients, dropped ones included",
+            registry=self.registry,
+        )
         self.refused = Counter(
             "pointpred_refused", "Frames and events refused, by error code", ["code"], registry=self.registry
         )
@@ -36,8 +42,11 @@ class Metrics:
             "pointpred_predictions_dropped", "Predictions that gave way to newer ones", registry=self.registry
         )
 
-    def settle(self, session: Session, counted: Counted) -> None:
-        """Add what a session has done since it was last settled."""
+    def settle(self, session: Session, frames: int, counted: Counted) -> None:
+        """Add what a session has done since it was last settled; ``frames`` in all."""
+        self.frames.inc(frames - counted.frames)
+        self.predictions.inc(session.outbox.predicted - counted.predictions)
+        counted.frames, counted.predictions = frames, session.outbox.predicted
         taken = session.stream.events if session.stream else 0
         self.events.inc(taken - counted.events)
         counted.events = taken
@@ -56,6 +65,8 @@ class Counted:
     """How much of a session the counters already hold."""
 
     def __init__(self) -> None:
+        self.frames = 0
         self.events = 0
+        self.predictions = 0
         self.dropped = 0
         self.refused: dict[str, int] = {}

@@ -20,6 +20,8 @@ class Outbox:
         self.dropped = 0
         """Predictions replaced by newer ones since the client last read."""
         self.dropped_in_all = 0
+        self.predicted = 0
+        """Predictions in all, those that gave way included."""
         self._notes: list[Frame] = []
         self._newest: list[Frame] = []
         self._count = 0
@@ -33,12 +35,18 @@ class Outbox:
         """Add the answer to the newest events, ``count`` predictions; unsent older ones give way."""
         self.dropped += self._count
         self.dropped_in_all += self._count
+        self.predicted += count
         self._newest, self._count, self._after = frames, count, len(self._notes)
 
     @property
     def full(self) -> bool:
         """Whether the client has fallen too far behind."""
         return len(self._notes) > self.most_notes or self.dropped > self.most_dropped
+
+    @property
+    def waiting(self) -> int:
+        """Predictions that are still to be sent."""
+        return self._count
 
     def __bool__(self) -> bool:
         return bool(self._notes or self._newest)

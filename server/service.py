@@ -6,12 +6,14 @@ import asyncio
 import logging
 import secrets
 
+from pointpred.server.logs import place_of
 from pointpred.server.messages import Hello
 from pointpred.server.metrics import Counted, Metrics
 from pointpred.server.recorder import Recorder
 from pointpred.server.session import Session
 from pointpred.server.settings import Settings
 from pointpred.server.talk import Talk
+from pointpred.server.warm import warm
 from pointpred.server.watch import Watch
 
 log = logging.getLogger("pointpred.service")
@@ -27,12 +29,16 @@ class Service:
         self.stopping = False
         self.ready = False
         """Whether compiled code is warm."""
+        self.scoring = asyncio.Semaphore(1)
+        """Recordings are scored one at a time."""
         self._open: dict[Session, tuple[Talk | None, Counted]] = {}
+        self._warming: asyncio.Future[None] | None = None
+        self._waiting = 0
 
     @property
     def full(self) -> bool:
         """Whether no further session is admitted."""
-        return len(self._open) >= self.settings.max_sessions
+        return len(self._open) + self._waiting >= self.settings.max_sessions
 
     def open(self, now: float) -> Session:
         """A session without a name that means anything."""
@@ -48,8 +54,8 @@ class Service:
 
     def closed(self, session: Session) -> None:
         """A session has ended."""
-        _, counted = self._open.pop(session)
-        self.metrics.settle(session, counted)
+        talk, counted = self._open.pop(session)
+        self.metrics.settle(session, _frames(talk), counted)
         self.metrics.sessions.set(len(self._open))
         code = session.close.code if session.close else 1006
         self.metrics.ended.labels(str(code)).inc()
@@ -57,24 +63,39 @@ class Service:
 
     def settle(self) -> None:
         """Bring the counters up to date with the open sessions."""
-        for session, (_, counted) in self._open.items():
-            self.metrics.settle(session, counted)
+        for session, (talk, counted) in self._open.items():
+            self.metrics.settle(session, _frames(talk), counted)
 
-    def warming(self, done: int, of: int, name: str) -> None:
-        """Compiled code is being warmed; the first start ever takes a while."""
+    def begin(self) -> None:
+        """Warm compiled code beside answering; the first start ever takes a while."""
+        self._warming = asyncio.get_running_loop().run_in_executor(None, warm, self._progress)
+        self._warming.add_done_callback(self._warmed)
+
+    async def until_warm(self) -> None:
+        """Wait until compiled code is warm, or cannot be."""
+        if self._warming is None or self._warming.done():
+            return
+        self._waiting += 1
+        try:
+            await asyncio.wait([self._warming])
+        finally:
+            self._waiting -= 1
+
+    def _progress(self, done: int, of: int, name: str) -> bool:
+        """Says what is being warmed; whether to go on."""
         if name:
             log.info("warming %s, %d of %d", name, done + 1, of)
+        return not self.stopping
 
-    def warmed(self, result: asyncio.Future[None]) -> None:
-        """Compiled code is warm, or could not be."""
+    def _warmed(self, result: asyncio.Future[None]) -> None:
         error = None if result.cancelled() else result.exception()
         if error is not None:
-            log.error("compiled code could not be warmed: %s", type(error).__name__)
-        self.ready = not result.cancelled() and error is None
+            log.error("compiled code could not be warmed", extra={"error": place_of(error)})
+        self.ready = not result.cancelled() and error is None and not self.stopping
 
     def stop(self, reason: str = "the server stops") -> None:
         """Say bye to every session; new ones are refused."""
-        self.stopping = True
+        self.stopping, self.ready = True, False
         for session, (talk, _) in list(self._open.items()):
             session.stop(reason)
             if talk is not None:
@@ -87,3 +108,8 @@ class Service:
 
     def _watch(self, name: str, hello: Hello) -> Watch | None:
         return self.recorder.open(name, hello) if self.recorder else None
+
+
+def _frames(talk: Talk | None) -> int:
+    """Frames that a connection has brought."""
+    return talk.frames if talk else 0

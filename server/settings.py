@@ -5,12 +5,21 @@ from __future__ import annotations
 import secrets
 from ipaddress import ip_address
 from pathlib import Path
-from typing import Literal
+from typing import Annotated, Any, Literal
+from urllib.parse import urlsplit
 
-from pydantic import Field
-from pydantic_settings import BaseSettings, SettingsConfigDict
+from pydantic import BeforeValidator, Field, field_validator
+from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 
 from pointpred.server.messages import Limits
+
+
+def _parts(value: Any) -> Any:
+    """A list from words separated by commas, as an environment has it."""
+    return [part.strip() for part in value.split(",") if part.strip()] if isinstance(value, str) else value
+
+
+Words = Annotated[tuple[str, ...], NoDecode, BeforeValidator(_parts)]
 
 
 class Settings(BaseSettings):
@@ -25,16 +34,15 @@ class Settings(BaseSettings):
         le=65535,
         description="Port; 0 takes any free one. Not given: the first free from 8765.",
     )
-    allow_host: tuple[str, ...] = Field(
-        default=(), description="Further names this service may be called by."
-    )
-    allow_origin: tuple[str, ...] = Field(
-        default=(), description="Origins of other sites' pages that may connect."
-    )
+    allow_host: Words = Field(default=(), description="Further names this service may be called by.")
+    allow_origin: Words = Field(default=(), description="Origins of other sites' pages that may connect.")
     token: str | None = Field(
         default=None,
         min_length=8,
         description="Word that clients must show; made up where others can reach the port.",
+    )
+    show_token: bool = Field(
+        default=False, description="Print the token in full, once, when answering begins."
     )
     record: Path | None = Field(
         default=None, description="Folder for recordings of sessions; not given: none is made."
@@ -51,6 +59,16 @@ class Settings(BaseSettings):
         default=60.0, gt=0.0, le=1e6, description="Seconds without a frame until a session ends."
     )
 
+    @field_validator("allow_origin")
+    @classmethod
+    def _origins(cls, origins: tuple[str, ...]) -> tuple[str, ...]:
+        """Origins as browsers write them: another spelling would never be met."""
+        for origin in origins:
+            parts = urlsplit(origin)
+            if parts.scheme not in ("http", "https") or origin != f"{parts.scheme}://{parts.netloc}".lower():
+                raise ValueError(f"an origin reads like https://lab.example:8000, received {origin!r}")
+        return origins
+
     @property
     def limits(self) -> Limits:
         """What a session may do."""
@@ -61,12 +79,12 @@ class Settings(BaseSettings):
         """The same, with a token made up where others than this machine can reach the port."""
         if self.token is not None or is_loopback(self.host):
             return self
-        return self.model_copy(update={"token": secrets.token_urlsafe(24)})
+        return self.model_copy(update={"token": secrets.token_urlsafe(24), "show_token": True})
 
     def told(self) -> dict[str, object]:
         """What is printed on start: every setting, the token masked."""
         shown = self.model_dump(mode="json")
-        return {**shown, "token": None if self.token is None else f"{self.token[:2]}..."}
+        return {**shown, "token": None if self.token is None else "***"}
 
 
 def is_loopback(host: str) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 from collections import deque
 from collections.abc import Awaitable, Callable, Coroutine, MutableMapping
+from time import perf_counter
 from typing import Any, Protocol
 
 from pointpred.server.eager import begin
@@ -17,7 +18,9 @@ Send = Callable[[MutableMapping[str, Any]], Coroutine[Any, Any, None]]
 TICK_S = 1.0
 """How often a session is told that time passes."""
 STUCK_S = 10.0
-"""A client that has not read for so long, with answers waiting, is given up."""
+"""A client that has read nothing for so long, with answers waiting, is given up ..."""
+LAST_S = 5.0
+"""... and may read for so long why."""
 
 
 class Speaker(Protocol):
@@ -32,8 +35,8 @@ class Speaker(Protocol):
     def tick(self, now: float) -> None:
         """Notice that time has passed."""
 
-    def lose(self) -> None:
-        """The connection is gone."""
+    def give_up(self) -> None:
+        """The client has not read for too long."""
 
 
 class Talk:
@@ -47,19 +50,22 @@ class Talk:
     def __init__(
         self, session: Speaker, receive: Receive, send: Send, delayed: Callable[[float], None]
     ) -> None:
-        """``delayed`` is told the seconds from a frame's arrival to its answer on the socket."""
+        """``delayed`` is told the seconds from the newest frame to its prediction handed to the socket."""
         self.session = session
+        self.frames = 0
+        """Frames received."""
         self._receive = receive
         self._send = send
         self._delayed = delayed
         self._wake = asyncio.Event()
         self._arrived = 0.0
-        self._sending_since: float | None = None
+        self._sending = False  # whether the sending task is at work
+        self._sent = 0  # what it has sent
         self._begun: deque[Awaitable[None] | Frame] = deque()  # what the sending task is to finish first
         self._loop = asyncio.get_running_loop()
 
     async def run(self) -> None:
-        """Talk until the session closes or the connection is lost."""
+        """Talk until the session closes or the connection is lost; raises what broke."""
         tasks = [
             self._loop.create_task(part()) for part in (self._take_frames, self._send_answers, self._tick)
         ]
@@ -69,7 +75,6 @@ class Talk:
             for task in tasks:
                 task.cancel()
             ended = await asyncio.gather(*tasks, return_exceptions=True)
-            self.session.lose()
         for result in ended:
             if isinstance(result, Exception):
                 raise result
@@ -86,48 +91,60 @@ class Talk:
             if message["type"] == "websocket.disconnect":
                 return
             frame = message.get("bytes")
-            self._arrived = loop.time()
-            session.receive(message["text"] if frame is None else frame, self._arrived)
-            if self._sending_since is None:
+            # The loop's own clock counts milliseconds: enough for limits, not for a delay.
+            self._arrived = perf_counter()
+            self.frames += 1
+            session.receive(message["text"] if frame is None else frame, loop.time())
+            if not self._sending:
                 self._answer()
 
     def _answer(self) -> None:
         """Send what can be sent without waiting; the rest is for the sending task."""
+        predictions = self.session.outbox.waiting
         frames = deque(self.session.outbox.take())
         while frames:
             if rest := begin(self._send(_message(frames.popleft()))):
                 self._begun.extend((rest, *frames))
-                self._sending_since = self._arrived
+                self._sending = True
                 break
         else:
-            self._delayed(self._loop.time() - self._arrived)
+            if predictions:
+                self._delayed(perf_counter() - self._arrived)
         if self._begun or self.session.close is not None:
             self._wake.set()
 
     async def _send_answers(self) -> None:
         """Ends when the session has closed and all is said."""
-        session, send, wake, loop = self.session, self._send, self._wake, self._loop
+        session, send, wake = self.session, self._send, self._wake
         while True:
             await wake.wait()
             wake.clear()
-            self._sending_since = loop.time()
+            self._sending = True
             while self._begun or session.outbox:
-                arrived = self._arrived
                 while self._begun:
                     part = self._begun.popleft()
                     await (send(_message(part)) if isinstance(part, str | bytes) else part)
+                    self._sent += 1
+                arrived, predictions = self._arrived, session.outbox.waiting
                 for frame in session.outbox.take():
                     await send(_message(frame))
-                self._delayed(loop.time() - arrived)
-            self._sending_since = None
+                    self._sent += 1
+                if predictions:
+                    self._delayed(perf_counter() - arrived)
+            self._sending = False
             if (close := session.close) is not None:
                 await send({"type": "websocket.close", "code": close.code, "reason": close.reason})
                 return
 
     async def _tick(self) -> None:
-        """Ends when the client has not read for too long."""
-        while self._sending_since is None or self._loop.time() - self._sending_since < STUCK_S:
+        """Ends when the client has read nothing for too long; one that reads slowly goes on."""
+        sent, stuck = 0, 0.0
+        while stuck < STUCK_S + LAST_S:
             await asyncio.sleep(TICK_S)
+            stuck = stuck + TICK_S if self._sending and self._sent == sent else 0.0
+            sent = self._sent
+            if stuck >= STUCK_S:
+                self.session.give_up()
             self.session.tick(self._loop.time())
             self._wake.set()
 

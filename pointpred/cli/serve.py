@@ -30,6 +30,9 @@ def serve(
         list[str] | None, typer.Option(help="The origin of another site that may connect; repeatable.")
     ] = None,
     token: Annotated[str | None, typer.Option(help="A word of at least 8 letters that clients show.")] = None,
+    show_token: Annotated[
+        bool | None, typer.Option("--show-token", help="Print the token of the settings in full, once.")
+    ] = None,
     record: Annotated[
         Path | None, typer.Option(metavar="FOLDER", help="Record every session there; off by default.")
     ] = None,
@@ -70,7 +73,8 @@ def serve(
 
     def announce() -> None:
         shown = service.settings
-        typer.echo(address(shown.host, opened) + (f"?token={shown.token}" if shown.token else ""))
+        told_token = f"?token={shown.token}" if shown.token and shown.show_token else ""
+        typer.echo(address(shown.host, opened) + told_token)
         told = ", ".join(f"{name} {value}" for name, value in shown.told().items() if value not in (None, []))
         remarks().print(f"Open it in a browser. Ctrl-C stops. Settings: {told}", markup=False)
 
@@ -91,7 +95,8 @@ def _settings(given: dict[str, Any]) -> Any:
     except ValidationError as error:
         first = error.errors()[0]
         name = "_".join(str(part) for part in first["loc"]) or "settings"
-        said = f"{name}: {first['msg']}, received {first['input']!r}"
+        received = "" if name == "token" else f", received {first['input']!r}"
+        said = f"{name}: {first['msg']}{received}"
         raise ParameterError(
             f"{said} (flag --{name.replace('_', '-')} or POINTPRED_{name.upper()})"
         ) from None

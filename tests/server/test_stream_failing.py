@@ -1,0 +1,190 @@
+"""What a connection does when something breaks: a session that fails, a client that never reads again."""
+
+from __future__ import annotations
+
+import json
+import logging
+import time
+from collections.abc import Callable
+
+import pytest
+from websockets.exceptions import ConnectionClosed
+from websockets.sync.client import ClientConnection
+
+import pointpred.server.cutting
+import pointpred.server.talk
+from pointpred.server.logs import JsonLines, PlainLines
+from pointpred.server.session import Session
+from tests.server.listener import soon
+from tests.server.running import HELLO, Running, running
+
+EACH = HELLO.replace('"switched"', '"switched","reply":"event"')
+SECRET = 7315.25
+
+
+def event(t: float) -> str:
+    return f'{{"type":"events","events":[[{t},5,6,null,null,0]]}}'
+
+
+def told(socket: ClientConnection) -> dict[str, object]:
+    answer: dict[str, object] = json.loads(socket.recv(10))
+    return answer
+
+
+def histogram(here: Running, what: str) -> float:
+    value = here.service.metrics.registry.get_sample_value(f"pointpred_event_to_prediction_seconds_{what}")
+    assert value is not None
+    return value
+
+
+def test_what_breaks_in_a_session_ends_that_session_only(
+    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    real: Callable[[Session, str | bytes, float], None] = Session.receive
+
+    def broken(self: Session, frame: str | bytes, now: float) -> None:
+        if frame == '{"type":"reset"}':
+            raise RuntimeError(f"at {SECRET}")
+        real(self, frame, now)
+
+    monkeypatch.setattr(Session, "receive", broken)
+    with running() as here, here.greeted() as other, here.greeted() as socket:
+        socket.send('{"type":"reset"}')
+        answer = told(socket)
+        assert (answer["type"], answer["code"], answer["recoverable"]) == ("error", "internal", False)
+        with pytest.raises(ConnectionClosed) as closed:
+            socket.recv(10)
+        assert closed.value.rcvd is not None
+        assert closed.value.rcvd.code == 1011
+        other.send(event(1.0))
+        assert told(other)["t"] == 1.0
+        soon(lambda: len(here.service._open) == 1, "the broken session is gone")
+        text = here.service.metrics.text().decode()
+        assert 'pointpred_refused_total{code="internal"} 1.0' in text
+        assert 'pointpred_sessions_ended_total{code="1011"} 1.0' in text
+    (entry,) = (record for record in caplog.records if record.levelno == logging.ERROR)
+    for style in (JsonLines(), PlainLines()):
+        line = style.format(entry)
+        assert "RuntimeError at" in line
+        assert "test_stream_failing.py" in line
+        assert str(SECRET) not in line
+
+
+def test_a_client_that_never_reads_again_is_told_and_then_cut(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its session ends as too slow, and its connection with it, although it stays open on its side."""
+    monkeypatch.setattr(pointpred.server.talk, "STUCK_S", 1.0)
+    monkeypatch.setattr(pointpred.server.talk, "LAST_S", 1.0)
+    monkeypatch.setattr(pointpred.server.cutting, "LINGER_S", 0.5)
+    with running(max_events_per_s=10**8) as here:
+        with here.greeted(EACH, max_queue=1, close_timeout=0.1) as silent:
+            for k in range(12):
+                rows = [[k + 0.001 * i, float(i), 1.0, None, None, 0] for i in range(1000)]
+                silent.send(json.dumps({"type": "events", "events": rows}))
+            soon(lambda: not here.service._open, "the session is over")
+            soon(lambda: not here.server.server_state.connections, "the connection is cut", 5.0)
+        ended = here.service.metrics.registry.get_sample_value(
+            "pointpred_sessions_ended_total", {"code": "1013"}
+        )
+        assert ended == 1.0
+
+
+def test_a_client_that_reads_slowly_is_told_what_it_missed_and_goes_on(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Its answers always wait, longer than a client may be stuck, but it does read."""
+    monkeypatch.setattr(pointpred.server.talk, "TICK_S", 0.1)
+    monkeypatch.setattr(pointpred.server.talk, "STUCK_S", 1.0)
+    monkeypatch.setattr(pointpred.server.talk, "LAST_S", 0.5)
+    with running(max_events_per_s=10**8) as here, here.greeted(EACH, max_queue=(2, 1)) as slow:
+        t, missed, begun = 0.0, 0, time.monotonic()
+        while time.monotonic() - begun < 3.0:
+            rows = [[t + 0.001 * i, float(i), 1.0, None, None, 0] for i in range(200)]
+            slow.send(json.dumps({"type": "events", "events": rows}))
+            t += 1.0
+            for _ in range(100):  # half of what it is sent
+                answer = told(slow)
+                missed += answer["type"] == "error" and answer["code"] == "slow"
+        while (answer := told(slow))["type"] != "prediction" or answer["t"] != rows[-1][0]:
+            missed += answer["type"] == "error" and answer["code"] == "slow"
+            assert answer.get("recoverable", True)
+        assert missed > 0
+        slow.send(event(t + 1.0))
+        assert told(slow)["t"] == t + 1.0
+
+
+def test_the_delay_is_of_predictions_only_and_finer_than_a_millisecond() -> None:
+    with running() as here, here.greeted() as socket:
+        time.sleep(1.5)  # silence is no delay
+        socket.send('{"type":"targets","targets":[]}')
+        assert told(socket)["type"] == "targets"
+        assert histogram(here, "count") == 0.0
+        for i in range(100):
+            socket.send(event(float(i)))
+            assert told(socket)["t"] == i
+        soon(lambda: histogram(here, "count") == 100.0, "every prediction is timed")
+        total = histogram(here, "sum")
+        assert 0.0 < total < 5.0
+        assert abs(total * 1000 - round(total * 1000)) > 1e-9, "a clock of whole milliseconds"
+
+
+def test_frames_events_and_predictions_are_counted() -> None:
+    with running() as here:
+        with here.greeted(EACH) as socket:
+            socket.send('{"type":"events","events":[[1,5,6,null,null,0],[2,5,6,null,null,0]]}')
+            assert [told(socket)["t"], told(socket)["t"]] == [1.0, 2.0]
+        soon(lambda: not here.service._open, "the session is over")
+        counted = {
+            name: here.service.metrics.registry.get_sample_value(f"pointpred_{name}_total")
+            for name in ("frames", "events", "predictions", "predictions_dropped")
+        }
+        assert counted == {"frames": 2.0, "events": 2.0, "predictions": 2.0, "predictions_dropped": 0.0}
+
+
+def test_a_frame_above_the_frameworks_own_limit_ends_that_connection_only() -> None:
+    with running() as here, here.greeted() as other:
+        with here.greeted() as socket:
+            socket.send(b"\0" * (2**20 + 1))
+            with pytest.raises(ConnectionClosed) as closed:
+                socket.recv(10)
+            assert closed.value.rcvd is not None
+            assert closed.value.rcvd.code == 1009
+        with here.greeted() as socket:  # our own error, for what lies between the limits
+            socket.send(b"\0" * 2**19)
+            assert told(socket)["code"] == "too_large"
+        other.send(event(1.0))
+        assert told(other)["t"] == 1.0
+
+
+def test_text_that_is_not_utf8_ends_that_connection_only() -> None:
+    with running() as here, here.greeted() as other:
+        with here.greeted() as socket:
+            socket.send(b'{"type":"\xff"}', text=True)
+            with pytest.raises(ConnectionClosed) as closed:
+                socket.recv(10)
+            assert closed.value.rcvd is not None
+            assert closed.value.rcvd.code == 1007
+        other.send(event(1.0))
+        assert told(other)["t"] == 1.0
+
+
+def test_a_client_without_hello_is_sent_away_with_1008(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("pointpred.server.session.HELLO_S", 0.5)
+    with running() as here, here.connect() as socket:
+        answer = told(socket)
+        assert (answer["code"], answer["recoverable"]) == ("idle", False)
+        assert "hello" in str(answer["message"])
+        with pytest.raises(ConnectionClosed) as closed:
+            socket.recv(10)
+        assert closed.value.rcvd is not None
+        assert closed.value.rcvd.code == 1008
+
+
+def test_events_before_hello_are_out_of_place_and_hello_still_works() -> None:
+    with running() as here, here.connect() as socket:
+        for early in (event(1.0), b"\0" * 30):
+            socket.send(early)
+            assert told(socket)["code"] == "out_of_place"
+        socket.send(HELLO)
+        assert told(socket)["type"] == "welcome"
+        socket.send(event(1.0))
+        assert told(socket)["t"] == 1.0
