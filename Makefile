@@ -25,8 +25,9 @@ format: $(READY)  ## let ruff put the code in order
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
 
-bench: $(READY)  ## print the cost of each pipeline beside plain Python and a naive refit
+bench: $(READY)  ## print the cost of each pipeline, and of the service beside an echo
 	$(BIN)/python -m benchmarks.per_event
+	$(BIN)/python -m benchmarks.service
 
 docs: $(READY)  ## write the generated parts of the pages again, and the README's score table
 	$(BIN)/python -m benchmarks.pages scores

@@ -1,0 +1,203 @@
+"""What the service costs: ``python -m benchmarks.service`` prints tables and writes docs/service-cost.md.
+
+A server in a process of its own, a load generator in another, loopback between them. Prediction and echo
+are measured in turns; of several rounds the quietest counts (the least processor time a message), because
+whatever else the machine does can only add. A round in which the load generator used more than 90 % of its
+processor is invalid: it then measures the generator.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import platform
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+from urllib.error import HTTPError
+from urllib.request import urlopen
+
+from benchmarks.markdown import filled, table
+
+PAGE = Path(__file__).parent.parent / "docs" / "service-cost.md"
+ROUNDS, SECONDS = 5, 1.0
+PACED_ROUNDS, PACED_SECONDS = 4, 4.0
+SATURATED = 0.9
+CLIENTS = 8
+PACED = (("one client at 1 kHz", 1, 1), ("20 clients at 1 kHz", 20, 1), ("10 clients at 8 kHz", 10, 8))
+"""What is told, clients, events a frame; each client sends 1000 frames a second."""
+
+Told = dict[str, float]
+
+
+@contextmanager
+def server() -> Iterator[dict[str, int]]:
+    """The server under measurement: its port and its process."""
+    command = [sys.executable, "-m", "benchmarks.service_server"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        try:
+            yield {"port": int(process.stdout.readline()), "pid": process.pid}
+        finally:
+            process.kill()
+
+
+def load(where: dict[str, int], **plan: Any) -> Told | None:
+    """One round; ``None`` where the load generator saturated."""
+    words = json.dumps({**where, **plan})
+    command = [sys.executable, "-m", "benchmarks.service_load", words]
+    told: Told = json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout)
+    return told if told["own_share"] <= SATURATED else None
+
+
+def quietest(rounds: list[Told | None], by: str = "server_us") -> Told | None:
+    """The valid round with the least of something."""
+    return min((told for told in rounds if told), key=lambda told: told[by], default=None)
+
+
+def cost_rows(where: dict[str, int]) -> list[tuple[str, ...]]:
+    """Processor time a message, with prediction against the echo."""
+    kinds = [(encoding, size) for encoding in ("binary", "json") for size in (1, 8, 32)]
+    paths = ("/v1/echo", "/v1/stream")
+    found: dict[tuple[str, int, str], list[Told | None]] = {}
+    for _ in range(ROUNDS):
+        for encoding, size in kinds:
+            for path in paths:
+                told = load(where, path=path, encoding=encoding, size=size, clients=CLIENTS, seconds=SECONDS)
+                found.setdefault((encoding, size, path), []).append(told)
+    rows = []
+    for encoding, size in kinds:
+        echo, own = (quietest(found[encoding, size, path]) for path in paths)
+        if echo is None or own is None:
+            rows.append((encoding, f"{size}", *["invalid: the load generator saturated"], *[""] * 6))
+            continue
+        added = own["server_us"] / echo["server_us"] - 1.0
+        rate = 1e6 / own["server_us"]
+        rows.append(
+            (
+                encoding,
+                f"{size}",
+                f"{echo['server_us']:.1f}",
+                f"{own['server_us']:.1f}",
+                f"{100 * added:+.0f} %",
+                f"{own['messages_per_s']:.0f}",
+                f"{rate:.0f}",
+                f"{rate * size:.0f}",
+                f"{100 * own['own_share']:.0f} %",
+            )
+        )
+    return rows
+
+
+def paced_rows(where: dict[str, int]) -> list[tuple[str, ...]]:
+    """Round trips of clients that keep to the clock."""
+    found: dict[str, list[Told | None]] = {}
+    for _ in range(PACED_ROUNDS):
+        for name, clients, size in PACED:
+            plan = {"path": "/v1/stream", "encoding": "binary", "rate": 1000.0, "seconds": PACED_SECONDS}
+            found.setdefault(name, []).append(load(where, clients=clients, size=size, **plan))
+    rows = []
+    for name, _, size in PACED:
+        told = quietest(found[name], "p99_ms")
+        if told is None:
+            rows.append((name, f"{size}", *["invalid: the load generator saturated"], *[""] * 5))
+            continue
+        numbers = (f"{told['messages_per_s']:.0f}", f"{told['p50_ms']:.3f}", f"{told['p99_ms']:.3f}")
+        shares = (f"{100 * told['server_share']:.0f} %", f"{100 * told['own_share']:.0f} %")
+        rows.append((name, f"{size}", *numbers, *shares, f"{told['given_way']:.0f}"))
+    return rows
+
+
+def ready_s(cache: str | None = None) -> float:
+    """Seconds from starting ``pointpred serve`` until it says that it is ready."""
+    environment = {**os.environ, **({"POINTPRED_CACHE_DIR": cache} if cache else {})}
+    command = [sys.executable, "-m", "pointpred", "serve", "--port", "0"]
+    start = time.perf_counter()
+    quiet = subprocess.DEVNULL
+    with subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=quiet, text=True, env=environment
+    ) as process:
+        assert process.stdout is not None
+        try:
+            while not (line := process.stdout.readline()).startswith("http"):
+                if not line:
+                    raise RuntimeError("the service ended before it was ready")
+            while not is_ready(line.strip() + "readyz"):
+                time.sleep(0.01)
+            return time.perf_counter() - start
+        finally:
+            process.terminate()
+
+
+def is_ready(url: str) -> bool:
+    """Whether a service says that its compiled code is warm."""
+    try:
+        with urlopen(url) as answer:
+            return bool(answer.status == 200)
+    except HTTPError:
+        return False
+
+
+def start_rows() -> list[tuple[str, ...]]:
+    """With the compile cache, and without it."""
+    warm = min(ready_s() for _ in range(5))
+    with tempfile.TemporaryDirectory() as empty:
+        cold = ready_s(empty)
+    return [("with the compile cache", f"{warm:.2f}"), ("the first ever", f"{cold:.1f}")]
+
+
+def machine() -> str:
+    """What was measured on."""
+    models = [line for line in Path("/proc/cpuinfo").read_text().splitlines() if "model name" in line]
+    name = models[0].partition(":")[2].strip() if models else platform.machine()
+    return (
+        f"{name}, {os.cpu_count()} processors, Python {platform.python_version()}, "
+        f"load average before the run {os.getloadavg()[0]:.1f}"
+    )
+
+
+COST = (
+    "encoding",
+    "events a frame",
+    "echo, us",
+    "prediction, us",
+    "added",
+    "messages/s seen",
+    "messages/s a core",
+    "events/s a core",
+    "load generator",
+)
+PACE = (
+    "load",
+    "events a frame",
+    "frames/s",
+    "p50 ms",
+    "p99 ms",
+    "server",
+    "load generator",
+    "times predictions gave way",
+)
+
+
+def main() -> None:
+    """Measure, print, and write the page."""
+    print("measuring the service beside an echo; this takes about three minutes", file=sys.stderr)
+    parts = {"machine": machine()}
+    with server() as where:
+        parts["cost"] = table(COST, cost_rows(where))
+        parts["paced"] = table(PACE, paced_rows(where))
+    parts["start"] = table(("start", "s until ready"), start_rows())
+    page = PAGE.read_text(encoding="utf-8")
+    for name, text in parts.items():
+        print(text, end="\n\n")
+        page = filled(page, name, text)
+    PAGE.write_text(page, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
