@@ -122,7 +122,7 @@ class MotionColumns(Columns):
 
 
 class PredictionColumns(Columns):
-    """Predictions as columns; a row without a prediction is NaN but for ``t``."""
+    """Predictions as columns; a row without a prediction is NaN but for ``t`` and the phase."""
 
     names = ("t", "x", "y", "sxx", "sxy", "syy", "remaining_s", "phase")
 

@@ -88,7 +88,7 @@ class Pipeline:
 def run(pipeline: Pipeline, columns: EventColumns) -> PredictionColumns:
     """Consume a table of events and return a row of predictions for each.
 
-    A row is NaN but for ``t`` where ``update`` gives ``None``.
+    A row is NaN but for ``t`` and the phase where ``update`` gives ``None``.
 
     Continues from the pipeline's memory, so chunks equal the whole; a row marked ``begin`` resets first.
     Raises EventOrderError or EventError naming the row; nothing is then consumed.
