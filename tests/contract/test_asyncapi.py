@@ -18,7 +18,7 @@ import yaml
 from benchmarks.asyncapi import document, keys_of
 from benchmarks.asyncapi_examples import EVENT_ROWS
 from benchmarks.pages import ROOT
-from pointpred.server.decoding import decode_text, events_of_bytes
+from pointpred.server.decoding import decode_text, table_of_bytes
 from pointpred.server.messages import KNOWN, ClientMessage, Code, ServerMessage, schemas
 from pointpred.server.records import EVENT, PREDICTION
 
@@ -97,10 +97,10 @@ def test_every_kind_of_field_is_shown() -> None:
 
 def test_packed_events_decode_to_the_numbers_they_stand_for() -> None:
     message = MESSAGES["binaryEvents"]
-    events = events_of_bytes(bytes.fromhex(message["examples"][0]["payload"]))
+    events = table_of_bytes(bytes.fromhex(message["examples"][0]["payload"]))
     none = float("nan")
     expected = [[none if value == -32768 else value for value in row] for row in EVENT_ROWS]
-    np.testing.assert_array_equal(events.table, expected)
+    np.testing.assert_array_equal(events, expected)
     assert message["x-record-bytes"] == EVENT.itemsize == 30
     assert [(one["field"], one["offset"]) for one in message["x-layout"]] == [
         (name, (EVENT.fields or {})[name][1]) for name in EVENT.names or ()
