@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import logging
-import socket as socket_module
 import time
 from collections.abc import Callable
 
@@ -92,43 +91,25 @@ def test_a_client_that_never_reads_again_is_told_and_then_cut(monkeypatch: pytes
 def test_a_client_that_reads_slowly_is_told_what_it_missed_and_goes_on(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Something always waits for it, longer than a client may be stuck; but it does read."""
+    """Its answers always wait, longer than a client may be stuck, but it does read."""
     monkeypatch.setattr(pointpred.server.talk, "TICK_S", 0.1)
-    monkeypatch.setattr(pointpred.server.talk, "STUCK_S", 2.5)
-    monkeypatch.setattr(pointpred.server.talk, "LAST_S", 0.3)
-    narrow = socket_module.socket()
-    narrow.setsockopt(socket_module.SOL_SOCKET, socket_module.SO_RCVBUF, 8192)
-    with running(max_events_per_s=10**8) as here:
-        narrow.connect(("127.0.0.1", here.port))
-        with here.greeted(EACH, max_queue=(2, 1), sock=narrow) as slow:
-            sent = 0
-
-            def send(count: int) -> None:
-                nonlocal sent
-                rows = [[0.001 * (sent + i), 1.0, float(i), None, None, 0] for i in range(count)]
-                slow.send(json.dumps({"type": "events", "events": rows}))
-                sent += count
-
-            while not dropped(here):  # until its answers wait
-                send(500)
-                assert sent < 50_000
-            missed, begun = 0, time.monotonic()
-            while time.monotonic() - begun < 5.0:
-                send(200)
-                for _ in range(100):
-                    missed += told(slow).get("code") == "slow"
-                time.sleep(0.05)
-            while (answer := told(slow)).get("t") != 0.001 * (sent - 1):
-                missed += answer.get("code") == "slow"
-                assert answer.get("recoverable", True)
-            assert missed > 0
-            slow.send(event(1e6))
-            assert told(slow)["t"] == 1e6
-
-
-def dropped(here: Running) -> float:
-    here.service.settle()
-    return here.service.metrics.dropped._value.get()
+    monkeypatch.setattr(pointpred.server.talk, "STUCK_S", 1.0)
+    monkeypatch.setattr(pointpred.server.talk, "LAST_S", 0.5)
+    with running(max_events_per_s=10**8) as here, here.greeted(EACH, max_queue=(2, 1)) as slow:
+        t, missed, begun = 0.0, 0, time.monotonic()
+        while time.monotonic() - begun < 3.0:
+            rows = [[t + 0.001 * i, float(i), 1.0, None, None, 0] for i in range(200)]
+            slow.send(json.dumps({"type": "events", "events": rows}))
+            t += 1.0
+            for _ in range(100):  # half of what it is sent
+                answer = told(slow)
+                missed += answer["type"] == "error" and answer["code"] == "slow"
+        while (answer := told(slow))["type"] != "prediction" or answer["t"] != rows[-1][0]:
+            missed += answer["type"] == "error" and answer["code"] == "slow"
+            assert answer.get("recoverable", True)
+        assert missed > 0
+        slow.send(event(t + 1.0))
+        assert told(slow)["t"] == t + 1.0
 
 
 def test_the_delay_is_of_predictions_only_and_finer_than_a_millisecond() -> None:
@@ -207,26 +188,3 @@ def test_events_before_hello_are_out_of_place_and_hello_still_works() -> None:
         assert told(socket)["type"] == "welcome"
         socket.send(event(1.0))
         assert told(socket)["t"] == 1.0
-
-
-def test_a_goodbye_is_heard_by_a_client_that_is_slow_to_hear_it_and_still_sends() -> None:
-    """Closing at once would reset the connection, and what was said last would be lost."""
-    with running() as here, socket_module.create_connection(("127.0.0.1", here.port)) as plain:
-        key = "AAAAAAAAAAAAAAAAAAAAAA=="
-        plain.sendall(
-            f"GET /v1/stream HTTP/1.1\r\nHost: 127.0.0.1:{here.port}\r\nUpgrade: websocket\r\n"
-            f"Connection: Upgrade\r\nSec-WebSocket-Key: {key}\r\nSec-WebSocket-Version: 13\r\n\r\n".encode()
-        )
-        hello = HELLO.encode()
-        plain.sendall(bytes([0x81, 0x80 | len(hello)]) + b"\0\0\0\0" + hello)
-        soon(lambda: b"welcome" in plain.recv(4096, socket_module.MSG_PEEK), "the welcome")
-        here.server.should_exit = True
-        for _ in range(10):  # it goes on sending, and hears nothing for a second
-            time.sleep(0.1)
-            plain.sendall(bytes([0x82, 0x80]) + b"\0\0\0\0")
-        plain.settimeout(5)
-        heard = b""
-        while b'"bye"' not in heard:
-            more = plain.recv(4096)
-            assert more, "closed without a goodbye"
-            heard += more
