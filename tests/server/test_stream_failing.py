@@ -88,30 +88,6 @@ def test_a_client_that_never_reads_again_is_told_and_then_cut(monkeypatch: pytes
         assert ended == 1.0
 
 
-def test_a_client_that_reads_slowly_is_told_what_it_missed_and_goes_on(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    """Its answers always wait, longer than a client may be stuck, but it does read."""
-    monkeypatch.setattr(pointpred.server.talk, "TICK_S", 0.1)
-    monkeypatch.setattr(pointpred.server.talk, "STUCK_S", 1.0)
-    monkeypatch.setattr(pointpred.server.talk, "LAST_S", 0.5)
-    with running(max_events_per_s=10**8) as here, here.greeted(EACH, max_queue=(2, 1)) as slow:
-        t, missed, begun = 0.0, 0, time.monotonic()
-        while time.monotonic() - begun < 3.0:
-            rows = [[t + 0.001 * i, float(i), 1.0, None, None, 0] for i in range(200)]
-            slow.send(json.dumps({"type": "events", "events": rows}))
-            t += 1.0
-            for _ in range(100):  # half of what it is sent
-                answer = told(slow)
-                missed += answer["type"] == "error" and answer["code"] == "slow"
-        while (answer := told(slow))["type"] != "prediction" or answer["t"] != rows[-1][0]:
-            missed += answer["type"] == "error" and answer["code"] == "slow"
-            assert answer.get("recoverable", True)
-        assert missed > 0
-        slow.send(event(t + 1.0))
-        assert told(slow)["t"] == t + 1.0
-
-
 def test_the_delay_is_of_predictions_only_and_finer_than_a_millisecond() -> None:
     with running() as here, here.greeted() as socket:
         time.sleep(1.5)  # silence is no delay
