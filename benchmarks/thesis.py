@@ -8,6 +8,7 @@ With recordings at hand it also measures what the print leaves open.
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
@@ -59,9 +60,9 @@ def corrective_alone() -> Pipeline:
     return named("corrective-alone", build(OURS, cpi=CPI, threshold=10.0))
 
 
-def cells(values: object) -> tuple[str, ...]:
+def cells(values: Iterable[float]) -> tuple[str, ...]:
     """Numbers of a row, one decimal."""
-    return tuple(f"{value:.1f}" for value in values)  # type: ignore[attr-defined]
+    return tuple(f"{value:.1f}" for value in values)
 
 
 def errors_table(scored: SetScore, quantity: str) -> str:
