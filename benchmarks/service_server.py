@@ -9,6 +9,7 @@ from __future__ import annotations
 from starlette.routing import WebSocketRoute
 
 from pointpred.server.endpoint import StreamEndpoint
+from pointpred.server.garbage import spare
 from pointpred.server.hosts import HostRule
 from pointpred.server.listening import listen, make_server
 from pointpred.server.service import Service
@@ -50,6 +51,7 @@ def main() -> None:
 
     server = make_server(HostRule(), service, announce)
     server.config.app.router.routes.append(WebSocketRoute("/v1/echo", StreamEndpoint(echoes)))
+    spare()  # as ``pointpred serve`` does
     server.run([opened])
 
 

@@ -38,5 +38,5 @@ class CuttingProtocol(WebSocketsSansIOProtocol):
         super().connection_lost(exc)
 
 
-WAITING_BYTES = 2**16
+WAITING_BYTES = 2**15
 """More than this in the process, and answers wait in the session's outbox, where newer ones replace them."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import errno
 import socket
+import time
 from collections.abc import Callable
 
 import uvicorn
@@ -12,15 +13,17 @@ import uvicorn
 from pointpred.errors import SourceError
 from pointpred.server.app import create_app
 from pointpred.server.cutting import CuttingProtocol
+from pointpred.server.garbage import spare
 from pointpred.server.hosts import WILDCARDS, HostRule
 from pointpred.server.service import Service
 
 FRAME_BYTES = 2**20
 """The framework's own limit lies above every limit of ours, so that our error goes out first."""
-UNREAD_BYTES = 2**18
+UNREAD_BYTES = 2**16
 """What the kernel may hold unread for a client: more would be predictions long out of date."""
-GOODBYE_S = 0.2
-STOP_S = 5
+GOODBYE_S = 2.0
+"""Seconds that clients get to answer a goodbye: closing before would reset the connection, unheard."""
+STOP_S = 3
 """Seconds that requests under way get to finish when the service stops."""
 
 
@@ -71,8 +74,14 @@ class _Server(uvicorn.Server):
 
     async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
         self.service.stop()
-        await asyncio.sleep(GOODBYE_S)  # answers under way and goodbyes go out before connections close
+        until = time.monotonic() + GOODBYE_S
+        while self._talking() and time.monotonic() < until:
+            await asyncio.sleep(0.01)
         await super().shutdown(sockets)
+
+    def _talking(self) -> bool:
+        """Whether a WebSocket is still open."""
+        return any(isinstance(one, CuttingProtocol) for one in self.server_state.connections)
 
 
 def make_server(hosts: HostRule, service: Service, announce: Callable[[], None]) -> _Server:
@@ -96,5 +105,7 @@ def make_server(hosts: HostRule, service: Service, announce: Callable[[], None])
 
 def serve(opened: socket.socket, hosts: HostRule, service: Service, announce: Callable[[], None]) -> None:
     """Answer on a listening socket until interrupted; ``announce`` is called when the page can be opened."""
+    server = make_server(hosts, service, announce)
+    spare()
     with opened:
-        make_server(hosts, service, announce).run([opened])
+        server.run([opened])

@@ -15,6 +15,8 @@ from pointpred.server.session import Close
 Receive = Callable[[], Awaitable[MutableMapping[str, Any]]]
 Send = Callable[[MutableMapping[str, Any]], Coroutine[Any, Any, None]]
 
+AT_ONCE = 32
+"""Frames of one client taken in before others have their turn, however many have come at once."""
 TICK_S = 1.0
 """How often a session is told that time passes."""
 STUCK_S = 10.0
@@ -42,9 +44,11 @@ class Speaker(Protocol):
 class Talk:
     """Runs a session over one accepted WebSocket.
 
-    What a session says to a frame is sent at once. Where that would have to wait, because the client does not
-    read, another task waits and sends, and frames are taken in meanwhile: their answers wait in the session's
-    outbox, where predictions give way to newer ones.
+    What a session says to a frame is sent as soon as the frames that came to other sessions at the same time
+    have been taken in: one kind of work after another costs less than taking turns. Every frame of a burst is
+    answered. Where sending would have to wait, because the client does not read, another task waits and
+    sends, and frames are taken in meanwhile: their answers wait in the session's outbox, where predictions
+    give way to newer ones.
     """
 
     def __init__(
@@ -59,6 +63,8 @@ class Talk:
         self._delayed = delayed
         self._wake = asyncio.Event()
         self._arrived = 0.0
+        self._due = False  # whether the loop has been asked to call _answer_soon
+        self._failure: Exception | None = None
         self._sending = False  # whether the sending task is at work
         self._sent = 0  # what it has sent
         self._begun: deque[Awaitable[None] | Frame] = deque()  # what the sending task is to finish first
@@ -72,6 +78,7 @@ class Talk:
         try:
             await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
         finally:
+            self._due = False
             for task in tasks:
                 task.cancel()
             ended = await asyncio.gather(*tasks, return_exceptions=True)
@@ -91,26 +98,43 @@ class Talk:
             if message["type"] == "websocket.disconnect":
                 return
             frame = message.get("bytes")
+            if self._due:
+                self._answer()
             # The loop's own clock counts milliseconds: enough for limits, not for a delay.
             self._arrived = perf_counter()
             self.frames += 1
             session.receive(message["text"] if frame is None else frame, loop.time())
             if not self._sending:
+                self._due = True
+                loop.call_soon(self._answer_soon)
+            if self.frames % AT_ONCE == 0:
+                await asyncio.sleep(0)
+
+    def _answer_soon(self) -> None:
+        """Called by the loop, where nobody would hear of an error: the sending task tells it."""
+        if self._due:
+            try:
                 self._answer()
+            except Exception as error:
+                self._failure = error
+                self._wake.set()
 
     def _answer(self) -> None:
         """Send what can be sent without waiting; the rest is for the sending task."""
-        predictions = self.session.outbox.waiting
-        frames = deque(self.session.outbox.take())
-        while frames:
-            if rest := begin(self._send(_message(frames.popleft()))):
-                self._begun.extend((rest, *frames))
+        self._due = False
+        if self._sending:
+            return
+        session = self.session
+        predictions, frames = session.outbox.waiting, session.outbox.take()
+        for place, frame in enumerate(frames, 1):
+            if rest := begin(self._send(_message(frame))):
+                self._begun.extend((rest, *frames[place:]))
                 self._sending = True
                 break
         else:
             if predictions:
                 self._delayed(perf_counter() - self._arrived)
-        if self._begun or self.session.close is not None:
+        if self._begun or session.close is not None:
             self._wake.set()
 
     async def _send_answers(self) -> None:
@@ -119,6 +143,8 @@ class Talk:
         while True:
             await wake.wait()
             wake.clear()
+            if self._failure is not None:
+                raise self._failure
             self._sending = True
             while self._begun or session.outbox:
                 while self._begun:

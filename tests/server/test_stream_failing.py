@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import asyncio
 import json
 import logging
+import socket as socket_module
 import time
 from collections.abc import Callable
+from contextlib import suppress
 
 import pytest
 from websockets.exceptions import ConnectionClosed
@@ -14,7 +17,9 @@ from websockets.sync.client import ClientConnection
 import pointpred.server.cutting
 import pointpred.server.talk
 from pointpred.server.logs import JsonLines, PlainLines
-from pointpred.server.session import Session
+from pointpred.server.messages import Limits
+from pointpred.server.session import Close, Session
+from pointpred.server.talk import Talk
 from tests.server.listener import soon
 from tests.server.running import HELLO, Running, running
 
@@ -86,6 +91,35 @@ def test_a_client_that_never_reads_again_is_told_and_then_cut(monkeypatch: pytes
             "pointpred_sessions_ended_total", {"code": "1013"}
         )
         assert ended == 1.0
+
+
+@pytest.mark.parametrize(("each_s", "close"), [(0.03, None), (60.0, 1013)])
+def test_a_client_that_reads_slowly_goes_on_and_one_that_does_not_is_given_up(
+    monkeypatch: pytest.MonkeyPatch, each_s: float, close: int | None
+) -> None:
+    """Something always waits to be sent, far longer than a client may be stuck."""
+    monkeypatch.setattr(pointpred.server.talk, "TICK_S", 0.1)
+    monkeypatch.setattr(pointpred.server.talk, "STUCK_S", 0.5)
+    monkeypatch.setattr(pointpred.server.talk, "LAST_S", 0.3)
+
+    async def talk() -> Close | None:
+        session = Session("here", Limits(max_events_per_s=10**6), asyncio.get_running_loop().time())
+        frames = iter([HELLO, *(event(float(t)) for t in range(100_000))])
+
+        async def receive() -> dict[str, str]:
+            await asyncio.sleep(0.002)
+            return {"type": "websocket.receive", "text": next(frames)}
+
+        async def send(message: object) -> None:
+            await asyncio.sleep(each_s)
+
+        with suppress(TimeoutError):
+            await asyncio.wait_for(Talk(session, receive, send, lambda delay: None).run(), 2.0)
+        assert session.outbox.dropped_in_all > 0
+        return session.close
+
+    ended = asyncio.run(talk())
+    assert (ended.code if ended else None) == close
 
 
 def test_the_delay_is_of_predictions_only_and_finer_than_a_millisecond() -> None:
@@ -164,3 +198,27 @@ def test_events_before_hello_are_out_of_place_and_hello_still_works() -> None:
         assert told(socket)["type"] == "welcome"
         socket.send(event(1.0))
         assert told(socket)["t"] == 1.0
+
+
+def test_a_goodbye_is_heard_by_a_client_that_is_slow_to_hear_it_and_still_sends() -> None:
+    """Closing at once would reset the connection, and what was said last would be lost."""
+    with running() as here, socket_module.create_connection(("127.0.0.1", here.port)) as plain:
+        key = "AAAAAAAAAAAAAAAAAAAAAA=="
+        plain.sendall(
+            f"GET /v1/stream HTTP/1.1\r\nHost: 127.0.0.1:{here.port}\r\nUpgrade: websocket\r\n"
+            f"Connection: Upgrade\r\nSec-WebSocket-Key: {key}\r\nSec-WebSocket-Version: 13\r\n\r\n".encode()
+        )
+        soon(lambda: b"\r\n\r\n" in plain.recv(4096, socket_module.MSG_PEEK), "the upgrade")
+        hello = HELLO.encode()
+        plain.sendall(bytes([0x81, 0x80 | len(hello)]) + b"\0\0\0\0" + hello)
+        soon(lambda: b"welcome" in plain.recv(4096, socket_module.MSG_PEEK), "the welcome")
+        here.server.should_exit = True
+        for _ in range(10):  # it goes on sending, and hears nothing for a second
+            time.sleep(0.1)
+            plain.sendall(bytes([0x82, 0x80]) + b"\0\0\0\0")
+        plain.settimeout(5)
+        heard = b""
+        while b'"bye"' not in heard:
+            more = plain.recv(4096)
+            assert more, "closed without a goodbye"
+            heard += more

@@ -1,0 +1,79 @@
+"""What the service tells of itself: every metric is described, and no entry quotes what anybody did."""
+
+from __future__ import annotations
+
+import json
+import logging
+import re
+from pathlib import Path
+
+import pytest
+
+from pointpred.server.logs import JsonLines, PlainLines, set_up
+from pointpred.server.metrics import BUCKETS, Metrics
+
+PAGE = Path(__file__).parents[2] / "docs" / "service.md"
+
+
+def test_the_page_names_every_metric_and_no_other() -> None:
+    told = set(re.findall(r"`(pointpred_[a-z_]+?)(?:\{code\})?`", PAGE.read_text(encoding="utf-8")))
+    families = [family for family in Metrics().registry.collect() if family.name.startswith("pointpred_")]
+    exposed = {family.name + ("_total" if family.type == "counter" else "") for family in families}
+    assert told == exposed
+
+
+def test_delays_are_told_from_50_us() -> None:
+    assert BUCKETS[0] == 5e-5
+    assert list(BUCKETS) == sorted(BUCKETS)
+
+
+def failed() -> tuple[logging.LogRecord, ...]:
+    """Entries of ours and of a library about an error whose words quote an event."""
+    try:
+        try:
+            float("7315.25,4.5")
+        except ValueError as first:
+            raise RuntimeError("cannot use 7315.25") from first
+    except RuntimeError as error:
+        caught = (type(error), error, error.__traceback__)
+    return (
+        logging.LogRecord("pointpred.service", logging.ERROR, "", 0, "session failed", (), caught),
+        logging.LogRecord("uvicorn.error", logging.ERROR, "", 0, "in ASGI application\n", (), caught),
+        logging.LogRecord("uvicorn.error", logging.WARNING, "", 0, "got %s", ("7315.25",), None),
+        logging.LogRecord(
+            "asyncio", logging.ERROR, "", 0, "never retrieved\nValueError('7315.25')", (), None
+        ),
+        logging.LogRecord("asyncio", logging.ERROR, "", 0, "Exception in f(b'7315.25')", (), caught),
+    )
+
+
+@pytest.mark.parametrize("style", [JsonLines(), PlainLines()])
+def test_an_error_is_told_by_type_and_place_without_its_words(style: logging.Formatter) -> None:
+    lines = [style.format(record) for record in failed()]
+    for line in lines:
+        assert "7315.25" not in line
+        assert "\n" not in line
+    assert "RuntimeError at test_metrics_and_logs.py" in lines[0]
+    assert "after ValueError" in lines[0]
+
+
+def test_json_entries_are_objects_with_known_fields() -> None:
+    record = logging.LogRecord("pointpred.service", logging.INFO, "", 0, "session closed", (), None)
+    record.session, record.code, record.x = "ab", 1000, 7315.25
+    told = json.loads(JsonLines().format(record))
+    assert set(told) == {"time", "level", "logger", "message", "session", "code"}
+
+
+def test_every_logger_of_the_process_speaks_through_the_same_handler() -> None:
+    root, own = logging.getLogger(), logging.getLogger("pointpred")
+    handlers, level, ours = root.handlers[:], root.level, own.level
+    try:
+        set_up("json")
+        (handler,) = root.handlers
+        assert isinstance(handler.formatter, JsonLines)
+        assert logging.getLogger("pointpred.service").isEnabledFor(logging.INFO)
+        assert not logging.getLogger("uvicorn.access").isEnabledFor(logging.INFO)
+    finally:
+        root.handlers[:] = handlers
+        root.setLevel(level)
+        own.setLevel(ours)

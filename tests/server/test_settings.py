@@ -1,0 +1,108 @@
+"""Settings: where they come from, what is refused, what is shown of a secret."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+
+import pytest
+from pydantic import ValidationError
+
+from pointpred.server.settings import Settings
+
+
+def serve(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    """``pointpred serve`` with settings that it refuses."""
+    return subprocess.run(
+        [sys.executable, "-m", "pointpred", "serve", "--port", "0", *arguments],
+        env={**os.environ, **environment},
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+    )
+
+
+def test_the_environment_is_read_and_an_argument_goes_first(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("POINTPRED_MAX_SESSIONS", "7")
+    monkeypatch.setenv("POINTPRED_ALLOW_HOST", "lab.example, other.example")
+    monkeypatch.setenv("POINTPRED_ALLOW_ORIGIN", "https://lab.example,http://lab.example:8000")
+    assert Settings().max_sessions == 7
+    assert Settings().limits.max_sessions == 7
+    assert Settings(max_sessions=3).max_sessions == 3
+    assert Settings().allow_host == ("lab.example", "other.example")
+    assert Settings().allow_origin == ("https://lab.example", "http://lab.example:8000")
+
+
+@pytest.mark.parametrize(
+    "origin",
+    ["lab.example", "https://lab.example/", "https://lab.example/page", "null", "https://Lab.example"],
+)
+def test_an_origin_no_browser_would_send_is_refused(origin: str) -> None:
+    with pytest.raises(ValidationError, match="an origin reads like"):
+        Settings(allow_origin=[origin])
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [
+        ("port", 65536),
+        ("max_sessions", 0),
+        ("idle_s", float("nan")),
+        ("idle_s", 0.0),
+        ("max_frame_bytes", 2**20),
+        ("log_format", "xml"),
+        ("token", "short"),
+    ],
+)
+def test_values_out_of_bounds_are_refused(name: str, value: object) -> None:
+    with pytest.raises(ValidationError, match=name):
+        Settings(**{name: value})
+
+
+def test_a_wrong_setting_is_one_line_that_names_flag_and_variable() -> None:
+    wrong = serve(POINTPRED_MAX_SESSIONS="many")
+    assert wrong.returncode == 2
+    assert "--max-sessions or POINTPRED_MAX_SESSIONS" in wrong.stderr
+    assert "Traceback" not in wrong.stderr
+
+
+def test_a_token_is_never_repeated_in_a_refusal() -> None:
+    wrong = serve(POINTPRED_TOKEN="hush-99")
+    assert wrong.returncode == 2
+    assert "hush-99" not in wrong.stdout + wrong.stderr
+
+
+@pytest.mark.parametrize("shown", [False, True])
+def test_a_token_of_ones_own_is_shown_at_request_only(shown: bool) -> None:
+    command = [
+        sys.executable,
+        "-m",
+        "pointpred",
+        "serve",
+        "--port",
+        "0",
+        *(["--show-token"] if shown else []),
+    ]
+    process = subprocess.Popen(
+        command,
+        env={**os.environ, "POINTPRED_TOKEN": "open-sesame-9"},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    assert process.stdout is not None
+    said = process.stdout.readline()
+    process.terminate()
+    out, err = process.communicate(timeout=30)
+    assert (said + out + err).count("open-sesame-9") == shown
+    assert said.startswith("http://127.0.0.1:")
+
+
+def test_a_token_is_made_up_and_shown_where_others_reach_the_port() -> None:
+    made = Settings(host="0.0.0.0").guarded()
+    assert made.token
+    assert made.show_token
+    assert Settings(host="0.0.0.0").guarded().token != made.token
+    assert not Settings(host="0.0.0.0", token="open-sesame-9").guarded().show_token
