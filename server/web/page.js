@@ -1,6 +1,7 @@
 // The page's three views; each is loaded, connected and drawn only while its tab is open.
 
 import { part } from "./elements.js";
+import { refuseFiles } from "./replay-drop.js";
 import { tabs } from "./tabs.js";
 
 const VIEWS = {
@@ -36,3 +37,5 @@ tabs(part("tabs"), (view, before) => {
   if (before !== null) VIEWS[before]().then((module) => shown !== before && module.close(), () => {});
   open(view);
 });
+
+refuseFiles();

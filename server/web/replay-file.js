@@ -2,6 +2,7 @@
 
 const MARK = "# pointpred:";
 const NEEDED = ["user", "trial", "t_s", "x_px", "y_px"];
+const PARQUET = "PAR1";
 const MOST_BYTES = 64 * 1024 * 1024;
 
 /** The cells of a line; words may stand in quotes, with quotes doubled inside. */
@@ -10,10 +11,24 @@ function cells(text) {
   return [...text.matchAll(/(?:^|,)(?:"((?:[^"]|"")*)"|([^,]*))/g)].map(([, quoted, plain]) => quoted?.replaceAll('""', '"') ?? plain);
 }
 
-/** A table with its header: the JSON of the first line, and rows as objects from column to cell. */
+/** What the first line says of the table, where it is a header. */
+function headerOf(line) {
+  if (!line?.startsWith(MARK)) return {};
+  let found = null;
+  try {
+    found = JSON.parse(line.slice(MARK.length));
+  } catch {
+    // said below, with the header that is an array or a number
+  }
+  if (found === null || typeof found !== "object" || Array.isArray(found)) throw new Error(`its header is no JSON object: ${line.slice(MARK.length, 60).trim()}`);
+  return found;
+}
+
+/** A table: the header, the names of the columns, and rows of cells. */
 export function parse(text) {
   const lines = text.replace(/^\uFEFF/, "").split(/\r?\n/).filter((line) => line.trim() !== "");
-  const header = lines[0]?.startsWith(MARK) ? JSON.parse(lines.shift().slice(MARK.length)) : {};
+  const header = headerOf(lines[0]);
+  if (lines[0]?.startsWith(MARK)) lines.shift();
   const columns = cells(lines.shift() ?? "").map((name) => name.trim());
   const rows = lines.map((line, row) => {
     const found = cells(line);
@@ -40,7 +55,7 @@ function targets({ columns, rows }) {
 /** The trials of a table of samples: rows as the service takes them; unusable ones are counted. */
 function trials({ columns, rows }, goals) {
   const missing = NEEDED.find((name) => !columns.includes(name));
-  if (missing) throw new Error(`the column ${missing} is missing; found ${columns.slice(0, 8).join(", ")}`);
+  if (missing) throw new Error(`the column ${missing} is missing; found ${columns.slice(0, 8).join(", ").slice(0, 80)}`);
   const [user, trial, ...values] = [...NEEDED, "dx_counts", "dy_counts", "buttons"].map((name) => columns.indexOf(name));
   const found = new Map();
   for (const row of rows) {
@@ -53,8 +68,39 @@ function trials({ columns, rows }, goals) {
   const sound = ({ rows: own }) =>
     own.length > 1 && own.every(([t, x, y], i) => [t, x, y].every((v) => v !== null && Number.isFinite(v)) && (i === 0 || t >= own[i - 1][0]));
   const kept = all.filter(sound);
-  if (kept.length === 0) throw new Error(`none of its ${all.length} movements can be shown`);
+  if (kept.length === 0) throw new Error(`none of its ${all.length} movements can be shown: each needs two rows or more, with numbers in them and times in order`);
   return { kept, left: all.length - kept.length };
+}
+
+/** What `act` finds in a file; what it complains of is said with the file's name. */
+function within({ name }, act) {
+  try {
+    return act();
+  } catch (error) {
+    throw new Error(`${name}: ${error.message}`);
+  }
+}
+
+/** The table in a file. */
+async function table(file) {
+  if (file.size > MOST_BYTES) throw new Error(`${file.name} is larger than ${MOST_BYTES / 1048576} MiB; pointpred score reads it`);
+  const text = await file.text().catch(() => {
+    throw new Error(`${file.name} cannot be read: is it a folder?`);
+  });
+  if (text.startsWith(PARQUET)) throw new Error(`${file.name} is Parquet; pointpred convert turns it into CSV`);
+  return { file, text, ...within(file, () => parse(text)) };
+}
+
+/** The one table of samples among some, and the one of trials, if there is one. */
+function sorted(tables) {
+  const holding = (column) => tables.filter(({ columns }) => columns.includes(column));
+  const samples = holding("t_s"), described = holding("target_x");
+  const names = (some) => some.map(({ file }) => file.name).join(", ");
+  const strange = tables.filter((one) => !samples.includes(one) && !described.includes(one));
+  if (strange.length) throw new Error(`${names(strange)} is no table of samples, which has the columns ${NEEDED.join(", ")}, nor one of trials`);
+  if (samples.length === 0) throw new Error(`${names(tables)} is no table of samples: its trials alone show nothing`);
+  for (const many of [samples, described]) if (many.length > 1) throw new Error(`one recording at a time: ${names(many)} are several`);
+  return [samples[0], described[0]];
 }
 
 /**
@@ -64,17 +110,11 @@ function trials({ columns, rows }, goals) {
  *   movements: {name: string, user: string, rows: number[][], target: object|null}[]}>}
  */
 export async function readFiles(files) {
-  const large = files.find(({ size }) => size > MOST_BYTES);
-  if (large) throw new Error(`${large.name} is larger than ${MOST_BYTES / 1048576} MiB; pointpred score reads it`);
-  const texts = await Promise.all(files.map((file) => file.text()));
-  const tables = texts.map(parse);
-  const which = tables.findIndex(({ columns }) => columns.includes("t_s"));
-  if (which < 0) throw new Error("no table of samples: expected a file with the columns user, trial, t_s, x_px, y_px");
-  const described = tables.find(({ columns }) => columns.includes("target_x"));
-  const { header } = tables[which];
-  const { kept, left } = trials(tables[which], described ? targets(described) : new Map());
+  const [samples, described] = sorted(await Promise.all(files.map(table)));
+  const { file, text, header } = samples;
+  const { kept, left } = within(file, () => trials(samples, described ? targets(described) : new Map()));
   return {
-    name: header.name ?? files[which].name, csv: texts[which], left, movements: kept,
+    name: header.name ?? file.name, csv: text, left, movements: kept,
     dpi: header.provenance?.dpi ?? 96, cpi: header.provenance?.cpi ?? null, simulated: header.provenance?.simulated === true,
   };
 }

@@ -1,42 +1,51 @@
 // The replay view: a recorded movement with a slider over its time, and what was predicted along it.
 
-import { onRepaint } from "./draw.js";
+import { onRepaint, prepare } from "./draw.js";
 import { drawErrors, drawScene, errorAt } from "./draw-replay.js";
 import { number as written, offer, part, write } from "./elements.js";
+import { acceptFiles } from "./replay-drop.js";
+import { Player } from "./replay-player.js";
+import { showScores } from "./replay-scores.js";
 import { embedded, opened } from "./replay-source.js";
-import { expectScores, scoreTable, sentence as scoredSentence, setOf } from "./scores.js";
-import { PREFERRED, predictors, score } from "./service.js";
+import { PREFERRED, predictors } from "./service.js";
 
-const [scene, errors, play, time, previous, next] = ["scene", "errors", "play", "time", "previous", "next"].map((id) => part(`replay-${id}`));
-const [list, readout, said, file, back, drop] = ["trials", "readout", "source", "file", "sample", "drop"].map((id) => part(`replay-${id}`));
+const [scene, errors, previous, next] = ["scene", "errors", "previous", "next"].map((id) => part(`replay-${id}`));
+const [list, readout, said, file, back] = ["trials", "readout", "source", "file", "sample"].map((id) => part(`replay-${id}`));
 const choices = [0, 1].map((which) => part(`replay-predictor-${which}`));
-const controls = [play, time, previous, next, list];
+const player = new Player(part("replay-play"), part("replay-time"), draw);
 
 let source = null;
 let movement = null;
 let at = 0;
-let asked = 0;
-let began = null; // when the replay began, on the animation clock, ms
+let asked = 0; // the newest wish for a movement; what comes late for an older one is not shown
+let sought = 0; // and for a source
 
 const columns = () => choices.map(({ value }) => movement.predictions[value] ?? null);
-
-function complain(error) {
-  write(said, `This cannot be shown: ${error.message}. Is the service still running?`);
-}
 
 /** Shows a movement at a time in ms; without one, where half of the way is done. */
 async function show(which, ms = null) {
   const mine = ++asked;
-  stop();
+  player.stop();
   at = (which + source.names.length) % source.names.length;
   list.selectedIndex = at;
   write(readout, "Computing the predictions…");
   const names = [...new Set(choices.map(({ value }) => value).filter(Boolean))];
-  const received = await source.movement(at, names);
-  if (mine !== asked) return; // somebody went on meanwhile
-  movement = received;
-  time.max = String(Math.round(1000 * movement.t[movement.t.length - 1]));
-  go(ms ?? 1000 * movement.t[halfWay()]);
+  try {
+    const received = await source.movement(at, names);
+    if (mine !== asked) return;
+    movement = received;
+    player.load(1000 * movement.t[movement.t.length - 1], ms ?? 1000 * movement.t[halfWay()]);
+  } catch (error) {
+    if (mine === asked) clear(`Movement ${at + 1} cannot be shown: ${error.message}.`);
+  }
+  player.enable(movement !== null);
+}
+
+/** Shows nothing, and why. */
+function clear(words) {
+  movement = null;
+  write(readout, words);
+  for (const canvas of [scene, errors]) prepare(canvas);
 }
 
 function halfWay() {
@@ -46,14 +55,8 @@ function halfWay() {
 
 /** The last event at or before the time the slider stands at. */
 function event() {
-  const after = movement.t.findIndex((t) => 1000 * t > Number(time.value));
+  const after = movement.t.findIndex((t) => 1000 * t > player.ms);
   return after < 0 ? movement.t.length - 1 : Math.max(0, after - 1);
-}
-
-function go(ms) {
-  time.value = String(Math.round(ms));
-  time.setAttribute("aria-valuetext", `${(time.value / 1000).toFixed(2)} seconds`);
-  draw();
 }
 
 function draw() {
@@ -63,7 +66,7 @@ function draw() {
   drawScene(scene, movement, own, i);
   drawErrors(errors, movement, own, i);
   scene.dataset.event = String(i);
-  if (began === null) write(readout, sentence(i, own));
+  if (!player.playing) write(readout, sentence(i, own));
 }
 
 function sentence(i, own) {
@@ -76,60 +79,43 @@ function sentence(i, own) {
   return `${movement.t[i].toFixed(2)} s: ${parts.join(", ")}, the cursor is ${away} px from where it ended. Movement ${at + 1} of ${source.names.length}, ${movement.who}.`;
 }
 
-function stop() {
-  began = null;
-  write(play, "Play");
-  draw();
-}
-
-function start() {
-  const from = Number(time.value) >= Number(time.max) ? 0 : Number(time.value);
-  began = performance.now() - from;
-  write(play, "Pause");
-  requestAnimationFrame(advance);
-}
-
-function advance(now) {
-  if (began === null) return;
-  const passed = Math.max(0, now - began);
-  go(Math.min(passed, Number(time.max)));
-  if (passed >= Number(time.max)) stop();
-  else requestAnimationFrame(advance);
-}
-
-/** Goes over to another source of movements. */
-async function take(found) {
-  source = found;
+/** Goes over to another source of movements, unless yet another has been asked for; says whether it did. */
+async function take(coming) {
+  const mine = ++sought;
+  try {
+    const found = await coming;
+    if (mine !== sought) return false;
+    source = found;
+  } catch (error) {
+    if (mine !== sought) return false;
+    throw error;
+  }
   list.replaceChildren(...source.names.map((name, i) => new Option(name, String(i))));
   write(said, source.said);
   part("replay-result").hidden = source.csv === null;
   back.disabled = source.csv === null;
+  for (const control of [previous, next, list]) control.disabled = false;
   await show(0);
-  for (const control of controls) control.disabled = false;
+  return true;
 }
 
 async function openFiles(files) {
   if (!files.length) return;
   write(said, "Reading…");
   try {
-    await take(await opened([...files]));
-    await scoreFile();
+    if (!(await take(opened(files)))) return;
+    const { csv } = source;
+    await showScores(csv, [...choices[0].options].map(({ value }) => value), () => source.csv === csv);
   } catch (error) {
-    write(said, `${files[0].name} cannot be shown: ${error.message}.`);
+    write(said, `Not opened: ${error.message}.${source === null ? "" : " What was open before stays."}`);
   }
 }
 
-async function scoreFile() {
-  const { csv } = source;
-  write(part("replay-scored"), "The service scores every predictor on this file…");
-  expectScores(part("replay-scores"), [...choices[0].options].map(({ value }) => value));
+async function openSample() {
   try {
-    const set = setOf(await score(csv));
-    if (source.csv !== csv) return;
-    scoreTable(part("replay-scores"), set);
-    write(part("replay-scored"), scoredSentence(set));
+    await take(embedded());
   } catch (error) {
-    write(part("replay-scored"), `Not scored: ${error.message}.`);
+    write(said, `The sample cannot be shown: ${error.message}. Is the service still running?`);
   }
 }
 
@@ -140,29 +126,21 @@ export async function open() {
     offer(choices[0], listing.predictors, PREFERRED);
     offer(choices[1], listing.predictors, "", "none");
   }
-  if (source === null) await take(await embedded());
+  if (source === null) await take(embedded());
   draw();
 }
 
 /** Holds the replay. */
 export function close() {
-  stop();
+  player.stop();
 }
 
-play.addEventListener("click", () => (began === null ? start() : stop()));
-time.addEventListener("input", () => { stop(); go(Number(time.value)); });
-previous.addEventListener("click", () => show(at - 1).catch(complain));
-next.addEventListener("click", () => show(at + 1).catch(complain));
-list.addEventListener("change", () => show(list.selectedIndex).catch(complain));
-for (const choice of choices) choice.addEventListener("change", () => source && show(at, Number(time.value)).catch(complain));
-file.addEventListener("change", () => openFiles(file.files));
-back.addEventListener("click", () => embedded().then(take).catch(complain));
-for (const kind of ["dragenter", "dragover", "dragleave", "drop"]) {
-  document.addEventListener(kind, (dragged) => {
-    if (drop.offsetParent === null) return; // another view is open
-    dragged.preventDefault();
-    drop.classList.toggle("over", kind === "dragenter" || kind === "dragover");
-    if (kind === "drop") openFiles(dragged.dataTransfer.files);
-  });
-}
+previous.addEventListener("click", () => show(at - 1));
+next.addEventListener("click", () => show(at + 1));
+list.addEventListener("change", () => show(list.selectedIndex));
+for (const choice of choices) choice.addEventListener("change", () => source && show(at, player.ms));
+file.addEventListener("click", () => (file.value = "")); // the same file may be opened again
+file.addEventListener("change", () => openFiles([...file.files]));
+back.addEventListener("click", openSample);
+acceptFiles(part("replay-drop"), openFiles);
 onRepaint(draw);

@@ -1,0 +1,194 @@
+"""Recordings dragged onto the page by a real browser, good ones and others."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from pointpred.datasets import sample
+from pointpred.recording import Recording
+from pointpred.sources import write
+from tests.server import browser, page_browser
+from tests.server.page_browser import Visitor
+
+pytestmark = browser.needed
+
+SAID = "document.querySelector('#replay-source').textContent"
+READOUT = "document.querySelector('#replay-readout').textContent"
+LEAVE = """{
+  const held = new DataTransfer();
+  held.items.add(new File(["user,trial"], "one.csv"));
+  document.body.dispatchEvent(new DragEvent("dragleave", { dataTransfer: held, bubbles: true }));
+}"""
+"""What a browser sends when what is dragged leaves its window, or is given up."""
+OVER = "document.querySelector('#replay-drop').classList.contains('over')"
+
+
+@pytest.fixture(scope="module")
+def url() -> Iterator[str]:
+    with page_browser.service() as address:
+        yield address
+
+
+@pytest.fixture(scope="module")
+def one(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
+    with page_browser.visitor(tmp_path_factory.mktemp("profile")) as opened:
+        yield opened
+
+
+@pytest.fixture
+def visitor(one: Visitor, url: str) -> Iterator[Visitor]:
+    """Somebody at the replay view with its sample, who finds the page in order after whatever was dropped."""
+    one.open(f"{url}#replay")
+    one.wait("!document.querySelector('#replay-play').disabled")
+    yield one
+    assert one.value("location.href") == f"{url}#replay"
+    assert one.complaints() == []
+    assert one.shift() < 0.001
+    assert not one.value(OVER)
+
+
+def drag(
+    visitor: Visitor, kind: str, files: list[Path], part: str = "#replay-scene", words: str | None = None
+) -> None:
+    """One step of dragging files from the desktop, or words, over a part of the page."""
+    left, top, width, height = visitor.corner(part)
+    items = [] if words is None else [{"mimeType": "text/plain", "data": words}]
+    data: dict[str, Any] = {"items": items, "files": [str(file) for file in files], "dragOperationsMask": 1}
+    at = {"x": left + width / 2, "y": top + height / 2}
+    visitor.page.call("Input.dispatchDragEvent", type=kind, data=data, **at)
+
+
+def drop(visitor: Visitor, files: list[Path], part: str = "#replay-scene") -> None:
+    """Drag files over a part of the page and let go."""
+    for kind in ("dragEnter", "dragOver", "drop"):
+        drag(visitor, kind, files, part)
+
+
+def study(folder: Path, trials: range = range(3, 6)) -> list[Path]:
+    """The files of a recording: samples and trials."""
+    whole = sample()
+    told = [whole.trials[i] for i in trials]
+    own = Recording.of("study", [whole.rows(i) for i in trials], told, provenance=whole.provenance)
+    return list(write(own, folder / "study_samples.csv"))
+
+
+def test_a_dropped_recording_is_shown_and_scored(visitor: Visitor, tmp_path: Path) -> None:
+    files = study(tmp_path)
+    drag(visitor, "dragEnter", files)
+    drag(visitor, "dragOver", files)
+    assert visitor.value(OVER)
+    drag(visitor, "drop", files)
+    visitor.wait(f"{READOUT}.includes('Movement 1 of 3')")
+    assert visitor.text("#replay-source").startswith("study: 3 movements.")
+    visitor.wait("document.querySelector('#replay-scored').textContent.startsWith('3 movements scored')")
+
+
+def test_the_mark_goes_when_the_files_leave_without_a_drop(visitor: Visitor, tmp_path: Path) -> None:
+    files = study(tmp_path)
+    drag(visitor, "dragEnter", files)
+    drag(visitor, "dragOver", files)
+    drag(visitor, "dragOver", files, "#replay-time")  # from the picture to another part: still over the page
+    assert visitor.value(OVER)
+    visitor.value(LEAVE)  # the protocol's dragCancel tells a page nothing
+    assert not visitor.value(OVER)
+
+
+HEAD = "user,trial,t_s,x_px,y_px\n"
+SOUND = "".join(f"u,one,{i / 50},{i * i},0\n" for i in range(40))
+BAD = {
+    "shopping.csv": ("what,price\nmilk,1\n", "shopping.csv is no table of samples"),
+    "empty.csv": ("", "empty.csv is no table of samples"),
+    "short.csv": (f"{HEAD}u,one,0,1\n", "short.csv: row 0 has 4 cells, expected 5"),
+    "words.csv": (f"{HEAD}u,one,zero,1,2\nu,one,1,1,2\n", "words.csv: none of its 1 movements can be shown"),
+    "backwards.csv": (
+        f"{HEAD}u,one,1,1,2\nu,one,0,1,2\n",
+        "backwards.csv: none of its 1 movements can be shown",
+    ),
+    "half.csv": (f'# pointpred: {{"rows": 9}}\n{HEAD}{SOUND}', "half.csv: 40 rows, its header says 9"),
+    "torn.csv": (f'# pointpred: {{"rows"\n{HEAD}{SOUND}', "torn.csv: its header is no JSON object"),
+    "list.csv": (f"# pointpred: null\n{HEAD}{SOUND}", "list.csv: its header is no JSON object"),
+    "noplace.csv": ("user,trial,t_s\nu,one,0\n", "noplace.csv: the column x_px is missing"),
+    "night.parquet": ("PAR1\x15\x04\x15", "night.parquet is Parquet; pointpred convert"),
+    "trials.csv": (
+        "user,trial,target_x,target_y\nu,one,1,2\n",
+        "trials.csv is no table of samples: its trials",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", BAD)
+def test_a_bad_file_is_named_with_the_reason_and_the_page_goes_on(
+    visitor: Visitor, tmp_path: Path, name: str
+) -> None:
+    text, reason = BAD[name]
+    (tmp_path / name).write_text(text, encoding="utf-8")
+    before = visitor.value(READOUT)
+    drop(visitor, [tmp_path / name])
+    visitor.wait(f"{SAID}.startsWith('Not opened: ')")
+    assert visitor.text("#replay-source").startswith(f"Not opened: {reason}")
+    assert visitor.text("#replay-source").endswith("What was open before stays.")
+    assert visitor.value(READOUT) == before
+    visitor.value("document.querySelector('#replay-next').click()")
+    visitor.wait(f"{READOUT}.includes('Movement 2 of')")
+    drop(visitor, study(tmp_path))
+    visitor.wait(f"{READOUT}.includes('Movement 1 of 3')")
+
+
+def test_a_folder_is_named_as_one(visitor: Visitor, tmp_path: Path) -> None:
+    (tmp_path / "week").mkdir()
+    drop(visitor, [tmp_path / "week"])
+    visitor.wait(f"{SAID}.startsWith('Not opened: ')")
+    assert visitor.text("#replay-source").startswith("Not opened: week cannot be read: is it a folder?")
+
+
+def test_two_recordings_at_once_are_refused(visitor: Visitor, tmp_path: Path) -> None:
+    for name in ("monday.csv", "tuesday.csv"):
+        (tmp_path / name).write_text(HEAD + SOUND, encoding="utf-8")
+    drop(visitor, [tmp_path / "monday.csv", tmp_path / "tuesday.csv"])
+    visitor.wait(f"{SAID}.startsWith('Not opened: ')")
+    assert "one recording at a time: monday.csv, tuesday.csv are several" in visitor.text("#replay-source")
+
+
+def test_a_movement_that_the_service_refuses_does_not_stop_the_others(
+    visitor: Visitor, tmp_path: Path
+) -> None:
+    """The first one has a position that no screen has, which the service says; the second one is sound."""
+    wild = "".join(f"u,wild,{i / 50},{1e300 * i},0\n" for i in range(5))
+    (tmp_path / "wild.csv").write_text(HEAD + wild + SOUND, encoding="utf-8")
+    drop(visitor, [tmp_path / "wild.csv"])
+    visitor.wait(f"{READOUT}.startsWith('Movement 1 cannot be shown: ')")
+    assert visitor.value("document.querySelector('#replay-play').disabled")
+    visitor.value("document.querySelector('#replay-next').click()")
+    visitor.wait(f"{READOUT}.includes('Movement 2 of 2')")
+    assert not visitor.value("document.querySelector('#replay-play').disabled")
+
+
+def test_words_that_are_dragged_are_left_to_the_browser(visitor: Visitor) -> None:
+    visitor.value(
+        "window.kept = []; addEventListener('dragover', (dragged) => kept.push(dragged.defaultPrevented))"
+    )
+    before = visitor.text("#replay-source")
+    for kind in ("dragEnter", "dragOver"):
+        drag(visitor, kind, [], words="a word")
+    assert visitor.value("kept.length > 0 && !kept.some(Boolean)")
+    assert visitor.text("#replay-source") == before
+
+
+@pytest.mark.parametrize("view", ["live", "circle"])
+def test_other_views_refuse_files_instead_of_giving_way_to_them(
+    one: Visitor, url: str, tmp_path: Path, view: str
+) -> None:
+    one.open(f"{url}#{view}")
+    one.wait(f"!document.querySelector('#view-{view} select').disabled")
+    one.value(
+        "window.kept = []; addEventListener('dragover', (dragged) => kept.push("
+        "[dragged.defaultPrevented, dragged.dataTransfer.dropEffect, dragged.dataTransfer.types[0]]))"
+    )
+    drop(one, study(tmp_path), f"#{view}-scene")
+    assert one.value("kept")[0] == [True, "none", "Files"]
+    assert one.value("location.hash") == f"#{view}"
+    assert one.complaints() == []
