@@ -166,7 +166,9 @@ async def _harden(request: Request, forward: Any) -> Response:
 
 async def _fail(request: Request, error: Exception) -> Response:
     """Something broke on this side; the server logs where."""
-    return _error("internal", "the server failed", 500)
+    response = _error("internal", "the server failed", 500)
+    response.headers.update(SAFE)  # made outside everything that would add them
+    return response
 
 
 async def _refuse(request: Request, error: Exception) -> Response:

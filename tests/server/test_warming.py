@@ -1,0 +1,73 @@
+"""Who comes before compiled code is warm: accepted at once, greeted when it is."""
+
+from __future__ import annotations
+
+import json
+import threading
+from collections.abc import Callable, Iterator
+
+import pytest
+from httpx2 import get
+from websockets.exceptions import ConnectionClosed
+
+from tests.server.listener import soon
+from tests.server.running import HELLO, running
+
+Progress = Callable[[int, int, str], bool]
+
+
+@pytest.fixture
+def warm(monkeypatch: pytest.MonkeyPatch) -> Iterator[threading.Event]:
+    """Warming takes until this is set."""
+    done = threading.Event()
+
+    def slow(progress: Progress) -> None:
+        while not done.wait(0.01):
+            if not progress(0, 1, ""):
+                return
+
+    monkeypatch.setattr("pointpred.server.service.warm", slow)
+    yield done
+    done.set()
+
+
+def test_who_comes_early_is_accepted_and_greeted_when_code_is_warm(warm: threading.Event) -> None:
+    with running(max_sessions=2) as here, here.connect() as early, here.connect() as other:
+        for socket in (early, other):
+            socket.send(HELLO)
+        with pytest.raises(TimeoutError):
+            early.recv(0.3)
+        assert "pointpred_sessions 0.0" in get(f"{here.url}/metrics").text
+        assert get(f"{here.url}/readyz").status_code == 503
+        assert get(f"{here.url}/healthz").status_code == 200
+        with here.connect() as third:  # those who wait are counted
+            assert json.loads(third.recv(5))["code"] == "too_many"
+        warm.set()
+        for socket in (early, other):
+            assert json.loads(socket.recv(10))["type"] == "welcome"
+            socket.send('{"type":"events","events":[[1,5,6,null,null,0]]}')
+            assert json.loads(socket.recv(10))["t"] == 1.0
+        soon(lambda: get(f"{here.url}/readyz").status_code == 200, "ready")
+
+
+def test_who_waits_for_warm_code_hears_that_the_service_stops(warm: threading.Event) -> None:
+    with running() as here, here.connect() as early:
+        early.send(HELLO)
+        here.server.should_exit = True
+        assert json.loads(early.recv(10))["type"] == "bye"
+        with pytest.raises(ConnectionClosed) as closed:
+            early.recv(10)
+        assert closed.value.rcvd is not None
+        assert closed.value.rcvd.code == 1001
+
+
+def test_code_that_cannot_be_warmed_is_logged_and_clients_are_served_all_the_same(
+    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    def broken(progress: Progress) -> None:
+        raise RuntimeError("no compiler")
+
+    monkeypatch.setattr("pointpred.server.service.warm", broken)
+    with running() as here, here.greeted():
+        assert get(f"{here.url}/readyz").json() == {"ready": False, "stopping": False}
+    assert "compiled code could not be warmed" in caplog.text
