@@ -2,13 +2,19 @@
 
 const PICTURE = "pointerrawupdate" in window ? "pointerrawupdate" : "pointermove";
 
-/** One sample relative to the element's upper left corner; a page sees no device counts. */
-function row(event, box) {
-  return [event.timeStamp / 1000, event.clientX - box.left, event.clientY - box.top, null, null, event.buttons];
+/** One sample relative to a corner of the viewport; a page sees no device counts. */
+function row(event, [left, top]) {
+  return [event.timeStamp / 1000, event.clientX - left, event.clientY - top, null, null, event.buttons];
+}
+
+/** Where an element's inside begins: what is drawn on a canvas is drawn within its border. */
+function corner(element) {
+  const { left, top } = element.getBoundingClientRect();
+  return [left + element.clientLeft, top + element.clientTop];
 }
 
 /**
- * Follows the pointer over an element.
+ * Follows the pointer over an element; positions are relative to the upper left corner of its inside.
  * @param {HTMLElement} element
  * @param {{
  *   moved: (rows: number[][]) => void,
@@ -23,9 +29,9 @@ export function follow(element, told) {
   let last = -Infinity;
 
   function samples(event) {
-    const box = element.getBoundingClientRect();
+    const from = corner(element);
     const coalesced = event.getCoalescedEvents?.() ?? [];
-    const rows = (coalesced.length ? coalesced : [event]).map((each) => row(each, box));
+    const rows = (coalesced.length ? coalesced : [event]).map((each) => row(each, from));
     const fresh = rows.filter(([t]) => t >= last); // a press may be reported before the samples that led to it
     if (fresh.length) last = fresh[fresh.length - 1][0];
     return fresh;
@@ -33,7 +39,7 @@ export function follow(element, told) {
 
   function click(event, callback) {
     const rows = samples(event);
-    if (!rows.length) rows.push([last, ...row(event, element.getBoundingClientRect()).slice(1)]);
+    if (!rows.length) rows.push([last, ...row(event, corner(element)).slice(1)]);
     told.moved(rows);
     callback?.(rows[rows.length - 1], event);
   }

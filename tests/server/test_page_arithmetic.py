@@ -44,8 +44,10 @@ def test_an_even_number_of_targets_is_refused(visitor: Visitor) -> None:
     assert said == "the number of targets must be odd and at least 3, received 12"
 
 
-@pytest.mark.parametrize("share", [0.5, 0.95])
-@pytest.mark.parametrize("covariance", [(400.0, 120.0, 90.0), (9.0, 0.0, 25.0), (1.0, -0.9, 1.0)])
+@pytest.mark.parametrize("share", [0.5, 0.8, 0.95])
+@pytest.mark.parametrize(
+    "covariance", [(400.0, 120.0, 90.0), (9.0, 0.0, 25.0), (1.0, -0.9, 1.0), (4.0, 6.0, 9.0)]
+)
 def test_regions_hold_their_share(
     visitor: Visitor, covariance: tuple[float, float, float], share: float
 ) -> None:

@@ -1,0 +1,155 @@
+"""The region of a prediction as the page draws it, held against the distances of a normal distribution.
+
+No predictor of today claims a region, so the answers are given theirs on their way into the page.
+"""
+
+from __future__ import annotations
+
+import base64
+import io
+import json
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.stats import chi2
+
+from tests.server import browser, page_browser
+from tests.server.page_browser import Visitor
+
+pytestmark = browser.needed
+
+DOCUMENT = Path(__file__).parents[2] / "docs" / "page.md"
+WRITTEN = """
+window.region = null;
+const Plain = WebSocket;
+window.WebSocket = class extends Plain {
+  set onmessage(listen) {
+    super.onmessage = (event) => {
+      if (region !== null && event.data instanceof ArrayBuffer) {
+        const view = new DataView(event.data);
+        for (let at = 0; at < view.byteLength; at += 57) {
+          region.forEach((value, i) => view.setFloat64(at + 8 + 8 * i, value, true));
+          view.setUint8(at + 56, 1);
+        }
+      }
+      listen(event);
+    };
+  }
+};
+"""
+"""Writes x, y, sxx, sxy, syy into every packed prediction that comes in, once a region is set."""
+ORANGE = np.array([194, 65, 12])
+"""The first predictor's colour, in the light theme."""
+CONNECTED = "document.querySelector('#live-card-0 .connection').dataset.state === 'open'"
+ROUND, ALONG, ACROSS = (900.0, 0.0, 900.0), (2500.0, 1300.0, 1600.0), (400.0, -300.0, 2500.0)
+
+
+@pytest.fixture(scope="module")
+def url() -> Iterator[str]:
+    with page_browser.service() as address:
+        yield address
+
+
+@pytest.fixture(scope="module")
+def one(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
+    with page_browser.visitor(tmp_path_factory.mktemp("profile")) as opened:
+        opened.page.call("Page.addScriptToEvaluateOnNewDocument", source=WRITTEN)
+        opened.prefer(prefers_color_scheme="light")
+        yield opened
+
+
+@pytest.fixture
+def visitor(one: Visitor, url: str) -> Iterator[Visitor]:
+    """Somebody at a live view that is connected."""
+    one.open(f"{url}#live")
+    one.wait(CONNECTED)
+    yield one
+    assert one.complaints() == []
+    assert one.shift() < 0.001
+
+
+KEPT = """{
+  const canvas = document.querySelector("#live-scene");
+  const region = document.querySelector("#live-card-0 [data-of=region]");
+  window.kept = { picture: null, said: [], cut: false };
+  new MutationObserver(([{ oldValue }]) => {
+    if (canvas.dataset.drawn !== oldValue) kept.picture = canvas.toDataURL();
+  }).observe(canvas, { attributeFilter: ["data-drawn"], attributeOldValue: true });
+  new MutationObserver(() => {
+    kept.said.push(region.textContent);
+    kept.cut ||= region.scrollWidth > region.clientWidth;
+  }).observe(region, { childList: true });
+}"""
+"""Keeps the last picture with an endpoint in it, and the words on its region: both soon go."""
+
+
+def pixels(address: str) -> tuple[np.ndarray, np.ndarray]:
+    """Colours from 0 to 255 and opacities from 0 to 1 in a picture given as an address with its data."""
+    from matplotlib.image import imread
+
+    picture = imread(io.BytesIO(base64.b64decode(address.partition(",")[2])))
+    return picture[..., :3] * 255, picture[..., 3]
+
+
+@pytest.mark.parametrize("covariance", [ROUND, ALONG, ACROSS])
+def test_the_region_is_tinted_where_95_per_cent_of_endpoints_lie(
+    visitor: Visitor, covariance: tuple[float, float, float]
+) -> None:
+    """Every pixel by its Mahalanobis distance, whose square has a chi-squared distribution of two degrees."""
+    left, top, width, height = visitor.corner("#live-scene")
+    x, y = round(0.6 * width), round(0.45 * height)
+    visitor.value(KEPT)
+    visitor.value(f"window.region = {json.dumps([x, y, *covariance])}")
+    start, end = (left + 40.0, top + height - 40.0), (left + 140.0, top + height - 40.0)
+    visitor.reach(start, end, 0.2)
+    visitor.wait("kept.picture !== null && kept.said.some((words) => /[0-9]/.test(words))")
+    colour, opacity = pixels(visitor.value("kept.picture"))
+
+    sxx, sxy, syy = covariance
+    matrix = np.array([[sxx, sxy], [sxy, syy]])
+    down, right = np.mgrid[: opacity.shape[0], : opacity.shape[1]] + 0.5
+    off = np.stack([right - x, down - y], axis=-1)
+    radius = np.sqrt(np.einsum("...i,ij,...j", off, np.linalg.inv(matrix), off))
+    edge = np.sqrt(chi2.ppf(0.95, 2))
+    to_cursor = np.array([end[0] - left - 1 - x, end[1] - top - 1 - y])
+    beside = np.abs(off @ [to_cursor[1], -to_cursor[0]]) / np.hypot(*to_cursor)
+    clear = (np.hypot(off[..., 0], off[..., 1]) > 16.0) & (beside > 5.0)  # of the mark, and of the line to it
+    near = (np.abs(off[..., 0]) < 200) & (np.abs(off[..., 1]) < 160) & clear
+    inside, outside = near & (radius < 0.95 * edge), near & (radius > 1.05 * edge)
+    assert inside.sum() > 5000
+    assert np.abs(opacity[inside] - 0.12).max() < 0.005
+    assert np.abs(colour[inside] - ORANGE).max() < 5.0  # eight bits at so low an opacity
+    assert (opacity[outside] == 0.0).all()
+    around = near & (np.abs(radius / edge - 1.0) < 0.02)
+    outline = near & (opacity > 0.7)
+    assert (outline & around).sum() > 0.1 * around.sum()
+    assert not (outline & ~around).any()
+    assert np.abs(colour[outline] - ORANGE).max() < 5.0
+
+    breadth, length = 2.0 * edge * np.sqrt(np.linalg.eigvalsh(matrix))
+    assert set(visitor.value("kept.said")) <= {f"{length:.0f} × {breadth:.0f} px", "–"}
+    assert not visitor.value("kept.cut")
+
+
+def test_the_factors_in_the_document_are_those_of_the_distribution() -> None:
+    rows = re.findall(r"^\| (\d+) % \| ([\d.]+) \|", DOCUMENT.read_text(encoding="utf-8"), re.MULTILINE)
+    assert [share for share, _ in rows] == ["50", "80", "95"]
+    for share, factor in rows:
+        assert float(factor) == pytest.approx(np.sqrt(chi2.ppf(float(share) / 100, 2)), abs=5e-5)
+
+
+def test_the_trail_is_drawn_under_the_pointer_and_not_beside_it(visitor: Visitor) -> None:
+    """The picture has a border, within which it is drawn."""
+    left, top, _, height = visitor.corner("#live-scene")
+    visitor.value(KEPT)
+    end = (left + 140.0, top + height - 40.0)
+    visitor.reach((end[0] - 100.0, end[1]), end, 0.2)
+    visitor.wait("kept.picture !== null")
+    _, opacity = pixels(visitor.value("kept.picture"))
+    rows, columns = np.nonzero(opacity[:, 119:159] > 0.95)
+    assert (rows.min() + rows.max() + 1) / 2 == pytest.approx(height - 41.0, abs=0.3)
+    assert rows.max() - rows.min() < 14, "more than the disc at the end of the trail"
+    assert columns.size > 60
