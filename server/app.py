@@ -21,6 +21,7 @@ from pointpred.server import samples
 from pointpred.server.endpoint import StreamEndpoint, shows_token
 from pointpred.server.hosts import HostGuard, HostRule, admits_origin
 from pointpred.server.service import Service
+from pointpred.server.uploads import UploadError, received
 
 WEB = Path(__file__).with_name("web")
 SAFE = {
@@ -38,6 +39,11 @@ isolated, which lets the browser stamp events to 5 us instead of 100."""
 SHARED = {"Access-Control-Allow-Origin": "*", "Cross-Origin-Resource-Policy": "cross-origin"}
 """Any page may load the client; whether its origin may connect is another matter."""
 READ = ["GET", "HEAD"]
+NOT_SCORED: dict[int | str, dict[str, Any]] = {
+    408: {"description": "The recording did not come whole in time."},
+    413: {"description": "It is too large: bytes, rows, trials, or what it unpacks to."},
+    503: {"description": "As many recordings as are taken at a time are under way."},
+}
 OPEN = ("/healthz", "/readyz", "/web/", "/pointpred.js")
 """Paths that need no token: they hold nothing of anybody."""
 
@@ -58,6 +64,7 @@ def create_app(hosts: HostRule | None = None, service: Service | None = None) ->
     app.add_middleware(HostGuard, rule=hosts or HostRule(), headers=SAFE)
     app.exception_handler(ParameterError)(_refuse)
     app.exception_handler(RecordingError)(_refuse)
+    app.exception_handler(UploadError)(_turn_down)
     app.exception_handler(Exception)(_fail)
     app.add_api_route("/healthz", _health, methods=READ)
     app.add_api_route("/readyz", _ready, methods=READ)
@@ -67,7 +74,7 @@ def create_app(hosts: HostRule | None = None, service: Service | None = None) ->
     app.add_api_route("/v1/predictors", _predictors, methods=READ)
     app.add_api_route("/v1/samples", _samples, methods=READ)
     app.add_api_route("/v1/samples/{name}", _sample, methods=READ)
-    app.add_api_route("/v1/score", _score, methods=["POST"])
+    app.add_api_route("/v1/score", _score, methods=["POST"], responses=NOT_SCORED)
     app.router.routes.append(WebSocketRoute("/v1/stream", StreamEndpoint(serving)))
     app.mount("/web", StaticFiles(directory=WEB))
     return app
@@ -127,15 +134,12 @@ def _sample(name: str, predictors: str = "switched,hold") -> Response:
 
 async def _score(request: Request, predictors: str = "") -> Response:
     """The scores of a recording: the body is a CSV or Parquet file of samples; nothing is kept."""
-    from pointpred.server.scoring_api import MOST_BYTES, score_body
+    from pointpred.server.scoring_api import score_body
 
-    body = bytearray()
-    async with request.app.state.service.scoring:  # one at a time: bodies are large, and sessions go first
-        async for part in request.stream():
-            body += part
-            if len(body) > MOST_BYTES:
-                return _error("too_large", f"a recording holds at most {MOST_BYTES} bytes here", 413)
-        return _json(await asyncio.to_thread(score_body, bytes(body), _names(predictors)))
+    service: Service = request.app.state.service
+    names = _names(predictors)
+    async with received(request, service) as body, service.scoring:  # one at a time: sessions go first
+        return _json(await asyncio.to_thread(score_body, body, names))
 
 
 def _names(text: str) -> tuple[str, ...]:
@@ -175,3 +179,12 @@ async def _refuse(request: Request, error: Exception) -> Response:
     unknown = "unknown predictor" in str(error)
     found = request.url.path.startswith("/v1/samples/")
     return _error("unknown_predictor" if unknown else "bad_field", str(error), 404 if found else 422)
+
+
+async def _turn_down(request: Request, error: Exception) -> Response:
+    """An upload that is not taken; what of it still comes is not waited for."""
+    assert isinstance(error, UploadError)
+    response = _error(error.code, str(error), error.status)
+    if error.status == 408:
+        response.headers["Connection"] = "close"
+    return response

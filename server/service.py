@@ -31,6 +31,8 @@ class Service:
         """Whether compiled code is warm."""
         self.scoring = asyncio.Semaphore(1)
         """Recordings are scored one at a time."""
+        self.uploads = 0
+        """Recordings that are received, wait to be scored or are scored."""
         self._open: dict[Session, tuple[Talk | None, Counted]] = {}
         self._warming: asyncio.Future[None] | None = None
         self._waiting = 0

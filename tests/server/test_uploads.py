@@ -1,0 +1,188 @@
+"""``POST /v1/score`` with bodies that are large, slow, many, or much larger than they look."""
+
+from __future__ import annotations
+
+import io
+import socket as socket_module
+import threading
+import time
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+import pyarrow.parquet as pq
+import pytest
+from httpx2 import Response, get, post
+
+from pointpred.errors import RecordingError
+from pointpred.server import scoring_api, unpacking, uploads
+from pointpred.server.scoring_api import score_body
+from pointpred.server.unpacking import MOST_ROWS, MOST_UNPACKED, check_unpacked
+from pointpred.server.uploads import UploadError
+from tests.server.listener import soon
+from tests.server.running import Running, running
+
+CSV = b"user,trial,t_s,x_px,y_px\n" + b"".join(
+    b"ann,%d,%.2f,%d,0\n" % (trial, i / 100, 7 * i) for trial in range(3) for i in range(60)
+)
+
+
+@pytest.fixture(scope="module")
+def service() -> Iterator[Running]:
+    with running() as here:
+        yield here
+
+
+def parquet(**columns: Any) -> bytes:
+    """A recording as Parquet, packed as small as it gets."""
+    file = io.BytesIO()
+    pq.write_table(pa.table(columns), file, compression="zstd")
+    return file.getvalue()
+
+
+def same(word: str, count: int) -> Any:
+    """A column of one word."""
+    return pa.DictionaryArray.from_arrays(pa.array(np.zeros(count, np.int32)), [word]).cast(pa.string())
+
+
+def columns(count: int, user: str = "ann") -> dict[str, Any]:
+    t = np.zeros(count)
+    return {"user": same(user, count), "trial": same("1", count), "t_s": t, "x_px": t, "y_px": t}
+
+
+def refused(answer: Response, status: int, code: str) -> str:
+    told = answer.json()
+    assert (answer.status_code, told["type"], told["code"]) == (status, "error", code), told
+    return str(told["message"])
+
+
+def test_a_small_file_of_many_rows_is_refused_before_it_is_unpacked(service: Running) -> None:
+    body = parquet(**columns(MOST_ROWS + 1))
+    assert len(body) < 100_000
+    message = refused(post(f"{service.url}/v1/score", content=body, timeout=30), 413, "too_large")
+    assert f"{MOST_ROWS} rows" in message
+    assert f"{MOST_ROWS + 1}" in message
+
+
+def test_a_small_file_of_long_words_is_refused_before_it_is_unpacked(
+    service: Running, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    body = parquet(**columns(300_000, "x" * 1000))
+    assert len(body) < 100_000
+    monkeypatch.setattr(scoring_api, "read_any", lambda path: pytest.fail("it was unpacked"))
+    message = refused(post(f"{service.url}/v1/score", content=body, timeout=30), 413, "too_large")
+    assert f"{MOST_UNPACKED} bytes" in message
+
+
+@pytest.mark.parametrize(
+    ("column", "words"),
+    [
+        (pa.array([[0.0] * 1000] * 10), "expected words or numbers"),
+        (pa.array([b"x" * 1000] * 10, pa.binary(1000)), "expected words or numbers"),
+        (pa.array([{"a": 1}] * 10), "expected words or numbers"),
+    ],
+)
+def test_what_is_neither_words_nor_numbers_is_not_unpacked(column: Any, words: str) -> None:
+    with pytest.raises(RecordingError, match=words):
+        check_unpacked(parquet(**columns(10), more=column))
+
+
+def test_many_columns_are_refused() -> None:
+    with pytest.raises(UploadError, match="columns"):
+        check_unpacked(parquet(**{f"c{i}": np.zeros(1) for i in range(100)}))
+
+
+def test_rows_of_text_are_counted_before_they_are_read() -> None:
+    for end in (b"\n", b"\r"):
+        check_unpacked(b"a,b" + end * MOST_ROWS)
+        with pytest.raises(UploadError, match="rows"):
+            check_unpacked(b"a,b" + end * (MOST_ROWS + 2))
+
+
+def test_an_honest_file_is_no_larger_than_allowed() -> None:
+    count = 200_000
+    trial = pa.array([f"trial {i // 80}" for i in range(count)])
+    t = np.random.default_rng(1).normal(size=count)
+    file = io.BytesIO()
+    whole = pa.table({**columns(count), "trial": trial, "t_s": t, "x_px": t, "y_px": t})
+    pq.write_table(whole, file, compression="zstd")
+    assert len(file.getvalue()) < uploads.MOST_BYTES
+    check_unpacked(file.getvalue())
+    file = io.BytesIO()
+    pq.write_table(pa.table({**columns(5), "trial": pa.array(["a", "b", None, "a", "c"])}), file)
+    check_unpacked(file.getvalue())
+
+
+def test_a_torn_parquet_file_is_no_recording() -> None:
+    with pytest.raises(RecordingError, match="the recording"):
+        check_unpacked(parquet(**columns(10))[:-20])
+
+
+def test_many_trials_are_for_the_command_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(scoring_api, "MOST_TRIALS", 2)
+    with pytest.raises(UploadError, match="at most 2 trials"):
+        score_body(CSV, ("hold",))
+
+
+def test_the_length_is_refused_before_the_body_comes(service: Running) -> None:
+    with socket_module.create_connection(("127.0.0.1", service.port)) as plain:
+        said = uploads.MOST_BYTES + 1
+        plain.sendall(
+            f"POST /v1/score HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: {said}\r\n\r\n".encode()
+        )
+        plain.settimeout(10)
+        assert b" 413 " in plain.recv(4096).split(b"\r\n")[0]
+
+
+def begun(here: Running, sent: bytes = CSV[:50]) -> socket_module.socket:
+    """An upload that does not go on."""
+    plain = socket_module.create_connection(("127.0.0.1", here.port))
+    head = f"POST /v1/score HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: {len(CSV)}\r\n\r\n"
+    plain.sendall(head.encode() + sent)
+    return plain
+
+
+def test_a_slow_upload_holds_up_nobody_and_ends_with_408(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(uploads, "READ_S", 1.0)
+    with running() as here, begun(here) as slow:
+        answer = post(f"{here.url}/v1/score?predictors=hold", content=CSV, timeout=60)
+        assert answer.status_code == 200, "scored while the other one was still waited for"
+        slow.settimeout(10)
+        said = b""
+        while more := slow.recv(4096):  # until the connection is closed
+            said += more
+        assert b" 408 " in said.split(b"\r\n")[0]
+        assert b'"code":"slow"' in said
+        assert b"within 1 s" in said
+
+
+def test_an_upload_that_was_given_up_leaves_its_place(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(uploads, "MOST_AT_ONCE", 1)
+    with running() as here:
+        with begun(here):
+            soon(lambda: here.service.uploads == 1, "the upload has begun")
+            message = refused(post(f"{here.url}/v1/score", content=CSV), 503, "too_many")
+            assert "1 " in message
+        soon(lambda: here.service.uploads == 0, "its place is free")
+        answer = post(f"{here.url}/v1/score?predictors=hold", content=CSV, timeout=60)
+        assert answer.status_code == 200
+
+
+def test_sessions_go_on_while_a_recording_is_scored(monkeypatch: pytest.MonkeyPatch) -> None:
+    held = threading.Event()
+    monkeypatch.setattr("pointpred.server.scoring_api.score_body", lambda body, names: held.wait(20) and {})
+    with running() as here, here.greeted() as socket:
+        asking = threading.Thread(target=post, args=(f"{here.url}/v1/score",), kwargs={"content": CSV})
+        asking.start()
+        time.sleep(0.2)
+        socket.send('{"type":"events","events":[[1,5,6,null,null,0]]}')
+        assert '"prediction"' in str(socket.recv(5))
+        assert get(f"{here.url}/healthz").status_code == 200
+        held.set()
+        asking.join(20)
+        assert not asking.is_alive()
+
+
+def test_limits_fit_together() -> None:
+    assert MOST_ROWS * 8 * unpacking.MOST_COLUMNS <= MOST_UNPACKED
