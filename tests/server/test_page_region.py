@@ -152,4 +152,4 @@ def test_the_trail_is_drawn_under_the_pointer_and_not_beside_it(visitor: Visitor
     _, opacity = pixels(visitor.value("kept.picture"))
     rows, _ = np.nonzero(opacity[:, 119:159] > 0.95)
     assert (rows.min() + rows.max() + 1) / 2 == pytest.approx(height - 41.0, abs=0.3)
-    assert 8 <= rows.max() - rows.min() < 12, "the disc at the end of the trail, and nothing more"
+    assert 6 <= rows.max() - rows.min() < 12, "the disc at the end of the trail, and nothing more"
