@@ -31,7 +31,7 @@ CODES = {
     "out_of_order": "events before the last one were dropped, the rest of the frame was used",
     "out_of_place": "the message cannot come now; it was ignored",
     "too_large": "a frame has too many bytes or events; the session ends",
-    "too_fast": "too many events a second; the session ends",
+    "too_fast": "too many events or other messages a second; the session ends",
     "too_many": "too many targets (the set stays as it was) or sessions (the session ends)",
     "idle": "no hello in time, or nothing was heard; the session ends",
     "slow": "predictions gave way to newer ones; not recoverable: nothing is read, the session ends",

@@ -6,6 +6,11 @@ from pointpred.server.messages import Limits, Target
 from pointpred.server.rate import Rate
 from pointpred.server.refusals import RefusedError
 
+MESSAGES_PER_S = 500
+"""Messages other than events, a second: a display's refreshing twice over, and some."""
+BYTES_A_MESSAGE = 4096
+"""A frame that cannot be used counts once for each so many bytes: saying what is wrong takes time."""
+
 
 class Allowance:
     """The limits of one session; every check raises RefusedError."""
@@ -13,6 +18,7 @@ class Allowance:
     def __init__(self, limits: Limits, now: float) -> None:
         self.limits = limits
         self.rate = Rate(limits.max_events_per_s, now)
+        self._messages = Rate(MESSAGES_PER_S, now)
 
     def check_size(self, frame: str | bytes) -> None:
         """The bytes of a frame; the session ends where it holds more."""
@@ -25,14 +31,24 @@ class Allowance:
             raise RefusedError("too_large", words, close=1009)
 
     def take(self, count: int, now: float) -> None:
-        """The events of a frame, and of the last second; the session ends where there are more."""
+        """The events of a frame, and of the last second; a frame without any counts as one."""
         most = self.limits.max_events_per_frame
         if count > most:
             words = f"a frame holds at most {most} events, received {count}"
             raise RefusedError("too_large", words, "$.events", close=1009)
-        if not self.rate.allows(count, now):
+        if not self.rate.allows(count or 1, now):
             words = f"at most {self.limits.max_events_per_s} events a second"
             raise RefusedError("too_fast", words, close=1008)
+
+    def take_message(self, now: float, count: int = 1) -> None:
+        """A message other than events; the session ends where there are more in a second."""
+        if not self._messages.allows(count, now):
+            words = f"at most {MESSAGES_PER_S} messages a second beside events; a long one counts more"
+            raise RefusedError("too_fast", words, close=1008)
+
+    def take_unusable(self, frame: str, now: float) -> None:
+        """A text that is no message."""
+        self.take_message(now, 1 + len(frame) // BYTES_A_MESSAGE)
 
     def check_targets(self, targets: list[Target]) -> None:
         """How many targets, and that each has a name of its own."""

@@ -57,10 +57,10 @@ def not_fitting(text: str, words: str) -> RefusedError:
 
 def not_json(text: str, reason: str) -> RefusedError:
     """Many encoders write NaN, which JSON does not know: then the place of the number helps more."""
-    path = _not_finite(_loaded(text), "$")
+    path = _not_finite(_loaded(text))
     if path is None:
         return RefusedError("bad_json", f"expected JSON: {reason}")
-    return RefusedError("bad_field", "expected a finite number, received NaN or an infinity", path)
+    return RefusedError("bad_field", "expected a finite number, received NaN or an infinity", f"${path}")
 
 
 def _loaded(text: str) -> Any:
@@ -80,7 +80,7 @@ def _wrong_parameter(value: Any) -> str:
     for name, setting in parameters.items():
         try:
             msgspec.convert(setting, Setting)
-            if _not_finite(setting, "$") is None:
+            if _not_finite(setting) is None:
                 continue
         except msgspec.ValidationError:
             pass
@@ -98,13 +98,16 @@ def _at(value: Any, path: str) -> str:
     return f"{len(value)}" if isinstance(value, list) else short(repr(value), VALUE_MOST)
 
 
-def _not_finite(value: object, path: str) -> str | None:
-    """The path of the first number that is not finite."""
+def _not_finite(value: object) -> str | None:
+    """The path of the first number that is not finite, from ``value`` on."""
     if isinstance(value, float):
-        return None if isfinite(value) else path
-    inside: Iterable[tuple[str, object]] = ()
+        return None if isfinite(value) else ""
+    inside: Iterable[tuple[object, object]] = ()
     if isinstance(value, dict):
-        inside = ((f"{path}.{key}", item) for key, item in value.items())
+        inside = value.items()
     elif isinstance(value, list):
-        inside = ((f"{path}[{place}]", item) for place, item in enumerate(value))
-    return next((found for where, item in inside if (found := _not_finite(item, where))), None)
+        inside = enumerate(value)
+    for place, item in inside:
+        if isinstance(item, float | dict | list) and (found := _not_finite(item)) is not None:
+            return f"{f'.{place}' if isinstance(value, dict) else f'[{place}]'}{found}"
+    return None

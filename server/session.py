@@ -100,7 +100,7 @@ class Session:
             if isinstance(frame, bytes):
                 self._take_bytes(frame, now)
             else:
-                self._handle(decode_text(frame), now)
+                self._handle(self._decode(frame, now), now)
         except RefusedError as refused:
             self._refuse(refused.answer)
             if refused.close is not None:
@@ -156,9 +156,9 @@ class Session:
     def _take_bytes(self, frame: bytes, now: float) -> None:
         """Packed events; raises RefusedError."""
         stream = self.stream
+        self._allowance.take(len(frame) // RECORD, now)
         if stream is None:
             raise _out_of_place("a binary frame")
-        self._allowance.take(len(frame) // RECORD, now)
         self._predict(stream, table_of_bytes(frame))
 
     def _take_rows(self, stream: Stream, rows: list[EventRow], now: float) -> None:
@@ -176,17 +176,28 @@ class Session:
         if error is not None:
             self._refuse(error, dropped)
 
+    def _decode(self, text: str, now: float) -> ClientMessage:
+        """A message; raises RefusedError, a text that is none having been counted."""
+        try:
+            return decode_text(text)
+        except RefusedError:
+            self._allowance.take_unusable(text, now)
+            raise
+
     def _handle(self, message: ClientMessage, now: float) -> None:
         """Answer one message; raises RefusedError."""
         stream = self.stream
+        if isinstance(message, Events) and stream is not None:
+            self._take_rows(stream, message.events, now)
+            return
+        if isinstance(message, Bye):
+            self._shut(1000, message.reason or "bye")
+            return
+        self._allowance.take_message(now)
         if isinstance(message, Hello):
             self._greet(message, now)
-        elif isinstance(message, Bye):
-            self._shut(1000, message.reason or "bye")
         elif stream is None:
             raise _out_of_place(repr(message.__struct_config__.tag))
-        elif isinstance(message, Events):
-            self._take_rows(stream, message.events, now)
         elif isinstance(message, Targets):
             self._allowance.check_targets(message.targets)
             self.targets = message

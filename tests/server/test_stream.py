@@ -6,14 +6,14 @@ import json
 import resource
 import time
 from collections.abc import Iterator
+from contextlib import suppress
 from typing import Any
 
 import pytest
-from httpx2 import get
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection
 
-from tests.server.listener import soon
+from pointpred.server.allowance import MESSAGES_PER_S
 from tests.server.running import HELLO, Running, running
 
 
@@ -126,6 +126,30 @@ def test_too_many_events_a_second_end_the_session_with_1008() -> None:
         ends(socket, "too_fast", 1008)
 
 
+@pytest.mark.parametrize(
+    "message",
+    [
+        '{"type":"reset"}',
+        '{"type":"configure","predictor":"linear"}',
+        '{"type":"targets","targets":[]}',
+        '{"type":"trial","action":"start"}',
+        "{oops",
+    ],
+)
+def test_a_flood_of_other_messages_ends_the_session_with_1008(service: Running, message: str) -> None:
+    with service.greeted() as other, service.greeted() as socket:
+        with suppress(ConnectionClosed):  # it may hear the end before it has said everything
+            for _ in range(5 * MESSAGES_PER_S):
+                socket.send(message)
+        last = told(socket)
+        with suppress(ConnectionClosed):
+            while True:
+                last = told(socket)
+        assert (last["code"], last["recoverable"]) == ("too_fast", False)
+        assert socket.close_code == 1008
+        good(other)
+
+
 def test_silence_ends_the_session_with_1008() -> None:
     with running(idle_s=0.5) as here, here.greeted() as socket:
         ends(socket, "idle", 1008)
@@ -210,15 +234,3 @@ def test_a_client_that_does_not_read_leaves_memory_flat_and_others_served() -> N
         assert dropped > 0
         assert grown < 40_000  # kB
         good(other, 1e6)
-
-
-def test_metrics_and_readiness(service: Running) -> None:
-    with service.greeted() as socket:
-        good(socket)
-        socket.send("{oops")
-        told(socket)
-        text = get(f"{service.url}/metrics").text
-    assert "pointpred_event_to_prediction_seconds_count" in text
-    assert 'pointpred_refused_total{code="bad_json"}' in text
-    soon(lambda: get(f"{service.url}/readyz").status_code == 200, "warm", 60.0)
-    assert get(f"{service.url}/readyz").json() == {"ready": True, "stopping": False}

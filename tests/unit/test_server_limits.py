@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 
+from pointpred.server.allowance import MESSAGES_PER_S
 from pointpred.server.rate import Rate
 from tests.unit.talking import Talk, events, hello, packed
 
@@ -64,6 +65,65 @@ def test_the_budget_is_one_second_of_events_and_refills(form: Any, frame: int) -
     error = talk.error(form(*[ROW] * frame), 1.0 + 1.9 * frame / 100)
     assert (error["code"], error["recoverable"], talk.closed) == ("too_fast", False, 1008)
     assert "100 events a second" in error["message"]
+
+
+FLOODS = {
+    "reset": '{"type":"reset"}',
+    "configure": '{"type":"configure","predictor":"linear"}',
+    "targets": '{"type":"targets","targets":[]}',
+    "trial": '{"type":"trial","action":"start"}',
+    "hello again": json.dumps(hello()),
+    "no JSON": "{oops",
+    "no message": '{"type":"dance"}',
+    "no events": '{"type":"events","events":[]}',
+    "no packed events": b"",
+    "a torn record": b"12345",
+}
+
+
+@pytest.mark.parametrize("kind", list(FLOODS))
+@pytest.mark.parametrize("greet", [True, False])
+def test_a_flood_of_whatever_it_is_ends_as_too_fast(kind: str, greet: bool) -> None:
+    talk = Talk(greet=greet, max_events_per_s=1000)
+    heard: list[Any] = []
+    for _ in range(1001):
+        heard += talk.say(FLOODS[kind], 1.0)
+    assert talk.closed == 1008
+    assert (heard[-1]["code"], heard[-1]["recoverable"]) == ("too_fast", False)
+    assert "a second" in heard[-1]["message"]
+
+
+def test_messages_at_their_rate_go_on_for_ever_and_take_no_events_from_the_budget() -> None:
+    talk = Talk(max_events_per_s=100)
+    for k in range(3 * MESSAGES_PER_S):
+        talk.say('{"type":"reset"}', 1.0 + k / MESSAGES_PER_S)
+        assert talk.closed is None
+    assert len(talk.say(packed(*[ROW] * 100), 5.0)) == 1
+    for k in range(MESSAGES_PER_S):
+        talk.say('{"type":"reset"}', 5.0)
+        assert talk.closed is None, k
+    error = talk.error('{"type":"reset"}', 5.0)
+    assert (error["code"], talk.closed) == ("too_fast", 1008)
+    assert f"{MESSAGES_PER_S} messages" in error["message"]
+
+
+def test_long_frames_that_cannot_be_used_count_for_more() -> None:
+    talk = Talk()
+    long = "[" * 60_000
+    count = 0
+    while talk.closed is None:
+        talk.say(long, 1.0)
+        count += 1
+    assert talk.closed == 1008
+    assert 10 < count < MESSAGES_PER_S / 10
+
+
+def test_a_goodbye_is_heard_however_much_came_before() -> None:
+    talk = Talk()
+    for _ in range(MESSAGES_PER_S - 1):
+        talk.say('{"type":"reset"}', 0.0)
+    talk.say('{"type":"bye"}', 0.0)
+    assert talk.closed == 1000
 
 
 def test_a_session_may_send_its_rate_for_ever() -> None:
@@ -135,10 +195,10 @@ def test_a_client_that_never_reads_leaves_the_memory_flat_and_is_closed(greet: d
 
 def test_other_answers_that_are_not_read_end_the_session_too() -> None:
     talk = Talk()
-    for _ in range(1024):
-        talk.session.receive("{", 0.0)
+    for k in range(1024):
+        talk.session.receive("{", k / 100)
     assert talk.closed is None
-    talk.session.receive("{", 0.0)
+    talk.session.receive("{", 10.24)
     assert talk.closed == 1013
     assert len(talk.hear()) == 1026
 
