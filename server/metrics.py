@@ -41,6 +41,28 @@ class Metrics:
         self.dropped = Counter(
             "pointpred_predictions_dropped", "Predictions that gave way to newer ones", registry=self.registry
         )
+        self.lost = Counter(
+            "pointpred_recorder_events_lost",
+            "Events that were to be recorded and were not",
+            registry=self.registry,
+        )
+        self.failed = Counter(
+            "pointpred_recordings_failed",
+            "Sessions whose recording ended with an error",
+            registry=self.registry,
+        )
+        self.waiting = Gauge(
+            "pointpred_recorder_events_waiting", "Events that wait to be written", registry=self.registry
+        )
+        self._recorded = (0, 0)
+
+    def settle_recorder(self, lost: int, failures: int, waiting: int) -> None:
+        """Bring up to date what the recorder has lost, where it failed, and what waits, in all."""
+        before_lost, before_failures = self._recorded
+        self.lost.inc(lost - before_lost)
+        self.failed.inc(failures - before_failures)
+        self.waiting.set(waiting)
+        self._recorded = lost, failures
 
     def settle(self, session: Session, frames: int, counted: Counted) -> None:
         """Add what a session has done since it was last settled; ``frames`` in all."""

@@ -64,7 +64,9 @@ class Service:
         log.info("session closed", extra={"session": session.name, "code": code, "events": counted.events})
 
     def settle(self) -> None:
-        """Bring the counters up to date with the open sessions."""
+        """Bring the counters up to date with the open sessions and the recorder."""
+        if (recorder := self.recorder) is not None:
+            self.metrics.settle_recorder(recorder.lost, recorder.failures, recorder.waiting)
         for session, (talk, counted) in self._open.items():
             self.metrics.settle(session, _frames(talk), counted)
 

@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import logging
+import os
 import re
+from functools import partial
 from pathlib import Path
 
 import pytest
+from httpx2 import get
 
 from pointpred.server.logs import JsonLines, PlainLines, set_up
 from pointpred.server.metrics import BUCKETS, Metrics
+from pointpred.server.recorder import Recorder
+from tests.server.listener import soon
+from tests.server.running import running
 
 PAGE = Path(__file__).parents[2] / "docs" / "service.md"
 
@@ -20,6 +27,51 @@ def test_the_page_names_every_metric_and_no_other() -> None:
     families = [family for family in Metrics().registry.collect() if family.name.startswith("pointpred_")]
     exposed = {family.name + ("_total" if family.type == "counter" else "") for family in families}
     assert told == exposed
+
+
+def test_metrics_and_readiness() -> None:
+    with running() as here:
+        with here.greeted() as socket:
+            socket.send('{"type":"events","events":[[1,5,6,null,null,0]]}')
+            assert '"prediction"' in str(socket.recv(10))
+            socket.send("{oops")
+            assert '"bad_json"' in str(socket.recv(10))
+            text = get(f"{here.url}/metrics").text
+        assert "pointpred_event_to_prediction_seconds_count 1.0" in text
+        assert 'pointpred_refused_total{code="bad_json"} 1.0' in text
+        assert "pointpred_recordings_failed_total 0.0" in text  # told where nothing is recorded, too
+        soon(lambda: get(f"{here.url}/readyz").status_code == 200, "warm", 60.0)
+        assert get(f"{here.url}/readyz").json() == {"ready": True, "stopping": False}
+
+
+def test_what_the_recorder_lost_and_where_it_failed_is_counted(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A full disk: the session goes on, nothing of it is recorded, and the counters say so."""
+
+    def full(descriptor: int, data: bytes) -> int:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    def counted() -> dict[str, str]:
+        lines = get(f"{here.url}/metrics").text.splitlines()
+        return dict(
+            line.rsplit(" ", 1) for line in lines if re.match("pointpred_record.*(total|waiting) ", line)
+        )
+
+    kept = partial(Recorder, write=full)
+    monkeypatch.setattr("pointpred.server.service.Recorder", kept)
+    with running(record=tmp_path / "kept") as here, here.greeted() as socket:
+        for t in range(3):
+            socket.send(f'{{"type":"events","events":[[{t},5,6,null,null,0]]}}')
+            assert '"prediction"' in str(socket.recv(10))
+            if t == 0:
+                soon(lambda: counted()["pointpred_recordings_failed_total"] == "1.0", "it has failed")
+        assert counted() == {
+            "pointpred_recordings_failed_total": "1.0",
+            "pointpred_recorder_events_lost_total": "3.0",
+            "pointpred_recorder_events_waiting": "0.0",
+        }
+        assert counted()["pointpred_recordings_failed_total"] == "1.0", "counted once"
 
 
 def test_delays_are_told_from_50_us() -> None:
