@@ -204,30 +204,6 @@ def test_mistakes_are_named(page: Page) -> None:
         assert said in answer["exceptionDetails"]["exception"]["description"]
 
 
-def test_the_example_prefetches_before_the_cursor_is_there(devtools: str, listener: Listener) -> None:
-    with open_page(devtools, f"{listener.url}/web/example.html") as page:
-        place = "(a) => [a.pathname, a.getBoundingClientRect().toJSON()]"
-        places = dict(page.evaluate(f"[...document.querySelectorAll('nav a')].map({place})"))
-        goal = places["/v1/predictors"]
-        soon(lambda: len(listener.messages("targets")[-1:]) == 1, "the links are targets")
-        assert {one["id"] for one in listener.messages("targets")[-1]["targets"]} == set(places)
-        x, y = goal["x"] + goal["width"] / 2, goal["y"] + goal["height"] / 2
-        t = np.arange(0.0, 1.2, 0.002)
-        share = 10 * (t / 1.2) ** 3 - 15 * (t / 1.2) ** 4 + 6 * (t / 1.2) ** 5
-        movement = EventColumns.of(t, x - 500 + 500 * share, y - 150 + 150 * share)
-        ahead = movement.rows(0, int(np.argmax(movement.y > goal["y"] - 5)))  # never reaches the link
-        assert len(ahead) > 200
-        assert "/v1/predictors" not in listener.requests
-        for _ in range(5):  # on a busy machine the pace suffers: then the person tries again
-            drive_mouse(page, ahead)
-            page.evaluate("new Promise((done) => setTimeout(done, 300))")
-            if "/v1/predictors" in listener.requests:
-                break
-        assert "/v1/predictors" in listener.requests
-        assert page.evaluate("document.getElementById('said').textContent").startswith("Prefetched: ")
-        page.call("Page.close")
-
-
 def test_a_click_during_a_stall_stays_in_its_place(page: Page, listener: Listener) -> None:
     """The browser merges moves from before the click with those from after it, and delivers them first."""
     connected(page)

@@ -1,0 +1,73 @@
+"""The example page in a real browser: it fetches a page while the mouse is on its way to the link."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pointpred import EventColumns, PredictionColumns, build, run
+from pointpred.replaying import Page, open_page
+from tests.server import browser
+from tests.server.listener import Listener, soon
+
+pytestmark = browser.needed
+
+STILL = 0.0
+"""The phase of a prediction while nothing moves."""
+
+
+@pytest.fixture
+def devtools(tmp_path: Path) -> Iterator[str]:
+    with browser.running(tmp_path / "profile") as address:
+        yield address
+
+
+@pytest.fixture
+def listener() -> Iterator[Listener]:
+    with Listener() as service:
+        yield service
+
+
+def stamped(page: Page, events: EventColumns) -> None:
+    """Move a page's mouse along events at their own times, one sample a dispatch on any machine."""
+    began = time.time()
+    for t, x, y in events.table[:, :3].tolist():
+        page.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y, timestamp=began + t)
+
+
+def within(said: PredictionColumns, box: dict[str, float]) -> np.ndarray:
+    """Which predicted endpoints lie inside a rectangle, edges included."""
+    across = (said.x >= box["left"]) & (said.x <= box["right"])
+    return across & (said.y >= box["top"]) & (said.y <= box["bottom"])
+
+
+def test_the_example_prefetches_before_the_cursor_is_there(devtools: str, listener: Listener) -> None:
+    """It prefetches what a batch of the same events says that the mouse is heading for."""
+    with open_page(devtools, f"{listener.url}/web/example.html") as page:
+        place = "(a) => [a.pathname, a.getBoundingClientRect().toJSON()]"
+        places = dict(page.evaluate(f"[...document.querySelectorAll('nav a')].map({place})"))
+        goal = places["/v1/predictors"]
+        soon(lambda: len(listener.messages("targets")[-1:]) == 1, "the links are targets")
+        assert {one["id"] for one in listener.messages("targets")[-1]["targets"]} == set(places)
+        x, y = goal["x"] + goal["width"] / 2, goal["y"] + goal["height"] / 2
+        t = np.arange(0.0, 1.2, 0.008)
+        share = 10 * (t / 1.2) ** 3 - 15 * (t / 1.2) ** 4 + 6 * (t / 1.2) ** 5
+        movement = EventColumns.of(t, x - 500 + 500 * share, y - 150 + 150 * share)
+        ahead = movement.rows(0, int(np.argmax(movement.y > goal["y"] - 5)))  # never reaches the link
+        assert len(ahead) > 50
+        stamped(page, ahead)
+        soon(lambda: len(listener.events()) == len(ahead), "every sample was heard")
+        soon(lambda: "/v1/predictors" in listener.requests, "the link was prefetched")
+        assert page.evaluate("document.getElementById('said').textContent").startswith("Prefetched: ")
+        heard = listener.events()
+        assert [len(frame) for frame in listener.binary()] == [heard.itemsize] * len(heard)
+        assert np.diff(heard["t"]) == pytest.approx(np.diff(ahead.t), abs=2e-5)
+        said = run(build("switched"), EventColumns.of(heard["t"], heard["x"], heard["y"]))
+        wanted = {path for path, box in places.items() if np.any(within(said, box) & (said.phase != STILL))}
+        soon(lambda: wanted <= set(listener.requests), f"{wanted} were prefetched")
+        assert set(listener.requests) & set(places) == wanted
+        page.call("Page.close")
