@@ -9,6 +9,7 @@ from typing import Any
 import msgspec
 import numpy as np
 
+from pointpred.client.awaited import Awaited
 from pointpred.client.wire import (
     Frame,
     Row,
@@ -74,25 +75,15 @@ class Dialogue:
         self.notices: list[ErrorMessage] = []
         """Remarks of the service that break nothing: predictions that gave way to newer ones."""
         self._rows: deque[list[float]] = deque()
-        self._unanswered: deque[float] = deque()
-        self._newest = -np.inf
+        self._awaited = Awaited()
 
     def events(self, events: EventColumns | Iterable[PointerEvent | Row]) -> Iterator[Frame]:
         """Frames to send, one after another; what they ask for counts as asked once it is taken."""
         if self.welcome is None:
             raise ParameterError("events may be sent after the service has said welcome")
         for frame, part in frames(columns_of(events), self.hello.encoding, self.welcome.limits):
-            self._expect(part.table[:, 0].tolist())
+            self._awaited.ask(part.table, each=self.hello.reply == "event")
             yield frame
-
-    def _expect(self, times: list[float]) -> None:
-        """The times that predictions will carry; the service drops events that run backwards."""
-        kept = []
-        for t in times:
-            if t >= self._newest:
-                self._newest = t
-                kept.append(t)
-        self._unanswered.extend(kept if self.hello.reply == "event" else kept[-1:])
 
     def targets(self, targets: Iterable[dict[str, Any] | Target]) -> Frame:
         """Replaces the set of targets."""
@@ -103,7 +94,7 @@ class Dialogue:
         mark = {"type": "trial", "action": action, "target": None if target is None else _plain(target)}
         fitted = _fit(TrialMark, mark)
         if action == "start":
-            self._newest = -np.inf
+            self._awaited.restart()
         return self._text(fitted)
 
     def configure(self, **changes: Any) -> Frame:
@@ -116,11 +107,11 @@ class Dialogue:
         if "reply" in changes:
             self.hello.reply = changes["reply"]
         if {"predictor", "parameters"} & changes.keys():
-            self._newest = -np.inf
+            self._awaited.restart()
 
     def reset(self) -> Frame:
         """Forget every event."""
-        self._newest = -np.inf
+        self._awaited.restart()
         return self._text(Reset())
 
     def heard(self, frame: Frame) -> ServerMessage | None:
@@ -135,7 +126,9 @@ class Dialogue:
             return None
         if isinstance(message, ErrorMessage):
             if not (message.code == "slow" and message.recoverable):
+                self._awaited.refused(message)
                 raise ServiceError(message)
+            self._awaited.gave_way()
             self.notices.append(message)
             return None
         if isinstance(message, Welcome):
@@ -144,18 +137,12 @@ class Dialogue:
 
     def _predicted(self, row: list[float]) -> None:
         self._rows.append(row)
-        unanswered = self._unanswered
-        while unanswered and unanswered[0] < row[0]:
-            unanswered.popleft()
-        if unanswered and unanswered[0] == row[0]:
-            unanswered.popleft()
-        while self.notices and unanswered and unanswered[0] == row[0]:
-            unanswered.popleft()  # something gave way: the newest of equal times speaks for all
+        self._awaited.predicted(row[0])
 
     @property
     def answered(self) -> bool:
-        """Whether the newest event has its prediction."""
-        return not self._unanswered
+        """Whether every event has its prediction, or the error that refused it."""
+        return not self._awaited
 
     def take(self) -> PredictionMessage | None:
         """The oldest prediction not yet taken."""
