@@ -7,24 +7,16 @@ clock. Nothing a client sends may raise: what is wrong is answered.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Literal
-
-from msgspec import Struct
 
 from pointpred.columns import FloatArray
 from pointpred.errors import EventError
 from pointpred.server.allowance import Allowance
-from pointpred.server.decoding import (
-    decode_text,
-    row_of,
-    table_of_bytes,
-    table_of_rows,
-)
+from pointpred.server.conversation import SLOW, Conversation
+from pointpred.server.decoding import decode_text, row_of, table_of_bytes, table_of_rows
 from pointpred.server.messages import (
     VERSION,
     Bye,
     ClientMessage,
-    Code,
     Configure,
     ErrorMessage,
     EventRow,
@@ -32,34 +24,20 @@ from pointpred.server.messages import (
     Hello,
     Limits,
     Reset,
-    ServerMessage,
     Targets,
     TargetsTaken,
     TrialMark,
     Welcome,
-    encode,
 )
-from pointpred.server.outbox import Outbox
 from pointpred.server.records import EVENT, unpack_one
 from pointpred.server.refusals import RefusedError, short
 from pointpred.server.stream import Stream
 from pointpred.server.watch import Watch
 
-State = Literal["connecting", "greeted", "streaming", "closed"]
-HELLO_S = 10.0
-"""A client says hello within this time."""
 RECORD = EVENT.itemsize
-SLOW = "the answers are not read"
 
 
-class Close(Struct, frozen=True):
-    """How the connection ends."""
-
-    code: int
-    reason: str
-
-
-class Session:
+class Session(Conversation):
     """The server's side of one connection.
 
     ``watch`` opens, at the client's hello, what is told of the session's events, such as a recording.
@@ -72,16 +50,8 @@ class Session:
         now: float,
         watch: Callable[[str, Hello], Watch | None] | None = None,
     ) -> None:
-        self.name = name
-        self.limits = limits
-        self.state: State = "connecting"
-        self.outbox = Outbox()
-        self.close: Close | None = None
-        self.stream: Stream | None = None
+        super().__init__(name, limits, now)
         self.targets = Targets([])
-        self.refused: dict[Code, int] = {}
-        """What was refused, by error code: events that run backwards, frames for all else."""
-        self._heard = now
         self._allowance = Allowance(limits, now)
         self._watch = watch
 
@@ -92,7 +62,7 @@ class Session:
         stream = self.stream
         try:
             if stream is not None:
-                self._heard = now
+                self.heard = now
                 # Most frames of a fast device, and cheap: one packed event with nothing wrong about it.
                 if len(frame) == RECORD and isinstance(frame, bytes) and self._take_one(stream, frame, now):
                     return
@@ -102,46 +72,13 @@ class Session:
             else:
                 self._handle(self._decode(frame, now), now)
         except RefusedError as refused:
-            self._refuse(refused.answer)
+            self.refuse(refused.answer)
             if refused.close is not None:
-                self._shut(refused.close, refused.answer.message)
+                self.shut(refused.close, refused.answer.message)
         except EventError as error:
-            self._refuse(ErrorMessage("bad_field", short(str(error)), "$.events"))
+            self.refuse(ErrorMessage("bad_field", short(str(error)), "$.events"))
         if self.outbox.full:
-            self._end("slow", SLOW, 1013)
-
-    def tick(self, now: float) -> None:
-        """Notice what only time tells: no hello, nothing heard, nothing read."""
-        silent = now - self._heard
-        if self.state == "closed":
-            return
-        if self.state == "connecting" and silent > HELLO_S:
-            self._end("idle", f"expected 'hello' within {HELLO_S:g} s", 1008)
-        elif self.state != "connecting" and silent > self.limits.idle_s:
-            self._end("idle", f"nothing was heard for {self.limits.idle_s:g} s", 1008)
-        elif self.outbox.full:
-            self._end("slow", SLOW, 1013)
-
-    def stop(self, reason: str) -> None:
-        """The server stops."""
-        if self.state != "closed":
-            self._say(Bye(reason))
-            self._shut(1001, reason)
-
-    def fail(self) -> None:
-        """Something broke on this side."""
-        if self.state != "closed":
-            self._end("internal", "the server failed; the session ends", 1011)
-
-    def give_up(self) -> None:
-        """The client has not read for too long."""
-        if self.state != "closed":
-            self._end("slow", SLOW, 1013)
-
-    def lose(self) -> None:
-        """The connection is gone: nothing more can be said."""
-        if self.state != "closed":
-            self._shut(1006, "the connection was lost")
+            self.end("slow", SLOW, 1013)
 
     def _take_one(self, stream: Stream, frame: bytes, now: float) -> bool:
         """Predict from one packed event; False, and nothing taken, where there is more to say about it."""
@@ -174,7 +111,7 @@ class Session:
         if len(table):
             self.state = "streaming"
         if error is not None:
-            self._refuse(error, dropped)
+            self.refuse(error, dropped)
 
     def _decode(self, text: str, now: float) -> ClientMessage:
         """A message; raises RefusedError, a text that is none having been counted."""
@@ -191,7 +128,7 @@ class Session:
             self._take_rows(stream, message.events, now)
             return
         if isinstance(message, Bye):
-            self._shut(1000, message.reason or "bye")
+            self.shut(1000, message.reason or "bye")
             return
         self._allowance.take_message(now)
         if isinstance(message, Hello):
@@ -201,12 +138,12 @@ class Session:
         elif isinstance(message, Targets):
             self._allowance.check_targets(message.targets)
             self.targets = message
-            self._say(TargetsTaken(len(message.targets)))
+            self.say(TargetsTaken(len(message.targets)))
         elif isinstance(message, TrialMark):
             if message.action == "start":
                 stream.start_trial(message.target)
             else:
-                self._say(stream.end_trial(message.target))
+                self.say(stream.end_trial(message.target))
         elif isinstance(message, Configure):
             stream.configure(message)
             self._welcome(stream)
@@ -222,28 +159,11 @@ class Session:
             )
         self.stream = Stream(hello)
         self.stream.watch = self._watch(self.name, hello) if self._watch else None
-        self.state, self._heard = "greeted", now
+        self.state, self.heard = "greeted", now
         self._welcome(self.stream)
 
     def _welcome(self, stream: Stream) -> None:
-        self._say(Welcome(VERSION, self.name, stream.hello.predictor, self.limits))
-
-    def _say(self, message: ServerMessage) -> None:
-        self.outbox.say(encode(message).decode())
-
-    def _refuse(self, answer: ErrorMessage, count: int = 1) -> None:
-        self.refused[answer.code] = self.refused.get(answer.code, 0) + count
-        self._say(answer)
-
-    def _end(self, code: Code, message: str, close: int) -> None:
-        self._refuse(ErrorMessage(code, message, None, recoverable=False))
-        self._shut(close, message)
-
-    def _shut(self, code: int, reason: str) -> None:
-        self.state = "closed"
-        self.close = Close(code, reason.encode()[:120].decode(errors="ignore"))
-        if self.stream and self.stream.watch:
-            self.stream.watch.close()
+        self.say(Welcome(VERSION, self.name, stream.hello.predictor, self.limits))
 
 
 def _out_of_place(what: str) -> RefusedError:

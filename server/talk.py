@@ -8,9 +8,9 @@ from collections.abc import Awaitable, Callable, Coroutine, MutableMapping
 from time import perf_counter
 from typing import Any, Protocol
 
+from pointpred.server.conversation import Close
 from pointpred.server.eager import begin
 from pointpred.server.outbox import Frame, Outbox
-from pointpred.server.session import Close
 
 Receive = Callable[[], Awaitable[MutableMapping[str, Any]]]
 Send = Callable[[MutableMapping[str, Any]], Coroutine[Any, Any, None]]

@@ -16,9 +16,10 @@ from websockets.sync.client import ClientConnection
 
 import pointpred.server.cutting
 import pointpred.server.talk
+from pointpred.server.conversation import Close
 from pointpred.server.logs import JsonLines, PlainLines
 from pointpred.server.messages import Limits
-from pointpred.server.session import Close, Session
+from pointpred.server.session import Session
 from pointpred.server.talk import Talk
 from tests.server.listener import soon
 from tests.server.running import HELLO, Running, running
@@ -178,7 +179,7 @@ def test_text_that_is_not_utf8_ends_that_connection_only() -> None:
 
 
 def test_a_client_without_hello_is_sent_away_with_1008(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("pointpred.server.session.HELLO_S", 0.5)
+    monkeypatch.setattr("pointpred.server.conversation.HELLO_S", 0.5)
     with running() as here, here.connect() as socket:
         answer = told(socket)
         assert (answer["code"], answer["recoverable"]) == ("idle", False)
