@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
+from typing import Any
 
 from pointpred.errors import ParameterError
 from pointpred.pipeline import Pipeline
-from pointpred.registry import REGISTRY, build
+from pointpred.registry import REGISTRY, build, parameters
 from pointpred.server.messages import Hello, Setting
 from pointpred.server.refusals import RefusedError
+from pointpred.stage import defaults
 
 DPI = 96.0
 ELSEWHERE = {"cpi": "device.cpi", "dpi": "screen.dpi", "name": "predictor"}
 """What ``build`` takes besides parameters, and where a client says it."""
+SUBSTEPS_MOST = 200
+"""Sub-steps that one event may take in a session: some 15 us, where an event without any takes one."""
 
 
 def cpi_of(hello: Hello) -> float | None:
@@ -35,13 +40,27 @@ def pipeline_of(hello: Hello) -> Pipeline:
             raise RefusedError("bad_field", f"{name} is said as {place}", f"$.parameters.{name}")
     try:
         settings = {name: _whole(value) for name, value in hello.parameters.items()}
-        return build(hello.predictor, cpi=cpi_of(hello), dpi=dpi_of(hello), **settings)
+        pipeline = build(hello.predictor, cpi=cpi_of(hello), dpi=dpi_of(hello), **settings)
+        _check_substeps(pipeline, settings)
+        return pipeline
     except ParameterError as error:
         raise RefusedError("bad_field", str(error), _place(str(error), hello)) from None
     except (TypeError, ValueError) as error:
         given = list(hello.parameters)
         path = f"$.parameters.{given[0]}" if len(given) == 1 else "$.parameters"
         raise RefusedError("bad_field", f"a parameter is of a wrong type: {error}", path) from None
+
+
+def _check_substeps(pipeline: Pipeline, settings: Mapping[str, Any]) -> None:
+    """Whoever predicts offline may wait for an event; here every session would wait with this one."""
+    usual = defaults(type(pipeline.differentiator))
+    if "step_s" not in usual:
+        return
+    known = {name: value for name, (_, value) in parameters(pipeline.name).items()}
+    gap_s, step_s = (float({**usual, **known, **settings}[name]) for name in ("gap_s", "step_s"))
+    if gap_s > SUBSTEPS_MOST * step_s:
+        words = f"step_s must be at least gap_s / {SUBSTEPS_MOST} = {gap_s / SUBSTEPS_MOST:g} s in a session"
+        raise ParameterError(f"{words}, received step_s = {step_s!r} s with gap_s = {gap_s!r} s")
 
 
 def _whole(value: Setting) -> Setting:

@@ -1,7 +1,8 @@
 """What a session still has to say: bounded, and predictions give way to newer ones.
 
-A client that reads slowly gets the newest prediction and is told how many it missed; one that does not read
-at all is given up after a limit.
+A client that reads slowly gets the newest prediction and is told how many it missed. However many gave way
+says nothing of whether it reads, for one frame may hold a thousand: only time does, which the connection
+keeps.
 """
 
 from __future__ import annotations
@@ -14,9 +15,8 @@ Frame = str | bytes
 class Outbox:
     """Frames in the order in which they are to be sent; not safe for threads."""
 
-    def __init__(self, *, most_notes: int = 1024, most_dropped: int = 10_000) -> None:
+    def __init__(self, *, most_notes: int = 1024) -> None:
         self.most_notes = most_notes
-        self.most_dropped = most_dropped
         self.dropped = 0
         """Predictions replaced by newer ones since the client last read."""
         self.dropped_in_all = 0
@@ -40,8 +40,8 @@ class Outbox:
 
     @property
     def full(self) -> bool:
-        """Whether the client has fallen too far behind."""
-        return len(self._notes) > self.most_notes or self.dropped > self.most_dropped
+        """Whether more waits to be said than a client may leave unread."""
+        return len(self._notes) > self.most_notes
 
     @property
     def waiting(self) -> int:

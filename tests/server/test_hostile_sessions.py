@@ -1,0 +1,72 @@
+"""Sessions that stay within every limit and would still harm, or be harmed: over a real socket."""
+
+from __future__ import annotations
+
+import json
+import struct
+
+import pytest
+from websockets.sync.client import ClientConnection
+
+from tests.server.listener import RECORD, soon
+from tests.server.running import HELLO, running
+
+PACKED = HELLO[:-1] + ',"encoding":"binary","reply":"event"}'
+
+
+def told(socket: ClientConnection) -> dict[str, object]:
+    answer: dict[str, object] = json.loads(socket.recv(10))
+    return answer
+
+
+def event(t: float) -> str:
+    return f'{{"type":"events","events":[[{t},5,6,null,null,0]]}}'
+
+
+def packed(first: int, count: int) -> bytes:
+    rows = bytearray()
+    for place in range(first, first + count):
+        rows += struct.pack("<dddhhH", 1e-4 * place, 5.0, 6.0, -32768, -32768, 0)
+    assert len(rows) == count * RECORD.itemsize
+    return bytes(rows)
+
+
+def test_a_burst_within_every_limit_is_answered_however_many_predictions_give_way() -> None:
+    with running() as here, here.greeted(PACKED, max_queue=1) as socket:
+        for frame in range(18):
+            socket.send(packed(1024 * frame, 1024))
+        (session,) = here.service._open
+        soon(lambda: session.outbox.predicted == 18 * 1024, "every frame is taken in")
+        told_of = 0
+        while True:
+            answer = socket.recv(10)
+            if isinstance(answer, str):
+                said = json.loads(answer)
+                assert (said["code"], said["recoverable"]) == ("slow", True)
+                told_of += int(said["message"].split()[0])
+            elif struct.unpack_from("<d", answer, len(answer) - 57)[0] == 1e-4 * (18 * 1024 - 1):
+                break
+        assert told_of == session.outbox.dropped_in_all > 10_000
+        socket.send(packed(18 * 1024, 1))
+        assert struct.unpack_from("<d", socket.recv(10))[0] == 1e-4 * 18 * 1024
+
+
+@pytest.mark.parametrize("predictor", ["switched", "hold"])
+def test_parameters_that_make_events_dear_are_refused_by_their_names(predictor: str) -> None:
+    dear = {"gap_s": 0.1, "step_s": 1e-5}
+    with running() as here, here.connect() as socket:
+        socket.send(json.dumps({"type": "hello", "version": 1, "predictor": predictor, "parameters": dear}))
+        answer = told(socket)
+        assert (answer["code"], answer["recoverable"]) == ("bad_field", True)
+        assert answer["path"] == "$.parameters.step_s"
+        assert all(word in str(answer["message"]) for word in ("gap_s", "step_s", "0.1", "1e-05"))
+        socket.send(HELLO)
+        assert told(socket)["type"] == "welcome"
+        for parameters, path in (({"step_s": 2e-4}, "step_s"), ({"gap_s": 0.5}, "gap_s")):
+            socket.send(json.dumps({"type": "configure", "parameters": parameters}))
+            answer = told(socket)
+            assert (answer["code"], answer["path"]) == ("bad_field", f"$.parameters.{path}")
+        socket.send(json.dumps({"type": "configure", "parameters": {"gap_s": 0.25}}))
+        assert told(socket)["type"] == "welcome"
+        socket.send(event(1.0))
+        assert told(socket)["t"] == 1.0
