@@ -37,7 +37,8 @@ SAFE = {
 isolated, which lets the browser stamp events to 5 us instead of 100."""
 
 SHARED = {"Access-Control-Allow-Origin": "*", "Cross-Origin-Resource-Policy": "cross-origin"}
-"""Any page may load the client; whether its origin may connect is another matter."""
+"""Any page may load the client and its parts; whether its origin may connect is another matter."""
+CLIENT = ("/pointpred.js", "/web/client-")
 READ = ["GET", "HEAD"]
 NOT_SCORED: dict[int | str, dict[str, Any]] = {
     408: {"description": "The recording did not come whole in time."},
@@ -114,7 +115,7 @@ def _page() -> FileResponse:
 
 def _client() -> FileResponse:
     """The browser client, an ES module."""
-    return FileResponse(WEB / "pointpred.js", media_type="text/javascript", headers=SHARED)
+    return FileResponse(WEB / "pointpred.js", media_type="text/javascript")
 
 
 def _predictors() -> Response:
@@ -164,7 +165,7 @@ async def _harden(request: Request, forward: Any) -> Response:
         response = _error("unauthorized", "pages of this origin may not use this service", 403)
     else:
         response = await forward(request)
-    response.headers.update(SAFE)
+    response.headers.update(SAFE | SHARED if request.url.path.startswith(CLIENT) else SAFE)
     return response
 
 

@@ -42,18 +42,15 @@
  * @property {number} [queue] events kept while there is no connection; the oldest give way
  */
 
+import { decode, frames, row } from "/web/client-frames.js";
+import { PointerStream } from "/web/client-pointer.js";
+import { TargetWatch } from "/web/client-targets.js";
+
 const SUBPROTOCOL = "pointpred.v1";
-const EVENT_BYTES = 30;
-const PREDICTION_BYTES = 57;
-const NO_COUNTS = -32768;
 const NO_TARGETS = JSON.stringify({ type: "targets", targets: [] });
-const PHASES = /** @type {const} */ (["still", "ballistic", "corrective"]);
 const FIRST_WAIT_MS = 250;
 const LONGEST_WAIT_MS = 8000;
 const STEADY_MS = 2000; // a connection that held so long starts the waits anew
-const LOOK_MS = 250; // observed elements are looked at so often while the pointer rests
-const ACTIVE_MS = 500; // and every frame for so long after an event
-const LAG_S = 0.002; // a dispatch that spans more comes from a page that lags behind
 const NAMES = ["prediction", "choice", "error", "state", "welcome", "score", "targets", "bye"];
 
 /**
@@ -76,9 +73,7 @@ export class Connection {
 
   #address; #options; #hello; #socket = null; #listeners = new Map(NAMES.map((name) => [name, new Set()]));
   #waiting = []; #unanswered = []; #changes = []; #tries = 0; #openedAt = 0; #saidAt = 0; #retry; #why = "";
-  #given = []; #observed = new Map(); #told = NO_TARGETS; #frame = false; #activeUntil = 0; #offset = [0, 0];
-  #stop = new AbortController(); #timers = []; #sizes; #views; #last = [0, 0, 0];
-  #gathered = []; #clicks = new Map(); #turn = new MessageChannel();
+  #told = NO_TARGETS; #pointer = null; #targets; #stop = new AbortController(); #alive;
 
   /** Use `connect`. @param {string|URL|undefined} url @param {Options} options */
   constructor(url, options) {
@@ -89,17 +84,13 @@ export class Connection {
     const screen = { width_px: window.screen?.width || undefined, height_px: window.screen?.height || undefined,
       ...this.#options.screen };
     this.#hello = { type: "hello", version: 1, predictor, parameters, device, screen, reply, encoding };
-    this.#given = this.#options.targets;
-    this.#turn.port1.onmessage = () => this.#flush();
-    this.#sizes = new ResizeObserver(() => this.#look());
-    this.#views = new IntersectionObserver((entries) => this.#seen(entries));
-    if (this.#options.pointer) this.#listen(this.#options.element);
-    const { signal } = this.#stop;
-    const look = () => this.#look();
-    for (const name of ["scroll", "resize"]) window.addEventListener(name, look, { signal, capture: true, passive: true });
+    const { element, pointer, coordinates, targets } = this.#options;
+    const onScreen = coordinates === "screen", { signal } = this.#stop;
+    if (pointer) this.#pointer = new PointerStream(element, { onScreen, passed: (rows) => this.#pass(rows), signal });
+    const offset = () => (onScreen && this.#pointer?.offset) || [0, 0];
+    this.#targets = new TargetWatch(targets, { offset, changed: () => this.#sendTargets(), signal });
     window.addEventListener("online", () => this.state === "waiting" && this.#open(), { signal });
-    document.addEventListener("visibilitychange", () => this.#look(), { signal });
-    this.#timers = [setInterval(() => this.#observed.size && this.#look(), LOOK_MS), setInterval(() => this.#keepAlive(), 1000)];
+    this.#alive = setInterval(() => this.#keepAlive(), 1000);
     this.#open();
   }
 
@@ -121,21 +112,19 @@ export class Connection {
    * @param {(EventRow|EventRecord)[]} events in the order of their times; equal times are normal
    */
   send(events) {
-    this.#flush();
+    this.#pointer?.flush();
     if (events.length) this.#pass(events.map(row));
   }
 
   #pass(rows) {
-    this.#activeUntil = performance.now() + ACTIVE_MS;
-    if (this.#observed.size) this.#look();
+    this.#targets.stir();
     if (this.state === "open") this.#sendRows(rows);
     else this.#keep(rows);
   }
 
   /** Replaces the targets given by hand; those of `observe` stay. @param {Target[]} list */
   targets(list) {
-    this.#given = list;
-    this.#look();
+    this.#targets.give(list);
   }
 
   /**
@@ -144,21 +133,13 @@ export class Connection {
    * @param {Element} element @param {string} [id] the element's own id unless given
    * @returns {string} the id
    */
-  observe(element, id = element.id || `element-${++numbered}`) {
-    for (const [other, { id: taken }] of this.#observed)
-      if (taken === id && other !== element) throw new TypeError(`the id ${id} belongs to another observed element`);
-    this.#observed.set(element, { id, inView: false });
-    this.#sizes.observe(element);
-    this.#views.observe(element);
-    return id;
+  observe(element, id) {
+    return this.#targets.observe(element, id);
   }
 
   /** Forgets an element. @param {Element} element */
   unobserve(element) {
-    if (!this.#observed.delete(element)) return;
-    this.#sizes.unobserve(element);
-    this.#views.unobserve(element);
-    this.#look();
+    this.#targets.unobserve(element);
   }
 
   /**
@@ -166,7 +147,7 @@ export class Connection {
    * @param {"start"|"end"} action @param {Goal|Element} [target] the true one, where it is known
    */
   trial(action, target) {
-    const goal = target instanceof Element ? this.#goal(target) : target;
+    const goal = target instanceof Element ? this.#targets.goal(target) : target;
     this.#tell(goal ? { type: "trial", action, target: goal } : { type: "trial", action });
   }
 
@@ -176,7 +157,7 @@ export class Connection {
    *   precision?: number}} changes
    */
   configure(changes) {
-    this.#flush();
+    this.#pointer?.flush();
     if (this.state === "open") {
       this.#changes.push(changes);
       this.#transmit(JSON.stringify({ type: "configure", ...changes }));
@@ -195,15 +176,12 @@ export class Connection {
   /** Ends the session for good, and lets go of everything. */
   close() {
     if (this.state === "closed") return;
-    this.#flush();
+    this.#pointer?.flush();
     const socket = this.#socket;
     this.#socket = null;
     this.#stop.abort();
-    this.#turn.port1.close();
-    this.#timers.forEach(clearInterval);
+    clearInterval(this.#alive);
     clearTimeout(this.#retry);
-    this.#sizes.disconnect();
-    this.#views.disconnect();
     if (this.state === "open") socket?.send(JSON.stringify({ type: "bye" }));
     socket?.close(1000);
     this.#become("closed");
@@ -293,9 +271,8 @@ export class Connection {
   }
 
   #sendRows(rows) {
-    const limits = this.welcome.limits;
-    const parts = this.#hello.encoding === "binary" ? binaryFrames(rows, limits) : textFrames(rows, limits);
-    for (const { frame, last, count } of parts) {
+    const { limits } = this.welcome;
+    for (const { frame, last, count } of frames(rows, this.#hello.encoding, limits)) {
       this.#transmit(frame);
       this.sent += count;
       this.#unanswered.push({ t: last, at: performance.now() });
@@ -304,7 +281,7 @@ export class Connection {
   }
 
   #tell(message) {
-    this.#flush();
+    this.#pointer?.flush();
     if (this.state === "open") this.#transmit(JSON.stringify(message));
     else this.#keep([message]);
   }
@@ -329,87 +306,9 @@ export class Connection {
     this.#sendTargets(true);
   }
 
-  #listen(element) {
-    const settings = { signal: this.#stop.signal, capture: true, passive: true };
-    const moves = "onpointerrawupdate" in window ? "pointerrawupdate" : "pointermove";
-    for (const name of [moves, "pointerdown", "pointerup"]) element.addEventListener(name, (event) => this.#pointed(event), settings);
-    element.addEventListener("pointercancel", (event) => {
-      const [t, x, y] = this.#last; // a cancelled touch has no place: it ends where it was
-      if (event.isPrimary) this.send([[Math.max(t, event.timeStamp / 1000), x, y, null, null, 0]]);
-    }, settings);
-  }
-
-  #pointed(event) {
-    if (!event.isPrimary) return;
-    this.#offset = [event.screenX - event.clientX, event.screenY - event.clientY];
-    const whole = event.getCoalescedEvents?.() ?? [];
-    const onScreen = this.#options.coordinates === "screen";
-    const rows = (whole.length ? whole : [event]).map((one) => [one.timeStamp / 1000,
-      onScreen ? one.screenX : one.clientX, onScreen ? one.screenY : one.clientY, null, null, one.buttons]);
-    this.#last = rows[rows.length - 1];
-    const behind = this.#gathered.length > 0;
-    this.#gathered.push(...rows);
-    if (event.type === "pointerdown" || event.type === "pointerup") this.#clicks.set(this.#last[0], this.#last);
-    if (!behind && this.#last[0] - rows[0][0] <= LAG_S) this.#flush();
-    else if (!behind) this.#turn.port2.postMessage(null);
-  }
-
-  /**
-   * Sends what was gathered in the order of its times. After a stall of the page, the browser merges moves from before
-   * a click with moves from after it, and delivers them before the click: so what it still holds is awaited first.
-   */
-  #flush() {
-    const rows = this.#gathered.splice(0), clicks = this.#clicks;
-    if (rows.length === 0) return;
-    const side = (row) => { // of a click at the same time: before it, the click itself, after it
-      const click = clicks.get(row[0]);
-      if (click === undefined || row === click) return click === undefined ? 0 : 1;
-      return row[5] === click[5] ? 2 : 0;
-    };
-    if (rows.length > 1) rows.sort((one, other) => one[0] - other[0] || side(one) - side(other));
-    clicks.clear();
-    this.#pass(rows);
-  }
-
-  #seen(entries) {
-    for (const { target, isIntersecting } of entries) {
-      const known = this.#observed.get(target);
-      if (known) known.inView = isIntersecting;
-    }
-    this.#look();
-  }
-
-  /** Looks at the observed elements before the next frame is drawn, once; hidden pages draw none. */
-  #look() {
-    if (this.#frame || this.state === "closed") return;
-    this.#frame = true;
-    const act = () => {
-      this.#frame = false;
-      this.#sendTargets();
-      if (this.#observed.size && performance.now() < this.#activeUntil) this.#look();
-    };
-    if (document.hidden) setTimeout(act, 0);
-    else requestAnimationFrame(act);
-  }
-
-  #place(element) {
-    const [right, down] = this.#options.coordinates === "screen" ? this.#offset : [0, 0];
-    const { x, y, width, height } = element.getBoundingClientRect();
-    return { x: x + right, y: y + down, width, height };
-  }
-
-  #goal(element) {
-    const { x, y, width, height } = this.#place(element);
-    return { x: x + width / 2, y: y + height / 2, width: Math.min(width, height) };
-  }
-
   #sendTargets(always = false) {
     if (this.state !== "open") return;
-    const targets = [...this.#given];
-    for (const [element, { id, inView }] of this.#observed) {
-      const place = inView ? this.#place(element) : { width: 0, height: 0 };
-      if (place.width > 0 && place.height > 0) targets.push({ id, ...place });
-    }
+    const targets = this.#targets.list();
     const most = this.welcome.limits.max_targets;
     const over = targets.splice(most).length;
     const text = JSON.stringify({ type: "targets", targets });
@@ -437,8 +336,6 @@ export class Connection {
   }
 }
 
-let numbered = 0;
-
 /** The stream's address: `http` becomes `ws`, a bare address gets the usual path. */
 function address(url, token) {
   const found = new URL(url ?? "/v1/stream", url === undefined ? import.meta.url : document.baseURI);
@@ -446,60 +343,4 @@ function address(url, token) {
   if (found.pathname === "/") found.pathname = "/v1/stream";
   if (token) found.searchParams.set("token", token);
   return found.href;
-}
-
-/** @param {EventRow|EventRecord} event @returns {EventRow} */
-function row(event) {
-  const [t, x, y, dx = null, dy = null, buttons = 0] = Array.isArray(event) ? event
-    : [event.t, event.x, event.y, event.dx, event.dy, event.buttons];
-  if (![t, x, y].every(Number.isFinite)) throw new RangeError(`t, x and y must be finite, received ${[t, x, y]}`);
-  for (const count of [dx, dy])
-    if (count !== null && !(Number.isInteger(count) && Math.abs(count) < -NO_COUNTS))
-      throw new RangeError(`counts must be whole numbers within 32767, received ${count}`);
-  return [t, x, y, dx, dy, buttons];
-}
-
-function* binaryFrames(rows, { max_events_per_frame: most, max_frame_bytes: bytes }) {
-  const room = Math.max(1, Math.min(most, Math.floor(bytes / EVENT_BYTES)));
-  for (let first = 0; first < rows.length; first += room) {
-    const part = rows.slice(first, first + room);
-    const view = new DataView(new ArrayBuffer(EVENT_BYTES * part.length));
-    part.forEach(([t, x, y, dx, dy, buttons], i) => {
-      const at = EVENT_BYTES * i;
-      [t, x, y].forEach((value, k) => view.setFloat64(at + 8 * k, value, true));
-      view.setInt16(at + 24, dx === null || dy === null ? NO_COUNTS : dx, true);
-      view.setInt16(at + 26, dx === null || dy === null ? NO_COUNTS : dy, true);
-      view.setUint16(at + 28, buttons, true);
-    });
-    yield { frame: view.buffer, last: part[part.length - 1][0], count: part.length };
-  }
-}
-
-function* textFrames(rows, { max_events_per_frame: most, max_frame_bytes: bytes }) {
-  const [head, tail] = ['{"type":"events","events":[', "]}"];
-  let part = [], size = head.length + tail.length, last = 0;
-  for (const one of rows) {
-    const text = JSON.stringify(one);
-    if (part.length && (part.length === most || size + text.length + 1 > bytes)) {
-      yield { frame: head + part.join(",") + tail, last, count: part.length };
-      [part, size] = [[], head.length + tail.length];
-    }
-    part.push(text);
-    size += text.length + 1;
-    last = one[0];
-  }
-  yield { frame: head + part.join(",") + tail, last, count: part.length };
-}
-
-/** Packed predictions as the objects that JSON would have given. @returns {Generator<Prediction>} */
-function* decode(buffer) {
-  const view = new DataView(buffer);
-  for (let at = 0; at + PREDICTION_BYTES <= buffer.byteLength; at += PREDICTION_BYTES) {
-    const [t, x, y, sxx, sxy, syy, remaining] = Array.from({ length: 7 }, (_, k) => view.getFloat64(at + 8 * k, true));
-    const there = !Number.isNaN(x);
-    yield { type: "prediction", t, x: there ? x : null, y: there ? y : null,
-      region: Number.isNaN(sxx) ? null : { sxx, sxy, syy },
-      phase: there ? PHASES[view.getUint8(at + 56)] : null,
-      remaining_s: Number.isNaN(remaining) ? null : remaining };
-  }
 }

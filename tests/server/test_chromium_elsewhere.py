@@ -1,0 +1,80 @@
+"""The browser client in a page of another origin, in a real browser."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+
+import pytest
+
+from pointpred.replaying import Page, open_page
+from pointpred.server.app import WEB
+from tests.server import browser
+from tests.server.listener import soon
+from tests.server.running import running
+
+pytestmark = browser.needed
+
+
+@contextmanager
+def page_elsewhere(**headers: str) -> Iterator[str]:
+    """A bare page on a port of its own, with these headers; yields its origin."""
+
+    class Bare(BaseHTTPRequestHandler):
+        def do_GET(self) -> None:
+            self.send_response(200)
+            for name, value in {"Content-Type": "text/html", **headers}.items():
+                self.send_header(name.replace("_", "-"), value)
+            self.end_headers()
+            self.wfile.write(b"<!doctype html><title>elsewhere</title>")
+
+        def log_message(self, *_: object) -> None:
+            """Say nothing of requests."""
+
+    server = ThreadingHTTPServer(("127.0.0.1", 0), Bare)
+    thread = threading.Thread(target=server.serve_forever)
+    thread.start()
+    try:
+        yield f"http://127.0.0.1:{server.server_port}"
+    finally:
+        server.shutdown()
+        server.server_close()
+        thread.join()
+
+
+ISOLATED = {
+    "Cross_Origin_Opener_Policy": "same-origin",
+    "Cross_Origin_Embedder_Policy": "require-corp",
+}
+USE = """import("{url}/pointpred.js").then(({{ connect }}) => {{
+  window.heard = [];
+  window.connection = connect(undefined, {{ pointer: false, reply: "event" }});
+  connection.on("prediction", ({{ t }}) => heard.push(t));
+  connection.send(Array.from({{ length: 5 }}, (_, i) => [i / 100, i, 0, null, null, 0]));
+}})"""
+
+
+@pytest.mark.parametrize("headers", [{}, ISOLATED], ids=["plain", "isolated"])
+def test_another_site_that_is_allowed_uses_the_client(tmp_path: Path, headers: dict[str, str]) -> None:
+    """Every part of the module comes from the service, and the connection goes there without being told."""
+
+    def settled(page: Page) -> None:
+        soon(lambda: page.evaluate("heard.length") == 5, "five predictions")
+        assert page.evaluate("connection.state") == "open"
+
+    with (
+        page_elsewhere(**headers) as origin,
+        running(allow_origin=(origin,)) as service,
+        browser.running(tmp_path / "profile") as devtools,
+        open_page(devtools, origin) as page,
+    ):
+        page.evaluate(USE.format(url=service.url))
+        settled(page)
+        loaded = page.evaluate("performance.getEntriesByType('resource').map(({ name }) => name)")
+        modules = {name for name in loaded if name.endswith(".js")}
+        parts = {f"{service.url}/web/{part.name}" for part in WEB.glob("client-*.js")}
+        assert modules == {f"{service.url}/pointpred.js", *parts}
+        page.evaluate("connection.close()")
