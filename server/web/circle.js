@@ -1,10 +1,11 @@
 // The circle view: settings, the run, a row for each movement as it is scored.
 
 import { showResult } from "./circle-results.js";
+import { CircleRows } from "./circle-rows.js";
 import { readSettings, suit } from "./circle-settings.js";
 import { CircleTask } from "./circle-task.js";
 import { drawCircle } from "./draw-circle.js";
-import { number, offer, part, write } from "./elements.js";
+import { offer, part, write } from "./elements.js";
 import { circle } from "./geometry.js";
 import { follow } from "./pointer.js";
 import { PREFERRED, predictors } from "./service.js";
@@ -13,7 +14,8 @@ import { Track, words } from "./track.js";
 const FRESH_MS = 500;
 
 const [canvas, form, startButton, stopButton] = ["circle-scene", "circle-form", "circle-start", "circle-stop"].map(part);
-const [said, status, rows, progress] = ["circle-said", "circle-connection", "circle-rows", "circle-progress"].map(part);
+const [said, status, progress] = ["circle-said", "circle-connection", "circle-progress"].map(part);
+const rows = new CircleRows(part("circle-rows"));
 
 let active = false;
 let drawing = false;
@@ -22,7 +24,6 @@ let suited = false;
 let names = []; // of every predictor
 /** @type {Track|null} */ let track = null;
 /** @type {CircleTask|null} */ let task = null;
-let pending = []; // the table's rows whose scores are to come, in order
 
 function goal() {
   const { x, y, width } = task.goal;
@@ -41,38 +42,12 @@ function selected(row) {
   const trial = task.select(row);
   if (trial !== null) {
     track?.connection.trial("end", { x: trial.target[0], y: trial.target[1], width: trial.width });
-    addRow(trial);
+    rows.add(trial);
   }
   if (task.running) track?.connection.trial("start", goal());
   canvas.dataset.target = JSON.stringify(task.done ? null : { ...goal(), running: task.running });
   tell();
   if (task.done) finish();
-}
-
-function addRow(trial) {
-  const row = rows.insertRow(0);
-  row.classList.toggle("missed", !trial.hit);
-  for (const word of [`${trial.block}.${trial.number}`, number(trial.end[0] - trial.start[0], 2, "s"), "…", "…", "…"]) row.insertCell().textContent = word;
-  pending.push(row);
-}
-
-function scored({ time_averaged_px: px, hold_px: hold, skill, reason }) {
-  const row = pending.shift();
-  if (row === undefined) return;
-  const words = reason ? ["none", "–", "–"] : [number(px, 1), number(hold, 1), number(skill, 2)];
-  words.forEach((word, i) => (row.cells[2 + i].textContent = word));
-  if (reason) row.title = `Not scored: ${reason}`;
-  row.dataset.px = String(px);
-}
-
-/** Movements whose connection was lost are not scored one by one; the recording keeps them. */
-function lost() {
-  for (const row of pending.splice(0)) scoredNever(row);
-}
-
-function scoredNever(row) {
-  [2, 3, 4].forEach((i) => (row.cells[i].textContent = "–"));
-  row.title = "Not scored here: the connection was lost";
 }
 
 function tell() {
@@ -88,14 +63,18 @@ function tell() {
 function stateOf(state) {
   status.dataset.state = state;
   write(status, words(state) + (track?.fault && state !== "open" ? ` ${track.fault}` : ""));
-  if (state !== "open") lost();
+  if (state !== "open") rows.lose();
 }
 
 function connectWith(predictor) {
   if (track?.predictor === predictor && track.connection.state !== "closed") return;
   track?.close();
   track = null;
-  track = new Track(predictor, { state: stateOf, score: scored, error: ({ code }) => code === "out_of_place" && lost() });
+  track = new Track(predictor, {
+    state: stateOf,
+    score: (score) => rows.scored(score),
+    error: ({ code }) => code === "out_of_place" && rows.lose(),
+  });
 }
 
 function start() {
@@ -105,8 +84,7 @@ function start() {
     return;
   }
   task = new CircleTask(settings);
-  lost();
-  rows.replaceChildren();
+  rows.clear();
   connectWith(form.elements.predictor.value);
   running(true);
   canvas.dataset.target = JSON.stringify({ ...goal(), running: false });

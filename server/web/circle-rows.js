@@ -1,0 +1,47 @@
+// The table of a circle run: a row for each movement, its scores as they come.
+
+import { number } from "./elements.js";
+
+const SCORES = [2, 3, 4]; // the cells that wait for the service
+
+/** Rows in the order of their movements, the newest on top; scores come in the same order. */
+export class CircleRows {
+  #body; #pending = [];
+
+  /** @param {HTMLTableSectionElement} body */
+  constructor(body) {
+    this.#body = body;
+  }
+
+  /** @param {import("./circle-task.js").Trial} trial */
+  add({ block, number: which, start, end, hit }) {
+    const row = this.#body.insertRow(0);
+    row.classList.toggle("missed", !hit);
+    const words = [`${block}.${which}`, number(end[0] - start[0], 2, "s"), "…", "…", "…"];
+    for (const word of words) row.insertCell().textContent = word;
+    this.#pending.push(row);
+  }
+
+  /** Writes the score of the first movement that waits for one. @param {import("/pointpred.js").Score} score */
+  scored({ time_averaged_px: px, hold_px: hold, skill, reason }) {
+    const row = this.#pending.shift();
+    if (row === undefined) return;
+    const words = reason ? ["none", "–", "–"] : [number(px, 1), number(hold, 1), number(skill, 2)];
+    SCORES.forEach((cell, i) => (row.cells[cell].textContent = words[i]));
+    if (reason) row.title = `Not scored: ${reason}`;
+    row.dataset.px = String(px);
+  }
+
+  /** Movements whose connection was lost are not scored one by one; the recording keeps them. */
+  lose() {
+    for (const row of this.#pending.splice(0)) {
+      for (const cell of SCORES) row.cells[cell].textContent = "–";
+      row.title = "Not scored here: the connection was lost";
+    }
+  }
+
+  clear() {
+    this.#pending = [];
+    this.#body.replaceChildren();
+  }
+}
