@@ -6,9 +6,10 @@ from typing import Literal
 
 from msgspec import Struct
 
-from pointpred.server.messages import Bye, Code, ErrorMessage, Limits, ServerMessage, encode
+from pointpred.server.messages import Bye, Code, ErrorMessage, Limits, Score, ServerMessage, encode
 from pointpred.server.outbox import Outbox
 from pointpred.server.stream import Stream
+from pointpred.server.trials import Scoring
 
 State = Literal["connecting", "greeted", "streaming", "closed"]
 HELLO_S = 10.0
@@ -33,10 +34,13 @@ class Conversation:
         self.outbox = Outbox()
         self.close: Close | None = None
         self.stream: Stream | None = None
+        self.work: Scoring | None = None
+        """What is to be run before the next frame is taken in."""
         self.refused: dict[Code, int] = {}
         """What was refused, by error code: events that run backwards, frames for all else."""
         self.heard = now
         """When the client was last heard."""
+        self._leaving: str | None = None  # why the session is to stop once its work is done
 
     def tick(self, now: float) -> None:
         """Notice what only time tells: no hello, nothing heard, nothing read."""
@@ -50,9 +54,19 @@ class Conversation:
         elif self.outbox.full:
             self.end("slow", SLOW, 1013)
 
-    def stop(self, reason: str) -> None:
-        """The server stops."""
+    def finish(self, score: Score) -> None:
+        """Say what came of ``work``."""
+        self.work = None
         if self.state != "closed":
+            self.say(score)
+            if self._leaving is not None:
+                self.stop(self._leaving)
+
+    def stop(self, reason: str) -> None:
+        """The server stops; work that has begun is finished first."""
+        if self.work is not None:
+            self._leaving = reason
+        elif self.state != "closed":
             self.say(Bye(reason))
             self.shut(1001, reason)
 

@@ -62,7 +62,7 @@ class StreamEndpoint:
         service = self.service
         session = service.open(asyncio.get_running_loop().time())
         try:
-            talk = Talk(session, receive, send, service.metrics.delay.observe)
+            talk = Talk(session, receive, send, service.metrics.delay.observe, service.scorer)
             service.attach(session, talk)
             await talk.run()
         except ClientDisconnected:

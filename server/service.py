@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import logging
 import secrets
+from concurrent.futures import ThreadPoolExecutor
 
 from pointpred.server.logs import place_of
 from pointpred.server.messages import Hello
@@ -33,6 +34,8 @@ class Service:
         """Recordings are scored one at a time."""
         self.uploads = 0
         """Recordings that are received, wait to be scored or are scored."""
+        self.scorer = ThreadPoolExecutor(1, "trials")
+        """Scores the trials of sessions, one at a time."""
         self._open: dict[Session, tuple[Talk | None, Counted]] = {}
         self._warming: asyncio.Future[None] | None = None
         self._waiting = 0
@@ -107,6 +110,7 @@ class Service:
 
     def end(self) -> None:
         """Write what is recorded; the service is over."""
+        self.scorer.shutdown(wait=False, cancel_futures=True)
         if self.recorder is not None:
             self.recorder.close()
 

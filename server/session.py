@@ -40,7 +40,9 @@ RECORD = EVENT.itemsize
 class Session(Conversation):
     """The server's side of one connection.
 
-    ``watch`` opens, at the client's hello, what is told of the session's events, such as a recording.
+    What takes long is not done here: ``work`` is what the caller runs, where it likes, before the next frame,
+    and gives what came of it to ``finish``. ``watch`` opens, at the client's hello, what is told of the
+    session's events, such as a recording.
     """
 
     def __init__(
@@ -57,6 +59,8 @@ class Session(Conversation):
 
     def receive(self, frame: str | bytes, now: float) -> None:
         """Take in one frame; answers are in the outbox, and ``close`` is set when the connection ends."""
+        if self.work is not None:
+            self.finish(self.work())  # answers come in the order of what they answer
         if self.state == "closed":
             return
         stream = self.stream
@@ -143,7 +147,7 @@ class Session(Conversation):
             if message.action == "start":
                 stream.start_trial(message.target)
             else:
-                self.say(stream.end_trial(message.target))
+                self.work = stream.end_trial(message.target)
         elif isinstance(message, Configure):
             stream.configure(message)
             self._welcome(stream)

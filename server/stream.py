@@ -12,10 +12,10 @@ from pointpred.pipeline import run
 from pointpred.server import answers
 from pointpred.server.building import cpi_of, dpi_of, pipeline_of
 from pointpred.server.decoding import check_numbers
-from pointpred.server.messages import Configure, ErrorMessage, Goal, Hello, Score
+from pointpred.server.messages import Configure, ErrorMessage, Goal, Hello
 from pointpred.server.outbox import Outbox
 from pointpred.server.refusals import RefusedError
-from pointpred.server.trials import TrialKeeper
+from pointpred.server.trials import Scoring, TrialKeeper
 from pointpred.server.watch import Watch
 
 NEVER = float("-inf")
@@ -108,8 +108,8 @@ class Stream:
         if self.watch:
             self.watch.trial("start", goal)
 
-    def end_trial(self, goal: Goal | None) -> Score:
-        """Score the trial; raises RefusedError where none was started."""
+    def end_trial(self, goal: Goal | None) -> Scoring:
+        """What makes the score of the trial; raises RefusedError where none was started."""
         if not self._trial.running:
             words = "expected 'trial' with action 'start' before 'end'"
             raise RefusedError("out_of_place", words, "$.action")

@@ -5,12 +5,15 @@ from __future__ import annotations
 import asyncio
 from collections import deque
 from collections.abc import Awaitable, Callable, Coroutine, MutableMapping
+from concurrent.futures import Executor
 from time import perf_counter
 from typing import Any, Protocol
 
 from pointpred.server.conversation import Close
 from pointpred.server.eager import begin
+from pointpred.server.messages import Score
 from pointpred.server.outbox import Frame, Outbox
+from pointpred.server.trials import Scoring
 
 Receive = Callable[[], Awaitable[MutableMapping[str, Any]]]
 Send = Callable[[MutableMapping[str, Any]], Coroutine[Any, Any, None]]
@@ -30,9 +33,13 @@ class Speaker(Protocol):
 
     outbox: Outbox
     close: Close | None
+    work: Scoring | None
 
     def receive(self, frame: str | bytes, now: float) -> None:
         """Take in one frame."""
+
+    def finish(self, score: Score) -> None:
+        """Say what came of its work."""
 
     def tick(self, now: float) -> None:
         """Notice that time has passed."""
@@ -48,19 +55,29 @@ class Talk:
     have been taken in: one kind of work after another costs less than taking turns. Every frame of a burst is
     answered. Where sending would have to wait, because the client does not read, another task waits and
     sends, and frames are taken in meanwhile: their answers wait in the session's outbox, where predictions
-    give way to newer ones.
+    give way to newer ones. Work of a session is done by another thread: its next frames wait for it, other
+    sessions do not.
     """
 
     def __init__(
-        self, session: Speaker, receive: Receive, send: Send, delayed: Callable[[float], None]
+        self,
+        session: Speaker,
+        receive: Receive,
+        send: Send,
+        delayed: Callable[[float], None],
+        worker: Executor | None = None,
     ) -> None:
-        """``delayed`` is told the seconds from the newest frame to its prediction handed to the socket."""
+        """``delayed`` is told the seconds from the newest frame to its prediction handed to the socket.
+
+        ``worker`` does the work of sessions; the loop's own where none is given.
+        """
         self.session = session
         self.frames = 0
         """Frames received."""
         self._receive = receive
         self._send = send
         self._delayed = delayed
+        self._worker = worker
         self._wake = asyncio.Event()
         self._arrived = 0.0
         self._due = False  # whether the loop has been asked to call _answer_soon
@@ -104,6 +121,8 @@ class Talk:
             self._arrived = perf_counter()
             self.frames += 1
             session.receive(message["text"] if frame is None else frame, loop.time())
+            if session.work is not None:
+                session.finish(await loop.run_in_executor(self._worker, session.work))
             if not self._sending:
                 self._due = True
                 loop.call_soon(self._answer_soon)

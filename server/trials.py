@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from array import array
+from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 
@@ -37,25 +39,36 @@ class TrialKeeper:
             if self._count <= MOST_EVENTS:
                 self._numbers.frombytes(table.tobytes())
 
-    def end(self, goal: Goal | None, pipeline: Pipeline, cpi: float | None, dpi: float) -> Score:
-        """The trial's score by the offline protocol, in which pipelines begin at the movement's onset."""
+    def end(self, goal: Goal | None, pipeline: Pipeline, cpi: float | None, dpi: float) -> Scoring:
+        """What makes the trial's score; it shares nothing with what comes after, so any thread may run it."""
         goal, count, numbers = goal or self._goal, self._count, self._numbers
         self._forget()
         self.running = False
-        if count > MOST_EVENTS:
-            return Score(count, reason=f"has {count} events, at most {MOST_EVENTS} are scored")
-        about = Trial("session", "trial", *((goal.x, goal.y, goal.width) if goal else ()))
-        table = np.frombuffer(numbers).reshape(-1, 6)
-        recording = Recording.of("trial", [EventColumns(table)], [about])
-        prepared = prepare(recording, cpi=cpi, dpi=dpi, threads=1)
-        if prepared.skipped:
-            return Score(count, reason=prepared.skipped[0].reason)
-        return _score(prepared, pipeline, build("hold", cpi=cpi, dpi=dpi))
+        return partial(_score_of, numbers, count, goal, pipeline.fresh(), cpi, dpi)
 
     def _forget(self, goal: Goal | None = None) -> None:
         self._numbers = array("d")
         self._count = 0
         self._goal = goal
+
+
+Scoring = Callable[[], Score]
+"""Takes milliseconds, and a tenth of a second for the longest trial."""
+
+
+def _score_of(
+    numbers: array[float], count: int, goal: Goal | None, pipeline: Pipeline, cpi: float | None, dpi: float
+) -> Score:
+    """A trial's score by the offline protocol, in which pipelines begin at the movement's onset."""
+    if count > MOST_EVENTS:
+        return Score(count, reason=f"has {count} events, at most {MOST_EVENTS} are scored")
+    about = Trial("session", "trial", *((goal.x, goal.y, goal.width) if goal else ()))
+    table = np.frombuffer(numbers).reshape(-1, 6)
+    recording = Recording.of("trial", [EventColumns(table)], [about])
+    prepared = prepare(recording, cpi=cpi, dpi=dpi, threads=1)
+    if prepared.skipped:
+        return Score(count, reason=prepared.skipped[0].reason)
+    return _score(prepared, pipeline, build("hold", cpi=cpi, dpi=dpi))
 
 
 def _score(prepared: Prepared, pipeline: Pipeline, floor: Pipeline) -> Score:

@@ -154,6 +154,8 @@ def test_events_in_json_and_packed_give_the_same_predictions(
     if marks:
         for session in (text, binary):
             session.receive('{"type": "trial", "action": "end"}', 0.0)
+            assert session.work is not None
+            session.finish(session.work())
         (first,), (second,) = (map(check, session.outbox.take()) for session in (text, binary))
         assert isinstance(first, Score)
         assert first == second

@@ -88,6 +88,8 @@ class Listener:
             for frame in connection:
                 self.frames.append(frame)
                 session.receive(frame, time.monotonic())
+                if session.work is not None:
+                    session.finish(session.work())
                 with suppress(ConnectionClosed):  # what came before the client left is still heard
                     for answer in session.outbox.take():
                         connection.send(answer)

@@ -47,6 +47,8 @@ class Talk:
     def say(self, frame: dict[str, Any] | str | bytes, now: float = 0.0) -> list[Any]:
         """Send a frame and read every answer."""
         self.session.receive(json.dumps(frame) if isinstance(frame, dict) else frame, now)
+        if self.session.work is not None:
+            self.session.finish(self.session.work())
         return self.hear()
 
     def hear(self) -> list[Any]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
 import numpy as np
@@ -110,9 +111,64 @@ def test_memory_is_bounded_and_a_trial_that_is_too_long_says_so() -> None:
     table = EventColumns.of(np.arange(30_000.0), np.zeros(30_000), np.zeros(30_000))
     for _ in range(5):
         keeper.add(table.table)
-    score = keeper.end(None, build("hold"), None, 96.0)
+    score = keeper.end(None, build("hold"), None, 96.0)()
     assert (score.events, score.time_averaged_px) == (150_000, None)
     assert str(MOST_EVENTS) in str(score.reason)
+
+
+def test_a_score_is_work_for_the_caller_and_comes_before_later_answers() -> None:
+    talk, other = Talk(greet=greeting()), Talk(greet=greeting())
+    rows = packed(*rows_of(0)[:500])
+    for one in (talk, other):
+        one.say(START)
+        one.say(rows)
+    (score,) = other.say(END)
+    talk.session.receive(json.dumps(END), 0.0)
+    assert talk.session.work is not None
+    assert talk.hear() == [], "nothing was scored yet"
+    talk.session.receive(json.dumps({"type": "targets", "targets": []}), 0.0)  # a caller in a hurry
+    assert talk.session.work is None
+    assert talk.hear() == [score, {"type": "targets", "count": 0}]
+
+
+def test_work_shares_nothing_with_what_comes_after() -> None:
+    talk, other = Talk(greet=greeting()), Talk(greet=greeting())
+    score = scored(other, 0)
+    talk.say(START)
+    rows = rows_of(0)
+    for first in range(0, len(rows), 1000):
+        talk.say(packed(*rows[first : first + 1000]))
+    talk.session.receive(json.dumps(END), 0.0)
+    work = talk.session.work
+    assert work is not None
+    first_time = work()
+    talk.say({"type": "configure", "predictor": "linear"})
+    talk.say(START)
+    talk.say(events([1e6, 1.0, 2.0, None, None, 0]))
+    assert work() == first_time
+    assert first_time.time_averaged_px == score["time_averaged_px"]
+
+
+def test_a_server_that_stops_finishes_the_score_first() -> None:
+    talk = Talk()
+    talk.say(START)
+    talk.session.receive(json.dumps(END), 0.0)
+    talk.session.stop("enough")
+    assert (talk.closed, talk.hear()) == (None, [])
+    assert talk.session.work is not None
+    talk.session.finish(talk.session.work())
+    assert [answer["type"] for answer in talk.hear()] == ["score", "bye"]
+    assert talk.closed == 1001
+
+
+def test_a_score_that_comes_after_the_end_is_not_said() -> None:
+    talk = Talk()
+    talk.say(START)
+    talk.session.receive(json.dumps(END), 0.0)
+    assert talk.session.work is not None
+    talk.session.lose()
+    talk.session.finish(talk.session.work())
+    assert talk.hear() == []
 
 
 class Diary:
