@@ -1,6 +1,7 @@
 // The circle view: settings, the run, a row for each movement as it is scored.
 
 import { showResult } from "./circle-results.js";
+import { CircleChoices } from "./circle-choices.js";
 import { CircleRows } from "./circle-rows.js";
 import { readSettings, suit } from "./circle-settings.js";
 import { CircleTask } from "./circle-task.js";
@@ -16,6 +17,7 @@ const FRESH_MS = 500;
 const [canvas, form, startButton, stopButton] = ["circle-scene", "circle-form", "circle-start", "circle-stop"].map(part);
 const [said, status, progress] = ["circle-said", "circle-connection", "circle-progress"].map(part);
 const rows = new CircleRows(part("circle-rows"));
+const choices = new CircleChoices();
 
 let active = false;
 let drawing = false;
@@ -63,7 +65,9 @@ function tell() {
 function stateOf(state) {
   status.dataset.state = state;
   write(status, words(state) + (track?.fault && state !== "open" ? ` ${track.fault}` : ""));
-  if (state !== "open") rows.lose();
+  if (state === "open") return;
+  rows.lose();
+  choices.clear();
 }
 
 function connectWith(predictor) {
@@ -73,6 +77,7 @@ function connectWith(predictor) {
   track = new Track(predictor, {
     state: stateOf,
     score: (score) => rows.scored(score),
+    choice: (choice) => choices.take(choice),
     error: ({ code }) => code === "out_of_place" && rows.lose(),
   });
 }
@@ -86,12 +91,14 @@ function start() {
   task = new CircleTask(settings);
   rows.clear();
   connectWith(form.elements.predictor.value);
+  choices.offer(track.connection, task.places, settings.width);
   running(true);
   canvas.dataset.target = JSON.stringify({ ...goal(), running: false });
   tell();
 }
 
 function running(yes) {
+  if (!yes) choices.clear();
   startButton.textContent = yes ? "Start again" : "Start";
   stopButton.disabled = !yes;
   part("circle-invitation").classList.toggle("away", yes);
@@ -118,10 +125,12 @@ function frame() {
   const { settings } = readSettings(form, canvas);
   const shown = task ?? { places: circle(settings.distance, settings.centre, settings.targets), settings };
   const going = task !== null && !task.done;
-  const fresh = track !== null && performance.now() - track.at < FRESH_MS && form.elements.shown.checked;
+  const told = form.elements.shown.checked;
+  const fresh = told && track !== null && performance.now() - track.at < FRESH_MS;
   drawCircle(canvas, {
     places: shown.places, width: shown.settings.width, current: going ? task.current : null,
     last: task?.trials[task.trials.length - 1] ?? null, predicted: going && fresh ? track.latest : null,
+    shares: going && told ? choices.shares : [],
   });
   requestAnimationFrame(frame);
 }

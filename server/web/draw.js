@@ -74,6 +74,15 @@ export function disc(pen, [x, y], radius, colour, filled = false, width = 2) {
   finish(pen, colour, filled, width);
 }
 
+/** A ring as opaque as a number from 0 to 1 says: at 0 there is nothing. */
+export function halo(pen, place, radius, colour, share, width = 4) {
+  if (!(share > 0)) return;
+  pen.save();
+  pen.globalAlpha = Math.min(1, share);
+  disc(pen, place, radius, colour, false, width);
+  pen.restore();
+}
+
 /** A square on its corner. */
 export function diamond(pen, [x, y], radius, colour, filled = false, width = 2) {
   pen.beginPath();

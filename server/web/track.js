@@ -27,7 +27,7 @@ export class Track {
   /**
    * @param {string} predictor
    * @param {{state?: (state: string) => void, prediction?: (one: object) => void, score?: (one: object) => void,
-   *   error?: (one: object) => void}} told
+   *   choice?: (one: object) => void, error?: (one: object) => void}} told
    */
   constructor(predictor, told = {}, options = {}) {
     this.predictor = predictor;
@@ -48,7 +48,7 @@ export class Track {
       this.fault = error.message;
       told.error?.(error);
     });
-    if (told.score) this.connection.on("score", told.score);
+    for (const name of ["score", "choice"]) if (told[name]) this.connection.on(name, told[name]);
     told.state?.(this.connection.state);
   }
 
