@@ -11,7 +11,7 @@ from typing import Any, Protocol
 
 from pointpred.server.conversation import Close
 from pointpred.server.eager import begin
-from pointpred.server.messages import Score
+from pointpred.server.messages import Code, Score
 from pointpred.server.outbox import Frame, Outbox
 from pointpred.server.trials import Scoring
 
@@ -46,6 +46,9 @@ class Speaker(Protocol):
 
     def give_up(self) -> None:
         """The client has not read for too long."""
+
+    def end(self, code: Code, message: str, close: int) -> None:
+        """End with an error."""
 
 
 class Talk:
@@ -113,6 +116,8 @@ class Talk:
         while True:
             message = await self._receive()
             if message["type"] == "websocket.disconnect":
+                if (code := message.get("refused")) and session.close is None:
+                    session.end(code, message["reason"], message["code"])  # it has been told already
                 return
             frame = message.get("bytes")
             if self._due:

@@ -155,11 +155,12 @@ def test_a_frame_above_the_frameworks_own_limit_ends_that_connection_only() -> N
     with running() as here, here.greeted() as other:
         with here.greeted() as socket:
             socket.send(b"\0" * (2**20 + 1))
+            assert told(socket)["code"] == "too_large"
             with pytest.raises(ConnectionClosed) as closed:
                 socket.recv(10)
             assert closed.value.rcvd is not None
             assert closed.value.rcvd.code == 1009
-        with here.greeted() as socket:  # our own error, for what lies between the limits
+        with here.greeted() as socket:  # what lies between the limits
             socket.send(b"\0" * 2**19)
             assert told(socket)["code"] == "too_large"
         other.send(event(1.0))
