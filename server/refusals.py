@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterable
+from collections.abc import Iterator
 from math import isfinite
 from typing import Any
 
@@ -14,6 +14,7 @@ from pointpred.server.messages import KNOWN, Code, ErrorMessage, Setting
 
 WORDS_MOST = 1000
 """What an error quotes of a client's frame is no longer than this."""
+PATH_MOST = 200
 VALUE_MOST = 60
 
 _place = re.compile(r" - at `(?P<path>\$.*)`$", re.DOTALL)
@@ -28,7 +29,9 @@ class RefusedError(Exception):
         self, code: Code, message: str, path: str | None = None, *, close: int | None = None
     ) -> None:
         super().__init__(message)
-        self.answer = ErrorMessage(code, short(message), path and short(path), recoverable=close is None)
+        self.answer = ErrorMessage(
+            code, short(message), path and short(path, PATH_MOST), recoverable=close is None
+        )
         self.close = close
 
 
@@ -47,7 +50,8 @@ def not_fitting(text: str, words: str) -> RefusedError:
         path = f"{path}.{field['name']}"
     value = _loaded(text)
     if path == "$.type":
-        return RefusedError("unknown_type", f"{words}; known: {', '.join(KNOWN)}", path)
+        code: Code = "bad_field" if words.startswith("Expected") else "unknown_type"
+        return RefusedError(code, f"{words}; known: {', '.join(KNOWN)}", path)
     if path.startswith("$.parameters["):
         path = _wrong_parameter(value)
     if not field and " got " not in words:
@@ -95,19 +99,29 @@ def _at(value: Any, path: str) -> str:
             value = value[step["key"] or int(step["index"])]
         except (TypeError, KeyError, IndexError):
             return "something else"
+    if isinstance(value, dict):  # written out, it may be deeper than Python goes
+        return "an object"
     return f"{len(value)}" if isinstance(value, list) else short(repr(value), VALUE_MOST)
 
 
 def _not_finite(value: object) -> str | None:
-    """The path of the first number that is not finite, from ``value`` on."""
-    if isinstance(value, float):
-        return None if isfinite(value) else ""
-    inside: Iterable[tuple[object, object]] = ()
-    if isinstance(value, dict):
-        inside = value.items()
-    elif isinstance(value, list):
-        inside = enumerate(value)
-    for place, item in inside:
-        if isinstance(item, float | dict | list) and (found := _not_finite(item)) is not None:
-            return f"{f'.{place}' if isinstance(value, dict) else f'[{place}]'}{found}"
+    """The path of the first number that is not finite, from ``value`` on, however deep it lies."""
+    levels: list[Iterator[tuple[object, object]]] = [iter([("", value)])]
+    steps: list[object] = []  # the places on the way down, one fewer than levels
+    while levels:
+        for place, item in levels[-1]:
+            if isinstance(item, float):
+                if not isfinite(item):
+                    return "".join(_step_to(step) for step in [*steps, place][1:])
+            elif isinstance(item, dict | list):
+                levels.append(iter(item.items()) if isinstance(item, dict) else enumerate(item))
+                steps.append(place)
+                break
+        else:
+            levels.pop()
+            del steps[-1:]
     return None
+
+
+def _step_to(place: object) -> str:
+    return f"[{place}]" if isinstance(place, int) else f".{place}"

@@ -70,3 +70,38 @@ def test_parameters_that_make_events_dear_are_refused_by_their_names(predictor: 
         assert told(socket)["type"] == "welcome"
         socket.send(event(1.0))
         assert told(socket)["t"] == 1.0
+
+
+DEEP = "[" * 900 + "NaN" + "]" * 900
+KEYS = '{"' + "k" * 500 + '":'
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        pytest.param('{"a":' + DEEP + ',"type":"hello"}', id="lists"),
+        pytest.param('{"type":"hello","parameters":{"a":' + DEEP + "}}", id="a parameter"),
+        pytest.param(KEYS * 100 + "NaN" + "}" * 100, id="long keys"),
+        pytest.param("[" * 30_000 + "NaN" + "]" * 30_000, id="deeper than any decoder goes"),
+        pytest.param('{"a":' + "[" * 900 + "1" + "]" * 900 + ',"type":5}', id="a type that is none"),
+    ],
+)
+def test_deep_text_is_answered_and_the_session_goes_on(text: str) -> None:
+    with running() as here, here.greeted() as socket:
+        socket.send(text)
+        answer = told(socket)
+        assert answer["type"] == "error"
+        assert (answer["code"], answer["recoverable"]) in (("bad_field", True), ("bad_json", True))
+        assert len(str(answer["path"] or "")) <= 203
+        assert len(str(answer["message"])) <= 1003
+        socket.send(event(1.0))
+        assert told(socket)["t"] == 1.0
+
+
+def test_a_type_that_is_no_word_is_a_bad_field_and_an_unknown_word_is_not() -> None:
+    with running() as here, here.greeted() as socket:
+        for text, code in (('{"type":5}', "bad_field"), ('{"type":"five"}', "unknown_type")):
+            socket.send(text)
+            answer = told(socket)
+            assert (answer["code"], answer["path"]) == (code, "$.type")
+            assert "hello, events" in str(answer["message"])

@@ -104,11 +104,19 @@ def test_a_frame_with_a_wrong_number_is_dropped_whole(frame: Any) -> None:
     assert talk.session.stream.events == 1
 
 
-@pytest.mark.parametrize("frame", ['{"type": "evnets"}', '{"type": 5}', "{}", '{"type": null, "events": []}'])
-def test_an_unknown_message_is_told_the_known_ones(frame: str) -> None:
+@pytest.mark.parametrize(
+    ("frame", "code"),
+    [
+        ('{"type": "evnets"}', "unknown_type"),
+        ("{}", "unknown_type"),
+        ('{"type": 5}', "bad_field"),
+        ('{"type": null, "events": []}', "bad_field"),
+    ],
+)
+def test_an_unknown_message_is_told_the_known_ones(frame: str, code: str) -> None:
     talk = Talk()
     error = talk.error(frame)
-    assert (error["code"], error["path"], error["recoverable"]) == ("unknown_type", "$.type", True)
+    assert (error["code"], error["path"], error["recoverable"]) == (code, "$.type", True)
     assert all(name in error["message"] for name in CLIENT)
     assert talk.goes_on()
 
