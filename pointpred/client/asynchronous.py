@@ -12,7 +12,7 @@ from websockets.asyncio.client import connect as dial
 from websockets.exceptions import ConnectionClosed, InvalidHandshake
 from websockets.typing import Subprotocol
 
-from pointpred.client.connection import QUEUE, closed_words
+from pointpred.client.connection import QUEUE, closed_words, silent
 from pointpred.client.dialogue import Dialogue
 from pointpred.client.wire import Row, address, authorization, encode
 from pointpred.columns import EventColumns, PredictionColumns
@@ -22,6 +22,7 @@ from pointpred.server.messages import (
     SUBPROTOCOL,
     Bye,
     Goal,
+    Limits,
     PredictionMessage,
     Score,
     Target,
@@ -72,6 +73,17 @@ class AsyncConnection:
         await self._say(encode(self.dialogue.hello).decode())
         return await self._await(Welcome)
 
+    @property
+    def welcome(self) -> Welcome:
+        """What the service said last about the session."""
+        assert self.dialogue.welcome is not None
+        return self.dialogue.welcome
+
+    @property
+    def limits(self) -> Limits:
+        """What the session may do."""
+        return self.welcome.limits
+
     async def send(self, events: EventColumns | Iterable[PointerEvent | Row]) -> int:
         """Send events, in as many frames as the limits ask for; returns how many."""
         count = 0
@@ -94,6 +106,19 @@ class AsyncConnection:
         while not self.dialogue.answered:
             await self._hear()
         return self.dialogue.take_all()
+
+    async def poll(self) -> PredictionColumns:
+        """The predictions that are there, without waiting."""
+        for _ in range(2):
+            await asyncio.sleep(0)  # a turn of the loop to look at the socket, one to read it
+        while True:
+            try:
+                async with asyncio.timeout(0.0):
+                    self.dialogue.heard(await self._socket.recv())
+            except TimeoutError:
+                return self.dialogue.take_all()
+            except ConnectionClosed as closed:
+                raise SourceError(closed_words(closed)) from closed
 
     async def targets(self, targets: Iterable[dict[str, Any] | Target]) -> int:
         """Replace the set of targets; returns how many the service holds."""
@@ -137,20 +162,33 @@ class AsyncConnection:
         try:
             await self._socket.send(frame)
         except ConnectionClosed as closed:
+            await self._last_words()
             raise SourceError(closed_words(closed)) from closed
 
-    async def _hear(self) -> Any:
+    async def _last_words(self) -> None:
+        """What the service said before it left, where it said why: raises ServiceError."""
         try:
             async with asyncio.timeout(self.timeout_s):
+                while True:
+                    self.dialogue.heard(await self._socket.recv())
+        except (ConnectionClosed, TimeoutError):
+            return
+
+    async def _hear(self, timeout_s: float | None = None) -> Any:
+        try:
+            async with asyncio.timeout(self.timeout_s if timeout_s is None else timeout_s):
                 return self.dialogue.heard(await self._socket.recv())
         except TimeoutError:
-            raise SourceError(f"the service did not answer for {self.timeout_s:g} s") from None
+            raise silent(self.timeout_s) from None
         except ConnectionClosed as closed:
             raise SourceError(closed_words(closed)) from closed
 
     async def _await(self, kind: type[Answer]) -> Answer:
         """The next answer of a kind; predictions that come before it are kept."""
-        while True:
-            message = await self._hear()
+        loop = asyncio.get_running_loop()
+        until = loop.time() + self.timeout_s
+        while (left := until - loop.time()) > 0.0:
+            message = await self._hear(left)
             if isinstance(message, kind):
                 return message
+        raise silent(self.timeout_s)

@@ -109,12 +109,12 @@ class Connection:
                 yield message
             if self.dialogue.answered:
                 return
-            self._hear(self.timeout_s)
+            self._hear()
 
     def columns(self) -> PredictionColumns:
         """The same predictions as a table."""
         while not self.dialogue.answered:
-            self._hear(self.timeout_s)
+            self._hear()
         return self.dialogue.take_all()
 
     def poll(self) -> PredictionColumns:
@@ -180,21 +180,28 @@ class Connection:
         except (ConnectionClosed, TimeoutError):
             return
 
-    def _hear(self, timeout_s: float) -> Any:
+    def _hear(self, timeout_s: float | None = None) -> Any:
         try:
-            return self.dialogue.heard(self._socket.recv(timeout=timeout_s))
+            received = self._socket.recv(timeout=self.timeout_s if timeout_s is None else timeout_s)
+            return self.dialogue.heard(received)
         except TimeoutError:
-            raise SourceError(f"the service did not answer for {timeout_s:g} s") from None
+            raise silent(self.timeout_s) from None
         except ConnectionClosed as closed:
             raise SourceError(closed_words(closed)) from closed
 
     def _await(self, kind: type[Answer]) -> Answer:
         """The next answer of a kind; predictions that come before it are kept."""
         until = time.monotonic() + self.timeout_s
-        while True:
-            message = self._hear(max(0.0, until - time.monotonic()))
+        while (left := until - time.monotonic()) > 0.0:
+            message = self._hear(left)
             if isinstance(message, kind):
                 return message
+        raise silent(self.timeout_s)
+
+
+def silent(timeout_s: float) -> SourceError:
+    """The answer that was awaited did not come."""
+    return SourceError(f"the service did not answer for {timeout_s:g} s")
 
 
 def closed_words(closed: ConnectionClosed) -> str:

@@ -44,6 +44,10 @@ from pointpred.server.messages import (
 _decode = msgspec.json.Decoder(ServerMessage).decode
 
 
+KEPT_NOTICES = 100
+"""The newest notices that are kept; ``noticed`` counts them all."""
+
+
 class ServiceError(PointpredError, ValueError):
     """The service refused something: ``code`` and ``path`` as in the protocol's ``error`` message."""
 
@@ -72,8 +76,10 @@ class Dialogue:
         described |= {"screen": screen, "reply": reply, "encoding": encoding}
         self.hello = _fit(Hello, {"type": "hello", "version": VERSION, **described})
         self.welcome: Welcome | None = None
-        self.notices: list[ErrorMessage] = []
-        """Remarks of the service that break nothing: predictions that gave way to newer ones."""
+        self.notices: deque[ErrorMessage] = deque(maxlen=KEPT_NOTICES)
+        """Remarks of the service that break nothing: predictions that gave way to newer ones. The newest."""
+        self.noticed = 0
+        """How many there were in all."""
         self._rows: deque[list[float]] = deque()
         self._awaited = Awaited()
 
@@ -92,15 +98,14 @@ class Dialogue:
     def trial(self, action: str, target: dict[str, float] | Goal | None) -> Frame:
         """A trial starts or ends; a start begins anew, as ``reset`` does."""
         mark = {"type": "trial", "action": action, "target": None if target is None else _plain(target)}
-        fitted = _fit(TrialMark, mark)
+        frame = self._text(_fit(TrialMark, mark))
         if action == "start":
             self._awaited.restart()
-        return self._text(fitted)
+        return frame
 
     def configure(self, **changes: Any) -> Frame:
         """Changes the predictor, its parameters or the kind of reply."""
-        fitted = _fit(Configure, {"type": "configure", **changes})
-        return self._text(fitted)
+        return self._text(_fit(Configure, {"type": "configure", **changes}))
 
     def configured(self, **changes: Any) -> None:
         """The service took the changes."""
@@ -130,6 +135,7 @@ class Dialogue:
                 raise ServiceError(message)
             self._awaited.gave_way()
             self.notices.append(message)
+            self.noticed += 1
             return None
         if isinstance(message, Welcome):
             self.welcome = message
@@ -155,7 +161,12 @@ class Dialogue:
         return PredictionColumns(np.array(rows, dtype=np.float64).reshape(-1, 8))
 
     def _text(self, message: ClientMessage) -> str:
-        return encode(message).decode()
+        """Raises ParameterError where the service would end the session for the size of the message."""
+        text = encode(message)
+        if self.welcome is not None and len(text) > (most := self.welcome.limits.max_frame_bytes):
+            kind = message.__struct_config__.tag
+            raise ParameterError(f"{kind}: a frame holds at most {most} bytes, received {len(text)}")
+        return text.decode()
 
 
 def _plain(value: Any) -> Any:
