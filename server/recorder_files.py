@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -48,6 +49,7 @@ class SessionFiles:
     def append(self, part: str, rows: bytes) -> None:
         """Append rows to one of the files; the file begins with its header."""
         if part not in self._opened:
+            self._check_kept()
             rows = self._head(part) + rows
             path = self.folder / f"{self.name}_{part}.csv"
             self._opened[part] = os.open(path, FLAGS, 0o600)
@@ -59,15 +61,28 @@ class SessionFiles:
 
     def sync(self) -> None:
         """See that what was written survives a loss of power."""
+        if self._dirty:
+            self._check_kept()
         while self._dirty:
             os.fsync(self._opened[self._dirty.pop()])
 
     def close(self) -> None:
-        """Close the files, whatever happened before."""
+        """Close every file, whatever happened before; raises what the first said that could not be closed."""
         opened, self._opened = self._opened, {}
         self._dirty.clear()
+        errors: list[OSError] = []
         for descriptor in opened.values():
-            os.close(descriptor)
+            try:
+                os.close(descriptor)
+            except OSError as error:
+                errors.append(error)
+        if errors:
+            raise errors[0]
+
+    def _check_kept(self) -> None:
+        """What was deleted while it was made is not begun anew."""
+        if any(os.fstat(descriptor).st_nlink == 0 for descriptor in self._opened.values()):
+            raise FileNotFoundError(errno.ENOENT, "its files were deleted")
 
     def _head(self, part: str) -> bytes:
         columns = ",".join(COLUMNS[part]).encode() + b"\n"
