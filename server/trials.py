@@ -13,7 +13,7 @@ from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording, Trial
 from pointpred.registry import build
 from pointpred.scoring import Prepared, prepare, replay
-from pointpred.scoring.results import PATH_FRACTIONS, TIME_FRACTIONS
+from pointpred.scoring.results import PATH_FRACTIONS, TIME_FRACTIONS, PredictorErrors
 from pointpred.server.messages import Goal, Score
 
 MOST_EVENTS = 100_000
@@ -44,7 +44,7 @@ class TrialKeeper:
         goal, count, numbers = goal or self._goal, self._count, self._numbers
         self._forget()
         self.running = False
-        return partial(_score_of, numbers, count, goal, pipeline.fresh(), cpi, dpi)
+        return partial(_scored, numbers, count, goal, pipeline.fresh(), cpi, dpi)
 
     def _forget(self, goal: Goal | None = None) -> None:
         self._numbers = array("d")
@@ -56,7 +56,7 @@ Scoring = Callable[[], Score]
 """Takes milliseconds, and a tenth of a second for the longest trial."""
 
 
-def _score_of(
+def _scored(
     numbers: array[float], count: int, goal: Goal | None, pipeline: Pipeline, cpi: float | None, dpi: float
 ) -> Score:
     """A trial's score by the offline protocol, in which pipelines begin at the movement's onset."""
@@ -68,23 +68,25 @@ def _score_of(
     prepared = prepare(recording, cpi=cpi, dpi=dpi, threads=1)
     if prepared.skipped:
         return Score(count, reason=prepared.skipped[0].reason)
-    return _score(prepared, pipeline, build("hold", cpi=cpi, dpi=dpi))
+    errors, floor = (
+        replay(prepared, each, threads=1) for each in (pipeline, build("hold", cpi=cpi, dpi=dpi))
+    )
+    return score_of(prepared, 0, errors, floor)
 
 
-def _score(prepared: Prepared, pipeline: Pipeline, floor: Pipeline) -> Score:
-    """The measures of one trial, beside those of no prediction."""
-    errors, hold = (replay(prepared, each, threads=1) for each in (pipeline, floor))
-    own, none = float(errors.time_averaged[0]), float(hold.time_averaged[0])
+def score_of(prepared: Prepared, row: int, errors: PredictorErrors, floor: PredictorErrors) -> Score:
+    """The measures of one trial of those prepared, beside those of no prediction."""
+    own, none = float(errors.time_averaged[row]), float(floor.time_averaged[row])
     return Score(
-        prepared.trials[0].events,
+        prepared.trials[row].events,
         time_averaged_px=own,
         hold_px=none,
         skill=1.0 - own / none if none > 0.0 else None,
-        by_time=_named(TIME_FRACTIONS, errors.by_time),
-        by_path=_named(PATH_FRACTIONS, errors.by_path),
+        by_time=_named(TIME_FRACTIONS, errors.by_time[row]),
+        by_path=_named(PATH_FRACTIONS, errors.by_path[row]),
     )
 
 
 def _named(fractions: tuple[float, ...], errors: FloatArray) -> dict[str, float]:
-    values = errors[0].tolist()
-    return {f"{share:g}": value for share, value in zip(fractions, values, strict=True) if value == value}
+    pairs = zip(fractions, errors.tolist(), strict=True)
+    return {f"{share:g}": value for share, value in pairs if value == value}

@@ -16,13 +16,13 @@ from pointpred.client.wire import (
     columns_of,
     encode,
     frames,
-    message_of,
     row_of,
     unpack_predictions,
 )
 from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.errors import ParameterError, PointpredError
 from pointpred.events import PointerEvent
+from pointpred.server.answers import message as message_of
 from pointpred.server.messages import (
     VERSION,
     ClientMessage,

@@ -6,23 +6,19 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from urllib.parse import urlsplit, urlunsplit
 
-import msgspec
 import numpy as np
 
 from pointpred.columns import EventColumns, FloatArray
 from pointpred.errors import EventError, ParameterError
 from pointpred.events import PHASES, PointerEvent
-from pointpred.server.messages import Encoding, Limits, PredictionMessage, Region
+from pointpred.server.messages import Encoding, Limits, PredictionMessage
+from pointpred.server.messages import encode as encode
+from pointpred.server.records import EVENT, NO_COUNTS, PREDICTION
+from pointpred.server.records import NONE as NAN
 
 Frame = str | bytes
 Row = Sequence[float | None]
 """t, x, y and then, where they are known, dx, dy, buttons."""
-NAN = float("nan")
-NO_COUNTS = -32768
-EVENT = np.dtype([("t", "<f8"), ("x", "<f8"), ("y", "<f8"), ("dx", "<i2"), ("dy", "<i2"), ("buttons", "<u2")])
-PREDICTION = np.dtype([("numbers", "<f8", (7,)), ("phase", "u1")])
-
-encode = msgspec.json.Encoder().encode
 
 
 def address(url: str) -> str:
@@ -127,14 +123,3 @@ def row_of(message: PredictionMessage) -> list[float]:
     phase = NAN if message.phase is None else float(PHASES.index(message.phase))
     numbers = (message.x, message.y, *covariance, message.remaining_s)
     return [message.t, *(NAN if value is None else value for value in numbers), phase]
-
-
-def message_of(row: list[float]) -> PredictionMessage:
-    """A message from a row as in PredictionColumns; null fields where nothing is justified."""
-    t, x, y, sxx, sxy, syy, remaining_s, phase = row
-    if x != x:
-        return PredictionMessage(t)
-    region = Region(sxx, sxy, syy) if sxx == sxx else None
-    return PredictionMessage(
-        t, x, y, region, PHASES[int(phase)], remaining_s if remaining_s == remaining_s else None
-    )

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from pointpred.columns import FloatArray
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
 from pointpred.registry import build
-from pointpred.scoring import Prepared, prepare, replay
-from pointpred.scoring.results import PATH_FRACTIONS, TIME_FRACTIONS, PredictorErrors
+from pointpred.scoring import prepare, replay
 from pointpred.server.messages import Score
+from pointpred.server.trials import score_of as score_of
 
 
 def local_scores(
@@ -24,25 +23,8 @@ def local_scores(
     scored = {id(one.trial): row for row, one in enumerate(prepared.trials)}
     reasons = {(skip.user, skip.trial): skip.reason for skip in prepared.skipped}
     return {
-        k: _score(prepared, scored[id(trial)], errors, floor)
+        k: score_of(prepared, scored[id(trial)], errors, floor)
         if id(trial) in scored
         else Score(len(part), reason=reasons[trial.user, trial.trial])
         for k, part, trial in zip(places, parts, trials, strict=True)
     }
-
-
-def _score(prepared: Prepared, row: int, errors: PredictorErrors, floor: PredictorErrors) -> Score:
-    own, none = float(errors.time_averaged[row]), float(floor.time_averaged[row])
-    return Score(
-        prepared.trials[row].events,
-        time_averaged_px=own,
-        hold_px=none,
-        skill=1.0 - own / none if none > 0.0 else None,
-        by_time=_known(TIME_FRACTIONS, errors.by_time[row]),
-        by_path=_known(PATH_FRACTIONS, errors.by_path[row]),
-    )
-
-
-def _known(fractions: tuple[float, ...], errors: FloatArray) -> dict[str, float]:
-    pairs = zip(fractions, errors.tolist(), strict=True)
-    return {f"{share:g}": value for share, value in pairs if value == value}

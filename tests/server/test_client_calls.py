@@ -16,9 +16,11 @@ import pytest
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.server import ServerConnection, serve
 
-from pointpred.client import AsyncConnection, Connection, ServiceError, connect, connect_async
+from pointpred.client import AsyncConnection, Connection, ServiceError, connect, connect_async, dialogue, wire
 from pointpred.client.dialogue import KEPT_NOTICES, Dialogue
 from pointpred.errors import ParameterError, SourceError
+from pointpred.replaying import local
+from pointpred.server import answers, messages, records, trials
 from pointpred.server.messages import ErrorMessage, Limits, PredictionMessage, Welcome, encode
 from tests.server.listener import Listener
 
@@ -147,11 +149,11 @@ def test_predictions_do_not_lengthen_the_wait_for_an_answer() -> None:
 
 
 def test_the_newest_notices_are_kept_and_all_are_counted() -> None:
-    dialogue = Dialogue()
+    talk = Dialogue()
     for _ in range(KEPT_NOTICES + 5):
-        assert dialogue.heard(GAVE_WAY) is None
-    assert len(dialogue.notices) == KEPT_NOTICES
-    assert dialogue.noticed == KEPT_NOTICES + 5
+        assert talk.heard(GAVE_WAY) is None
+    assert len(talk.notices) == KEPT_NOTICES
+    assert talk.noticed == KEPT_NOTICES + 5
 
 
 def many(count: int) -> list[dict[str, Any]]:
@@ -192,3 +194,11 @@ def test_a_message_of_just_the_limit_is_sent() -> None:
             else:
                 with pytest.raises(ParameterError, match=f"at most {most} bytes, received {size}"):
                     connection.targets(many(3))
+
+
+def test_what_both_sides_know_is_written_once() -> None:
+    for name in ("EVENT", "PREDICTION", "NO_COUNTS"):
+        assert getattr(wire, name) is getattr(records, name)
+    assert wire.encode is messages.encode
+    assert dialogue.message_of is answers.message
+    assert local.score_of is trials.score_of
