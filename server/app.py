@@ -12,13 +12,13 @@ import msgspec
 from fastapi import FastAPI, Request, Response
 from fastapi.responses import FileResponse
 from fastapi.staticfiles import StaticFiles
-from starlette.routing import WebSocketRoute
+from starlette.routing import Route, WebSocketRoute
 
 import pointpred
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.registry import REGISTRY, describe
 from pointpred.server import samples
-from pointpred.server.endpoint import StreamEndpoint, shows_token
+from pointpred.server.endpoint import SHOW_TOKEN, StreamEndpoint, shows_token
 from pointpred.server.hosts import HostGuard, HostRule, admits_origin
 from pointpred.server.service import Service
 from pointpred.server.uploads import UploadError, received
@@ -62,7 +62,8 @@ def create_app(hosts: HostRule | None = None, service: Service | None = None) ->
     )
     app.state.service = serving
     app.middleware("http")(_harden)
-    app.add_middleware(HostGuard, rule=hosts or HostRule(), headers=SAFE)
+    unheard = serving.metrics.turned_away.labels("unauthorized").inc
+    app.add_middleware(HostGuard, rule=hosts or HostRule(), headers=SAFE, refused=unheard)
     app.exception_handler(ParameterError)(_refuse)
     app.exception_handler(RecordingError)(_refuse)
     app.exception_handler(UploadError)(_turn_down)
@@ -76,7 +77,9 @@ def create_app(hosts: HostRule | None = None, service: Service | None = None) ->
     app.add_api_route("/v1/samples", _samples, methods=READ)
     app.add_api_route("/v1/samples/{name}", _sample, methods=READ)
     app.add_api_route("/v1/score", _score, methods=["POST"], responses=NOT_SCORED)
-    app.router.routes.append(WebSocketRoute("/v1/stream", StreamEndpoint(serving)))
+    stream = StreamEndpoint(serving)
+    app.router.routes.append(WebSocketRoute("/v1/stream", stream))
+    app.router.routes.append(Route("/v1/stream", stream, include_in_schema=False))  # says what it speaks
     app.mount("/web", StaticFiles(directory=WEB))
     return app
 
@@ -160,13 +163,18 @@ async def _harden(request: Request, forward: Any) -> Response:
     settings = request.app.state.service.settings
     token, allowed = settings.token, settings.allow_origin
     if not request.url.path.startswith(OPEN) and not shows_token(request.scope, token):
-        response = _error("unauthorized", "show the token as ?token= or Authorization: Bearer", 401)
+        response = _turn_away(request, SHOW_TOKEN, 401)
     elif request.method not in READ and not admits_origin(request.scope, allowed):
-        response = _error("unauthorized", "pages of this origin may not use this service", 403)
+        response = _turn_away(request, "pages of this origin may not use this service", 403)
     else:
         response = await forward(request)
     response.headers.update(SAFE | SHARED if request.url.path.startswith(CLIENT) else SAFE)
     return response
+
+
+def _turn_away(request: Request, message: str, status: int) -> Response:
+    request.app.state.service.metrics.turned_away.labels("unauthorized").inc()
+    return _error("unauthorized", message, status)
 
 
 async def _fail(request: Request, error: Exception) -> Response:

@@ -21,6 +21,8 @@ log = logging.getLogger("pointpred.service")
 
 Scope = MutableMapping[str, Any]
 
+UPGRADE = b"This path speaks WebSocket, subprotocol pointpred.v1.\n"
+SHOW_TOKEN = "show the token as ?token= or Authorization: Bearer"
 FAILED = "the server failed; the session ends"
 LAST_S = 5.0
 """A client may read for so long that its session failed."""
@@ -35,28 +37,40 @@ class StreamEndpoint:
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Refuse foreign origins before the upgrade; then the token, then the limits; then talk."""
         if scope["type"] != "websocket":
-            await _plain(send, 426, b"This path speaks WebSocket, subprotocol pointpred.v1.\n")
+            await _ask_to_upgrade(send)
             return
-        await receive()  # websocket.connect
-        if not admits_origin(scope, self.service.settings.allow_origin):
+        try:
+            await receive()  # websocket.connect
+            if await self._admitted(scope, send):
+                await self._serve(receive, send)
+        except ClientDisconnected:
+            pass  # it left before it had a session
+
+    async def _admitted(self, scope: Scope, send: Send) -> bool:
+        """Whether a session may begin; who is refused is told, and counted."""
+        service = self.service
+        if not admits_origin(scope, service.settings.allow_origin):
+            service.metrics.turned_away.labels("unauthorized").inc()
             await send({"type": "websocket.close", "code": 1008})  # before accept: HTTP 403
-            return
+            return False
         offered = SUBPROTOCOL if SUBPROTOCOL in scope.get("subprotocols", ()) else None
         await send({"type": "websocket.accept", "subprotocol": offered})
-        service = self.service
         if not shows_token(scope, service.settings.token):
-            await _turn_away(send, "unauthorized", "show the token as ?token= or Authorization: Bearer", 1008)
-            return
+            await self._refuse(send, "unauthorized", SHOW_TOKEN, 1008)
+            return False
         if service.full:
             most = service.settings.max_sessions
-            await _turn_away(send, "too_many", f"{most} sessions are open, which is the most", 1013)
-            return
+            await self._refuse(send, "too_many", f"{most} sessions are open, which is the most", 1013)
+            return False
         await service.until_warm()  # or this first event would compile, and every session wait for it
         if service.stopping:
             await send({"type": "websocket.send", "text": encode(Bye("the server stops")).decode()})
             await send({"type": "websocket.close", "code": 1001, "reason": "the server stops"})
-        else:
-            await self._serve(receive, send)
+        return not service.stopping
+
+    async def _refuse(self, send: Send, code: Code, message: str, close: int) -> None:
+        self.service.metrics.turned_away.labels(code).inc()
+        await _turn_away(send, code, message, close)
 
     async def _serve(self, receive: Receive, send: Send) -> None:
         service = self.service
@@ -82,8 +96,10 @@ def shows_token(scope: Scope, token: str | None) -> bool:
     if token is None:
         return True
     shown = parse_qs(scope.get("query_string", b"").decode("latin-1")).get("token", [])
-    bearer = (header(scope, b"authorization") or "").removeprefix("Bearer ")
-    return any(compare_digest(word.encode(), token.encode()) for word in (*shown, bearer))
+    scheme, _, word = (header(scope, b"authorization") or "").partition(" ")
+    if scheme.lower() == "bearer":
+        shown.append(word.strip())
+    return any(compare_digest(word.encode(), token.encode()) for word in shown)
 
 
 async def _turn_away(send: Send, code: Code, message: str, close: int) -> None:
@@ -97,7 +113,11 @@ async def _turn_away(send: Send, code: Code, message: str, close: int) -> None:
         log.info("a client was gone before it was told", extra={"code": code, "error": place_of(error)})
 
 
-async def _plain(send: Send, status: int, body: bytes) -> None:
-    headers = [(b"content-type", b"text/plain; charset=utf-8")]
-    await send({"type": "http.response.start", "status": status, "headers": headers})
-    await send({"type": "http.response.body", "body": body})
+async def _ask_to_upgrade(send: Send) -> None:
+    headers = [
+        (b"content-type", b"text/plain; charset=utf-8"),
+        (b"connection", b"upgrade"),
+        (b"upgrade", b"websocket"),
+    ]
+    await send({"type": "http.response.start", "status": 426, "headers": headers})
+    await send({"type": "http.response.body", "body": UPGRADE})

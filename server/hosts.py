@@ -36,8 +36,16 @@ class HostRule:
 class HostGuard:
     """ASGI middleware: 403 for a ``Host`` header the rule does not admit, before anything else runs."""
 
-    def __init__(self, app: Application, rule: HostRule, headers: Mapping[str, str] | None = None) -> None:
+    def __init__(
+        self,
+        app: Application,
+        rule: HostRule,
+        headers: Mapping[str, str] | None = None,
+        refused: Callable[[], None] = lambda: None,
+    ) -> None:
+        """``headers`` go with every refusal, and ``refused`` is called for it."""
         self.app = app
+        self.refused = refused
         self.headers = [(name.lower().encode(), text.encode()) for name, text in (headers or {}).items()]
         self.rule = rule
 
@@ -49,7 +57,9 @@ class HostGuard:
         received = [value.decode("latin-1") for key, value in scope["headers"] if key == b"host"]
         if len(received) == 1 and self.rule.admits(received[0]):
             await self.app(scope, receive, send)
-        elif scope["type"] == "websocket":
+            return
+        self.refused()
+        if scope["type"] == "websocket":
             await receive()
             await send({"type": "websocket.close", "code": 1008})
         else:
@@ -69,8 +79,8 @@ def admits_origin(scope: Scope, allowed: Collection[str]) -> bool:
     origin = header(scope, b"origin")
     if origin is None or origin in allowed:
         return True
-    host = header(scope, b"host")
-    return origin in (f"http://{host}", f"https://{host}")
+    scheme = "https" if scope.get("scheme") in ("https", "wss") else "http"  # as a proxy says, where one is
+    return origin == f"{scheme}://{header(scope, b'host')}"
 
 
 def _without_port(host: str) -> str:

@@ -15,6 +15,7 @@ from pointpred.server.app import create_app
 from pointpred.server.cutting import CuttingProtocol
 from pointpred.server.garbage import spare
 from pointpred.server.hosts import WILDCARDS, HostRule
+from pointpred.server.patience import PatientProtocol
 from pointpred.server.service import Service
 
 FRAME_BYTES = 2**20
@@ -91,7 +92,7 @@ def make_server(hosts: HostRule, service: Service, announce: Callable[[], None])
         log_config=None,
         log_level="warning",
         access_log=False,
-        http="httptools",
+        http=PatientProtocol,  # httptools, and an end for requests that never come
         ws=CuttingProtocol,  # websockets-sansio, and an end for clients that do not read
         ws_max_size=FRAME_BYTES,
         ws_per_message_deflate=False,

@@ -38,6 +38,12 @@ class Metrics:
         self.refused = Counter(
             "pointpred_refused", "Frames and events refused, by error code", ["code"], registry=self.registry
         )
+        self.turned_away = Counter(
+            "pointpred_connections_refused",
+            "Connections and requests refused unheard, by error code",
+            ["code"],
+            registry=self.registry,
+        )
         self.dropped = Counter(
             "pointpred_predictions_dropped", "Predictions that gave way to newer ones", registry=self.registry
         )

@@ -46,7 +46,9 @@ def test_what_is_deleted_while_it_is_made_leaves_nothing_and_is_said(
     assert "deleted" in entry.getMessage()
 
 
-def test_every_file_is_closed_whatever_the_first_says(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_every_file_is_closed_whatever_the_first_says(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     files = SessionFiles(tmp_path, "one", {})
     for part in ("samples", "trials", "predictions"):
         files.append(part, b"")

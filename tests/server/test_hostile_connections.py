@@ -1,0 +1,158 @@
+"""Who is turned away, and what it is told and counted as; connections that never become a request."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import logging
+import socket as socket_module
+
+import pytest
+from httpx2 import get
+from uvicorn.protocols.utils import ClientDisconnected
+from websockets.exceptions import ConnectionClosed, InvalidStatus
+
+from pointpred.server.endpoint import StreamEndpoint
+from pointpred.server.service import Service
+from tests.server.listener import soon
+from tests.server.running import Running, running
+
+TOKEN = "open sesame"
+
+
+def refused(here: Running, code: str) -> float | None:
+    name = "pointpred_connections_refused_total"
+    return here.service.metrics.registry.get_sample_value(name, {"code": code})
+
+
+def test_who_is_turned_away_is_counted() -> None:
+    with running(max_sessions=1, token=TOKEN) as here:
+        for wrong in ({"origin": "http://evil.example"}, {"additional_headers": {"Host": "evil.example"}}):
+            with pytest.raises(InvalidStatus), here.connect("?token=open+sesame", **wrong):
+                pass
+        assert refused(here, "unauthorized") == 2.0
+        assert get(f"{here.url}/healthz", headers={"Host": "evil.example"}).status_code == 403
+        assert refused(here, "unauthorized") == 3.0
+        assert get(f"{here.url}/metrics").status_code == 401
+        assert refused(here, "unauthorized") == 4.0
+        with here.connect() as socket:
+            assert json.loads(socket.recv(10))["code"] == "unauthorized"
+            with pytest.raises(ConnectionClosed):
+                socket.recv(10)
+        assert refused(here, "unauthorized") == 5.0
+        with here.connect("?token=open+sesame"):
+            soon(lambda: here.service.full, "one session is open")
+            with here.connect("?token=open+sesame") as socket:
+                assert json.loads(socket.recv(10))["code"] == "too_many"
+        assert refused(here, "too_many") == 1.0
+
+
+@pytest.mark.parametrize(
+    ("shown", "admitted"),
+    [
+        ("Bearer open sesame", True),
+        ("bearer open sesame", True),
+        ("open sesame", False),
+        ("Basic open sesame", False),
+    ],
+)
+def test_a_token_comes_after_the_word_bearer_in_any_case(shown: str, admitted: bool) -> None:
+    with running(token=TOKEN) as here:
+        status = get(f"{here.url}/metrics", headers={"Authorization": shown.format(TOKEN)}).status_code
+        assert status == (200 if admitted else 401)
+
+
+@pytest.mark.parametrize(
+    ("proto", "scheme", "admitted"),
+    [(None, "http", True), (None, "https", False), ("https", "https", True), ("https", "http", False)],
+)
+def test_a_page_is_our_own_by_scheme_and_host(proto: str | None, scheme: str, admitted: bool) -> None:
+    with running() as here:
+        options = {"origin": f"{scheme}://127.0.0.1:{here.port}"}
+        headers = {"X-Forwarded-Proto": proto} if proto else {}
+        if admitted:
+            with here.connect(**options, additional_headers=headers):
+                pass
+        else:
+            with pytest.raises(InvalidStatus), here.connect(**options, additional_headers=headers):
+                pass
+
+
+def test_a_plain_request_of_the_stream_is_told_what_the_path_speaks() -> None:
+    with running() as here:
+        answer = get(f"{here.url}/v1/stream")
+    assert answer.status_code == 426
+    assert "WebSocket" in answer.text
+    assert answer.headers["Upgrade"] == "websocket"
+
+
+def test_a_client_that_leaves_while_the_service_warms_and_stops_is_no_error() -> None:
+    service = Service()
+
+    async def warm() -> None:
+        service.stop()
+
+    service.until_warm = warm  # type: ignore[method-assign]
+
+    async def receive() -> dict[str, str]:
+        return {"type": "websocket.connect"}
+
+    async def send(message: dict[str, object]) -> None:
+        if message["type"] != "websocket.accept":
+            raise ClientDisconnected
+
+    scope = {"type": "websocket", "headers": [], "query_string": b""}
+    asyncio.run(StreamEndpoint(service)(scope, receive, send))
+
+
+def half(here: Running, sent: bytes) -> socket_module.socket:
+    opened = socket_module.create_connection(("127.0.0.1", here.port))
+    opened.settimeout(10)
+    opened.sendall(sent)
+    return opened
+
+
+WHOLE = b"GET /healthz HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"
+
+
+@pytest.mark.parametrize("sent", [b"", b"GET / HTT", WHOLE[:-2], WHOLE + b"GET / HTT"])
+def test_a_connection_without_a_whole_header_is_closed(sent: bytes, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("pointpred.server.patience.HEADER_S", 0.3)
+    with running() as here, half(here, sent) as opened:
+        heard = b""
+        while part := opened.recv(4096):
+            heard += part
+        assert (b'"ok"' in heard) == (sent.startswith(WHOLE))
+        assert not here.server.server_state.connections
+
+
+def test_a_header_without_end_is_refused() -> None:
+    with running() as here, half(here, WHOLE[:-2]) as opened:
+        lines = (b"X-More: " + b"x" * 1000 + b"\r\n") * 10_000
+        with pytest.raises((ConnectionResetError, BrokenPipeError)):
+            opened.sendall(lines)
+        soon(lambda: not here.server.server_state.connections, "it is closed")
+
+
+def healthy(opened: socket_module.socket) -> None:
+    """Read one whole answer."""
+    heard = b""
+    while b'"ok"' not in heard or not heard.endswith(b"}"):
+        part = opened.recv(4096)
+        assert part, "closed"
+        heard += part
+
+
+def test_a_request_after_a_pause_and_a_session_outlive_the_wait_for_a_header(
+    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    monkeypatch.setattr("pointpred.server.patience.HEADER_S", 0.2)
+    with running() as here, here.greeted() as socket, half(here, WHOLE) as opened:
+        healthy(opened)
+        with pytest.raises(TimeoutError):
+            socket.recv(0.5)
+        opened.sendall(WHOLE)
+        healthy(opened)
+        socket.send('{"type":"events","events":[[1,5,6,null,null,0]]}')
+        assert json.loads(socket.recv(10))["t"] == 1.0
+    assert not [entry for entry in caplog.records if entry.levelno >= logging.WARNING]
