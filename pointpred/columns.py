@@ -124,7 +124,7 @@ class MotionColumns(Columns):
 class PredictionColumns(Columns):
     """Predictions as columns; a row without a prediction is NaN but for ``t`` and the phase."""
 
-    names = ("t", "x", "y", "sxx", "sxy", "syy", "remaining_s", "phase")
+    names = ("t", "x", "y", "sxx", "sxy", "syy", "remaining_s", "phase", "tail", "remaining_spread")
 
     def predictions(self) -> Iterator[Prediction | None]:
         """The rows as records, ``None`` where nothing was justified."""
@@ -144,8 +144,8 @@ def _numbers(values: ArrayLike, name: str) -> FloatArray:
 
 
 def prediction_of(t: float, values: tuple[float, ...]) -> Prediction | None:
-    """A prediction from (x, y, sxx, sxy, syy, remaining_s, phase); ``None`` where x is NaN."""
-    x, y, sxx, sxy, syy, remaining_s, phase = values
+    """A prediction from a row of ``PredictionColumns`` after its time; ``None`` where x is NaN."""
+    x, y, sxx, sxy, syy, remaining_s, phase, tail, spread = values
     if x != x:
         return None
     return Prediction(
@@ -155,4 +155,6 @@ def prediction_of(t: float, values: tuple[float, ...]) -> Prediction | None:
         (sxx, sxy, syy) if sxx == sxx else None,
         PHASES[int(phase)],
         remaining_s if remaining_s == remaining_s else None,
+        tail if tail == tail else None,
+        spread if spread == spread else None,
     )

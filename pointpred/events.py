@@ -63,7 +63,9 @@ class Prediction(msgspec.Struct, frozen=True):
     """Where a movement will end: ``x y`` px, seen from time ``t`` s.
 
     ``covariance`` = (sxx, sxy, syy) px^2 or ``None`` where the predictor claims no region; ``phase`` of the
-    movement at ``t``; ``remaining_s`` until arrival, or ``None``.
+    movement at ``t``; ``remaining_s`` until arrival, or ``None``. ``tail``: degrees of freedom of the
+    bivariate Student law whose scale matrix ``covariance`` then is; ``None``: the law is normal.
+    ``remaining_spread``: standard deviation of the logarithm of the remaining time; ``None``: not claimed.
     """
 
     t: float
@@ -72,3 +74,5 @@ class Prediction(msgspec.Struct, frozen=True):
     covariance: tuple[float, float, float] | None
     phase: Phase
     remaining_s: float | None
+    tail: float | None = None
+    remaining_spread: float | None = None

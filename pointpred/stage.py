@@ -93,7 +93,7 @@ class CompiledStage:
 
     def walk(self, begin: BoolArray, rows: FloatArray) -> FloatArray:
         """Run the law over rows, resetting before each row marked ``begin``; continues from the memory."""
-        out = np.empty((len(rows), self.width))
+        out = np.full((len(rows), self.width), np.nan)
         type(self).loop(self._memory, self._first, begin, rows, out)
         return out
 

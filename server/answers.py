@@ -36,7 +36,7 @@ def text_of(row: Sequence[float]) -> str:
 
 def message(row: Sequence[float]) -> PredictionMessage:
     """A row of predictions as a message."""
-    t, x, y, sxx, sxy, syy, remaining_s, phase = row
+    t, x, y, sxx, sxy, syy, remaining_s, phase = row[:8]
     if x != x:
         return PredictionMessage(t)
     return PredictionMessage(

@@ -62,7 +62,7 @@ def pack(table: FloatArray) -> bytes:
 
 def pack_one(row: Sequence[float]) -> bytes:
     """One row of ``PredictionColumns`` as a record."""
-    t, x, y, sxx, sxy, syy, remaining_s, phase = row
+    t, x, y, sxx, sxy, syy, remaining_s, phase = row[:8]
     if x != x:
         return _one_prediction.pack(t, NONE, NONE, NONE, NONE, NONE, NONE, 0)
     return _one_prediction.pack(t, x, y, sxx, sxy, syy, remaining_s, int(phase))

@@ -158,7 +158,7 @@ class Dialogue:
         """Every prediction not yet taken."""
         rows = list(self._rows)
         self._rows.clear()
-        return PredictionColumns(np.array(rows, dtype=np.float64).reshape(-1, 8))
+        return PredictionColumns(np.array(rows, dtype=np.float64).reshape(-1, len(PredictionColumns.names)))
 
     def _text(self, message: ClientMessage) -> str:
         """Raises ParameterError where the service would end the session for the size of the message."""

@@ -8,7 +8,7 @@ from urllib.parse import urlsplit, urlunsplit
 
 import numpy as np
 
-from pointpred.columns import EventColumns, FloatArray
+from pointpred.columns import EventColumns, FloatArray, PredictionColumns
 from pointpred.errors import EventError, ParameterError
 from pointpred.events import PHASES, PointerEvent
 from pointpred.server.messages import Encoding, Limits, PredictionMessage
@@ -109,7 +109,7 @@ def _texts(events: EventColumns, limits: Limits) -> Iterator[tuple[Frame, EventC
 def unpack_predictions(frame: bytes) -> list[list[float]]:
     """Rows as in PredictionColumns from packed records."""
     packed = np.frombuffer(frame, PREDICTION)
-    table = np.empty((len(packed), 8))
+    table = np.full((len(packed), len(PredictionColumns.names)), NAN)
     table[:, :7] = packed["numbers"]
     table[:, 7] = np.where(np.isnan(table[:, 1]), NAN, packed["phase"])
     rows: list[list[float]] = table.tolist()
@@ -122,4 +122,4 @@ def row_of(message: PredictionMessage) -> list[float]:
     covariance = (NAN, NAN, NAN) if region is None else (region.sxx, region.sxy, region.syy)
     phase = NAN if message.phase is None else float(PHASES.index(message.phase))
     numbers = (message.x, message.y, *covariance, message.remaining_s)
-    return [message.t, *(NAN if value is None else value for value in numbers), phase]
+    return [message.t, *(NAN if value is None else value for value in numbers), phase, NAN, NAN]

@@ -18,16 +18,19 @@ REFUSED = (NONE, NONE, NONE, NONE, NONE, NONE, NONE)
 """What a step returns for a motion it refuses: even the phase is NaN; its memory is then unchanged."""
 
 PHASE = 7
+CLAIMS = 9
+"""What a step returns that also claims a tail or a spread of the remaining time."""
 
 
 class Predictor(CompiledStage):
     """A ``Stage[Motion, Prediction | None]`` around a compiled law.
 
     ``step(memory, t, x, y, vx, vy, ax, ay, settled, start)`` returns (x, y, sxx, sxy, syy, remaining_s,
-    phase); x is NaN where nothing is justified, the phase is NaN where the motion is refused.
+    phase), and after them (tail, remaining_spread) if it claims either; x is NaN where nothing is justified,
+    the phase is NaN where the motion is refused.
     """
 
-    width = 8
+    width = 10
     step: ClassVar[Callable[..., tuple[float, ...]]]
 
     def update(self, motion: Motion, /) -> Prediction | None:
@@ -52,7 +55,7 @@ class Predictor(CompiledStage):
         values = type(self).step(self._memory, t, x, y, vx, vy, ax, ay, settled, start)
         if values[6] != values[6]:
             raise EventError(f"motion must be finite and not before the last one, received {row!r}")
-        return t, *values
+        return (t, *values) if len(values) == CLAIMS else (t, *values, NONE, NONE)
 
     def run(self, motions: MotionColumns, begin: BoolArray) -> PredictionColumns:
         """Consume a table of motions; when a row is refused the error names it and nothing is consumed."""

@@ -155,8 +155,8 @@ def unlike(heard: PredictionColumns, batch: PredictionColumns) -> int:
 
 
 def _told(table: FloatArray) -> FloatArray:
-    """What goes over the wire: nothing but its time where there is no prediction."""
-    told = table.copy()
+    """What goes over the wire: no tails and spreads; nothing but its time where there is no prediction."""
+    told = table[:, :8].copy()
     told[np.isnan(told[:, 1]), 1:] = np.nan
     return told
 

@@ -32,7 +32,7 @@ class Opinionated:
         return self
 
     def run(self, motions: Any, begin: Any) -> PredictionColumns:
-        table = np.full((len(motions), 8), np.nan)
+        table = np.full((len(motions), 10), np.nan)
         for i, (t, x, y) in enumerate(motions.table[:, :3].tolist()):
             answer = opinion(t, x, y)
             if answer is not None:

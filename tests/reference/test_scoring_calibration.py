@@ -29,7 +29,7 @@ class Regions:
 
     def run(self, motions: Any, begin: Any) -> PredictionColumns:
         random = np.random.default_rng(len(motions))
-        table = np.full((len(motions), 8), np.nan)
+        table = np.full((len(motions), 10), np.nan)
         table[:, 1:3] = random.multivariate_normal([300.0, -200.0], COVARIANCE, len(motions))
         table[:, 3:6] = self.claimed[0, 0], self.claimed[0, 1], self.claimed[1, 1]
         if self.silent:
@@ -80,7 +80,7 @@ def test_ranked_score_is_the_integral_of_the_squared_distance_of_distributions(
 
 def test_a_region_without_width_scores_the_error_and_holds_nothing() -> None:
     rows = np.array([[0.0, 0.0, 0.0], [0.01, 50.0, 0.0], [0.02, 100.0, 0.0]])
-    answers = np.full((3, 8), np.nan)
+    answers = np.full((3, 10), np.nan)
     answers[:, 1:6] = 97.0, 4.0, 0.0, 0.0, 0.0
     out = np.empty((1, 5))
     calibrate(rows, answers, np.array([0, 3]), np.array([2]), out)

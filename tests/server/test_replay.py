@@ -65,7 +65,7 @@ def test_a_service_that_answers_otherwise_is_found_out(monkeypatch: pytest.Monke
 
 
 def test_one_bit_is_seen() -> None:
-    table = np.arange(24.0).reshape(3, 8)
+    table = np.arange(30.0).reshape(3, 10)
     table[1, 3:] = np.nan
     other = table.copy()
     assert unlike(PredictionColumns(table), PredictionColumns(other)) == 0

@@ -45,7 +45,7 @@ class Answers:
         pass
 
     def run(self, motions: Any, begin: Any) -> PredictionColumns:
-        table = np.full((len(motions), 8), np.nan)
+        table = np.full((len(motions), 10), np.nan)
         table[:, 0] = motions.t
         table[:, 1:3] = self.answer(motions)
         return PredictionColumns(table)
@@ -69,7 +69,7 @@ def test_replay_gives_the_streaming_answers_bit_for_bit(name: str, monkeypatch: 
     pipeline = build(name)
     for k in range(len(prepared.trials)):
         pipeline.reset()
-        answers = np.full((len(prepared.rows(k)), 8), np.nan)
+        answers = np.full((len(prepared.rows(k)), 10), np.nan)
         for row, event in zip(answers, prepared.rows(k).events(), strict=True):
             prediction = pipeline.update(event)
             if prediction is not None:

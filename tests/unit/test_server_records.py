@@ -36,9 +36,9 @@ def test_events_are_unpacked_as_struct_says(records: list[tuple[Any, ...]]) -> N
         assert same(unpack_one(talking.EVENT.pack(*one)), plain(one))
 
 
-@given(st.lists(st.tuples(*[real] * 7, phase), max_size=6))
+@given(st.lists(st.tuples(*[real] * 7, phase, real, real), max_size=6))
 def test_predictions_are_packed_as_struct_says(rows: list[tuple[float, ...]]) -> None:
-    table = np.array(rows, np.float64).reshape(-1, 8)
+    table = np.array(rows, np.float64).reshape(-1, 10)
     nothing = [math.nan] * 6
     wanted = b"".join(
         talking.PREDICTION.pack(row[0], *nothing, 0)
