@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import errno
+import logging
 import socket
 import time
 from collections.abc import Callable
@@ -26,6 +27,10 @@ GOODBYE_S = 2.0
 """Seconds that clients get to answer a goodbye: closing before would reset the connection, unheard."""
 STOP_S = 3
 """Seconds that requests under way get to finish when the service stops."""
+CUT_S = 1.0
+"""Seconds in which requests that are cut have ended."""
+
+log = logging.getLogger("pointpred.service")
 
 
 def listen(host: str, port: int, tries: int = 1) -> socket.socket:
@@ -62,6 +67,19 @@ def address(host: str, opened: socket.socket) -> str:
     return f"http://{f'[{name}]' if ':' in name else name}:{opened.getsockname()[1]}/"
 
 
+class _Cuts(logging.Filter):
+    """What uvicorn says of requests that it cuts, at length and as an error: counted here, and said once."""
+
+    requests = 0
+
+    def filter(self, record: logging.LogRecord) -> bool:
+        """Whether an entry is about something else."""
+        if str(record.msg).startswith("Cancel %s running task") and isinstance(record.args, tuple):
+            self.requests = int(str(record.args[0]))
+            return False
+        return record.exc_info is None or not isinstance(record.exc_info[1], asyncio.CancelledError)
+
+
 class _Server(uvicorn.Server):
     """uvicorn that says when it has begun to answer, and tells sessions when it is asked to stop."""
 
@@ -78,7 +96,17 @@ class _Server(uvicorn.Server):
         until = time.monotonic() + GOODBYE_S
         while self._talking() and time.monotonic() < until:
             await asyncio.sleep(0.01)
-        await super().shutdown(sockets)
+        cuts = _Cuts()
+        library = logging.getLogger("uvicorn.error")
+        library.addFilter(cuts)
+        try:
+            await super().shutdown(sockets)
+            if cut := list(self.server_state.tasks):
+                await asyncio.wait(cut, timeout=CUT_S)
+        finally:
+            library.removeFilter(cuts)
+        if cuts.requests:
+            log.warning("%d requests were cut: they had not ended %d s after the stop", cuts.requests, STOP_S)
 
     def _talking(self) -> bool:
         """Whether a WebSocket is still open."""

@@ -88,6 +88,7 @@ class Talk:
         self._sending = False  # whether the sending task is at work
         self._sent = 0  # what it has sent
         self._begun: deque[Awaitable[None] | Frame] = deque()  # what the sending task is to finish first
+        self._predicted: float | None = None  # when the frame came whose prediction is among these
         self._loop = asyncio.get_running_loop()
 
     async def run(self) -> None:
@@ -154,6 +155,7 @@ class Talk:
             if rest := begin(self._send(_message(frame))):
                 self._begun.extend((rest, *frames[place:]))
                 self._sending = True
+                self._predicted = self._arrived if predictions else None
                 break
         else:
             if predictions:
@@ -175,6 +177,9 @@ class Talk:
                     part = self._begun.popleft()
                     await (send(_message(part)) if isinstance(part, str | bytes) else part)
                     self._sent += 1
+                if self._predicted is not None:
+                    self._delayed(perf_counter() - self._predicted)
+                    self._predicted = None
                 arrived, predictions = self._arrived, session.outbox.waiting
                 for frame in session.outbox.take():
                     await send(_message(frame))

@@ -156,3 +156,17 @@ def test_a_request_after_a_pause_and_a_session_outlive_the_wait_for_a_header(
         socket.send('{"type":"events","events":[[1,5,6,null,null,0]]}')
         assert json.loads(socket.recv(10))["t"] == 1.0
     assert not [entry for entry in caplog.records if entry.levelno >= logging.WARNING]
+
+
+def test_an_upload_that_never_ends_is_cut_when_the_service_stops_and_said_in_one_line(
+    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    monkeypatch.setattr("pointpred.server.listening.STOP_S", 1)
+    head = b"POST /v1/score HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 9000\r\n\r\nuser"
+    with running() as here:
+        opened = half(here, head)
+        soon(lambda: here.service.uploads == 1, "it is under way")
+    opened.close()
+    (entry,) = (one for one in caplog.records if one.levelno >= logging.WARNING)
+    assert entry.getMessage() == "1 requests were cut: they had not ended 1 s after the stop"
+    assert entry.exc_info is None

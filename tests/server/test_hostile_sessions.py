@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import struct
+from functools import partial
 
 import pytest
 from websockets.sync.client import ClientConnection
@@ -11,6 +12,7 @@ from websockets.sync.client import ClientConnection
 from tests.server.listener import RECORD, soon
 from tests.server.running import HELLO, running
 
+DELAY = "pointpred_event_to_prediction_seconds"
 PACKED = HELLO[:-1] + ',"encoding":"binary","reply":"event"}'
 
 
@@ -37,18 +39,22 @@ def test_a_burst_within_every_limit_is_answered_however_many_predictions_give_wa
             socket.send(packed(1024 * frame, 1024))
         (session,) = here.service._open
         soon(lambda: session.outbox.predicted == 60 * 1024, "every frame is taken in")
-        told_of = 0
+        told_of = predicted = 0
         while True:
             answer = socket.recv(10)
             if isinstance(answer, str):
                 said = json.loads(answer)
                 assert (said["code"], said["recoverable"]) == ("slow", True)
                 told_of += int(said["message"].split()[0])
-            elif struct.unpack_from("<d", answer, len(answer) - 57)[0] == 1e-4 * (60 * 1024 - 1):
+                continue
+            predicted += 1
+            if struct.unpack_from("<d", answer, len(answer) - 57)[0] == 1e-4 * (60 * 1024 - 1):
                 break
         assert told_of == session.outbox.dropped_in_all > 10_000
         socket.send(packed(60 * 1024, 1))
         assert struct.unpack_from("<d", socket.recv(10))[0] == 1e-4 * 60 * 1024
+        timed = partial(here.service.metrics.registry.get_sample_value, f"{DELAY}_count")
+        soon(lambda: timed() == predicted + 1, "every answer is timed, those that had to wait included", 5.0)
 
 
 @pytest.mark.parametrize("predictor", ["switched", "hold"])
