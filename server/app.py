@@ -8,7 +8,6 @@ from collections.abc import AsyncIterator
 from pathlib import Path
 from typing import Any
 
-import msgspec
 from fastapi import FastAPI, Request, Response
 from fastapi.responses import FileResponse
 from fastapi.staticfiles import StaticFiles
@@ -18,35 +17,18 @@ import pointpred
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.registry import REGISTRY, describe
 from pointpred.server import samples
-from pointpred.server.endpoint import SHOW_TOKEN, StreamEndpoint, shows_token
-from pointpred.server.hosts import HostGuard, HostRule, admits_origin
+from pointpred.server.endpoint import StreamEndpoint
+from pointpred.server.hosts import HostGuard, HostRule
+from pointpred.server.http_answers import READ, SAFE, answer, fail, harden, refuse, turn_down
 from pointpred.server.service import Service
 from pointpred.server.uploads import UploadError, received
 
 WEB = Path(__file__).with_name("web")
-SAFE = {
-    "Content-Security-Policy": "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; "
-    "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'",
-    "X-Content-Type-Options": "nosniff",
-    "Referrer-Policy": "no-referrer",
-    "Cache-Control": "no-cache",
-    "Cross-Origin-Opener-Policy": "same-origin",
-    "Cross-Origin-Embedder-Policy": "require-corp",
-}
-"""Headers of every answer: nothing is loaded from elsewhere, an upgrade is seen at once, and the page is
-isolated, which lets the browser stamp events to 5 us instead of 100."""
-
-SHARED = {"Access-Control-Allow-Origin": "*", "Cross-Origin-Resource-Policy": "cross-origin"}
-"""Any page may load the client and its parts; whether its origin may connect is another matter."""
-CLIENT = ("/pointpred.js", "/web/client-")
-READ = ["GET", "HEAD"]
 NOT_SCORED: dict[int | str, dict[str, Any]] = {
     408: {"description": "The recording did not come whole in time."},
     413: {"description": "It is too large: bytes, rows, trials, or what it unpacks to."},
     503: {"description": "As many recordings as are taken at a time are under way."},
 }
-OPEN = ("/healthz", "/readyz", "/web/", "/pointpred.js")
-"""Paths that need no token: they hold nothing of anybody."""
 
 
 def create_app(hosts: HostRule | None = None, service: Service | None = None) -> FastAPI:
@@ -61,13 +43,13 @@ def create_app(hosts: HostRule | None = None, service: Service | None = None) ->
         generate_unique_id_function=lambda route: route.name.strip("_"),
     )
     app.state.service = serving
-    app.middleware("http")(_harden)
+    app.middleware("http")(harden)
     unheard = serving.metrics.turned_away.labels("unauthorized").inc
     app.add_middleware(HostGuard, rule=hosts or HostRule(), headers=SAFE, refused=unheard)
-    app.exception_handler(ParameterError)(_refuse)
-    app.exception_handler(RecordingError)(_refuse)
-    app.exception_handler(UploadError)(_turn_down)
-    app.exception_handler(Exception)(_fail)
+    app.exception_handler(ParameterError)(refuse)
+    app.exception_handler(RecordingError)(refuse)
+    app.exception_handler(UploadError)(turn_down)
+    app.exception_handler(Exception)(fail)
     app.add_api_route("/healthz", _health, methods=READ)
     app.add_api_route("/readyz", _ready, methods=READ)
     app.add_api_route("/metrics", _metrics, methods=["GET"])
@@ -102,7 +84,7 @@ def _health() -> dict[str, str]:
 def _ready(request: Request) -> Response:
     """Compiled code is warm: 200, before that 503."""
     service: Service = request.app.state.service
-    return _json({"ready": service.ready, "stopping": service.stopping}, 200 if service.ready else 503)
+    return answer({"ready": service.ready, "stopping": service.stopping}, 200 if service.ready else 503)
 
 
 def _metrics(request: Request) -> Response:
@@ -123,17 +105,17 @@ def _client() -> FileResponse:
 
 def _predictors() -> Response:
     """Every predictor with its parameters, units, bounds and reference."""
-    return _json({"version": 1, "predictors": [describe(name) for name in REGISTRY]})
+    return answer({"version": 1, "predictors": [describe(name) for name in REGISTRY]})
 
 
 def _samples() -> Response:
     """The trials of the embedded sample."""
-    return _json(samples.listing())
+    return answer(samples.listing())
 
 
 def _sample(name: str, predictors: str = "switched,hold") -> Response:
     """One trial with the predictions of the predictors named, separated by commas."""
-    return _json(samples.trial(name, _names(predictors)))
+    return answer(samples.trial(name, _names(predictors)))
 
 
 async def _score(request: Request, predictors: str = "") -> Response:
@@ -143,57 +125,8 @@ async def _score(request: Request, predictors: str = "") -> Response:
     service: Service = request.app.state.service
     names = _names(predictors)
     async with received(request, service) as body, service.scoring:  # one at a time: sessions go first
-        return _json(await asyncio.to_thread(score_body, body, names))
+        return answer(await asyncio.to_thread(score_body, body, names))
 
 
 def _names(text: str) -> tuple[str, ...]:
     return tuple(dict.fromkeys(part.strip() for part in text.split(",") if part.strip()))
-
-
-def _json(value: Any, status: int = 200) -> Response:
-    return Response(msgspec.json.encode(value), status, media_type="application/json")
-
-
-def _error(code: str, message: str, status: int) -> Response:
-    error = {"type": "error", "code": code, "message": message, "path": None, "recoverable": True}
-    return _json(error, status)
-
-
-async def _harden(request: Request, forward: Any) -> Response:
-    settings = request.app.state.service.settings
-    token, allowed = settings.token, settings.allow_origin
-    if not request.url.path.startswith(OPEN) and not shows_token(request.scope, token):
-        response = _turn_away(request, SHOW_TOKEN, 401)
-    elif request.method not in READ and not admits_origin(request.scope, allowed):
-        response = _turn_away(request, "pages of this origin may not use this service", 403)
-    else:
-        response = await forward(request)
-    response.headers.update(SAFE | SHARED if request.url.path.startswith(CLIENT) else SAFE)
-    return response
-
-
-def _turn_away(request: Request, message: str, status: int) -> Response:
-    request.app.state.service.metrics.turned_away.labels("unauthorized").inc()
-    return _error("unauthorized", message, status)
-
-
-async def _fail(request: Request, error: Exception) -> Response:
-    """Something broke on this side; the server logs where."""
-    response = _error("internal", "the server failed", 500)
-    response.headers.update(SAFE)  # made outside everything that would add them
-    return response
-
-
-async def _refuse(request: Request, error: Exception) -> Response:
-    unknown = "unknown predictor" in str(error)
-    found = request.url.path.startswith("/v1/samples/")
-    return _error("unknown_predictor" if unknown else "bad_field", str(error), 404 if found else 422)
-
-
-async def _turn_down(request: Request, error: Exception) -> Response:
-    """An upload that is not taken; what of it still comes is not waited for."""
-    assert isinstance(error, UploadError)
-    response = _error(error.code, str(error), error.status)
-    if error.status == 408:
-        response.headers["Connection"] = "close"
-    return response

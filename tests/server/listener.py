@@ -19,7 +19,7 @@ from websockets.http11 import Request, Response
 from websockets.sync.server import ServerConnection, serve
 from websockets.typing import Subprotocol
 
-from pointpred.server.app import SAFE
+from pointpred.server.http_answers import SAFE
 from pointpred.server.messages import SUBPROTOCOL, Limits
 from pointpred.server.session import Session
 
