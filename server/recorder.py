@@ -17,6 +17,7 @@ from pathlib import Path
 import msgspec
 
 from pointpred.recording import Provenance
+from pointpred.server.logs import place_of
 from pointpred.server.messages import Hello
 from pointpred.server.recorder_batch import Item, rows_of
 from pointpred.server.recorder_files import SessionFiles, Write
@@ -27,7 +28,8 @@ from pointpred.sources.appended import FORMAT
 WRITE_S = 0.1
 SYNC_S = 0.3
 MOST_WAITING = 200_000
-"""Events that may wait to be written, about 25 MB with their predictions; more are lost, and counted."""
+"""Events, and as many marks of trials, that may wait to be written; more are lost, and counted. About 110 MB
+with their predictions where each event came alone, 25 MB where many came together."""
 CLOCK = "the client's clock, s"
 
 log = logging.getLogger("pointpred.recorder")
@@ -49,10 +51,12 @@ class Recorder:
     ) -> None:
         self.folder = folder
         self.lost = 0
-        """Events of all sessions that were not recorded."""
+        """Events, and marks of trials, of all sessions that were not recorded."""
         self.failures = 0
         """Sessions whose recording stopped because of an error."""
         self.waiting = 0
+        """Events that wait to be written."""
+        self._marks = 0  # marks of trials that wait
         self._most = waiting_most
         self._write = write
         self._today = today
@@ -81,12 +85,14 @@ class Recorder:
 
     def _put(self, session: SessionRecorder, item: Item) -> None:
         """Put something aside for the thread; events beyond the bound are lost and counted."""
-        count = len(item)
+        count, mark = len(item), item.starts or item.ends
         with self._lock:
-            if count and (session.failed or self._stopping.is_set() or self.waiting + count > self._most):
-                session.lost += count
-                self.lost += count
+            full = self.waiting + count > self._most or (mark and self._marks >= self._most)
+            if (count and (session.failed or self._stopping.is_set())) or (full and not item.closes):
+                session.lost += max(count, 1)
+                self.lost += max(count, 1)
                 return
+            self._marks += mark
             first = not self._items
             self._items.append((session, item))
             self.waiting += count
@@ -126,6 +132,7 @@ class Recorder:
             self._write_session(session, own)
         with self._lock:
             self.waiting -= sum(len(item) for _, item in items)
+            self._marks -= sum(item.starts or item.ends for _, item in items)
 
     def _write_session(self, session: SessionRecorder, items: list[Item]) -> None:
         try:
@@ -176,7 +183,9 @@ class Recorder:
             session.lost += lost
             self.lost += lost
             self.failures += 1
-        log.error("recording %s stopped: %s", session.name, error)
+        # An operating system's words are of files; another error's might quote an event.
+        said = error if isinstance(error, OSError) else place_of(error)
+        log.error("recording %s stopped: %s", session.name, said)
         if session in self._dirty:
             self._dirty.remove(session)
         try:

@@ -6,13 +6,16 @@ import errno
 import json
 import logging
 import os
+import threading
 from pathlib import Path
 
 import pytest
 
+from pointpred.server.recorder import Recorder
 from pointpred.server.recorder_files import SessionFiles
 from pointpred.server.recordings import delete, listing
 from tests.server.listener import soon
+from tests.server.recorded import begin
 from tests.server.running import running
 
 
@@ -44,6 +47,43 @@ def test_what_is_deleted_while_it_is_made_leaves_nothing_and_is_said(
     (entry,) = (one for one in caplog.records if one.levelno == logging.ERROR)
     assert "stopped" in entry.getMessage()
     assert "deleted" in entry.getMessage()
+
+
+def test_marks_of_trials_that_wait_for_a_slow_disk_are_bounded_and_counted(tmp_path: Path) -> None:
+    entered, held = threading.Event(), threading.Event()
+
+    def slow(descriptor: int, data: bytes) -> int:
+        entered.set()
+        held.wait(10)
+        return os.write(descriptor, data)
+
+    recorder = Recorder(tmp_path, waiting_most=50, write=slow)
+    session = begin(recorder)
+    session.trial("start")
+    assert entered.wait(10)
+    for _ in range(500):
+        session.trial("start")
+        session.trial("end")
+    assert len(recorder._items) <= 50
+    assert recorder.lost == session.lost == 1001 - 50
+    held.set()
+    session.close()
+    assert recorder.close()
+
+
+def test_an_error_of_no_file_is_told_by_its_place(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    def broken(*rows: object) -> bytes:
+        raise ValueError("at 7315.25")
+
+    monkeypatch.setattr("pointpred.server.recorder_batch.sample_rows", broken)
+    with running(record=tmp_path / "kept") as here, here.greeted() as socket:
+        socket.send(event(1.0))
+        assert json.loads(socket.recv(10))["t"] == 1.0
+        soon(lambda: here.service.recorder.failures == 1, "it is noticed")
+    assert "ValueError at recorder.py" in caplog.text
+    assert "7315.25" not in caplog.text
 
 
 def test_every_file_is_closed_whatever_the_first_says(
