@@ -75,8 +75,13 @@ class Pipeline:
             stage.recall(memory)
         return None
 
+    @property
+    def learns(self) -> bool:
+        """Whether finished movements change what is said of the next: then only a new person starts fresh."""
+        return bool(getattr(self.predictor, "learned", 0))
+
     def reset(self) -> None:
-        """Forget every event: the next one starts a movement."""
+        """Forget every event: the next one starts a movement. What is known of the person stays."""
         self.differentiator.reset()
         self.predictor.reset()
 

@@ -31,7 +31,7 @@ class Stage(Protocol[In, Out]):
         ...
 
     def reset(self) -> None:
-        """Forget every sample."""
+        """Forget every sample; one that learns its person keeps what it knows of them."""
         ...
 
     def fresh(self) -> Self:
@@ -54,27 +54,35 @@ class CompiledStage:
 
     A child names its ``parameters`` (checked against the bounds), its ``loop`` over a table, and the width
     of the rows the loop writes.
+
+    A stage that learns its person keeps what it knows between the parameters and the movement's memory:
+    ``learned`` floats, all zero while it knows nothing. ``reset`` and a row marked ``begin`` forget the
+    movement only, after ``conclude(memory)`` has taken from it what is worth keeping; its loop calls the same
+    law before it forgets. ``fresh`` knows nobody.
     """
 
     parameters: ClassVar[tuple[Parameter, ...]] = ()
     width: ClassVar[int]
     loop: ClassVar[Callable[..., None]]
+    learned: int = 0
+    conclude: ClassVar[Callable[[FloatArray], None]] = staticmethod(lambda memory: None)
 
     def __init__(self, settings: list[float], states: int) -> None:
-        """Lay out the memory: ``settings`` first, then ``states`` zeros."""
-        self._first = len(settings)
-        self._memory = np.array([*settings, *([0.0] * states)], dtype=np.float64)
+        """Lay out the memory: ``settings`` first, ``learned`` zeros, then ``states`` zeros."""
+        self._first = len(settings) + self.learned
+        self._memory = np.array([*settings, *([0.0] * (self.learned + states))], dtype=np.float64)
 
     def reset(self) -> None:
-        """Forget every sample: the memory is replaced whole."""
+        """Forget every sample of the movement: the memory is replaced whole."""
         memory = self._memory.copy()
+        type(self).conclude(memory)
         memory[self._first :] = 0.0
         self._memory = memory
 
     def fresh(self) -> Self:
-        """Return a stage with the same parameters and no memory."""
+        """Return a stage with the same parameters, which remembers no sample and knows nobody."""
         twin = copy.copy(self)
-        twin.reset()
+        twin._memory[self._first - self.learned :] = 0.0
         return twin
 
     def remembered(self) -> bytes:

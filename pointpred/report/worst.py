@@ -10,8 +10,9 @@ import numpy as np
 
 from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.errors import ParameterError, RecordingError
-from pointpred.pipeline import Pipeline, run
+from pointpred.pipeline import Pipeline
 from pointpred.report.style import GREY, INK, PALETTE, Picture, canvas, picture
+from pointpred.scoring.replay import answers_to
 from pointpred.scoring.results import ScoredTrial, SetScore
 from pointpred.scoring.trials import Prepared
 
@@ -52,7 +53,7 @@ def worst(score: SetScore, prepared: Prepared, pipeline: Pipeline, count: int = 
         Drawing(
             score.trials[k],
             prepared.rows(k),
-            run(pipeline.fresh(), prepared.rows(k)),
+            answers_to(prepared, pipeline, k),
             float(errors.time_averaged[k]),
         )
         for k in chosen

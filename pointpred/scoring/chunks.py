@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from typing import TypeVar
 
@@ -14,6 +14,7 @@ CHUNK_EVENTS = 32_768
 """Events in one call: enough to forget the call, few enough for the processor's cache."""
 
 Answer = TypeVar("Answer")
+Item = TypeVar("Item")
 
 
 def spans(offsets: NDArray[np.int64]) -> list[tuple[int, int]]:
@@ -31,9 +32,32 @@ def spans(offsets: NDArray[np.int64]) -> list[tuple[int, int]]:
     return found
 
 
+def users(names: Sequence[str], offsets: NDArray[np.int64]) -> list[list[tuple[int, int]]]:
+    """The trials of each user in order, as ranges like those of ``spans``; users as they first appear.
+
+    >>> users(["ann", "ann", "bob", "ann"], np.array([0, 10, 20, 30, 40]))
+    [[(0, 2), (3, 4)], [(2, 3)]]
+    """
+    found: dict[str, list[tuple[int, int]]] = {}
+    for k, name in enumerate(names):
+        own = found.setdefault(name, [])
+        if own and own[-1][1] == k and offsets[k + 1] - offsets[own[-1][0]] <= CHUNK_EVENTS:
+            own[-1] = (own[-1][0], k + 1)
+        else:
+            own.append((k, k + 1))
+    return list(found.values())
+
+
 def in_threads(
     work: Callable[[int, int], Answer], offsets: NDArray[np.int64], threads: int | None
 ) -> Iterator[Answer]:
     """The answers of ``work(first, stop)`` for each span, in order; one thread a processor unless given."""
+    yield from each_in_threads(lambda span: work(*span), spans(offsets), threads)
+
+
+def each_in_threads(
+    work: Callable[[Item], Answer], items: Iterable[Item], threads: int | None
+) -> Iterator[Answer]:
+    """The answers of ``work(item)``, in order; one thread a processor unless given."""
     with ThreadPoolExecutor(max(1, os.cpu_count() or 1 if threads is None else threads)) as pool:
-        yield from pool.map(lambda span: work(*span), spans(offsets))
+        yield from pool.map(work, items)

@@ -6,6 +6,7 @@ import contextlib
 import time
 from collections.abc import Callable
 from functools import partial
+from itertools import chain
 
 import msgspec
 import numpy as np
@@ -15,7 +16,7 @@ from pointpred.columns import EventColumns, FloatArray, PredictionColumns
 from pointpred.pipeline import Pipeline, run
 from pointpred.recording import Skip
 from pointpred.scoring import calibration, metrics
-from pointpred.scoring.chunks import in_threads
+from pointpred.scoring.chunks import each_in_threads, spans, users
 from pointpred.scoring.results import PredictorErrors
 from pointpred.scoring.trials import Prepared
 
@@ -40,10 +41,11 @@ def replay(
 ) -> PredictorErrors:
     """Run a pipeline over every trial, reset at each onset, and measure its errors.
 
-    The pipeline given is a pattern: fresh ones do the work. Its answers are those that ``update`` would give
-    event by event, bit for bit. A trial in which it fails (it raises, or answers what is not finite) is
-    scored as if it had never answered there, and stands in ``failed``. ``threads``: one for each processor
-    unless given. The cost is the processor time of the threads within ``run``, not the wall's.
+    The pipeline given is a pattern: fresh ones do the work. One that learns goes through all trials of a
+    user in the recording's order, and meets each user knowing nobody. The answers are those that ``update``
+    would give event by event, bit for bit. A trial in which a pipeline fails (it raises, or answers what is
+    not finite) is scored as if it had never answered there, and stands in ``failed``. ``threads``: one for
+    each processor unless given. The cost is the processor time of the threads within ``run``, not the wall's.
     """
     with contextlib.suppress(Exception):  # what fails here fails again below, where it is reported
         run(pipeline.fresh(), prepared.events.rows(0, 1))  # machine code is loaded before time is taken
@@ -51,7 +53,8 @@ def replay(
     regions = np.empty((len(prepared.trials), calibration.WIDTH))
     failed: list[Skip] = []
     events, seconds = 0, 0.0
-    for chunk in in_threads(partial(_replay_chunk, prepared, pipeline), prepared.offsets, threads):
+    work = partial(_replay_in_turn, prepared, pipeline)
+    for chunk in chain.from_iterable(each_in_threads(work, _turns(prepared, pipeline), threads)):
         measures[chunk.first : chunk.stop] = chunk.measures
         regions[chunk.first : chunk.stop] = chunk.regions
         failed.extend(chunk.failed)
@@ -72,15 +75,41 @@ def replay(
     )
 
 
+def answers_to(prepared: Prepared, pipeline: Pipeline, trial: int) -> PredictionColumns:
+    """What ``replay`` scored of one trial: one that learns has seen the trials of that user before it."""
+    pipeline = pipeline.fresh()
+    if pipeline.learns:
+        user = prepared.trials[trial].trial.user
+        for k in range(trial):
+            if prepared.trials[k].trial.user == user:
+                with contextlib.suppress(Exception):  # reported by ``replay``
+                    run(pipeline, prepared.rows(k))
+    return run(pipeline, prepared.rows(trial))
+
+
+def _turns(prepared: Prepared, pipeline: Pipeline) -> list[list[tuple[int, int]]]:
+    """Ranges of trials that one fresh pipeline replays in turn."""
+    if pipeline.learns:
+        return users([scored.trial.user for scored in prepared.trials], prepared.offsets)
+    return [[span] for span in spans(prepared.offsets)]
+
+
+def _replay_in_turn(prepared: Prepared, pattern: Pipeline, ranges: list[tuple[int, int]]) -> list[_Chunk]:
+    """Replay ranges of trials with one pipeline, one range after the other."""
+    pipeline = pattern.fresh()
+    return [_replay_chunk(prepared, pipeline, first, stop) for first, stop in ranges]
+
+
 def _replay_chunk(prepared: Prepared, pipeline: Pipeline, first: int, stop: int) -> _Chunk:
     """Replay trials ``first`` up to ``stop`` in one call; where that fails, each on its own."""
     events = prepared.events.rows(int(prepared.offsets[first]), int(prepared.offsets[stop]))
     before = time.thread_time()
     try:
-        answers = run(pipeline.fresh(), events)
+        answers = run(pipeline, events)
     except Exception as error:  # a pipeline may be anyone's: whatever it raises is reported, not raised
         if stop - first > 1:
-            return _join([_replay_chunk(prepared, pipeline, k, k + 1) for k in range(first, stop)])
+            twins = (pipeline if pipeline.learns else pipeline.fresh() for _ in range(first, stop))
+            return _join([_replay_chunk(prepared, twin, k, k + 1) for k, twin in enumerate(twins, first)])
         return _unanswered(prepared, first, f"{type(error).__name__}: {error}", time.thread_time() - before)
     seconds = time.thread_time() - before
     measures, regions, faults = _measure(prepared, first, stop, events, answers)
