@@ -3,6 +3,8 @@
 const EVENT_BYTES = 30;
 const PREDICTION_BYTES = 57;
 const NO_COUNTS = -32768;
+const GRID = 64; // parts of a px: the browser's own layout knows no finer ones
+const BYTES = new TextEncoder();
 const PHASES = /** @type {const} */ (["still", "ballistic", "corrective"]);
 
 /**
@@ -26,6 +28,28 @@ export function row(event) {
     if (count !== null && !(Number.isInteger(count) && Math.abs(count) < -NO_COUNTS))
       throw new RangeError(`counts must be whole numbers within 32767, received ${count}`);
   return [t, x, y, dx, dy, buttons];
+}
+
+const onGrid = (px) => Math.round(GRID * px) / GRID;
+
+/**
+ * Targets as the one message that the limits allow; those that come last are left out where there are too many.
+ * @param {import("./pointpred.js").Target[]} targets @param {import("./pointpred.js").Limits} [limits]
+ * @returns {{text: string, count: number, over: number}} `over` were left out
+ */
+export function targetsFrame(targets, { max_targets: most, max_frame_bytes: bytes } = {}) {
+  const [head, tail] = ['{"type":"targets","targets":[', "]}"];
+  const parts = [];
+  let size = head.length + tail.length;
+  for (const target of targets.slice(0, most)) {
+    const { x, y, width, height } = target;
+    const [right, high] = [width, height].map((side) => (side > 0 ? Math.max(1 / GRID, onGrid(side)) : side));
+    const text = JSON.stringify({ ...target, x: onGrid(x), y: onGrid(y), width: right, height: high });
+    size += BYTES.encode(text).length + 1;
+    if (size > bytes) break;
+    parts.push(text);
+  }
+  return { text: head + parts.join(",") + tail, count: parts.length, over: targets.length - parts.length };
 }
 
 /** Packed records. */

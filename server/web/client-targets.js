@@ -36,12 +36,15 @@ export class TargetWatch {
   }
 
   /** @param {Element} element @param {string} [id] */
-  observe(element, id = element.id || `element-${++numbered}`) {
+  observe(element, id) {
+    const known = this.#observed.get(element); // nothing tells again that it is in view
+    id ??= known?.id ?? (element.id || `element-${++numbered}`);
     for (const [other, { id: taken }] of this.#observed)
       if (taken === id && other !== element) throw new TypeError(`the id ${id} belongs to another observed element`);
-    this.#observed.set(element, { id, inView: false });
+    this.#observed.set(element, { id, inView: known?.inView ?? false });
     this.#sizes.observe(element);
     this.#views.observe(element);
+    this.#look();
     return id;
   }
 

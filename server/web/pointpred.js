@@ -42,12 +42,15 @@
  * @property {number} [queue] events kept while there is no connection; the oldest give way
  */
 
-import { decode, frames, row } from "/web/client-frames.js";
+import { decode, frames, row, targetsFrame } from "/web/client-frames.js";
 import { PointerStream } from "/web/client-pointer.js";
+import { Queue } from "/web/client-queue.js";
 import { TargetWatch } from "/web/client-targets.js";
+import { Wishes } from "/web/client-wishes.js";
 
 const SUBPROTOCOL = "pointpred.v1";
-const NO_TARGETS = JSON.stringify({ type: "targets", targets: [] });
+const NO_TARGETS = targetsFrame([]).text;
+const MOST_BUFFERED = 2 ** 20; // bytes the browser may hold back before events give way: a fast mouse for half a minute
 const FIRST_WAIT_MS = 250;
 const LONGEST_WAIT_MS = 8000;
 const STEADY_MS = 2000; // a connection that held so long starts the waits anew
@@ -69,21 +72,20 @@ export class Connection {
   /** The newest `welcome`. @type {Welcome|null} */ welcome = null;
   /** Newest time from sending events to receiving their prediction, ms. @type {number|null} */ delayMs = null;
   /** Events sent to the service. */ sent = 0;
-  /** Events that gave way because there was no connection for too long. */ dropped = 0;
-
-  #address; #options; #hello; #socket = null; #listeners = new Map(NAMES.map((name) => [name, new Set()]));
-  #waiting = []; #unanswered = []; #changes = []; #tries = 0; #openedAt = 0; #saidAt = 0; #retry; #why = "";
-  #told = NO_TARGETS; #pointer = null; #targets; #stop = new AbortController(); #alive;
+  #url; #options; #wishes; #socket = null; #listeners = new Map(NAMES.map((name) => [name, new Set()]));
+  #waiting; #unanswered = []; #tries = 0; #openedAt = 0; #saidAt = 0; #retry; #why = "";
+  #told = NO_TARGETS; #over = 0; #pointer = null; #targets; #stop = new AbortController(); #alive;
 
   /** Use `connect`. @param {string|URL|undefined} url @param {Options} options */
   constructor(url, options) {
     this.#options = { predictor: "switched", reply: "frame", encoding: "binary", element: window, pointer: true,
-      coordinates: "client", targets: [], queue: 8192, ...options };
-    this.#address = address(url, this.#options.token);
+      coordinates: "client", targets: [], queue: 8192, ...given(options) };
+    this.#url = url;
+    this.#waiting = new Queue(this.#options.queue);
     const { predictor, parameters = {}, device, reply, encoding } = this.#options;
     const screen = { width_px: window.screen?.width || undefined, height_px: window.screen?.height || undefined,
       ...this.#options.screen };
-    this.#hello = { type: "hello", version: 1, predictor, parameters, device, screen, reply, encoding };
+    this.#wishes = new Wishes({ type: "hello", version: 1, predictor, parameters, device, screen, reply, encoding });
     const { element, pointer, coordinates, targets } = this.#options;
     const onScreen = coordinates === "screen", { signal } = this.#stop;
     if (pointer) this.#pointer = new PointerStream(element, { onScreen, passed: (rows) => this.#pass(rows), signal });
@@ -92,6 +94,11 @@ export class Connection {
     window.addEventListener("online", () => this.state === "waiting" && this.#open(), { signal });
     this.#alive = setInterval(() => this.#keepAlive(), 1000);
     this.#open();
+  }
+
+  /** Events that gave way because there was no connection for too long, or a slow one. @returns {number} */
+  get dropped() {
+    return this.#waiting.dropped;
   }
 
   /**
@@ -118,8 +125,13 @@ export class Connection {
 
   #pass(rows) {
     this.#targets.stir();
-    if (this.state === "open") this.#sendRows(rows);
+    if (this.#speaks) this.#sendRows(rows);
     else this.#keep(rows);
+  }
+
+  /** Whether what is sent now goes out: a socket that ends lets it fall. */
+  get #speaks() {
+    return this.state === "open" && this.#socket.readyState === WebSocket.OPEN;
   }
 
   /** Replaces the targets given by hand; those of `observe` stay. @param {Target[]} list */
@@ -153,18 +165,23 @@ export class Connection {
 
   /**
    * Changes what is given; another predictor or other parameters begin without memory. Answered by `welcome`.
-   * @param {{predictor?: string, parameters?: Object<string, number|string|boolean>, reply?: "frame"|"event",
+   * Another token is shown when the connection is next opened.
+   * @param {{token?: string, predictor?: string, parameters?: Object<string, number|string|boolean>, reply?: "frame"|"event",
    *   precision?: number}} changes
    */
-  configure(changes) {
+  configure({ token = this.#options.token, ...changes }) {
     this.#pointer?.flush();
-    if (this.state === "open") {
-      this.#changes.push(changes);
-      this.#transmit(JSON.stringify({ type: "configure", ...changes }));
-      return;
-    }
-    this.#merge(changes);
+    this.#options.token = token;
+    const greeting = this.state === "connecting" && this.#socket?.readyState === WebSocket.OPEN; // hello is said
+    if (this.state === "open" && Object.keys(changes).length) this.#ask(changes);
+    else if (greeting) this.#wishes.ask(changes);
+    else this.#wishes.hold(changes);
     if (this.state === "refused") this.#open();
+  }
+
+  #ask(changes) {
+    this.#wishes.ask(changes);
+    this.#transmit(JSON.stringify({ type: "configure", ...changes }));
   }
 
   /** Forgets every event: the next one starts a movement. */
@@ -182,35 +199,36 @@ export class Connection {
     this.#stop.abort();
     clearInterval(this.#alive);
     clearTimeout(this.#retry);
-    if (this.state === "open") socket?.send(JSON.stringify({ type: "bye" }));
+    if (this.#openedAt < Infinity) socket?.send(JSON.stringify({ type: "bye" }));
     socket?.close(1000);
     this.#become("closed");
   }
 
   #open() {
     clearTimeout(this.#retry);
+    this.#why = "";
+    this.#openedAt = Infinity;
     this.#become("connecting");
-    const socket = new WebSocket(this.#address, SUBPROTOCOL);
+    if (this.state !== "connecting") return; // closed by who heard of it
+    const socket = new WebSocket(address(this.#url, this.#options.token), SUBPROTOCOL);
     socket.binaryType = "arraybuffer";
     const mine = (act) => (event) => socket === this.#socket && act(event);
-    socket.onopen = mine(() => socket.send(JSON.stringify(this.#hello)));
+    socket.onopen = mine(() => socket.send(this.#wishes.hello));
     socket.onmessage = mine(({ data }) => this.#receive(data));
     socket.onclose = mine(() => this.#lost());
     this.#socket = socket;
-    this.#why = "";
-    this.#openedAt = Infinity;
   }
 
   #lost() {
     if (performance.now() - this.#openedAt > STEADY_MS) this.#tries = 0;
     this.#socket = null;
     this.#unanswered = [];
-    this.#changes.splice(0).forEach((changes) => this.#merge(changes));
+    this.#wishes.lost();
     if (this.#why === "unauthorized" || this.#why === "hello") return this.#become("refused");
     if (this.#why === "idle" && this.#waiting.length === 0) return this.#become("idle");
     const wait = Math.min(LONGEST_WAIT_MS, FIRST_WAIT_MS * 2 ** this.#tries++) * (0.75 + 0.5 * Math.random());
-    this.#become("waiting");
     this.#retry = setTimeout(() => this.#open(), wait);
+    this.#become("waiting");
   }
 
   #receive(data) {
@@ -234,21 +252,17 @@ export class Connection {
 
   #greeted(message) {
     this.welcome = message;
-    if (this.state === "open") return this.#merge(this.#changes.shift() ?? {});
+    if (this.state === "open") return this.#wishes.granted();
     this.#openedAt = performance.now();
-    this.#become("open");
+    for (const changes of this.#wishes.late) this.#ask(changes);
     this.#told = NO_TARGETS;
     this.#sendTargets();
-    const waiting = this.#waiting.splice(0);
-    for (let first = 0, next; first < waiting.length; first = next) {
-      next = first + 1;
-      if (!Array.isArray(waiting[first])) {
-        this.#transmit(JSON.stringify(waiting[first]));
-        continue;
-      }
-      while (next < waiting.length && Array.isArray(waiting[next])) next++;
-      this.#sendRows(waiting.slice(first, next));
+    if (this.#socket === null) return; // closed by who heard of an error
+    for (const { rows, message: kept } of this.#waiting.take(message.limits)) {
+      if (rows) this.#sendRows(rows);
+      else this.#transmit(JSON.stringify(kept));
     }
+    this.#become("open");
   }
 
   #refused({ code, path }) {
@@ -259,20 +273,17 @@ export class Connection {
       this.#lost();
       socket.close(1000);
     } else if (code === "unknown_predictor" || /^\$\.(predictor|parameters|reply|precision)/.test(path ?? "")) {
-      this.#changes.shift(); // what was asked for does not hold
+      this.#wishes.refused();
     }
-  }
-
-  /** What a session opened again says at once. */
-  #merge({ predictor, parameters, reply }) {
-    const kept = predictor ? {} : this.#hello.parameters;
-    this.#hello = { ...this.#hello, predictor: predictor ?? this.#hello.predictor,
-      parameters: { ...kept, ...parameters }, reply: reply ?? this.#hello.reply };
   }
 
   #sendRows(rows) {
     const { limits } = this.welcome;
-    for (const { frame, last, count } of frames(rows, this.#hello.encoding, limits)) {
+    for (const { frame, last, count } of frames(rows, this.#wishes.encoding, limits)) {
+      if (this.#socket.bufferedAmount > MOST_BUFFERED) {
+        this.#waiting.dropped += count;
+        continue;
+      }
       this.#transmit(frame);
       this.sent += count;
       this.#unanswered.push({ t: last, at: performance.now() });
@@ -282,7 +293,7 @@ export class Connection {
 
   #tell(message) {
     this.#pointer?.flush();
-    if (this.state === "open") this.#transmit(JSON.stringify(message));
+    if (this.#speaks) this.#transmit(JSON.stringify(message));
     else this.#keep([message]);
   }
 
@@ -293,9 +304,7 @@ export class Connection {
 
   #keep(items) {
     if (this.state === "closed") throw new Error("the connection is closed");
-    this.#waiting.push(...items);
-    const over = this.#waiting.splice(0, Math.max(0, this.#waiting.length - this.#options.queue));
-    this.dropped += over.filter(Array.isArray).length;
+    this.#waiting.keep(items);
     if (this.state === "idle") this.#open();
   }
 
@@ -307,16 +316,15 @@ export class Connection {
   }
 
   #sendTargets(always = false) {
-    if (this.state !== "open") return;
-    const targets = this.#targets.list();
-    const most = this.welcome.limits.max_targets;
-    const over = targets.splice(most).length;
-    const text = JSON.stringify({ type: "targets", targets });
+    if (this.#socket?.readyState !== WebSocket.OPEN || this.#openedAt === Infinity) return; // not greeted
+    const { text, over, count } = targetsFrame(this.#targets.list(), this.welcome.limits);
     if (text === this.#told && !always) return;
     this.#told = text;
     this.#transmit(text);
-    const message = `${over} targets beyond ${most} were left out`;
-    if (over) this.#emit("error", { type: "error", code: "too_many", message, path: "$.targets", recoverable: true });
+    const said = this.#over;
+    this.#over = over;
+    const message = `${over} targets beyond the first ${count} were left out: the service takes no more`;
+    if (over > said) this.#emit("error", { type: "error", code: "too_many", message, path: "$.targets", recoverable: true });
   }
 
   #become(state) {
@@ -335,6 +343,9 @@ export class Connection {
     }
   }
 }
+
+/** Options without those that are undefined: they are as if not given. */
+const given = (options) => Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined));
 
 /** The stream's address: `http` becomes `ws`, a bare address gets the usual path. */
 function address(url, token) {
