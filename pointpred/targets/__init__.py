@@ -1,0 +1,7 @@
+"""A predicted law becomes probabilities over rectangles, proposals, and a ledger of them."""
+
+from pointpred.targets.chooser import Choice, Chooser
+from pointpred.targets.ledger import Ledger, Movement
+from pointpred.targets.rectangles import MOST_TARGETS, Target, around
+
+__all__ = ["MOST_TARGETS", "Choice", "Chooser", "Ledger", "Movement", "Target", "around"]

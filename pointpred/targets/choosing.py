@@ -1,0 +1,57 @@
+"""One event: the cursor's way, the shares of all targets, and which of them is proposed."""
+
+from __future__ import annotations
+
+from pointpred.columns import FloatArray
+from pointpred.compiled import law
+from pointpred.targets import cursor, decision, posterior
+
+KEEP = 0.4
+"""A proposal stands while its share is at least this part of the precision asked for."""
+
+
+@law
+def step(
+    memory: FloatArray,
+    table: FloatArray,
+    t: float,
+    x: float,
+    y: float,
+    pressed: float,
+    predicted_x: float,
+    predicted_y: float,
+    sxx: float,
+    sxy: float,
+    syy: float,
+    tail: float,
+    remaining_s: float,
+    coefficients: FloatArray,
+    settings: FloatArray,
+    standing: int,
+    rows: FloatArray,
+    shares: FloatArray,
+) -> int:
+    """Take one usable event in; writes ``shares`` and returns the target proposed from now on.
+
+    When the button comes up the movement is over, and so is what it proposed.
+    """
+    if cursor.follow(memory, t, x, y, pressed):
+        standing = decision.NOBODY
+    posterior.scores(
+        memory,
+        table,
+        predicted_x,
+        predicted_y,
+        sxx,
+        sxy,
+        syy,
+        tail,
+        coefficients,
+        settings[posterior.ELSEWHERE],
+        rows,
+        shares,
+    )
+    posterior.normalise(shares)
+    ask = settings[posterior.PRECISION]
+    least_s = settings[posterior.LEAST_LEAD_S]
+    return decision.decide(memory, table, shares, standing, remaining_s, ask, KEEP * ask, least_s)

@@ -1,0 +1,63 @@
+"""When probabilities become a proposal, and when it is withdrawn."""
+
+from __future__ import annotations
+
+from pointpred.columns import FloatArray
+from pointpred.compiled import law
+from pointpred.targets import cursor
+
+NOBODY = -1
+
+
+@law
+def likeliest(shares: FloatArray, count: int) -> int:
+    """The target with the largest share, the first of equal ones; NOBODY where there is none."""
+    best = NOBODY
+    for i in range(count):
+        if best == NOBODY or shares[i] > shares[best]:
+            best = i
+    return best
+
+
+@law
+def early(memory: FloatArray, row: FloatArray, remaining_s: float, least_s: float) -> bool:
+    """Whether a proposal of this target would still come in time: the cursor is not there at once.
+
+    The time until it enters is the shorter of that to its edge at the present speed and of the predicted
+    time left, where one is claimed.
+    """
+    left = cursor.until(memory, row[0], row[1], row[2], row[3])
+    if left == 0.0:
+        return False
+    if remaining_s == remaining_s:
+        left = min(left, remaining_s)
+    return left >= least_s
+
+
+@law
+def decide(
+    memory: FloatArray,
+    table: FloatArray,
+    shares: FloatArray,
+    standing: int,
+    remaining_s: float,
+    ask: float,
+    keep: float,
+    least_s: float,
+) -> int:
+    """The target that is proposed from now on, NOBODY for none.
+
+    One that stands is kept while its share is at least ``keep``, unless another reaches ``ask``. Without
+    one, the likeliest is proposed from ``ask`` on, if early enough. ``keep`` lies below ``ask``: a share that
+    trembles about either changes nothing twice.
+    """
+    best = likeliest(shares, len(table))
+    if best == NOBODY:
+        return NOBODY
+    if standing != NOBODY and (best == standing or shares[best] < ask):
+        return standing if shares[standing] >= keep else NOBODY
+    if shares[best] >= ask and early(memory, table[best], remaining_s, least_s):
+        return best
+    if standing != NOBODY and shares[standing] >= keep:
+        return standing
+    return NOBODY

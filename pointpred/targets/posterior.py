@@ -1,0 +1,78 @@
+"""Probabilities over rectangles: the score of each target, and of none of them, as a compiled law."""
+
+from __future__ import annotations
+
+from math import exp, inf, log
+
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.compiled import law
+from pointpred.targets import cursor, weights
+from pointpred.targets.evidence import FEATURES, features, unclaimed
+
+FITTED: FloatArray = np.array([*weights.SLOW, *weights.FAST, *weights.NONE])
+"""The coefficients that come with pointpred: of each feature standing, at the peak, and of none of them."""
+COEFFICIENTS = 2 * FEATURES + 2
+
+PRECISION, ELSEWHERE, LEAST_LEAD_S = 0, 1, 2
+"""Places of a chooser's settings."""
+
+FITTED_NONE, FITTED_TARGETS = 0.25, 16.0
+"""What was so in the fit: the share of movements to none of the targets, and how many targets there were."""
+
+
+@law
+def scores(
+    memory: FloatArray,
+    table: FloatArray,
+    x: float,
+    y: float,
+    sxx: float,
+    sxy: float,
+    syy: float,
+    tail: float,
+    coefficients: FloatArray,
+    elsewhere: float,
+    rows: FloatArray,
+    out: FloatArray,
+) -> None:
+    """The logarithm of each target's share, up to a constant; behind them that of none of them.
+
+    ``rows`` is scratch for the features, a row a target.
+    """
+    if x != x:  # no prediction: the cursor itself
+        x, y, sxx = memory[cursor.X], memory[cursor.Y], x
+    if sxx != sxx or not (sxx > 0.0 and syy > 0.0 and sxx * syy > sxy * sxy):
+        sxx, sxy, syy = unclaimed(memory, x, y)
+        tail = tail * 0.0 / 0.0
+    features(memory, table, x, y, sxx, sxy, syy, tail, rows)
+    fast = min(memory[cursor.SPEED] / memory[cursor.PEAK], 1.0) if memory[cursor.PEAK] > 0.0 else 0.0
+    count, most = len(table), -inf
+    for i in range(count):
+        most = max(most, table[i, 4])
+    total = 0.0
+    for i in range(count):
+        total += exp(table[i, 4] - most) if most > -inf else 0.0
+    for i in range(count):
+        prior = table[i, 4] - most - log(total) if most > -inf else -inf
+        out[i] = prior + log(FITTED_TARGETS * (1.0 - elsewhere) / (1.0 - FITTED_NONE))
+        for j in range(FEATURES):
+            weight = (1.0 - fast) * coefficients[j] + fast * coefficients[FEATURES + j]
+            out[i] += weight * rows[i, j]
+    none = (1.0 - fast) * coefficients[2 * FEATURES] + fast * coefficients[2 * FEATURES + 1]
+    out[count] = none + log(elsewhere / FITTED_NONE)
+
+
+@law
+def normalise(out: FloatArray) -> None:
+    """Scores become shares of one; the last score is finite."""
+    most = -inf
+    for i in range(len(out)):
+        most = max(most, out[i])
+    total = 0.0
+    for i in range(len(out)):
+        out[i] = exp(out[i] - most)
+        total += out[i]
+    for i in range(len(out)):
+        out[i] /= total

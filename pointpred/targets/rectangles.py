@@ -1,0 +1,83 @@
+"""The rectangles a cursor may be heading for, as records and as the table that laws walk over."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Sequence
+from math import inf
+
+import msgspec
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.errors import ParameterError
+from pointpred.events import LARGEST
+
+MOST_TARGETS = 1000
+SMALLEST_PX = 1e-3
+
+# A row of the table: the rectangle's centre and size in px, and the logarithm of its weight.
+CENTRE_X, CENTRE_Y, WIDTH, HEIGHT, LOG_WEIGHT = 0, 1, 2, 3, 4
+FIELDS = 5
+
+
+class Target(msgspec.Struct, frozen=True):
+    """A rectangle on the screen: its upper left corner and size, px.
+
+    ``weight`` is the caller's prior, relative to the other targets': 2 is twice as likely as 1 before the
+    cursor moves, 0 never.
+    """
+
+    id: Hashable
+    x: float
+    y: float
+    width: float
+    height: float
+    weight: float = 1.0
+
+
+def around(id: Hashable, x: float, y: float, width: float, height: float | None = None) -> Target:
+    """The rectangle with its centre at (x, y), square unless a height is given.
+
+    >>> around("a", 10.0, 20.0, 4.0)
+    Target(id='a', x=8.0, y=18.0, width=4.0, height=4.0, weight=1.0)
+    """
+    tall = width if height is None else height
+    return Target(id, x - width / 2.0, y - tall / 2.0, width, tall)
+
+
+def table(targets: Sequence[Target]) -> FloatArray:
+    """The targets as a table, a row each.
+
+    Raises ParameterError for more than MOST_TARGETS, an id that occurs twice, and a place, size or weight
+    out of bounds.
+
+    >>> table([Target("a", 0.0, 0.0, 20.0, 10.0)]).tolist()
+    [[10.0, 5.0, 20.0, 10.0, 0.0]]
+    """
+    if len(targets) > MOST_TARGETS:
+        raise ParameterError(f"at most {MOST_TARGETS} targets, received {len(targets)}")
+    seen: set[Hashable] = set()
+    rows = np.empty((len(targets), FIELDS))
+    for place, target in enumerate(targets):
+        if target.id in seen:
+            raise ParameterError(f"the id of a target must occur once, received {target.id!r} twice")
+        seen.add(target.id)
+        rows[place] = _row(target)
+    return rows
+
+
+def _row(target: Target) -> tuple[float, ...]:
+    for name, value, low, high in (
+        ("x", target.x, -LARGEST, LARGEST),
+        ("y", target.y, -LARGEST, LARGEST),
+        ("width", target.width, SMALLEST_PX, LARGEST),
+        ("height", target.height, SMALLEST_PX, LARGEST),
+        ("weight", target.weight, 0.0, LARGEST),
+    ):
+        if not low <= value <= high:
+            unit = "" if name == "weight" else " px"
+            raise ParameterError(
+                f"{name} of target {target.id!r} must lie in [{low:g}, {high:g}]{unit}, received {value!r}"
+            )
+    x, y = target.x + target.width / 2.0, target.y + target.height / 2.0
+    return x, y, target.width, target.height, float(np.log(target.weight)) if target.weight > 0.0 else -inf
