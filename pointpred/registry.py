@@ -18,6 +18,7 @@ from pointpred.predictors import (
     MinimumJerkPredictor,
     Predictor,
     SwitchedPredictor,
+    TemplatePredictor,
 )
 from pointpred.stage import Parameter, defaults, settable
 
@@ -77,6 +78,12 @@ REGISTRY: dict[str, Entry] = {
             "the same, answering only once the prediction is stable",
             "Lank, Cheng, Ruiz 2007 with the stability check of Ruiz, Lank 2009",
             preset={"degree": 4, "change_most": 0.02},
+        ),
+        Entry(
+            "ktm",
+            TemplatePredictor,
+            "as far as the session's earlier movement whose speed profile is most alike",
+            "Pasqual, Wobbrock 2014",
         ),
         Entry(
             "switched",

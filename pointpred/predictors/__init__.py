@@ -3,6 +3,8 @@
 from pointpred.predictors.hold import HoldPredictor
 from pointpred.predictors.kalman import KalmanPredictor
 from pointpred.predictors.kep import KinematicEndpointPredictor
+from pointpred.predictors.ktm import TemplatePredictor
+from pointpred.predictors.ktm_library import templates_of
 from pointpred.predictors.linear import LinearPredictor
 from pointpred.predictors.minimum_jerk import MinimumJerkPredictor
 from pointpred.predictors.predictor import Predictor
@@ -16,4 +18,6 @@ __all__ = [
     "MinimumJerkPredictor",
     "Predictor",
     "SwitchedPredictor",
+    "TemplatePredictor",
+    "templates_of",
 ]

@@ -30,6 +30,8 @@ STYLES: dict[str, tuple[int, str, object]] = {
     "kep-quadratic-gated": (3, "P", DASHED),
     "kep-quartic": (1, "X", "solid"),
     "kep-quartic-gated": (1, "*", DASHED),
+    "ktm": (2, "<", DASHED),
+    "delphian": (4, ">", DASHED),
     "switched": (0, "o", "solid"),
     "switched-printed": (0, "h", DASHED),
 }

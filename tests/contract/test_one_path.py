@@ -41,9 +41,10 @@ def resolution() -> tuple[float | None, float]:
 
 @cache
 def whole(name: str) -> tuple[bytes, ...]:
-    """The reference: each trial as one table."""
+    """The reference: each trial as one table, marked ``begin``."""
     cpi, dpi = resolution()
-    return tuple(packed(run(build(name, cpi=cpi, dpi=dpi), rows)) for rows in trials())
+    pipeline = build(name, cpi=cpi, dpi=dpi)
+    return tuple(packed(run(pipeline, rows)) for rows in trials())
 
 
 def packed(predictions: PredictionColumns) -> bytes:

@@ -37,17 +37,6 @@ def test_update_is_run(name: str, events: EventColumns) -> None:
 
 
 @EVERY
-def test_reset_equals_fresh(name: str, events: EventColumns, troubled_events: EventColumns) -> None:
-    used = make(name)
-    answers(used, troubled_events)
-    twin = used.fresh()
-    used.reset()
-    first = answers(make(name), events)
-    assert same(answers(used, events), first)
-    assert same(answers(twin, events), first)
-
-
-@EVERY
 @given(cut=st.floats(0.0, 1.0))
 @settings(max_examples=10, deadline=None)
 def test_chunks_equal_the_whole_and_the_future_changes_nothing(name: str, cut: float) -> None:
@@ -58,16 +47,6 @@ def test_chunks_equal_the_whole_and_the_future_changes_nothing(name: str, cut: f
     head = answers(chunked, events.rows(0, at))
     tail = answers(chunked, events.rows(at, len(events)))
     assert same(np.concatenate([head, tail]), whole)
-
-
-@EVERY
-def test_a_begin_mark_is_a_reset(name: str, events: EventColumns, troubled_events: EventColumns) -> None:
-    table = np.concatenate([troubled_events.table, events.table])
-    begin = np.zeros(len(table), dtype=np.bool_)
-    begin[[0, len(troubled_events)]] = True
-    joined = answers(make(name), EventColumns(table, begin))
-    assert same(joined[: len(troubled_events)], answers(make(name), troubled_events))
-    assert same(joined[len(troubled_events) :], answers(make(name), events))
 
 
 @EVERY

@@ -1,0 +1,213 @@
+"""Kinematic template matching (KTM): the movement that began most like this one says how far it goes."""
+
+from __future__ import annotations
+
+import copy
+from math import hypot
+
+import numpy as np
+
+from pointpred.columns import BoolArray, FloatArray
+from pointpred.compiled import law
+from pointpred.errors import ParameterError
+from pointpred.predictors import ktm_matching as matching
+from pointpred.predictors import movement
+from pointpred.predictors.predictor import NONE, REFUSED, Predictor
+from pointpred.stage import Parameter, check
+
+TEMPLATES_MOST = 1000
+
+
+@law
+def conclude(memory: FloatArray) -> None:
+    """The movement has ended: keep it as a template."""
+    at = matching.known(memory) + matching.LEARNED
+    matching.keep(memory, at, distance(memory, at))
+
+
+@law
+def distance(memory: FloatArray, at: int) -> float:
+    """How far the cursor is from the movement's start, px."""
+    away_x = memory[at + movement.X] - memory[at + movement.X0]
+    return hypot(away_x, memory[at + movement.Y] - memory[at + movement.Y0])
+
+
+@law
+def resample(memory: FloatArray, at: int, since: float, x_before: float, y_before: float) -> None:
+    """Take in the samples that have fallen due since the motion before the last one."""
+    most = memory[matching.LONGEST] + matching.TAPS
+    now = memory[at + movement.T] - memory[at + movement.T0]
+    x, y = memory[at + movement.X], memory[at + movement.Y]
+    due = memory[at + matching.SAMPLES] * matching.STEP_S
+    while due <= now + matching.STAMP_S and memory[at + matching.SAMPLES] < most:
+        back = min(max((now - due) / since, 0.0), 1.0)
+        grid_x, grid_y = x + back * (x_before - x), y + back * (y_before - y)
+        way = hypot(grid_x - memory[at + matching.GRID_X], grid_y - memory[at + matching.GRID_Y])
+        memory[at + matching.GRID_X], memory[at + matching.GRID_Y] = grid_x, grid_y
+        matching.sample(memory, at, way * matching.RATE_HZ)
+        due = memory[at + matching.SAMPLES] * matching.STEP_S
+
+
+@law
+def step(
+    memory: FloatArray,
+    t: float,
+    x: float,
+    y: float,
+    vx: float,
+    vy: float,
+    ax: float,
+    ay: float,
+    settled: float,
+    start: float,
+) -> tuple[float, float, float, float, float, float, float]:
+    """Follow the speed profile and go as far as the template that is most like it."""
+    at = matching.known(memory) + matching.LEARNED
+    ended = distance(memory, at)
+    x_before, y_before = memory[at + movement.X], memory[at + movement.Y]
+    accepted, new, dt = movement.follow(memory, at, t, x, y, vx, vy, ax, ay, start)
+    if not accepted:
+        return REFUSED
+    phase = movement.phase(memory, at, vx, vy)
+    if new:
+        matching.keep(memory, at, ended)
+        memory[at + movement.STATES :] = 0.0
+        memory[at + matching.POINTS] = 1.0
+        matching.sample(memory, at, 0.0)
+    if new or t == memory[at + movement.T0]:
+        memory[at + matching.GRID_X], memory[at + matching.GRID_Y] = x, y
+    if dt > 0.0:
+        memory[at + matching.POINTS] += 1.0
+        resample(memory, at, dt, x_before, y_before)
+    away = distance(memory, at)
+    best = -1
+    if memory[at + matching.POINTS] >= matching.POINTS_LEAST:
+        best = matching.winner(memory, at, 1.0 if dt > 0.0 else 0.0)
+    if best < 0 or not away > 0.0:
+        return NONE, NONE, NONE, NONE, NONE, NONE, phase
+    ahead = memory[matching.template(memory, best) + matching.DISTANCE] / away - 1.0
+    x0, y0 = memory[at + movement.X0], memory[at + movement.Y0]
+    return x + ahead * (x - x0), y + ahead * (y - y0), NONE, NONE, NONE, NONE, phase
+
+
+@law
+def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
+    """The same step over a table."""
+    for i in range(len(rows)):
+        if begin[i]:
+            conclude(memory)
+            memory[first:] = 0.0
+        r = rows[i]
+        answer = step(memory, r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8])
+        out[i, 0] = r[0]
+        for j in range(len(answer)):
+            out[i, j + 1] = answer[j]
+
+
+class TemplatePredictor(Predictor):
+    """Kinematic template matching (KTM): as far as the earlier movement whose speed profile is most alike.
+
+    Assumes that a person repeats movements: it can only name distances that it has seen, and the direction
+    is where the cursor has gone so far. Where distances vary it is worse than no prediction until the library
+    is large. Profiles are smoothed so much (350 ms) that in a short movement little but the mean speed
+    remains.
+    In the first 50 ms every score is 0, so the first template answers.
+
+    Speeds v of cursor px at 20 Hz, the first one 0; G smooths with 43 taps of a Gaussian, sigma 7 samples,
+    both profiles cut to the samples 0 .. n so far. Score of template k = mean over 0 .. n of
+    abs((G v)_i - (G v_k)_i), with (G v_k)_i = 0 after the template's end; from the 4th point on it is added
+    to the template's running sum at every motion; endpoint = start + d_k in the direction start -> cursor,
+    with d_k the straight distance of the template whose sum is lowest.
+
+    ``library``: templates given for good, as ``templates_of`` makes them of a recording. Besides, the last
+    ``templates`` movements of the session are learned as they end (by ``reset``, a row marked ``begin`` or
+    ``Motion.start``): those of at least ``shortest_px`` and at most ``longest_s``; ``fresh`` forgets them.
+    ``None`` without any template, before the 4th point, and where the cursor is at its start. A movement
+    longer than ``longest_s`` by 1.1 s is followed no further. A second motion of the same time moves the
+    cursor, but changes neither profile nor sums.
+
+    Parameters: ``templates`` 0 to 1000 with those of the library, ``longest_s`` 0.2 to 30 s, ``shortest_px``.
+    Memory: 5756 floats; 87 for each template and 188 more, with the defaults. A sample costs time in
+    proportion to the templates, a motion between two samples hardly anything. Claims neither region nor time.
+    Raises ParameterError, and EventError from ``update``.
+
+    Reference: Pasqual, Wobbrock 2014, with the constants of their program.
+
+    >>> from pointpred import Motion
+    >>> predictor = TemplatePredictor()
+    >>> for trial in range(2):
+    ...     for i in range(21):  # 300 px to the right, then 300 px down
+    ...         way, t = 15.0 * i, trial + i / 40
+    ...         x, y = (way, 0.0) if trial == 0 else (300.0, way)
+    ...         motion = Motion(t, x, y, 0.0, 0.0, 0.0, 0.0, True, start=i == 0)
+    ...         prediction = predictor.update(motion)
+    ...         if i == 10:
+    ...             print(prediction and (round(prediction.x, 6), round(prediction.y, 6)))
+    None
+    (300.0, 300.0)
+    """
+
+    parameters = (
+        Parameter("templates", "", 0, TEMPLATES_MOST, "movements of the session that are remembered"),
+        Parameter("longest_s", "s", 0.2, 30.0, "longest movement that becomes a template"),
+        Parameter("shortest_px", "px", 0.0, 1e6, "straight distance of the shortest"),
+    )
+    step = staticmethod(step)
+    loop = staticmethod(loop)
+    conclude = staticmethod(conclude)
+
+    def __init__(
+        self,
+        *,
+        templates: int = 64,
+        longest_s: float = 3.0,
+        shortest_px: float = 10.0,
+        library: FloatArray | None = None,
+    ) -> None:
+        check(self.parameters, {"templates": templates, "longest_s": longest_s, "shortest_px": shortest_px})
+        if templates != int(templates):
+            raise ParameterError(f"templates must be a whole number, received {templates!r}")
+        longest = samples_of(longest_s)
+        given = _given(library, longest_s)
+        if templates + len(given) > TEMPLATES_MOST:
+            raise ParameterError(
+                f"at most {TEMPLATES_MOST} templates, received {len(given)} in the library beside {templates}"
+            )
+        wide = np.zeros((len(given), matching.SPEEDS + longest))
+        wide[:, : given.shape[1]] = given
+        self.learned = templates * wide.shape[1] + matching.LEARNED if templates else 0
+        settings = [float(templates), float(len(given)), float(longest), shortest_px, *matching.KERNEL]
+        states = matching.PROFILE + longest + (templates + len(given)) * matching.MATCH
+        states += 0 if templates else matching.LEARNED
+        super().__init__([*settings, *wide.ravel().tolist()], states)
+
+    def library(self) -> FloatArray:
+        """The templates it would compare with after a reset, in the order in which ties are decided."""
+        twin = copy.copy(self)
+        twin.reset()
+        first = matching.template(twin._memory, 0)
+        wide = matching.SPEEDS + int(twin._memory[matching.LONGEST])
+        held = matching.filled(twin._memory)
+        return twin._memory[first : first + held * wide].reshape(held, wide).copy()
+
+
+def samples_of(longest_s: float) -> int:
+    """Samples in the profile of the longest movement: one for each 50 ms, and the zero before them."""
+    return int((longest_s + matching.STAMP_S) / matching.STEP_S) + 1
+
+
+def _given(library: FloatArray | None, longest_s: float) -> FloatArray:
+    """The library, checked."""
+    if library is None:
+        return np.empty((0, matching.SPEEDS))
+    table, most = np.asarray(library, dtype=np.float64), samples_of(longest_s)
+    if table.ndim != 2 or not matching.SPEEDS < table.shape[1] <= matching.SPEEDS + most:
+        raise ParameterError(
+            f"library needs a row a template with at most {most} samples (longest_s is {longest_s:g} s), "
+            f"received shape {table.shape}"
+        )
+    lengths = table[:, matching.LENGTH]
+    longest = table.shape[1] - matching.SPEEDS
+    if not (np.isfinite(table).all() and (lengths >= 1.0).all() and (lengths <= longest).all()):
+        raise ParameterError(f"library needs finite numbers and templates of 1 to {longest} samples")
+    return table

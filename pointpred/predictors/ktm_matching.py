@@ -1,0 +1,125 @@
+"""Kinematic template matching: the templates in the memory, and how a movement is compared with each.
+
+A speed profile is sampled at 20 Hz and begins with a zero. What is compared are smoothed profiles; smoothing
+is linear, so that the difference of two profiles is smoothed instead, one sample at a time: a new sample
+changes the last 21 smoothed values and adds one, and what lies farther back is final.
+"""
+
+from __future__ import annotations
+
+from math import exp
+
+from pointpred.columns import FloatArray
+from pointpred.compiled import law
+from pointpred.predictors import movement
+
+RATE_HZ = 20.0
+STEP_S = 1.0 / RATE_HZ
+STAMP_S = 1e-6
+"""A sample is due a microsecond early: no clock hits a multiple of 50 ms exactly."""
+SIGMA = 7.0
+TAPS = 22
+"""The kernel's taps from its middle to one end: 43 in all."""
+KERNEL = tuple(exp(-0.5 * (i / SIGMA) ** 2) for i in range(TAPS))
+"""Half of it. Its sum is not 1: a factor on every score alike decides nothing."""
+POINTS_LEAST = 4
+
+# Settings, the kernel, then the templates: those given, those learned, and how many were learned.
+LEARNED_MOST, GIVEN, LONGEST, SHORTEST_PX, HALF = 0, 1, 2, 3, 4
+STORE = HALF + TAPS
+# A template: samples of its profile (0: an empty place), straight distance px, speeds px/s.
+LENGTH, DISTANCE, SPEEDS = 0, 1, 2
+# After the templates: how many were learned, and the place of the next.
+COUNT, NEXT, LEARNED = 0, 1, 2
+# The movement, after `movement`'s own state: its points, its samples, the last of them, the last 22 speeds,
+# the whole profile; then for each template the running sum, the final part of its score, its score and the
+# last 22 smoothed differences.
+POINTS = movement.STATES
+SAMPLES, GRID_X, GRID_Y, RECENT = (POINTS + 1 + i for i in range(4))
+PROFILE = RECENT + TAPS
+SUM, FINAL, SCORE, SMOOTH = 0, 1, 2, 3
+MATCH = SMOOTH + TAPS
+
+
+@law
+def template(memory: FloatArray, k: int) -> int:
+    """Place of the k-th template."""
+    return STORE + k * (SPEEDS + int(memory[LONGEST]))
+
+
+@law
+def known(memory: FloatArray) -> int:
+    """Place of what is said of the learned templates: after the last of them."""
+    return template(memory, int(memory[GIVEN]) + int(memory[LEARNED_MOST]))
+
+
+@law
+def filled(memory: FloatArray) -> int:
+    """How many templates there are to compare with."""
+    return int(memory[GIVEN]) + int(memory[known(memory) + COUNT])
+
+
+@law
+def sample(memory: FloatArray, at: int, speed: float) -> None:
+    """Take the next sample of the movement's speed in, and score every template."""
+    n, longest, recent = int(memory[at + SAMPLES]), int(memory[LONGEST]), at + RECENT
+    for k in range(TAPS - 1):
+        memory[recent + k] = memory[recent + k + 1]
+    memory[recent + TAPS - 1] = speed
+    if n < longest:
+        memory[at + PROFILE + n] = speed
+    own = 0.0
+    for k in range(TAPS):
+        own += memory[HALF + TAPS - 1 - k] * memory[recent + k]
+    for j in range(filled(memory)):
+        place, match = template(memory, j), at + PROFILE + longest + j * MATCH
+        score(memory, n, speed, own, place, match)
+    memory[at + SAMPLES] = n + 1.0
+
+
+@law
+def score(memory: FloatArray, n: int, speed: float, own: float, place: int, match: int) -> None:
+    """One template's mean absolute smoothed difference over samples 0 to n."""
+    length, smooth = int(memory[place + LENGTH]), match + SMOOTH
+    difference = speed - memory[place + SPEEDS + n] if n < length else speed
+    memory[match + FINAL] += abs(memory[smooth])
+    total = memory[match + FINAL]
+    oldest = max(0, TAPS - 1 - n)
+    for k in range(oldest, TAPS - 1):
+        memory[smooth + k] = memory[smooth + k + 1] + memory[HALF + TAPS - 1 - k] * difference
+        total += abs(memory[smooth + k])
+    newest = own
+    if n < length:  # a template's smoothed speed is 0 after its end: there the movement's own stands alone
+        for k in range(oldest, TAPS):
+            newest -= memory[HALF + TAPS - 1 - k] * memory[place + SPEEDS + n - (TAPS - 1) + k]
+    memory[smooth + TAPS - 1] = newest
+    memory[match + SCORE] = (total + abs(newest)) / (n + 1)
+
+
+@law
+def winner(memory: FloatArray, at: int, times: float) -> int:
+    """Add each score that many times to its running sum; the first with the lowest sum, -1 without any."""
+    first, best = at + PROFILE + int(memory[LONGEST]), -1
+    for j in range(filled(memory)):
+        match = first + j * MATCH
+        memory[match + SUM] += times * memory[match + SCORE]
+        if best < 0 or memory[match + SUM] < memory[first + best * MATCH + SUM]:
+            best = j
+    return best
+
+
+@law
+def keep(memory: FloatArray, at: int, distance: float) -> None:
+    """Make the movement a template, the oldest learned one giving way, if it is long but not too long."""
+    most, samples = int(memory[LEARNED_MOST]), int(memory[at + SAMPLES])
+    if most == 0 or memory[at + POINTS] < POINTS_LEAST or not 2 <= samples <= memory[LONGEST]:
+        return
+    if not distance >= memory[SHORTEST_PX]:
+        return
+    told = known(memory)
+    place = template(memory, int(memory[GIVEN]) + int(memory[told + NEXT]))
+    memory[place + LENGTH], memory[place + DISTANCE] = samples, distance
+    for k in range(int(memory[LONGEST])):
+        memory[place + SPEEDS + k] = memory[at + PROFILE + k]  # zeros behind the last sample
+    memory[told + NEXT] = (memory[told + NEXT] + 1.0) % most
+    memory[told + COUNT] = min(memory[told + COUNT] + 1.0, most)
