@@ -4,31 +4,30 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
 from pathlib import Path
 from typing import Any
 
 from fastapi import FastAPI, Request, Response
-from fastapi.responses import FileResponse
+from fastapi.exceptions import RequestValidationError
+from fastapi.responses import FileResponse, HTMLResponse
 from fastapi.staticfiles import StaticFiles
+from starlette.exceptions import HTTPException
 from starlette.routing import Route, WebSocketRoute
 
 import pointpred
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.registry import REGISTRY, describe
 from pointpred.server import samples
+from pointpred.server.described import NOT_READY, UPLOAD, Exposition, Health, Readiness, Script, refusals
 from pointpred.server.endpoint import StreamEndpoint
 from pointpred.server.hosts import HostGuard, HostRule
-from pointpred.server.http_answers import READ, SAFE, answer, fail, harden, refuse, turn_down
+from pointpred.server.http_answers import SAFE, answer, fail, harden, miss, refuse, turn_down
 from pointpred.server.service import Service
 from pointpred.server.uploads import UploadError, received
 
 WEB = Path(__file__).with_name("web")
-NOT_SCORED: dict[int | str, dict[str, Any]] = {
-    408: {"description": "The recording did not come whole in time."},
-    413: {"description": "It is too large: bytes, rows, trials, or what it unpacks to."},
-    503: {"description": "As many recordings as are taken at a time are under way."},
-}
+OPEN, GUARDED = refusals(403), refusals(401, 403)
 
 
 def create_app(hosts: HostRule | None = None, service: Service | None = None) -> FastAPI:
@@ -50,20 +49,39 @@ def create_app(hosts: HostRule | None = None, service: Service | None = None) ->
     app.exception_handler(RecordingError)(refuse)
     app.exception_handler(UploadError)(turn_down)
     app.exception_handler(Exception)(fail)
-    app.add_api_route("/healthz", _health, methods=READ)
-    app.add_api_route("/readyz", _ready, methods=READ)
-    app.add_api_route("/metrics", _metrics, methods=["GET"])
-    app.add_api_route("/", _page, methods=READ, response_class=FileResponse)
-    app.add_api_route("/pointpred.js", _client, methods=READ, response_class=FileResponse)
-    app.add_api_route("/v1/predictors", _predictors, methods=READ)
-    app.add_api_route("/v1/samples", _samples, methods=READ)
-    app.add_api_route("/v1/samples/{name}", _sample, methods=READ)
-    app.add_api_route("/v1/score", _score, methods=["POST"], responses=NOT_SCORED)
+    app.exception_handler(HTTPException)(miss)
+    app.exception_handler(RequestValidationError)(refuse)
+    _add_read(app, "/healthz", _health, responses=OPEN, response_model=Health)
+    _add_read(app, "/readyz", _ready, responses=OPEN | NOT_READY, response_model=Readiness)
+    _add_read(app, "/metrics", _metrics, responses=GUARDED, response_class=Exposition)
+    _add_read(app, "/", _page, responses=GUARDED, response_class=HTMLResponse)
+    _add_read(app, "/pointpred.js", _client, responses=OPEN, response_class=Script)
+    _add_read(app, "/v1/predictors", _predictors, responses=GUARDED)
+    _add_read(app, "/v1/samples", _samples, responses=GUARDED)
+    _add_read(app, "/v1/samples/{name}", _sample, responses=refusals(401, 403, 404, 422))
+    app.add_api_route(
+        "/v1/score",
+        _score,
+        methods=["POST"],
+        summary=_summary(_score),
+        responses=refusals(400, 401, 403, 408, 413, 422, 503),
+        openapi_extra=UPLOAD,
+    )
     stream = StreamEndpoint(serving)
     app.router.routes.append(WebSocketRoute("/v1/stream", stream))
     app.router.routes.append(Route("/v1/stream", stream, include_in_schema=False))  # says what it speaks
     app.mount("/web", StaticFiles(directory=WEB))
     return app
+
+
+def _add_read(app: FastAPI, path: str, call: Callable[..., Any], **described: Any) -> None:
+    """A route to read from; ``HEAD`` answers like ``GET`` and is not described apart."""
+    app.add_api_route(path, call, methods=["GET"], summary=_summary(call), **described)
+    app.add_api_route(path, call, methods=["HEAD"], include_in_schema=False)
+
+
+def _summary(call: Callable[..., Any]) -> str:
+    return (call.__doc__ or "").partition("\n")[0]
 
 
 @contextlib.asynccontextmanager
@@ -87,14 +105,15 @@ def _ready(request: Request) -> Response:
     return answer({"ready": service.ready, "stopping": service.stopping}, 200 if service.ready else 503)
 
 
-def _metrics(request: Request) -> Response:
+async def _metrics(request: Request) -> Response:
     """Counters and histograms for Prometheus."""
     service: Service = request.app.state.service
-    service.settle()
-    return Response(service.metrics.text(), media_type="text/plain; version=0.0.4; charset=utf-8")
+    service.settle()  # on the event loop, where sessions come and go
+    return Exposition(service.metrics.text())
 
 
 def _page() -> FileResponse:
+    """The live page."""
     return FileResponse(WEB / "index.html")
 
 

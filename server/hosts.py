@@ -7,9 +7,12 @@ from collections.abc import Awaitable, Callable, Collection, Iterable, Mapping, 
 from ipaddress import ip_address
 from typing import Any
 
+from pointpred.server.messages import ErrorMessage, encode
+
 LOOPBACK = frozenset({"127.0.0.1", "localhost", "::1"})
 HOST = re.compile(r"(?:\[([0-9a-f:.]+)\]|([^\s:/@\[\]?#]+))(?::[0-9]{0,5})?")
 WILDCARDS = frozenset({"0.0.0.0", "::"})
+REFUSAL = encode(ErrorMessage("unauthorized", "this host name is not served here"))
 
 Scope = MutableMapping[str, Any]
 Receive = Callable[[], Awaitable[MutableMapping[str, Any]]]
@@ -63,9 +66,9 @@ class HostGuard:
             await receive()
             await send({"type": "websocket.close", "code": 1008})
         else:
-            headers = [(b"content-type", b"text/plain; charset=utf-8"), *self.headers]
+            headers = [(b"content-type", b"application/json"), *self.headers]
             await send({"type": "http.response.start", "status": 403, "headers": headers})
-            await send({"type": "http.response.body", "body": b"This host name is not served here.\n"})
+            await send({"type": "http.response.body", "body": REFUSAL})
 
 
 def header(scope: Scope, name: bytes) -> str | None:

@@ -6,6 +6,7 @@ from typing import Any
 
 import msgspec
 from fastapi import Request, Response
+from starlette.exceptions import HTTPException
 
 from pointpred.server.endpoint import SHOW_TOKEN, shows_token
 from pointpred.server.hosts import admits_origin
@@ -73,6 +74,23 @@ async def refuse(request: Request, error: Exception) -> Response:
     unknown = "unknown predictor" in str(error)
     found = request.url.path.startswith("/v1/samples/")
     return error_answer("unknown_predictor" if unknown else "bad_field", str(error), 404 if found else 422)
+
+
+async def miss(request: Request, error: Exception) -> Response:
+    """A path that is not there, or a method that is not for it."""
+    assert isinstance(error, HTTPException)
+    path, headers = request.url.path, dict(error.headers or {})
+    if error.status_code == 405:
+        allowed = headers.get("Allow", "GET")
+        headers["Allow"] = ", ".join(READ) if allowed in READ else allowed
+        words = f"{path} answers {headers['Allow']}, received {request.method}"
+        response = error_answer("out_of_place", words, 405)
+    elif error.status_code == 404:
+        response = error_answer("bad_field", f"nothing is at {path}; /openapi.json says what is", 404)
+    else:
+        response = error_answer("bad_field", str(error.detail), error.status_code)
+    response.headers.update(headers)
+    return response
 
 
 async def turn_down(request: Request, error: Exception) -> Response:

@@ -119,5 +119,6 @@ def test_foreign_hosts_are_refused(bound: str, header: str, admitted: bool) -> N
         for path in ("/", "/healthz", "/v1/samples", "/web/page.js"):
             answer = client.get(path, headers={"Host": header})
             assert answer.status_code == (200 if admitted else 403)
+            assert admitted or answer.json()["code"] == "unauthorized"
             assert answer.headers["X-Content-Type-Options"] == "nosniff"
             assert "frame-ancestors 'none'" in answer.headers["Content-Security-Policy"]

@@ -1,0 +1,80 @@
+"""What the OpenAPI document says of the HTTP part beyond names and parameters."""
+
+from __future__ import annotations
+
+from typing import Any, Literal
+
+from fastapi import Response
+from pydantic import BaseModel, Field
+
+from pointpred.server.messages import Code
+
+
+class Error(BaseModel):
+    """Why nothing else is answered: one shape for all."""
+
+    type: Literal["error"]
+    code: Code
+    message: str = Field(description="What was wrong, the bound, the value received.")
+    path: str | None = Field(description="Where in a message it was; null over HTTP.")
+    recoverable: bool
+
+
+class Readiness(BaseModel):
+    """Whether sessions are served at once."""
+
+    ready: bool = Field(description="Compiled code is warm.")
+    stopping: bool
+
+
+class Health(BaseModel):
+    """The process answers."""
+
+    status: Literal["ok"]
+    version: str
+
+
+class Exposition(Response):
+    """Metrics as Prometheus reads them."""
+
+    media_type = "text/plain; version=0.0.4; charset=utf-8"
+
+
+class Script(Response):
+    """An ES module."""
+
+    media_type = "text/javascript"
+
+
+Told = dict[int | str, dict[str, Any]]
+
+_WORDS = {
+    400: "The connection was lost before the recording had come.",
+    401: "The token is missing or another.",
+    403: "The host name is not served here, or pages of this origin may not post.",
+    404: "There is nothing of this name.",
+    408: "The recording did not come whole in time; the connection is closed.",
+    413: "It is too large: bytes, rows, columns, trials, or what it unpacks to.",
+    422: "It is no recording, or a parameter cannot be used.",
+    500: "The server failed.",
+    503: "As many recordings as are taken at a time are under way.",
+}
+
+
+def refusals(*statuses: int) -> Told:
+    """The answers to what is refused, each in the shape of errors."""
+    return {status: {"model": Error, "description": _WORDS[status]} for status in (*statuses, 500)}
+
+
+NOT_READY: Told = {503: {"model": Readiness, "description": "Not yet, or no more."}}
+PARQUET = "application/vnd.apache.parquet"
+UPLOAD: dict[str, Any] = {
+    "requestBody": {
+        "required": True,
+        "description": "A samples file of pointpred, told by its first bytes, whatever the header says.",
+        "content": {
+            "text/csv": {"schema": {"type": "string"}},
+            PARQUET: {"schema": {"type": "string", "format": "binary"}},
+        },
+    }
+}
