@@ -3,7 +3,7 @@
 import { recording } from "./circle-recording.js";
 import { statistics } from "./circle-statistics.js";
 import { fill, number, part, percent, write } from "./elements.js";
-import { legend, plotErrors } from "./plots.js";
+import { clearPlot, legend, plotErrors } from "./plots.js";
 import { expectScores, linesOf, scoreTable, sentence, setOf } from "./scores.js";
 import { score } from "./service.js";
 
@@ -58,23 +58,33 @@ function named(when) {
  * Shows a run, then its scores once the service has them.
  * @param {import("./circle-task.js").Trial[]} trials @param {string[]} names of the predictors that will be scored
  */
-export async function showResult(trials, names) {
+export function showResult(trials, names) {
   const found = statistics(trials);
   const files = recording(trials, named(new Date()));
   tiles(found);
   blocks(found);
   offerFiles(files);
-  expectScores(part("circle-scores"), names);
-  legend(part("circle-legend"), names);
   const result = part("circle-result");
   result.hidden = false;
-  result.dataset.state = "scoring";
   part("circle-result-title").focus({ preventScroll: true });
   result.scrollIntoView();
-  const said = part("circle-scored");
+  part("circle-again").onclick = () => showScores(files.samples.text, names);
+  showScores(files.samples.text, names);
+}
+
+let asked = 0; // the newest wish for scores: what comes late for an older run is not shown
+
+async function showScores(csv, names) {
+  const mine = ++asked;
+  const [result, said, again] = ["circle-result", "circle-scored", "circle-again"].map(part);
+  result.dataset.state = "scoring";
+  again.disabled = true;
+  expectScores(part("circle-scores"), names);
+  legend(part("circle-legend"), names);
   write(said, "The service scores every predictor on these movements…");
   try {
-    const set = setOf(await score(files.samples.text));
+    const set = setOf(await score(csv));
+    if (mine !== asked) return;
     scoreTable(part("circle-scores"), set);
     legend(part("circle-legend"), set.predictors.map(({ name }) => name));
     for (const [id, measure] of [["circle-by-path", "by_path"], ["circle-by-time", "by_time"]]) {
@@ -84,7 +94,11 @@ export async function showResult(trials, names) {
     write(said, sentence(set));
     result.dataset.state = "done";
   } catch (error) {
+    if (mine !== asked) return;
+    expectScores(part("circle-scores"), names, "–");
+    for (const id of ["circle-by-path", "circle-by-time"]) clearPlot(part(id));
     write(said, `Not scored: ${error.message}. The recording can be saved all the same.`);
+    again.disabled = false;
     result.dataset.state = "failed";
   }
 }

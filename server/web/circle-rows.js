@@ -13,13 +13,14 @@ export class CircleRows {
     this.#body = body;
   }
 
-  /** @param {import("./circle-task.js").Trial} trial */
-  add({ block, number: which, start, end, hit }) {
+  /** @param {import("./circle-task.js").Trial} trial @param {boolean} expected whether the service was asked for its score */
+  add({ block, number: which, start, end, hit }, expected) {
     const row = this.#body.insertRow(0);
     row.classList.toggle("missed", !hit);
     const words = [`${block}.${which}`, number(end[0] - start[0], 2, "s"), "…", "…", "…"];
     for (const word of words) row.insertCell().textContent = word;
-    this.#pending.push(row);
+    if (expected) this.#pending.push(row);
+    else this.#without(row);
   }
 
   /** Writes the score of the first movement that waits for one. @param {import("/pointpred.js").Score} score */
@@ -34,14 +35,16 @@ export class CircleRows {
 
   /** Movements whose connection was lost are not scored one by one; the recording keeps them. */
   lose() {
-    for (const row of this.#pending.splice(0)) {
-      for (const cell of SCORES) row.cells[cell].textContent = "–";
-      row.title = "Not scored here: the connection was lost";
-    }
+    for (const row of this.#pending.splice(0)) this.#without(row);
   }
 
+  #without(row) {
+    for (const cell of SCORES) row.cells[cell].textContent = "–";
+    row.title = "Not scored here: the connection was lost";
+  }
+
+  /** Forgets the rows, but not how many scores are still to come: a later row must not get them. */
   clear() {
-    this.#pending = [];
     this.#body.replaceChildren();
   }
 }

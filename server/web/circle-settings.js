@@ -20,27 +20,47 @@ function problemWith(field, name) {
   return `${NAMES[name]} must be a whole number from ${min} to ${max}${Number(step) === 2 ? ", and odd" : ""}.`;
 }
 
-/** Sets a distance that suits the picture, where the one in the form does not fit. */
+/** Sets the distance that suits the picture: the usual one, or the longest that fits. */
 export function suit(form, canvas) {
-  const most = room(canvas, form.elements.targets.valueAsNumber, form.elements.width.valueAsNumber);
-  if (form.elements.distance.valueAsNumber > most) form.elements.distance.value = String(Math.max(50, 10 * Math.floor(most / 10)));
+  const { targets, width, distance } = form.elements;
+  if (problemWith(targets, "targets") || problemWith(width, "width")) return;
+  const most = room(canvas, targets.valueAsNumber, width.valueAsNumber);
+  distance.value = String(Math.min(Number(distance.defaultValue), Math.max(50, 10 * Math.floor(most / 10))));
+}
+
+/** Marks a field that cannot be run with, and ties the reason to it. */
+function mark(field, wrong) {
+  field.setAttribute("aria-invalid", String(wrong));
+  if (wrong) field.setAttribute("aria-describedby", "circle-said");
+  else field.removeAttribute("aria-describedby");
+}
+
+/** Whether every target of a run lies inside the picture. */
+export function fits({ places, settings: { width } }, canvas) {
+  return places.every(([x, y]) => Math.min(x, y, canvas.clientWidth - x, canvas.clientHeight - y) >= width / 2);
 }
 
 /**
  * @returns {{settings: {targets: number, distance: number, width: number, blocks: number, centre: [number, number]},
- *   problem: string | null}} settings that can be drawn in any case; `problem` says why they cannot be run
+ *   problem: string | null, field: HTMLInputElement | null}} settings that can be drawn in any case; `problem` says why they cannot be run, and
+ *   `field` is the first that is wrong
  */
 export function readSettings(form, canvas) {
-  let problem = null;
+  let problem = null, first = null;
   const settings = { centre: [Math.round(canvas.clientWidth / 2), Math.round(canvas.clientHeight / 2)] };
   for (const name of Object.keys(NAMES)) {
     const field = form.elements[name];
     const wrong = problemWith(field, name);
     settings[name] = wrong ? LEAST[name] : field.valueAsNumber;
-    field.setAttribute("aria-invalid", String(wrong !== null));
+    mark(field, wrong !== null);
+    if (wrong) first ??= field;
     problem ??= wrong;
   }
   const most = room(canvas, settings.targets, settings.width);
-  if (problem === null && settings.distance > most) problem = `There is room for a distance of at most ${most} px here.`;
-  return { settings, problem };
+  if (problem === null && settings.distance > most) {
+    problem = `There is room for a distance of at most ${most} px here.`;
+    first = form.elements.distance;
+    mark(first, true);
+  }
+  return { settings, problem, field: first };
 }

@@ -5,6 +5,9 @@ import { along } from "./geometry.js";
 /** Width of a normal distribution's middle 96.12 %: one in 26 selections misses a target so wide. */
 export const WIDTH_IN_SDS = 4.133;
 
+/** Less of the way is rounding, not a hand's spread. */
+const LEAST_SPREAD = 1e-6;
+
 const mean = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
 
 /** Standard deviation of a sample, with n - 1. */
@@ -33,7 +36,7 @@ export function blockStatistics(trials) {
   const movementTime = mean(trials.map(({ start, end }) => end[0] - start[0]));
   const effectiveDistance = mean(ends.map((end, i) => end - starts[i]));
   const effectiveWidth = trials.length > 1 ? WIDTH_IN_SDS * deviation(beside) : null;
-  const sound = effectiveWidth > 0 && effectiveDistance > 0 && movementTime > 0;
+  const sound = effectiveDistance > 0 && effectiveWidth > LEAST_SPREAD * effectiveDistance && movementTime > 0;
   const throughput = sound ? Math.log2(effectiveDistance / effectiveWidth + 1) / movementTime : null;
   return { ...counted, movementTime, effectiveWidth, effectiveDistance, throughput };
 }

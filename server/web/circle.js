@@ -3,10 +3,11 @@
 import { showResult } from "./circle-results.js";
 import { CircleChoices } from "./circle-choices.js";
 import { CircleRows } from "./circle-rows.js";
-import { readSettings, suit } from "./circle-settings.js";
+import { fits, readSettings, suit } from "./circle-settings.js";
 import { CircleTask } from "./circle-task.js";
+import { onRepaint } from "./draw.js";
 import { drawCircle } from "./draw-circle.js";
-import { offer, part, write } from "./elements.js";
+import { count, offer, part, write } from "./elements.js";
 import { circle } from "./geometry.js";
 import { follow } from "./pointer.js";
 import { PREFERRED, predictors } from "./service.js";
@@ -22,7 +23,8 @@ const choices = new CircleChoices();
 let active = false;
 let drawing = false;
 let offered = false;
-let suited = false;
+let edited = false; // whether the distance is the person's own
+let marked = false; // whether the service knows where the movement that goes on began
 let names = []; // of every predictor
 /** @type {Track|null} */ let track = null;
 /** @type {CircleTask|null} */ let task = null;
@@ -43,10 +45,11 @@ function selected(row) {
   if (task === null || task.done) return;
   const trial = task.select(row);
   if (trial !== null) {
-    track?.connection.trial("end", { x: trial.target[0], y: trial.target[1], width: trial.width });
-    rows.add(trial);
+    if (marked) track.connection.trial("end", { x: trial.target[0], y: trial.target[1], width: trial.width });
+    rows.add(trial, marked);
   }
-  if (task.running) track?.connection.trial("start", goal());
+  marked = task.running && track?.connection.state === "open";
+  if (marked) track.connection.trial("start", goal());
   canvas.dataset.target = JSON.stringify(task.done ? null : { ...goal(), running: task.running });
   tell();
   if (task.done) finish();
@@ -66,6 +69,7 @@ function stateOf(state) {
   status.dataset.state = state;
   write(status, words(state) + (track?.fault && state !== "open" ? ` ${track.fault}` : ""));
   if (state === "open") return;
+  marked = false; // a session opened again knows of no movement
   rows.lose();
   choices.clear();
 }
@@ -83,9 +87,10 @@ function connectWith(predictor) {
 }
 
 function start() {
-  const { settings, problem } = readSettings(form, canvas);
+  const { settings, problem, field } = readSettings(form, canvas);
   if (problem) {
     write(said, problem);
+    field.focus();
     return;
   }
   task = new CircleTask(settings);
@@ -93,6 +98,8 @@ function start() {
   connectWith(form.elements.predictor.value);
   choices.offer(track.connection, task.places, settings.width);
   running(true);
+  marked = false;
+  canvas.parentElement.scrollIntoView({ block: "nearest" });
   canvas.dataset.target = JSON.stringify({ ...goal(), running: false });
   tell();
 }
@@ -105,12 +112,12 @@ function running(yes) {
   for (const field of form.elements) if (!["circle-start", "circle-stop"].includes(field.id) && field.name !== "shown") field.disabled = yes;
 }
 
-function stop() {
+function stop(why = "") {
   if (task === null || task.done) return;
   const trials = task.trials;
   task = null;
   running(false);
-  write(said, trials.length ? `Stopped after ${trials.length} movements.` : "Stopped.");
+  write(said, (trials.length ? `Stopped after ${count(trials.length, "movement")}.` : "Stopped.") + why);
   if (trials.length > 1) showResult(trials, names);
 }
 
@@ -135,11 +142,22 @@ function frame() {
   requestAnimationFrame(frame);
 }
 
+/** Another size of the window: a circle that no longer fits is not gone on with. */
+function resized() {
+  if (!active) return;
+  if (task === null || task.done) refit();
+  else if (!fits(task, canvas)) stop(" The window has become too small for this circle.");
+}
+
+/** A distance that the page chose follows what there is room for. */
+function refit() {
+  if (!edited) suit(form, canvas);
+}
+
 /** Connects and draws from now on. */
 export async function open() {
   active = true;
-  if (!suited) suit(form, canvas);
-  suited = true;
+  refit();
   if (!drawing) requestAnimationFrame(frame);
   drawing = true;
   const listing = await predictors();
@@ -167,7 +185,10 @@ if (window.matchMedia("(pointer: coarse)").matches) {
 }
 form.addEventListener("submit", (event) => { event.preventDefault(); start(); });
 form.elements.predictor.addEventListener("change", () => active && connectWith(form.elements.predictor.value));
-stopButton.addEventListener("click", stop);
+for (const name of ["targets", "width"]) form.elements[name].addEventListener("input", refit);
+form.elements.distance.addEventListener("input", () => (edited = true));
+stopButton.addEventListener("click", () => stop());
+onRepaint(resized);
 document.addEventListener("keydown", (event) => event.key === "Escape" && active && stop());
 follow(canvas, {
   moved,

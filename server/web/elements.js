@@ -20,6 +20,9 @@ export function number(value, decimals = 0, unit = "") {
   return value.toFixed(decimals) + (unit && ` ${unit}`);
 }
 
+/** A number of things, by the name of one of them. */
+export const count = (value, noun) => `${value} ${noun}${value === 1 ? "" : "s"}`;
+
 /** A share in per cent. */
 export const percent = (share, decimals = 0) => number(share === null ? null : 100 * share, decimals, "%");
 

@@ -10,12 +10,12 @@ export class LiveCard {
   offered = false;
   #status; #of; #told;
 
-  /** @param {HTMLElement} card @param {(prediction: object) => void} predicted hears of each prediction */
+  /** @param {HTMLElement} card @param {(prediction: object, name: string) => void} predicted hears of each, and whose it is */
   constructor(card, predicted) {
     this.select = card.querySelector("select");
     this.#status = card.querySelector(".connection");
     this.#of = Object.fromEntries(["phase", "left", "region"].map((of) => [of, card.querySelector(`[data-of=${of}]`)]));
-    this.#told = { prediction: predicted, state: () => this.#say(), error: () => this.#say() };
+    this.#told = { prediction: (one) => predicted(one, this.track.speaker), state: () => this.#say(), error: () => this.#say() };
     this.select.addEventListener("change", () => this.#choose());
   }
 
@@ -41,7 +41,8 @@ export class LiveCard {
     const now = this.fresh(fresh);
     write(this.#of.phase, now?.phase ?? "–");
     write(this.#of.left, now?.remaining_s == null ? "–" : number(now.remaining_s, 2, "s"));
-    write(this.#of.region, now?.region ? this.#size(now.region) : now?.x == null ? "–" : "none");
+    write(this.#of.region, now?.region ? this.#size(now.region) : now?.x == null ? "–" : "not given");
+    this.#of.region.title = now?.x != null && !now.region ? `not given by ${this.track.predictor}` : "";
   }
 
   #size(region) {

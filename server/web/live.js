@@ -32,7 +32,7 @@ let judged = true;
 let told = 0;
 let frames = 0;
 const movement = new Movement();
-const cards = [0, 1].map((which) => new LiveCard(part(`live-card-${which}`), (prediction) => movement.predicted(which, prediction)));
+const cards = [0, 1].map((which) => new LiveCard(part(`live-card-${which}`), (prediction, name) => movement.predicted(which, prediction, name)));
 
 function moved(rows) {
   heard = performance.now();
@@ -94,7 +94,7 @@ function judge() {
   movement.clear();
   if (found === null) return;
   const said = cards.flatMap(({ track }, i) =>
-    track === null ? [] : [`${track.predictor} ${found.errors[i] == null ? "said nothing" : `was ${number(found.errors[i])} px off`}`]);
+    track === null ? [] : [`${found.names[i] ?? track.predictor} ${found.errors[i] == null ? "said nothing" : `was ${number(found.errors[i])} px off`}`]);
   write(part("live-verdict"), `Half-way in time of those ${number(found.distance)} px, ${said.join(", ")}; your pointer was still ${number(found.hold)} px away.`);
 }
 

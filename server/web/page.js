@@ -1,14 +1,14 @@
-// The page's three views; each is loaded, connected and drawn only while its tab is open.
+// The page's three views; each is connected and drawn only while its tab is open.
+// All are loaded with the page: a browser never asks again for a module whose loading has failed once.
 
+import * as circle from "./circle.js";
 import { part } from "./elements.js";
+import * as live from "./live.js";
+import * as replay from "./replay.js";
 import { refuseFiles } from "./replay-drop.js";
 import { tabs } from "./tabs.js";
 
-const VIEWS = {
-  live: () => import("./live.js"),
-  circle: () => import("./circle.js"),
-  replay: () => import("./replay.js"),
-};
+const VIEWS = { live, circle, replay };
 const SAID_IN = { live: "live-verdict", circle: "circle-said", replay: "replay-source" };
 const RETRY_MS = 2000;
 
@@ -21,9 +21,8 @@ function complain(view, error) {
 /** Opens a view, again and again until the service answers or another one is chosen. */
 async function open(view) {
   try {
-    const module = await VIEWS[view]();
-    if (shown === view) await module.open();
-    if (shown !== view) module.close();
+    await VIEWS[view].open();
+    if (shown !== view) VIEWS[view].close();
   } catch (error) {
     if (shown !== view) return;
     complain(view, error);
@@ -34,7 +33,7 @@ async function open(view) {
 tabs(part("tabs"), (view, before) => {
   shown = view;
   document.title = `pointpred: ${view}`;
-  if (before !== null) VIEWS[before]().then((module) => shown !== before && module.close(), () => {});
+  if (before !== null) VIEWS[before].close();
   open(view);
 });
 

@@ -46,6 +46,12 @@ export function plotErrors(box, shares, lines) {
   plots.set(box, new uPlot(options, [shares.map((share) => 100 * share), ...lines.map(({ errors }) => errors)], box));
 }
 
+/** Leaves a box empty. */
+export function clearPlot(box) {
+  plots.get(box)?.destroy();
+  plots.delete(box);
+}
+
 /** A legend with a stroke of each line. */
 export function legend(list, names) {
   const styled = looks(names);

@@ -1,5 +1,7 @@
 // Pointpred's own recordings as CSV, read in the page: docs/recordings.md describes the columns.
 
+import { count } from "./elements.js";
+
 const MARK = "# pointpred:";
 const NEEDED = ["user", "trial", "t_s", "x_px", "y_px"];
 const PARQUET = "PAR1";
@@ -14,13 +16,16 @@ function cells(text) {
 /** What the first line says of the table, where it is a header. */
 function headerOf(line) {
   if (!line?.startsWith(MARK)) return {};
+  const refuse = (what) => {
+    throw new Error(`its ${MARK} line is ${what}: ${line.slice(MARK.length, 60).trim()}`);
+  };
   let found = null;
   try {
     found = JSON.parse(line.slice(MARK.length));
   } catch {
-    // said below, with the header that is an array or a number
+    refuse("not JSON");
   }
-  if (found === null || typeof found !== "object" || Array.isArray(found)) throw new Error(`its header is no JSON object: ${line.slice(MARK.length, 60).trim()}`);
+  if (found === null || typeof found !== "object" || Array.isArray(found)) refuse("no JSON object");
   return found;
 }
 
@@ -52,6 +57,17 @@ function targets({ columns, rows }) {
   return found;
 }
 
+/** Why a movement cannot be shown; null where it can. */
+function flaw({ rows }) {
+  if (rows.length < 2) return "it has fewer than two rows";
+  for (const [i, row] of rows.entries()) {
+    const bad = [0, 1, 2].find((at) => row[at] === null || !Number.isFinite(row[at]));
+    if (bad !== undefined) return `${NEEDED[2 + bad]} in its row ${i} is ${row[bad] === null ? "empty" : "no finite number"}`;
+    if (i > 0 && row[0] < rows[i - 1][0]) return `time runs backwards at its row ${i}`;
+  }
+  return null;
+}
+
 /** The trials of a table of samples: rows as the service takes them; unusable ones are counted. */
 function trials({ columns, rows }, goals) {
   const missing = NEEDED.find((name) => !columns.includes(name));
@@ -65,11 +81,11 @@ function trials({ columns, rows }, goals) {
     found.get(key).rows.push([t, x, y, dx, dy, buttons ?? 0]);
   }
   const all = [...found.values()];
-  const sound = ({ rows: own }) =>
-    own.length > 1 && own.every(([t, x, y], i) => [t, x, y].every((v) => v !== null && Number.isFinite(v)) && (i === 0 || t >= own[i - 1][0]));
-  const kept = all.filter(sound);
-  if (kept.length === 0) throw new Error(`none of its ${all.length} movements can be shown: each needs two rows or more, with numbers in them and times in order`);
-  return { kept, left: all.length - kept.length };
+  const kept = all.filter((one) => flaw(one) === null);
+  const lame = all.find((one) => flaw(one) !== null);
+  const reason = lame === undefined ? "" : `${lame.user} ${lame.name}: ${flaw(lame)}`;
+  if (kept.length === 0) throw new Error(`${count(all.length, "movement")}, none of which can be shown${reason && `; ${reason}`}`);
+  return { kept, left: all.length - kept.length, reason };
 }
 
 /** What `act` finds in a file; what it complains of is said with the file's name. */
@@ -106,15 +122,15 @@ function sorted(tables) {
 /**
  * Reads a samples file, with its trials file where both are given.
  * @param {File[]} files
- * @returns {Promise<{name: string, csv: string, dpi: number, cpi: number|null, simulated: boolean, left: number,
+ * @returns {Promise<{name: string, csv: string, dpi: number, cpi: number|null, simulated: boolean, left: number, reason: string,
  *   movements: {name: string, user: string, rows: number[][], target: object|null}[]}>}
  */
 export async function readFiles(files) {
   const [samples, described] = sorted(await Promise.all(files.map(table)));
   const { file, text, header } = samples;
-  const { kept, left } = within(file, () => trials(samples, described ? targets(described) : new Map()));
+  const { kept, left, reason } = within(file, () => trials(samples, described ? targets(described) : new Map()));
   return {
-    name: header.name ?? file.name, csv: text, left, movements: kept,
+    name: header.name ?? file.name, csv: text, left, reason, movements: kept,
     dpi: header.provenance?.dpi ?? 96, cpi: header.provenance?.cpi ?? null, simulated: header.provenance?.simulated === true,
   };
 }

@@ -19,6 +19,8 @@ export async function showScores(csv, names, wanted) {
     scoreTable(table, set);
     write(said, sentence(set));
   } catch (error) {
-    if (wanted()) write(said, `Not scored: ${error.message}.`);
+    if (!wanted()) return;
+    expectScores(table, names, "–");
+    write(said, `Not scored: ${error.message}.`);
   }
 }

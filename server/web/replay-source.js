@@ -1,5 +1,6 @@
 // Where replayed movements come from: the embedded sample, or a recording that was opened.
 
+import { count } from "./elements.js";
 import { readFiles } from "./replay-file.js";
 import { predictionsAlong } from "./replay-stream.js";
 import { read } from "./service.js";
@@ -27,10 +28,10 @@ export async function embedded() {
 
 /** A recording opened in this page; each movement's events go to the service when it is shown. @returns {Promise<Source>} */
 export async function opened(files) {
-  const { name, csv, left, movements, simulated, ...resolution } = await readFiles(files);
+  const { name, csv, left, reason, movements, simulated, ...resolution } = await readFiles(files);
   return {
     title: name,
-    said: `${name}: ${movements.length} movements${left ? `, ${left} more cannot be shown` : ""}. It goes to this service alone.`,
+    said: `${name}: ${count(movements.length, "movement")}${left ? `, ${left} more cannot be shown (${reason})` : ""}. It goes to this service alone.`,
     csv,
     names: movements.map(({ user, name: trial, rows }) => `${user} ${trial} (${rows.length} events)`),
     async movement(at, predictors) {

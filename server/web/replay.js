@@ -10,7 +10,7 @@ import { embedded, opened } from "./replay-source.js";
 import { PREFERRED, predictors } from "./service.js";
 
 const [scene, errors, previous, next] = ["scene", "errors", "previous", "next"].map((id) => part(`replay-${id}`));
-const [list, readout, said, file, back] = ["trials", "readout", "source", "file", "sample"].map((id) => part(`replay-${id}`));
+const [list, readout, said, file, back, again] = ["trials", "readout", "source", "file", "sample", "again"].map((id) => part(`replay-${id}`));
 const choices = [0, 1].map((which) => part(`replay-predictor-${which}`));
 const player = new Player(part("replay-play"), part("replay-time"), draw);
 
@@ -22,22 +22,30 @@ let sought = 0; // and for a source
 
 const columns = () => choices.map(({ value }) => movement.predictions[value] ?? null);
 
+const chosen = () => [...new Set(choices.map(({ value }) => value).filter(Boolean))];
+
 /** Shows a movement at a time in ms; without one, where half of the way is done. */
 async function show(which, ms = null) {
   const mine = ++asked;
   player.stop();
+  again.hidden = true;
   at = (which + source.names.length) % source.names.length;
   list.selectedIndex = at;
   write(readout, "Computing the predictions…");
-  const names = [...new Set(choices.map(({ value }) => value).filter(Boolean))];
-  try {
-    const received = await source.movement(at, names);
-    if (mine !== asked) return;
+  const received = await fetched(source, at);
+  if (mine === asked) put(received, ms);
+}
+
+/** A movement of a source with its predictions, or the error instead of it. */
+const fetched = (from, which) => from.movement(which, chosen()).catch((error) => error);
+
+function put(received, ms = null) {
+  if (received instanceof Error) clear(`Movement ${at + 1} cannot be shown: ${received.message}.`);
+  else {
     movement = received;
     player.load(1000 * movement.t[movement.t.length - 1], ms ?? 1000 * movement.t[halfWay()]);
-  } catch (error) {
-    if (mine === asked) clear(`Movement ${at + 1} cannot be shown: ${error.message}.`);
   }
+  again.hidden = movement !== null;
   player.enable(movement !== null);
 }
 
@@ -79,23 +87,32 @@ function sentence(i, own) {
   return `${movement.t[i].toFixed(2)} s: ${parts.join(", ")}, the cursor is ${away} px from where it ended. Movement ${at + 1} of ${source.names.length}, ${movement.who}.`;
 }
 
-/** Goes over to another source of movements, unless yet another has been asked for; says whether it did. */
+/**
+ * Goes over to another source of movements, unless yet another has been asked for; says whether it did. What is shown stays
+ * until the first movement of the new source is there, or is known not to come.
+ */
 async function take(coming) {
   const mine = ++sought;
+  let found, first;
   try {
-    const found = await coming;
-    if (mine !== sought) return false;
-    source = found;
+    found = await coming;
+    first = await fetched(found, 0);
   } catch (error) {
     if (mine !== sought) return false;
     throw error;
   }
+  if (mine !== sought) return false;
+  asked += 1;
+  player.stop();
+  [source, at] = [found, 0];
   list.replaceChildren(...source.names.map((name, i) => new Option(name, String(i))));
+  list.selectedIndex = 0;
   write(said, source.said);
   part("replay-result").hidden = source.csv === null;
   back.disabled = source.csv === null;
   for (const control of [previous, next, list]) control.disabled = false;
-  await show(0);
+  put(first);
+  if (movement !== null && chosen().some((name) => !(name in movement.predictions))) await show(0); // chosen meanwhile
   return true;
 }
 
@@ -107,7 +124,7 @@ async function openFiles(files) {
     const { csv } = source;
     await showScores(csv, [...choices[0].options].map(({ value }) => value), () => source.csv === csv);
   } catch (error) {
-    write(said, `Not opened: ${error.message}.${source === null ? "" : " What was open before stays."}`);
+    write(said, `Not opened: ${error.message}.${source === null ? "" : ` What was open before stays: ${source.title}.`}`);
   }
 }
 
@@ -127,6 +144,7 @@ export async function open() {
     offer(choices[1], listing.predictors, "", "none");
   }
   if (source === null) await take(embedded());
+  else if (movement === null) await show(at);
   draw();
 }
 
@@ -142,5 +160,6 @@ for (const choice of choices) choice.addEventListener("change", () => source && 
 file.addEventListener("click", () => (file.value = "")); // the same file may be opened again
 file.addEventListener("change", () => openFiles([...file.files]));
 back.addEventListener("click", openSample);
+again.addEventListener("click", () => show(at));
 acceptFiles(part("replay-drop"), openFiles);
 onRepaint(draw);

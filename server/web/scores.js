@@ -1,6 +1,6 @@
 // The scores that the service gives for a recording, as a table and as lines.
 
-import { fill, number, percent } from "./elements.js";
+import { count, fill, number, percent } from "./elements.js";
 
 /** The one set in the answer to a recording; an error with the service's reason where nothing could be scored. */
 export function setOf(answer) {
@@ -13,14 +13,14 @@ export function setOf(answer) {
 /** A sentence on what was scored and what was left out, with the first reason. */
 export function sentence({ trials, skipped }) {
   const left = skipped.length ? ` ${skipped.length} left out, the first because it ${skipped[0].reason}.` : "";
-  return `${trials} movements scored by the service, as pointpred score does it.${left}`;
+  return `${count(trials, "movement")} scored by the service, as pointpred score does it.${left}`;
 }
 
 const HEADS = ["predictor", "error, px", "of hold", "interval", "half of the time, px", "half of the way, px", "answered"];
 
-/** The table before its numbers are known, as high as with them: nothing moves when they come. */
-export function expectScores(table, names) {
-  fill(table, [HEADS, ...names.map((name) => [name, ...HEADS.slice(1).map(() => "…")])]);
+/** The table before its numbers are known, as high as with them: nothing moves when they come. Dashes where none will. */
+export function expectScores(table, names, cell = "…") {
+  fill(table, [HEADS, ...names.map((name) => [name, ...HEADS.slice(1).map(() => cell)])]);
 }
 
 /** Time-averaged errors of all predictors, the best first. */

@@ -10,7 +10,10 @@ const SHOWN = token === undefined ? {} : { Authorization: `Bearer ${token}` };
 
 /** Reads JSON; a refusal is an error with the service's own words. */
 export async function read(address, options = {}) {
-  const answer = await fetch(address, { ...options, headers: { ...SHOWN, ...options.headers } });
+  const headers = { ...SHOWN, ...options.headers };
+  const answer = await fetch(address, { ...options, headers }).catch(() => {
+    throw new Error("the service cannot be reached"); // the browser's own words differ and say less
+  });
   const body = await answer.json().catch(() => ({}));
   if (!answer.ok) throw new Error(body.message ?? `the service answered ${answer.status}`);
   return body;

@@ -59,6 +59,11 @@ export class Track {
     return median(this.#delays.map(([, ms]) => ms).filter((ms) => ms !== null));
   }
 
+  /** Whose the newest prediction is: the service answers in order, so that a change holds from its welcome on. */
+  get speaker() {
+    return this.connection.welcome?.predictor ?? this.predictor;
+  }
+
   /** Goes on with another predictor. */
   choose(predictor) {
     this.predictor = predictor;

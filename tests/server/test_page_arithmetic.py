@@ -122,7 +122,8 @@ def test_statistics_of_a_block_worked_out_by_hand(visitor: Visitor) -> None:
 
 def test_statistics_say_nothing_where_they_mean_nothing(visitor: Visitor) -> None:
     same = [trial(i, [i, 0.0, 0.0], [i + 0.5, 100.0, 0.0]) for i in (1, 2)]
-    for trials in ([], same[:1], same):
+    close = [trial(i, [i, 0.0, 0.0], [i + 0.5, 100.0 + 1e-6 * i, 0.0]) for i in (1, 2)]
+    for trials in ([], same[:1], same, close):
         found = call(visitor, "circle-statistics", "m.statistics(t)", t=trials)
         assert found["throughput"] is None
         assert found["trials"] == len(trials)
@@ -187,19 +188,35 @@ def test_the_verdict_judges_half_of_the_time_by_where_the_movement_ended(visitor
       const movement = new m.Movement();
       movement.move([[-5, 900, 900]]);
       movement.move(rows);
-      movement.predicted(0, { t: -5, x: 0, y: 0 });
-      movement.predicted(0, { t: 0.4, x: 260, y: 80 });
-      movement.predicted(0, { t: 0.6, x: 200, y: 0 });
-      movement.predicted(1, { t: 0.3, x: null, y: null });
+      movement.predicted(0, { t: -5, x: 0, y: 0 }, 'then');
+      movement.predicted(0, { t: 0.4, x: 260, y: 80 }, 'then');
+      movement.predicted(0, { t: 0.6, x: 200, y: 0 }, 'later');
+      movement.predicted(1, { t: 0.3, x: null, y: null }, 'other');
       return movement.verdict();
     })()"""
     found = call(visitor, "live-movement", judge, rows=rows)
+    assert found.pop("names") == ["then", "other"]
     assert found == {"distance": 200.0, "hold": pytest.approx(100.0), "errors": [pytest.approx(100.0), None]}
 
 
-def test_speed_and_stretches_of_phases(visitor: Visitor) -> None:
-    trail = [[0.01 * i, 3.0 * i, 4.0 * i] for i in range(20)]
-    assert call(visitor, "live-movement", "m.speed(t, 0.19)", t=trail) == pytest.approx(500.0)
+@pytest.mark.parametrize("rate_hz", [60, 125, 1000])
+def test_a_constant_speed_is_shown_whatever_the_rate(visitor: Visitor, rate_hz: int) -> None:
+    trail = [[i / rate_hz, 300.0 * i / rate_hz, 400.0 * i / rate_hz] for i in range(rate_hz)]
+    last = trail[-1][0]
+    found = call(
+        visitor, "live-movement", "[0, 0.01, 0.03, 0.051].map((s) => m.speed(t, l + s))", t=trail, l=last
+    )
+    assert found == pytest.approx([500.0, 500.0, 500.0, 0.0])
+
+
+def test_a_pause_does_not_slow_what_comes_after_it(visitor: Visitor) -> None:
+    trail = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.01, 5.0, 0.0]]
+    assert call(visitor, "live-movement", "m.speed(t, 1.01)", t=trail) == pytest.approx(500.0)
+    assert call(visitor, "live-movement", "m.speed(t.slice(0, 2), 1.01)", t=trail) == 0.0
+    assert call(visitor, "live-movement", "m.speed([], 1)") == 0.0
+
+
+def test_stretches_of_phases(visitor: Visitor) -> None:
     samples = [
         [0, "still"],
         [1, "ballistic"],

@@ -103,14 +103,21 @@ BAD = {
     "shopping.csv": ("what,price\nmilk,1\n", "shopping.csv is no table of samples"),
     "empty.csv": ("", "empty.csv is no table of samples"),
     "short.csv": (f"{HEAD}u,one,0,1\n", "short.csv: row 0 has 4 cells, expected 5"),
-    "words.csv": (f"{HEAD}u,one,zero,1,2\nu,one,1,1,2\n", "words.csv: none of its 1 movements can be shown"),
+    "words.csv": (
+        f"{HEAD}u,one,zero,1,2\nu,one,1,1,2\n",
+        "words.csv: 1 movement, none of which can be shown; u one: t_s in its row 0 is no finite number",
+    ),
     "backwards.csv": (
         f"{HEAD}u,one,1,1,2\nu,one,0,1,2\n",
-        "backwards.csv: none of its 1 movements can be shown",
+        "backwards.csv: 1 movement, none of which can be shown; u one: time runs backwards at its row 1",
+    ),
+    "nan.csv": (
+        f"{HEAD}u,one,0,1,2\nu,one,1,NaN,2\n",
+        "nan.csv: 1 movement, none of which can be shown; u one: x_px in its row 1 is no finite number",
     ),
     "half.csv": (f'# pointpred: {{"rows": 9}}\n{HEAD}{SOUND}', "half.csv: 40 rows, its header says 9"),
-    "torn.csv": (f'# pointpred: {{"rows"\n{HEAD}{SOUND}', "torn.csv: its header is no JSON object"),
-    "list.csv": (f"# pointpred: null\n{HEAD}{SOUND}", "list.csv: its header is no JSON object"),
+    "torn.csv": (f'# pointpred: {{"rows"\n{HEAD}{SOUND}', "torn.csv: its # pointpred: line is not JSON"),
+    "list.csv": (f"# pointpred: null\n{HEAD}{SOUND}", "list.csv: its # pointpred: line is no JSON object"),
     "noplace.csv": ("user,trial,t_s\nu,one,0\n", "noplace.csv: the column x_px is missing"),
     "night.parquet": ("PAR1\x15\x04\x15", "night.parquet is Parquet; pointpred convert"),
     "trials.csv": (
@@ -130,7 +137,7 @@ def test_a_bad_file_is_named_with_the_reason_and_the_page_goes_on(
     drop(visitor, [tmp_path / name])
     visitor.wait(f"{SAID}.startsWith('Not opened: ')")
     assert visitor.text("#replay-source").startswith(f"Not opened: {reason}")
-    assert visitor.text("#replay-source").endswith("What was open before stays.")
+    assert visitor.text("#replay-source").endswith("What was open before stays: the embedded sample.")
     assert visitor.value(READOUT) == before
     visitor.value("document.querySelector('#replay-next').click()")
     visitor.wait(f"{READOUT}.includes('Movement 2 of')")

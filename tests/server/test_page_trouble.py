@@ -1,0 +1,222 @@
+"""The page when something goes wrong: no service, another window, files and settings that do not fit."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+
+from pointpred.datasets import sample
+from tests.server import browser, page_browser
+from tests.server.page_browser import Visitor
+
+pytestmark = browser.needed
+
+SAID, READOUT, ROWS = "#circle-said", "#replay-readout", "#circle-scores tbody td"
+TABLE = "user,trial,t_s,x_px,y_px\n" + "".join(f"u,one,{i / 50},{i * i},0\n" for i in range(40))
+SILENT = "window.WebSocket = class { close() {} }; window.WebSocket.OPEN = 1"
+"""A service that can be reached and never answers."""
+
+
+@pytest.fixture(scope="module")
+def url() -> Iterator[str]:
+    with page_browser.service() as address:
+        yield address
+
+
+@pytest.fixture(scope="module")
+def one(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
+    with page_browser.visitor(tmp_path_factory.mktemp("profile")) as opened:
+        yield opened
+
+
+@pytest.fixture
+def visitor(one: Visitor) -> Iterator[Visitor]:
+    """Somebody whose page is laid out as before whatever went wrong."""
+    one.prefer(prefers_color_scheme="light")
+    one.resize(1280, 720)
+    yield one
+    refuse(one)
+    assert one.shift() < 0.001
+
+
+def refuse(visitor: Visitor, *addresses: str) -> None:
+    """Let requests for these addresses fail, and no others."""
+    visitor.page.call("Network.setBlockedURLs", urls=list(addresses))
+
+
+def press(visitor: Visitor, part: str) -> None:
+    visitor.value(f"document.querySelector({part!r}).click()")
+
+
+def enter(visitor: Visitor, name: str, value: object) -> None:
+    """Type into a setting of the circle."""
+    field = f"document.querySelector('[name={name}]')"
+    visitor.value(
+        f"{field}.value = '{value}'; {field}.dispatchEvent(new Event('input', {{ bubbles: true }}))"
+    )
+
+
+def give(visitor: Visitor, name: str, text: str) -> None:
+    """Open a file in the replay view."""
+    visitor.value(
+        "{ const held = new DataTransfer(); const file = document.querySelector('#replay-file');"
+        f"held.items.add(new File([{json.dumps(text)}], {name!r})); file.files = held.files;"
+        "file.dispatchEvent(new Event('change')); }"
+    )
+
+
+def circle(visitor: Visitor, url: str) -> None:
+    visitor.open(f"{url}#circle")
+    visitor.wait("!document.querySelector('#circle-start').disabled")
+
+
+def test_a_view_first_opened_without_the_service_works_once_it_is_back(visitor: Visitor, url: str) -> None:
+    visitor.open(f"{url}healthz")
+    refuse(visitor, "*/v1/*")
+    visitor.page.call("Network.setCacheDisabled", cacheDisabled=True)
+    visitor.open(f"{url}#live")
+    refuse(visitor, "*/v1/*", "*/web/circle*")
+    press(visitor, "#tab-circle")
+    visitor.wait(f"document.querySelector('{SAID}').textContent.startsWith('Not working: ')")
+    refuse(visitor)
+    visitor.wait("!document.querySelector('#circle-start').disabled")
+
+
+def test_the_sentence_names_whose_prediction_it_judges(visitor: Visitor, url: str) -> None:
+    visitor.open(f"{url}#live")
+    visitor.wait("document.querySelector('#live-card-0 .connection').dataset.state === 'open'")
+    visitor.wait("document.querySelector('#live-predictor-0').options.length > 1")
+    left, top, width, height = visitor.corner("#live-scene")
+    visitor.reach((left + 30, top + 30), (left + width / 2, top + height / 2), 0.4)
+    visitor.choose("#live-predictor-0", "hold")
+    visitor.wait("document.querySelector('#live-verdict').textContent.startsWith('Half-way')")
+    assert "switched was" in visitor.text("#live-verdict")
+
+
+def test_a_file_that_stalls_leaves_what_is_shown(visitor: Visitor, url: str) -> None:
+    visitor.open(f"{url}#replay")
+    visitor.wait("!document.querySelector('#replay-play').disabled")
+    visitor.value(SILENT)
+    give(visitor, "slow.csv", TABLE)
+    visitor.wait("document.querySelector('#replay-source').textContent === 'Reading…'")
+    press(visitor, "#replay-next")
+    count = len(sample().trials)
+    visitor.wait(f"document.querySelector('{READOUT}').textContent.includes('Movement 2 of {count}')")
+    assert visitor.value("document.querySelector('#replay-trials').options.length") == count
+    assert visitor.value("document.querySelector('#replay-result').hidden")
+
+
+def test_a_first_movement_that_did_not_come_can_be_asked_for_again(visitor: Visitor, url: str) -> None:
+    refuse(visitor, "*/v1/samples/*")
+    visitor.open(f"{url}#replay")
+    visitor.wait("!document.querySelector('#replay-again').hidden")
+    assert visitor.text(READOUT) == "Movement 1 cannot be shown: the service cannot be reached."
+    refuse(visitor)
+    press(visitor, "#replay-again")
+    visitor.wait("!document.querySelector('#replay-play').disabled")
+    assert "Movement 1 of" in visitor.text(READOUT)
+    assert visitor.value("document.querySelector('#replay-again').hidden")
+
+
+def test_a_run_whose_circle_no_longer_fits_is_stopped(visitor: Visitor, url: str) -> None:
+    circle(visitor, url)
+    press(visitor, "#circle-start")
+    visitor.resize(1270, 715)
+    visitor.value("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+    assert "click the filled target" in visitor.text(SAID)
+    visitor.resize(390, 844)
+    visitor.wait(f"document.querySelector('{SAID}').textContent.startsWith('Stopped.')")
+    assert visitor.text(SAID).endswith("The window has become too small for this circle.")
+
+
+def test_scores_that_did_not_come_are_asked_for_again(visitor: Visitor, url: str) -> None:
+    circle(visitor, url)
+    for name, value in (("targets", 3), ("blocks", 1)):
+        enter(visitor, name, value)
+    visitor.wait("document.querySelector('#circle-connection').dataset.state === 'open'")
+    refuse(visitor, "*/v1/score")
+    press(visitor, "#circle-start")
+    left, top, *_ = visitor.corner("#circle-scene")
+    place = (left + 10.0, top + 10.0)
+    for number in range(4):
+        goal: dict[str, Any] = json.loads(
+            visitor.value("document.querySelector('#circle-scene').dataset.target")
+        )
+        end = (left + goal["x"] + 2 * number, top + goal["y"] + number)
+        visitor.reach(place, end, 0.2)
+        visitor.click(*end)
+        place = end
+    state = "document.querySelector('#circle-result').dataset.state"
+    visitor.wait(f"{state} === 'failed'")
+    assert visitor.text("#circle-scored").startswith("Not scored: the service cannot be reached.")
+    cells = f"[...document.querySelectorAll('{ROWS}')].map((one) => one.textContent)"
+    assert "…" not in visitor.value(cells)
+    refuse(visitor)
+    press(visitor, "#circle-again")
+    visitor.wait(f"{state} === 'done'")
+    assert visitor.text("#circle-scored").startswith("3 movements scored")
+    assert visitor.value("document.querySelector('#circle-again').disabled")
+
+
+def test_rows_and_words_do_not_move_what_stands_beside_them(visitor: Visitor, url: str) -> None:
+    circle(visitor, url)
+    places = (
+        "[...document.querySelectorAll('#view-circle .rows th, #view-circle .rows')]"
+        ".map((one) => one.getBoundingClientRect().toJSON())"
+    )
+    before = visitor.value(places)
+    visitor.value(
+        "{ const row = document.querySelector('#circle-rows').insertRow();"
+        "for (const words of ['50.41', '12.34 s', '1234.5', '1234.5', '-12.34'])"
+        "row.insertCell().append(words);"
+        "row.className = 'missed'; document.querySelector('#circle-said').textContent = 'word '.repeat(99); }"
+    )
+    assert visitor.value(places) == before
+
+
+def test_a_distance_of_the_pages_own_follows_the_targets(visitor: Visitor, url: str) -> None:
+    visitor.resize(390, 844)
+    circle(visitor, url)
+    for targets in (3, 41):
+        enter(visitor, "targets", targets)
+        press(visitor, "#circle-start")
+        assert "click the filled target" in visitor.text(SAID)
+        press(visitor, "#circle-stop")
+    enter(visitor, "distance", 900)
+    enter(visitor, "targets", 3)
+    press(visitor, "#circle-start")
+    assert visitor.text(SAID).startswith("There is room for a distance of at most")
+
+
+def test_a_refused_setting_is_seen_and_reached(visitor: Visitor, url: str) -> None:
+    circle(visitor, url)
+    for name, value in (("distance", 3000), ("targets", 12)):
+        enter(visitor, name, value)
+        press(visitor, "#circle-start")
+        field = f"document.querySelector('[name={name}]')"
+        assert visitor.value("document.activeElement.name") == name
+        assert visitor.value(f"{field}.getAttribute('aria-invalid')") == "true"
+        assert visitor.value(f"{field}.getAttribute('aria-describedby')") == "circle-said"
+        assert visitor.value(f"getComputedStyle({field}).borderTopColor") == "rgb(194, 65, 12)"
+    enter(visitor, "targets", 13)
+    enter(visitor, "distance", 300)
+    visitor.wait(
+        "document.querySelectorAll('[aria-invalid=true], [aria-describedby=circle-said]').length === 0"
+    )
+
+
+def test_a_score_stands_in_the_row_that_it_was_asked_for(visitor: Visitor, url: str) -> None:
+    circle(visitor, url)
+    texts = visitor.value(
+        "import('/web/circle-rows.js').then(({ CircleRows }) => {"
+        "const body = document.createElement('tbody'), rows = new CircleRows(body);"
+        "const add = (number, asked) =>"
+        "rows.add({ block: 1, number, start: [0], end: [1], hit: true }, asked);"
+        "const score = (px) => rows.scored({ time_averaged_px: px, hold_px: 1, skill: 0, reason: null });"
+        "add(1, true); rows.clear(); add(2, false); add(3, true); score(11); score(33); score(44);"
+        "return [...body.rows].map((row) => row.cells[2].textContent); })"
+    )
+    assert texts == ["33.0", "–"]
