@@ -10,7 +10,7 @@ from typing import Any
 
 from fastapi import FastAPI, Request, Response
 from fastapi.exceptions import RequestValidationError
-from fastapi.responses import FileResponse, HTMLResponse
+from fastapi.responses import FileResponse
 from fastapi.staticfiles import StaticFiles
 from starlette.exceptions import HTTPException
 from starlette.routing import Route, WebSocketRoute
@@ -19,13 +19,14 @@ import pointpred
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.registry import REGISTRY, describe
 from pointpred.server import samples
-from pointpred.server.described import NOT_READY, UPLOAD, Exposition, Health, Readiness, Script, refusals
+from pointpred.server.described import METRICS, NOT_READY, UPLOAD, Health, Readiness, holds, refusals
 from pointpred.server.endpoint import StreamEndpoint
 from pointpred.server.hosts import HostGuard, HostRule
 from pointpred.server.http_answers import SAFE, answer, fail, harden, miss, refuse, turn_down
 from pointpred.server.service import Service
 from pointpred.server.uploads import UploadError, received
 
+SCRIPT = "text/javascript"
 WEB = Path(__file__).with_name("web")
 OPEN, GUARDED = refusals(403), refusals(401, 403)
 
@@ -53,9 +54,11 @@ def create_app(hosts: HostRule | None = None, service: Service | None = None) ->
     app.exception_handler(RequestValidationError)(refuse)
     _add_read(app, "/healthz", _health, responses=OPEN, response_model=Health)
     _add_read(app, "/readyz", _ready, responses=OPEN | NOT_READY, response_model=Readiness)
-    _add_read(app, "/metrics", _metrics, responses=GUARDED, response_class=Exposition)
-    _add_read(app, "/", _page, responses=GUARDED, response_class=HTMLResponse)
-    _add_read(app, "/pointpred.js", _client, responses=OPEN, response_class=Script)
+    _add_read(app, "/metrics", _metrics, responses=GUARDED | holds(METRICS), response_class=Response)
+    _add_read(app, "/", _page, responses=GUARDED | holds("text/html"), response_class=Response)
+    _add_read(
+        app, "/pointpred.js", _client, responses=OPEN | holds("text/javascript"), response_class=Response
+    )
     _add_read(app, "/v1/predictors", _predictors, responses=GUARDED)
     _add_read(app, "/v1/samples", _samples, responses=GUARDED)
     _add_read(app, "/v1/samples/{name}", _sample, responses=refusals(401, 403, 404, 422))
@@ -109,7 +112,7 @@ async def _metrics(request: Request) -> Response:
     """Counters and histograms for Prometheus."""
     service: Service = request.app.state.service
     service.settle()  # on the event loop, where sessions come and go
-    return Exposition(service.metrics.text())
+    return Response(service.metrics.text(), media_type=METRICS)
 
 
 def _page() -> FileResponse:
@@ -119,7 +122,7 @@ def _page() -> FileResponse:
 
 def _client() -> FileResponse:
     """The browser client, an ES module."""
-    return FileResponse(WEB / "pointpred.js", media_type="text/javascript")
+    return FileResponse(WEB / "pointpred.js", media_type=SCRIPT)
 
 
 def _predictors() -> Response:

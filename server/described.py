@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Any, Literal
 
-from fastapi import Response
 from pydantic import BaseModel, Field
 
 from pointpred.server.messages import Code
@@ -34,17 +33,8 @@ class Health(BaseModel):
     version: str
 
 
-class Exposition(Response):
-    """Metrics as Prometheus reads them."""
-
-    media_type = "text/plain; version=0.0.4; charset=utf-8"
-
-
-class Script(Response):
-    """An ES module."""
-
-    media_type = "text/javascript"
-
+METRICS = "text/plain; version=0.0.4; charset=utf-8"
+"""As Prometheus reads them."""
 
 Told = dict[int | str, dict[str, Any]]
 
@@ -64,6 +54,11 @@ _WORDS = {
 def refusals(*statuses: int) -> Told:
     """The answers to what is refused, each in the shape of errors."""
     return {status: {"model": Error, "description": _WORDS[status]} for status in (*statuses, 500)}
+
+
+def holds(kind: str) -> Told:
+    """An answer that is no JSON."""
+    return {200: {"description": "As text.", "content": {kind: {"schema": {"type": "string"}}}}}
 
 
 NOT_READY: Told = {503: {"model": Readiness, "description": "Not yet, or no more."}}
