@@ -61,6 +61,7 @@ export function readSettings(form, canvas) {
     problem = `There is room for a distance of at most ${most} px here.`;
     first = form.elements.distance;
     mark(first, true);
+    settings.distance = Math.max(0, most); // the picture shows what there is room for
   }
   return { settings, problem, field: first };
 }
