@@ -11,9 +11,11 @@ from pointpred.differentiators import DIFFERENTIATORS
 from pointpred.errors import ParameterError
 from pointpred.pipeline import Pipeline
 from pointpred.predictors import (
+    DelphianPredictor,
     HoldPredictor,
     KalmanPredictor,
     KinematicEndpointPredictor,
+    KinematicPredictor,
     LinearPredictor,
     MinimumJerkPredictor,
     Predictor,
@@ -50,6 +52,12 @@ REGISTRY: dict[str, Entry] = {
         Entry("kalman", KalmanPredictor, "constant acceleration over a fixed horizon, filtered", "Chromium"),
         Entry(
             "minimum-jerk", MinimumJerkPredictor, "minimum-jerk inversion, no training", "Flash, Hogan 1985"
+        ),
+        Entry(
+            "delphian",
+            DelphianPredictor,
+            "once past the speed peak, as far as a line through the peak speed says",
+            "Asano and others 2005",
         ),
         Entry(
             "kep-quadratic",
@@ -98,6 +106,18 @@ REGISTRY: dict[str, Entry] = {
             "the same with the gains, threshold and bound as printed",
             "Khalin 2022, sections 2.3.2 and 2.5.6",
             preset=PRINTED,
+        ),
+        Entry(
+            "switched-direction",
+            SwitchedDirectionPredictor,
+            "one sub-movement after the other along its direction: doubling, then an approach that converges",
+            "Khalin 2022, sections 2.4.2, 2.4.3 and 2.5.6, changed",
+        ),
+        Entry(
+            "kinematic",
+            KinematicPredictor,
+            "learned from people: endpoint, region, tail and time left from the movement so far",
+            "docs/kinematic.md",
         ),
     )
 }

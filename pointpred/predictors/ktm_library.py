@@ -39,11 +39,6 @@ def templates_of(recording: Recording, *, longest_s: float = 3.0) -> FloatArray:
     return found
 
 
-def _size(recording: Recording, k: int) -> str:
-    rows = recording.rows(k)
-    return f"{len(rows)} points in {np.ptp(rows.t) if len(rows) else 0.0:g} s"
-
-
 def profile_of(rows: EventColumns, longest_s: float) -> FloatArray:
     """The template of one movement; no row where it makes none."""
     pupil = TemplatePredictor(templates=1, longest_s=longest_s, shortest_px=0.0)

@@ -1,0 +1,145 @@
+"""Delphian prediction: the distance left at the speed peak, by a line that is fitted to the person."""
+
+from __future__ import annotations
+
+from math import hypot
+
+import numpy as np
+
+from pointpred.columns import BoolArray, FloatArray
+from pointpred.compiled import law
+from pointpred.differentiators import Differentiator
+from pointpred.errors import ParameterError
+from pointpred.predictors import movement
+from pointpred.predictors.predictor import NONE, REFUSED, Predictor
+from pointpred.recording import Recording
+from pointpred.stage import Parameter, check
+
+SLOPE, OFFSET, FALL, AT = 0, 1, 2, 3
+# Where the speed was highest, its direction from the start, and whether it has fallen since.
+PEAK_X, PEAK_Y, UNIT_X, UNIT_Y, FALLEN = (AT + movement.STATES + i for i in range(5))
+STATES = movement.STATES + 5
+
+
+@law
+def step(
+    memory: FloatArray,
+    t: float,
+    x: float,
+    y: float,
+    vx: float,
+    vy: float,
+    ax: float,
+    ay: float,
+    settled: float,
+    start: float,
+) -> tuple[float, float, float, float, float, float, float]:
+    """Remember the peak; once the speed has fallen from it, the line says how far it is from there."""
+    before = memory[AT + movement.PEAK]
+    accepted, new, _ = movement.follow(memory, AT, t, x, y, vx, vy, ax, ay, start)
+    if not accepted:
+        return REFUSED
+    phase = movement.phase(memory, AT, vx, vy)
+    if new:
+        memory[AT + movement.STATES :] = 0.0
+    peak, speed = memory[AT + movement.PEAK], hypot(vx, vy)
+    if new or peak > before:
+        away_x, away_y = x - memory[AT + movement.X0], y - memory[AT + movement.Y0]
+        away = hypot(away_x, away_y)
+        memory[PEAK_X], memory[PEAK_Y], memory[FALLEN] = x, y, 0.0
+        memory[UNIT_X] = away_x / away if away > 0.0 else 0.0
+        memory[UNIT_Y] = away_y / away if away > 0.0 else 0.0
+    elif speed < (1.0 - memory[FALL]) * peak and peak >= movement.STILL_M_S:
+        memory[FALLEN] = 1.0
+    if memory[FALLEN] == 0.0 or (memory[UNIT_X] == 0.0 and memory[UNIT_Y] == 0.0):
+        return NONE, NONE, NONE, NONE, NONE, NONE, phase
+    ahead = max(memory[SLOPE] * peak + memory[OFFSET], 0.0)
+    end_x, end_y = memory[PEAK_X] + ahead * memory[UNIT_X], memory[PEAK_Y] + ahead * memory[UNIT_Y]
+    return end_x, end_y, NONE, NONE, NONE, NONE, phase
+
+
+@law
+def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
+    """The same step over a table."""
+    for i in range(len(rows)):
+        if begin[i]:
+            memory[first:] = 0.0
+        r = rows[i]
+        answer = step(memory, r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8])
+        out[i, 0] = r[0]
+        for j in range(len(answer)):
+            out[i, j + 1] = answer[j]
+
+
+class DelphianPredictor(Predictor):
+    """Delphian prediction: the higher the speed peak, the farther the way that is left there.
+
+    Assumes one straight movement with one peak, and that distance grows linearly with peak speed, with a line
+    of each person and device. One answer a movement: it does not improve on the way, and corrections after it
+    go unseen. The defaults are of other people's mice: fit the line (``fit_line``) to the person.
+
+    d = max(slope v_peak + offset, 0); endpoint = position at the peak + d in the direction start -> there.
+    The peak is the highest speed of the hand so far; it is known to be one once the speed has fallen below
+    (1 - ``fall``) of it. A later, higher peak replaces it: ``None`` until it too is known; ``None`` before
+    the first, and where the peak lies on the start. Noise above ``fall`` makes peaks too early.
+
+    Parameters: ``slope_px_s_m`` px per m/s, ``offset_px`` px, ``fall`` a share. Memory: 17 floats. Claims
+    neither region nor time of arrival. Raises ParameterError, and EventError from ``update``.
+
+    Reference: Asano, Sharlin, Kitamura, Takashima, Kishino 2005 (the line gives the distance from the peak).
+
+    >>> from pointpred import Motion
+    >>> predictor = DelphianPredictor(slope_px_s_m=500.0, offset_px=10.0)
+    >>> for i, speed in enumerate([0.0, 0.2, 0.4, 0.3]):
+    ...     prediction = predictor.update(Motion(i / 10, 40.0 * i, 0.0, speed, 0.0, 0.0, 0.0, True))
+    >>> round(prediction.x, 6)  # 80 px at the peak, 500 * 0.4 + 10 px to go
+    290.0
+    """
+
+    parameters = (
+        Parameter("slope_px_s_m", "px s/m", 0.0, 1e5, "distance left at the peak for each m/s of its speed"),
+        Parameter("offset_px", "px", -1e4, 1e4, "distance left at a peak without speed"),
+        Parameter("fall", "", 0.0, 0.9, "share by which the speed must fall for a peak to be known"),
+    )
+    step = staticmethod(step)
+    loop = staticmethod(loop)
+
+    def __init__(self, *, slope_px_s_m: float = 56.0, offset_px: float = 111.0, fall: float = 0.05) -> None:
+        check(self.parameters, {"slope_px_s_m": slope_px_s_m, "offset_px": offset_px, "fall": fall})
+        super().__init__([float(slope_px_s_m), float(offset_px), float(fall)], STATES)
+
+
+def fit_line(recording: Recording, differentiator: Differentiator) -> tuple[float, float]:
+    """The line of a person: (``slope_px_s_m``, ``offset_px``) by least squares over the trials.
+
+    Speed is the highest of each trial as this differentiator sees it, distance the straight way from there
+    to the last position. Trials without speed are left out; raises ParameterError where fewer than two
+    different speeds remain. A recording of one distance has no line worth having: vary the distance.
+
+    >>> from pointpred import EventColumns, build
+    >>> from pointpred.recording import Trial
+    >>> t = np.arange(0.0, 1.0, 0.01)
+    >>> reach = t**3 * (10 - 15 * t + 6 * t**2)
+    >>> trials = [Trial("ann", str(d)) for d in (100, 300, 500)]
+    >>> parts = [EventColumns.of(t, d * reach, 0 * t) for d in (100, 300, 500)]
+    >>> slope, offset = fit_line(Recording.of("reaches", parts, trials), build("hold").differentiator)
+    >>> bool(0.8 < slope / (0.5 / 1.875 * 96 / 0.0254) < 1.0), bool(abs(offset) < 1.0)
+    (True, True)
+    """
+    peaks, ways = [], []
+    for k in range(len(recording.trials)):
+        rows = recording.rows(k)
+        if len(rows) == 0:
+            continue
+        table = differentiator.fresh().run(rows).table
+        speeds = np.hypot(table[:, 3], table[:, 4])
+        at = int(speeds.argmax())
+        if speeds[at] >= movement.STILL_M_S:
+            peaks.append(float(speeds[at]))
+            ways.append(float(np.hypot(rows.x[-1] - rows.x[at], rows.y[-1] - rows.y[at])))
+    if len(set(peaks)) < 2:
+        raise ParameterError(
+            f"a line needs trials of at least 2 different peak speeds, received {len(set(peaks))}"
+        )
+    slope, offset = np.polyfit(peaks, ways, 1)
+    return float(slope), float(offset)
