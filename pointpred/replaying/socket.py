@@ -126,7 +126,8 @@ class _Player:
         seconds = time.perf_counter() - began
         score = self.connection.trial("end")
         assert score is not None
-        batch = run(self.pipeline.fresh(), EventColumns(events.table))
+        self.pipeline.reset()  # as the session at a start: what it knows of the person stays
+        batch = run(self.pipeline, EventColumns(events.table))
         return ReplayedTrial(
             about.user, about.trial, len(events), len(heard), unlike(heard, batch), score, local, seconds
         )
