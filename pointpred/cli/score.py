@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import msgspec
 import typer
@@ -36,6 +36,9 @@ def score(
     report: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Write one self-contained HTML page.")
     ] = None,
+    targets: Annotated[
+        bool, typer.Option("--targets", help="Score which target a movement is for, not where it ends.")
+    ] = False,
     threads: Annotated[
         int | None, typer.Option(min=1, max=1024, help="Threads; not given: one for each processor.")
     ] = None,
@@ -58,11 +61,16 @@ def score(
       pointpred score *.sd3 --report out.html
 
       pointpred score session.csv --json - | jq '.sets[0].predictors'
+
+      pointpred score --targets --predictors minimum-jerk
     """
     names = chosen(predictors)
     check_targets({"--json": json, "--report": report}, files or ())
     told = reading(cut, pause_s, unit, screen, cpi, dpi)
     unread: Unread = {}
+    if targets:
+        _score_targets(files, told, names, json, report, threads=threads, seed=seed, cpi=cpi, dpi=dpi)
+        return
     from pointpred.cli.progress import following
     from pointpred.scoring import score as run
     from pointpred.scoring import summary
@@ -87,16 +95,43 @@ def score(
         remarks().print(f"report written: {report}", markup=False)
     described = [summary(one) for one in scored]
     if json is not None:
-        from pointpred.sources.naming import readable
-
-        failed = [{"file": readable(file), "reason": readable(why)} for file, why in unread.items()]
-        write_json({"version": 1, "sets": described, "unread": failed}, json)
+        write_json({"version": 1, "sets": described, "unread": _unread(unread)}, json)
     if json is None or str(json) != "-":
         from pointpred.cli.tables import print_sets
 
         print_sets(described)
     if not any(one["trials"] for one in described):
         raise RecordingError("no trial could be scored; the reasons stand above")
+
+
+def _score_targets(
+    files: list[Path] | None,
+    told: Reading,
+    names: list[str],
+    json: Path | None,
+    report: Path | None,
+    **settings: Any,
+) -> None:
+    """What ``--targets`` asks for: tables, and every number as JSON under ``targets``."""
+    if report is not None:
+        raise ParameterError("--report draws errors, not choices: leave it out with --targets")
+    from pointpred.cli.targets import described, print_targets
+
+    unread: Unread = {}
+    recordings = _read(files, told, unread) if files else _sample(unread)
+    sets = described(recordings, names, lambda one, error: _left_out(unread, one.name, error), **settings)
+    if json is not None:
+        write_json({"version": 1, "targets": sets, "unread": _unread(unread)}, json)
+    if json is None or str(json) != "-":
+        print_targets(sets)
+    if not sets:
+        raise RecordingError("no trial could be scored; the reasons stand above")
+
+
+def _unread(unread: Unread) -> list[dict[str, str]]:
+    from pointpred.sources.naming import readable
+
+    return [{"file": readable(file), "reason": readable(why)} for file, why in unread.items()]
 
 
 def chosen(text: str) -> list[str]:

@@ -8,7 +8,7 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from pointpred.columns import FloatArray
+from pointpred.columns import BoolArray, FloatArray, PredictionColumns
 from pointpred.errors import EventError, EventOrderError, ParameterError
 from pointpred.events import PointerEvent, Prediction
 from pointpred.stage import Parameter, check
@@ -96,7 +96,7 @@ class Chooser:
         self._rows = np.empty((len(rows), posterior.FEATURES))
         self._shares = np.zeros(len(rows) + 1)
         self._shares[-1] = 1.0
-        self._inside = np.zeros(len(rows), dtype=np.bool_)
+        self._inside: BoolArray = np.zeros(len(rows), dtype=np.bool_)
         self._standing = decision.NOBODY
         if standing is None:
             return ()
@@ -129,15 +129,9 @@ class Chooser:
         """
         rows, shares = table([target]), np.empty(2)
         scratch = np.empty((1, posterior.FEATURES))
-        posterior.scores(
-            self._memory,
-            rows,
-            *_numbers(self._last)[:6],
-            self._coefficients,
-            self._settings[posterior.ELSEWHERE],
-            scratch,
-            shares,
-        )
+        elsewhere = float(self._settings[posterior.ELSEWHERE])
+        answer = _row(self._last)
+        posterior.scores(self._memory, rows, answer, self._coefficients, elsewhere, scratch, shares)
         posterior.normalise(shares)
         return float(shares[0])
 
@@ -160,7 +154,7 @@ class Chooser:
             x,
             y,
             float(event.buttons & 1),
-            *_numbers(prediction),
+            _row(prediction),
             self._coefficients,
             self._settings,
             self._standing,
@@ -189,7 +183,7 @@ class Chooser:
     def _note_entries(self, t: float, x: float, y: float) -> None:
         """Tell the ledger which targets the cursor has just gone into."""
         off = np.abs(self._table[:, :2] - (x, y))
-        inside = (off <= 0.5 * self._table[:, 2:4]).all(axis=1)
+        inside: BoolArray = np.asarray((off <= 0.5 * self._table[:, 2:4]).all(axis=1))
         for i in np.flatnonzero(inside & ~self._inside).tolist():
             self.ledger.enter(t, self._ids[i])
         self._inside = inside
@@ -209,10 +203,15 @@ class Chooser:
         return tuple(changed)
 
 
-def _numbers(prediction: Prediction | None) -> tuple[float, ...]:
-    """A prediction as (x, y, sxx, sxy, syy, tail, remaining_s), NaN for what is not claimed."""
-    if prediction is None:
-        return (nan,) * 7
-    claimed = prediction.covariance or (nan, nan, nan)
-    others = (nan if value is None else value for value in (prediction.tail, prediction.remaining_s))
-    return prediction.x, prediction.y, *claimed, *others
+def _row(prediction: Prediction | None) -> FloatArray:
+    """A prediction as a row of ``PredictionColumns``, NaN for what is not claimed; the phase is not used."""
+    row = np.full(len(PredictionColumns.names), nan)
+    if prediction is not None:
+        row[1:3] = prediction.x, prediction.y
+        if prediction.covariance is not None:
+            row[3:6] = prediction.covariance
+        if prediction.remaining_s is not None:
+            row[6] = prediction.remaining_s
+        if prediction.tail is not None:
+            row[8] = prediction.tail
+    return row

@@ -18,40 +18,22 @@ def step(
     x: float,
     y: float,
     pressed: float,
-    predicted_x: float,
-    predicted_y: float,
-    sxx: float,
-    sxy: float,
-    syy: float,
-    tail: float,
-    remaining_s: float,
+    answer: FloatArray,
     coefficients: FloatArray,
     settings: FloatArray,
     standing: int,
     rows: FloatArray,
     shares: FloatArray,
 ) -> int:
-    """Take one usable event in; writes ``shares`` and returns the target proposed from now on.
+    """Take one usable event and the prediction made at it, a row of ``PredictionColumns``; writes ``shares``.
 
-    When the button comes up the movement is over, and so is what it proposed.
+    Returns the target proposed from now on. When the button comes up the movement is over, and so is what it proposed.
     """
     if cursor.follow(memory, t, x, y, pressed):
         standing = decision.NOBODY
-    posterior.scores(
-        memory,
-        table,
-        predicted_x,
-        predicted_y,
-        sxx,
-        sxy,
-        syy,
-        tail,
-        coefficients,
-        settings[posterior.ELSEWHERE],
-        rows,
-        shares,
-    )
+    elsewhere = settings[posterior.ELSEWHERE]
+    posterior.scores(memory, table, answer, coefficients, elsewhere, rows, shares)
     posterior.normalise(shares)
     ask = settings[posterior.PRECISION]
     least_s = settings[posterior.LEAST_LEAD_S]
-    return decision.decide(memory, table, shares, standing, remaining_s, ask, KEEP * ask, least_s)
+    return decision.decide(memory, table, shares, standing, answer[6], ask, KEEP * ask, least_s)

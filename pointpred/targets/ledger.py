@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Hashable
 from statistics import median
-from typing import Any
+from typing import Any, TypeVar
 
 import msgspec
 
+Value = TypeVar("Value")
+
 LATEST = 1000
-"""Movements of which the lead is remembered."""
+"""Movements of which the lead is remembered, and targets of one movement."""
 
 
 class Movement(msgspec.Struct, frozen=True):
@@ -18,12 +20,12 @@ class Movement(msgspec.Struct, frozen=True):
 
     proposed: int
     hit: bool
-    """The target was proposed before the cursor entered it, and that proposal stood at the end."""
+    """When the cursor first entered the target (or clicked beside it), a proposal of it stood."""
     wasted: int
     """Proposals of other targets, whether retracted or not."""
     retracted: int
     lead_entry_s: float | None
-    """From the proposal until the cursor last entered the target."""
+    """From the proposal until the cursor first entered the target."""
     lead_click_s: float | None
 
 
@@ -37,7 +39,7 @@ class Ledger:
     >>> ledger = Ledger()
     >>> ledger.propose(0.2, "a")
     >>> ledger.enter(0.5, "a")
-    >>> ledger.finish(0.7, "a").lead_entry_s
+    >>> round(ledger.finish(0.7, "a").lead_entry_s, 3)
     0.3
     >>> ledger.precision, ledger.coverage, ledger.proposals_a_movement
     (1.0, 1.0, 1.0)
@@ -51,12 +53,12 @@ class Ledger:
     def _forget(self) -> None:
         self._made: dict[Hashable, int] = {}
         self._standing: tuple[Hashable, float] | None = None
-        self._entered: tuple[Hashable, float] | None = None
+        self._entered: dict[Hashable, tuple[float, float | None]] = {}
         self._retracted = 0
 
     def propose(self, t: float, id: Hashable) -> None:
         """Note a proposal; it takes the place of one that stands."""
-        self._made[id] = self._made.get(id, 0) + 1
+        _remember(self._made, id, self._made.get(id, 0) + 1)
         self._standing = (id, t)
 
     def retract(self, t: float, id: Hashable) -> None:
@@ -65,29 +67,30 @@ class Ledger:
         self._standing = None
 
     def enter(self, t: float, id: Hashable) -> None:
-        """Note that the cursor went into a target; only the last entry counts."""
-        self._entered = (id, t)
+        """Note that the cursor went into a target; only the first time in a movement counts."""
+        if id not in self._entered:
+            _remember(self._entered, id, (t, self._since(id)))
+
+    def _since(self, id: Hashable) -> float | None:
+        return self._standing[1] if self._standing is not None and self._standing[0] == id else None
 
     def finish(self, t: float, id: Hashable | None) -> Movement:
         """Close the movement at its click, with the target it was for or ``None``."""
         proposed = sum(self._made.values())
         right = self._made.get(id, 0) if id is not None else 0
-        lead_entry = lead_click = None
-        if self._standing is not None and self._standing[0] == id and id is not None:
-            since = self._standing[1]
-            entered = self._entered[1] if self._entered is not None and self._entered[0] == id else t
-            if entered >= since:
-                lead_entry, lead_click = round(entered - since, 9), round(t - since, 9)
-                self._leads.append((lead_entry, lead_click))
+        entered, since = (t, None) if id is None else self._entered.get(id, (t, self._since(id)))
+        leads = None if since is None else (entered - since, t - since)
+        if leads is not None:
+            self._leads.append(leads)
         done = Movement(
-            proposed, lead_entry is not None, proposed - right, self._retracted, lead_entry, lead_click
+            proposed, leads is not None, proposed - right, self._retracted, *(leads or (None, None))
         )
         self.movements += 1
         self.proposed += proposed
         self.right += right
         self.hits += done.hit
         self.wasted += done.wasted
-        self.retracted += self._retracted
+        self.retracted += done.retracted
         self._forget()
         return done
 
@@ -126,3 +129,10 @@ class Ledger:
             "median_lead_entry_s": median(entry) if entry else None,
             "median_lead_click_s": median(click) if click else None,
         }
+
+
+def _remember(noted: dict[Hashable, Value], id: Hashable, value: Value) -> None:
+    """Note a value, and forget the oldest target where there are too many: ids are the caller's."""
+    noted[id] = value
+    if len(noted) > LATEST:
+        del noted[next(iter(noted))]

@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
-from math import exp, inf, log
+from math import exp, inf, log, nan
 
 import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.targets import cursor, weights
-from pointpred.targets.evidence import FEATURES, features, unclaimed
+from pointpred.targets import cursor, evidence, weights
+from pointpred.targets.evidence import features, unclaimed
 
 FITTED: FloatArray = np.array([*weights.SLOW, *weights.FAST, *weights.NONE])
 """The coefficients that come with pointpred: of each feature standing, at the peak, and of none of them."""
+FEATURES = evidence.FEATURES
 COEFFICIENTS = 2 * FEATURES + 2
+
+FITTED_NEAREST: FloatArray = np.zeros(COEFFICIENTS)
+"""Coefficients of the distance from the cursor alone: the nearest target, as something to compare with."""
+FITTED_NEAREST[[evidence.NEAR, FEATURES + evidence.NEAR]] = weights.NEAREST
+FITTED_NEAREST[2 * FEATURES :] = weights.NEAREST_NONE
 
 PRECISION, ELSEWHERE, LEAST_LEAD_S = 0, 1, 2
 """Places of a chooser's settings."""
@@ -26,12 +32,7 @@ FITTED_NONE, FITTED_TARGETS = 0.25, 16.0
 def scores(
     memory: FloatArray,
     table: FloatArray,
-    x: float,
-    y: float,
-    sxx: float,
-    sxy: float,
-    syy: float,
-    tail: float,
+    answer: FloatArray,
     coefficients: FloatArray,
     elsewhere: float,
     rows: FloatArray,
@@ -39,13 +40,14 @@ def scores(
 ) -> None:
     """The logarithm of each target's share, up to a constant; behind them that of none of them.
 
-    ``rows`` is scratch for the features, a row a target.
+    ``answer`` is a row of ``PredictionColumns``; ``rows`` is scratch for the features, a row a target.
     """
+    x, y, sxx, sxy, syy, tail = answer[1], answer[2], answer[3], answer[4], answer[5], answer[8]
     if x != x:  # no prediction: the cursor itself
-        x, y, sxx = memory[cursor.X], memory[cursor.Y], x
-    if sxx != sxx or not (sxx > 0.0 and syy > 0.0 and sxx * syy > sxy * sxy):
+        x, y = memory[cursor.X], memory[cursor.Y]
+    if answer[1] != answer[1] or not (sxx > 0.0 and syy > 0.0 and sxx * syy > sxy * sxy):
         sxx, sxy, syy = unclaimed(memory, x, y)
-        tail = tail * 0.0 / 0.0
+        tail = nan
     features(memory, table, x, y, sxx, sxy, syy, tail, rows)
     fast = min(memory[cursor.SPEED] / memory[cursor.PEAK], 1.0) if memory[cursor.PEAK] > 0.0 else 0.0
     count, most = len(table), -inf

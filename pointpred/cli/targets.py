@@ -1,0 +1,92 @@
+"""``pointpred score --targets``: which target a movement is for, beside the nearest to the cursor."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, Any
+
+from rich.table import Table
+
+from pointpred.cli.screen import counted, results
+
+if TYPE_CHECKING:
+    from pointpred.recording import Recording
+
+DIAL = "0.8"
+SHOWN = ("0.2", "0.3", "0.4", "0.5", "0.6", "0.7", "0.8", "0.9")
+HEADINGS = ("predictor", *(f"{float(time):.0%}" for time in SHOWN))
+DECIDED = ("predictor", "precision", "before entry", "lead to entry", "lead to click", "proposals", "retracted")
+
+
+def described(
+    recordings: Iterable[Recording],
+    predictors: list[str],
+    failed: Callable[[Recording, Exception], None],
+    **settings: Any,
+) -> list[dict[str, Any]]:
+    """The summary of each kind of layout of each recording; what cannot be scored is told to ``failed``."""
+    from pointpred.scoring.target_choice import score_targets, target_summary
+
+    found = []
+    for recording in recordings:
+        try:
+            scored = score_targets(recording, tuple(predictors), **settings)
+        except Exception as error:
+            failed(recording, error)
+            continue
+        found += [target_summary(one) for one in scored]
+    return found
+
+
+def print_targets(sets: list[dict[str, Any]]) -> None:
+    """Two tables a set: shares right by time, and decisions at the dial's 0.8."""
+    for one in sets:
+        title = f"{one['name']}: {counted(one['trials'], 'movement')}, {one['layout']}"
+        results().print(title, style="bold", markup=False)
+        results().print(_table(HEADINGS, [_right(predictor) for predictor in one["predictors"]]))
+        results().print(_table(DECIDED, [_decided(predictor) for predictor in one["predictors"]]))
+    if sets:
+        results().print(
+            "Above: share of movements whose likeliest target is the right one, by share of the time from onset "
+            f"to arrival.\nBelow: proposals with the dial at {DIAL}; movements with a right proposal before the "
+            "cursor enters; median leads; proposals and retractions a movement.",
+            style="dim",
+        )
+
+
+def _table(headings: tuple[str, ...], rows: list[tuple[str, ...]]) -> Table:
+    table = Table(box=None, pad_edge=False)
+    for i, heading in enumerate(headings):
+        table.add_column(heading, justify="left" if i == 0 else "right", no_wrap=i == 0)
+    for row in rows:
+        table.add_row(*row)
+    return table
+
+
+def _right(predictor: dict[str, Any]) -> tuple[str, ...]:
+    return predictor["name"], *(_share(predictor["right"][time]) for time in SHOWN)
+
+
+def _decided(predictor: dict[str, Any]) -> tuple[str, ...]:
+    one = predictor["decisions"][DIAL]
+    return (
+        predictor["name"],
+        _share(one["precision"]),
+        _share(one["before_entry"]),
+        _ms(one["lead_entry_s"]),
+        _ms(one["lead_click_s"]),
+        _number(one["proposals"]),
+        _number(one["retractions"]),
+    )
+
+
+def _share(value: float | None) -> str:
+    return "-" if value is None else f"{value:.0%}"
+
+
+def _ms(value: float | None) -> str:
+    return "-" if value is None else f"{1e3 * value:.0f} ms"
+
+
+def _number(value: float | None) -> str:
+    return "-" if value is None else f"{value:.2f}"
