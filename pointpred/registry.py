@@ -19,6 +19,7 @@ from pointpred.predictors import (
     LinearPredictor,
     MinimumJerkPredictor,
     Predictor,
+    SwitchedDirectionPredictor,
     SwitchedPredictor,
     TemplatePredictor,
 )
