@@ -5,10 +5,10 @@ PYTHON ?= $(shell for python in python3.11 python3 python3.12 python3.13 python3
 BIN = .venv/bin
 READY = .venv/.ready
 
-.PHONY: run test check format bench docs results sample clean help
+.PHONY: run test check format bench docs results train crossvalidate sample clean help
 
 help:  ## show these lines
-	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 12
+	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
 
 run: $(READY)  ## set up and serve the live page on 127.0.0.1
 	$(BIN)/pointpred serve
@@ -34,6 +34,12 @@ docs: $(READY)  ## write the generated parts of the pages again, and the README'
 
 results: $(READY)  ## write docs/results.md from the recordings in POINTPRED_RECORDINGS and the sample
 	$(BIN)/python -m benchmarks.results
+
+train: $(READY)  ## fit kinematic's coefficients to the recordings in POINTPRED_RECORDINGS
+	$(BIN)/python -m pointpred.training
+
+crossvalidate: $(READY)  ## score kinematic on people and sets held out, and write docs/kinematic.md
+	$(BIN)/python -m pointpred.training validate
 
 sample: $(READY)  ## generate the embedded sample again (same bytes)
 	$(BIN)/python -m pointpred.datasets.generate

@@ -53,9 +53,13 @@ class Predictor(CompiledStage):
         """``consume``, with the prediction as a row of ``PredictionColumns``."""
         t, x, y, vx, vy, ax, ay, settled, start, _ = row
         values = type(self).step(self._memory, t, x, y, vx, vy, ax, ay, settled, start)
+        return self.accepted(row, values)
+
+    def accepted(self, row: tuple[float, ...], values: tuple[float, ...]) -> tuple[float, ...]:
+        """What a step returned as a row of ``PredictionColumns``; raises EventError where it refused."""
         if values[6] != values[6]:
             raise EventError(f"motion must be finite and not before the last one, received {row!r}")
-        return (t, *values) if len(values) == CLAIMS else (t, *values, NONE, NONE)
+        return (row[0], *values) if len(values) == CLAIMS else (row[0], *values, NONE, NONE)
 
     def run(self, motions: MotionColumns, begin: BoolArray) -> PredictionColumns:
         """Consume a table of motions; when a row is refused the error names it and nothing is consumed."""

@@ -34,6 +34,8 @@ STYLES: dict[str, tuple[int, str, object]] = {
     "delphian": (4, ">", DASHED),
     "switched": (0, "o", "solid"),
     "switched-printed": (0, "h", DASHED),
+    "switched-direction": (0, "d", "dotted"),
+    "kinematic": (5, "d", "solid"),
 }
 """Place in PALETTE, marker and dash of each name of the registry, the same in every figure and set."""
 GREY = "#808080"

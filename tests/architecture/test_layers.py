@@ -31,6 +31,7 @@ MAY_IMPORT = {
     "report": PIPELINE | {"scoring"},
     "sources": {"errors", "events", "columns", "recording"},
     "datasets": PIPELINE | {"simulation", "sources"},
+    "training": PIPELINE | {"scoring", "sources"},
     "server": PIPELINE | {"targets", "simulation", "scoring", "sources", "datasets", "pointpred"},
     "client": {"errors", "events", "columns", "server"},
     "replaying": PIPELINE | {"scoring", "server", "client"},

@@ -34,7 +34,7 @@ def test_every_predictor_and_parameter_is_listed() -> None:
 @pytest.mark.parametrize("name", REGISTRY)
 def test_the_gains_on_the_page_are_those_that_build_gives(name: str) -> None:
     page = (ROOT / "docs/predictors.md").read_text(encoding="utf-8")
-    section = page.partition(f"### {name}\n")[2].partition("###")[0]
+    section = page.partition(f"### {name}\n")[2].partition("###")[0].partition("<!-- end -->")[0]
     said = {key: float(value) for key, value in re.findall(r"`(gain_\w+|alpha)` (-?[\d.]+\d|\d)", section)}
     assert set(said) == {"gain_lambda", "gain_xi", "alpha"}
     expected = HomogeneousDifferentiator(dpi=96.0, **said)

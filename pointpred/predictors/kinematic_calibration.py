@@ -1,0 +1,24 @@
+"""What held-out people taught about the network's regions: factors that depend on how far it thinks it is."""
+
+from __future__ import annotations
+
+from math import exp, floor
+
+from pointpred.columns import FloatArray
+from pointpred.compiled import law
+
+KNOTS = 10
+"""Of the share of the time that has passed, as predicted: 0.05, 0.15 ... 0.95."""
+WIDTH, TAIL, SPREAD = 0, 1, 2
+FACTORS = 3
+"""Logarithms of what the widths, the tail, the spread of the time left are multiplied by."""
+
+
+@law
+def factor(table: FloatArray, at: int, share: float, which: int) -> float:
+    """A factor at a share of the time, on lines between the knots."""
+    place = min(max(share * KNOTS - 0.5, 0.0), KNOTS - 1.0)
+    knot = min(floor(place), KNOTS - 2)
+    low = table[at + FACTORS * knot + which]
+    high = table[at + FACTORS * (knot + 1) + which]
+    return exp(low + (place - knot) * (high - low))

@@ -1,0 +1,163 @@
+"""The table that makes regions as sure as they say, from people the network was not fitted to."""
+
+from __future__ import annotations
+
+from math import log
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from pointpred.columns import FloatArray
+from pointpred.predictors import kinematic_calibration as table_law
+from pointpred.predictors import kinematic_features as features
+from pointpred.predictors import kinematic_net as net
+from pointpred.training import losses
+from pointpred.training.examples import Examples
+from pointpred.training.fitting import Fitted, Settings, truth
+
+LEVELS = (0.5, 0.8, 0.95)
+DECILES = 9
+"""Stretches of the true share of the time around 10, 20 ... 90 %."""
+SOFT = 0.15
+"""Width, in logarithms of distance, over which an endpoint counts as half inside."""
+SMOOTH = 0.02
+"""What a bend of the table between three knots costs, against a coverage that is off."""
+ROWS_MOST = 40_000
+NORMAL = (0.6744897501960817, 1.2815515655446004, 1.959963984540054)
+"""Deviations of a normal law within which its middle 50, 80, 95 % lie."""
+
+
+class Held(msgspec.Struct, frozen=True):
+    """What a network said of moments of people it was not fitted to, and how it turned out."""
+
+    said_share: FloatArray
+    """Share of the time that has passed, as the network thinks."""
+    share: FloatArray
+    surprise: FloatArray
+    """Squared Mahalanobis distance of the endpoint."""
+    tail: FloatArray
+    late: FloatArray
+    """Deviations of the logarithm of the time left."""
+    weight: FloatArray
+
+    def only(self, rows: NDArray[np.bool_] | NDArray[np.int64]) -> Held:
+        """Some of the rows."""
+        return Held(*(getattr(self, name)[rows] for name in self.__struct_fields__))
+
+
+def held(fitted: Fitted, given: Examples, settings: Settings) -> Held:
+    """A fitted network's claims about examples, before any calibration."""
+    outputs, wanted = fitted.outputs(given.features), truth(given, settings)
+    along, across = losses.point(outputs, wanted)
+    said = outputs.astype(np.float64)
+    wide = np.exp(np.clip(said[:, net.WIDE], *net.WIDTH_LOGS))
+    broad = np.exp(np.clip(said[:, net.BROAD], *net.WIDTH_LOGS))
+    left = _left(said, given)
+    spread = np.exp(np.clip(said[:, net.SPREAD], *net.SPREAD_LOGS))
+    return Held(
+        wanted.since_s / (wanted.since_s + left),
+        given.share,
+        ((along - wanted.along) / wide) ** 2 + ((across - wanted.across) / broad) ** 2,
+        np.exp(np.clip(said[:, net.TAIL], *net.TAIL_LOGS)),
+        np.log(np.maximum(given.left_s, 1e-4) / left) / spread,
+        wanted.law_weight.astype(np.float64),
+    )
+
+
+def _left(said: FloatArray, given: Examples) -> FloatArray:
+    since = given.features[:, features.NAMES.index("time")].astype(np.float64)
+    ahead: FloatArray = np.exp(np.clip(said[:, net.LEFT], *net.LEFT_LOGS))
+    return (since + net.HEAD_START_S) * ahead
+
+
+def time_left(fitted: Fitted, given: Examples) -> FloatArray:
+    """The time left in s that a network says for examples."""
+    return _left(fitted.outputs(given.features).astype(np.float64), given)
+
+
+def joined(parts: list[Held]) -> Held:
+    """Rows of several networks together."""
+    names = Held.__struct_fields__
+    return Held(*(np.concatenate([getattr(part, name) for part in parts]) for name in names))
+
+
+def factors(table: FloatArray, share: FloatArray, which: int) -> FloatArray:
+    """``kinematic_calibration.factor`` of many shares."""
+    knots = (np.arange(table_law.KNOTS) + 0.5) / table_law.KNOTS
+    found: FloatArray = np.exp(np.interp(share, knots, table[:, which]))
+    return found
+
+
+def reaches(level: float, tail: FloatArray) -> FloatArray:
+    """Squared Mahalanobis distance up to which a Student law's region of a level goes."""
+    return tail * ((1.0 - level) ** (-2.0 / tail) - 1.0)
+
+
+def calibrated(known: Held, seed: int = 0) -> FloatArray:
+    """The table with which each level's share of endpoints inside is right at every decile of the time."""
+    from scipy.optimize import least_squares
+
+    if len(known.share) > ROWS_MOST:
+        drawn = np.random.default_rng(seed).choice(len(known.share), ROWS_MOST, replace=False)
+        known = known.only(np.sort(drawn))
+    decile = np.clip(np.round(known.share * 10.0).astype(int) - 1, 0, DECILES - 1)
+    total = np.bincount(decile, known.weight, DECILES)
+    place = np.clip(known.said_share * table_law.KNOTS - 0.5, 0.0, table_law.KNOTS - 1.0)
+    knot = np.minimum(place.astype(int), table_law.KNOTS - 2)
+    part = place - knot
+
+    def at(values: FloatArray) -> FloatArray:
+        low = values[knot]
+        between: FloatArray = low + part * (values[knot + 1] - low)
+        return between
+
+    def off(logs: list[FloatArray], columns: list[FloatArray]) -> FloatArray:
+        shares = []
+        for level, gap in zip(LEVELS, logs, strict=True):
+            inside = 1.0 / (1.0 + np.exp(np.clip(-gap / SOFT, -40.0, 40.0)))
+            shares.append(np.bincount(decile, known.weight * inside, DECILES) / total - level)
+        bends = [SMOOTH * np.diff(column, 2) for column in columns] + [0.1 * SMOOTH * c for c in columns]
+        return np.concatenate([*shares, *bends])
+
+    surprise = np.log(np.maximum(known.surprise, 1e-12))
+
+    def regions(values: FloatArray) -> FloatArray:
+        width, tail = values[: table_law.KNOTS], values[table_law.KNOTS :]
+        heavy = known.tail * np.exp(np.clip(at(tail), -3.0, 3.0))
+        return off(
+            [np.log(reaches(level, heavy)) + 2.0 * at(width) - surprise for level in LEVELS], [width, tail]
+        )
+
+    late = np.log(np.maximum(np.abs(known.late), 1e-6))
+
+    def times(values: FloatArray) -> FloatArray:
+        return off([2.0 * (log(z) + at(values) - late) for z in NORMAL], [values])
+
+    found = least_squares(regions, np.zeros(2 * table_law.KNOTS), max_nfev=15).x
+    spread = least_squares(times, np.zeros(table_law.KNOTS), max_nfev=15).x
+    table = np.empty((table_law.KNOTS, table_law.FACTORS))
+    table[:, table_law.WIDTH] = found[: table_law.KNOTS]
+    table[:, table_law.TAIL] = np.clip(found[table_law.KNOTS :], -3.0, 3.0)
+    table[:, table_law.SPREAD] = spread
+    return np.round(table, 6)
+
+
+def applied(known: Held, table: FloatArray) -> Held:
+    """The claims after calibration."""
+    widths = factors(table, known.said_share, table_law.WIDTH)
+    return msgspec.structs.replace(
+        known,
+        surprise=known.surprise / widths**2,
+        tail=known.tail * factors(table, known.said_share, table_law.TAIL),
+        late=known.late / factors(table, known.said_share, table_law.SPREAD),
+    )
+
+
+def coverage(known: Held) -> FloatArray:
+    """Shares inside, a row a decile, a column a level: regions, then intervals of the time left."""
+    decile = np.clip(np.round(known.share * 10.0).astype(int) - 1, 0, DECILES - 1)
+    total = np.bincount(decile, known.weight, DECILES)
+    columns = [known.surprise <= reaches(level, known.tail) for level in LEVELS]
+    columns += [np.abs(known.late) <= z for z in NORMAL]
+    return np.stack([np.bincount(decile, known.weight * c, DECILES) / total for c in columns], axis=1)

@@ -1,0 +1,83 @@
+"""The sets a folder holds, their people, and who is held out when."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+import msgspec
+import numpy as np
+
+from pointpred.errors import ParameterError
+from pointpred.recording import Recording
+from pointpred.training.examples import Examples, examples
+from pointpred.training.variants import varied
+
+SETS = {
+    "freihaut2021": "GPL-3.0",
+    "pvplib23714": "GPL-3.0",
+    "cryslacks": "MIT",
+    "kh2017": "GPL-3",
+    "humanmovemouse": "MIT",
+    "gofitts_demo": "MIT",
+    "jrcalgo": "MIT",
+}
+"""The sets trained on, with their licences."""
+FOLDS = 5
+VARIANTS = 3
+"""How often each movement is seen otherwise."""
+
+Say = Callable[[str], None]
+
+
+class School(msgspec.Struct, frozen=True):
+    """Everything there is to learn from: recordings, examples, users numbered through all sets."""
+
+    recordings: tuple[Recording, ...]
+    own: tuple[Examples, ...]
+    """Of each set, as its people moved."""
+    varied: tuple[Examples, ...]
+    """Of each set and variant, one set after another."""
+    users: dict[str, int]
+    """``set user`` to a number."""
+
+    def fold(self) -> dict[int, int]:
+        """The fold of each user: dealt in turn, set after set, in an order that a seed fixes."""
+        order = np.random.default_rng(0).permutation(len(self.users)).tolist()
+        return {user: place % FOLDS for place, user in enumerate(order)}
+
+
+def folder() -> Path:
+    """The folder of recordings; raises ParameterError where the environment names none."""
+    named = os.environ.get("POINTPRED_RECORDINGS")
+    if not named or not Path(named).is_dir():
+        raise ParameterError(f"POINTPRED_RECORDINGS must name a folder of recordings, received {named!r}")
+    return Path(named)
+
+
+def school(recordings: list[Recording], seed: int, say: Say, variants: int = VARIANTS) -> School:
+    """Make the examples of recordings."""
+    users: dict[str, int] = {}
+    own, otherwise = [], []
+    for recording in recordings:
+        for trial in recording.trials:
+            users.setdefault(f"{recording.name} {trial.user}", len(users))
+    for number, recording in enumerate(recordings):
+        own.append(examples(recording, number, users, seed))
+        for variant in range(variants):
+            seeds = seed + 1000 * (number + 1) + variant
+            otherwise.append(examples(varied(recording, seeds), number, users, seeds, own=False))
+        say(f"{recording.name}: {len(recording.trials)} trials, {len(own[-1].reach)} moments")
+    return School(tuple(recordings), tuple(own), tuple(otherwise), users)
+
+
+def read_sets(where: Path) -> list[Recording]:
+    """The known sets that a folder holds; raises ParameterError where it holds none."""
+    from pointpred.sources import read
+
+    paths = {name: where / f"{name}_samples.parquet" for name in SETS}
+    found = [read(path) for path in paths.values() if path.is_file()]
+    if not found:
+        raise ParameterError(f"POINTPRED_RECORDINGS must hold one of {', '.join(SETS)}, found none")
+    return found
