@@ -15,6 +15,7 @@ State = Literal["connecting", "greeted", "streaming", "closed"]
 HELLO_S = 10.0
 """A client says hello within this time."""
 SLOW = "the answers are not read"
+FAILED = "the server failed; the session ends"
 
 
 class Close(Struct, frozen=True):
@@ -73,7 +74,7 @@ class Conversation:
     def fail(self) -> None:
         """Something broke on this side."""
         if self.state != "closed":
-            self.end("internal", "the server failed; the session ends", 1011)
+            self.end("internal", FAILED, 1011)
 
     def give_up(self) -> None:
         """The client has not read for too long."""

@@ -10,10 +10,7 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.events import LARGEST, LATEST_S
 from pointpred.server.messages import ClientMessage, EventRow
-from pointpred.server.records import EVENT as EVENT
-from pointpred.server.records import NO_COUNTS as NO_COUNTS
-from pointpred.server.records import NONE, unpack
-from pointpred.server.records import PREDICTION as PREDICTION
+from pointpred.server.records import EVENT, NONE, unpack
 from pointpred.server.refusals import RefusedError, not_fitting, not_json
 
 _decoder = msgspec.json.Decoder(ClientMessage)

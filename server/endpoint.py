@@ -11,11 +11,13 @@ from urllib.parse import parse_qs
 
 from uvicorn.protocols.utils import ClientDisconnected
 
+from pointpred.server.conversation import FAILED
+from pointpred.server.early import Early
 from pointpred.server.hosts import admits_origin, header
 from pointpred.server.logs import place_of
 from pointpred.server.messages import SUBPROTOCOL, Bye, Code, ErrorMessage, encode
 from pointpred.server.service import Service
-from pointpred.server.talk import Receive, Send, Talk
+from pointpred.server.talk import LAST_S, Receive, Send, Talk
 
 log = logging.getLogger("pointpred.service")
 
@@ -23,9 +25,7 @@ Scope = MutableMapping[str, Any]
 
 UPGRADE = b"This path speaks WebSocket, subprotocol pointpred.v1.\n"
 SHOW_TOKEN = "show the token as ?token= or Authorization: Bearer"
-FAILED = "the server failed; the session ends"
-LAST_S = 5.0
-"""A client may read for so long that its session failed."""
+STOPS = "the server stops"
 
 
 class StreamEndpoint:
@@ -41,8 +41,8 @@ class StreamEndpoint:
             return
         try:
             await receive()  # websocket.connect
-            if await self._admitted(scope, send):
-                await self._serve(receive, send)
+            if await self._admitted(scope, send) and (heard := await self._greetable(receive, send)):
+                await self._serve(heard, send)
         except ClientDisconnected:
             pass  # it left before it had a session
 
@@ -62,11 +62,25 @@ class StreamEndpoint:
             most = service.settings.max_sessions
             await self._refuse(send, "too_many", f"{most} sessions are open, which is the most", 1013)
             return False
-        await service.until_warm()  # or this first event would compile, and every session wait for it
-        if service.stopping:
-            await send({"type": "websocket.send", "text": encode(Bye("the server stops")).decode()})
-            await send({"type": "websocket.close", "code": 1001, "reason": "the server stops"})
-        return not service.stopping
+        return True
+
+    async def _greetable(self, receive: Receive, send: Send) -> Receive | None:
+        """Where frames come from once code is warm: a first event would compile, and every session wait."""
+        service = self.service
+        if not service.warming:
+            return receive
+        early = Early(receive)
+        try:
+            if not await early.stays(service.until_warm()):
+                return None
+            if not service.stopping:
+                return early
+            await send({"type": "websocket.send", "text": encode(Bye(STOPS)).decode()})
+            await send({"type": "websocket.close", "code": 1001, "reason": STOPS})
+            return None
+        finally:
+            if service.stopping:
+                early.leave()
 
     async def _refuse(self, send: Send, code: Code, message: str, close: int) -> None:
         self.service.metrics.turned_away.labels(code).inc()

@@ -17,6 +17,7 @@ from pathlib import Path
 import msgspec
 
 from pointpred.recording import Provenance
+from pointpred.server.building import cpi_of, dpi_of
 from pointpred.server.logs import place_of
 from pointpred.server.messages import Hello
 from pointpred.server.recorder_batch import Item, rows_of
@@ -77,9 +78,9 @@ class Recorder:
             return None
         begun = self._today()
         name = name_of(session, begun)
-        dpi = hello.screen.dpi if hello.screen else 96.0
-        cpi = hello.device.cpi if hello.device else None
-        origin = Provenance(FORMAT, origin="as the client says", clock=CLOCK, dpi=dpi, cpi=cpi)
+        origin = Provenance(
+            FORMAT, origin="as the client says", clock=CLOCK, dpi=dpi_of(hello), cpi=cpi_of(hello)
+        )
         about = {"provenance": msgspec.to_builtins(origin), "begun": begun.isoformat(timespec="seconds")}
         return SessionRecorder(self._put, SessionFiles(self.folder, name, about, self._write), hello)
 

@@ -78,9 +78,14 @@ class Service:
         self._warming = asyncio.get_running_loop().run_in_executor(None, warm, self._progress)
         self._warming.add_done_callback(self._warmed)
 
+    @property
+    def warming(self) -> bool:
+        """Whether compiled code is being warmed."""
+        return self._warming is not None and not self._warming.done()
+
     async def until_warm(self) -> None:
         """Wait until compiled code is warm, or cannot be."""
-        if self._warming is None or self._warming.done():
+        if self._warming is None:
             return
         self._waiting += 1
         try:

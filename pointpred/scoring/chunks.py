@@ -58,6 +58,9 @@ def in_threads(
 def each_in_threads(
     work: Callable[[Item], Answer], items: Iterable[Item], threads: int | None
 ) -> Iterator[Answer]:
-    """The answers of ``work(item)``, in order; one thread a processor unless given."""
+    """The answers of ``work(item)``, in order; a thread a processor unless given, one is the caller's."""
+    if threads == 1:
+        yield from map(work, items)  # a pool of one costs more than a short trial
+        return
     with ThreadPoolExecutor(max(1, os.cpu_count() or 1 if threads is None else threads)) as pool:
         yield from pool.map(work, items)

@@ -61,6 +61,38 @@ def test_who_waits_for_warm_code_hears_that_the_service_stops(warm: threading.Ev
         assert closed.value.rcvd.code == 1001
 
 
+def test_who_leaves_while_code_is_warmed_leaves_its_place(warm: threading.Event) -> None:
+    with running(max_sessions=1) as here:
+        for said in ([], [HELLO]):
+            with here.connect() as early:
+                for text in said:
+                    early.send(text)
+                soon(lambda: here.service.full, "it waits")
+            soon(lambda: not here.service.full, "its place is free", 5.0)
+        with here.connect() as other:
+            other.send(HELLO)
+            soon(lambda: here.service.full, "it waits")
+            warm.set()
+            assert json.loads(other.recv(10))["type"] == "welcome"
+        assert get(f"{here.url}/metrics").status_code == 200
+
+
+def test_frames_that_came_early_are_answered_in_their_order(warm: threading.Event) -> None:
+    with running() as here, here.connect() as early:
+        early.send(HELLO)
+        for t in range(20):
+            early.send(f'{{"type":"events","events":[[{t},5,6,null,null,0]]}}')
+        soon(lambda: here.service._waiting == 1, "it waits")
+        warm.set()
+        assert json.loads(early.recv(10))["type"] == "welcome"
+        last = -1.0
+        while last < 19.0:  # predictions may give way to newer ones
+            answer = json.loads(early.recv(10))
+            assert answer["type"] == "prediction", answer
+            assert answer["t"] > last
+            last = answer["t"]
+
+
 def test_code_that_cannot_be_warmed_is_logged_and_clients_are_served_all_the_same(
     monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:

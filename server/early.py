@@ -1,0 +1,53 @@
+"""A client that comes while code is still warmed: it is waited with, and noticed when it leaves."""
+
+from __future__ import annotations
+
+import asyncio
+from collections import deque
+from collections.abc import Awaitable, Callable, Coroutine, MutableMapping
+from typing import Any
+
+Message = MutableMapping[str, Any]
+
+MOST = 4
+"""Frames taken in meanwhile: a client waits for the answer to its hello, and what more it sends can wait."""
+
+
+class Early:
+    """Hands on what a client sent, after having listened for its leaving."""
+
+    def __init__(self, receive: Callable[[], Awaitable[Message]]) -> None:
+        self._receive = receive
+        self._heard: deque[Message] = deque()
+        self._coming: asyncio.Future[Message] | None = None
+
+    async def stays(self, until: Coroutine[Any, Any, None]) -> bool:
+        """Whether the client is still there at the end of ``until``, which is given up where it is not."""
+        waiting = asyncio.ensure_future(until)
+        try:
+            while not waiting.done() and len(self._heard) < MOST:
+                coming = self._coming = self._coming or asyncio.ensure_future(self._receive())
+                await asyncio.wait({waiting, coming}, return_when=asyncio.FIRST_COMPLETED)
+                if coming.done():
+                    self._coming = None
+                    self._heard.append(coming.result())
+                    if self._heard[-1]["type"] == "websocket.disconnect":
+                        return False
+            await waiting
+            return True
+        finally:
+            waiting.cancel()
+
+    async def __call__(self) -> Message:
+        """What comes next, in order."""
+        if self._heard:
+            return self._heard.popleft()
+        if self._coming is not None:
+            coming, self._coming = self._coming, None
+            return await coming
+        return await self._receive()
+
+    def leave(self) -> None:
+        """Nobody asks for more."""
+        if self._coming is not None:
+            self._coming.cancel()
