@@ -33,7 +33,7 @@ class HostRule:
     def admits(self, header: str) -> bool:
         """Whether a request with this ``Host`` header is answered."""
         name = _without_port(header.strip().lower())
-        return name in self.names or (self.any_address and _is_address(name))
+        return name in self.names or (self.any_address and is_address(name))
 
 
 class HostGuard:
@@ -92,7 +92,8 @@ def _without_port(host: str) -> str:
     return (found.group(1) or found.group(2)) if found else ""
 
 
-def _is_address(name: str) -> bool:
+def is_address(name: str) -> bool:
+    """Whether a name is a numeric address."""
     try:
         ip_address(name)
     except ValueError:

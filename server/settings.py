@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import secrets
 from ipaddress import ip_address
 from pathlib import Path
@@ -11,6 +12,7 @@ from urllib.parse import urlsplit
 from pydantic import BeforeValidator, Field, field_validator
 from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 
+from pointpred.server.hosts import is_address
 from pointpred.server.messages import Limits
 
 
@@ -19,6 +21,7 @@ def _parts(value: Any) -> Any:
     return [part.strip() for part in value.split(",") if part.strip()] if isinstance(value, str) else value
 
 
+NAME = re.compile(r"[A-Za-z0-9_-]+(\.[A-Za-z0-9_-]+)*")
 Words = Annotated[tuple[str, ...], NoDecode, BeforeValidator(_parts)]
 
 
@@ -58,6 +61,17 @@ class Settings(BaseSettings):
     idle_s: float = Field(
         default=60.0, gt=0.0, le=1e6, description="Seconds without a frame until a session ends."
     )
+
+    @field_validator("allow_host")
+    @classmethod
+    def _hosts(cls, hosts: tuple[str, ...]) -> tuple[str, ...]:
+        """Names as a ``Host`` header has them, without the port: another spelling would never be met."""
+        for host in hosts:
+            if not (NAME.fullmatch(host) or is_address(host)):
+                raise ValueError(
+                    f"a host reads like lab.example, several like a.example,b.example; received {host!r}"
+                )
+        return hosts
 
     @field_validator("allow_origin")
     @classmethod

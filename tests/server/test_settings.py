@@ -9,6 +9,7 @@ import sys
 import pytest
 from pydantic import ValidationError
 
+from pointpred.server.hosts import HostRule
 from pointpred.server.settings import Settings
 
 
@@ -42,6 +43,26 @@ def test_the_environment_is_read_and_an_argument_goes_first(monkeypatch: pytest.
 def test_an_origin_no_browser_would_send_is_refused(origin: str) -> None:
     with pytest.raises(ValidationError, match="an origin reads like"):
         Settings(allow_origin=[origin])
+
+
+@pytest.mark.parametrize(
+    "host",
+    ['["lab.example"]', '"lab.example"', "lab.example:8000", "http://lab.example", "*", "*.example", "[::1]"],
+)
+def test_a_host_no_header_would_name_is_refused(monkeypatch: pytest.MonkeyPatch, host: str) -> None:
+    with pytest.raises(ValidationError, match="a host reads like lab.example"):
+        Settings(allow_host=[host])
+    monkeypatch.setenv("POINTPRED_ALLOW_HOST", f"good.example,{host}")
+    with pytest.raises(ValidationError, match="a host reads like lab.example"):
+        Settings()
+
+
+def test_hosts_are_names_or_addresses(monkeypatch: pytest.MonkeyPatch) -> None:
+    hosts = ("lab", "Lab.example", "192.168.0.7", "fe80::1", "pc_7.lab")
+    monkeypatch.setenv("POINTPRED_ALLOW_HOST", ",".join(hosts))
+    assert Settings().allow_host == hosts
+    rule = HostRule("127.0.0.1", hosts)
+    assert all(rule.admits(header) for header in (*hosts[:3], "lab.example:8000", "[fe80::1]:80", "pc_7.lab"))
 
 
 @pytest.mark.parametrize(
