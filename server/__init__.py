@@ -1,1 +1,1 @@
-"""The service: a page with the embedded sample, health, and (from a later release on) the WebSocket."""
+"""The service: the live page, the WebSocket, and HTTP for scores, health and metrics."""

@@ -96,7 +96,8 @@ def test_it_asks_before_it_deletes(
 
     monkeypatch.setattr("sys.stdin", io.StringIO(answer))
     left = command("recordings", "delete", names(kept)[0], "--folder", kept)
-    assert "Delete 1 recordings (" in left.err
+    assert "Delete 1 recording (" in left.err
+    assert ("deleted 1 recording, " in left.err) == (left_over == 1)
     assert len(names(kept)) == left_over
     assert (left.code == 0) == (left_over == 1)
 
