@@ -27,7 +27,8 @@ class Early:
         try:
             while not waiting.done() and len(self._heard) < MOST:
                 coming = self._coming = self._coming or asyncio.ensure_future(self._receive())
-                await asyncio.wait({waiting, coming}, return_when=asyncio.FIRST_COMPLETED)
+                both: set[asyncio.Future[Any]] = {waiting, coming}
+                await asyncio.wait(both, return_when=asyncio.FIRST_COMPLETED)
                 if coming.done():
                     self._coming = None
                     self._heard.append(coming.result())

@@ -23,6 +23,7 @@ def warm(progress: Callable[[int, int, str], bool] = lambda done, of, name: True
         pipeline = build(name, cpi=1000.0)
         for event in events:
             pipeline.update(event)
+        pipeline.reset()  # one that learns its person concludes the movement
         table = EventColumns.of_events(events)
         run(pipeline.fresh(), table)
         pipeline.fresh().advance_all(table.begin, table.table)

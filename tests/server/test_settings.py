@@ -50,10 +50,10 @@ def test_an_origin_no_browser_would_send_is_refused(origin: str) -> None:
     ['["lab.example"]', '"lab.example"', "lab.example:8000", "http://lab.example", "*", "*.example", "[::1]"],
 )
 def test_a_host_no_header_would_name_is_refused(monkeypatch: pytest.MonkeyPatch, host: str) -> None:
-    with pytest.raises(ValidationError, match="a host reads like lab.example"):
+    with pytest.raises(ValidationError, match="a host reads like"):
         Settings(allow_host=[host])
     monkeypatch.setenv("POINTPRED_ALLOW_HOST", f"good.example,{host}")
-    with pytest.raises(ValidationError, match="a host reads like lab.example"):
+    with pytest.raises(ValidationError, match="a host reads like"):
         Settings()
 
 
