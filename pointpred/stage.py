@@ -65,12 +65,13 @@ class CompiledStage:
     width: ClassVar[int]
     loop: ClassVar[Callable[..., None]]
     learned: int = 0
-    conclude: ClassVar[Callable[[FloatArray], None]] = staticmethod(lambda memory: None)
+    conclude: ClassVar[Callable[..., None]] = staticmethod(lambda memory: None)
 
-    def __init__(self, settings: list[float], states: int) -> None:
+    def __init__(self, settings: list[float] | FloatArray, states: int) -> None:
         """Lay out the memory: ``settings`` first, ``learned`` zeros, then ``states`` zeros."""
         self._first = len(settings) + self.learned
-        self._memory = np.array([*settings, *([0.0] * (self.learned + states))], dtype=np.float64)
+        self._memory = np.zeros(self._first + states)
+        self._memory[: len(settings)] = settings
 
     def reset(self) -> None:
         """Forget every sample of the movement: the memory is replaced whole."""

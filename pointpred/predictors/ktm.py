@@ -176,10 +176,10 @@ class TemplatePredictor(Predictor):
         wide = np.zeros((len(given), matching.SPEEDS + longest))
         wide[:, : given.shape[1]] = given
         self.learned = templates * wide.shape[1] + matching.LEARNED if templates else 0
-        settings = [float(templates), float(len(given)), float(longest), shortest_px, *matching.KERNEL]
+        settings = [templates, len(given), longest, shortest_px, *matching.KERNEL]
         states = matching.PROFILE + longest + (templates + len(given)) * matching.MATCH
         states += 0 if templates else matching.LEARNED
-        super().__init__([*settings, *wide.ravel().tolist()], states)
+        super().__init__(np.concatenate([settings, wide.ravel()]), states)
 
     def library(self) -> FloatArray:
         """The templates it would compare with after a reset, in the order in which ties are decided."""
