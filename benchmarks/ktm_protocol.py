@@ -63,7 +63,8 @@ def tested(recording: Recording, names: Sequence[str], monotone: bool) -> tuple[
     least = f"{sizes[0]} to " if sizes[0] < sizes[-1] else ""
     said = (
         f"{counted(len(drawn.tested), 'trial')} of {counted(len(drawn.libraries), 'user')}, "
-        f"{least}{sizes[-1]} templates each, mean distance {results[0].distances.mean():.0f} px; {len(drawn.left_out)} left out"
+        f"{least}{sizes[-1]} templates each, mean distance {results[0].distances.mean():.0f} px; "
+        f"{len(drawn.left_out)} left out"
     )
     return said, results
 
