@@ -1,7 +1,8 @@
 #!/bin/sh
 # The steps of the Dockerfile, one a function. The Dockerfile runs them one by one; where no Docker engine
 # runs, `container/steps.sh rehearse` runs all of them in a temporary folder, starts the service as the image
-# would (another user, nothing writable, nothing but the installed folder) and asks its health check.
+# would (another user, nothing writable, nothing but the installed folder), asks its health check, and lets
+# it score the sample.
 set -eu
 
 PYTHON="${PYTHON:-python3.11}"
@@ -40,13 +41,14 @@ rehearse() { # every step, then what the image does: serve, and the health check
         "step_$step"
     done
     echo "step: serve, read-only, as user $USER_ID"
-    export APP PORT USER_ID
+    TOKEN="rehearsal-$$-$(date +%s)"
+    export APP PORT USER_ID TOKEN
     unshare --mount --propagation private sh -c '
         for place in / /dev/shm; do mount -o remount,bind,ro "$place"; done
         cd "$APP"
         exec setpriv --reuid "$USER_ID" --regid "$USER_ID" --clear-groups --no-new-privs --bounding-set=-all \
             env -i HOME=/nonexistent PYTHONDONTWRITEBYTECODE=1 PYTHONUNBUFFERED=1 NUMBA_CPU_NAME=generic \
-            POINTPRED_CACHE_DIR="$APP/cache" POINTPRED_PORT="$PORT" \
+            POINTPRED_CACHE_DIR="$APP/cache" POINTPRED_PORT="$PORT" POINTPRED_TOKEN="$TOKEN" \
             "$APP/bin/pointpred" serve --host 0.0.0.0
     ' &
     served=$!
@@ -58,6 +60,7 @@ rehearse() { # every step, then what the image does: serve, and the health check
         sleep 0.1
     done
     echo "healthy after $((($(date +%s%N) - begun) / 1000000)) ms"
+    POINTPRED_PORT="$PORT" POINTPRED_TOKEN="$TOKEN" "$APP/bin/python" -I "$SOURCE/container/scores.py"
     kill -TERM "$served"
     wait "$served" && code=0 || code=$?
     echo "left with $code after SIGTERM"

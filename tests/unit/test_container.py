@@ -14,6 +14,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.server.running import running
+
 ROOT = Path(__file__).parents[2]
 LINES = (ROOT / "Dockerfile").read_text(encoding="utf-8").replace("\\\n", " ").splitlines()
 SCRIPT = (ROOT / "container/steps.sh").read_text(encoding="utf-8")
@@ -110,6 +112,17 @@ def test_the_health_check_asks_whether_it_is_ready(status: int, healthy: bool) -
         left = check(server.server_port)
         thread.join()
     assert (left == 0) == healthy
+
+
+def test_the_rehearsal_lets_the_sample_be_scored() -> None:
+    assert "container/scores.py" in SCRIPT
+    script = [sys.executable, "-I", str(ROOT / "container/scores.py")]
+    with running(token="open-sesame-9") as here:
+        for token, said in (("open-sesame-9", "scored 240 trials"), ("another", "not scored: ")):
+            environment = {**os.environ, "POINTPRED_PORT": str(here.port), "POINTPRED_TOKEN": token}
+            told = subprocess.run(script, env=environment, capture_output=True, text=True)
+            assert said in told.stdout + told.stderr
+            assert (told.returncode == 0) == (token == "open-sesame-9")
 
 
 def test_without_a_service_the_health_check_fails() -> None:
