@@ -39,7 +39,7 @@ train: $(READY)  ## fit kinematic's coefficients to the recordings in POINTPRED_
 	$(BIN)/python -m pointpred.training
 
 crossvalidate: $(READY)  ## score kinematic on people and sets held out, and write docs/kinematic.md
-	$(BIN)/python -m pointpred.training validate
+	$(BIN)/python -m pointpred.training validate docs/kinematic.md
 
 sample: $(READY)  ## generate the embedded sample again (same bytes)
 	$(BIN)/python -m pointpred.datasets.generate
@@ -51,6 +51,7 @@ clean:  ## remove the environment and every cache
 $(READY): pyproject.toml constraints.txt
 	@'$(PYTHON)' -c '$(NEW_ENOUGH)' 2>/dev/null || { echo "pointpred needs Python 3.11 or later," \
 		"and '$(PYTHON)' is not: name another with make PYTHON=/path/to/python3.11" >&2; exit 1; }
+	@echo 'installing into .venv, about a minute' >&2
 	'$(PYTHON)' -m venv .venv
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt --editable '.[dev]'
 	touch $(READY)

@@ -67,8 +67,12 @@ def fields_of(record: logging.LogRecord) -> dict[str, Any]:
     return found if error is None else {**found, "error": place_of(error)}
 
 
-def set_up(style: Literal["json", "text"]) -> None:
-    """Send every entry of this process to stderr: ours from info on, others' from warning on."""
+def set_up(style: Literal["json", "text"] | None = None) -> None:
+    """Send every entry of this process to stderr: ours from info on, others' from warning on.
+
+    Not said, the style is text where stderr is a terminal.
+    """
+    style = style or ("text" if sys.stderr.isatty() else "json")
     handler = logging.StreamHandler(sys.stderr)
     handler.setFormatter(JsonLines() if style == "json" else PlainLines())
     logging.basicConfig(handlers=[handler], level=logging.WARNING, force=True)

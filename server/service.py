@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import logging
 import secrets
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 
 from pointpred.server.logs import place_of
@@ -36,6 +37,10 @@ class Service:
         """Recordings that are received, wait to be scored or are scored."""
         self.scorer = ThreadPoolExecutor(1, "trials")
         """Scores the trials of sessions, one at a time."""
+        self.progress: Callable[[int, int, str], None] = _log_progress
+        """Told, by another thread, how many of how many are warm and what comes next."""
+        self.on_ready: Callable[[], None] = lambda: None
+        """Called when compiled code is warm."""
         self._open: dict[Session, tuple[Talk | None, Counted]] = {}
         self._warming: asyncio.Future[None] | None = None
         self._waiting = 0
@@ -95,8 +100,7 @@ class Service:
 
     def _progress(self, done: int, of: int, name: str) -> bool:
         """Says what is being warmed; whether to go on."""
-        if name:
-            log.info("warming %s, %d of %d", name, done + 1, of)
+        self.progress(done, of, name)
         return not self.stopping
 
     def _warmed(self, result: asyncio.Future[None]) -> None:
@@ -104,6 +108,8 @@ class Service:
         if error is not None:
             log.error("compiled code could not be warmed", extra={"error": place_of(error)})
         self.ready = not result.cancelled() and error is None and not self.stopping
+        if self.ready:
+            self.on_ready()
 
     def stop(self, reason: str = "the server stops") -> None:
         """Say bye to every session; new ones are refused."""
@@ -121,6 +127,11 @@ class Service:
 
     def _watch(self, name: str, hello: Hello) -> Watch | None:
         return self.recorder.open(name, hello) if self.recorder else None
+
+
+def _log_progress(done: int, of: int, name: str) -> None:
+    if name:
+        log.info("warming %s, %d of %d", name, done + 1, of)
 
 
 def _frames(talk: Talk | None) -> int:

@@ -50,7 +50,10 @@ class Settings(BaseSettings):
     record: Path | None = Field(
         default=None, description="Folder for recordings of sessions; not given: none is made."
     )
-    log_format: Literal["json", "text"] = Field(default="json", description="How log entries are written.")
+    log_format: Literal["json", "text"] | None = Field(
+        default=None,
+        description="How log entries are written; not given: json, and text in a terminal.",
+    )
     max_sessions: int = Field(default=64, ge=1, le=100_000, description="Sessions at a time.")
     max_events_per_s: int = Field(
         default=20_000, ge=1, le=10**8, description="Events a second in one session."

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from pointpred.cli.screen import remarks, results, write_json
+from pointpred.cli.screen import counted, remarks, results, write_json
 from pointpred.errors import ParameterError
 
 if TYPE_CHECKING:
@@ -79,21 +79,18 @@ def delete_recordings(
         remarks().print(f"nothing is recorded in {chosen}", markup=False)
         return
     known = all(name in there for name in wanted)
-    if known and not yes and not _sure(f"Delete {_counted(len(wanted))} ({_size(size)}) in {chosen}?"):
+    many = counted(len(wanted), "recording")
+    if known and not yes and not _sure(f"Delete {many} ({_size(size)}) in {chosen}?"):
         remarks().print("nothing was deleted")
         raise typer.Exit(1)
     gone = delete(chosen, wanted)
-    remarks().print(f"deleted {_counted(len(gone))}, {_size(size)}", markup=False)
+    remarks().print(f"deleted {counted(len(gone), 'recording')}, {_size(size)}", markup=False)
 
 
 def _chosen(folder: Path | None) -> Path:
     if folder is None:
         raise ParameterError("name the folder with --folder, or by POINTPRED_RECORD")
     return folder
-
-
-def _counted(count: int) -> str:
-    return "1 recording" if count == 1 else f"{count} recordings"
 
 
 def _sure(question: str) -> bool:

@@ -8,6 +8,7 @@ from typing import Annotated, Any
 import typer
 
 from pointpred.cli.screen import remarks
+from pointpred.cli.starting import Starting
 from pointpred.errors import ParameterError
 
 PORT = 8765
@@ -36,7 +37,9 @@ def serve(
     record: Annotated[
         Path | None, typer.Option(metavar="FOLDER", help="Record every session there; off by default.")
     ] = None,
-    log_format: Annotated[str | None, typer.Option(help="json or text.")] = None,
+    log_format: Annotated[
+        str | None, typer.Option(help="json or text; not given: text in a terminal, json elsewhere.")
+    ] = None,
     max_sessions: Annotated[int | None, typer.Option(help="Sessions at a time.")] = None,
     max_events_per_s: Annotated[int | None, typer.Option(help="Events a second in one session.")] = None,
     max_events_per_frame: Annotated[int | None, typer.Option(help="Events in one frame.")] = None,
@@ -71,15 +74,9 @@ def serve(
         remarks().print(f"port {PORT} is in use; taking the next free one")
     service = Service(settings)
 
-    def announce() -> None:
-        shown = service.settings
-        told_token = f"?token={shown.token}" if shown.token and shown.show_token else ""
-        typer.echo(address(shown.host, opened) + told_token)
-        told = ", ".join(f"{name} {value}" for name, value in shown.told().items() if value not in (None, []))
-        remarks().print(f"Open it in a browser. Ctrl-C stops. Settings: {told}", markup=False)
-
+    starting = Starting(service, address(settings.host, opened))
     try:
-        answer(opened, HostRule(settings.host, settings.allow_host), service, announce)
+        answer(opened, HostRule(settings.host, settings.allow_host), service, starting.announce)
     except KeyboardInterrupt:
         remarks().print("stopped")
 

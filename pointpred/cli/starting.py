@@ -1,0 +1,68 @@
+"""What a person who starts the service reads until it is ready."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING, TextIO
+
+import typer
+
+from pointpred.cli.screen import plain
+
+if TYPE_CHECKING:
+    from pointpred.server.service import Service
+    from pointpred.server.settings import Settings
+
+CLEAR = "\r\x1b[2K"
+"""Back to the beginning of the line, which becomes empty."""
+
+
+class Starting:
+    """Tells the settings, the address, how far compiled code is warm, and at last that all is ready.
+
+    The address goes to stdout, all else to ``screen``. The progress is one line that is written over, only
+    where somebody looks at it; elsewhere the log tells it.
+    """
+
+    def __init__(self, service: Service, address: str, screen: TextIO | None = None) -> None:
+        self.service = service
+        self.address = address
+        self._screen = screen or sys.stderr
+        self._watched = self._screen.isatty()
+        if self._watched:
+            service.progress = self.progress
+        service.on_ready = self.ready
+        self._say(f"Settings: {told(service.settings)}")
+
+    def announce(self) -> None:
+        """The page can be opened."""
+        shown = self.service.settings
+        token = f"?token={shown.token}" if shown.token and shown.show_token else ""
+        self._screen.write(CLEAR if self._watched else "")
+        self._screen.flush()
+        typer.echo(self.address + token)
+
+    def progress(self, done: int, of: int, name: str) -> None:
+        """What is being warmed."""
+        if name:
+            self._screen.write(
+                f"{CLEAR}warming {plain(name)}, {done + 1} of {of}; the first start takes a while"
+            )
+            self._screen.flush()
+
+    def ready(self) -> None:
+        """The code is warm; the address is said again, last, without a token."""
+        token = " with the token" if self.service.settings.token else ""
+        self._say(f"Ready: open {self.address}{token} in a browser. Ctrl-C stops.")
+
+    def _say(self, words: str) -> None:
+        self._screen.write((CLEAR if self._watched else "") + plain(words) + "\n")
+        self._screen.flush()
+
+
+def told(settings: Settings) -> str:
+    """The settings that differ from their defaults; the token masked."""
+    usual = {name: field.default for name, field in type(settings).model_fields.items()}
+    own = {name: value for name, value in settings.told().items() if value not in (usual[name], [], None)}
+    said = ", ".join(f"{name} {value}" for name, value in own.items())
+    return f"{said}; all else as usual" if said else "all as usual"
