@@ -19,17 +19,17 @@ TEMPLATES_MOST = 1000
 
 
 @law
-def conclude(memory: FloatArray) -> None:
-    """The movement has ended: keep it as a template."""
-    at = matching.known(memory) + matching.LEARNED
-    matching.keep(memory, at, distance(memory, at))
-
-
-@law
 def distance(memory: FloatArray, at: int) -> float:
     """How far the cursor is from the movement's start, px."""
     away_x = memory[at + movement.X] - memory[at + movement.X0]
     return hypot(away_x, memory[at + movement.Y] - memory[at + movement.Y0])
+
+
+@law
+def conclude(memory: FloatArray) -> None:
+    """The movement has ended: keep it as a template."""
+    at = matching.known(memory) + matching.LEARNED
+    matching.keep(memory, at, distance(memory, at))
 
 
 @law

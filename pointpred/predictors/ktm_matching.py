@@ -60,24 +60,6 @@ def filled(memory: FloatArray) -> int:
 
 
 @law
-def sample(memory: FloatArray, at: int, speed: float) -> None:
-    """Take the next sample of the movement's speed in, and score every template."""
-    n, longest, recent = int(memory[at + SAMPLES]), int(memory[LONGEST]), at + RECENT
-    for k in range(TAPS - 1):
-        memory[recent + k] = memory[recent + k + 1]
-    memory[recent + TAPS - 1] = speed
-    if n < longest:
-        memory[at + PROFILE + n] = speed
-    own = 0.0
-    for k in range(TAPS):
-        own += memory[HALF + TAPS - 1 - k] * memory[recent + k]
-    for j in range(filled(memory)):
-        place, match = template(memory, j), at + PROFILE + longest + j * MATCH
-        score(memory, n, speed, own, place, match)
-    memory[at + SAMPLES] = n + 1.0
-
-
-@law
 def score(memory: FloatArray, n: int, speed: float, own: float, place: int, match: int) -> None:
     """One template's mean absolute smoothed difference over samples 0 to n."""
     length, smooth = int(memory[place + LENGTH]), match + SMOOTH
@@ -94,6 +76,24 @@ def score(memory: FloatArray, n: int, speed: float, own: float, place: int, matc
             newest -= memory[HALF + TAPS - 1 - k] * memory[place + SPEEDS + n - (TAPS - 1) + k]
     memory[smooth + TAPS - 1] = newest
     memory[match + SCORE] = (total + abs(newest)) / (n + 1)
+
+
+@law
+def sample(memory: FloatArray, at: int, speed: float) -> None:
+    """Take the next sample of the movement's speed in, and score every template."""
+    n, longest, recent = int(memory[at + SAMPLES]), int(memory[LONGEST]), at + RECENT
+    for k in range(TAPS - 1):
+        memory[recent + k] = memory[recent + k + 1]
+    memory[recent + TAPS - 1] = speed
+    if n < longest:
+        memory[at + PROFILE + n] = speed
+    own = 0.0
+    for k in range(TAPS):
+        own += memory[HALF + TAPS - 1 - k] * memory[recent + k]
+    for j in range(filled(memory)):
+        place, match = template(memory, j), at + PROFILE + longest + j * MATCH
+        score(memory, n, speed, own, place, match)
+    memory[at + SAMPLES] = n + 1.0
 
 
 @law

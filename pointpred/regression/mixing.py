@@ -45,6 +45,22 @@ def determinant(memory: FloatArray, at: int, n: int) -> float:
 
 
 @law
+def mix3(memory: FloatArray, a: int, y: int, out: int) -> float:
+    """``mix`` for n = 3 in closed form."""
+    a11, a12, a13 = memory[a], memory[a + 1], memory[a + 2]
+    a21, a22, a23 = memory[a + 3], memory[a + 4], memory[a + 5]
+    a31, a32, a33 = memory[a + 6], memory[a + 7], memory[a + 8]
+    y1, y2, y3 = memory[y], memory[y + 1], memory[y + 2]
+    c11, c12, c13 = a22 * a33 - a23 * a32, a23 * a31 - a21 * a33, a21 * a32 - a22 * a31
+    c21, c22, c23 = a13 * a32 - a12 * a33, a11 * a33 - a13 * a31, a12 * a31 - a11 * a32
+    c31, c32, c33 = a12 * a23 - a13 * a22, a13 * a21 - a11 * a23, a11 * a22 - a12 * a21
+    memory[out] = c11 * y1 + c21 * y2 + c31 * y3
+    memory[out + 1] = c12 * y1 + c22 * y2 + c32 * y3
+    memory[out + 2] = c13 * y1 + c23 * y2 + c33 * y3
+    return float(a11 * c11 + a12 * c12 + a13 * c13)
+
+
+@law
 def mix(memory: FloatArray, a: int, y: int, n: int, out: int, scratch: int) -> float:
     """Write adj(A) y at ``out`` and return det A; A is the row-major n x n matrix at ``a``."""
     if n == 3:
@@ -59,19 +75,3 @@ def mix(memory: FloatArray, a: int, y: int, n: int, out: int, scratch: int) -> f
         else:
             memory[out + column] = value
     return phi
-
-
-@law
-def mix3(memory: FloatArray, a: int, y: int, out: int) -> float:
-    """``mix`` for n = 3 in closed form."""
-    a11, a12, a13 = memory[a], memory[a + 1], memory[a + 2]
-    a21, a22, a23 = memory[a + 3], memory[a + 4], memory[a + 5]
-    a31, a32, a33 = memory[a + 6], memory[a + 7], memory[a + 8]
-    y1, y2, y3 = memory[y], memory[y + 1], memory[y + 2]
-    c11, c12, c13 = a22 * a33 - a23 * a32, a23 * a31 - a21 * a33, a21 * a32 - a22 * a31
-    c21, c22, c23 = a13 * a32 - a12 * a33, a11 * a33 - a13 * a31, a12 * a31 - a11 * a32
-    c31, c32, c33 = a12 * a23 - a13 * a22, a13 * a21 - a11 * a23, a11 * a22 - a12 * a21
-    memory[out] = c11 * y1 + c21 * y2 + c31 * y3
-    memory[out + 1] = c12 * y1 + c22 * y2 + c32 * y3
-    memory[out + 2] = c13 * y1 + c23 * y2 + c33 * y3
-    return float(a11 * c11 + a12 * c12 + a13 * c13)
