@@ -10,7 +10,7 @@ from pointpred.predictors import movement, submovement
 from pointpred.predictors.predictor import NONE, REFUSED, Predictor
 from pointpred.stage import Parameter, check
 
-RISE, TYPICAL_S, OWN, TURN, WATCHED, BRAKING, AT = 0, 1, 2, 3, 4, 5, 6
+RISE, TYPICAL_S, OWN, TURN, WATCHED, STOPPING, AT = 0, 1, 2, 3, 4, 5, 6
 UNIT = AT + movement.STATES
 # The hand: its last velocity, its displacement in m since the movement's start; the gain's two sums.
 VX, VY, HAND_X, HAND_Y, CROSS, SQUARE = (UNIT + submovement.STATES + i for i in range(6))
@@ -19,7 +19,7 @@ STATES = SQUARE + 1 - AT
 
 @law
 def gain(memory: FloatArray, dt: float, away_x: float, away_y: float, vx: float, vy: float) -> float:
-    """Averaged gain in px/m: the least-squares g of displacement = g times hand displacement; 0 if unknown."""
+    """Averaged gain g in px/m by least squares, displacement = g times the hand's; 0 where unknown."""
     memory[HAND_X] += 0.5 * dt * (vx + memory[VX])
     memory[HAND_Y] += 0.5 * dt * (vy + memory[VY])
     memory[VX], memory[VY] = vx, vy
@@ -33,18 +33,16 @@ def gain(memory: FloatArray, dt: float, away_x: float, away_y: float, vx: float,
 
 @law
 def time_constant(own: float, typical_s: float, done: float, peak: float) -> float:
-    """Time constant in s at the peak: between the sub-movement's own, way done / peak speed, and a typical."""
+    """Time constant at the peak in s, from the sub-movement's own, way done / peak speed, and a typical."""
     if own == 0.0:
         return typical_s
     return float((done / peak) ** own * typical_s ** (1.0 - own))
 
 
 @law
-def decay(
-    memory: FloatArray, px_m: float, x: float, y: float, vx: float, vy: float, ax: float, ay: float
-) -> float:
-    """Rate k in 1/s of the approach V = k (T - x), from its three signs; 0 where nothing is justified."""
-    speed, peak = hypot(vx, vy), memory[UNIT + submovement.PEAK]
+def approach(memory: FloatArray, px_m: float, x: float, y: float, speed: float) -> float:
+    """Rate k in 1/s of the approach V = k (T - x): from the switch, and as seen since; 0 where unknown."""
+    peak = memory[UNIT + submovement.PEAK]
     peak_x, peak_y = memory[UNIT + submovement.PEAK_X], memory[UNIT + submovement.PEAK_Y]
     done = hypot(peak_x - memory[UNIT + submovement.START_X], peak_y - memory[UNIT + submovement.START_Y])
     if done == 0.0:
@@ -52,9 +50,8 @@ def decay(
     switched = 1.0 / time_constant(memory[OWN], memory[TYPICAL_S], done, peak * px_m)
     since = hypot(x - peak_x, y - peak_y)
     watched = (peak - speed) * px_m / since if since > 0.0 else 0.0
-    braking = max(0.0, -(ax * vx + ay * vy) / (speed * speed))
     share = (speed / peak) ** memory[TURN]
-    return float(share * switched + (1.0 - share) * memory[WATCHED] * watched + memory[BRAKING] * braking)
+    return float(share * switched + (1.0 - share) * memory[WATCHED] * watched)
 
 
 @law
@@ -82,8 +79,11 @@ def step(
     submovement.follow(memory, UNIT, memory[RISE], x, y, speed)
     phase = movement.phase(memory, AT, vx, vy)
     px_m = gain(memory, dt, x - memory[AT + movement.X0], y - memory[AT + movement.Y0], vx, vy)
-    rate = decay(memory, px_m, x, y, vx, vy, ax, ay) if px_m > 0.0 and speed > movement.STILL_M_S else 0.0
+    rate = approach(memory, px_m, x, y, speed) if px_m > 0.0 and speed > movement.STILL_M_S else 0.0
     ahead_s = 1.0 / rate if rate > 0.0 else 0.0
+    braking = -(ax * vx + ay * vy)
+    if braking > 0.0 and ahead_s * braking > memory[STOPPING] * speed * speed:
+        ahead_s = memory[STOPPING] * speed * speed / braking
     return x + ahead_s * px_m * vx, y + ahead_s * px_m * vy, NONE, NONE, NONE, NONE, phase
 
 
@@ -103,36 +103,35 @@ def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out
 class SwitchedDirectionPredictor(Predictor):
     """Switched predictor along the direction of movement, one sub-movement after the other.
 
-    The thesis's physics, otherwise arranged. Assumes that a sub-movement rises from rest or from a valley of
-    the speed to a peak with half its way done, and then approaches its end T as V = k (T - x). At the switch
-    doubling is right, T = 2x, so the rate k there is the peak's speed over the way done. After it two
-    more signs of k are at hand: the regression of speed on place since the peak, and the deceleration.
+    The thesis's physics, arranged otherwise. Assumes that a sub-movement rises from rest, or from a valley of
+    the speed, to a peak with half its way done, and then approaches its end T as V = k (T - x). At the switch
+    doubling holds, T = 2x, which fixes the rate k: the peak's speed over the way done. After it the slope of
+    the speed over the place shows k once more. And no hand goes farther than it would under the deceleration
+    it has: a speed v that falls by b m/s^2 is gone after v^2 / (2b).
 
-    With v the speed, v_p its peak, s the way done at the peak, l the way since, all of this sub-movement, in
-    px: k = q v_p^a / (s^a typical_s^(1-a)) + (1 - q) watched (v_p - v) / l + braking max(0, -v'/v), where
-    a = ``own`` and q = (v / v_p)^turn; endpoint = cursor + velocity / k. With a = 1 no time and no length is
-    built in. As v goes to 0, q k stays above v^turn, so the way left goes to 0 with the speed: the
-    corrective phase converges, and a still cursor has arrived.
+    With v the speed, v_p its peak, s the way done at the peak and l the way since, in px and all of this
+    sub-movement: k = q v_p^a / (s^a typical_s^(1-a)) + (1 - q) watched (v_p - v) / l with a = ``own`` and
+    q = (v / v_p)^turn; the way left is min(v / k, stopping v^2 / b) in the direction of the velocity. With
+    a = 1 neither a time nor a length is built in. As the hand slows v / k goes to 0 at least like
+    v^(1-turn): the corrective phase converges. Below 2 mm/s the cursor has arrived.
 
     A sub-movement begins where the speed rises out of a valley by ``rise`` of the peak before. Each sees only
-    itself: a correction that is yet to come is not foretold, and before the peak too little is said. The
-    hand's velocity becomes the cursor's by the averaged gain, least squares of the cursor's
-    displacement on the hand's.
+    itself: a correction yet to come is not foretold. The hand's velocity becomes the cursor's by the
+    averaged gain, least squares of the cursor's displacement on the hand's.
 
-    Parameters: ``rise`` (share of the peak speed), ``typical_s`` s, ``own``, ``turn``, ``watched``, ``braking``
-    (no unit). Always answers, at first with the cursor. Memory: 29 floats. Claims no region and no time of
-    arrival: an exponential never arrives. Raises ParameterError, and EventError from ``update``.
+    Parameters: ``rise`` (share of the peak speed), ``typical_s`` s, ``own``, ``turn``, ``watched``,
+    ``stopping`` (no unit). Always answers, at first with the cursor. Memory: 29 floats. Claims no region and
+    no time of arrival: an exponential never arrives. Raises ParameterError, and EventError from ``update``.
 
     Reference: Khalin 2022, sections 2.4.2, 2.4.3 and 2.5.6, changed as docs/switched.md tells.
 
-    >>> from math import exp
     >>> from pointpred import Motion
-    >>> predictor = SwitchedDirectionPredictor(own=1.0, watched=1.0, braking=0.0)
-    >>> for i in range(4):  # 10 px a mm; the speed peaks at 0.1 s, half way
-    ...     motion = Motion(i / 20, 100.0 * i / 2, 0.0, 0.05 * i, 0.0, 0.0, 0.0, True, start=i == 0)
+    >>> predictor = SwitchedDirectionPredictor(own=1.0)
+    >>> for i in range(5):  # 1000 px a metre; 0.4 m/s after 80 px, the most so far
+    ...     motion = Motion(i / 10, 5.0 * i * i, 0.0, i / 10, 0.0, 1.0, 0.0, True, start=i == 0)
     ...     prediction = predictor.update(motion)
-    >>> prediction.x > 150.0
-    True
+    >>> round(prediction.x, 6)  # doubled
+    160.0
     """
 
     parameters = (
@@ -143,7 +142,7 @@ class SwitchedDirectionPredictor(Predictor):
         Parameter("own", "", 0.0, 1.0, "share of the sub-movement's own time in its time constant"),
         Parameter("turn", "", 0.0, 1.0, "power of speed over peak speed that says how much the peak counts"),
         Parameter("watched", "", 0.0, 10.0, "weight of the rate seen since the peak"),
-        Parameter("braking", "", 0.0, 10.0, "weight of the rate seen now"),
+        Parameter("stopping", "", 0.0, 1e6, "way left at most, in speed^2 / deceleration"),
     )
     step = staticmethod(step)
     loop = staticmethod(loop)
@@ -156,7 +155,7 @@ class SwitchedDirectionPredictor(Predictor):
         own: float = 0.45,
         turn: float = 0.45,
         watched: float = 0.45,
-        braking: float = 0.05,
+        stopping: float = 0.5,
     ) -> None:
         values = {
             "rise": rise,
@@ -164,7 +163,7 @@ class SwitchedDirectionPredictor(Predictor):
             "own": own,
             "turn": turn,
             "watched": watched,
-            "braking": braking,
+            "stopping": stopping,
         }
         check(self.parameters, values)
         super().__init__([float(value) for value in values.values()], STATES)

@@ -12,7 +12,7 @@ from pointpred.columns import FloatArray, MotionColumns
 from pointpred.predictors import SwitchedDirectionPredictor
 
 PX_M = 2500.0
-ALONE = {"rise": 0.35, "typical_s": 0.05, "own": 1.0, "turn": 0.5, "watched": 1.0, "braking": 0.0}
+ALONE = {"rise": 0.35, "typical_s": 0.05, "own": 1.0, "turn": 0.5, "watched": 1.0, "stopping": 1.0}
 """Nothing but the movement's own peak, speed and place."""
 
 
@@ -33,11 +33,11 @@ def ends(columns: MotionColumns, **parameters: float) -> FloatArray:
 
 def along(t: FloatArray, x: FloatArray, v: FloatArray, a: FloatArray, way: FloatArray) -> MotionColumns:
     """A straight movement from (300, 200); x, v, a as shares of the way."""
-    return motions(t, [300.0, 200.0] + np.outer(x, way), np.outer(v, way), np.outer(a, way))
+    return motions(t, np.outer(x, way) + np.array([300.0, 200.0]), np.outer(v, way), np.outer(a, way))
 
 
 def approach(way: FloatArray, rate: float = 9.0) -> MotionColumns:
-    """Half the way at a constant acceleration, then V = k (T - x) from the same speed: the law's own model."""
+    """Half the way at a constant acceleration, then V = k (T - x): the law's own model."""
     top = 0.5 * rate  # speed at the switch, where half the way is done
     rising = np.linspace(0.0, 1.0 / top, 1001)
     falling = np.linspace(0.0, 8.0 / rate, 2001)[1:]
@@ -57,12 +57,12 @@ PLACE = st.floats(-3000.0, 3000.0)
 def test_an_exponential_approach_is_known_from_its_switch_to_its_end(
     dx: float, dy: float, rate: float
 ) -> None:
-    """Peak, regression and deceleration agree on the rate, so any weights that sum to one find the end."""
+    """The switch and the slope since agree on the rate, so any weights find the end."""
     way = np.array([dx, dy]) + 100.0 * np.sign([dx or 1.0, dy or 1.0])
     columns = approach(way, rate)
     late = np.hypot(columns.vx, columns.vy) > 0.002  # slower, the hand counts as still
     late[:1001] = False
-    for weights in ({"braking": 0.0}, {"turn": 0.0}, {"turn": 1.0}):
+    for weights in ({"turn": 0.5}, {"turn": 0.0}, {"turn": 1.0}):
         found = ends(columns, **{**ALONE, **weights})[late]
         np.testing.assert_allclose(
             found - [300.0, 200.0], np.tile(way, (len(found), 1)), atol=2e-3 * np.hypot(*way)
@@ -73,15 +73,30 @@ def test_doubling_is_exact_at_the_peak_of_minimum_jerk_and_what_is_left_then_shr
     s = np.linspace(0.0, 1.0, 2001)
     x, v = 10 * s**3 - 15 * s**4 + 6 * s**5, 30 * s**2 - 60 * s**3 + 30 * s**4
     columns = along(s, x, v, 60 * s - 180 * s**2 + 120 * s**3, np.array([400.0, -300.0]))
-    found = ends(columns, **ALONE)
+    found = ends(columns, **{**ALONE, "stopping": 0.5})
     assert found[1000] == pytest.approx([700.0, -100.0], abs=1.0)
     ahead = np.hypot(*(found - columns.table[:, 1:3]).T)
     assert (np.diff(ahead[1000:]) <= 0.0).all()
     assert ahead[-1] == 0.0
     error = np.hypot(*(found - [700.0, -100.0]).T)
     left = 500.0 * (1.0 - x)
-    assert (error[1001:1180] < left[1001:1180]).all()
-    assert (error[1500:1900] > left[1500:1900]).all()  # such a movement brakes harder than any exponential
+    assert (error[1001:1900] < left[1001:1900]).all()
+
+
+@pytest.mark.parametrize("share", [0.2, 0.6, 0.9])
+def test_an_even_braking_ends_where_its_stopping_distance_says(share: float) -> None:
+    """A rate that foretells far too much is bounded by v^2 / 2b, which is then the way left."""
+    way = np.array([-300.0, 400.0])
+    rising, falling = np.linspace(0.0, 0.1, 101), np.linspace(0.0, 0.9, 901)[1:]
+    t = np.concatenate([rising, 0.1 + falling])
+    x = np.concatenate([10.0 * rising**2, 1.0 - (0.9 - falling) ** 2 / 0.9])
+    v = np.concatenate([20.0 * rising, 2.0 * (0.9 - falling) / 0.9])
+    a = np.concatenate([np.full(101, 20.0), np.full(900, -2.0 / 0.9)])
+    lazy = {**ALONE, "own": 0.0, "typical_s": 10.0, "turn": 0.0, "stopping": 0.5}
+    found = ends(along(t, x, v, a, way), **lazy)
+    assert found[int(1000 * share)] - [300.0, 200.0] == pytest.approx(way, abs=2.0)
+    without = ends(along(t, x, v, a, way), **{**lazy, "stopping": 1e6})
+    assert np.hypot(*(without[int(1000 * share)] - [300.0, 200.0] - way)) > 50.0
 
 
 def jagged(seed: int) -> FloatArray:
@@ -121,7 +136,7 @@ def test_alone_it_knows_no_time_either() -> None:
     fast[:, 0] /= 3.0
     fast[:, 3:5] *= 3.0
     fast[:, 5:7] *= 9.0
-    both = [ends(MotionColumns(table), **{**ALONE, "braking": 0.3}) for table in (columns.table, fast)]
+    both = [ends(MotionColumns(table), **ALONE) for table in (columns.table, fast)]
     moving = np.hypot(*columns.table[:, 3:5].T) > 0.004  # below 2 mm/s the hand counts as still
     np.testing.assert_allclose(both[1][moving], both[0][moving], rtol=1e-9)
 
