@@ -18,12 +18,12 @@ from pointpred.server.records import EVENT, NO_COUNTS, PREDICTION, pack
 CHANNEL = {"$ref": "#/channels/stream"}
 REPLIES = {
     "hello": ["welcome"],
-    "events": ["prediction", "binaryPredictions"],
-    "binaryEvents": ["prediction", "binaryPredictions"],
-    "targets": ["targetsTaken"],
-    "trial": ["score"],
-    "configure": ["welcome"],
-    "reset": [],
+    "events": ["prediction", "binaryPredictions", "choice"],
+    "binaryEvents": ["prediction", "binaryPredictions", "choice"],
+    "targets": ["targetsTaken", "choice"],
+    "trial": ["score", "choice"],
+    "configure": ["welcome", "choice"],
+    "reset": ["choice"],
     "bye": [],
 }
 

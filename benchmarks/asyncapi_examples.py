@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from pointpred.server.messages import (
     Bye,
+    Choice,
     Configure,
     Device,
     ErrorMessage,
     Events,
     Goal,
     Hello,
+    Likely,
     Limits,
     PredictionMessage,
     Region,
@@ -34,7 +36,7 @@ HELLO = Hello(
 CLIENT = (
     (HELLO, Hello(1, "hold", reply="event", encoding="binary")),
     (Events([(0.5, 640.0, 360.0, None, None, 0), (0.508, 643.0, 359.0, 4.0, -1.0, 0)]),),
-    (Targets([Target("save", 900.0, 20.0, 80.0, 24.0)]), Targets([])),
+    (Targets([Target("save", 900.0, 20.0, 80.0, 24.0, weight=2.0)]), Targets([])),
     (TrialMark("start", Goal(940.0, 32.0, 24.0)), TrialMark("end")),
     (Configure(predictor="kalman"), Configure(reply="event")),
     (Reset(),),
@@ -47,10 +49,18 @@ SERVER = (
     (
         PredictionMessage(0.508, 871.5, 251.0, Region(220.5, -12.0, 180.25), "ballistic", 0.35),
         PredictionMessage(0.5),
+        PredictionMessage(0.508, 871.5, 251.0, None, "ballistic", 0.35, [Likely("save", 0.8125)]),
+    ),
+    (
+        Choice("save", 0.8125, "propose", 0.508),
+        Choice("save", 0.25, "retract", 0.75),
     ),
     (TargetsTaken(1),),
     (
-        Score(182, 41.5, 120.25, 0.655, {"0.5": 60.0}, {"0.5": 72.5}),
+        Score(
+            182, 41.5, 120.25, 0.655, {"0.5": 60.0}, {"0.5": 72.5}, None, 1, hit=True, wasted=0, lead_s=0.31
+        ),
+        Score(90, 55.0, 110.0, 0.5, fired=2, hit=False, wasted=2),
         Score(1, reason="one sample, expected at least two"),
     ),
     (

@@ -11,7 +11,8 @@ else before it is answered by an error. Every JSON message is one object with `t
 fields are errors. With `encoding: binary` in `hello`, events and predictions go as binary frames of packed
 records instead; everything else stays JSON. Positions are px with y growing downwards, times are seconds on
 the client's clock. A client that reads slowly gets the newest prediction only, and is told how many gave way
-to it.
+to it. Proposals among targets (`choice`) go as text in either encoding; of more than 64 that wait to be read,
+the client gets what they come to: the end of the proposal it was told, and the one that stands.
 
 Subprotocol: `{SUBPROTOCOL}`. A page of another origin or a foreign `Host` is refused with HTTP 403 before the
 upgrade. A token is needed as soon as the service is bound to an address that is not loopback."""
@@ -34,7 +35,7 @@ CODES = {
     "too_fast": "too many events or other messages a second; the session ends",
     "too_many": "too many targets (the set stays as it was) or sessions (the session ends)",
     "idle": "no hello in time, or nothing was heard; the session ends",
-    "slow": "predictions gave way to newer ones; not recoverable: nothing is read, the session ends",
+    "slow": "predictions or choices gave way to newer ones; not recoverable: nothing is read",
     "unauthorized": "no valid token; the session ends",
     "stopping": "the server stops; the session ends",
     "internal": "something failed in the server; the session ends",

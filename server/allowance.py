@@ -10,6 +10,8 @@ MESSAGES_PER_S = 500
 """Messages other than events, a second: a display's refreshing twice over, and some."""
 BYTES_A_MESSAGE = 4096
 """A frame that cannot be used counts once for each so many bytes: saying what is wrong takes time."""
+TARGETS_AN_EVENT = 64
+"""An event counts once more for each so many targets: each of them is looked at."""
 
 
 class Allowance:
@@ -17,6 +19,8 @@ class Allowance:
 
     def __init__(self, limits: Limits, now: float) -> None:
         self.limits = limits
+        self.burden = 1
+        """What an event counts."""
         self.rate = Rate(limits.max_events_per_s, now)
         self._messages = Rate(MESSAGES_PER_S, now)
 
@@ -36,8 +40,9 @@ class Allowance:
         if count > most:
             words = f"a frame holds at most {most} events, received {count}"
             raise RefusedError("too_large", words, "$.events", close=1009)
-        if not self.rate.allows(count or 1, now):
-            words = f"at most {self.limits.max_events_per_s} events a second"
+        if not self.rate.allows((count or 1) * self.burden, now):
+            words = f"at most {self.limits.max_events_per_s // self.burden} events a second"
+            words += " with so many targets" if self.burden > 1 else ""
             raise RefusedError("too_fast", words, close=1008)
 
     def take_message(self, now: float, count: int = 1) -> None:

@@ -4,20 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from msgspec import UNSET, UnsetType
+
 from pointpred.columns import FloatArray
 from pointpred.events import PHASES
-from pointpred.server.messages import PredictionMessage, Region, encode
+from pointpred.server.messages import Likely, PredictionMessage, Region, encode
 from pointpred.server.outbox import Frame
 from pointpred.server.records import pack, pack_one
 
 
-def frames(predictions: FloatArray, *, binary: bool, each: bool) -> tuple[list[Frame], int]:
+def frames(
+    predictions: FloatArray, *, binary: bool, each: bool, likely: Sequence[list[Likely]] | None = None
+) -> tuple[list[Frame], int]:
     """What to send after a frame of events with these rows of predictions, and how many that are.
 
     Binary: one frame of packed records. JSON: one text a prediction. ``each``: one prediction an event,
-    otherwise the newest one only.
+    otherwise the newest one only. ``likely``: the likeliest targets after each event that is told, which a
+    packed record has no room for.
     """
     told = predictions if each else predictions[-1:]
+    if likely is not None and not binary:
+        return [text_of(row, one) for row, one in zip(told.tolist(), likely, strict=True)], len(told)
     if len(told) == 1 or not binary:
         frame = frame_of(binary=binary)
         return [frame(row) for row in told.tolist()], len(told)
@@ -29,16 +36,16 @@ def frame_of(*, binary: bool) -> Callable[[Sequence[float]], Frame]:
     return pack_one if binary else text_of
 
 
-def text_of(row: Sequence[float]) -> str:
+def text_of(row: Sequence[float], likely: list[Likely] | UnsetType = UNSET) -> str:
     """One row of predictions as JSON text."""
-    return encode(message(row)).decode()
+    return encode(message(row, likely)).decode()
 
 
-def message(row: Sequence[float]) -> PredictionMessage:
-    """A row of predictions as a message."""
+def message(row: Sequence[float], likely: list[Likely] | UnsetType = UNSET) -> PredictionMessage:
+    """A row of predictions as a message, with the likeliest targets where there are any."""
     t, x, y, sxx, sxy, syy, remaining_s, phase = row[:8]
     if x != x:
-        return PredictionMessage(t)
+        return PredictionMessage(t, targets=likely)
     return PredictionMessage(
         t,
         x,
@@ -46,4 +53,5 @@ def message(row: Sequence[float]) -> PredictionMessage:
         Region(sxx, sxy, syy) if sxx == sxx else None,
         PHASES[int(phase)],
         remaining_s if remaining_s == remaining_s else None,
+        likely,
     )

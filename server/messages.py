@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import Annotated, Any, Literal
 
 import msgspec
-from msgspec import Meta, Struct
+from msgspec import UNSET, Meta, Struct, UnsetType
 
 from pointpred.events import CPI, DPI, LARGEST, LATEST_S
+from pointpred.targets.rectangles import SMALLEST_PX
 
 VERSION = 1
 SUBPROTOCOL = "pointpred.v1"
@@ -34,6 +35,8 @@ Code = Literal[
 Moment = Annotated[float, Meta(ge=-LATEST_S, le=LATEST_S)]
 Bounded = Annotated[float, Meta(ge=-LARGEST, le=LARGEST)]
 Positive = Annotated[float, Meta(gt=0.0, le=LARGEST)]
+Extent = Annotated[float, Meta(ge=SMALLEST_PX, le=LARGEST)]
+Weight = Annotated[float, Meta(ge=0.0, le=LARGEST)]
 Cpi = Annotated[float, Meta(ge=CPI[0], le=CPI[1])]
 Dpi = Annotated[float, Meta(ge=DPI[0], le=DPI[1])]
 Buttons = Annotated[int, Meta(ge=0, le=65535)]
@@ -80,13 +83,17 @@ class Events(Struct, tag="events", forbid_unknown_fields=True):
 
 
 class Target(Struct, forbid_unknown_fields=True):
-    """A rectangle that may be pointed at: its upper left corner and its size, px."""
+    """A rectangle that may be pointed at: its upper left corner and its size, px.
+
+    ``weight`` is how likely it is before anything is seen, relative to the other targets.
+    """
 
     id: Name
     x: Bounded
     y: Bounded
-    width: Positive
-    height: Positive
+    width: Extent
+    height: Extent
+    weight: Weight = 1.0
 
 
 class Targets(Struct, tag="targets", forbid_unknown_fields=True):
@@ -162,8 +169,18 @@ class Region(Struct):
     syy: float
 
 
+class Likely(Struct):
+    """How likely a target is: its share of one, with the other targets and none of them."""
+
+    id: str
+    p: float
+
+
 class PredictionMessage(Struct, tag="prediction"):
-    """Where the movement will end as seen at ``t``; null fields where nothing is justified."""
+    """Where the movement will end as seen at ``t``; null fields where nothing is justified.
+
+    ``targets``: the likeliest five, best first; absent from a session without targets.
+    """
 
     t: float
     x: float | None = None
@@ -171,6 +188,16 @@ class PredictionMessage(Struct, tag="prediction"):
     region: Region | None = None
     phase: Literal["still", "ballistic", "corrective"] | None = None
     remaining_s: float | None = None
+    targets: list[Likely] | UnsetType = UNSET
+
+
+class Choice(Struct, tag="choice"):
+    """A target is proposed, or no longer; ``p`` is its share at ``t``, the time of the event that decided."""
+
+    id: str
+    p: float
+    action: Literal["propose", "retract"]
+    t: float | None = None
 
 
 class TargetsTaken(Struct, tag="targets"):
@@ -180,7 +207,11 @@ class TargetsTaken(Struct, tag="targets"):
 
 
 class Score(Struct, tag="score"):
-    """How good the predictions of the trial were, px; ``skill`` is 1 - error / error of no prediction."""
+    """How good the predictions of the trial were, px; ``skill`` is 1 - error / error of no prediction.
+
+    With targets, and the trial's own known: ``fired`` proposals; ``hit``, whether one of the trial's target
+    stood when the cursor entered it, ``lead_s`` after it was made; ``wasted`` proposals of other targets.
+    """
 
     events: int
     time_averaged_px: float | None = None
@@ -190,6 +221,10 @@ class Score(Struct, tag="score"):
     by_path: dict[str, float] = {}
     reason: str | None = None
     """Why there is no score, where there is none."""
+    fired: int | None = None
+    hit: bool | None = None
+    wasted: int | None = None
+    lead_s: float | None = None
 
 
 class ErrorMessage(Struct, tag="error"):
@@ -201,7 +236,7 @@ class ErrorMessage(Struct, tag="error"):
     recoverable: bool = True
 
 
-ServerMessage = Welcome | PredictionMessage | TargetsTaken | Score | ErrorMessage | Bye
+ServerMessage = Welcome | PredictionMessage | Choice | TargetsTaken | Score | ErrorMessage | Bye
 
 encode = msgspec.json.Encoder().encode
 

@@ -10,7 +10,7 @@ from collections.abc import Callable
 
 from pointpred.columns import FloatArray
 from pointpred.errors import EventError
-from pointpred.server.allowance import Allowance
+from pointpred.server.allowance import TARGETS_AN_EVENT, Allowance
 from pointpred.server.conversation import SLOW, Conversation
 from pointpred.server.decoding import decode_text, row_of, table_of_bytes, table_of_rows
 from pointpred.server.messages import (
@@ -141,7 +141,9 @@ class Session(Conversation):
             raise _out_of_place(repr(message.__struct_config__.tag))
         elif isinstance(message, Targets):
             self._allowance.check_targets(message.targets)
+            stream.take_targets(message.targets, self.outbox)
             self.targets = message
+            self._allowance.burden = 1 + len(message.targets) // TARGETS_AN_EVENT
             self.say(TargetsTaken(len(message.targets)))
         elif isinstance(message, TrialMark):
             if message.action == "start":

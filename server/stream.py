@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 from msgspec import structs
@@ -11,11 +12,12 @@ from pointpred.columns import EventColumns, FloatArray, PredictionColumns
 from pointpred.pipeline import run
 from pointpred.server import answers
 from pointpred.server.building import cpi_of, dpi_of, pipeline_of
+from pointpred.server.choices import Choices
 from pointpred.server.decoding import check_numbers
-from pointpred.server.messages import Configure, ErrorMessage, Goal, Hello
+from pointpred.server.messages import Configure, ErrorMessage, Goal, Hello, Target
 from pointpred.server.outbox import Outbox
 from pointpred.server.refusals import RefusedError
-from pointpred.server.trials import Scoring, TrialKeeper
+from pointpred.server.trials import Scoring, TrialKeeper, with_account
 from pointpred.server.watch import Watch
 
 NEVER = float("-inf")
@@ -31,7 +33,9 @@ class Stream:
         self.hello = hello
         self.pipeline = pipeline_of(hello)
         self.precision: float | None = None
-        """The precision a client wishes proposals to have; remembered for the decisions."""
+        """The precision a client wishes proposals to have."""
+        self.choices: Choices | None = None
+        """Decides among the targets, where there are any."""
         self.events = 0
         """Events taken in."""
         self.watch = watch
@@ -55,15 +59,22 @@ class Stream:
         if len(kept):
             self._keep(kept, predictions)
             each = self.hello.reply == "event"
-            outbox.predict(*answers.frames(predictions, binary=self._binary, each=each))
+            if self.choices is None:
+                outbox.predict(*answers.frames(predictions, binary=self._binary, each=each))
+            else:
+                changes, likely = self.choices.take(kept, predictions, each=each)
+                outbox.predict(*answers.frames(predictions, binary=self._binary, each=each, likely=likely))
+                for change in changes:
+                    outbox.choose(change)
         return error, count - len(kept)
 
     def feed_one(self, row: Sequence[float], outbox: Outbox) -> bool:
         """``feed`` for the one event of most frames, without a table: the same steps, the same answer.
 
-        False, and nothing changed, where the event is refused or somebody keeps it: then it is for ``feed``.
+        False, and nothing changed, where the event is refused, somebody keeps it or there are targets: then
+        it is for ``feed``.
         """
-        if self.watch or self._trial.running:
+        if self.watch or self._trial.running or self.choices:
             return False
         prediction = self.pipeline.advance(*row)
         if prediction is None:
@@ -89,17 +100,25 @@ class Stream:
         )
         if another or message.parameters:
             self.pipeline = pipeline_of(hello)
-            self._last_t = NEVER
+            self._forget()
         self.hello = hello
         if message.precision is not None:
             self.precision = message.precision
+            if self.choices:
+                self.choices.configure(message.precision)
         if self.watch:
             self.watch.configure(hello)
+
+    def take_targets(self, targets: list[Target], outbox: Outbox) -> None:
+        """Replace the set of targets; raises RefusedError, nothing changed."""
+        choices = self.choices or Choices(outbox, self.precision)
+        choices.replace(targets)
+        self.choices = choices if targets else None
 
     def reset(self) -> None:
         """Forget every event: the next one starts a movement."""
         self.pipeline.reset()
-        self._last_t = NEVER
+        self._forget()
 
     def start_trial(self, goal: Goal | None) -> None:
         """A movement starts at the next event; its events are kept until the trial ends."""
@@ -115,7 +134,14 @@ class Stream:
             raise RefusedError("out_of_place", words, "$.action")
         if self.watch:
             self.watch.trial("end", goal)
-        return self._trial.end(goal, self.pipeline, cpi_of(self.hello), dpi_of(self.hello))
+        account = self.choices.account(goal or self._trial.goal) if self.choices else {}
+        scoring = self._trial.end(goal, self.pipeline, cpi_of(self.hello), dpi_of(self.hello))
+        return partial(with_account, scoring, account) if account else scoring
+
+    def _forget(self) -> None:
+        self._last_t = NEVER
+        if self.choices:
+            self.choices.reset()
 
     def _keep(self, table: FloatArray, predictions: FloatArray) -> None:
         self.events += len(table)

@@ -5,8 +5,10 @@ from __future__ import annotations
 from array import array
 from collections.abc import Callable
 from functools import partial
+from typing import Any
 
 import numpy as np
+from msgspec import structs
 
 from pointpred.columns import EventColumns, FloatArray
 from pointpred.pipeline import Pipeline
@@ -41,7 +43,7 @@ class TrialKeeper:
 
     def end(self, goal: Goal | None, pipeline: Pipeline, cpi: float | None, dpi: float) -> Scoring:
         """What makes the trial's score; it shares nothing with what comes after, so any thread may run it."""
-        goal, count, numbers = goal or self._goal, self._count, self._numbers
+        goal, count, numbers = goal or self.goal, self._count, self._numbers
         self._forget()
         self.running = False
         return partial(_scored, numbers, count, goal, pipeline.fresh(), cpi, dpi)
@@ -49,7 +51,8 @@ class TrialKeeper:
     def _forget(self, goal: Goal | None = None) -> None:
         self._numbers = array("d")
         self._count = 0
-        self._goal = goal
+        self.goal = goal
+        """The target that the running trial was said to have."""
 
 
 Scoring = Callable[[], Score]
@@ -72,6 +75,11 @@ def _scored(
         replay(prepared, each, threads=1) for each in (pipeline, build("hold", cpi=cpi, dpi=dpi))
     )
     return score_of(prepared, 0, errors, floor)
+
+
+def with_account(scoring: Scoring, account: dict[str, Any]) -> Score:
+    """A score, and what came of the proposals."""
+    return structs.replace(scoring(), **account)
 
 
 def score_of(prepared: Prepared, row: int, errors: PredictorErrors, floor: PredictorErrors) -> Score:

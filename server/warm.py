@@ -9,6 +9,7 @@ from pointpred.events import PointerEvent
 from pointpred.pipeline import run
 from pointpred.registry import REGISTRY, build
 from pointpred.server.records import EVENT, unpack
+from pointpred.targets import Chooser, around
 
 
 def warm(progress: Callable[[int, int, str], bool] = lambda done, of, name: True) -> None:
@@ -20,9 +21,9 @@ def warm(progress: Callable[[int, int, str], bool] = lambda done, of, name: True
     for done, name in enumerate(REGISTRY):
         if not progress(done, len(REGISTRY), name):
             return
-        pipeline = build(name, cpi=1000.0)
+        pipeline, chooser = build(name, cpi=1000.0), Chooser([around("any", 200.0, 80.0, 20.0)])
         for event in events:
-            pipeline.update(event)
+            chooser.update(pipeline.update(event), event)
         pipeline.reset()  # one that learns its person concludes the movement
         table = EventColumns.of_events(events)
         run(pipeline.fresh(), table)

@@ -2,7 +2,11 @@ from __future__ import annotations
 
 import json
 
-from pointpred.server.outbox import Outbox
+from hypothesis import given
+from hypothesis import strategies as st
+
+from pointpred.server.messages import Choice
+from pointpred.server.outbox import MOST_CHOICES, Frame, Outbox
 
 
 def test_what_is_said_comes_out_in_order_and_once() -> None:
@@ -60,3 +64,78 @@ def test_full_by_notes_and_not_by_what_gave_way() -> None:
         outbox.predict([b"many"], 1024)
     assert not outbox.full
     assert len(outbox.take()) == 2
+
+
+def proposed(outbox: Outbox, *changes: str) -> None:
+    for change in changes:
+        outbox.choose(Choice(change[1:], 0.5, "propose" if change[0] == "+" else "retract"))
+
+
+def told(frames: list[Frame]) -> list[str]:
+    said = [json.loads(frame) for frame in frames]
+    return [{"propose": "+", "retract": "-"}[one["action"]] + one["id"] for one in said if "action" in one]
+
+
+def test_choices_come_out_in_order_among_the_notes() -> None:
+    outbox = Outbox()
+    outbox.say('"a"')
+    outbox.predict(['"p"'], 1)
+    proposed(outbox, "+x", "-x")
+    outbox.say('"b"')
+    frames = outbox.take()
+    assert (frames[:2], frames[-1]) == (['"a"', '"p"'], '"b"')
+    assert told(frames[2:-1]) == ["+x", "-x"]
+
+
+def test_choices_do_not_give_way_to_predictions() -> None:
+    outbox = Outbox()
+    for change in ("+a", "-a", "+b"):
+        outbox.predict(['"p"'], 1)
+        proposed(outbox, change)
+    assert told(outbox.take()) == ["+a", "-a", "+b"]
+
+
+@given(st.lists(st.sampled_from("abc"), max_size=400), st.lists(st.integers(0, 400), max_size=3))
+def test_who_reads_rarely_knows_what_stands_and_hears_of_every_end(
+    names: list[str], reads: list[int]
+) -> None:
+    """A client that follows what it is told knows, whenever it reads, what a client that reads all knows."""
+    outbox, stands, knows = Outbox(), None, None
+    for place, name in enumerate([*names, None]):
+        if place in reads or name is None:
+            frames = outbox.take()
+            assert len(told(frames)) <= MOST_CHOICES
+            for change in told(frames):
+                if change[0] == "-":
+                    assert knows == change[1:]  # only what was proposed ends
+                    knows = None
+                else:
+                    assert knows is None
+                    knows = change[1:]
+            assert knows == stands
+        if name is None:
+            return
+        if stands is not None:
+            proposed(outbox, f"-{stands}")
+        stands = None if stands == name else name
+        if stands is not None:
+            proposed(outbox, f"+{stands}")
+    raise AssertionError("the last entry reads")
+
+
+def test_too_many_choices_are_shortened_and_their_number_is_told() -> None:
+    outbox = Outbox(most_notes=100)
+    proposed(outbox, "+a")
+    outbox.take()
+    outbox.say('"note"')
+    outbox.predict(['"old"'], 1)
+    proposed(outbox, "-a", *("+b", "-b") * 200, "+c")
+    outbox.predict(['"new"'], 1)
+    assert not outbox.full
+    frames = outbox.take()
+    (slow,) = (json.loads(one) for one in frames if '"slow"' in str(one))
+    changes = told([one for one in frames if "action" in str(one)])
+    assert changes[0] == "-a"
+    assert changes[-1] == "+c"
+    assert slow["message"].startswith(f"1 predictions and {402 - len(changes)} choices gave way")
+    assert frames.index('"note"') < frames.index('"new"')

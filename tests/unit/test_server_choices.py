@@ -1,0 +1,214 @@
+"""Targets in a session: what is proposed, retracted and told with predictions, and when."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from pointpred.server.choices import LIKELIEST
+from tests.unit.talking import Talk, events, hello, packed
+
+PLACES = {"left": (-520.0, -20.0), "right": (380.0, -20.0), "up": (-20.0, -520.0)}
+
+
+def targets(*names: str, **more: Any) -> dict[str, Any]:
+    size = {"width": 40.0, "height": 40.0}
+    listed = [{"id": name, "x": PLACES[name][0], "y": PLACES[name][1], **size, **more} for name in names]
+    return {"type": "targets", "targets": listed}
+
+
+def reach(begin: float = 0.0, end: float = 0.6, start_s: float = 0.0) -> list[tuple[float, ...]]:
+    """A smooth movement of 0.6 s from the origin to the right target, every 10 ms."""
+    rows = []
+    for i in range(round(begin * 100), round(end * 100) + 1):
+        u = i / 60
+        rows.append((start_s + i / 100, 400.0 * u**3 * (10 - 15 * u + 6 * u * u), 0.0, None, None, 0))
+    return rows
+
+
+def talk_of(encoding: str = "json", *names: str, precision: float | None = 0.6) -> Talk:
+    talk = Talk(greet=hello("minimum-jerk", encoding=encoding))
+    if precision is not None:
+        talk.say({"type": "configure", "precision": precision})
+    talk.say(targets(*(names or tuple(PLACES))))
+    return talk
+
+
+def move(talk: Talk, rows: list[tuple[float, ...]], encoding: str = "json") -> list[Any]:
+    return [
+        answer
+        for row in rows
+        for answer in talk.say(packed(row) if encoding == "binary" else events(row))
+        if isinstance(answer, dict)
+    ]
+
+
+def choices(answers: list[Any]) -> list[tuple[str, str]]:
+    return [(one["action"], one["id"]) for one in answers if one["type"] == "choice"]
+
+
+@pytest.mark.parametrize("encoding", ["json", "binary"])
+def test_a_movement_towards_a_target_proposes_it_once(encoding: str) -> None:
+    talk = talk_of(encoding)
+    answers = move(talk, reach(end=0.4), encoding)
+    (choice,) = (one for one in answers if one["type"] == "choice")
+    assert (choice["id"], choice["action"]) == ("right", "propose")
+    assert 0.6 <= choice["p"] <= 1.0
+    assert 0.05 < choice["t"] <= 0.4
+
+
+def test_predictions_in_json_carry_the_likeliest_and_packed_ones_do_not() -> None:
+    talk = talk_of()
+    answers = [one for one in move(talk, reach(end=0.4)) if one["type"] == "prediction"]
+    assert len(answers) == 41
+    for one in answers:
+        shares = [each["p"] for each in one["targets"]]
+        assert shares == sorted(shares, reverse=True)
+        assert len(shares) == 3
+        assert 0.0 < sum(shares) <= 1.0 + 1e-12
+    assert answers[-1]["targets"][0]["id"] == "right"
+    binary = talk_of("binary")
+    assert [len(one) for row in reach(end=0.05) for one in binary.say(packed(row))] == [57] * 6
+
+
+def test_of_many_targets_only_the_likeliest_are_told() -> None:
+    talk = talk_of()
+    many = [{"id": str(i), "x": 50.0 * i, "y": 0.0, "width": 40.0, "height": 40.0} for i in range(30)]
+    talk.say({"type": "targets", "targets": many})
+    (answer,) = talk.say(events(reach()[0]))
+    assert len(answer["targets"]) == LIKELIEST == 5
+
+
+def test_without_targets_a_prediction_says_nothing_of_them() -> None:
+    talk = Talk()
+    assert "targets" not in talk.say(events(reach()[0]))[0]
+    talk.say(targets("left"))
+    assert "targets" in talk.say(events(reach()[1]))[0]
+    talk.say({"type": "targets", "targets": []})
+    assert "targets" not in talk.say(events(reach()[2]))[0]
+    assert talk.session.stream is not None
+    assert talk.session.stream.choices is None
+
+
+@pytest.mark.parametrize(
+    "end",
+    [
+        {"type": "reset"},
+        {"type": "trial", "action": "start"},
+        {"type": "configure", "predictor": "hold"},
+        {"type": "configure", "parameters": {}, "predictor": "minimum-jerk"},
+        targets("left", "up"),
+        {"type": "targets", "targets": []},
+    ],
+    ids=lambda one: one["type"] + str(len(one)),
+)
+def test_what_ends_a_movement_or_takes_a_target_away_retracts(end: dict[str, Any]) -> None:
+    talk = talk_of()
+    assert choices(move(talk, reach(end=0.4))) == [("propose", "right")]
+    answers = talk.say(end)
+    (retract,) = (one for one in answers if one["type"] == "choice")
+    assert retract == {"type": "choice", "id": "right", "p": 0.0, "action": "retract", "t": 0.4}
+    assert choices(talk.say(end)) == []
+
+
+def test_a_release_of_the_button_retracts() -> None:
+    talk = talk_of()
+    rows = reach()
+    assert choices(move(talk, rows)) == [("propose", "right")]
+    pressed, released = ((rows[-1][0] + dt, *rows[-1][1:5], b) for dt, b in ((0.02, 1), (0.1, 0)))
+    assert choices(move(talk, [pressed, released])) == [("retract", "right")]
+
+
+def test_what_does_not_concern_the_proposal_keeps_it() -> None:
+    talk = talk_of()
+    assert choices(move(talk, reach(end=0.4))) == [("propose", "right")]
+    kept = (
+        targets("right", "up"),
+        {"type": "configure", "precision": 0.7},
+        {"type": "trial", "action": "end"},
+    )
+    assert [choices(talk.say(frame)) for frame in kept] == [[], [], []]
+    assert choices(talk.say({"type": "reset"})) == [("retract", "right")]
+
+
+def test_the_precision_decides_when_to_propose() -> None:
+    when = []
+    for precision in (0.2, 0.6, 0.9):
+        answers = move(talk_of(precision=precision), reach(end=0.5))
+        when.append(next((one["t"] for one in answers if one["type"] == "choice"), 1.0))
+    assert when == sorted(when)
+    assert when[0] < when[-1]
+
+
+def test_the_precision_may_be_said_before_the_targets_and_at_any_time() -> None:
+    before, after = talk_of(precision=0.3), talk_of(precision=None)
+    after.say({"type": "configure", "precision": 0.3})
+    assert move(before, reach()) == move(after, reach())
+
+
+def test_precisions_of_0_and_1_are_taken_as_near_as_the_decisions_go() -> None:
+    for precision in (0.0, 1.0):
+        talk = talk_of(precision=precision)
+        assert talk.goes_on()
+
+
+def test_a_target_of_weight_0_is_never_proposed() -> None:
+    talk = talk_of()
+    talk.say(targets("left", "right", weight=0.0))
+    answers = move(talk, reach())
+    assert choices(answers) == []
+    assert all(each["p"] == 0.0 for one in answers for each in one["targets"])
+
+
+def test_the_score_of_a_trial_tells_what_came_of_the_proposals() -> None:
+    talk = talk_of()
+    goal = {"x": 401.0, "y": 1.0, "width": 40.0}
+    talk.say({"type": "trial", "action": "start", "target": goal})
+    heard = move(talk, reach())
+    (proposed,) = (one for one in heard if one["type"] == "choice")
+    entered = next(row[0] for row in reach() if row[1] >= 380.0)
+    score = talk.say({"type": "trial", "action": "end"})[0]
+    assert (score["fired"], score["hit"], score["wasted"]) == (1, True, 0)
+    assert score["lead_s"] == pytest.approx(entered - proposed["t"])
+    assert score["lead_s"] > 0.05
+
+    talk.say({"type": "trial", "action": "start"})
+    move(talk, reach(start_s=2.0))
+    score = talk.say({"type": "trial", "action": "end", "target": {**goal, "x": -500.0}})[0]
+    assert (score["fired"], score["hit"], score["wasted"], score["lead_s"]) == (1, False, 1, None)
+
+    talk.say({"type": "trial", "action": "start"})
+    move(talk, reach(start_s=4.0))
+    score = talk.say({"type": "trial", "action": "end"})[0]
+    assert [score[name] for name in ("fired", "hit", "wasted", "lead_s")] == [None] * 4
+
+
+def test_targets_do_not_change_the_score_of_the_predictor() -> None:
+    def scored(talk: Talk) -> dict[str, Any]:
+        talk.say({"type": "trial", "action": "start"})
+        move(talk, reach())
+        score: dict[str, Any] = talk.say({"type": "trial", "action": "end"})[0]
+        return score
+
+    assert scored(talk_of()) == scored(Talk(greet=hello("minimum-jerk")))
+
+
+def test_events_that_run_backwards_do_not_reach_the_decisions() -> None:
+    plain, late = talk_of(), talk_of()
+    rows = reach(end=0.4)
+    expected = choices(move(plain, rows))
+    found = []
+    for row in rows:
+        found += choices(late.say(events(row, (-1.0, *row[1:]))))
+    assert found == expected == [("propose", "right")]
+
+
+def test_an_event_counts_more_where_there_are_many_targets() -> None:
+    many = [{"id": str(i), "x": 5.0 * i, "y": 0.0, "width": 4.0, "height": 4.0} for i in range(128)]
+    talk = Talk(max_events_per_s=30)
+    talk.say({"type": "targets", "targets": many})
+    assert len(talk.say(events(*reach(end=0.09)))) == 1  # ten events count as thirty
+    error, *_ = talk.say(events(reach(begin=0.1)[0]))
+    assert (error["code"], talk.closed) == ("too_fast", 1008)
+    assert "at most 10 events a second" in error["message"]
