@@ -132,7 +132,7 @@ class KinematicPredictor(Predictor):
 
     def __init__(self) -> None:
         self._source = kinematic_coefficients.OWN
-        self._coefficients = kinematic_coefficients.read()
+        self._coefficients = kinematic_coefficients.read(self._source)
         super().__init__([], sight.STATES)
 
     @classmethod

@@ -43,7 +43,7 @@ def write(
 
 
 @cache
-def read(path: Path = OWN) -> FloatArray:
+def read(path: Path) -> FloatArray:
     """The coefficients of a file as one array that nobody may write to.
 
     Raises ParameterError for a file that cannot be read, is of another version or does not fit.

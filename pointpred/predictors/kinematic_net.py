@@ -61,12 +61,11 @@ def layer(coefficients: FloatArray, at: int, inputs: FloatArray, sums: FloatArra
     """
     width = len(sums)
     offset = at + len(inputs) * width
-    for j in range(width):
-        sums[j] = coefficients[offset + j]
+    sums[:] = coefficients[offset : offset + width]
     for i in range(len(inputs)):
-        value, row = inputs[i], at + i * width
+        value, weights = inputs[i], coefficients[at + i * width : at + (i + 1) * width]
         for j in range(width):
-            sums[j] += value * coefficients[row + j]
+            sums[j] += value * weights[j]
     return offset + width
 
 

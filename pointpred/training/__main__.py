@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 import time
+from pathlib import Path
 
 THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
 
@@ -22,10 +23,10 @@ def main() -> None:
 
     settings = Settings()
     school = people.school(people.read_sets(people.folder()), settings.seed, say)
-    if sys.argv[1:] == ["validate"]:
-        from pointpred.training import validate
+    if sys.argv[1:2] == ["validate"]:
+        from pointpred.training import page, validate
 
-        print(validate.page(validate.validate(school, settings, say)))
+        Path(sys.argv[2]).write_text(page.page(validate.validate(school, settings, say)), encoding="utf-8")
     else:
         train.train(school, settings, kinematic_coefficients.OWN, say)
 

@@ -16,6 +16,8 @@ from pointpred.training.examples import Examples
 from pointpred.training.losses import Truth, slopes
 
 Floats = NDArray[np.float32]
+NEAR_SHARE = 0.05
+"""Nearer to the end than this share of its trial's mean distance, a moment weighs no more."""
 
 
 class Settings(msgspec.Struct, frozen=True):
@@ -29,11 +31,13 @@ class Settings(msgspec.Struct, frozen=True):
     noise: float = 0.1
     seed: int = 1
     law_share: float = 0.2
-    time_share: float = 1.0
-    varied_time: float = 0.02
+    time_share: float = 5.0
+    varied_time: float = 0.0
     """What a varied movement says about the time left, against one as it was made."""
-    varied_law: float = 0.3
-    varied_point: float = 0.3
+    varied_law: float = 0.25
+    varied_point: float = 0.25
+    late: float = 0.25
+    """How much more a moment weighs the nearer the cursor is to the end: the power of that nearness."""
 
 
 class Fitted(msgspec.Struct, frozen=True):
@@ -88,6 +92,7 @@ def truth(given: Examples, settings: Settings) -> Truth:
         share[rows] = len(mine) ** -0.25
         mean_hold[rows] = own[mine].mean()
     hold = np.sqrt(np.maximum(own[given.trial], 1.0) * mean_hold)
+    near = own[given.trial] / np.maximum(given.hold(), NEAR_SHARE * own[given.trial])
     moment = given.weight * share
     duration = np.sqrt(np.maximum(whole[given.trial] / np.maximum(trials[given.trial], 1e-9), 0.05))
 
@@ -103,7 +108,7 @@ def truth(given: Examples, settings: Settings) -> Truth:
         (given.across / reach).astype(np.float32),
         given.left_s.astype(np.float32),
         seen[:, features.NAMES.index("time")],
-        even(moment * reach / hold * np.where(given.own, 1.0, settings.varied_point)),
+        even(moment * near**settings.late * reach / hold * np.where(given.own, 1.0, settings.varied_point)),
         even(moment * np.where(given.own, 1.0, settings.varied_law), settings.law_share),
         even(moment / duration * np.where(given.own, 1.0, settings.varied_time), settings.time_share),
     )

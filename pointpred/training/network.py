@@ -44,7 +44,7 @@ def backward(layers: Layers, kept: list[tuple[Floats, Floats, Floats]], slope: F
         gradient.append((inputs.T @ slope, slope.sum(axis=0)))
         if place > 0:
             _, sums, logistic = kept[place - 1]
-            bent: Floats = logistic * (1.0 + sums * (1.0 - logistic))
+            bent = logistic * (1.0 + sums * (1.0 - logistic))
             slope = ((slope @ layers[place][0].T) * bent).astype(np.float32)
     return gradient[::-1]
 

@@ -15,6 +15,9 @@ from pointpred.training.examples import Examples, joined
 from pointpred.training.fitting import Fitted, Settings, fit
 from pointpred.training.people import FOLDS, SETS, Say, School
 
+Nets = list[tuple[set[int], Fitted]]
+"""Users held out, and the network fitted to the others."""
+
 
 def taught(school: School, without_users: set[int], without_set: int | None, settings: Settings) -> Fitted:
     """A network fitted to everybody but some users or a set."""
@@ -33,7 +36,7 @@ def held_out(school: School, fitted: Fitted, users: set[int], settings: Settings
     return calibrate.held(fitted, joined(parts), settings) if parts else None
 
 
-def folds(school: School, settings: Settings, say: Say) -> list[tuple[set[int], Fitted]]:
+def folds(school: School, settings: Settings, say: Say) -> Nets:
     """A network for each fold of users, fitted to the other folds."""
     of = school.fold()
     found = []
@@ -46,7 +49,7 @@ def folds(school: School, settings: Settings, say: Say) -> list[tuple[set[int], 
     return found
 
 
-def table_of(school: School, nets: list[tuple[set[int], Fitted]], settings: Settings) -> FloatArray:
+def table_of(school: School, nets: Nets, settings: Settings) -> FloatArray:
     """The calibration from all people held out."""
     parts = [held_out(school, fitted, users, settings) for users, fitted in nets]
     known = [part for part in parts if part is not None]

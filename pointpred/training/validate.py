@@ -19,7 +19,7 @@ from pointpred.training import calibrate
 from pointpred.training.calibrate import Held
 from pointpred.training.fitting import Fitted, Settings
 from pointpred.training.people import Say, School
-from pointpred.training.train import folds, save, taught
+from pointpred.training.train import Nets, folds, save, taught
 
 
 class Verdict(msgspec.Struct, frozen=True):
@@ -48,13 +48,13 @@ def pipeline_of(fitted: Fitted, table: FloatArray) -> Pipeline:
     return Pipeline("kinematic", build("hold").differentiator, predictor)
 
 
-def validate(school: School, settings: Settings, say: Say) -> Validation:
+def validate(school: School, settings: Settings, say: Say, nets: Nets | None = None) -> Validation:
     """Hold out users in folds, and each set in turn; the project's scorer judges.
 
     The table of a fold comes from the people of the other folds, that of a set left out from the people
-    of the other sets.
+    of the other sets. ``nets``: those of ``folds`` where they are known already.
     """
-    nets = folds(school, settings, say)
+    nets = folds(school, settings, say) if nets is None else nets
     known = [_known(school, fitted, users, settings) for users, fitted in nets]
     tables = []
     for place in range(len(nets)):

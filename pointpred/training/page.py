@@ -1,0 +1,139 @@
+"""The card of the coefficients as a page: what they were made from, and what held-out people say of them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from pointpred.predictors import kinematic_coefficients
+from pointpred.scoring import SetScore, summary
+from pointpred.scoring.results import PATH_FRACTIONS, TIME_FRACTIONS
+from pointpred.training import calibrate
+from pointpred.training.validate import Validation, Verdict
+
+HEAD = """# The learned predictor, `kinematic`
+
+Written by `make crossvalidate`; the coefficients by `make train`. Both read the folder that
+`POINTPRED_RECORDINGS` names. What was tried on the way stands in [experiments.md](experiments.md).
+"""
+HOLDING = {
+    "users_out": "People held out: five folds of users, each predicted by a network fitted to the other four",
+    "set_out": "Sets left out: each set predicted by a network fitted to the other six",
+}
+
+
+def card_lines() -> str:
+    """The card of the package's own coefficients."""
+    said = kinematic_coefficients.card()
+    path = kinematic_coefficients.OWN
+    rows = ["| set | licence | users | trials | moments |", "| --- | --- | --- | --- | --- |"]
+    names = ("name", "licence", "users", "trials", "moments")
+    rows += ["| " + " | ".join(str(one[name]) for name in names) + " |" for one in said["sets"]]
+    first, second = said["hidden"]
+    return "\n".join(
+        [
+            "## Card",
+            "",
+            f"`{path.name}`, version {kinematic_coefficients.VERSION}, {path.stat().st_size} bytes, "
+            f"blake2b-64 `{kinematic_coefficients.digest()}`.",
+            f"Network {first} x {second}, {said['passes']} passes, seed {said['seed']}; each movement in",
+            f"{said['variants']} variants more; calibrated on {said['folds']} folds of people held out.",
+            "",
+            *rows,
+            "",
+        ]
+    )
+
+
+def page(validation: Validation) -> str:
+    """The whole page."""
+    parts = [HEAD, card_lines()]
+    for name, title in HOLDING.items():
+        verdicts: tuple[Verdict, ...] = getattr(validation, name)
+        parts.append(f"## {title}\n\n" + "\n\n".join(_tables(verdicts)) + "\n")
+    return "\n".join(parts)
+
+
+def _tables(verdicts: tuple[Verdict, ...]) -> list[str]:
+    documents = [summary(verdict.score) for verdict in verdicts]
+    return [
+        "Time-averaged error as a share of that of `hold`, with the 95 % interval over people (over trials "
+        "where a set has one person).\n\n" + _errors(documents),
+        "Error at a share of the time, as a share of that of `hold`, all trials.\n\n"
+        + _series(documents, "by_time", TIME_FRACTIONS),
+        "Error at a share of the path, likewise.\n\n" + _series(documents, "by_path", PATH_FRACTIONS),
+        "Shares of the endpoints inside the regions of 50 / 80 / 95 %, %, around a share of the time.\n\n"
+        + _coverage(verdicts, 0),
+        "Shares of the arrivals inside the intervals of 50 / 80 / 95 %, %, likewise.\n\n"
+        + _coverage(verdicts, 3),
+        "Time left: mean absolute error over that of a clock that knows the set's median time.\n\n"
+        + _clock(verdicts),
+    ]
+
+
+def _table(head: list[str], rows: list[list[str]]) -> str:
+    lines = [head, ["---"] * len(head), *rows]
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+
+
+def _ours(document: dict[str, Any]) -> dict[str, Any]:
+    found: dict[str, Any] = next(one for one in document["predictors"] if one["name"] == "kinematic")
+    return found
+
+
+def _share(measure: dict[str, Any]) -> str:
+    low, high = measure["interval"]
+    return f"{measure['of_hold']:.3f} ({low:.3f}-{high:.3f})"
+
+
+def _errors(documents: list[dict[str, Any]]) -> str:
+    rows = []
+    for document in documents:
+        ours = _ours(document)
+        clean = ours["groups"].get("clean")
+        rows.append(
+            [
+                document["name"],
+                str(document["users"]),
+                str(document["trials"]),
+                _share(ours["time_averaged"]),
+                _share(clean["time_averaged"]) if clean else "",
+            ]
+        )
+    return _table(["set", "users", "trials", "all trials", "clean trials"], rows)
+
+
+def _series(documents: list[dict[str, Any]], name: str, fractions: tuple[float, ...]) -> str:
+    rows = [
+        [document["name"], *(f"{_ours(document)[name][str(f)]['of_hold']:.2f}" for f in fractions)]
+        for document in documents
+    ]
+    return _table(["set", *(f"{f:.0%}" for f in fractions)], rows)
+
+
+def _coverage(verdicts: tuple[Verdict, ...], first: int) -> str:
+    rows = []
+    together = calibrate.joined([verdict.known for verdict in verdicts])
+    named = [(verdict.score.name, verdict.known) for verdict in verdicts]
+    for name, known in [*named, ("all", together)]:
+        shares = 100.0 * calibrate.coverage(known)[:, first : first + 3]
+        rows.append([name, *(" / ".join(f"{value:.0f}" for value in row) for row in shares.tolist())])
+    return _table(["set", *(f"{10 * k} %" for k in range(1, calibrate.DECILES + 1))], rows)
+
+
+def _clock(verdicts: tuple[Verdict, ...]) -> str:
+    rows = []
+    for verdict in verdicts:
+        ours, clock = verdict.clock
+        trials = len(verdict.score.trials)
+        rows.append(
+            [verdict.score.name, *(f"{1e3 * s / trials:.0f}" for s in (ours, clock)), f"{ours / clock:.2f}"]
+        )
+    return _table(["set", "kinematic, ms", "clock, ms", "ratio"], rows)
+
+
+def worst_decile(score: SetScore) -> float:
+    """The largest ratio to ``hold`` at any share of the time."""
+    hold, ours = score.predictors
+    return float(np.max(ours.by_time.mean(axis=0) / hold.by_time.mean(axis=0)))
