@@ -150,11 +150,11 @@ class SwitchedDirectionPredictor(Predictor):
     def __init__(
         self,
         *,
-        rise: float = 0.35,
+        rise: float = 0.5,
         typical_s: float = 0.05,
-        own: float = 0.45,
-        turn: float = 0.45,
-        watched: float = 0.45,
+        own: float = 0.55,
+        turn: float = 0.4,
+        watched: float = 0.55,
         stopping: float = 0.5,
     ) -> None:
         values = {
