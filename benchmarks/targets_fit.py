@@ -1,9 +1,10 @@
 """Fit the coefficients of the evidence for targets: ``python -m benchmarks.targets_fit``.
 
-A conditional logit (McFadden 1974): the share of a target is proportional to the exponential of a weighted
-sum of its features. Fitted on the recordings of POINTPRED_RECORDINGS and the embedded sample, each movement at
-each tenth of its time; in a quarter of them, drawn at random, the right target is taken away, so that *none of
-them* is right. Each set has the same say, whatever its size. Written to pointpred/targets/weights.py.
+A conditional logit (McFadden 1974): the share of a target is proportional to the exponential of a
+weighted sum of its features. Fitted on the recordings of POINTPRED_RECORDINGS and the embedded sample, each
+movement at each twentieth of its time. In a quarter of these situations, drawn at random, the right target
+is taken away, so that *none of them* is right. Each set has the same say, whatever its size. Written to
+pointpred/targets/weights.py.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ from pointpred.targets.evidence import FEATURES, MASS, NEAR, features, unclaimed
 ROOT = Path(__file__).parents[1]
 SETS = ("pvplib23714", "gofitts_demo", "freihaut2021", "cryslacks", "humanmovemouse", "jrcalgo")
 FRACTIONS = tuple(round(0.1 + 0.05 * i, 2) for i in range(18))
-MOST_TRIALS = 250
+MOST_TRIALS = 200
 """Of each set."""
 PENALTY = 1e-3
 SLOTS = 24
@@ -82,7 +83,7 @@ def _trial(
     first, arrival = int(prepared.offsets[layout.trial]), int(prepared.arrivals[layout.trial])
     t = prepared.events.t
     at = t[first] + np.array(FRACTIONS) * (t[arrival] - t[first])
-    wanted = set((np.searchsorted(t[: arrival + 1], at, side="right") - 1).tolist())
+    wanted = set((first - 1 + np.searchsorted(t[first : arrival + 1], at, side="right")).tolist())
     memory, found = np.zeros(cursor.STATES), []
     for i in range(first, max(wanted) + 1):
         cursor.follow(memory, t[i], prepared.events.x[i], prepared.events.y[i], 0.0)
@@ -120,9 +121,15 @@ def fit(sets: Sequence[Cases], only: Sequence[int] | None = None) -> FloatArray:
             slope = slope + np.tensordot(share, table, 2) / len(share) / len(sets)
         return total, slope
 
-    bounds = [SIGNS.get(i, (None, None)) if only is None or i in only else (0.0, 0.0) for i in range(FEATURES)]
+    bounds = [
+        SIGNS.get(i, (None, None)) if only is None or i in only else (0.0, 0.0) for i in range(FEATURES)
+    ]
     made = minimize(
-        loss, np.zeros(len(scale)), jac=True, method="L-BFGS-B", bounds=[*bounds, *bounds, *[(None, None)] * 2]
+        loss,
+        np.zeros(len(scale)),
+        jac=True,
+        method="L-BFGS-B",
+        bounds=[*bounds, *bounds, *[(None, None)] * 2],
     )
     weights: FloatArray = made.x / scale
     return weights
@@ -135,7 +142,11 @@ def predictors() -> tuple[str, ...]:
 
 def main() -> None:
     """Fit on everything and write the coefficients."""
-    sets = [cases(recording, predictors()) for recording in recordings()]
+    write([cases(recording, predictors()) for recording in recordings()])
+
+
+def write(sets: Sequence[Cases]) -> None:
+    """Fit on these sets and write the coefficients."""
     ours, near = fit(sets), fit(sets, only=[NEAR])
     text = (ROOT / "pointpred" / "targets" / "weights.py").read_text(encoding="utf-8")
     values = {

@@ -15,7 +15,15 @@ if TYPE_CHECKING:
 DIAL = "0.8"
 SHOWN = ("0.2", "0.3", "0.4", "0.5", "0.6", "0.7", "0.8", "0.9")
 HEADINGS = ("predictor", *(f"{float(time):.0%}" for time in SHOWN))
-DECIDED = ("predictor", "precision", "before entry", "lead to entry", "lead to click", "proposals", "retracted")
+DECIDED = (
+    "predictor",
+    "precision",
+    "before entry",
+    "lead to entry",
+    "lead to click",
+    "proposals",
+    "retracted",
+)
 
 
 def described(
@@ -47,9 +55,9 @@ def print_targets(sets: list[dict[str, Any]]) -> None:
         results().print(_table(DECIDED, [_decided(predictor) for predictor in one["predictors"]]))
     if sets:
         results().print(
-            "Above: share of movements whose likeliest target is the right one, by share of the time from onset "
-            f"to arrival.\nBelow: proposals with the dial at {DIAL}; movements with a right proposal before the "
-            "cursor enters; median leads; proposals and retractions a movement.",
+            "Above: movements whose likeliest target is the right one, by share of the time.\n"
+            f"Below, the dial at {DIAL}: proposals that are right; movements with a right one before the "
+            "cursor enters;\nmedian leads; proposals and retractions a movement.",
             style="dim",
         )
 

@@ -60,7 +60,7 @@ def score_targets(
     dpi: float | None = None,
     coefficients: FloatArray = posterior.FITTED,
     nearest: FloatArray = posterior.FITTED_NEAREST,
-    elsewhere: float = 0.1,
+    elsewhere: float = 0.02,
     least_lead_s: float = 0.05,
 ) -> list[TargetSet]:
     """Score the choices of predictors among the targets of a recording, and the nearest to the cursor.
@@ -155,6 +155,9 @@ def decisions(score: TargetScore, ask: int) -> Json:
         "precision": _number(account[:, replaying.PROPOSED_RIGHT].sum() / proposed) if proposed else None,
         "before_entry": _number(hit.mean()) if len(hit) else None,
         "lead_entry_s": _middle(account[hit, replaying.LEAD_ENTRY]),
+        "lead_a_movement_s": _number(account[hit, replaying.LEAD_ENTRY].sum() / len(hit))
+        if len(hit)
+        else None,
         "lead_click_s": _middle(account[hit, replaying.LEAD_CLICK]),
         "proposals": _number(proposed / len(hit)) if len(hit) else None,
         "retractions": _number(account[:, replaying.RETRACTED].mean()) if len(hit) else None,

@@ -83,26 +83,31 @@ def circle(ends: FloatArray, starts: FloatArray) -> list[FloatArray] | None:
     between successive targets, or from where the movement starts to its target where these are more alike
     (as where the screen is laid anew for each movement).
     """
-    chords = min(
-        (np.diff(ends, axis=0, prepend=starts[:1]), ends - starts),
-        key=lambda chord: _unlike(np.hypot(*chord.T)),
-    )
+    between, reached = np.diff(ends, axis=0, prepend=starts[:1]), ends - starts
+    chords = min((between, reached), key=lambda chord: _unlike(np.hypot(*chord[1:].T)))
     lengths = np.hypot(*chords.T)
-    length = float(np.median(lengths))
+    length = float(np.median(lengths[1:]))
     turns = np.diff(np.arctan2(chords[:, 1], chords[:, 0]))
     turns = (turns + np.pi) % (2.0 * np.pi) - np.pi
-    turn = float(np.median(np.abs(turns)))
-    if length == 0.0 or _unlike(lengths) > SAME * length or _unlike(np.abs(turns)) > SAME_TURN:
+    turn = float(np.median(np.abs(turns[1:])))
+    if length == 0.0 or _unlike(lengths[1:]) > SAME * length or _unlike(np.abs(turns[1:])) > SAME_TURN:
         return None
     if not 0.75 * np.pi <= turn <= 0.995 * np.pi:
         return None
     count = round(np.pi / (np.pi - turn))
     half = np.pi * (count // 2) / count
     radius, side = length / (2.0 * np.sin(half)), float(np.sign(np.median(np.sign(turns))))
+    if chords is between:  # nobody says where the target before the first one was: the order does
+        turned = -side * np.pi * (1.0 - 1.0 / count)
+        ux, uy = chords[1]
+        chords[0] = ux * np.cos(turned) - uy * np.sin(turned), ux * np.sin(turned) + uy * np.cos(turned)
+        lengths[0] = lengths[1]
     angles = 2.0 * np.pi * np.arange(count) / count
     places = []
     for end, start, chord, far in zip(ends, starts, chords, lengths, strict=True):
-        along = chord / far if abs(far - length) <= SAME * length else (end - start) / np.hypot(*(end - start))
+        along = (
+            chord / far if abs(far - length) <= SAME * length else (end - start) / np.hypot(*(end - start))
+        )
         across = side * np.array([-along[1], along[0]])
         centre = end - 0.5 * length * along + radius * np.cos(half) * across
         first = np.arctan2(*(end - centre)[::-1])

@@ -56,7 +56,7 @@ class Chooser:
         targets: Sequence[Target] = (),
         *,
         precision: float = 0.8,
-        elsewhere: float = 0.1,
+        elsewhere: float = 0.02,
         least_lead_s: float = 0.05,
         coefficients: FloatArray = posterior.FITTED,
     ) -> None:
@@ -122,14 +122,15 @@ class Chooser:
         order = np.argsort(-shares, kind="stable")[:most]
         return [(self._ids[i], float(shares[i])) for i in order.tolist()]
 
-    def heading_to(self, target: Target) -> float:
+    def heading_to(self, target: Target, *, elsewhere: float = 0.5) -> float:
         """How likely the cursor is heading for this rectangle, which need not be among the targets.
 
-        The choice is between it and anywhere else, as it was after the last event.
+        The choice is between it and anywhere else, where ``elsewhere`` of movements go before anything is
+        seen; as it was after the last event. Raises ParameterError.
         """
+        check(self.parameters[1:2], {"elsewhere": elsewhere})
         rows, shares = table([target]), np.empty(2)
         scratch = np.empty((1, posterior.FEATURES))
-        elsewhere = float(self._settings[posterior.ELSEWHERE])
         answer = _row(self._last)
         posterior.scores(self._memory, rows, answer, self._coefficients, elsewhere, scratch, shares)
         posterior.normalise(shares)

@@ -25,9 +25,10 @@ def step(
     rows: FloatArray,
     shares: FloatArray,
 ) -> int:
-    """Take one usable event and the prediction made at it, a row of ``PredictionColumns``; writes ``shares``.
+    """Take one usable event in, with the prediction made at it, a row of ``PredictionColumns``.
 
-    Returns the target proposed from now on. When the button comes up the movement is over, and so is what it proposed.
+    Writes ``shares`` and returns the target proposed from now on. When the button comes up the movement is
+    over, and so is what it proposed.
     """
     if cursor.follow(memory, t, x, y, pressed):
         standing = decision.NOBODY

@@ -23,14 +23,14 @@ def likeliest(shares: FloatArray, count: int) -> int:
 def early(memory: FloatArray, row: FloatArray, remaining_s: float, least_s: float) -> bool:
     """Whether a proposal of this target would still come in time: the cursor is not there at once.
 
-    The time until it enters is the shorter of that to its edge at the present speed and of the predicted
-    time left, where one is claimed.
+    It is there at once where both say so: the way to its edge over the present speed, and the predicted time
+    left, where one is claimed (predictors that go by speed alone call a hand at rest arrived).
     """
     left = cursor.until(memory, row[0], row[1], row[2], row[3])
     if left == 0.0:
         return False
     if remaining_s == remaining_s:
-        left = min(left, remaining_s)
+        left = max(left, remaining_s)
     return left >= least_s
 
 

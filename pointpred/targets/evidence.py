@@ -13,7 +13,7 @@ from pointpred.targets import cursor
 from pointpred.targets.law import log_mass
 
 ANGLE = 0.15
-"""Angles (rad) below this are as good as straight ahead."""
+"""Angles (rad) below this are as good as straight."""
 ALONG, ACROSS, LEAST = 0.5, 0.2, 0.1
 """Deviations of a law that nobody claimed, as shares of the way left, and the least of it."""
 
@@ -22,12 +22,15 @@ FEATURES = 6
 
 
 @law
-def bend(ux: float, uy: float, gx: float, gy: float) -> float:
-    """How little a direction u speaks for a goal at g: logarithm of 1 + (angle / 0.15 rad)^2."""
+def bend(ux: float, uy: float, gx: float, gy: float, size: float) -> float:
+    """How little a direction u speaks for a goal at g: logarithm of 1 + (angle / what is straight)^2.
+
+    What is straight: 0.15 rad, and more where the goal is so near that its own size fills an angle.
+    """
     if (ux == 0.0 and uy == 0.0) or (gx == 0.0 and gy == 0.0):
         return 0.0
     angle = atan2(ux * gy - uy * gx, ux * gx + uy * gy)
-    return log(1.0 + (angle / ANGLE) ** 2)
+    return log(1.0 + angle * angle / (ANGLE * ANGLE + 0.0625 * size * size / (gx * gx + gy * gy)))
 
 
 @law
@@ -76,10 +79,10 @@ def features(
     for i in range(len(table)):
         row, f = table[i], out[i]
         gx, gy = row[0] - cx, row[1] - cy
-        left = max(hypot(gx, gy), 1.0)
+        left, size = max(hypot(gx, gy), 1.0), 0.5 * (row[2] + row[3])
         f[MASS] = log_mass(row[0] - x, row[1] - y, row[2], row[3], sxx, sxy, syy, tail)
-        f[TRAIL] = bend(cx - memory[cursor.TRAIL_X], cy - memory[cursor.TRAIL_Y], gx, gy)
-        f[HEADING] = bend(memory[cursor.VX], memory[cursor.VY], gx, gy)
+        f[TRAIL] = bend(cx - memory[cursor.TRAIL_X], cy - memory[cursor.TRAIL_Y], gx, gy, size)
+        f[HEADING] = bend(memory[cursor.VX], memory[cursor.VY], gx, gy, size)
         f[PER_WAY] = log(left / done)
         f[PER_SPEED] = log(left / swept)
-        f[NEAR] = log(1.0 + left / (0.25 * (row[2] + row[3])))
+        f[NEAR] = log(1.0 + 2.0 * left / size)

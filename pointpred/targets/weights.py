@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-SLOW = (4.173e-06, -0.1442, -0.475, -2.618, -0.1758, -0.8516)
+SLOW = (0, -0.2371, -0.4482, -1.793, 0.03378, -0.4769)
 """Of each feature while the cursor stands."""
-FAST = (0, -0.6032, -0.3794, -1.561, 0.5242, -1.295)
+FAST = (0.4011, -0.4161, -0.311, -0.6065, 0.3545, 0)
 """Of each feature at the peak of the speed; between the two they change in proportion."""
-NONE = (0.8756, -4.391)
+NONE = (-0.1322, -3.25)
 """Score of *none of them*, standing and at the peak."""
-NEAREST = (-3.211, -2.15)
+NEAREST = (-2.865, -0.7696)
 """Of the feature NEAR alone, standing and at the peak, for the nearest target to the cursor."""
-NEAREST_NONE = (-5.122, -3.006)
+NEAREST_NONE = (-5.336, -0.3403)

@@ -1,0 +1,208 @@
+"""Shares of targets: they sum to one, follow the laws of symmetry, and are the prior times the mass."""
+
+from __future__ import annotations
+
+import pickle
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from pointpred import PointerEvent, Prediction, build
+from pointpred.columns import FloatArray
+from pointpred.errors import EventError, EventOrderError, ParameterError
+from pointpred.targets import Chooser, Target, around
+from pointpred.targets.evidence import FEATURES, MASS
+from pointpred.targets.posterior import COEFFICIENTS
+
+MASS_ALONE = np.zeros(COEFFICIENTS)
+MASS_ALONE[[MASS, FEATURES + MASS]] = 1.0
+
+
+def reach(x: float = 300.0, y: float = -120.0, count: int = 40) -> list[PointerEvent]:
+    s = np.linspace(0.0, 0.6, count)
+    way = 10 * s**3 - 15 * s**4 + 6 * s**5
+    return [PointerEvent(0.01 * i, x * w, y * w) for i, w in enumerate(way.tolist())]
+
+
+def after(chooser: Chooser, events: list[PointerEvent], prediction: Prediction | None) -> FloatArray:
+    for event in events:
+        chooser.update(prediction, event)
+    return chooser.shares
+
+
+LAW = Prediction(0.0, 280.0, -100.0, (1600.0, -500.0, 900.0), "ballistic", 0.2, 5.0)
+coordinates = st.floats(-1500.0, 1500.0)
+targets = st.lists(
+    st.tuples(coordinates, coordinates, st.floats(1.0, 300.0), st.floats(1.0, 300.0), st.floats(0.0, 9.0)),
+    max_size=12,
+)
+
+
+def made(rows: list[tuple[float, ...]]) -> list[Target]:
+    return [Target(i, *row) for i, row in enumerate(rows)]
+
+
+@given(targets, st.sampled_from([LAW, None, Prediction(0.0, 50.0, 9.0, None, "still", None)]))
+def test_shares_are_shares_of_one(rows: list[tuple[float, ...]], prediction: Prediction | None) -> None:
+    shares = after(Chooser(made(rows)), reach(), prediction)
+    assert len(shares) == len(rows) + 1
+    assert (shares >= 0.0).all()
+    assert shares.sum() == pytest.approx(1.0)
+
+
+def test_shares_are_prior_times_the_mass_of_drawn_endpoints() -> None:
+    generator = np.random.default_rng(3)
+    places = [Target("a", 250.0, -130.0, 60.0, 60.0, 1.0), Target("b", 200.0, -60.0, 50.0, 30.0, 2.5)]
+    drawn = []
+    for place in places:
+        spread = np.diag([(place.width / 4.133) ** 2, (place.height / 4.133) ** 2])
+        points = generator.multivariate_normal(
+            [280.0, -100.0], np.array([[1600.0, -500.0], [-500.0, 900.0]]) + spread, 400_000
+        )
+        x, y = points.T
+        held = (x > place.x) & (x < place.x + place.width) & (y > place.y) & (y < place.y + place.height)
+        drawn.append(place.weight * held.mean())
+    normal = Prediction(0.0, 280.0, -100.0, (1600.0, -500.0, 900.0), "ballistic", 0.2)
+    shares = after(Chooser(places, coefficients=MASS_ALONE), reach(), normal)
+    assert shares[0] / shares[1] == pytest.approx(drawn[0] / drawn[1], rel=0.02)
+
+
+@given(targets.filter(lambda rows: len(rows) > 1), st.floats(1.0, 3.0), st.floats(1.0, 3.0))
+def test_a_wider_target_is_never_less_likely(rows: list[tuple[float, ...]], wide: float, tall: float) -> None:
+    rows = [(*row[:4], 1.0) for row in rows]
+    x, y, w, h, weight = rows[0]
+    wider = (x - (wide - 1.0) * w / 2.0, y - (tall - 1.0) * h / 2.0, wide * w, tall * h, weight)
+    straight = Prediction(0.0, 280.0, -100.0, (1600.0, 0.0, 900.0), "ballistic", 0.2, 5.0)
+    before = after(Chooser(made(rows)), reach(), straight)[0]
+    assert after(Chooser(made([wider, *rows[1:]])), reach(), straight)[0] >= before * (1.0 - 5e-3) - 1e-12
+
+
+@given(targets, st.booleans(), st.booleans())
+def test_mirrors_and_quarter_turns_of_everything_change_nothing(
+    rows: list[tuple[float, ...]], claimed: bool, turn: bool
+) -> None:
+    def moved(x: float, y: float) -> tuple[float, float]:
+        return (-y, x) if turn else (-x, y)
+
+    there = []
+    for x, y, w, h, weight in rows:
+        mx, my = moved(x + w / 2.0, y + h / 2.0)
+        mw, mh = (h, w) if turn else (w, h)
+        there.append((mx - mw / 2.0, my - mh / 2.0, mw, mh, weight))
+    matrix, other = (
+        ((1600.0, -500.0, 900.0), (900.0, 500.0, 1600.0))
+        if turn
+        else ((1600.0, -500.0, 900.0), (1600.0, 500.0, 900.0))
+    )
+    first = Prediction(0.0, 280.0, -100.0, matrix if claimed else None, "ballistic", 0.2, 5.0)
+    second = Prediction(0.0, *moved(280.0, -100.0), other if claimed else None, "ballistic", 0.2, 5.0)
+    events = [PointerEvent(e.t, *moved(e.x, e.y)) for e in reach()]
+    shares = after(Chooser(made(rows)), reach(), first)
+    assert after(Chooser(made(there)), events, second) == pytest.approx(shares, abs=1e-7)
+
+
+def test_moving_the_screen_and_the_clock_changes_nothing() -> None:
+    places = [around(i, 60.0 * i, -25.0 * i, 40.0) for i in range(8)]
+    far = [Target(t.id, t.x + 4096.0, t.y - 512.0, t.width, t.height) for t in places]
+    events = [PointerEvent(e.t + 64.0, e.x + 4096.0, e.y - 512.0) for e in reach()]
+    moved = Prediction(64.0, LAW.x + 4096.0, LAW.y - 512.0, LAW.covariance, "ballistic", 0.2, 5.0)
+    shares = after(Chooser(places), reach(), LAW)
+    assert after(Chooser(far), events, moved) == pytest.approx(shares, abs=1e-9)
+
+
+def test_a_weight_of_zero_is_never_and_all_zero_is_none_of_them() -> None:
+    place = around("a", 300.0, -120.0, 40.0)
+    never = Target("a", place.x, place.y, 40.0, 40.0, 0.0)
+    assert after(Chooser([never, around("b", 0.0, 90.0, 9.0)]), reach(), LAW)[0] == 0.0
+    assert after(Chooser([never]), reach(), LAW).tolist() == [0.0, 1.0]
+
+
+def test_heading_to_a_rectangle_that_is_no_target() -> None:
+    chooser = Chooser()
+    after(chooser, reach(), LAW)
+    assert chooser.heading_to(around("ahead", 300.0, -120.0, 60.0)) > 0.5
+    assert chooser.heading_to(around("behind", -300.0, 120.0, 60.0)) < 0.05
+
+
+def run(chooser: Chooser, events: list[PointerEvent]) -> list[object]:
+    pipeline = build("minimum-jerk")
+    return [(chooser.update(pipeline.update(e), e), chooser.shares.tolist()) for e in events]
+
+
+PLACES = [around(i, 300.0 * np.cos(i), 300.0 * np.sin(i), 40.0) for i in range(6)]
+
+
+def test_the_same_events_give_the_same_choices_also_after_a_reset_and_a_pickle() -> None:
+    chooser, events = Chooser(PLACES, precision=0.5), reach()
+    first = run(chooser, events)
+    chooser.reset()
+    assert run(chooser, events) == first
+    chooser.reset()
+    half = run(chooser, events[:20])
+    again = pickle.loads(pickle.dumps(chooser))
+    assert half == first[:20]
+    pipeline = build("minimum-jerk")
+    for event in events[:20]:
+        pipeline.update(event)
+    assert [(again.update(pipeline.update(e), e), again.shares.tolist()) for e in events[20:]] == first[20:]
+
+
+@pytest.mark.parametrize("x", [np.nan, np.inf, 2e9])
+def test_a_refused_event_changes_nothing(x: float) -> None:
+    chooser = Chooser(PLACES)
+    after(chooser, reach()[:20], LAW)
+    before = pickle.dumps(chooser)
+    with pytest.raises(EventError):
+        chooser.update(LAW, PointerEvent(0.2, x, 0.0))
+    with pytest.raises(EventOrderError):
+        chooser.update(LAW, PointerEvent(0.1, 0.0, 0.0))
+    assert pickle.dumps(chooser) == before
+
+
+def test_other_targets_keep_a_proposal_that_is_still_there() -> None:
+    chooser = Chooser([around("a", 300.0, -120.0, 60.0), around("b", -300.0, 0.0, 60.0)], precision=0.5)
+    after(chooser, reach(), LAW)
+    assert chooser.standing == "a"
+    assert chooser.replace([around("b", -300.0, 0.0, 60.0), around("a", 300.0, -120.0, 60.0)]) == ()
+    assert chooser.standing == "a"
+    (gone,) = chooser.replace([around("b", -300.0, 0.0, 60.0)])
+    assert (gone.id, gone.action, chooser.standing) == ("a", "retract", None)
+
+
+def test_a_release_of_the_button_ends_what_was_proposed() -> None:
+    chooser = Chooser([around("a", 300.0, -120.0, 60.0)], precision=0.5)
+    after(chooser, reach(), LAW)
+    chooser.update(LAW, PointerEvent(0.5, 300.0, -120.0, buttons=1))
+    assert chooser.standing == "a"
+    (ended,) = chooser.update(None, PointerEvent(0.6, 300.0, -120.0))
+    assert (ended.id, ended.action) == ("a", "retract")
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        [Target("a", 0.0, 0.0, 0.0, 5.0)],
+        [Target("a", np.nan, 0.0, 5.0, 5.0)],
+        [Target("a", 0.0, 0.0, 5.0, 5.0, -1.0)],
+        [Target("a", 0.0, 0.0, 5.0, 5.0), Target("a", 9.0, 0.0, 5.0, 5.0)],
+        [around(i, 10.0 * i, 0.0, 5.0) for i in range(1001)],
+    ],
+)
+def test_targets_out_of_bounds_are_refused_and_the_old_ones_kept(wrong: list[Target]) -> None:
+    chooser = Chooser(PLACES)
+    with pytest.raises(ParameterError):
+        chooser.replace(wrong)
+    assert len(chooser.shares) == len(PLACES) + 1
+
+
+def test_settings_out_of_bounds_are_refused_and_nothing_is_changed() -> None:
+    chooser = Chooser(PLACES, precision=0.7)
+    with pytest.raises(ParameterError, match="elsewhere"):
+        chooser.configure(precision=0.5, elsewhere=1.0)
+    assert chooser._settings[0] == 0.7
+    with pytest.raises(ParameterError, match="precision"):
+        chooser.configure(precision=0.0)
+    with pytest.raises(ParameterError, match="coefficients"):
+        Chooser(coefficients=np.zeros(3))
