@@ -38,7 +38,7 @@ class Entry(msgspec.Struct, frozen=True):
 
 
 GAINS = {"gain_lambda": 48.0, "gain_xi": 1.6, "alpha": 0.0}
-"""The differentiator's gains of all names but ``switched-printed``: one choice for ours and the baselines."""
+"""The differentiator's gains of every name that sets no others: one choice for ours and the baselines."""
 
 PRINTED = {"gain_lambda": 5.0, "gain_xi": 2.0, "alpha": -0.2, "threshold": 0.2, "bound": 0.1}
 """The thesis's values; its delay and rate of regression are not printed: the class's defaults stand in."""
@@ -113,6 +113,7 @@ REGISTRY: dict[str, Entry] = {
             SwitchedDirectionPredictor,
             "one sub-movement after the other along its direction: doubling, then an approach that converges",
             "Khalin 2022, sections 2.4.2, 2.4.3 and 2.5.6, changed",
+            preset={"gain_lambda": 100.0},
         ),
         Entry(
             "kinematic",

@@ -150,11 +150,11 @@ class SwitchedDirectionPredictor(Predictor):
     def __init__(
         self,
         *,
-        rise: float = 0.5,
-        typical_s: float = 0.05,
-        own: float = 0.55,
-        turn: float = 0.4,
-        watched: float = 0.55,
+        rise: float = 0.6,
+        typical_s: float = 0.045,
+        own: float = 0.4,
+        turn: float = 0.6,
+        watched: float = 0.65,
         stopping: float = 0.5,
     ) -> None:
         values = {
