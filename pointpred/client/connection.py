@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import threading
 import time
 from collections.abc import Iterable, Iterator
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from types import TracebackType
 from typing import Any, Self, TypeVar
 
@@ -150,12 +151,21 @@ class Connection:
 
     def close(self) -> None:
         """Take leave; twice is as good as once."""
+        # Nothing more is taken from the socket while a full queue waits: not even the other side's goodbye.
+        emptying = threading.Thread(target=self._empty, name="leaving", daemon=True)
+        emptying.start()
         try:
             self._socket.send(encode(Bye()).decode())
         except ConnectionClosed:
             return
         finally:
             self._socket.close()
+            emptying.join()
+
+    def _empty(self) -> None:
+        with suppress(ConnectionClosed):
+            while True:
+                self._socket.recv()
 
     def __enter__(self) -> Self:
         return self

@@ -148,6 +148,27 @@ def test_predictions_do_not_lengthen_the_wait_for_an_answer() -> None:
             assert time.monotonic() - began < 3.0
 
 
+def test_a_client_that_was_told_more_than_it_read_can_leave(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The library's reader stands still while many frames wait to be read; leaving must not wait for it."""
+    monkeypatch.setattr("pointpred.client.connection.QUEUE", 4)
+    all_is_said = threading.Event()
+
+    def flood(socket: ServerConnection) -> None:
+        for _ in range(3000):
+            socket.send(PREDICTION)
+        all_is_said.set()
+        with suppress(ConnectionClosed):
+            while True:
+                socket.recv()
+
+    with answering(flood) as url:
+        connection = connect(url)
+        assert all_is_said.wait(20)
+        time.sleep(0.3)
+        connection.close()
+        assert connection._socket.close_code == 1000, "it was cut, after the library's patience had ended"
+
+
 def test_the_newest_notices_are_kept_and_all_are_counted() -> None:
     talk = Dialogue()
     for _ in range(KEPT_NOTICES + 5):
