@@ -46,11 +46,11 @@ def apart(recording: Recording) -> Iterator[Recording]:
 def measured() -> list[Json]:
     """Every set with every predictor, the coefficients fitted without the set; then fits on all sets."""
     sets = targets_fit.recordings()
-    cases = {one.name: targets_fit.cases(one, targets_fit.predictors()) for one in sets}
+    cases = {one.name: targets_fit.both(one) for one in sets}
     found = []
     for recording in sets:
         others = [case for name, case in cases.items() if name != recording.name]
-        ours, near = targets_fit.fit(others), targets_fit.fit(others, only=[NEAR])
+        ours, near = targets_fit.coefficients(others), targets_fit.coefficients(others, [NEAR])
         for part in apart(recording):
             print(f"scoring {part.name}", flush=True)
             scored = score_targets(part, SHOWN, coefficients=ours, nearest=near)

@@ -21,7 +21,6 @@ from pointpred import build, run
 from pointpred.columns import FloatArray, PredictionColumns
 from pointpred.datasets import sample
 from pointpred.recording import Recording
-from pointpred.registry import REGISTRY
 from pointpred.scoring.target_layouts import Layout, layouts
 from pointpred.scoring.trials import Prepared, prepare, resolution
 from pointpred.sources import read
@@ -33,6 +32,8 @@ SETS = ("pvplib23714", "gofitts_demo", "freihaut2021", "cryslacks", "humanmovemo
 FRACTIONS = tuple(round(0.1 + 0.05 * i, 2) for i in range(18))
 MOST_TRIALS = 200
 """Of each set."""
+CLAIMING, SILENT = "kinematic", "minimum-jerk"
+"""The predictors that it is fitted with: one that claims a law and one that does not."""
 PENALTY = 1e-3
 SLOTS = 24
 SIGNS = {MASS: (0.0, None), 1: (None, 0.0), 2: (None, 0.0), NEAR: (None, 0.0)}
@@ -135,33 +136,35 @@ def fit(sets: Sequence[Cases], only: Sequence[int] | None = None) -> FloatArray:
     return weights
 
 
-def predictors() -> tuple[str, ...]:
-    """Those that the coefficients are fitted with: without a claimed law, and with one where there is one."""
-    return ("kinematic",) if "kinematic" in REGISTRY else ("minimum-jerk",)
+def both(recording: Recording) -> tuple[Cases, Cases]:
+    """The situations of a set as seen with a claimed law, and without one."""
+    return cases(recording, (CLAIMING,)), cases(recording, (SILENT,))
+
+
+def coefficients(sets: Sequence[tuple[Cases, Cases]], only: Sequence[int] | None = None) -> FloatArray:
+    """Coefficients as ``posterior`` wants them: for a claimed law, then for none."""
+    return np.concatenate([fit([one[place] for one in sets], only) for place in range(2)])
 
 
 def main() -> None:
     """Fit on everything and write the coefficients."""
-    write([cases(recording, predictors()) for recording in recordings()])
+    write([both(recording) for recording in recordings()])
 
 
-def write(sets: Sequence[Cases]) -> None:
+def write(sets: Sequence[tuple[Cases, Cases]]) -> None:
     """Fit on these sets and write the coefficients."""
-    ours, near = fit(sets), fit(sets, only=[NEAR])
-    text = (ROOT / "pointpred" / "targets" / "weights.py").read_text(encoding="utf-8")
-    values = {
-        "SLOW": ours[:FEATURES],
-        "FAST": ours[FEATURES : 2 * FEATURES],
-        "NONE": ours[2 * FEATURES :],
-        "NEAREST": near[[NEAR, FEATURES + NEAR]],
-        "NEAREST_NONE": near[2 * FEATURES :],
-    }
-    lines = text.splitlines()
+    ours, near = coefficients(sets), fit([one[1] for one in sets], [NEAR])
+    file = ROOT / "pointpred" / "targets" / "weights.py"
+    values = {"NEAREST": near[[NEAR, FEATURES + NEAR]], "NEAREST_NONE": near[2 * FEATURES :]}
+    for prefix, part in (("", ours[: posterior.SET]), ("UNCLAIMED_", ours[posterior.SET :])):
+        values[f"{prefix}SLOW"], values[f"{prefix}FAST"] = part[:FEATURES], part[FEATURES : 2 * FEATURES]
+        values[f"{prefix}NONE"] = part[2 * FEATURES :]
+    lines = file.read_text(encoding="utf-8").splitlines()
     for i, line in enumerate(lines):
         name = line.split(" = ")[0]
         if name in values and " = " in line:
             lines[i] = f"{name} = ({', '.join(f'{value:.4g}' for value in values[name])})"
-    (ROOT / "pointpred" / "targets" / "weights.py").write_text("\n".join(lines) + "\n", encoding="utf-8")
+    file.write_text("\n".join(lines) + "\n", encoding="utf-8")
     print("\n".join(lines))
 
 

@@ -11,15 +11,24 @@ from pointpred.compiled import law
 from pointpred.targets import cursor, evidence, weights
 from pointpred.targets.evidence import features, unclaimed
 
-FITTED: FloatArray = np.array([*weights.SLOW, *weights.FAST, *weights.NONE])
-"""The coefficients that come with pointpred: of each feature standing, at the peak, and of none of them."""
 FEATURES = evidence.FEATURES
-COEFFICIENTS = 2 * FEATURES + 2
+SET = 2 * FEATURES + 2
+"""Coefficients of each feature standing, of each at the peak of the speed, and of none of them at both."""
+COEFFICIENTS = 2 * SET
+"""One set for a law that the predictor claims, and one for a law that stands in for it."""
 
+FITTED: FloatArray = np.array(
+    [
+        *(*weights.SLOW, *weights.FAST, *weights.NONE),
+        *(*weights.UNCLAIMED_SLOW, *weights.UNCLAIMED_FAST, *weights.UNCLAIMED_NONE),
+    ]
+)
+"""The coefficients that come with pointpred."""
 FITTED_NEAREST: FloatArray = np.zeros(COEFFICIENTS)
 """Coefficients of the distance from the cursor alone: the nearest target, as something to compare with."""
-FITTED_NEAREST[[evidence.NEAR, FEATURES + evidence.NEAR]] = weights.NEAREST
-FITTED_NEAREST[2 * FEATURES :] = weights.NEAREST_NONE
+for _first in (0, SET):
+    FITTED_NEAREST[[_first + evidence.NEAR, _first + FEATURES + evidence.NEAR]] = weights.NEAREST
+    FITTED_NEAREST[_first + 2 * FEATURES : _first + SET] = weights.NEAREST_NONE
 
 PRECISION, ELSEWHERE, LEAST_LEAD_S = 0, 1, 2
 """Places of a chooser's settings."""
@@ -45,9 +54,10 @@ def scores(
     x, y, sxx, sxy, syy, tail = answer[1], answer[2], answer[3], answer[4], answer[5], answer[8]
     if x != x:  # no prediction: the cursor itself
         x, y = memory[cursor.X], memory[cursor.Y]
+    first = 0
     if answer[1] != answer[1] or not (sxx > 0.0 and syy > 0.0 and sxx * syy > sxy * sxy):
         sxx, sxy, syy = unclaimed(memory, x, y)
-        tail = nan
+        tail, first = nan, SET
     features(memory, table, x, y, sxx, sxy, syy, tail, rows)
     fast = min(memory[cursor.SPEED] / memory[cursor.PEAK], 1.0) if memory[cursor.PEAK] > 0.0 else 0.0
     count, most = len(table), -inf
@@ -60,9 +70,10 @@ def scores(
         prior = table[i, 4] - most - log(total) if most > -inf else -inf
         out[i] = prior + log(FITTED_TARGETS * (1.0 - elsewhere) / (1.0 - FITTED_NONE))
         for j in range(FEATURES):
-            weight = (1.0 - fast) * coefficients[j] + fast * coefficients[FEATURES + j]
+            weight = (1.0 - fast) * coefficients[first + j] + fast * coefficients[first + FEATURES + j]
             out[i] += weight * rows[i, j]
-    none = (1.0 - fast) * coefficients[2 * FEATURES] + fast * coefficients[2 * FEATURES + 1]
+    at = first + 2 * FEATURES
+    none = (1.0 - fast) * coefficients[at] + fast * coefficients[at + 1]
     out[count] = none + log(elsewhere / FITTED_NONE)
 
 

@@ -8,6 +8,10 @@ FAST = (0.4011, -0.4161, -0.311, -0.6065, 0.3545, 0)
 """Of each feature at the peak of the speed; between the two they change in proportion."""
 NONE = (-0.1322, -3.25)
 """Score of *none of them*, standing and at the peak."""
+UNCLAIMED_SLOW = (0, -0.2239, -0.4621, -1.803, 0.06911, -0.6918)
+UNCLAIMED_FAST = (0.0004115, -0.5252, -0.3819, -0.7671, 0.3922, -0.2329)
+UNCLAIMED_NONE = (-0.5535, -1.907)
+"""The same where the predictor claims no region."""
 NEAREST = (-2.865, -0.7696)
 """Of the feature NEAR alone, standing and at the peak, for the nearest target to the cursor."""
 NEAREST_NONE = (-5.336, -0.3403)

@@ -14,10 +14,10 @@ from pointpred.columns import FloatArray
 from pointpred.errors import EventError, EventOrderError, ParameterError
 from pointpred.targets import Chooser, Target, around
 from pointpred.targets.evidence import FEATURES, MASS
-from pointpred.targets.posterior import COEFFICIENTS
+from pointpred.targets.posterior import COEFFICIENTS, SET
 
 MASS_ALONE = np.zeros(COEFFICIENTS)
-MASS_ALONE[[MASS, FEATURES + MASS]] = 1.0
+MASS_ALONE[[MASS, FEATURES + MASS, SET + MASS, SET + FEATURES + MASS]] = 1.0
 
 
 def reach(x: float = 300.0, y: float = -120.0, count: int = 40) -> list[PointerEvent]:
