@@ -87,8 +87,8 @@ def test_the_account_is_that_of_a_chooser_and_its_ledger() -> None:
     ours = next(one for one in scored.scores if one.name == "minimum-jerk")
     prepared = prepare(recording)
     (found,) = layouts(prepared).values()
-    asked = ASKS.index(0.6)
-    chooser = Chooser(precision=0.6)
+    asked = ASKS.index(0.26)
+    chooser = Chooser(precision=0.26)
     for place, layout in enumerate(found):
         chooser.reset()
         chooser.replace(
