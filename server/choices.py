@@ -57,25 +57,21 @@ class Choices:
         self._chooser.reset()
         self._last_t = None
 
-    def take(
-        self, table: FloatArray, predictions: FloatArray, *, each: bool
-    ) -> tuple[list[Choice], list[Shares]]:
-        """Take events that a pipeline took in, and its predictions.
+    def take(self, table: FloatArray, predictions: FloatArray, *, each: bool) -> list[Shares]:
+        """Take events that a pipeline took in, and its predictions; what changes is said.
 
-        Returns what has changed, in order, and the likeliest targets: after each event, or after the last.
+        Returns the likeliest targets: after each event, or after the last.
         """
-        changed: list[Choice] = []
         shares: list[Shares] = []
         chooser, last = self._chooser, len(table) - 1
         for place, (event, row) in enumerate(zip(table.tolist(), predictions.tolist(), strict=True)):
             t, x, y, _, _, buttons = event
             prediction = prediction_of(row[0], tuple(row[1:]))
-            changes = chooser.update(prediction, PointerEvent(t, x, y, buttons=int(buttons)))
-            changed += [_message(t, change) for change in changes]
+            self._say(t, chooser.update(prediction, PointerEvent(t, x, y, buttons=int(buttons))))
             if each or place == last:
                 shares.append([Likely(str(id), p) for id, p in chooser.likeliest(LIKELIEST)])
             self._last_t = t
-        return changed, shares
+        return shares
 
     def account(self, goal: Goal | None) -> dict[str, Any]:
         """Close the movement; what a score says of its proposals, nothing where the goal is unknown."""
@@ -101,9 +97,5 @@ class Choices:
         return min(held, key=lambda one: sum(off(one))).id if held else None
 
     def _say(self, t: float | None, changes: Sequence[Change]) -> None:
-        for change in changes:
-            self._outbox.choose(_message(t, change))
-
-
-def _message(t: float | None, change: Change) -> Choice:
-    return Choice(str(change.id), change.p, change.action, t)
+        for id, p, action in changes:
+            self._outbox.choose(Choice(str(id), p, action, t))

@@ -82,7 +82,7 @@ class Events(Struct, tag="events", forbid_unknown_fields=True):
     events: list[EventRow]
 
 
-class Target(Struct, forbid_unknown_fields=True):
+class Target(Struct, forbid_unknown_fields=True, omit_defaults=True):
     """A rectangle that may be pointed at: its upper left corner and its size, px.
 
     ``weight`` is how likely it is before anything is seen, relative to the other targets.

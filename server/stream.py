@@ -62,10 +62,8 @@ class Stream:
             if self.choices is None:
                 outbox.predict(*answers.frames(predictions, binary=self._binary, each=each))
             else:
-                changes, likely = self.choices.take(kept, predictions, each=each)
+                likely = self.choices.take(kept, predictions, each=each)
                 outbox.predict(*answers.frames(predictions, binary=self._binary, each=each, likely=likely))
-                for change in changes:
-                    outbox.choose(change)
         return error, count - len(kept)
 
     def feed_one(self, row: Sequence[float], outbox: Outbox) -> bool:

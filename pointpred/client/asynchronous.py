@@ -21,6 +21,7 @@ from pointpred.events import PointerEvent
 from pointpred.server.messages import (
     SUBPROTOCOL,
     Bye,
+    Choice,
     Goal,
     Limits,
     PredictionMessage,
@@ -119,6 +120,19 @@ class AsyncConnection:
                 return self.dialogue.take_all()
             except ConnectionClosed as closed:
                 raise SourceError(closed_words(closed)) from closed
+
+    def choices(self) -> list[Choice]:
+        """What was proposed and retracted since the last call, oldest first, without waiting.
+
+        A prediction comes after the choices of its event: whoever has the one has the others. The newest
+        thousand are kept.
+        """
+        return self.dialogue.take_choices()
+
+    @property
+    def proposed(self) -> str | None:
+        """The target that is proposed, as far as it was heard."""
+        return self.dialogue.proposed
 
     async def targets(self, targets: Iterable[dict[str, Any] | Target]) -> int:
         """Replace the set of targets; returns how many the service holds."""

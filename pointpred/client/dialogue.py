@@ -25,12 +25,14 @@ from pointpred.events import PointerEvent
 from pointpred.server.answers import message as message_of
 from pointpred.server.messages import (
     VERSION,
+    Choice,
     ClientMessage,
     Configure,
     Encoding,
     ErrorMessage,
     Goal,
     Hello,
+    Likely,
     PredictionMessage,
     Reply,
     Reset,
@@ -46,6 +48,8 @@ _decode = msgspec.json.Decoder(ServerMessage).decode
 
 KEPT_NOTICES = 100
 """The newest notices that are kept; ``noticed`` counts them all."""
+KEPT_CHOICES = 1000
+"""The newest choices that are kept until they are taken."""
 
 
 class ServiceError(PointpredError, ValueError):
@@ -80,7 +84,10 @@ class Dialogue:
         """Remarks of the service that break nothing: predictions that gave way to newer ones. The newest."""
         self.noticed = 0
         """How many there were in all."""
-        self._rows: deque[list[float]] = deque()
+        self.proposed: str | None = None
+        """The target that the service proposes, as far as it was heard."""
+        self._rows: deque[tuple[list[float], list[Likely] | msgspec.UnsetType]] = deque()
+        self._choices: deque[Choice] = deque(maxlen=KEPT_CHOICES)
         self._awaited = Awaited()
 
     def events(self, events: EventColumns | Iterable[PointerEvent | Row]) -> Iterator[Frame]:
@@ -120,14 +127,18 @@ class Dialogue:
         return self._text(Reset())
 
     def heard(self, frame: Frame) -> ServerMessage | None:
-        """Take in a frame: ``None`` for predictions and notices, which are kept; raises ServiceError."""
+        """Take in a frame: ``None`` for what is kept (predictions, choices, notices); raises ServiceError."""
         if isinstance(frame, bytes):
             for row in unpack_predictions(frame):
                 self._predicted(row)
             return None
         message: ServerMessage = _decode(frame)
         if isinstance(message, PredictionMessage):
-            self._predicted(row_of(message))
+            self._predicted(row_of(message), message.targets)
+            return None
+        if isinstance(message, Choice):
+            self._choices.append(message)
+            self.proposed = message.id if message.action == "propose" else None
             return None
         if isinstance(message, ErrorMessage):
             if not (message.code == "slow" and message.recoverable):
@@ -141,8 +152,8 @@ class Dialogue:
             self.welcome = message
         return message
 
-    def _predicted(self, row: list[float]) -> None:
-        self._rows.append(row)
+    def _predicted(self, row: list[float], likely: list[Likely] | msgspec.UnsetType = msgspec.UNSET) -> None:
+        self._rows.append((row, likely))
         self._awaited.predicted(row[0])
 
     @property
@@ -152,13 +163,19 @@ class Dialogue:
 
     def take(self) -> PredictionMessage | None:
         """The oldest prediction not yet taken."""
-        return message_of(self._rows.popleft()) if self._rows else None
+        return message_of(*self._rows.popleft()) if self._rows else None
 
     def take_all(self) -> PredictionColumns:
         """Every prediction not yet taken."""
-        rows = list(self._rows)
+        rows = [row for row, _ in self._rows]
         self._rows.clear()
         return PredictionColumns(np.array(rows, dtype=np.float64).reshape(-1, len(PredictionColumns.names)))
+
+    def take_choices(self) -> list[Choice]:
+        """Every choice not yet taken."""
+        choices = list(self._choices)
+        self._choices.clear()
+        return choices
 
     def _text(self, message: ClientMessage) -> str:
         """Raises ParameterError where the service would end the session for the size of the message."""

@@ -91,6 +91,37 @@ def test_a_trial_targets_and_changes_are_answered(listener: Listener) -> None:
         assert connection.columns().t.tolist() == [0.0, 0.5]
 
 
+REACH = [(i / 100, 400.0 * (i / 60) ** 2 * (3 - 2 * i / 60), 0.0) for i in range(40)]
+"""Two thirds of a movement to the right."""
+PLACES = [
+    {"id": name, "x": x, "y": -20.0, "width": 40.0, "height": 40.0}
+    for name, x in (("left", -420.0), ("right", 380.0))
+]
+
+
+@pytest.mark.parametrize("encoding", ["json", "binary"])
+def test_choices_come_with_the_predictions_of_their_events(listener: Listener, encoding: str) -> None:
+    with connect(listener.url, predictor="minimum-jerk", encoding=encoding) as connection:
+        connection.configure(precision=0.6)
+        assert connection.targets(PLACES) == 2
+        stands = None
+        for row in REACH:
+            connection.send([row])
+            (prediction,) = connection.predictions()
+            told = connection.choices()
+            assert all(choice.t == prediction.t for choice in told)
+            stands = told[-1].id if told else stands
+            assert bool(prediction.targets) == (encoding == "json")
+        assert connection.proposed == stands == "right"
+        if encoding == "json":
+            assert prediction.targets[0].id == "right"
+        connection.targets(PLACES[:1])
+        (retract,) = connection.choices()
+        assert (retract.id, retract.action, retract.t) == ("right", "retract", REACH[-1][0])
+        assert connection.proposed is None
+        assert connection.choices() == []
+
+
 def test_what_is_refused_is_said_in_words(listener: Listener) -> None:
     with connect(listener.url, predictor="hold") as connection:
         with pytest.raises(ServiceError, match=r"unknown_predictor at \$\.predictor.*known: hold") as refused:

@@ -1,0 +1,152 @@
+"""The same events give the same choices and shares bit for bit: in a batch, one by one, over the socket."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterable, Iterator
+from functools import cache
+from math import isfinite
+from typing import Any
+
+import pytest
+
+from pointpred import PointerEvent, Prediction, build, run
+from pointpred.datasets import sample
+from pointpred.server.session import Session
+from pointpred.targets import Chooser, Target, around
+from tests.contract.test_one_path import LIMITS, binary_frame, hello, resolution, text_frame, trials
+from tests.server.running import Running, running
+
+NAMES = ("hold", "kalman", "switched-direction")
+PRECISION = 0.5
+Said = tuple[list[tuple[Any, ...]], list[list[tuple[str, float]]]]
+"""Choices as (t, id, p, action), and after each event the likeliest targets."""
+
+
+@cache
+def targets() -> tuple[Target, ...]:
+    """Every place that the sample's trials went to."""
+    found = {(one.target_x, one.target_y): one.target_w for one in sample().trials if isfinite(one.target_x)}
+    return tuple(around(str(i), *place, width) for i, (place, width) in enumerate(sorted(found.items())))
+
+
+def followed(pairs: Callable[[int], Iterable[tuple[PointerEvent, Prediction | None]]]) -> Iterator[Said]:
+    """What a chooser says of each trial; what stands at the end of one is retracted by the reset."""
+    chooser = Chooser(targets(), precision=PRECISION)
+    for trial, _ in enumerate(trials()):
+        choices, shares = [], []
+        for event, prediction in pairs(trial):
+            choices += [(event.t, *change) for change in chooser.update(prediction, event)]
+            shares.append([(str(id), p) for id, p in chooser.likeliest()])
+        if chooser.standing is not None:
+            choices.append((event.t, chooser.standing, 0.0, "retract"))
+        chooser.reset()
+        yield choices, shares
+
+
+@cache
+def in_a_batch(name: str) -> tuple[Said, ...]:
+    """The reference: predictions of whole trials first, then the choices."""
+    cpi, dpi = resolution()
+
+    def pairs(trial: int) -> Iterable[tuple[PointerEvent, Prediction | None]]:
+        rows = trials()[trial]
+        pipeline.reset()
+        predictions = run(pipeline, rows)
+        return zip(rows.events(), predictions.predictions(), strict=True)
+
+    pipeline = build(name, cpi=cpi, dpi=dpi)
+    return tuple(followed(pairs))
+
+
+def one_by_one(name: str) -> tuple[Said, ...]:
+    cpi, dpi = resolution()
+    pipeline = build(name, cpi=cpi, dpi=dpi)
+
+    def pairs(trial: int) -> Iterable[tuple[PointerEvent, Prediction | None]]:
+        pipeline.reset()
+        return ((event, pipeline.update(event)) for event in trials()[trial].events())
+
+    return tuple(followed(pairs))
+
+
+Exchange = Callable[[str | bytes], list[str | bytes]]
+"""Sends a frame, and returns all it brings: up to the answer to a message that follows it."""
+
+
+def listed() -> str:
+    told = [
+        {"id": one.id, "x": one.x, "y": one.y, "width": one.width, "height": one.height} for one in targets()
+    ]
+    return json.dumps({"type": "targets", "targets": told})
+
+
+def talking(name: str, encoding: str, frame: int, exchange: Exchange) -> tuple[Said, ...]:
+    """Every trial through a session; a packed prediction has no room for shares."""
+    exchange(hello(name, encoding))
+    exchange(json.dumps({"type": "configure", "precision": PRECISION}))
+    exchange(listed())
+    form = binary_frame if encoding == "binary" else text_frame
+    found = []
+    for rows in trials():
+        frames: list[str | bytes] = [form(rows.table[i : i + frame]) for i in range(0, len(rows), frame)]
+        answers = [answer for one in (*frames, '{"type":"reset"}') for answer in exchange(one)]
+        said = [json.loads(answer) for answer in answers if isinstance(answer, str)]
+        choices = [(m["t"], m["id"], m["p"], m["action"]) for m in said if m["type"] == "choice"]
+        told = [m["targets"] for m in said if m["type"] == "prediction"]
+        found.append((choices, [[(one["id"], one["p"]) for one in each] for each in told]))
+    return tuple(found)
+
+
+def expected(name: str, encoding: str) -> tuple[Said, ...]:
+    return tuple((c, s if encoding == "json" else []) for c, s in in_a_batch(name))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_one_by_one(name: str) -> None:
+    assert one_by_one(name) == in_a_batch(name)
+
+
+@pytest.mark.parametrize("frame", [1, 8, 32])
+@pytest.mark.parametrize("encoding", ["json", "binary"])
+@pytest.mark.parametrize("name", NAMES)
+def test_session(name: str, encoding: str, frame: int) -> None:
+    session = Session("session", LIMITS, 0.0)
+
+    def exchange(frame: str | bytes) -> list[str | bytes]:
+        session.receive(frame, 0.0)
+        return session.outbox.take()
+
+    assert talking(name, encoding, frame, exchange) == expected(name, encoding)
+
+
+@pytest.fixture(scope="module")
+def service() -> Iterator[Running]:
+    with running(max_events_per_s=10**8) as here:
+        yield here
+
+
+@pytest.mark.parametrize("encoding", ["json", "binary"])
+@pytest.mark.parametrize("name", NAMES)
+def test_socket(service: Running, name: str, encoding: str) -> None:
+    with service.connect() as socket:
+
+        def exchange(frame: str | bytes) -> list[str | bytes]:
+            socket.send(frame)
+            if isinstance(frame, str) and '"hello"' in frame:
+                return [socket.recv(10)]
+            socket.send('{"type":"bad"}')  # answered by an error, after everything else
+            answers: list[str | bytes] = []
+            while not (answers and '"unknown_type"' in str(answers[-1])):
+                answers.append(socket.recv(10))
+            return answers[:-1]
+
+        assert talking(name, encoding, 32, exchange) == expected(name, encoding)
+
+
+def test_the_reference_proposes_and_retracts_and_predictors_differ() -> None:
+    """Otherwise equality would say little."""
+    for name in NAMES:
+        actions = [choice[3] for choices, _ in in_a_batch(name) for choice in choices]
+        assert {*actions} == {"propose", "retract"}
+    assert len({str(in_a_batch(name)) for name in NAMES}) == len(NAMES)
