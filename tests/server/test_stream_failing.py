@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 import json
 import logging
-import selectors
 import socket as socket_module
 import time
 from collections.abc import Callable
@@ -22,36 +21,12 @@ from pointpred.server.logs import JsonLines, PlainLines
 from pointpred.server.messages import Limits
 from pointpred.server.session import Session
 from pointpred.server.talk import Talk
+from tests.server.hurried import HurriedLoop
 from tests.server.listener import soon
 from tests.server.running import HELLO, Running, running
 
 EACH = HELLO.replace('"switched"', '"switched","reply":"event"')
 SECRET = 7315.25
-
-
-class HurriedLoop(asyncio.SelectorEventLoop):
-    """Nobody waits: its clock runs on to the next thing that is due, however fast or busy the machine is."""
-
-    def __init__(self) -> None:
-        self.now = 0.0
-        super().__init__(Hurry(self))
-
-    def time(self) -> float:
-        return self.now
-
-
-class Hurry(selectors.DefaultSelector):
-    """Takes no time to wait."""
-
-    def __init__(self, loop: HurriedLoop) -> None:
-        super().__init__()
-        self.loop = loop
-
-    def select(self, timeout: float | None = None) -> list[tuple[selectors.SelectorKey, int]]:
-        if timeout is None:
-            return super().select(None)
-        self.loop.now += max(timeout, 0.0)
-        return super().select(0)
 
 
 def event(t: float) -> str:
