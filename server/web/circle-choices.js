@@ -2,7 +2,8 @@
 
 /** Tells the service of the targets, and keeps what it proposes until it retracts it. */
 export class CircleChoices {
-  /** How likely each target is, 0 to 1; 0 where nothing is proposed. @type {number[]} */ shares = [];
+  /** How likely each target is, 0 to 1; 0 beyond the likeliest five. @type {number[]} */ shares = [];
+  /** The place of the target that is proposed. @type {number|null} */ proposed = null;
 
   /** Names the targets of a run. @param {import("/pointpred.js").Connection} connection @param {number[][]} places @param {number} width */
   offer(connection, places, width) {
@@ -13,10 +14,20 @@ export class CircleChoices {
 
   /** @param {import("/pointpred.js").Choice} choice */
   take({ id, p, action }) {
-    if (this.shares[id] !== undefined) this.shares[id] = action === "propose" ? p : 0;
+    if (this.shares[id] === undefined) return;
+    this.shares[id] = action === "propose" ? p : 0;
+    this.proposed = action === "propose" ? Number(id) : null;
+  }
+
+  /** @param {import("/pointpred.js").Prediction} prediction */
+  predicted({ targets }) {
+    if (!targets) return;
+    this.shares.fill(0);
+    for (const { id, p } of targets) if (this.shares[id] !== undefined) this.shares[id] = p;
   }
 
   clear() {
     this.shares.fill(0);
+    this.proposed = null;
   }
 }

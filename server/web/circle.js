@@ -9,6 +9,7 @@ import { onRepaint } from "./draw.js";
 import { drawCircle } from "./draw-circle.js";
 import { count, offer, part, write } from "./elements.js";
 import { circle } from "./geometry.js";
+import { Ledger } from "./ledger.js";
 import { follow } from "./pointer.js";
 import { PREFERRED, predictors } from "./service.js";
 import { Track, words } from "./track.js";
@@ -27,6 +28,7 @@ let edited = false; // whether the distance is the person's own
 let marked = false; // whether the service knows where the movement that goes on began
 let names = []; // of every predictor
 /** @type {Track|null} */ let track = null;
+let ledger = new Ledger();
 /** @type {CircleTask|null} */ let task = null;
 
 function goal() {
@@ -80,10 +82,11 @@ function connectWith(predictor) {
   track = null;
   track = new Track(predictor, {
     state: stateOf,
-    score: (score) => rows.scored(score),
+    score: (score) => { rows.scored(score); ledger.add(score); write(part("circle-ledger"), ledger.words); },
+    prediction: (prediction) => choices.predicted(prediction),
     choice: (choice) => choices.take(choice),
     error: ({ code }) => code === "out_of_place" && rows.lose(),
-  });
+  }, { encoding: "json" }); // packed predictions have no room for shares
 }
 
 function start() {
@@ -95,6 +98,8 @@ function start() {
   }
   task = new CircleTask(settings);
   rows.clear();
+  ledger = new Ledger();
+  write(part("circle-ledger"), "");
   connectWith(form.elements.predictor.value);
   choices.offer(track.connection, task.places, settings.width);
   running(true);
@@ -137,7 +142,7 @@ function frame() {
   drawCircle(canvas, {
     places: shown.places, width: shown.settings.width, current: going ? task.current : null,
     last: task?.trials[task.trials.length - 1] ?? null, predicted: going && fresh ? track.latest : null,
-    shares: going && told ? choices.shares : [],
+    shares: going && told ? choices.shares : [], proposed: choices.proposed,
   });
   requestAnimationFrame(frame);
 }

@@ -56,6 +56,12 @@ export class TargetWatch {
     this.#look();
   }
 
+  /** The observed element that has an id. @param {string} id @returns {Element|undefined} */
+  element(id) {
+    for (const [element, known] of this.#observed) if (known.id === id) return element;
+    return undefined;
+  }
+
   /** The pointer moves: elements are looked at every frame for a while. */
   stir() {
     this.#activeUntil = performance.now() + ACTIVE_MS;

@@ -1,6 +1,6 @@
 // The live picture: the trail, the predicted endpoints and their regions, or the replayed movement that invites.
 
-import { MARKS, disc, ellipse, inks, line, prepare } from "./draw.js";
+import { MARKS, disc, ellipse, inks, line, prepare, tile } from "./draw.js";
 import { ellipseOf, inside } from "./geometry.js";
 import { placed } from "./live-demo.js";
 
@@ -35,11 +35,13 @@ function drawEndpoint(pen, which, from, prediction, width, height, ink) {
 /**
  * The pointer's own movement.
  * @param {number[][]} trail [t s, x, y] @param {(object|null)[]} predictions one for each predictor @param {number} now s
+ * @param {import("./live-tiles.js").Tiles} tiles
  * @returns {number} endpoints drawn
  */
-export function drawLive(canvas, trail, predictions, now) {
+export function drawLive(canvas, trail, predictions, now, tiles) {
   const { pen, width, height } = prepare(canvas);
   const ink = inks();
+  for (const one of tiles.list) tile(pen, one, ink.endpoint, ink.none, tiles.shares[one.id] ?? 0, one.id === tiles.proposed);
   drawTrail(pen, trail, now, ink);
   const from = trail[trail.length - 1]?.slice(1);
   let drawn = 0;

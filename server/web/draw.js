@@ -83,6 +83,17 @@ export function halo(pen, place, radius, colour, share, width = 4) {
   pen.restore();
 }
 
+/** A rectangle tinted as strongly as a number from 0 to 1 says, its edge thicker where it is marked. */
+export function tile(pen, { x, y, width, height }, colour, edge, share, marked) {
+  pen.beginPath();
+  pen.roundRect(x, y, width, height, 6);
+  pen.save();
+  pen.globalAlpha = Math.min(1, share);
+  finish(pen, colour, true, 0);
+  pen.restore();
+  finish(pen, marked ? colour : edge, false, marked ? 4 : 1.5);
+}
+
 /** A square on its corner. */
 export function diamond(pen, [x, y], radius, colour, filled = false, width = 2) {
   pen.beginPath();

@@ -1,18 +1,15 @@
-// Prefetches the page whose link the movement is heading for, while the mouse is still on its way.
+// Prefetches the page whose link the movement is heading for, while the mouse is still on its way; it lights up meanwhile.
 import { connect } from "/pointpred.js";
 
-const links = [...document.querySelectorAll("nav a")];
+const said = document.getElementById("said");
 const connection = connect();
-for (const link of links) connection.observe(link, link.pathname);
+connection.configure({ precision: 0.6 }); // a page fetched in vain costs little
+for (const link of document.querySelectorAll("nav a")) connection.observe(link, link.pathname);
 
-connection.on("prediction", ({ x, y, phase }) => {
-  if (x === null || phase === "still") return; // nothing is known, or nothing moves
-  const ahead = links.find((link) => {
-    const { left, right, top, bottom } = link.getBoundingClientRect();
-    return left <= x && x <= right && top <= y && y <= bottom;
-  });
-  if (ahead === undefined || ahead.dataset.fetched) return;
-  ahead.dataset.fetched = "yes";
-  fetch(ahead.href, { priority: "low" }).catch(() => delete ahead.dataset.fetched); // a link with rel=prefetch needs a policy that allows it
-  document.getElementById("said").textContent = `Prefetched: ${ahead.textContent}.`;
+connection.on("choice", ({ element: link, action }) => {
+  link?.classList.toggle("ahead", action === "propose");
+  if (link === undefined || action === "retract" || link.dataset.fetched) return;
+  link.dataset.fetched = "yes";
+  fetch(link.href, { priority: "low" }).catch(() => delete link.dataset.fetched); // a link with rel=prefetch needs a policy that allows it
+  said.textContent = `Prefetched: ${link.textContent}.`;
 });

@@ -8,20 +8,24 @@ import { Track, words } from "./track.js";
 export class LiveCard {
   /** @type {Track|null} */ track = null;
   offered = false;
-  #status; #of; #told;
+  #status; #of; #told; #options;
 
-  /** @param {HTMLElement} card @param {(prediction: object, name: string) => void} predicted hears of each, and whose it is */
-  constructor(card, predicted) {
+  /**
+   * @param {HTMLElement} card @param {(prediction: object, name: string) => void} predicted hears of each, and whose it is
+   * @param {{choice?: (one: object) => void}} told @param {import("/pointpred.js").Options} options of the connection
+   */
+  constructor(card, predicted, told = {}, options = {}) {
+    this.#options = options;
     this.select = card.querySelector("select");
     this.#status = card.querySelector(".connection");
     this.#of = Object.fromEntries(["phase", "left", "region"].map((of) => [of, card.querySelector(`[data-of=${of}]`)]));
-    this.#told = { prediction: (one) => predicted(one, this.track.speaker), state: () => this.#say(), error: () => this.#say() };
+    this.#told = { prediction: (one) => predicted(one, this.track.speaker), state: () => this.#say(), error: () => this.#say(), ...told };
     this.select.addEventListener("change", () => this.#choose());
   }
 
   /** Connects with the predictor chosen, if any. */
   open() {
-    if (this.track === null && this.select.value) this.track = new Track(this.select.value, this.#told);
+    if (this.track === null && this.select.value) this.track = new Track(this.select.value, this.#told, this.#options);
     this.#say();
   }
 

@@ -9,6 +9,7 @@ import { LiveCard } from "./live-card.js";
 import { follow } from "./pointer.js";
 import { PREFERRED, predictors } from "./service.js";
 import { Strip } from "./strip.js";
+import { Tiles } from "./live-tiles.js";
 
 const INVITE_MS = 4000;
 const SHOWN_MS = 1500; // a prediction is shown for so long after the last event
@@ -32,7 +33,14 @@ let judged = true;
 let told = 0;
 let frames = 0;
 const movement = new Movement();
-const cards = [0, 1].map((which) => new LiveCard(part(`live-card-${which}`), (prediction, name) => movement.predicted(which, prediction, name)));
+const tiles = new Tiles();
+const ledger = part("live-ledger");
+const first = new LiveCard(part("live-card-0"), (prediction, name) => {
+  movement.predicted(0, prediction, name);
+  tiles.predicted(prediction);
+}, { choice: (choice) => tiles.chosen(choice) }, { encoding: "json" }); // packed predictions have no room for shares
+const cards = [first, new LiveCard(part("live-card-1"), (prediction, name) => movement.predicted(1, prediction, name))];
+let offeredTo = null; // the connection that knows where the tiles are
 
 function moved(rows) {
   heard = performance.now();
@@ -40,6 +48,7 @@ function moved(rows) {
   counted.push([heard, rows.length]);
   trail.push(...rows.map(([t, x, y]) => [t, x, y]));
   movement.move(rows);
+  tiles.move(rows);
   for (const card of cards) card.track?.connection.send(rows);
 }
 
@@ -49,6 +58,7 @@ function frame(now) {
   const seconds = performance.now() / 1000;
   trail = trail.slice(Math.max(0, trail.findIndex(([t]) => t > seconds - TRAIL_S)));
   if (trail.length && trail[trail.length - 1][0] < seconds - TRAIL_S) trail = [];
+  offerTiles();
   const invites = now - heard > INVITE_MS;
   invitation.classList.toggle("away", !invites);
   if (invites) showDemo(now);
@@ -64,6 +74,18 @@ function frame(now) {
   requestAnimationFrame(frame);
 }
 
+function offerTiles() {
+  const connection = first.track?.connection ?? null;
+  if (!tiles.fit(canvas.clientWidth, canvas.clientHeight) && connection === offeredTo) return;
+  offeredTo = connection;
+  connection?.targets(tiles.list);
+}
+
+function pressed(row) {
+  tiles.press(row);
+  write(ledger, tiles.ledger.words || ledger.textContent);
+}
+
 function showDemo(now) {
   const shown = demo.at(now, calm());
   if (shown === null) drawNothing(canvas);
@@ -73,8 +95,9 @@ function showDemo(now) {
 
 function showPointer(now, seconds) {
   demo.restart();
-  const drawn = drawLive(canvas, trail, cards.map((card) => card.fresh(SHOWN_MS)), seconds);
+  const drawn = drawLive(canvas, trail, cards.map((card) => card.fresh(SHOWN_MS)), seconds, tiles);
   canvas.dataset.shows = "pointer";
+  canvas.dataset.ahead = tiles.proposed ?? "";
   canvas.dataset.drawn = Number(canvas.dataset.drawn ?? 0) + drawn;
   if (!judged && now - heard > STOPPED_MS) judge();
 }
@@ -118,8 +141,9 @@ export async function open() {
 /** Lets the connections go. */
 export function close() {
   active = false;
+  tiles.clear();
   for (const card of cards) card.close();
 }
 
 if (window.matchMedia("(pointer: coarse)").matches) write(invitation.querySelector("strong"), "Move your finger here");
-follow(canvas, { moved });
+follow(canvas, { moved, pressed: (row, event) => event.button === 0 && pressed(row) });

@@ -11,20 +11,23 @@
  *
  * @typedef {[number, number, number, number|null, number|null, number]} EventRow t s, x px, y px, counts, buttons
  * @typedef {{t: number, x: number, y: number, dx?: number|null, dy?: number|null, buttons?: number}} EventRecord
- * @typedef {{id: string, x: number, y: number, width: number, height: number}} Target upper left corner, size, px
+ * @typedef {{id: string, x: number, y: number, width: number, height: number, weight?: number}} Target upper left corner,
+ *   size, px; how likely it is beforehand, relative to the others
  * @typedef {{x: number, y: number, width: number}} Goal centre and width, px
  * @typedef {"connecting"|"open"|"waiting"|"idle"|"refused"|"closed"} State `waiting`: will try again; `idle`: the
  *   service let a silent session go, the next event opens another; `refused`: waits for configure(); `closed`: for good
  * @typedef {{type: "prediction", t: number, x: number|null, y: number|null,
  *   region: {sxx: number, sxy: number, syy: number}|null, phase: "still"|"ballistic"|"corrective"|null,
- *   remaining_s: number|null, targets?: {id: string, p: number}[]}} Prediction null: nothing is justified now
- * @typedef {{type: "choice", id: string, p: number, action: "propose"|"retract"}} Choice
+ *   remaining_s: number|null, targets?: {id: string, p: number, element?: Element}[]}} Prediction null: nothing is
+ *   justified now; targets: the likeliest five, with encoding "json"; element: the observed one
+ * @typedef {{type: "choice", id: string, p: number, action: "propose"|"retract", t: number|null, element?: Element}} Choice
  * @typedef {{type: "error", code: string, message: string, path: string|null, recoverable: boolean}} Fault
  * @typedef {{type: "welcome", version: number, session: string, predictor: string, limits: Limits}} Welcome
  * @typedef {{max_frame_bytes: number, max_events_per_frame: number, max_events_per_s: number, max_targets: number,
  *   max_sessions: number, idle_s: number}} Limits
  * @typedef {{type: "score", events: number, time_averaged_px: number|null, hold_px: number|null, skill: number|null,
- *   by_time: Object<string, number>, by_path: Object<string, number>, reason: string|null}} Score
+ *   by_time: Object<string, number>, by_path: Object<string, number>, reason: string|null,
+ *   fired: number|null, hit: boolean|null, wasted: number|null, lead_s: number|null}} Score
  * @typedef {{prediction: Prediction, choice: Choice, error: Fault, state: State, welcome: Welcome, score: Score,
  *   targets: {type: "targets", count: number}, bye: {type: "bye", reason: string}}} Messages by the name to listen for
  * @typedef {Object} Options
@@ -72,9 +75,10 @@ export class Connection {
   /** The newest `welcome`. @type {Welcome|null} */ welcome = null;
   /** Newest time from sending events to receiving their prediction, ms. @type {number|null} */ delayMs = null;
   /** Events sent to the service. */ sent = 0;
+  /** The id of the target that is proposed now. @type {string|null} */ proposed = null;
   #url; #options; #wishes; #socket = null; #listeners = new Map(NAMES.map((name) => [name, new Set()]));
   #waiting; #unanswered = []; #tries = 0; #openedAt = 0; #saidAt = 0; #retry; #why = "";
-  #told = NO_TARGETS; #over = 0; #pointer = null; #targets; #stop = new AbortController(); #alive;
+  #told = NO_TARGETS; #over = 0; #count = 0; #likely = []; #pointer = null; #targets; #stop = new AbortController(); #alive;
 
   /** Use `connect`. @param {string|URL|undefined} url @param {Options} options */
   constructor(url, options) {
@@ -155,6 +159,15 @@ export class Connection {
   }
 
   /**
+   * How likely the pointer is heading for a target: its share in the newest prediction, 0 beyond the likeliest five. With
+   * `encoding: "binary"` shares come with choices only: of what is proposed, when it was.
+   * @param {Element|string} target an observed element, or an id @returns {number} 0 to 1
+   */
+  probability(target) {
+    return this.#likely.find(({ id, element }) => id === target || (element && element === target))?.p ?? 0;
+  }
+
+  /**
    * Says that a movement starts or has ended; the end is answered by `score`.
    * @param {"start"|"end"} action @param {Goal|Element} [target] the true one, where it is known
    */
@@ -224,6 +237,8 @@ export class Connection {
     this.#socket = null;
     this.#unanswered = [];
     this.#wishes.lost();
+    if (this.proposed !== null) this.#chosen({ type: "choice", id: this.proposed, p: 0, action: "retract", t: null });
+    this.#likely = [];
     if (this.#why === "unauthorized" || this.#why === "hello") return this.#become("refused");
     if (this.#why === "idle" && this.#waiting.length === 0) return this.#become("idle");
     const wait = Math.min(LONGEST_WAIT_MS, FIRST_WAIT_MS * 2 ** this.#tries++) * (0.75 + 0.5 * Math.random());
@@ -238,12 +253,27 @@ export class Connection {
     }
     const message = JSON.parse(data);
     if (message.type === "prediction") return this.#predicted({ region: null, phase: null, remaining_s: null, ...message });
+    if (message.type === "choice") return this.#chosen(message);
     if (message.type === "welcome") this.#greeted(message);
     if (message.type === "error") this.#refused(message);
     if (this.#listeners.has(message.type)) this.#emit(message.type, message);
   }
 
+  #chosen(choice) {
+    const named = this.#named(choice);
+    this.proposed = choice.action === "propose" ? choice.id : null;
+    if (this.#wishes.encoding === "binary") this.#likely = this.proposed === null ? [] : [named];
+    this.#emit("choice", named);
+  }
+
+  /** With the observed element that an id stands for. */
+  #named(one) {
+    const element = this.#targets.element(one.id);
+    return element === undefined ? one : { ...one, element };
+  }
+
   #predicted(prediction) {
+    if (prediction.targets) prediction.targets = this.#likely = prediction.targets.map((one) => this.#named(one));
     const answered = this.#unanswered;
     while (answered.length && answered[0].t < prediction.t) answered.shift();
     if (answered.length && answered[0].t === prediction.t) this.delayMs = performance.now() - answered.shift().at;
@@ -258,7 +288,7 @@ export class Connection {
     this.#told = NO_TARGETS;
     this.#sendTargets();
     if (this.#socket === null) return; // closed by who heard of an error
-    for (const { rows, message: kept } of this.#waiting.take(message.limits)) {
+    for (const { rows, message: kept } of this.#waiting.take(message.limits, this.#count)) {
       if (rows) this.#sendRows(rows);
       else this.#transmit(JSON.stringify(kept));
     }
@@ -319,7 +349,8 @@ export class Connection {
     if (this.#socket?.readyState !== WebSocket.OPEN || this.#openedAt === Infinity) return; // not greeted
     const { text, over, count } = targetsFrame(this.#targets.list(), this.welcome.limits);
     if (text === this.#told && !always) return;
-    this.#told = text;
+    [this.#told, this.#count] = [text, count];
+    if (count === 0) this.#likely = [];
     this.#transmit(text);
     const said = this.#over;
     this.#over = over;

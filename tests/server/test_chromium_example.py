@@ -9,15 +9,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pointpred import EventColumns, PredictionColumns, build, run
+from pointpred import EventColumns, build, run
 from pointpred.replaying import Page, open_page
+from pointpred.targets import Chooser, Target
 from tests.server import browser
 from tests.server.listener import Listener, soon
 
 pytestmark = browser.needed
 
-STILL = 0.0
-"""The phase of a prediction while nothing moves."""
+PRECISION = 0.6
+"""What the example asks for."""
 
 
 @pytest.fixture
@@ -39,10 +40,15 @@ def stamped(page: Page, events: EventColumns) -> None:
         page.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y, timestamp=began + t)
 
 
-def within(said: PredictionColumns, box: dict[str, float]) -> np.ndarray:
-    """Which predicted endpoints lie inside a rectangle, edges included."""
-    across = (said.x >= box["left"]) & (said.x <= box["right"])
-    return across & (said.y >= box["top"]) & (said.y <= box["bottom"])
+def proposed(events: EventColumns, listener: Listener) -> set[str]:
+    """What a batch of the same events proposes among the targets that were told."""
+    chooser = Chooser(
+        [Target(**one) for one in listener.messages("targets")[-1]["targets"]], precision=PRECISION
+    )
+    predictions = run(build("switched"), events).predictions()
+    pairs = zip(events.events(), predictions, strict=True)
+    changes = [change for event, prediction in pairs for change in chooser.update(prediction, event)]
+    return {str(change.id) for change in changes if change.action == "propose"}
 
 
 def test_the_example_prefetches_before_the_cursor_is_there(devtools: str, listener: Listener) -> None:
@@ -66,8 +72,7 @@ def test_the_example_prefetches_before_the_cursor_is_there(devtools: str, listen
         heard = listener.events()
         assert [len(frame) for frame in listener.binary()] == [heard.itemsize] * len(heard)
         assert np.diff(heard["t"]) == pytest.approx(np.diff(ahead.t), abs=2e-5)
-        said = run(build("switched"), EventColumns.of(heard["t"], heard["x"], heard["y"]))
-        wanted = {path for path, box in places.items() if np.any(within(said, box) & (said.phase != STILL))}
+        wanted = proposed(EventColumns.of(heard["t"], heard["x"], heard["y"]), listener)
         soon(lambda: wanted <= set(listener.requests), f"{wanted} were prefetched")
         assert set(listener.requests) & set(places) == wanted
         page.call("Page.close")

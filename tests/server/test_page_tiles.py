@@ -1,0 +1,82 @@
+"""Tiles of the live view: what the page tells the service of them, how they light up, what is counted."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+
+from tests.server import browser, page_browser
+from tests.server.page_browser import Visitor
+from tests.server.test_page_choices import HEARD, ORANGE
+
+pytestmark = browser.needed
+
+PAINT = """new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => {
+  const canvas = document.querySelector("#live-scene");
+  const copy = new OffscreenCanvas(1, 1).getContext("2d", { willReadFrequently: true });
+  copy.drawImage(canvas, -PLACE_X, -PLACE_Y);
+  done([...copy.getImageData(0, 0, 1, 1).data]);
+})))"""
+NEWEST = "JSON.parse(answered.findLast((one) => one.includes('\"prediction\"'))).targets"
+
+
+@pytest.fixture
+def visitor(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
+    with page_browser.service() as url, page_browser.visitor(tmp_path_factory.mktemp("profile")) as opened:
+        opened.page.call("Page.addScriptToEvaluateOnNewDocument", source=HEARD)
+        opened.prefer(prefers_color_scheme="light")
+        opened.open(f"{url}#live")
+        opened.wait("document.querySelector('#live-card-0 .connection').dataset.state === 'open'")
+        opened.wait('answered.includes(\'{"type":"targets","count":5}\')')
+        yield opened
+        assert opened.complaints() == []
+        assert opened.shift() < 0.001
+
+
+def tiles(visitor: Visitor) -> list[dict[str, Any]]:
+    told = visitor.value("told.findLast((one) => typeof one === 'string' && one.includes('\"targets\"'))")
+    found: list[dict[str, Any]] = json.loads(told)["targets"]
+    return found
+
+
+def tint(visitor: Visitor, tile: dict[str, Any]) -> tuple[list[int], float]:
+    """Colour and opacity in a corner of a tile."""
+    x, y = (str(round(tile[axis] + 10)) for axis in "xy")
+    *colour, opacity = visitor.value(PAINT.replace("PLACE_X", x).replace("PLACE_Y", y))
+    return colour, opacity / 255
+
+
+def test_tiles_are_lit_as_strongly_as_the_service_says_that_they_are_likely(visitor: Visitor) -> None:
+    left, top, width, height = visitor.corner("#live-scene")
+    start, end = (left + 60, top + 60), (left + width / 2, top + height / 2)
+    visitor.mouse("mouseMoved", *start)
+    visitor.reach(start, end, 0.4)
+    visitor.wait(f"{NEWEST}?.length === 5")
+    shares = {one["id"]: one["p"] for one in visitor.value(NEWEST)}
+    listed = tiles(visitor)
+    assert shares.keys() == {tile["id"] for tile in listed}
+    for tile in listed:
+        assert tint(visitor, tile)[1] == pytest.approx(shares[tile["id"]], abs=0.02)
+
+
+def test_a_proposed_tile_is_framed_and_what_came_of_it_is_counted(visitor: Visitor) -> None:
+    left, top, *_ = visitor.corner("#live-scene")
+    one, two = tiles(visitor)[0], tiles(visitor)[4]
+    visitor.mouse("mouseMoved", left + 200, top + 100)
+    visitor.wait("document.querySelector('#live-scene').dataset.shows === 'pointer'")
+    visitor.wait("answered.some((one) => typeof one === 'string' && one.includes('\"prediction\"'))")
+    for tile, action in ((two, "propose"), (two, "retract"), (one, "propose")):
+        visitor.value(f"say({{ type: 'choice', id: '{tile['id']}', p: 0.75, action: '{action}', t: 0 }})")
+    visitor.wait(f"document.querySelector('#live-scene').dataset.ahead === {one['id']!r}")
+    colour, opacity = tint(visitor, one)
+    assert opacity == pytest.approx(0.75, abs=0.02)
+    assert colour == pytest.approx(ORANGE, abs=3)
+    place = (left + one["x"] + one["width"] / 2, top + one["y"] + one["height"] / 2)
+    visitor.mouse("mouseMoved", *place)
+    visitor.click(*place)
+    counted = "document.querySelector('#live-ledger').textContent"
+    visitor.wait(f"{counted}.startsWith('Proposed in time: 1 of 1 movement, ')")
+    assert visitor.value(counted).endswith(" ms early; 1 of 2 proposals in vain.")
