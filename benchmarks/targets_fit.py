@@ -20,6 +20,7 @@ from scipy.optimize import minimize
 from pointpred import build, run
 from pointpred.columns import FloatArray, PredictionColumns
 from pointpred.datasets import sample
+from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
 from pointpred.scoring.target_layouts import Layout, layouts
 from pointpred.scoring.trials import Prepared, prepare, resolution
@@ -54,7 +55,7 @@ def recordings(names: Sequence[str] = SETS) -> list[Recording]:
     return [sample(), *(read(folder / f"{name}_samples.parquet") for name in names)]
 
 
-def cases(recording: Recording, predictors: Iterable[str], seed: int = 0) -> Cases:
+def cases(recording: Recording, predictors: Iterable[str | Pipeline], seed: int = 0) -> Cases:
     """The situations of one set, with the predictions of each predictor."""
     settings = resolution(recording, None, None)
     prepared = prepare(recording, **settings)
@@ -62,8 +63,9 @@ def cases(recording: Recording, predictors: Iterable[str], seed: int = 0) -> Cas
     generator = np.random.default_rng([seed, 1])
     picked = generator.permutation(len(found))[:MOST_TRIALS].tolist()
     parts = []
-    for name in predictors:
-        answers = run(build(name, **settings), prepared.events)
+    for given in predictors:
+        pipeline = given.fresh() if isinstance(given, Pipeline) else build(given, **settings)
+        answers = run(pipeline, prepared.events)
         parts += [part for k in picked for part in _trial(prepared, found[k], answers)]
     there = [len(part[0]) for part in parts]
     table, absent = np.zeros((len(parts), SLOTS, 2 * FEATURES + 2)), np.full((len(parts), SLOTS), -1e9)

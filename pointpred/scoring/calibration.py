@@ -9,7 +9,9 @@ from numpy.typing import NDArray
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.scoring import student
 from pointpred.scoring.metrics import WEIGHT_S
+from pointpred.scoring.moments import moments
 
 LEVELS = (0.5, 0.8, 0.95)
 """Regions that should hold the endpoint with these probabilities."""
@@ -40,6 +42,21 @@ def surprise(dx: float, dy: float, sxx: float, sxy: float, syy: float) -> float:
 
 
 @law
+def reach(level: float, tail: float) -> float:
+    """Squared Mahalanobis distance up to which the region of a level goes; ``tail`` NaN: a normal law."""
+    if tail != tail:
+        return -2.0 * log(1.0 - level)
+    return tail * (exp(-2.0 / tail * log(1.0 - level)) - 1.0)
+
+
+@law
+def axis_score(error: float, variance: float, tail: float) -> float:
+    """The ranked score along one axis."""
+    scale = sqrt(max(variance, 0.0))
+    return ranked_score(error, scale) if tail != tail else student.ranked_score(error, scale, tail)
+
+
+@law
 def calibrate(
     rows: FloatArray,
     answers: FloatArray,
@@ -50,8 +67,9 @@ def calibrate(
     """A row of ``out`` for each trial, NaN where no region was given; ``offsets`` need not begin at 0.
 
     Time from onset to arrival counts as in the time-averaged error. The region of level p is the ellipse
-    with squared Mahalanobis distance up to -2 ln(1 - p); one without an inside holds no endpoint. The score
-    is the mean of both axes.
+    with squared Mahalanobis distance up to -2 ln(1 - p), or nu ((1 - p)^(-2/nu) - 1) where the prediction
+    claims a Student law with nu = ``tail``; one without an inside holds no endpoint. The score is the mean
+    of both axes.
     """
     out[:] = np.nan
     for k in range(len(offsets) - 1):
@@ -61,19 +79,47 @@ def calibrate(
         for i in range(first, arrivals[k] - offsets[0]):
             weight = min(rows[i + 1, 0] - rows[i, 0], WEIGHT_S)
             all_s += weight
-            sxx, sxy, syy = answers[i, 3], answers[i, 4], answers[i, 5]
+            sxx, sxy, syy, tail = answers[i, 3], answers[i, 4], answers[i, 5], answers[i, 8]
             if sxx != sxx:
                 continue
             claimed_s += weight
             dx, dy = rows[last, 1] - answers[i, 1], rows[last, 2] - answers[i, 2]
             far = surprise(dx, dy, sxx, sxy, syy)
             for j in range(len(LEVELS)):
-                if 0.0 <= far <= -2.0 * log(1.0 - LEVELS[j]):
+                if 0.0 <= far <= reach(LEVELS[j], tail):
                     inside[j] += weight
-            both = ranked_score(dx, sqrt(max(sxx, 0.0))) + ranked_score(dy, sqrt(max(syy, 0.0)))
-            ranked += weight * 0.5 * both
+            ranked += weight * 0.5 * (axis_score(dx, sxx, tail) + axis_score(dy, syy, tail))
         out[k, CLAIMED] = claimed_s / all_s
         if claimed_s > 0.0:
             for j in range(len(LEVELS)):
                 out[k, INSIDE + j] = inside[j] / claimed_s
             out[k, RANKED] = ranked / claimed_s
+
+
+@law
+def inside_by_time(
+    rows: FloatArray,
+    answers: FloatArray,
+    offsets: NDArray[np.int64],
+    arrivals: NDArray[np.int64],
+    shares: FloatArray,
+    out: FloatArray,
+) -> None:
+    """For each trial, share of the time and level: 1 where the region holds the endpoint, else 0.
+
+    NaN where no region is claimed at that moment.
+    """
+    out[:] = np.nan
+    at = np.empty(len(shares), dtype=np.int64)
+    for k in range(len(offsets) - 1):
+        first, last = offsets[k] - offsets[0], offsets[k + 1] - offsets[0] - 1
+        moments(rows, first, arrivals[k] - offsets[0], last, shares, at)
+        for m in range(len(shares)):
+            i = at[m]
+            sxx, sxy, syy = answers[i, 3], answers[i, 4], answers[i, 5]
+            if sxx != sxx:
+                continue
+            dx, dy = rows[last, 1] - answers[i, 1], rows[last, 2] - answers[i, 2]
+            far = surprise(dx, dy, sxx, sxy, syy)
+            for j in range(len(LEVELS)):
+                out[k, m, j] = 1.0 if 0.0 <= far <= reach(LEVELS[j], answers[i, 8]) else 0.0

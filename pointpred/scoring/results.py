@@ -51,6 +51,14 @@ class PredictorErrors(msgspec.Struct, frozen=True):
     """(trials, 5) as ``calibration`` describes them; ``None`` where no prediction came with a region"""
     failed: tuple[Skip, ...] = ()
     """Trials in which the pipeline failed; they were scored as if it had never answered there."""
+    inside_by_time: FloatArray | None = None
+    """(trials, DECILES, LEVELS): whether regions held the endpoint; ``None`` where there never was one"""
+    time_left: FloatArray | None = None
+    """(trials, 7) as ``time_left`` describes them; ``None`` where no prediction came with a time"""
+    time_inside_by_time: FloatArray | None = None
+    """(trials, DECILES, LEVELS): whether intervals of the time left held the arrival"""
+    hits: FloatArray | None = None
+    """(trials, TIME_FRACTIONS): whether the prediction lay in the target; ``None`` where none is known"""
 
 
 class SetScore(msgspec.Struct, frozen=True):

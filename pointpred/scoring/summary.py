@@ -10,8 +10,9 @@ import numpy as np
 
 from pointpred.columns import BoolArray, FloatArray
 from pointpred.errors import ParameterError
-from pointpred.scoring import calibration
 from pointpred.scoring.bootstrap import DRAWS, LEVEL, ratio_intervals
+from pointpred.scoring.claims import claims
+from pointpred.scoring.claims import number as _number
 from pointpred.scoring.conditions import Group, groups_of
 from pointpred.scoring.results import (
     AXIS_FRACTIONS,
@@ -44,8 +45,11 @@ def summary(score: SetScore, *, draws: int = DRAWS) -> Json:
     of ``hold``, 1 - ratio, and the ratio's interval over people (``None`` on the single axis). Each predictor
     says it for all trials, and under ``groups`` for those that are clean, with and without sub-movements, of
     experienced people and of novices, as far as the set has them; ``by_user`` holds the time-averaged error
-    of each person; ``calibration`` (``None`` without regions) the share of time with a region, the shares of
-    that time with the endpoint inside those of 50, 80 and 95 %, and their ranked probability score in px.
+    of each person. Claims, for each group too, ``None`` where there are none: ``calibration`` is the share of
+    time with a region, the shares of that time with the endpoint inside those of 50, 80 and 95 %, their
+    ranked probability score in px, and the shares of trials at each decile of the time; ``time_left`` the
+    absolute error in s, that of a clock which knows the set's median time, their ratio, and the same shares
+    for intervals; ``hits`` the share of trials whose prediction lies in the target, by time.
     ``unit`` is ``counts`` where the recording holds no cursor: all ``px`` are then counts.
     Raises ParameterError when the set was scored without ``hold``.
     """
@@ -79,7 +83,6 @@ def summary(score: SetScore, *, draws: int = DRAWS) -> Json:
                 "name": errors.name,
                 "coverage": _number(errors.coverage.mean() if len(users) else np.nan),
                 "us_per_event": _number(errors.us_per_event),
-                "calibration": _calibration(errors),
                 "failed": [msgspec.structs.asdict(skip) for skip in errors.failed],
                 **parts[0][place],
                 "groups": {
@@ -94,11 +97,6 @@ def summary(score: SetScore, *, draws: int = DRAWS) -> Json:
 
 def _key(group: Group) -> str:
     return group.label.replace("-", "").replace(" ", "_")
-
-
-def _number(value: float) -> float | None:
-    """A number that JSON can say."""
-    return float(value) if np.isfinite(value) else None
 
 
 def _ratio(error: float, floor: float) -> float:
@@ -121,9 +119,10 @@ def _describe(
     sure = [table[:, :WITH_INTERVAL] for table in tables]
     bounds = ratio_intervals(np.hstack(sure), below[:, :WITH_INTERVAL], who, seed=score.seed, draws=draws)
     described = []
-    for place, table in enumerate(tables):
+    for place, (errors, table) in enumerate(zip(score.predictors, tables, strict=True)):
         reach = slice(place * WITH_INTERVAL, (place + 1) * WITH_INTERVAL)
-        described.append(_measures(table, below, bounds.low[reach], bounds.high[reach]))
+        told = claims(errors, group.mask, who, seed=score.seed, draws=draws)
+        described.append(_measures(table, below, bounds.low[reach], bounds.high[reach]) | told)
     return described
 
 
@@ -144,17 +143,6 @@ def _measures(table: FloatArray, below: FloatArray, low: FloatArray, high: Float
         named[name] = dict(zip(map(str, fractions), cells[first : first + len(fractions)], strict=True))
         first += len(fractions)
     return named
-
-
-def _calibration(errors: PredictorErrors) -> Json | None:
-    """How often predicted regions held the endpoint; means over the trials in which any was given."""
-    if errors.calibration is None:
-        return None
-    claimed = errors.calibration[:, calibration.CLAIMED]
-    given = errors.calibration[claimed > 0.0].mean(axis=0)
-    held = {str(p): _number(given[calibration.INSIDE + j]) for j, p in enumerate(calibration.LEVELS)}
-    ranked = _number(given[calibration.RANKED])
-    return {"claimed": _number(claimed.mean()), "inside": held, "ranked_score_px": ranked}
 
 
 def _by_user(errors: PredictorErrors, floor: PredictorErrors, users: np.ndarray[Any, Any]) -> Json:

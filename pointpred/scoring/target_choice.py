@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
@@ -52,7 +53,7 @@ class TargetSet(msgspec.Struct, frozen=True):
 
 def score_targets(
     recording: Recording,
-    predictors: tuple[str, ...],
+    predictors: Sequence[str | Pipeline],
     *,
     seed: int = 0,
     threads: int | None = None,
@@ -67,7 +68,8 @@ def score_targets(
 
     One result for each kind of layout that the recording's trials have.
 
-    The pipelines are those of ``score``; the laws those of ``Chooser``. The baseline's shares hang on the
+    ``predictors``: names of the registry, or pipelines as patterns, as for ``score``; the laws are
+    those of ``Chooser``. The baseline's shares hang on the
     distance from the cursor to each target alone, with coefficients of their own. Raises what a pipeline
     raises.
     """
@@ -76,8 +78,13 @@ def score_targets(
     sets = []
     for words, found in layouts(prepared, seed).items():
         scores = []
-        for name in (NEAREST, *predictors):
-            pipeline = build("hold" if name == NEAREST else name, **settings)
+        for given in (NEAREST, *predictors):
+            name = given.name if isinstance(given, Pipeline) else given
+            pipeline = (
+                given
+                if isinstance(given, Pipeline)
+                else build("hold" if name == NEAREST else name, **settings)
+            )
             chosen = nearest if name == NEAREST else coefficients
             work = partial(_judge, prepared, found, pipeline, chosen, elsewhere, least_lead_s)
             parts = list(in_threads(work, prepared.offsets, threads))

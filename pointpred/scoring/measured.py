@@ -1,0 +1,90 @@
+"""Everything that is measured of trials, an array a measure: chunks of them are put together here."""
+
+from __future__ import annotations
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from pointpred.columns import EventColumns, FloatArray, PredictionColumns
+from pointpred.recording import Skip
+from pointpred.scoring import calibration, hits, metrics, time_left
+from pointpred.scoring.moments import DECILES
+from pointpred.scoring.results import TIME_FRACTIONS, PredictorErrors
+from pointpred.scoring.trials import Prepared
+
+SHARES: FloatArray = np.array(DECILES)
+TIMES: FloatArray = np.array(TIME_FRACTIONS)
+INSIDE = (len(DECILES), len(calibration.LEVELS))
+
+
+class Measured(msgspec.Struct, frozen=True):
+    """A row a trial in each array; the laws that fill them say what a row holds."""
+
+    errors: FloatArray
+    regions: FloatArray
+    inside: FloatArray
+    left: FloatArray
+    left_inside: FloatArray
+    hits: FloatArray
+
+    @classmethod
+    def empty(cls, trials: int) -> Measured:
+        """Arrays to be filled."""
+        shapes = (
+            (metrics.MEASURES,),
+            (calibration.WIDTH,),
+            INSIDE,
+            (time_left.WIDTH,),
+            INSIDE,
+            (len(TIMES),),
+        )
+        return cls(*(np.empty((trials, *shape)) for shape in shapes))
+
+    def put(self, first: int, part: Measured) -> None:
+        """Write the rows of a part, from row ``first`` on."""
+        stop = first + len(part.errors)
+        for name in self.__struct_fields__:
+            getattr(self, name)[first:stop] = getattr(part, name)
+
+    def said(self, name: str, us_per_event: float, failed: tuple[Skip, ...]) -> PredictorErrors:
+        """The same as the errors of a predictor; ``None`` for what it never claimed."""
+        claimed = (self.regions[:, calibration.CLAIMED] > 0.0).any()
+        timed = (self.left[:, time_left.CLAIMED] > 0.0).any()
+        spread = timed and (self.left[:, time_left.SPREAD] > 0.0).any()
+        return PredictorErrors(
+            name,
+            time_averaged=self.errors[:, metrics.TIME_AVERAGED].copy(),
+            by_time=self.errors[:, metrics.BY_TIME : metrics.BY_PATH].copy(),
+            by_path=self.errors[:, metrics.BY_PATH : metrics.SINGLE_AXIS].copy(),
+            single_axis=self.errors[:, metrics.SINGLE_AXIS :].copy(),
+            coverage=self.errors[:, metrics.COVERAGE].copy(),
+            us_per_event=us_per_event,
+            calibration=self.regions if claimed else None,
+            failed=failed,
+            inside_by_time=self.inside if claimed else None,
+            time_left=self.left if timed else None,
+            time_inside_by_time=self.left_inside if spread else None,
+            hits=self.hits if np.isfinite(self.hits).any() else None,
+        )
+
+
+def measured(
+    prepared: Prepared,
+    first: int,
+    stop: int,
+    events: EventColumns,
+    answers: PredictionColumns,
+    clock_s: float,
+) -> tuple[Measured, NDArray[np.int64]]:
+    """Trials ``first`` up to ``stop``, and the rows where answers were not finite."""
+    out, faults = Measured.empty(stop - first), np.empty(stop - first, dtype=np.int64)
+    offsets, arrivals = prepared.offsets[first : stop + 1], prepared.arrivals[first:stop]
+    given = (events.table, answers.table, offsets, arrivals)
+    metrics.measure(events.table, answers.table, metrics.FRACTIONS, offsets, arrivals, out.errors, faults)
+    calibration.calibrate(*given, out.regions)
+    calibration.inside_by_time(*given, SHARES, out.inside)
+    time_left.time_left(*given, clock_s, out.left)
+    time_left.inside_by_time(*given, SHARES, out.left_inside)
+    hits.hits(*given, hits.targets(prepared.trials[first:stop]), TIMES, out.hits)
+    return out, faults
