@@ -11,6 +11,7 @@ from pointpred.differentiators import DIFFERENTIATORS
 from pointpred.errors import ParameterError
 from pointpred.pipeline import Pipeline
 from pointpred.predictors import (
+    AdaptiveKinematicPredictor,
     DelphianPredictor,
     HoldPredictor,
     KalmanPredictor,
@@ -120,6 +121,12 @@ REGISTRY: dict[str, Entry] = {
             KinematicPredictor,
             "learned from people: endpoint, region, tail and time left from the movement so far",
             "docs/kinematic.md",
+        ),
+        Entry(
+            "kinematic-adaptive",
+            AdaptiveKinematicPredictor,
+            "the same, corrected by what the session's earlier movements taught of the person",
+            "docs/adaptation.md",
         ),
     )
 }

@@ -1,5 +1,6 @@
 """Motion to prediction: where the movement will end."""
 
+from pointpred.predictors.adaptation import AdaptiveKinematicPredictor
 from pointpred.predictors.delphian import DelphianPredictor, fit_line
 from pointpred.predictors.hold import HoldPredictor
 from pointpred.predictors.kalman import KalmanPredictor
@@ -14,6 +15,7 @@ from pointpred.predictors.switched import SwitchedPredictor
 from pointpred.predictors.switched_direction import SwitchedDirectionPredictor
 
 __all__ = [
+    "AdaptiveKinematicPredictor",
     "DelphianPredictor",
     "HoldPredictor",
     "KalmanPredictor",

@@ -36,6 +36,7 @@ STYLES: dict[str, tuple[int, str, object]] = {
     "switched-printed": (0, "h", DASHED),
     "switched-direction": (0, "d", "dotted"),
     "kinematic": (5, "d", "solid"),
+    "kinematic-adaptive": (5, "H", DASHED),
 }
 """Place in PALETTE, marker and dash of each name of the registry, the same in every figure and set."""
 GREY = "#808080"
@@ -127,14 +128,20 @@ def picture(figure: Figure, alt: str, caption: str, *, wide: bool = False) -> Pi
 def line_style(name: str, shown: Sequence[str]) -> dict[str, object]:
     """Colour, marker and dash of a predictor: ``hold`` is the grey reference, what is not shown is faint.
 
-    A name that is not in the registry has a look of its own too, told by the letters of the name.
+    A name of the registry with words in brackets behind it has that name's colour and marker, thinner and
+    dotted where it is drawn beside others of that name before it. Any other name has a look of its own too,
+    told by its letters.
     """
     if name == HOLD:
         return {"color": GREY, "linestyle": (0, (4, 2)), "label": "hold (no prediction)", "zorder": 2.5}
     if name not in shown:
         return {"color": FAINT, "linewidth": 0.8, "zorder": 1.5}
     other = zlib.crc32(name.encode("utf-8", "replace"))
-    place, marker, dash = STYLES.get(name, (other % 6, MARKERS[other // 6 % 6], "dotted"))
+    base = name.partition(" (")[0]
+    place, marker, dash = STYLES.get(base, (other % 6, MARKERS[other // 6 % 6], "dotted"))
+    earlier = [one for one in shown[: list(shown).index(name)] if one.partition(" (")[0] == base]
+    if base in STYLES and earlier:
+        dash = "dotted"
     return {
         "color": PALETTE[place],
         "marker": marker,

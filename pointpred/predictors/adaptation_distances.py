@@ -1,0 +1,140 @@
+"""How far a person has gone lately: the last distances, and how much is to be believed of them.
+
+Four laws of the next distance stand beside "nothing is known of it": narrow and broad kernels around the last
+distances, with the last few or all of them weighing most. Each finished movement is judged by how likely
+each law had made it, and the laws share the belief accordingly; some of it always flows back.
+"""
+
+from __future__ import annotations
+
+from math import exp, log, sqrt
+
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.compiled import law
+
+KEPT = 12
+LEAST = 2
+"""With fewer distances nothing is said."""
+WIDTHS = (0.02, 0.08)
+"""Standard deviations of the kernels, as shares of the distance."""
+AGES = (1.5, 12.0)
+"""After so many movements a distance weighs 1 / e."""
+LAWS = len(WIDTHS) * len(AGES)
+UNKNOWN_LOGS = 3.0
+"""Where nothing is known the logarithm of the distance lies evenly in a range so wide: a factor of 20."""
+UNKNOWN_SHARE = 0.8
+"""Belief that nothing is known, at first."""
+FORGET = 0.05
+"""Share of the belief that goes back to where it began with each movement."""
+LEAST_LIKELY = 1e-12
+ARC = 0.5
+"""A direction that is uncertain bends where the distance ends: its mean lies nearer."""
+LOGISTIC = 1.7
+"""A logistic law this much narrower resembles a normal one."""
+HALVINGS = 9
+
+# Layout, relative to `at`: how many; the distances in px, the last first; belief in each law and in none;
+# the weight of each distance under each width.
+HELD, DISTANCES = 0, 1
+BELIEF = DISTANCES + KEPT
+WEIGHTS = BELIEF + LAWS + 1
+LEARNED = WEIGHTS + KEPT * len(WIDTHS)
+
+
+@law
+def aged(age: int, held: int, time: float) -> float:
+    """Weight of a distance ``age`` movements old, of all that are held."""
+    total = 0.0
+    for j in range(held):
+        total += exp(-j / time)
+    return float(exp(-age / time) / total)
+
+
+@law
+def judge(memory: FloatArray, at: int, distance: float) -> None:
+    """Share the belief among the laws by how likely each had made a distance."""
+    held, belief, total = int(memory[at + HELD]), at + BELIEF, 0.0
+    for k in range(LAWS):
+        width, time = WIDTHS[k % len(WIDTHS)], AGES[k // len(WIDTHS)]
+        likely = 0.0
+        for j in range(held):
+            off = log(distance / memory[at + DISTANCES + j]) / width
+            likely += aged(j, held, time) * exp(-0.5 * min(off * off, 1000.0)) / (width * sqrt(2.0 * np.pi))
+        memory[belief + k] *= max(UNKNOWN_LOGS * likely, LEAST_LIKELY)
+        total += memory[belief + k]
+    total += memory[belief + LAWS]
+    for k in range(LAWS):
+        first = (1.0 - UNKNOWN_SHARE) / LAWS
+        memory[belief + k] = (1.0 - FORGET) * memory[belief + k] / total + FORGET * first
+    memory[belief + LAWS] = (1.0 - FORGET) * memory[belief + LAWS] / total + FORGET * UNKNOWN_SHARE
+
+
+@law
+def remember(memory: FloatArray, at: int, distance: float) -> None:
+    """Take the distance of a finished movement in."""
+    if memory[at + HELD] == 0.0:
+        memory[at + BELIEF : at + BELIEF + LAWS] = (1.0 - UNKNOWN_SHARE) / LAWS
+        memory[at + BELIEF + LAWS] = UNKNOWN_SHARE
+    if memory[at + HELD] >= LEAST:
+        judge(memory, at, distance)
+    for j in range(KEPT - 1, 0, -1):
+        memory[at + DISTANCES + j] = memory[at + DISTANCES + j - 1]
+    memory[at + DISTANCES] = distance
+    memory[at + HELD] = min(memory[at + HELD] + 1.0, KEPT)
+    held = int(memory[at + HELD])
+    for j in range(held):
+        for w in range(len(WIDTHS)):
+            weight = 0.0
+            for a in range(len(AGES)):
+                weight += memory[at + BELIEF + a * len(WIDTHS) + w] * aged(j, held, AGES[a])
+            memory[at + WEIGHTS + j * len(WIDTHS) + w] = weight
+
+
+@law
+def drawn(
+    memory: FloatArray, at: int, reached: float, ahead: float, wide: float, broad: float, tail: float
+) -> tuple[float, float]:
+    """The way ahead and its width after the last distances have been asked: (px, px).
+
+    ``reached``: px from the start to the cursor; ``ahead``: px from there, ``wide`` and ``broad`` the widths
+    along and across of a Student law of ``tail`` degrees. The answer is the median of the product of the law
+    with the kernels, each product taken as one normal law, and of the law alone where nothing is known.
+    """
+    held = int(memory[at + HELD])
+    if held < LEAST:
+        return ahead, wide
+    weight, shift, width = np.empty(held + 1), np.empty(held + 1), np.empty(held + 1)
+    total, low, high = memory[at + BELIEF + LAWS], 0.0, 0.0
+    weight[held], shift[held], width[held] = total, 0.0, wide
+    for j in range(held):
+        distance = memory[at + DISTANCES + j]
+        gap = distance / sqrt(1.0 + ARC * (broad / distance) ** 2) - reached - ahead
+        mass, mean, spread = 0.0, 0.0, 0.0
+        for w in range(len(WIDTHS)):
+            kernel2 = (WIDTHS[w] * distance) ** 2
+            both2 = wide * wide + kernel2
+            fits = (1.0 + gap * gap / both2 / tail) ** (-0.5 * (tail + 1.0)) / sqrt(2.0 * np.pi * both2)
+            part = memory[at + WEIGHTS + j * len(WIDTHS) + w] * UNKNOWN_LOGS * distance * fits
+            mass += part
+            mean += part * gap * wide * wide / both2
+            spread += part * wide * wide * kernel2 / both2
+        weight[j], shift[j], width[j] = mass, 0.0, wide
+        if mass > 0.0:
+            shift[j], width[j] = mean / mass, sqrt(spread / mass)
+        total += mass
+        low, high = min(low, shift[j]), max(high, shift[j])
+    for _ in range(HALVINGS):
+        middle, below = 0.5 * (low + high), 0.0
+        for j in range(held + 1):
+            off = LOGISTIC * (shift[j] - middle) / max(width[j], 1e-9)
+            below += weight[j] / (1.0 + exp(min(max(off, -50.0), 50.0)))
+        if below < 0.5 * total:
+            low = middle
+        else:
+            high = middle
+    middle, around = 0.5 * (low + high), 0.0
+    for j in range(held + 1):
+        around += weight[j] * (width[j] ** 2 + (shift[j] - middle) ** 2)
+    return ahead + middle, min(sqrt(around / total), wide)

@@ -1,0 +1,144 @@
+"""What is known of a person laid over a prediction, and what a finished movement adds to it.
+
+Any prediction that claims a region and the time left can be adapted: all that is asked of the predictor is
+its answer, and where the movement started.
+"""
+
+from __future__ import annotations
+
+from math import floor, hypot, sqrt
+
+from pointpred.columns import FloatArray
+from pointpred.compiled import law
+from pointpred.predictors import adaptation_distances as distances
+from pointpred.predictors import adaptation_stages as stages
+
+# What is known of the person, relative to `known`: the stages, then the distances.
+DISTANCES = stages.LEARNED
+LEARNED = DISTANCES + distances.LEARNED
+
+# The movement, relative to `at`: whether there is one, its start, its last sample, when it last moved,
+# samples of different times; a moment of each stage.
+KNOWN, T0, X0, Y0, T, X, Y, MOVED_T, COUNT, MOMENTS = 0, 1, 2, 3, 4, 5, 6, 7, 8, 9
+STATES = MOMENTS + stages.STATES
+
+SAMPLES_LEAST, LEAST_S = 6, 0.08
+"""A movement of fewer samples of different times, or shorter, teaches nothing."""
+EARLY = 0.1
+"""A stage is taken from so much of a stage's length before its middle on."""
+
+
+@law
+def conclude(memory: FloatArray, known: int, at: int, shortest: float) -> None:
+    """The movement has ended where the cursor is: learn from it, and forget it."""
+    x, y, moved = memory[at + X], memory[at + Y], memory[at + MOVED_T]
+    distance = hypot(x - memory[at + X0], y - memory[at + Y0])
+    teaches = memory[at + KNOWN] == 1.0 and memory[at + COUNT] >= SAMPLES_LEAST
+    if teaches and moved - memory[at + T0] >= LEAST_S and distance >= shortest:
+        for stage in range(stages.STAGES):
+            moment = at + MOMENTS + stage * stages.MOMENT
+            if memory[moment + stages.TAKEN] == 1.0:
+                stages.learn(memory, known + stage * stages.WIDTH, moment, x, y, moved)
+        distances.remember(memory, known + DISTANCES, distance)
+    memory[at : at + STATES] = 0.0
+
+
+@law
+def follow(
+    memory: FloatArray, at: int, t: float, x: float, y: float, t0: float, x0: float, y0: float
+) -> None:
+    """Take one sample in; the movement started at ``t0``, ``x0``, ``y0``."""
+    if memory[at + KNOWN] == 0.0:
+        memory[at + MOVED_T], memory[at + COUNT] = t, 1.0
+    else:
+        if t > memory[at + T]:
+            memory[at + COUNT] += 1.0
+        if x != memory[at + X] or y != memory[at + Y]:
+            memory[at + MOVED_T] = t
+    memory[at + KNOWN] = 1.0
+    memory[at + T0], memory[at + X0], memory[at + Y0] = t0, x0, y0
+    memory[at + T], memory[at + X], memory[at + Y] = t, x, y
+
+
+@law
+def take(
+    memory: FloatArray,
+    at: int,
+    share: float,
+    ux: float,
+    uy: float,
+    reached: float,
+    along: float,
+    across: float,
+    wide: float,
+    broad: float,
+    tail: float,
+    left: float,
+    spread: float,
+) -> None:
+    """Keep the first moment of a stage; a stage that was leapt over, or is behind, is not taken."""
+    stage = floor(share * stages.STAGES - 0.5 + EARLY)
+    if stage < 0 or stage >= stages.STAGES:
+        return
+    for later in range(stage, stages.STAGES):
+        if memory[at + MOMENTS + later * stages.MOMENT + stages.TAKEN] == 1.0:
+            return
+    moment = at + MOMENTS + stage * stages.MOMENT
+    memory[moment + stages.TAKEN], memory[moment + stages.T] = 1.0, memory[at + T]
+    memory[moment + stages.X], memory[moment + stages.Y] = memory[at + X], memory[at + Y]
+    memory[moment + stages.UX], memory[moment + stages.UY] = ux, uy
+    memory[moment + stages.ALONG], memory[moment + stages.ACROSS] = along, across
+    memory[moment + stages.SAID_WIDE], memory[moment + stages.SAID_BROAD] = wide, broad
+    memory[moment + stages.TAIL] = tail
+    memory[moment + stages.LEFT], memory[moment + stages.SAID_SPREAD] = left, spread
+    memory[moment + stages.REACHED] = reached
+
+
+@law
+def adapted(
+    memory: FloatArray,
+    known: int,
+    at: int,
+    ask: float,
+    answer: tuple[float, float, float, float, float, float, float, float, float],
+) -> tuple[float, float, float, float, float, float, float, float, float]:
+    """The prediction as it is for this person; as given where it claims too little or has no direction."""
+    px, py, sxx, sxy, syy, left, phase, tail, spread = answer
+    x, y = memory[at + X], memory[at + Y]
+    away_x, away_y = x - memory[at + X0], y - memory[at + Y0]
+    reached = hypot(away_x, away_y)
+    if not (reached > 0.0 and left > 0.0 and tail > 0.0 and spread > 0.0 and sxx + syy > 0.0):
+        return answer
+    ux, uy = away_x / reached, away_y / reached
+    wide2 = sxx * ux * ux + 2.0 * sxy * ux * uy + syy * uy * uy
+    broad2 = sxx * uy * uy - 2.0 * sxy * ux * uy + syy * ux * ux
+    if not (wide2 > 0.0 and broad2 > 0.0):
+        return answer
+    wide, broad = sqrt(wide2), sqrt(broad2)
+    along = (px - x) * ux + (py - y) * uy
+    across = (py - y) * ux - (px - x) * uy
+    since = memory[at + T] - memory[at + T0]
+    share = since / (since + left)
+    take(memory, at, share, ux, uy, reached, along, across, wide, broad, tail, left, spread)
+    total = hypot(reached + along, across)
+    shift, widen, broaden, slow, scatter = stages.corrected(memory, known, share, total, along)
+    new_wide, new_broad = wide * widen, broad * broaden
+    new_along = along + shift
+    if ask == 1.0:
+        new_along, new_wide = distances.drawn(
+            memory, known + DISTANCES, reached, new_along, new_wide, new_broad, tail
+        )
+    ratio, moved = new_wide / wide, new_along - along
+    wide2, broad2 = new_wide * new_wide, new_broad * new_broad
+    cross = (sxy * (ux * ux - uy * uy) + (syy - sxx) * ux * uy) * ratio * broaden
+    return (
+        px + moved * ux,
+        py + moved * uy,
+        wide2 * ux * ux - 2.0 * cross * ux * uy + broad2 * uy * uy,
+        (wide2 - broad2) * ux * uy + cross * (ux * ux - uy * uy),
+        wide2 * uy * uy + 2.0 * cross * ux * uy + broad2 * ux * ux,
+        left * slow,
+        phase,
+        tail,
+        spread * scatter,
+    )

@@ -1,0 +1,158 @@
+"""What a person's finished movements teach at each stage of progress: bias, widths, tempo.
+
+A stage is a share of the time that has passed, as predicted: 0.1, 0.3 ... 0.9; between two of them lines.
+"""
+
+from __future__ import annotations
+
+from math import exp, floor, log, sqrt
+
+from pointpred.columns import FloatArray
+from pointpred.compiled import law
+
+STAGES = 5
+KEEP = 0.97
+"""What stays, with each movement, of what earlier ones taught."""
+RIDGE = 20.0
+"""Precision of the belief that a person is as everybody is, against one movement's."""
+DOUBT = 5.0
+"""Squared shifts that must have paid before half of a correction is believed."""
+WIDTHS_OF = 2.0
+"""Movements that the widths of everybody count for."""
+TEMPO_OF = 10.0
+"""Movements that the tempo of everybody counts for."""
+FURTHEST = 4.0
+"""No single movement is further off than so many widths."""
+TEMPO_MOST, TEMPO_OFF = 1.0, 0.3
+"""Nor by more than this logarithm of the time left; and by how much it usually is."""
+FADE = 0.9
+"""From this share on the bias fades out: what is still to come is a rest, not the movement."""
+
+# A stage, relative to its place: the normal equations of the bias, its two coefficients, what believing it
+# was and would have been worth; sums for the widths; the same for the tempo.
+G00, G01, G11, R0, R1, TOTAL, AHEAD, BIAS_PAID, BIAS_SIZE = 0, 1, 2, 3, 4, 5, 6, 7, 8
+COUNT, WIDE, BROAD, SPREAD = 9, 10, 11, 12
+TEMPO, TIMED, TEMPO_PAID, TEMPO_SIZE = 13, 14, 15, 16
+WIDTH = 17
+LEARNED = STAGES * WIDTH
+
+# A moment of the movement at a stage, relative to its place: whether there is one; time, place, direction;
+# the way ahead along and across, the widths, the tail, the time left and its spread, as predicted.
+TAKEN, T, X, Y, UX, UY, ALONG, ACROSS, SAID_WIDE, SAID_BROAD, TAIL, LEFT, SAID_SPREAD = range(13)
+REACHED = 13
+MOMENT = 14
+STATES = STAGES * MOMENT
+
+
+@law
+def place(share: float) -> tuple[int, float]:
+    """The stage before a share of the time, and how far the share is from it to the next."""
+    spot = min(max(share * STAGES - 0.5, 0.0), STAGES - 1.0)
+    stage = min(floor(spot), STAGES - 2)
+    return int(stage), spot - stage
+
+
+@law
+def believed(memory: FloatArray, at: int, paid: int) -> float:
+    """Share of a correction that has paid so far: 0 to 1."""
+    return float(min(max(memory[at + paid] / (memory[at + paid + 1] + DOUBT), 0.0), 1.0))
+
+
+@law
+def bias(memory: FloatArray, at: int, total: float, along: float) -> float:
+    """What a stage adds to the way ahead, px."""
+    return float(memory[at + TOTAL] * total + memory[at + AHEAD] * along)
+
+
+@law
+def widened(memory: FloatArray, at: int, which: int) -> float:
+    """Logarithm of what a stage multiplies a width by."""
+    return float(0.5 * log((memory[at + which] + WIDTHS_OF) / (memory[at + COUNT] + WIDTHS_OF)))
+
+
+@law
+def tempo(memory: FloatArray, at: int) -> float:
+    """Logarithm of what a stage multiplies the time left by."""
+    return float(memory[at + TEMPO] / (memory[at + TIMED] + TEMPO_OF))
+
+
+@law
+def corrected(
+    memory: FloatArray, at: int, share: float, total: float, along: float
+) -> tuple[float, float, float, float, float]:
+    """(bias px, factors of the width along, the width across, the time left, its spread)."""
+    stage, part = place(share)
+    shift, wide, broad, slow, spread = 0.0, 0.0, 0.0, 0.0, 0.0
+    for side in range(2):
+        a, weight = at + (stage + side) * WIDTH, part if side == 1 else 1.0 - part
+        shift += weight * bias(memory, a, total, along) * believed(memory, a, BIAS_PAID)
+        wide += weight * widened(memory, a, WIDE)
+        broad += weight * widened(memory, a, BROAD)
+        spread += weight * widened(memory, a, SPREAD)
+        slow += weight * tempo(memory, a) * believed(memory, a, TEMPO_PAID)
+    shift *= min((1.0 - share) / (1.0 - FADE), 1.0)
+    return shift, exp(wide), exp(broad), exp(slow), exp(spread)
+
+
+@law
+def bounded(value: float, most: float) -> float:
+    """The value, no further from zero than ``most``."""
+    return min(max(value, -most), most)
+
+
+@law
+def solve(memory: FloatArray, at: int) -> None:
+    """The coefficients of the bias from the normal equations."""
+    g00, g01, g11 = memory[at + G00] + RIDGE, memory[at + G01], memory[at + G11] + RIDGE
+    determinant = g00 * g11 - g01 * g01
+    memory[at + TOTAL] = (g11 * memory[at + R0] - g01 * memory[at + R1]) / determinant
+    memory[at + AHEAD] = (g00 * memory[at + R1] - g01 * memory[at + R0]) / determinant
+
+
+@law
+def scale(memory: FloatArray, at: int, which: int, off: float, tail: float) -> None:
+    """One step towards the scale of a Student law: what is far off counts little."""
+    known = (memory[at + which] + WIDTHS_OF) / (memory[at + COUNT] + WIDTHS_OF)
+    memory[at + which] += (tail + 1.0) / (tail + off * off / known) * off * off
+
+
+@law
+def learn(memory: FloatArray, at: int, moment: int, x: float, y: float, t: float) -> None:
+    """Take one stage of a finished movement in: where it ended, and when the cursor came to rest."""
+    for i in range(WIDTH):
+        if i != TOTAL and i != AHEAD:
+            memory[at + i] *= KEEP
+    wide, tail = memory[moment + SAID_WIDE], memory[moment + TAIL]
+    dx, dy = x - memory[moment + X], y - memory[moment + Y]
+    ux, uy, along = memory[moment + UX], memory[moment + UY], memory[moment + ALONG]
+    off = (dx * ux + dy * uy - along) / wide
+    aside = (dy * ux - dx * uy - memory[moment + ACROSS]) / memory[moment + SAID_BROAD]
+    total = sqrt((memory[moment + REACHED] + along) ** 2 + memory[moment + ACROSS] ** 2)
+    said = bias(memory, at, total, along) / wide
+    rest = off - said
+    paid = bounded(said, FURTHEST)
+    memory[at + BIAS_PAID] += paid * bounded(off, FURTHEST)
+    memory[at + BIAS_SIZE] += paid * paid
+    weight = (tail + 1.0) / (tail + rest * rest)
+    f0, f1 = total / wide, along / wide
+    memory[at + G00] += weight * f0 * f0
+    memory[at + G01] += weight * f0 * f1
+    memory[at + G11] += weight * f1 * f1
+    memory[at + R0] += weight * f0 * off
+    memory[at + R1] += weight * f1 * off
+    solve(memory, at)
+    scale(memory, at, WIDE, rest, tail)
+    scale(memory, at, BROAD, aside, tail)
+    left = t - memory[moment + T]
+    if left > 0.0:
+        late = bounded(log(left / memory[moment + LEFT]), TEMPO_MOST)
+        slow = tempo(memory, at)
+        memory[at + TEMPO_PAID] += slow * late / TEMPO_OFF**2
+        memory[at + TEMPO_SIZE] += slow * slow / TEMPO_OFF**2
+        memory[at + TEMPO] += late
+        memory[at + TIMED] += 1.0
+        spread = (late - slow) / memory[moment + SAID_SPREAD]
+        memory[at + SPREAD] += bounded(spread, FURTHEST) ** 2
+    else:
+        memory[at + SPREAD] += 1.0
+    memory[at + COUNT] += 1.0
