@@ -29,6 +29,7 @@ ROUNDS, SECONDS = 5, 1.0
 PACED_ROUNDS, PACED_SECONDS = 4, 4.0
 SATURATED = 0.9
 CLIENTS = 8
+TARGETS = (0, 1, 20, 100)
 PACED = (("one client at 1 kHz", 1, 1), ("20 clients at 1 kHz", 20, 1), ("10 clients at 8 kHz", 10, 8))
 """What is told, clients, events a frame; each client sends 1000 frames a second."""
 
@@ -91,6 +92,22 @@ def cost_rows(where: dict[str, int]) -> list[tuple[str, ...]]:
                 f"{100 * own['own_share']:.0f} %",
             )
         )
+    return rows
+
+
+def target_rows(where: dict[str, int]) -> list[tuple[str, ...]]:
+    """Processor time of a frame of one event, by the number of targets."""
+    found: dict[tuple[str, int], list[Told | None]] = {}
+    for _ in range(ROUNDS):
+        for encoding, count in ((encoding, count) for encoding in ("binary", "json") for count in TARGETS):
+            plan = {"path": "/v1/stream", "encoding": encoding, "size": 1, "targets": count}
+            told = load(where, clients=CLIENTS, seconds=SECONDS, **plan)
+            found.setdefault((encoding, count), []).append(told)
+    rows = []
+    for (encoding, count), rounds in found.items():
+        told = quietest(rounds)
+        words = "invalid: the load generator saturated" if told is None else f"{told['server_us']:.1f}"
+        rows.append((encoding, f"{count}", words))
     return rows
 
 
@@ -189,6 +206,7 @@ def main() -> None:
     print("measuring the service beside an echo; this takes about three minutes", file=sys.stderr)
     parts = {"machine": machine()}
     with server() as where:
+        parts["targets"] = table(("encoding", "targets", "us a frame"), target_rows(where))
         parts["cost"] = table(COST, cost_rows(where))
         parts["paced"] = table(PACE, paced_rows(where))
     parts["start"] = table(("start", "s until ready"), start_rows())

@@ -31,6 +31,13 @@ def hello(predictor: str, encoding: str) -> bytes:
     return frame(TEXT, json.dumps({**said, "device": {"cpi": 2000}}).encode())
 
 
+def targets(count: int) -> bytes:
+    """So many targets, in rows of eight."""
+    size = {"width": 60.0, "height": 40.0}
+    listed = [{"id": str(i), "x": 200.0 * (i % 8), "y": 150.0 * (i // 8), **size} for i in range(count)]
+    return frame(TEXT, json.dumps({"type": "targets", "targets": listed}).encode())
+
+
 RESET = frame(TEXT, b'{"type":"reset"}')
 
 

@@ -18,10 +18,12 @@ from struct import unpack_from
 import msgspec
 import numpy as np
 
-from benchmarks.service_frames import BINARY, RESET, TEXT, events, hello, split
+from benchmarks.service_frames import BINARY, RESET, TEXT, events, hello, split, targets
 
 WARM_S = 0.3
 FRAMES = 4000
+ASIDE = (b'{"type":"choice"', b'{"type":"targets"')
+"""What answers no frame of events."""
 
 
 class Plan(msgspec.Struct):
@@ -36,6 +38,7 @@ class Plan(msgspec.Struct):
     seconds: float
     rate: float | None = None
     predictor: str = "switched"
+    targets: int = 0
 
 
 class Client:
@@ -71,6 +74,8 @@ class Client:
         frames, self.rest = split(self.rest)
         if b'"welcome"' not in frames[0][1]:
             raise SystemExit(f"no welcome: {frames!r}")
+        if plan.targets:
+            self.socket.sendall(targets(plan.targets))
 
     def send(self, frames: list[bytes]) -> None:
         """Send the next frame."""
@@ -89,9 +94,10 @@ class Client:
             raise SystemExit("the server closed the connection")
         found, self.rest = split(self.rest + data) if self.rest else split(data)
         now = time.perf_counter()
-        for opcode, payload in found:
+        answers = [one for one in found if one[0] == BINARY or not one[1].startswith(ASIDE)]
+        for opcode, payload in answers:
             self._take(plan, opcode, payload, now)
-        return len(found)
+        return len(answers)
 
     def _take(self, plan: Plan, opcode: int, payload: bytes, now: float) -> None:
         if opcode == TEXT and b'"slow"' in payload[:40]:

@@ -1,0 +1,54 @@
+"""Choices in the browser client: with their elements, withdrawn where the session is lost."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+
+from pointpred.replaying import Page, open_page
+from tests.server import browser
+from tests.server.listener import Listener, soon
+
+pytestmark = browser.needed
+
+CONNECT = """import("/pointpred.js").then(({ connect }) => {
+  window.heard = [];
+  const box = document.getElementById("box");
+  box.style = "position: absolute; left: 380px; top: 80px; width: 40px; height: 40px";
+  window.connection = connect(undefined, { pointer: false, predictor: "minimum-jerk", encoding: "ENCODING" });
+  connection.configure({ precision: 0.5 });
+  connection.observe(box, "goal");
+  connection.on("choice", ({ action, id, element, t }) => heard.push([action, id, element === box, t]));
+})"""
+MOVE = """for (let i = 0; i < 40; i += 1) {
+  const u = i / 60;
+  connection.send([[i / 100, 400 * u * u * (3 - 2 * u), 100]]);
+}"""
+
+
+@pytest.fixture
+def page(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
+    with browser.running(tmp_path_factory.mktemp("profile")) as devtools, open_page(devtools) as tab:
+        yield tab
+
+
+@pytest.mark.parametrize("encoding", ["binary", "json"])
+def test_a_choice_names_its_element_and_ends_with_the_session(page: Page, encoding: str) -> None:
+    with Listener() as listener:
+        page.go(listener.url)
+        page.evaluate(CONNECT.replace("ENCODING", encoding))
+        soon(lambda: page.evaluate("connection.state") == "open", "the connection is open")
+        soon(lambda: bool(listener.messages("targets")[-1:]), "the element is a target")
+        page.evaluate(MOVE)
+        soon(lambda: page.evaluate("connection.proposed") == "goal", "the element is proposed")
+        said = page.evaluate("heard")
+        assert [row[:3] for row in said] == [["propose", "goal", True]]
+        assert 0.0 <= said[0][3] <= 0.39
+        assert 0.5 <= page.evaluate("connection.probability('goal')") <= 1.0
+        asked = "connection.probability(document.getElementById('box'))"
+        assert page.evaluate(asked) == page.evaluate("connection.probability('goal')")
+        assert page.evaluate("connection.probability('another')") == 0
+    soon(lambda: page.evaluate("connection.proposed") is None, "what is lost proposes nothing")
+    assert page.evaluate("heard")[-1] == ["retract", "goal", True, None]
+    assert page.evaluate("connection.probability('goal')") == 0
