@@ -120,6 +120,8 @@ def adapted(
     since = memory[at + T] - memory[at + T0]
     share = since / (since + left)
     take(memory, at, share, ux, uy, reached, along, across, wide, broad, tail, left, spread)
+    if memory[known + DISTANCES + distances.HELD] == 0.0:
+        return answer
     total = hypot(reached + along, across)
     shift, widen, broaden, slow, scatter = stages.corrected(memory, known, share, total, along)
     new_wide, new_broad = wide * widen, broad * broaden
