@@ -143,7 +143,7 @@ def pace(
     out[9] = va * SOON_S / hand
     out[10] = aa * SOON_S * 0.1 / hand
     out[11] = v / peak
-    out[12] = va / (v + 1e-9)
+    out[12] = va / (v + 1e-6)
     out[25] = v / sub_peak
     out[30] = ahead(v / peak if t > memory[at + track.PEAK_T] else 1.0) * hypot(x, y) / reach
     out[31] = ahead(v / sub_peak if t > memory[at + track.SUB_PEAK_T] else 1.0) * hypot(sub_x, sub_y) / reach

@@ -14,6 +14,8 @@ FALLEN, RISEN = 0.7, 1.4
 """A sub-movement ends where the speed has fallen below this share of its peak and rises by this factor."""
 RISE_SHARE, RISE_M_S = 0.02, 0.005
 """That rise is more than this share of the movement's peak and this speed: noise is no sub-movement."""
+REST_M_S = 1e-6
+"""Speeds that differ by less are equal: a hand at rest has one valley, wherever rounding puts its zero."""
 SLOW, SLOWER = 0.2, 0.05
 """Shares of the peak speed below which a movement is slow."""
 SPAN_S = 0.05
@@ -42,7 +44,7 @@ def divide(memory: FloatArray, at: int, t: float, x: float, y: float, path: floa
             memory[at + LOW] = 2.0 * speed
     if memory[at + FALLING] == 0.0:
         return
-    if speed < memory[at + LOW]:
+    if speed < memory[at + LOW] - REST_M_S:
         memory[at + LOW], memory[at + LOW_T] = speed, t
         memory[at + LOW_X], memory[at + LOW_Y], memory[at + LOW_PATH] = x, y, path
     elif speed > RISEN * memory[at + LOW] + RISE_SHARE * memory[at + PEAK] + RISE_M_S:

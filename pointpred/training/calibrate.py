@@ -114,7 +114,7 @@ def calibrated(known: Held, seed: int = 0) -> FloatArray:
 
     def off(logs: list[FloatArray], columns: list[FloatArray]) -> FloatArray:
         shares = []
-        for level, gap in zip(LEVELS, logs, strict=True):
+        for level, gap in zip(LEVELS, logs, strict=False):
             inside = 1.0 / (1.0 + np.exp(np.clip(-gap / SOFT, -40.0, 40.0)))
             shares.append(np.bincount(decile, known.weight * inside, DECILES) / total - level)
         bends = [SMOOTH * np.diff(column, 2) for column in columns] + [0.1 * SMOOTH * c for c in columns]
@@ -132,10 +132,10 @@ def calibrated(known: Held, seed: int = 0) -> FloatArray:
     late = np.log(np.maximum(np.abs(known.late), 1e-6))
 
     def times(values: FloatArray) -> FloatArray:
-        return off([2.0 * (log(z) + at(values) - late) for z in NORMAL], [values])
+        return off([2.0 * (log(z) + at(values) - late) for z in NORMAL[:2]], [values])
 
     found = least_squares(regions, np.zeros(2 * table_law.KNOTS), max_nfev=15).x
-    spread = least_squares(times, np.zeros(table_law.KNOTS), max_nfev=15).x
+    spread = least_squares(times, np.zeros(table_law.KNOTS), max_nfev=40).x
     table = np.empty((table_law.KNOTS, table_law.FACTORS))
     table[:, table_law.WIDTH] = found[: table_law.KNOTS]
     table[:, table_law.TAIL] = np.clip(found[table_law.KNOTS :], -3.0, 3.0)

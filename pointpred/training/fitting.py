@@ -32,11 +32,13 @@ class Settings(msgspec.Struct, frozen=True):
     seed: int = 1
     law_share: float = 0.2
     time_share: float = 5.0
-    varied_time: float = 0.0
+    varied_time: float = 0.05
     """What a varied movement says about the time left, against one as it was made."""
     varied_law: float = 0.25
     varied_point: float = 0.25
-    late: float = 0.25
+    small: float = 0.5
+    """How much a trial's own error counts in what its errors are shares of, against that of its set."""
+    late: float = 0.3
     """How much more a moment weighs the nearer the cursor is to the end: the power of that nearness."""
 
 
@@ -91,7 +93,8 @@ def truth(given: Examples, settings: Settings) -> Truth:
         mine = np.unique(given.trial[rows])
         share[rows] = len(mine) ** -0.25
         mean_hold[rows] = own[mine].mean()
-    hold = np.sqrt(np.maximum(own[given.trial], 1.0) * mean_hold)
+    small = settings.small
+    hold = np.maximum(own[given.trial], 1.0) ** small * mean_hold ** (1.0 - small)
     near = own[given.trial] / np.maximum(given.hold(), NEAR_SHARE * own[given.trial])
     moment = given.weight * share
     duration = np.sqrt(np.maximum(whole[given.trial] / np.maximum(trials[given.trial], 1e-9), 0.05))

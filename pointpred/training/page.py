@@ -91,7 +91,7 @@ def _errors(documents: list[dict[str, Any]]) -> str:
     rows = []
     for document in documents:
         ours = _ours(document)
-        clean = ours["groups"].get("clean")
+        clean = ours["groups"].get("clean_trials")
         rows.append(
             [
                 document["name"],

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import tempfile
 from pathlib import Path
+from typing import Any
 
 import msgspec
 import numpy as np
@@ -128,12 +129,13 @@ def _merged(runs: list[Verdict]) -> Verdict:
     predictors = []
     for place in range(len(first.predictors)):
         parts = [run.score.predictors[place] for run in runs]
-        changed = {
-            name: np.concatenate([getattr(part, name) for part in parts])
-            for name in ("time_averaged", "by_time", "by_path", "single_axis", "coverage")
-        }
-        if all(part.calibration is not None for part in parts):
-            changed["calibration"] = np.concatenate([part.calibration for part in parts])
+        changed: dict[str, Any] = {}
+        for name in parts[0].__struct_fields__:
+            arrays = [getattr(part, name) for part in parts]
+            if all(isinstance(array, np.ndarray) for array in arrays):
+                changed[name] = np.concatenate(arrays)
+            elif any(isinstance(array, np.ndarray) for array in arrays):
+                changed[name] = None  # told of some people only
         predictors.append(msgspec.structs.replace(parts[0], **changed))
     trials = tuple(trial for run in runs for trial in run.score.trials)
     together = msgspec.structs.replace(first, trials=trials, predictors=tuple(predictors))
