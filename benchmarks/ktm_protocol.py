@@ -14,7 +14,7 @@ from pathlib import Path
 from benchmarks.ktm_cost import costs
 from benchmarks.markdown import filled, table
 from benchmarks.per_event import machine
-from benchmarks.results import VARIABLE, recordings
+from benchmarks.sets import VARIABLE, recordings
 from pointpred import REGISTRY, build
 from pointpred.cli.screen import counted
 from pointpred.recording import Recording

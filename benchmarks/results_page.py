@@ -7,6 +7,8 @@ from collections.abc import Callable, Mapping, Sequence
 from importlib.metadata import version
 from typing import Any
 
+from benchmarks import results_claims, results_ktm
+from benchmarks.held_out import SET_OUT
 from benchmarks.markdown import table
 from benchmarks.results_verdict import OVERVIEW, verdict
 from pointpred.cli.screen import counted
@@ -27,6 +29,15 @@ person only (the interval then says nothing about other people). `answers` is th
 prediction. The cost is processor time of the whole pipeline, differentiator included, in microseconds an
 event, on the machine that wrote this page. All else repeats to the last digit with the same versions."""
 
+LEARNED = """What has learned from recordings is judged on a recorded set by coefficients that did not see the
+set (*set left out*: fitted to the other sets) and by coefficients that did not see the person (*people left
+out*: five folds of the people of all sets, each judged by a fit to the other four), never by those that come
+with the package, which saw them all. These stand only on sets that they did not see, as the simulated one. Of
+the regions of a left-out set the calibration comes from people of the other sets, as judged by fits that knew
+the set."""
+
+OUT = " left out)"
+
 AXIS = ("0.1", "0.2", "0.3", "0.4", "0.5", "0.6", "0.7", "0.8", "0.9", "1.0")
 
 
@@ -36,6 +47,7 @@ def page(
     known: Mapping[str, DataSet],
     absent: Sequence[str],
     unread: Mapping[str, str],
+    choices: Sequence[str] = (),
 ) -> str:
     """The whole page."""
     libraries = ", ".join(f"{name} {version(name)}" for name in ("pointpred", "numpy", "numba"))
@@ -45,15 +57,26 @@ def page(
     missing = [f"`{name}`" for name in absent]
     said = [f"Sets of the catalogue that were not at hand: {', '.join(missing)}."] if missing else []
     said += [f"Not read: {reason}." for reason in unread.values()]
-    parts = ["# Results", *verdict(sets), PROTOCOL, about, *said, contents(sets), OVERVIEW, overview(sets)]
+    parts = [
+        "# Results",
+        *verdict(sets),
+        PROTOCOL,
+        LEARNED,
+        about,
+        *said,
+        contents(sets, choices),
+        OVERVIEW,
+        overview(sets),
+    ]
     for one in sets:
         parts += section(one, figures.get(one["name"], {}), known.get(one["name"]))
+    parts += choices
     return "\n\n".join(parts) + "\n"
 
 
-def contents(sets: Sequence[Json]) -> str:
+def contents(sets: Sequence[Json], choices: Sequence[str] = ()) -> str:
     """A link to each section."""
-    lines = [OVERVIEW.lstrip("# "), *(title(one) for one in sets)]
+    lines = [OVERVIEW.lstrip("# "), *(title(one) for one in sets), *(c.lstrip("# ") for c in choices[:1])]
     return "\n".join(f"- [{line}](#{anchor(line)})" for line in lines)
 
 
@@ -72,12 +95,17 @@ def title(one: Json) -> str:
 
 
 def overview(sets: Sequence[Json]) -> str:
-    """A row a predictor, a column a set."""
-    names = [predictor["name"] for predictor in sets[0]["predictors"]]
-    rows = [
-        (f"`{name}`", *(number(one["predictors"][place]["time_averaged"]["of_hold"]) for one in sets))
-        for place, name in enumerate(names)
-    ]
+    """A row a predictor, a column a set; the package's own coefficients never saw a simulated set."""
+    found: dict[str, list[str]] = {}
+    learners = {
+        p["name"].removesuffix(SET_OUT) for one in sets for p in one["predictors"] if SET_OUT in p["name"]
+    }
+    for place, one in enumerate(sets):
+        for p in one["predictors"]:
+            name = p["name"] + SET_OUT if p["name"] in learners else p["name"]
+            row = found.setdefault(name, ["-"] * len(sets))
+            row[place] = number(p["time_averaged"]["of_hold"])
+    rows = [(f"`{name}`", *cells) for name, cells in found.items()]
     return table(("predictor", *(title(one) for one in sets)), rows)
 
 
@@ -93,14 +121,21 @@ def section(one: Json, figures: Mapping[str, str], entry: DataSet | None) -> lis
         f"{people}, {counted(one['trials'], 'trial')}{judged}, {counted(one['events'], 'event')}; "
         f"{counted(len(one['skipped']), 'trial')} skipped. Resampled: {one['interval']['resampled']}."
     )
-    parts += [*told_apart(one), *skipped(one)]
+    parts += [*told_apart(one), *skipped(one), *(f"{note[0].upper()}{note[1:]}." for note in one["notes"])]
     if not one["trials"]:
         return [*parts, "No trial could be scored."]
     parts += ["### Time-averaged error", averaged(one)]
     parts += ["### By time from onset to arrival", series(one, "by_time")]
     parts += ["### By path", series(one, "by_path")]
     parts += ["### Mean absolute error on the longer axis, px, by path along it", single_axis(one)]
-    return [*parts, *figures.values()]
+    parts += results_claims.section(one)
+    if one.get("ktm"):
+        parts += [
+            "### The protocol of template matching",
+            results_ktm.WORDS,
+            *results_ktm.section(one["ktm"]),
+        ]
+    return [*parts, "### Figures", *figures.values()]
 
 
 def told_apart(one: Json) -> list[str]:
@@ -159,6 +194,10 @@ def series(one: Json, kind: str) -> str:
     for predictor in one["predictors"][1:]:
         cells = _beside(predictor, kind, fractions, lambda cell: number(cell["of_hold"]))
         rows.append((f"`{predictor['name']}`", *cells))
+        if OUT in predictor["name"]:
+            bounds = (predictor[kind][fraction]["interval"] for fraction in fractions)
+            spread = ("-" if b is None else f"[{b[0]:.2f}, {b[1]:.2f}]" for b in bounds)
+            rows.append((f"`{predictor['name']}`, interval", *spread))
     return table(head, rows)
 
 

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from benchmarks.held_out import PEOPLE_OUT, SET_OUT
 from pointpred.cli.screen import counted
 from pointpred.errors import ParameterError
 from pointpred.registry import parameters
@@ -26,6 +27,7 @@ def verdict(sets: Sequence[Json]) -> list[str]:
     said = [steady(shares_of(scored), "sets")] if scored else []
     if people:
         said.append(best_of(shares_of(people)))
+        said += learned(people)
         said += cautious(people)
     alone = [one["name"] for one in scored if one["users"] == 1]
     if alone:
@@ -33,15 +35,44 @@ def verdict(sets: Sequence[Json]) -> list[str]:
     return [" ".join(said)] if said else []
 
 
+def rows_of(one: Json) -> dict[str, Json]:
+    """Predictors by name; what has learned stands for itself by its row without the set."""
+    rows = {p["name"].removesuffix(SET_OUT): p for p in one["predictors"]}
+    return {name: p for name, p in rows.items() if not name.endswith(PEOPLE_OUT)}
+
+
 def shares_of(sets: Iterable[Json]) -> Shares:
-    """The time-averaged error of each predictor over hold's, a number a set."""
+    """The time-averaged error over hold's, a number a set, of each predictor but hold that has all."""
     found: dict[str, list[float]] = {}
-    for one in sets:
-        for predictor in one["predictors"]:
-            if predictor["name"] != FLOOR:
+    listed = list(sets)
+    for one in listed:
+        for name, predictor in rows_of(one).items():
+            if name != FLOOR:
                 share = predictor["time_averaged"]["of_hold"]
-                found.setdefault(predictor["name"], []).append(float("nan") if share is None else share)
-    return found
+                found.setdefault(name, []).append(float("nan") if share is None else share)
+    return {name: shares for name, shares in found.items() if len(shares) == len(listed)}
+
+
+def learned(people: Sequence[Json]) -> list[str]:
+    """How what has learned does on the sets that it did not see, and on the people that it did not see."""
+    said = []
+    for words, ending in (("without the set", SET_OUT), ("without the person", PEOPLE_OUT)):
+        names = dict.fromkeys(p["name"] for one in people for p in one["predictors"])
+        for name in [name for name in names if name.endswith(ending)]:
+            rows = {one["name"]: p for one in people for p in one["predictors"] if p["name"] == name}
+            shares = [p["time_averaged"]["of_hold"] for p in rows.values()]
+            below = sum(p["time_averaged"]["interval"][1] < 1.0 for p in rows.values())
+            worst, where, when = max(
+                (cell["of_hold"], which, f"{float(t):.0%}")
+                for which, p in rows.items()
+                for t, cell in p["by_time"].items()
+            )
+            said.append(
+                f"`{name.removesuffix(ending)}`, fitted {words} it is judged on, has {min(shares):.2f} to "
+                f"{max(shares):.2f} of hold's error, with the interval below 1 on {below} of "
+                f"{counted(len(rows), 'set')}; at its worst share of the time {worst:.2f} ({where}, {when})."
+            )
+    return said
 
 
 def steady(shares: Shares, noun: str) -> str:
@@ -82,12 +113,8 @@ def cautious(people: Sequence[Json]) -> list[str]:
     if horizon is None:
         return []
     early = {
-        predictor["name"]: [
-            next(p for p in one["predictors"] if p["name"] == predictor["name"])["by_time"][EARLY]["of_hold"]
-            for one in people
-        ]
-        for predictor in people[0]["predictors"]
-        if predictor["name"] != FLOOR
+        other: [rows_of(one)[other]["by_time"][EARLY]["of_hold"] for one in people]
+        for other in shares_of(people)
     }
     low, high = spread(early)
     return [
@@ -104,14 +131,24 @@ def recorded(page: Path) -> str:
     lines = [line for line in first.splitlines() if line.startswith("| ")] or ["", ""]
     head, _, *rows = [[cell.strip(" `") for cell in line.strip("| ").split("|")] for line in lines]
     columns = [i for i, title in enumerate(head) if i and "(simulated)" not in title]
-    shares = {row[0]: [float(row[i]) for i in columns] for row in rows if row[0] != FLOOR}
+    shares = {
+        row[0].removesuffix(SET_OUT): [float(row[i]) for i in columns]
+        for row in rows
+        if row[0] != FLOOR and not row[0].endswith(PEOPLE_OUT) and all(row[i] != "-" for i in columns)
+    }
     if not columns or not shares:
         raise ParameterError(f"{page.name} holds no recorded set; run `make results` with recordings")
     low, high = spread(shares)
     worse = sum(max(values) > 1.0 for values in shares.values())
+    learners = [row[0].removesuffix(SET_OUT) for row in rows if row[0].endswith(SET_OUT)]
+    without = "".join(
+        f" `{name}`, fitted without the set, has {min(shares[name]):.2f} to {max(shares[name]):.2f}."
+        for name in learners
+        if name in shares
+    )
     return (
         "These people are simulated and easier to predict. "
         f"On {counted(len(columns), 'recorded set')} the best predictors have {low:.2f} to {high:.2f} of "
-        f"hold's error, and {worse} of {len(shares)} predictors do worse than no prediction on at least one: "
-        "[docs/results.md](docs/results.md)."
+        f"hold's error, and {worse} of {len(shares)} predictors do worse than no prediction on at least one."
+        f"{without} All numbers: [docs/results.md](docs/results.md)."
     )

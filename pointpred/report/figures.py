@@ -211,11 +211,12 @@ def cost(described: Json) -> Picture:
     from matplotlib.ticker import LogLocator
 
     drawn = [p for p in _by_share(described) if p["us_per_event"]]
+    names = [p["name"] for p in described["predictors"]]
     title = marked(described, "Cost beside accuracy")
     with canvas(height=5.2) as (figure, (axes,)):
         for p in drawn:
             point = (p["us_per_event"], p["time_averaged"]["of_hold"])
-            style: Any = line_style(p["name"], [p["name"]]) | {"linestyle": "none", "markersize": 7.5}
+            style: Any = line_style(p["name"], names) | {"linestyle": "none", "markersize": 7.5}
             axes.plot(*[[value] for value in point], **({"marker": "o"} | style))
         if drawn:
             axes.set_xscale("log")

@@ -12,6 +12,7 @@ from pointpred.recording import Recording
 from pointpred.registry import build
 from pointpred.report.boxes import boxes
 from pointpred.report.choice import compared, highlighted, pair
+from pointpred.report.claims import inside_curves, time_left_bars
 from pointpred.report.figures import clean_against_all, cost, curves, group_curves, skill_bars
 from pointpred.report.page import page
 from pointpred.report.statistics import mae_table, statistics_html
@@ -87,6 +88,8 @@ def _set_html(place: int, score: SetScore, described: Json, drawings: Sequence[D
     drawn = [skill_bars(described), *_curves(described, shown), cost(described)]
     if "clean_trials" in described["groups"]:
         drawn.append(clean_against_all(described))
+    claims = (inside_curves(described, "calibration"), inside_curves(described, "time_left"))
+    drawn += [one for one in (*claims, time_left_bars(described)) if one is not None]
     parts += [
         "<h3>Summary</h3>",
         summary_table(described),

@@ -35,7 +35,7 @@ STYLES: dict[str, tuple[int, str, object]] = {
     "switched": (0, "o", "solid"),
     "switched-printed": (0, "h", DASHED),
     "switched-direction": (0, "d", "dotted"),
-    "kinematic": (5, "d", "solid"),
+    "kinematic": (5, "p", "solid"),
     "kinematic-adaptive": (5, "H", DASHED),
 }
 """Place in PALETTE, marker and dash of each name of the registry, the same in every figure and set."""
@@ -128,9 +128,9 @@ def picture(figure: Figure, alt: str, caption: str, *, wide: bool = False) -> Pi
 def line_style(name: str, shown: Sequence[str]) -> dict[str, object]:
     """Colour, marker and dash of a predictor: ``hold`` is the grey reference, what is not shown is faint.
 
-    A name of the registry with words in brackets behind it has that name's colour and marker, thinner and
-    dotted where it is drawn beside others of that name before it. Any other name has a look of its own too,
-    told by its letters.
+    A name of the registry with words in brackets behind it has that name's colour and marker; where
+    another of that name is drawn before it the line is dotted and the marker hollow. Any other name has a
+    look of its own too, told by its letters.
     """
     if name == HOLD:
         return {"color": GREY, "linestyle": (0, (4, 2)), "label": "hold (no prediction)", "zorder": 2.5}
@@ -140,14 +140,15 @@ def line_style(name: str, shown: Sequence[str]) -> dict[str, object]:
     base = name.partition(" (")[0]
     place, marker, dash = STYLES.get(base, (other % 6, MARKERS[other // 6 % 6], "dotted"))
     earlier = [one for one in shown[: list(shown).index(name)] if one.partition(" (")[0] == base]
-    if base in STYLES and earlier:
-        dash = "dotted"
+    hollow = base in STYLES and bool(earlier)
+    dash = "dotted" if hollow else dash
     return {
         "color": PALETTE[place],
         "marker": marker,
         "linestyle": dash,
         "label": name,
         "zorder": 3.0,
+        **({"markerfacecolor": "none"} if hollow else {}),
     }
 
 

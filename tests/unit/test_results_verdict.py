@@ -41,6 +41,29 @@ def test_a_winner_without_a_fixed_horizon_is_not_called_cautious() -> None:
     assert verdict([]) == []
 
 
+def learner(one: dict[str, Any], ending: str, share: float, high: float, worst: float) -> dict[str, Any]:
+    row = {
+        "name": f"kinematic ({ending})",
+        "time_averaged": {"of_hold": share, "interval": [0.5, high]},
+        "by_time": {"0.2": {"of_hold": share}, "0.9": {"of_hold": worst}},
+    }
+    return one | {"predictors": [*one["predictors"], row]}
+
+
+def test_what_has_learned_is_judged_without_the_set() -> None:
+    made = one_set("made", 10, True, kalman=0.9, kinematic=0.5)
+    crowd = learner(one_set("crowd", 8, kalman=0.9), "set left out", 0.7, 0.8, 0.97)
+    crowd = learner(crowd, "people left out", 0.6, 0.7, 0.9)
+    other = learner(one_set("other", 8, kalman=0.8), "set left out", 0.95, 1.1, 0.9)
+    (said,) = verdict([made, crowd, other])
+    assert "Below 1 on each of the 3 sets: `kalman`, `kinematic`." in said
+    assert "`kinematic` (1), `kalman` (1)" in said
+    assert "`kinematic`, fitted without the set it is judged on, has 0.70 to 0.95 of hold's error" in said
+    assert "below 1 on 1 of 2 sets; at its worst share of the time 0.97 (crowd, 90%)" in said
+    assert "fitted without the person it is judged on, has 0.60 to 0.60" in said
+    assert "lowest time-averaged error is 0.70 to 0.80" in said  # not the 0.60 of people left out
+
+
 PAGE = """# Results
 
 ## Time-averaged error of all sets
@@ -70,3 +93,16 @@ def test_the_readme_quotes_the_first_table(tmp_path: Path) -> None:
     page.write_text("# Results\n")
     with pytest.raises(ParameterError, match="no recorded set"):
         recorded(page)
+
+
+def test_the_readme_quotes_what_has_learned_by_its_row_without_the_set(tmp_path: Path) -> None:
+    page = tmp_path / "results.md"
+    rows = (
+        "| `kinematic (set left out)` | 0.50 | 0.70 | 0.80 |\n"
+        "| `kinematic (people left out)` | - | 0.60 | 0.6 |\n"
+    )
+    page.write_text(PAGE.replace("\n\n## crowd", f"\n{rows}\n## crowd", 1))
+    said = recorded(page)
+    assert "the best predictors have 0.70 to 0.80 of hold's error" in said
+    assert "1 of 3 predictors do worse" in said
+    assert "`kinematic`, fitted without the set, has 0.70 to 0.80." in said

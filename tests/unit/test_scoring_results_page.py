@@ -43,7 +43,7 @@ def test_every_set_is_named_present_absent_or_unread(page: str) -> None:
     assert "## reaches\n" in page
     assert "not at hand: `freihaut2021`," in page
     assert "Not read: broken_samples.csv" in page
-    assert page.count("![") == 4
+    assert page.count("![") == 6  # nobody claims anything: errors by time and path, cost
     assert "- [simulated-circle (simulated)](#simulated-circle-simulated)\n- [reaches](#reaches)" in page
 
 
@@ -73,3 +73,19 @@ def test_what_failed_and_what_means_nothing_is_said() -> None:
     assert results_page.number(None) == "-"
     empty = summary(score([Recording.of("none", [], [])], ["linear"])[0])
     assert results_page.section(empty, {}, None)[-1] == "No trial could be scored."
+
+
+def test_hits_say_where_the_set_knows_no_target(page: str) -> None:
+    assert "This set does not know its targets." in page.split("## reaches\n")[1]
+    made = page.split("## simulated-circle (simulated)\n")[1].split("\n## ")[0]
+    assert "### Hits in the target, % of the 240 trials whose target is known, by time" in made
+    assert "| `hold`, clean |" in made
+
+
+def test_template_matching_stands_beside_the_predictors(page: str) -> None:
+    section = page.split("## simulated-circle (simulated)\n")[1].split("\n## ")[0]
+    lines = section.split("### The protocol of template matching")[1].splitlines()
+    matched = next(line for line in lines if line.startswith("| ktm, library |"))
+    assert matched.split(" | ")[-1].startswith("1.00 [1.00, 1.00] / 1.00 [1.00, 1.00]")
+    assert any(line.startswith("| `linear` |") for line in lines)
+    assert "no person has the movements that a library needs" in page.split("## reaches\n")[1]

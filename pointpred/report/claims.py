@@ -1,0 +1,106 @@
+"""Figures of claims: whether regions and intervals are as sure as they say, and the time left."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from pointpred.report.figures import marked
+from pointpred.report.style import (
+    GREY,
+    MARKERS,
+    PALETTE,
+    Picture,
+    canvas,
+    legend_outside,
+    picture,
+)
+from pointpred.scoring.calibration import LEVELS
+
+Json = dict[str, Any]
+
+WORDS = {
+    "calibration": ("Endpoints inside the predicted regions", "regions"),
+    "time_left": ("Arrivals inside the predicted intervals", "intervals of the time left"),
+}
+ALLOWED = 0.03
+"""How far off a share may be before a claim is called false."""
+
+
+def inside_curves(described: Json, kind: str) -> Picture | None:
+    """Shares inside against time, a panel a predictor; ``kind`` of WORDS. ``None`` without claims."""
+    claiming = [p for p in described["predictors"] if p[kind] and p[kind]["by_time"]]
+    if not claiming:
+        return None
+    what, noun = WORDS[kind]
+    title = marked(described, what)
+    rows = (len(claiming) + 1) // 2
+    with canvas(rows, 2, width=8.0, height=1.1 + 2.4 * rows, share=True) as (figure, panels):
+        for axes, p in zip(panels, claiming, strict=False):
+            for place, level in enumerate(LEVELS):
+                band = 100 * (level - ALLOWED), 100 * (level + ALLOWED)
+                axes.axhspan(*band, color=PALETTE[place], alpha=0.22, linewidth=0)
+                at, inside = _inside(p[kind]["by_time"], str(level))
+                axes.plot(
+                    at, inside, MARKERS[place], linestyle="-", color=PALETTE[place], label=f"{level:.0%}"
+                )
+            axes.set_title(p["name"])
+            axes.grid(axis="y")
+            axes.tick_params(labelbottom=True)
+        for axes in panels[len(claiming) :]:
+            axes.set_visible(False)
+        panels[0].set(ylim=(0, 101), xlim=(5, 95))
+        panels[0].set_xticks(range(10, 91, 20))
+        figure.supxlabel("share of the time to arrival [%]", fontsize=10.5)
+        figure.supylabel("share inside [%]", fontsize=10.5)
+        legend_outside(figure, panels[0], above=True, columns=3)
+        said = []
+        for p in claiming:
+            shares = "/".join(f"{100 * p[kind]['inside'][str(level)]:.0f}" for level in LEVELS)
+            said.append(f"{p['name']} {shares} % over all the time")
+        return picture(
+            figure,
+            f"{title} on {described['name']}: {'; '.join(said)}, wanted "
+            f"{'/'.join(f'{level:.0%}' for level in LEVELS)}.",
+            f"{title} of 50, 80 and 95 %, at each decile of the time, over the trials with {noun} there. "
+            f"A claim is true within the band of its colour, {ALLOWED:.0%} to either side.",
+            wide=True,
+        )
+
+
+def _inside(by_time: Json, level: str) -> tuple[list[float], list[float]]:
+    """Times and shares in percent, NaN where nothing was claimed."""
+    shares = [cell["inside"][level] for cell in by_time.values()]
+    return [100 * float(t) for t in by_time], [np.nan if s is None else 100 * s for s in shares]
+
+
+def time_left_bars(described: Json) -> Picture | None:
+    """Error of the time left over that of a clock, with intervals, best first; ``None`` without claims."""
+    claiming = [p for p in described["predictors"] if p["time_left"] and p["time_left"]["of_clock"]]
+    if not claiming:
+        return None
+    ordered = sorted(claiming, key=lambda p: p["time_left"]["of_clock"])
+    title = marked(described, "Time left beside a clock")
+    clock = 1e3 * ordered[0]["time_left"]["clock_s"]
+    with canvas(width=6.2, height=1.4 + 0.28 * len(ordered)) as (figure, (axes,)):
+        for place, p in enumerate(ordered):
+            ratio, bounds = p["time_left"]["of_clock"], p["time_left"]["interval"]
+            low, high = bounds or (ratio, ratio)
+            surely = bounds is not None and high < 1.0
+            colour = PALETTE[0] if surely else PALETTE[1]
+            axes.plot([low, high], [place, place], color=colour, linewidth=2.6)
+            axes.plot([ratio], [place], "o" if surely else "s", color=colour, markersize=6.5)
+        axes.axvline(1.0, color=GREY, linestyle="--", linewidth=1.2)
+        axes.set_yticks(range(len(ordered)), [p["name"] for p in ordered])
+        axes.set(title=title, xlabel="share of the clock's error")
+        axes.set(ylim=(len(ordered) - 0.4, -0.6))
+        axes.grid(axis="x")
+        said = [f"{p['name']} {p['time_left']['of_clock']:.2f}" for p in ordered]
+        return picture(
+            figure,
+            f"{title} on {described['name']}: {'; '.join(said)}.",
+            f"Time-averaged absolute error of the time left. The clock, {clock:.0f} ms off, knows only the "
+            "median movement time of the set. Bars: 95 % bootstrap interval. Where a predictor claims no "
+            "time the clock is scored in its place.",
+        )
