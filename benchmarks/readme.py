@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from benchmarks.held_out import seen, trained
 from benchmarks.markdown import filled, table
 from pointpred.cli.tables import title
 from pointpred.datasets import sample
@@ -30,7 +31,10 @@ def scores() -> str:
     described = summary(score([sample()], list(REGISTRY))[0])
     places = [HEADINGS.index(heading) for heading in SHOWN]
     cells = [(f"`{row[0]}`", *(row[i] for i in places[1:])) for row in rows(described)]
-    return f"{title(described)}\n\n{table(SHOWN, cells)}"
+    learned = [f"`{name}`" for name in trained() if described["name"] not in seen()]
+    verb = "was" if len(learned) == 1 else "were"
+    said = f"\n\n{' and '.join(learned)} {verb} fitted to other people, never to these." if learned else ""
+    return f"{title(described)}\n\n{table(SHOWN, cells)}{said}"
 
 
 def write_scores(root: Path) -> Path:
