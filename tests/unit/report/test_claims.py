@@ -13,7 +13,7 @@ from pointpred.scoring.summary import summary
 @pytest.fixture(scope="module")
 def claiming(make_score):
     """A score in which `kinematic` claims regions and times, and `kalman` regions up to half of the time."""
-    scored = make_score()
+    scored = make_score(people=3, repeats=1)
     random, count = np.random.default_rng(5), len(scored.trials)
     inside = (random.random((count, len(DECILES), 1)) < np.array([0.5, 0.8, 0.95])).astype(float)
     early = inside.copy()
@@ -64,4 +64,4 @@ def test_the_report_shows_them(claiming, make_score, tmp_path):
         write_report([scored], tmp_path / "out.html")
         return (tmp_path / "out.html").read_text().count("<figure")
 
-    assert figures(claiming) == figures(make_score()) + 3
+    assert figures(claiming) == figures(make_score(people=3, repeats=1)) + 3
