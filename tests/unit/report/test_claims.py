@@ -59,9 +59,8 @@ def test_nothing_is_drawn_without_claims(make_score):
     assert time_left_bars(silent) is None
 
 
-def test_the_report_shows_them(claiming, make_score, tmp_path):
-    def figures(scored):
-        write_report([scored], tmp_path / "out.html")
-        return (tmp_path / "out.html").read_text().count("<figure")
-
-    assert figures(claiming) == figures(make_score(people=3, repeats=1)) + 3
+def test_the_report_shows_them(claiming, tmp_path):
+    write_report([claiming], tmp_path / "out.html")
+    page = (tmp_path / "out.html").read_text()
+    for title in ("Endpoints inside the predicted regions", "Arrivals inside", "Time left beside a clock"):
+        assert page.count(f'alt="{title}') == 1
