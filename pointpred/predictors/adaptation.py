@@ -93,14 +93,14 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     bias: a <- a + b (p D + q a), with p and q by least squares with forgetting 0.97, weights
     (nu + 1) / (nu + r^2) of the residual r in widths, ridge 20; b in 0 .. 1 is the share of that shift that
     has paid so far. Widths: s <- s sqrt((S + 2) / (n + 2)), S the sum of the weighted squared residuals.
-    Tempo: log(time left) shifts by its mean residual, shrunk and believed in the same way.
+    Tempo: log(time left) shifts by its mean residual, shrunk and believed in the same way; its spread stays.
 
     Distances: the Student law along, times a density of the last 12 distances, kernels of 2 and 8 %, weights
     exp(-age / 1.5) and exp(-age / 12). Each of the four, and "nothing is known" (0.8 at first), is believed
     by how likely it had made the distances that came; 5 % flows back. The median of the product answers.
 
     Parameters: ``adapt`` 0 or 1 (0: bit for bit `kinematic`), ``distances`` 0 or 1, ``shortest_px``.
-    Memory: 482 floats. Costs 1.3 us an event more than ``kinematic``. Raises ParameterError, and EventError
+    Memory: 568 floats. Costs 1.3 us an event more than ``kinematic``. Raises ParameterError, and EventError
     from ``update``.
 
     Reference: none; docs/adaptation.md. Prior knowledge of repeated distances: Pasqual, Wobbrock 2014.

@@ -17,10 +17,15 @@ from pointpred.predictors import adaptation_stages as stages
 DISTANCES = stages.LEARNED
 LEARNED = DISTANCES + distances.LEARNED
 
-# The movement, relative to `at`: whether there is one, its start, its last sample, when it last moved,
-# samples of different times; a moment of each stage.
-KNOWN, T0, X0, Y0, T, X, Y, MOVED_T, COUNT, MOMENTS = 0, 1, 2, 3, 4, 5, 6, 7, 8, 9
+# The movement, relative to `at`: whether there is one, its start, its last sample, how many
+# places of the way were kept, samples of different times; the last of these places; a moment of each stage.
+KNOWN, T0, X0, Y0, T, X, Y, LATELY, COUNT, TRACE = 0, 1, 2, 3, 4, 5, 6, 7, 8, 9
+TRACED, APART_S = 32, 0.016
+"""Places kept of the last way, and how far apart in time at least; while it stands none is kept."""
+MOMENTS = TRACE + 3 * TRACED
 STATES = MOMENTS + stages.STATES
+NEAR_PX, NEAR_SHARE = 8.0, 0.03
+"""The movement has arrived when the cursor stays so near its end: px, share of the distance."""
 
 SAMPLES_LEAST, LEAST_S = 6, 0.08
 """A movement of fewer samples of different times, or shorter, teaches nothing."""
@@ -29,10 +34,24 @@ EARLY = 0.1
 
 
 @law
+def arrived(memory: FloatArray, at: int, near: float) -> float:
+    """When the cursor came near its end for good; the oldest time that is kept where that is longer ago."""
+    kept = int(memory[at + LATELY])
+    when = memory[at + T]
+    for back in range(min(kept, TRACED)):
+        place = at + TRACE + 3 * ((kept - 1 - back) % TRACED)
+        if hypot(memory[place + 1] - memory[at + X], memory[place + 2] - memory[at + Y]) > near:
+            return when
+        when = memory[place]
+    return when
+
+
+@law
 def conclude(memory: FloatArray, known: int, at: int, shortest: float) -> None:
     """The movement has ended where the cursor is: learn from it, and forget it."""
-    x, y, moved = memory[at + X], memory[at + Y], memory[at + MOVED_T]
+    x, y = memory[at + X], memory[at + Y]
     distance = hypot(x - memory[at + X0], y - memory[at + Y0])
+    moved = arrived(memory, at, max(NEAR_PX, NEAR_SHARE * distance))
     teaches = memory[at + KNOWN] == 1.0 and memory[at + COUNT] >= SAMPLES_LEAST
     if teaches and moved - memory[at + T0] >= LEAST_S and distance >= shortest:
         for stage in range(stages.STAGES):
@@ -48,13 +67,15 @@ def follow(
     memory: FloatArray, at: int, t: float, x: float, y: float, t0: float, x0: float, y0: float
 ) -> None:
     """Take one sample in; the movement started at ``t0``, ``x0``, ``y0``."""
-    if memory[at + KNOWN] == 0.0:
-        memory[at + MOVED_T], memory[at + COUNT] = t, 1.0
-    else:
-        if t > memory[at + T]:
-            memory[at + COUNT] += 1.0
-        if x != memory[at + X] or y != memory[at + Y]:
-            memory[at + MOVED_T] = t
+    kept = int(memory[at + LATELY])
+    last = at + TRACE + 3 * ((kept - 1) % TRACED)
+    if memory[at + KNOWN] == 0.0 or t > memory[at + T]:
+        memory[at + COUNT] += 1.0
+    moved = x != memory[at + X] or y != memory[at + Y]
+    if kept == 0 or (moved and t - memory[last] >= APART_S):
+        place = at + TRACE + 3 * (kept % TRACED)
+        memory[place], memory[place + 1], memory[place + 2] = t, x, y
+        memory[at + LATELY] = kept + 1.0
     memory[at + KNOWN] = 1.0
     memory[at + T0], memory[at + X0], memory[at + Y0] = t0, x0, y0
     memory[at + T], memory[at + X], memory[at + Y] = t, x, y
@@ -74,7 +95,6 @@ def take(
     broad: float,
     tail: float,
     left: float,
-    spread: float,
 ) -> None:
     """Keep the first moment of a stage; a stage that was leapt over, or is behind, is not taken."""
     stage = floor(share * stages.STAGES - 0.5 + EARLY)
@@ -90,8 +110,7 @@ def take(
     memory[moment + stages.ALONG], memory[moment + stages.ACROSS] = along, across
     memory[moment + stages.SAID_WIDE], memory[moment + stages.SAID_BROAD] = wide, broad
     memory[moment + stages.TAIL] = tail
-    memory[moment + stages.LEFT], memory[moment + stages.SAID_SPREAD] = left, spread
-    memory[moment + stages.REACHED] = reached
+    memory[moment + stages.LEFT], memory[moment + stages.REACHED] = left, reached
 
 
 @law
@@ -107,7 +126,7 @@ def adapted(
     x, y = memory[at + X], memory[at + Y]
     away_x, away_y = x - memory[at + X0], y - memory[at + Y0]
     reached = hypot(away_x, away_y)
-    if not (reached > 0.0 and left > 0.0 and tail > 0.0 and spread > 0.0 and sxx + syy > 0.0):
+    if not (reached > 0.0 and left > 0.0 and tail > 0.0 and sxx + syy > 0.0):
         return answer
     ux, uy = away_x / reached, away_y / reached
     wide2 = sxx * ux * ux + 2.0 * sxy * ux * uy + syy * uy * uy
@@ -119,11 +138,11 @@ def adapted(
     across = (py - y) * ux - (px - x) * uy
     since = memory[at + T] - memory[at + T0]
     share = since / (since + left)
-    take(memory, at, share, ux, uy, reached, along, across, wide, broad, tail, left, spread)
+    take(memory, at, share, ux, uy, reached, along, across, wide, broad, tail, left)
     if memory[known + DISTANCES + distances.HELD] == 0.0:
         return answer
     total = hypot(reached + along, across)
-    shift, widen, broaden, slow, scatter = stages.corrected(memory, known, share, total, along)
+    shift, widen, broaden, slow = stages.corrected(memory, known, share, total, along)
     new_wide, new_broad = wide * widen, broad * broaden
     new_along = along + shift
     if ask == 1.0:
@@ -142,5 +161,5 @@ def adapted(
         left * slow,
         phase,
         tail,
-        spread * scatter,
+        spread,
     )

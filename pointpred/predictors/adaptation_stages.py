@@ -23,24 +23,23 @@ TEMPO_OF = 10.0
 """Movements that the tempo of everybody counts for."""
 FURTHEST = 4.0
 """No single movement is further off than so many widths."""
-TEMPO_MOST, TEMPO_OFF = 1.0, 0.3
+TEMPO_MOST, TEMPO_OFF = 0.4, 0.3
 """Nor by more than this logarithm of the time left; and by how much it usually is."""
-FADE = 0.9
+FADE = 0.4
 """From this share on the bias fades out: what is still to come is a rest, not the movement."""
 
 # A stage, relative to its place: the normal equations of the bias, its two coefficients, what believing it
 # was and would have been worth; sums for the widths; the same for the tempo.
 G00, G01, G11, R0, R1, TOTAL, AHEAD, BIAS_PAID, BIAS_SIZE = 0, 1, 2, 3, 4, 5, 6, 7, 8
-COUNT, WIDE, BROAD, SPREAD = 9, 10, 11, 12
-TEMPO, TIMED, TEMPO_PAID, TEMPO_SIZE = 13, 14, 15, 16
-WIDTH = 17
+COUNT, WIDE, BROAD = 9, 10, 11
+TEMPO, TIMED, TEMPO_PAID, TEMPO_SIZE = 12, 13, 14, 15
+WIDTH = 16
 LEARNED = STAGES * WIDTH
 
 # A moment of the movement at a stage, relative to its place: whether there is one; time, place, direction;
-# the way ahead along and across, the widths, the tail, the time left and its spread, as predicted.
-TAKEN, T, X, Y, UX, UY, ALONG, ACROSS, SAID_WIDE, SAID_BROAD, TAIL, LEFT, SAID_SPREAD = range(13)
-REACHED = 13
-MOMENT = 14
+# the way ahead along and across, the widths, the tail, the time left, as predicted; px from the start.
+TAKEN, T, X, Y, UX, UY, ALONG, ACROSS, SAID_WIDE, SAID_BROAD, TAIL, LEFT, REACHED = range(13)
+MOMENT = 13
 STATES = STAGES * MOMENT
 
 
@@ -79,19 +78,18 @@ def tempo(memory: FloatArray, at: int) -> float:
 @law
 def corrected(
     memory: FloatArray, at: int, share: float, total: float, along: float
-) -> tuple[float, float, float, float, float]:
-    """(bias px, factors of the width along, the width across, the time left, its spread)."""
+) -> tuple[float, float, float, float]:
+    """(bias px, factors of the width along, the width across, the time left)."""
     stage, part = place(share)
-    shift, wide, broad, slow, spread = 0.0, 0.0, 0.0, 0.0, 0.0
+    shift, wide, broad, slow = 0.0, 0.0, 0.0, 0.0
     for side in range(2):
         a, weight = at + (stage + side) * WIDTH, part if side == 1 else 1.0 - part
         shift += weight * bias(memory, a, total, along) * believed(memory, a, BIAS_PAID)
         wide += weight * widened(memory, a, WIDE)
         broad += weight * widened(memory, a, BROAD)
-        spread += weight * widened(memory, a, SPREAD)
         slow += weight * tempo(memory, a) * believed(memory, a, TEMPO_PAID)
     shift *= min((1.0 - share) / (1.0 - FADE), 1.0)
-    return shift, exp(wide), exp(broad), exp(slow), exp(spread)
+    return shift, exp(wide), exp(broad), exp(slow)
 
 
 @law
@@ -151,8 +149,4 @@ def learn(memory: FloatArray, at: int, moment: int, x: float, y: float, t: float
         memory[at + TEMPO_SIZE] += slow * slow / TEMPO_OFF**2
         memory[at + TEMPO] += late
         memory[at + TIMED] += 1.0
-        spread = (late - slow) / memory[moment + SAID_SPREAD]
-        memory[at + SPREAD] += bounded(spread, FURTHEST) ** 2
-    else:
-        memory[at + SPREAD] += 1.0
     memory[at + COUNT] += 1.0

@@ -52,7 +52,7 @@ def taught(memory: FloatArray, random: np.random.Generator, count: int, gain: fl
         memory[moment + stages.UX], memory[moment + stages.X] = 1.0, reached
         memory[moment + stages.REACHED], memory[moment + stages.ALONG] = reached, said
         memory[moment + stages.SAID_WIDE] = memory[moment + stages.SAID_BROAD] = 0.2 * said
-        memory[moment + stages.TAIL], memory[moment + stages.SAID_SPREAD] = 8.0, 0.4
+        memory[moment + stages.TAIL] = 8.0
         memory[moment + stages.LEFT] = 0.4
         x = reached + said * gain * (1.0 + 0.1 * random.standard_normal())
         t = 0.4 * slow * np.exp(0.1 * random.standard_normal())
@@ -62,19 +62,18 @@ def taught(memory: FloatArray, random: np.random.Generator, count: int, gain: fl
 
 def gain(memory: FloatArray) -> float:
     """What it makes of 100 px ahead, 80 px after the start."""
-    return 1.0 + stages.corrected(memory, 0, 0.5, 180.0, 100.0)[0] / 100.0
+    return 1.0 + stages.corrected(memory, 0, 0.3, 180.0, 100.0)[0] / 100.0
 
 
 def test_it_converges_to_a_known_person_and_then_to_another() -> None:
     memory, random = np.zeros(stages.LEARNED + stages.MOMENT), np.random.default_rng(1)
-    assert stages.corrected(memory, 0, 0.5, 180.0, 100.0) == (0.0, 1.0, 1.0, 1.0, 1.0)
+    assert stages.corrected(memory, 0, 0.5, 180.0, 100.0) == (0.0, 1.0, 1.0, 1.0)
     taught(memory, random, 150, 1.4, 1.5)
     assert gain(memory) == pytest.approx(1.4, abs=0.06)
-    _, wide, broad, slow, spread = stages.corrected(memory, 0, 0.5, 180.0, 100.0)
+    _, wide, broad, slow = stages.corrected(memory, 0, 0.5, 180.0, 100.0)
     assert slow == pytest.approx(1.5, rel=0.15)
     assert wide == pytest.approx(0.7, abs=0.15)  # deviations of 0.14 said, where 0.2 was claimed
     assert broad == pytest.approx(1.0, abs=0.2)
-    assert spread == pytest.approx(0.25, abs=0.2)
     taught(memory, random, 150, 0.8, 0.7)
     assert gain(memory) == pytest.approx(0.8, abs=0.06)
     assert stages.corrected(memory, 0, 0.5, 180.0, 100.0)[3] == pytest.approx(0.7, rel=0.15)
@@ -202,7 +201,7 @@ def test_what_claims_too_little_is_passed_on() -> None:
     for answer in (
         (5.0, 6.0, none, none, none, none, 1.0, none, none),
         (5.0, 6.0, 1.0, 0.0, 1.0, none, 1.0, 4.0, 0.3),
-        (5.0, 6.0, 1.0, 2.0, 1.0, 0.4, 1.0, 4.0, none),
+        (5.0, 6.0, 1.0, 2.0, 1.0, 0.4, 1.0, 4.0, 0.3),
     ):
         at = adaptation_law.LEARNED
         adaptation_law.follow(memory, at, 0.1, 4.0, 3.0, 0.0, 0.0, 0.0)
