@@ -48,8 +48,7 @@ def test_slopes_agree_with_differences() -> None:
     random = np.random.default_rng(5)
     rows, sizes = 7, (5, 4, 3, net.OUTPUTS)
     layers = [
-        (0.4 * random.standard_normal((a, b)), 0.1 * random.standard_normal(b))
-        for a, b in pairwise(sizes)
+        (0.4 * random.standard_normal((a, b)), 0.1 * random.standard_normal(b)) for a, b in pairwise(sizes)
     ]
     inputs = random.standard_normal((rows, 5))
     shapes = ((rows, net.BASES), (rows, net.BASES), rows, rows, rows)
