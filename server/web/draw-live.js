@@ -28,6 +28,7 @@ function drawEndpoint(pen, which, from, prediction, width, height, ink) {
   if (prediction.region) ellipse(pen, point, ellipseOf(prediction.region), ink[colour], dash);
   const place = inside(point, width, height, 11);
   if (from !== undefined) line(pen, [from, place], ink[colour], 1.5, dash);
+  shape(pen, place, 9, ink.panel, false, 6); // a rim: a tile in the mark's own colour may lie below
   shape(pen, place, 9, ink[colour], false, 3);
   shape(pen, place, 2, ink[colour], true);
 }

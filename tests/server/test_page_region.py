@@ -23,24 +23,22 @@ pytestmark = browser.needed
 
 DOCUMENT = Path(__file__).parents[2] / "docs" / "page.md"
 WRITTEN = """
-window.region = null;
+window.region = window.lit = null;
 const Plain = WebSocket;
 window.WebSocket = class extends Plain {
   set onmessage(listen) {
     super.onmessage = (event) => {
-      if (region !== null && event.data instanceof ArrayBuffer) {
-        const view = new DataView(event.data);
-        for (let at = 0; at < view.byteLength; at += 57) {
-          region.forEach((value, i) => view.setFloat64(at + 8 + 8 * i, value, true));
-          view.setUint8(at + 56, 1);
-        }
-      }
-      listen(event);
+      const message = region === null ? {} : JSON.parse(event.data);
+      if (message.type !== "prediction") return listen(event);
+      const [x, y, sxx, sxy, syy] = region;
+      const targets = lit === null ? [] : [{ id: lit, p: 1 }];
+      const data = JSON.stringify({ ...message, x, y, region: { sxx, sxy, syy }, targets });
+      listen(new MessageEvent("message", { data }));
     };
   }
 };
 """
-"""Writes x, y, sxx, sxy, syy into every packed prediction that comes in, once a region is set."""
+"""Writes x, y, sxx, sxy, syy into every prediction once a region is set, and which tile is sure."""
 ORANGE = np.array([194, 65, 12])
 """The first predictor's colour, in the light theme."""
 CONNECTED = "document.querySelector('#live-card-0 .connection').dataset.state === 'open'"
@@ -71,6 +69,10 @@ def visitor(one: Visitor, url: str) -> Iterator[Visitor]:
     assert one.shift() < 0.001
 
 
+TILE = """import("/web/live-tiles.js").then(({ row }) => {
+  const { clientWidth, clientHeight } = document.querySelector("#live-scene");
+  return row(clientWidth, clientHeight)[3];
+})"""
 KEPT = """{
   const canvas = document.querySelector("#live-scene");
   const region = document.querySelector("#live-card-0 [data-of=region]");
@@ -142,14 +144,32 @@ def test_the_factors_in_the_document_are_those_of_the_distribution() -> None:
 
 
 def test_the_trail_is_drawn_under_the_pointer_and_not_beside_it(visitor: Visitor) -> None:
-    """The picture has a border, within which it is drawn."""
-    left, top, _, height = visitor.corner("#live-scene")
+    """The picture has a border, within which it is drawn; tiles are left out."""
+    left, top, *_ = visitor.corner("#live-scene")
     visitor.value(KEPT)
-    visitor.value(f"window.region = [500, {height - 41.0}, 9, 0, 9]")  # on one line with the trail
-    end = (left + 140.0, top + height - 40.0)
+    visitor.value("window.region = [500, 99, 9, 0, 9]")  # on one line with the trail
+    end = (left + 140.0, top + 100.0)
     visitor.reach((end[0] - 100.0, end[1]), end, 0.2)
     visitor.wait("kept.picture !== null")
     _, opacity = pixels(visitor.value("kept.picture"))
-    rows, _ = np.nonzero(opacity[:, 119:159] > 0.95)
-    assert (rows.min() + rows.max() + 1) / 2 == pytest.approx(height - 41.0, abs=0.3)
+    rows, _ = np.nonzero(opacity[: visitor.value(TILE)["y"] - 2, 119:159] > 0.95)
+    assert (rows.min() + rows.max() + 1) / 2 == pytest.approx(99.0, abs=0.3)
     assert 6 <= rows.max() - rows.min() < 12, "the disc at the end of the trail, and nothing more"
+
+
+def test_the_mark_of_an_endpoint_is_seen_on_a_tile_of_its_own_colour(visitor: Visitor) -> None:
+    left, top, *_ = visitor.corner("#live-scene")
+    tile = visitor.value(TILE)
+    x, y = round(tile["x"] + tile["width"] / 2), round(tile["y"] + tile["height"] / 2)
+    visitor.value(KEPT)
+    visitor.value(f"[window.region, window.lit] = [[{x}, {y}, 9, 0, 9], {json.dumps(tile['id'])}]")
+    visitor.reach((left + 140.0, top + 100.0), (left + 240.0, top + 100.0), 0.2)
+    visitor.wait("kept.picture !== null")
+    colour, opacity = pixels(visitor.value("kept.picture"))
+    down, right = np.mgrid[: opacity.shape[0], : opacity.shape[1]] + 0.5
+    reach = np.hypot(right - x, down - y)
+    below = (down > y + 3.0) & (np.abs(right - x) < 20.0)  # the line to the pointer comes from above
+    filled, rim, ring = (below & (reach > a) & (reach < b) for a, b in ((13.5, 17), (11, 11.5), (8.2, 9.8)))
+    assert np.abs(colour[filled] - ORANGE).max() < 2.0
+    assert np.abs(colour[ring] - ORANGE).max() < 2.0
+    assert colour[rim].min() > 225.0
