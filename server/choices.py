@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
-from pointpred.columns import FloatArray, prediction_of
+from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.events import PointerEvent
 from pointpred.server.messages import Choice, Goal, Likely, Target
 from pointpred.server.outbox import Outbox
 from pointpred.server.refusals import RefusedError
@@ -19,7 +18,15 @@ LIKELIEST = 5
 """Targets told with a prediction."""
 PRECISION = next(bound for bound in Chooser.parameters if bound.name == "precision")
 
-Shares = list[Likely]
+AT_ONCE = 4096
+"""Events times targets that are looked at while others wait: about a millisecond."""
+
+
+class Taken(NamedTuple):
+    """What came of events: what has changed, with its times, and the likeliest targets of each told event."""
+
+    changes: list[tuple[float, Change]]
+    likely: list[list[Likely]]
 
 
 class Choices:
@@ -48,30 +55,33 @@ class Choices:
         except ParameterError as error:
             raise RefusedError("bad_field", str(error), "$.targets") from None
         self._targets = targets
-        self._say(self._last_t, changes)
+        self.say([(self._last_t, change) for change in changes])
 
     def reset(self) -> None:
         """Forget every event; what is proposed is retracted."""
         if (standing := self._chooser.standing) is not None:
-            self._say(self._last_t, [Change(standing, 0.0, "retract")])
+            self.say([(self._last_t, Change(standing, 0.0, "retract"))])
         self._chooser.reset()
         self._last_t = None
 
-    def take(self, table: FloatArray, predictions: FloatArray, *, each: bool) -> list[Shares]:
-        """Take events that a pipeline took in, and its predictions; what changes is said.
+    def heavy(self, events: int) -> bool:
+        """Whether so many events would keep others waiting."""
+        return events * len(self._targets) > AT_ONCE
 
-        Returns the likeliest targets: after each event, or after the last.
+    def take(self, table: FloatArray, predictions: FloatArray, *, each: bool) -> Taken:
+        """Take events that a pipeline took in, and its predictions; any thread may run it.
+
+        Returns what has changed, and the likeliest targets: after each event, or after the last.
         """
-        shares: list[Shares] = []
-        chooser, last = self._chooser, len(table) - 1
-        for place, (event, row) in enumerate(zip(table.tolist(), predictions.tolist(), strict=True)):
-            t, x, y, _, _, buttons = event
-            prediction = prediction_of(row[0], tuple(row[1:]))
-            self._say(t, chooser.update(prediction, PointerEvent(t, x, y, buttons=int(buttons))))
-            if each or place == last:
-                shares.append([Likely(str(id), p) for id, p in chooser.likeliest(LIKELIEST)])
-            self._last_t = t
-        return shares
+        last = len(table) if each else 1
+        changes, likely = self._chooser.follow(table, predictions, most=LIKELIEST, last=last)
+        self._last_t = float(table[-1, 0])
+        return Taken(changes, [[Likely(str(id), p) for id, p in one] for one in likely])
+
+    def say(self, changes: Sequence[tuple[float | None, Change]]) -> None:
+        """What has changed, to the client."""
+        for t, (id, p, action) in changes:
+            self._outbox.choose(Choice(str(id), p, action, t))
 
     def account(self, goal: Goal | None) -> dict[str, Any]:
         """Close the movement; what a score says of its proposals, nothing where the goal is unknown."""
@@ -95,7 +105,3 @@ class Choices:
             one for one in self._targets if off(one)[0] <= one.width / 2 and off(one)[1] <= one.height / 2
         ]
         return min(held, key=lambda one: sum(off(one))).id if held else None
-
-    def _say(self, t: float | None, changes: Sequence[Change]) -> None:
-        for id, p, action in changes:
-            self._outbox.choose(Choice(str(id), p, action, t))

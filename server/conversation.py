@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Literal
 
 from msgspec import Struct
 
 from pointpred.server.messages import Bye, Code, ErrorMessage, Limits, Score, ServerMessage, encode
 from pointpred.server.outbox import Outbox
-from pointpred.server.stream import Stream
+from pointpred.server.stream import Stream, Work
 from pointpred.server.trials import Scoring
 
 State = Literal["connecting", "greeted", "streaming", "closed"]
@@ -35,7 +36,7 @@ class Conversation:
         self.outbox = Outbox()
         self.close: Close | None = None
         self.stream: Stream | None = None
-        self.work: Scoring | None = None
+        self.work: Scoring | Work | None = None
         """What is to be run before the next frame is taken in."""
         self.refused: dict[Code, int] = {}
         """What was refused, by error code: events that run backwards, frames for all else."""
@@ -55,11 +56,14 @@ class Conversation:
         elif self.outbox.full:
             self.end("slow", SLOW, 1013)
 
-    def finish(self, score: Score) -> None:
+    def finish(self, found: Score | Callable[[], None]) -> None:
         """Say what came of ``work``."""
         self.work = None
         if self.state != "closed":
-            self.say(score)
+            if isinstance(found, Score):
+                self.say(found)
+            else:
+                found()
             if self._leaving is not None:
                 self.stop(self._leaving)
 

@@ -112,6 +112,7 @@ class Session(Conversation):
 
     def _predict(self, stream: Stream, table: FloatArray) -> None:
         error, dropped = stream.feed(table, self.outbox)
+        self.work, stream.work = stream.work, None
         if len(table):
             self.state = "streaming"
         if error is not None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 
 import numpy as np
@@ -12,7 +12,7 @@ from pointpred.columns import EventColumns, FloatArray, PredictionColumns
 from pointpred.pipeline import run
 from pointpred.server import answers
 from pointpred.server.building import cpi_of, dpi_of, pipeline_of
-from pointpred.server.choices import Choices
+from pointpred.server.choices import Choices, Taken
 from pointpred.server.decoding import check_numbers
 from pointpred.server.messages import Configure, ErrorMessage, Goal, Hello, Target
 from pointpred.server.outbox import Outbox
@@ -20,6 +20,8 @@ from pointpred.server.refusals import RefusedError
 from pointpred.server.trials import Scoring, TrialKeeper, with_account
 from pointpred.server.watch import Watch
 
+Work = Callable[[], Callable[[], None]]
+"""Takes long, and any thread may run it; what it returns says what came of it, where the session is."""
 NEVER = float("-inf")
 NOWHERE = np.zeros(100_000, np.bool_)
 """A frame resets nothing between its events; as long as the longest frame that settings allow."""
@@ -39,6 +41,8 @@ class Stream:
         self.events = 0
         """Events taken in."""
         self.watch = watch
+        self.work: Work | None = None
+        """What is to be run before the next frame is taken in, and what it returns after it."""
         self._binary = hello.encoding == "binary"
         self._frame = answers.frame_of(binary=self._binary)
         self._last_t = NEVER
@@ -58,13 +62,29 @@ class Stream:
             predictions = run(self.pipeline, EventColumns(kept)).table
         if len(kept):
             self._keep(kept, predictions)
-            each = self.hello.reply == "event"
-            if self.choices is None:
-                outbox.predict(*answers.frames(predictions, binary=self._binary, each=each))
-            else:
-                likely = self.choices.take(kept, predictions, each=each)
-                outbox.predict(*answers.frames(predictions, binary=self._binary, each=each, likely=likely))
+            self._answer(kept, predictions, outbox)
         return error, count - len(kept)
+
+    def _answer(self, kept: FloatArray, predictions: FloatArray, outbox: Outbox) -> None:
+        """Say the predictions, with targets after what they change; many targets are looked at later."""
+        choices = self.choices
+        told = partial(answers.frames, predictions, binary=self._binary, each=self.hello.reply == "event")
+        if choices is None:
+            outbox.predict(*told())
+            return
+        look = partial(choices.take, kept, predictions, each=self.hello.reply == "event")
+
+        def say(taken: Taken) -> None:
+            choices.say(taken.changes)
+            outbox.predict(*told(likely=taken.likely))
+
+        def work() -> Callable[[], None]:
+            return partial(say, look())
+
+        if choices.heavy(len(kept)):
+            self.work = work
+        else:
+            say(look())
 
     def feed_one(self, row: Sequence[float], outbox: Outbox) -> bool:
         """``feed`` for the one event of most frames, without a table: the same steps, the same answer.

@@ -13,6 +13,7 @@ from pointpred.server.conversation import Close
 from pointpred.server.eager import begin
 from pointpred.server.messages import Code, Score
 from pointpred.server.outbox import Frame, Outbox
+from pointpred.server.stream import Work
 from pointpred.server.trials import Scoring
 
 Receive = Callable[[], Awaitable[MutableMapping[str, Any]]]
@@ -33,12 +34,12 @@ class Speaker(Protocol):
 
     outbox: Outbox
     close: Close | None
-    work: Scoring | None
+    work: Scoring | Work | None
 
     def receive(self, frame: str | bytes, now: float) -> None:
         """Take in one frame."""
 
-    def finish(self, score: Score) -> None:
+    def finish(self, found: Score | Callable[[], None]) -> None:
         """Say what came of its work."""
 
     def tick(self, now: float) -> None:

@@ -63,6 +63,7 @@ def score_targets(
     nearest: FloatArray = posterior.FITTED_NEAREST,
     elsewhere: float = 0.02,
     least_lead_s: float = 0.05,
+    least_way_px: float = 3.0,
 ) -> list[TargetSet]:
     """Score the choices of predictors among the targets of a recording, and the nearest to the cursor.
 
@@ -86,7 +87,8 @@ def score_targets(
                 else build("hold" if name == NEAREST else name, **settings)
             )
             chosen = nearest if name == NEAREST else coefficients
-            work = partial(_judge, prepared, found, pipeline, chosen, elsewhere, least_lead_s)
+            least = (least_lead_s, least_way_px)
+            work = partial(_judge, prepared, found, pipeline, chosen, elsewhere, least)
             parts = list(in_threads(work, prepared.offsets, threads))
             by_time, accounts = (np.concatenate(kind) for kind in zip(*parts, strict=True))
             scores.append(TargetScore(name, by_time, accounts))
@@ -100,7 +102,7 @@ def _judge(
     pipeline: Pipeline,
     coefficients: FloatArray,
     elsewhere: float,
-    least_s: float,
+    least: tuple[float, float],
     first: int,
     stop: int,
 ) -> tuple[FloatArray, FloatArray]:
@@ -120,7 +122,7 @@ def _judge(
         arrival = int(prepared.arrivals[k]) - base - a
         replaying.read(events, targets, shares, arrival, right, FRACTIONS, by_time[place])
         for i, ask in enumerate(ASKS):
-            replaying.account(events, own, targets, shares, right, ask, least_s, accounts[place, i])
+            replaying.account(events, own, targets, shares, right, ask, *least, accounts[place, i])
     return by_time, accounts
 
 

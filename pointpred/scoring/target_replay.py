@@ -35,10 +35,10 @@ def weigh(
     shares: FloatArray,
 ) -> None:
     """The shares of all targets after each event, in a row of ``shares``."""
-    memory, scratch = np.zeros(cursor.STATES), np.empty((len(table), posterior.FEATURES))
+    memory = np.zeros(cursor.STATES)
     for i in range(len(events)):
         cursor.follow(memory, events[i, 0], events[i, 1], events[i, 2], 0.0)
-        posterior.scores(memory, table, answers[i], coefficients, elsewhere, scratch, shares[i])
+        posterior.scores(memory, table, answers[i], coefficients, elsewhere, shares[i])
         posterior.normalise(shares[i])
 
 
@@ -85,6 +85,7 @@ def account(
     right: int,
     ask: float,
     least_s: float,
+    least_px: float,
     out: FloatArray,
 ) -> None:
     """Decide after each event at one precision and keep the account of the movement."""
@@ -101,7 +102,8 @@ def account(
             entry = t
             if standing == right:
                 entered_since = since
-        chosen = decision.decide(memory, table, shares[i], standing, answers[i, 6], ask, KEEP * ask, least_s)
+        left_s, keep = answers[i, 6], KEEP * ask
+        chosen = decision.decide(memory, table, shares[i], standing, left_s, ask, keep, least_s, least_px)
         if chosen != standing:
             if standing != decision.NOBODY:
                 out[RETRACTED] += 1.0

@@ -8,12 +8,13 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from pointpred.columns import BoolArray, FloatArray, PredictionColumns
+from pointpred.columns import FloatArray, PredictionColumns
 from pointpred.errors import EventError, EventOrderError, ParameterError
 from pointpred.events import PointerEvent, Prediction
 from pointpred.stage import Parameter, check
 from pointpred.targets import cursor, decision, posterior
-from pointpred.targets.choosing import step
+from pointpred.targets.choosing import ENTERED, OUTSIDE, step, walk
+from pointpred.targets.given import refuse, write
 from pointpred.targets.ledger import Ledger, Movement
 from pointpred.targets.rectangles import Target, table
 
@@ -31,8 +32,10 @@ class Chooser:
 
     Parameters: ``precision`` is the share of proposals that shall be right; ``elsewhere`` the share of
     movements that go to none of the targets, before anything is seen; ``least_lead_s`` s, a target that the
-    cursor enters sooner is not proposed. Memory: 15 floats of the cursor, 13 floats a target, the ledger.
-    Raises ParameterError, and EventError or EventOrderError from ``update``; nothing is then changed.
+    cursor enters sooner is not proposed; ``least_way_px`` px, how far the cursor must be from where its
+    movement started before anything is proposed: nearer, nobody can say that a movement has begun. Memory:
+    15 floats of the cursor, 10 of the last prediction, 7 a target, the ledger. Raises ParameterError, and
+    EventError or EventOrderError from ``update`` and ``follow``; nothing is then changed.
 
     >>> from pointpred import build
     >>> from pointpred.targets import around
@@ -49,6 +52,7 @@ class Chooser:
         Parameter("precision", "", 0.01, 0.999, "share of proposals that shall be right"),
         Parameter("elsewhere", "", 1e-6, 0.999999, "share of movements that go to none of the targets"),
         Parameter("least_lead_s", "s", 0.0, 10.0, "what the cursor enters sooner is not proposed"),
+        Parameter("least_way_px", "px", 0.0, 1000.0, "nothing is proposed nearer to the movement's start"),
     )
 
     def __init__(
@@ -58,11 +62,14 @@ class Chooser:
         precision: float = 0.8,
         elsewhere: float = 0.02,
         least_lead_s: float = 0.05,
+        least_way_px: float = 3.0,
         coefficients: FloatArray = posterior.FITTED,
     ) -> None:
-        self._last: Prediction | None = None
+        self._answer: FloatArray = np.full(len(PredictionColumns.names), nan)
         self._settings = np.zeros(len(self.parameters))
-        self.configure(precision=precision, elsewhere=elsewhere, least_lead_s=least_lead_s)
+        self.configure(
+            precision=precision, elsewhere=elsewhere, least_lead_s=least_lead_s, least_way_px=least_way_px
+        )
         if np.shape(coefficients) != (posterior.COEFFICIENTS,) or not np.isfinite(coefficients).all():
             raise ParameterError(f"coefficients must be {posterior.COEFFICIENTS} finite numbers")
         self._coefficients = np.array(coefficients, dtype=np.float64)
@@ -78,10 +85,12 @@ class Chooser:
         precision: float | None = None,
         elsewhere: float | None = None,
         least_lead_s: float | None = None,
+        least_way_px: float | None = None,
     ) -> None:
         """Change what is given, from the next event on; raises ParameterError and then changes nothing."""
-        given = {"precision": precision, "elsewhere": elsewhere, "least_lead_s": least_lead_s}
-        values = {name: value for name, value in given.items() if value is not None}
+        given = (precision, elsewhere, least_lead_s, least_way_px)
+        names = (parameter.name for parameter in self.parameters)
+        values = {name: value for name, value in zip(names, given, strict=True) if value is not None}
         check(tuple(p for p in self.parameters if p.name in values), values)
         for place, parameter in enumerate(self.parameters):
             self._settings[place] = values.get(parameter.name, self._settings[place])
@@ -93,10 +102,9 @@ class Chooser:
         """
         rows, standing = table(targets), self.standing
         self._table, self._ids = rows, tuple(target.id for target in targets)
-        self._rows = np.empty((len(rows), posterior.FEATURES))
         self._shares = np.zeros(len(rows) + 1)
         self._shares[-1] = 1.0
-        self._inside: BoolArray = np.zeros(len(rows), dtype=np.bool_)
+        self._inside = np.full(len(rows), OUTSIDE)
         self._standing = decision.NOBODY
         if standing is None:
             return ()
@@ -130,9 +138,7 @@ class Chooser:
         """
         check(self.parameters[1:2], {"elsewhere": elsewhere})
         rows, shares = table([target]), np.empty(2)
-        scratch = np.empty((1, posterior.FEATURES))
-        answer = _row(self._last)
-        posterior.scores(self._memory, rows, answer, self._coefficients, elsewhere, scratch, shares)
+        posterior.scores(self._memory, rows, self._answer, self._coefficients, elsewhere, shares)
         posterior.normalise(shares)
         return float(shares[0])
 
@@ -147,23 +153,57 @@ class Chooser:
         memory = self._memory
         if memory[cursor.KNOWN] == 1.0 and t < memory[cursor.T]:
             raise EventOrderError(f"t must not run backwards: {t!r} after {memory[cursor.T]!r}")
-        self._shares, self._last = np.empty(len(self._table) + 1), prediction
-        chosen = step(
+        write(self._answer, prediction)
+        chosen, entered = step(
             memory,
             self._table,
             t,
             x,
             y,
             float(event.buttons & 1),
-            _row(prediction),
+            self._answer,
             self._coefficients,
             self._settings,
             self._standing,
-            self._rows,
+            self._inside,
             self._shares,
         )
-        self._note_entries(t, x, y)
-        return self._change(t, chosen)
+        if chosen == self._standing and not entered:
+            return ()
+        return self._note(t, chosen, entered)
+
+    def follow(
+        self, events: FloatArray, answers: FloatArray, *, most: int = 5, last: int | None = None
+    ) -> tuple[list[tuple[float, Choice]], list[list[tuple[Hashable, float]]]]:
+        """``update`` for many events, rows of ``EventColumns``, and the predictions made at them.
+
+        Returns each change with its time, and the ``most`` likeliest targets after each of the ``last``
+        events, all unless given. Other threads run meanwhile, except while a change is noted.
+        """
+        refuse(self._memory, events)
+        count, taken = len(events), 0
+        told = np.empty((count if last is None else min(last, count), 2 * min(most, len(self._table))))
+        changes: list[tuple[float, Choice]] = []
+        while taken < count:
+            taken, chosen, entered = walk(
+                self._memory,
+                self._table,
+                events,
+                answers,
+                taken,
+                self._coefficients,
+                self._settings,
+                self._standing,
+                self._inside,
+                self._shares,
+                told,
+            )
+            t = float(events[taken - 1, 0])
+            if chosen != self._standing or entered:
+                changes += [(t, choice) for choice in self._note(t, chosen, entered)]
+        if count:
+            self._answer[:] = answers[-1]
+        return changes, [self._named(row) for row in told.tolist()]
 
     def finish(self, target: Hashable | None) -> Movement:
         """Close the movement at the last event, a click on ``target``, in the ledger.
@@ -175,22 +215,22 @@ class Chooser:
     def reset(self) -> None:
         """Forget every event and the proposal; targets, parameters and the ledger's counts stay."""
         self._memory = np.zeros(cursor.STATES)
-        self._standing, self._last = decision.NOBODY, None
+        self._standing, self._answer[:] = decision.NOBODY, nan
         self._shares[:] = 0.0
         self._shares[-1] = 1.0
-        self._inside[:] = False
+        self._inside[:] = OUTSIDE
         self.ledger.drop()
 
-    def _note_entries(self, t: float, x: float, y: float) -> None:
-        """Tell the ledger which targets the cursor has just gone into."""
-        off = np.abs(self._table[:, :2] - (x, y))
-        inside: BoolArray = np.asarray((off <= 0.5 * self._table[:, 2:4]).all(axis=1))
-        for i in np.flatnonzero(inside & ~self._inside).tolist():
-            self.ledger.enter(t, self._ids[i])
-        self._inside = inside
+    def _named(self, row: list[float]) -> list[tuple[Hashable, float]]:
+        """The places of targets and their shares with the targets' names."""
+        most = len(row) // 2
+        return [(self._ids[int(place)], p) for place, p in zip(row[:most], row[most:], strict=True)]
 
-    def _change(self, t: float, chosen: int) -> tuple[Choice, ...]:
-        """From the proposal that stands to the chosen one."""
+    def _note(self, t: float, chosen: int, entered: int) -> tuple[Choice, ...]:
+        """Tell the ledger which targets the cursor has just gone into, and pass to the chosen proposal."""
+        if entered:
+            for i in np.flatnonzero(self._inside == ENTERED).tolist():
+                self.ledger.enter(t, self._ids[i])
         before, self._standing = self._standing, chosen
         if chosen == before:
             return ()
@@ -202,17 +242,3 @@ class Chooser:
             self.ledger.propose(t, self._ids[chosen])
             changed.append(Choice(self._ids[chosen], float(self._shares[chosen]), "propose"))
         return tuple(changed)
-
-
-def _row(prediction: Prediction | None) -> FloatArray:
-    """A prediction as a row of ``PredictionColumns``, NaN for what is not claimed; the phase is not used."""
-    row = np.full(len(PredictionColumns.names), nan)
-    if prediction is not None:
-        row[1:3] = prediction.x, prediction.y
-        if prediction.covariance is not None:
-            row[3:6] = prediction.covariance
-        if prediction.remaining_s is not None:
-            row[6] = prediction.remaining_s
-        if prediction.tail is not None:
-            row[8] = prediction.tail
-    return row

@@ -1,6 +1,8 @@
-"""One event: the cursor's way, the shares of all targets, and which of them is proposed."""
+"""Events one by one: the cursor's way, the shares of all targets, and which of them is proposed."""
 
 from __future__ import annotations
+
+from math import inf
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
@@ -8,6 +10,10 @@ from pointpred.targets import cursor, decision, posterior
 
 KEEP = 0.4
 """A proposal stands while its share is at least this part of the precision asked for."""
+
+
+OUTSIDE, INSIDE, ENTERED = 0.0, 1.0, 2.0
+"""Where the cursor is, for each target; ENTERED at the event that took it in."""
 
 
 @law
@@ -22,19 +28,76 @@ def step(
     coefficients: FloatArray,
     settings: FloatArray,
     standing: int,
-    rows: FloatArray,
+    inside: FloatArray,
     shares: FloatArray,
-) -> int:
+) -> tuple[int, int]:
     """Take one usable event in, with the prediction made at it, a row of ``PredictionColumns``.
 
-    Writes ``shares`` and returns the target proposed from now on. When the button comes up the movement is
-    over, and so is what it proposed.
+    Writes ``inside`` and ``shares``, and returns the target proposed from now on, and how many targets the
+    cursor has just gone into. When the button comes up the movement is over, and so is what it proposed.
     """
     if cursor.follow(memory, t, x, y, pressed):
         standing = decision.NOBODY
     elsewhere = settings[posterior.ELSEWHERE]
-    posterior.scores(memory, table, answer, coefficients, elsewhere, rows, shares)
+    posterior.scores(memory, table, answer, coefficients, elsewhere, shares)
     posterior.normalise(shares)
-    ask = settings[posterior.PRECISION]
-    least_s = settings[posterior.LEAST_LEAD_S]
-    return decision.decide(memory, table, shares, standing, answer[6], ask, KEEP * ask, least_s)
+    entered = 0
+    for i in range(len(table)):
+        row = table[i]
+        if abs(row[0] - x) <= 0.5 * row[2] and abs(row[1] - y) <= 0.5 * row[3]:
+            entered += inside[i] == OUTSIDE
+            inside[i] = ENTERED if inside[i] == OUTSIDE else INSIDE
+        else:
+            inside[i] = OUTSIDE
+    ask, least_s = settings[posterior.PRECISION], settings[posterior.LEAST_LEAD_S]
+    least_px = settings[posterior.LEAST_WAY_PX]
+    chosen = decision.decide(memory, table, shares, standing, answer[6], ask, KEEP * ask, least_s, least_px)
+    return chosen, entered
+
+
+@law
+def unusable(memory: FloatArray, events: FloatArray) -> int:
+    """The first row that ``step`` must not be given, -1 where all are usable."""
+    before = memory[cursor.T] if memory[cursor.KNOWN] == 1.0 else -inf
+    for i in range(len(events)):
+        t = events[i, 0]
+        if not cursor.usable(t, events[i, 1], events[i, 2]) or t < before:
+            return i
+        before = t
+    return -1
+
+
+@law
+def walk(
+    memory: FloatArray,
+    table: FloatArray,
+    events: FloatArray,
+    answers: FloatArray,
+    first: int,
+    coefficients: FloatArray,
+    settings: FloatArray,
+    standing: int,
+    inside: FloatArray,
+    shares: FloatArray,
+    told: FloatArray,
+) -> tuple[int, int, int]:
+    """Take rows in, from ``first`` up to and with the one at which there is something to note.
+
+    Returns how many rows are then taken in, and what ``step`` says of the last. ``told``: the likeliest
+    targets after each of its rows, the last rows of all, and behind their places their shares.
+    """
+    most = told.shape[1] // 2
+    for i in range(first, len(events)):
+        pressed = float(int(events[i, 5]) & 1)
+        t, x, y, answer = events[i, 0], events[i, 1], events[i, 2], answers[i]
+        chosen, entered = step(
+            memory, table, t, x, y, pressed, answer, coefficients, settings, standing, inside, shares
+        )
+        place = i - (len(events) - len(told))
+        if place >= 0:
+            decision.rank(shares, len(table), told[place, :most])
+            for k in range(most):
+                told[place, most + k] = shares[int(told[place, k])]
+        if chosen != standing or entered > 0:
+            return i + 1, chosen, entered
+    return len(events), standing, 0

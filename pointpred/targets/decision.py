@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import hypot
+
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.targets import cursor
@@ -17,6 +19,24 @@ def likeliest(shares: FloatArray, count: int) -> int:
         if best == NOBODY or shares[i] > shares[best]:
             best = i
     return best
+
+
+@law
+def rank(shares: FloatArray, count: int, order: FloatArray) -> None:
+    """The places of the largest shares into ``order``, best first, the first of equal ones before the others.
+
+    There are at least as many targets as places in ``order``.
+    """
+    for place in range(len(order)):
+        order[place] = NOBODY
+    for i in range(count):
+        place = len(order)
+        while place > 0 and (order[place - 1] == NOBODY or shares[i] > shares[int(order[place - 1])]):
+            place -= 1
+        if place < len(order):
+            for later in range(len(order) - 1, place, -1):
+                order[later] = order[later - 1]
+            order[place] = i
 
 
 @law
@@ -44,19 +64,22 @@ def decide(
     ask: float,
     keep: float,
     least_s: float,
+    least_px: float,
 ) -> int:
     """The target that is proposed from now on, NOBODY for none.
 
     One that stands is kept while its share is at least ``keep``, unless another reaches ``ask``. Without
-    one, the likeliest is proposed from ``ask`` on, if early enough. ``keep`` lies below ``ask``: a share that
-    trembles about either changes nothing twice.
+    one, the likeliest is proposed from ``ask`` on, if early enough, and if the cursor is at least
+    ``least_px`` from where the movement started. ``keep`` lies below ``ask``: a share that trembles about
+    either changes nothing twice.
     """
     best = likeliest(shares, len(table))
     if best == NOBODY:
         return NOBODY
     if standing != NOBODY and (best == standing or shares[best] < ask):
         return standing if shares[standing] >= keep else NOBODY
-    if shares[best] >= ask and early(memory, table[best], remaining_s, least_s):
+    far = hypot(memory[cursor.X] - memory[cursor.X0], memory[cursor.Y] - memory[cursor.Y0])
+    if shares[best] >= ask and far >= least_px and early(memory, table[best], remaining_s, least_s):
         return best
     if standing != NOBODY and shares[standing] >= keep:
         return standing

@@ -6,13 +6,28 @@ from math import exp, inf, log, pi, sqrt
 
 import numpy as np
 
-from pointpred.columns import FloatArray
 from pointpred.compiled import law
 
 EFFECTIVE = 4.133
 """Endpoints scatter about a target's centre with a standard deviation of its width over this number."""
 
 NODES, WEIGHTS = (tuple(values.tolist()) for values in np.polynomial.legendre.leggauss(5))
+_FEWER = [np.polynomial.legendre.leggauss(count) for count in (3, 4, 5)]
+PLACES, SHARES = (tuple(np.concatenate(part).tolist()) for part in zip(*_FEWER, strict=True))
+"""Of 3, 4 and 5 nodes, one after the other."""
+BEGINS = (0, 0, 0, 0, 3, 7)
+"""Where those of each count begin."""
+OUTER, INNER = NODES[4], NODES[3]
+W_OUTER, W_INNER, W_MIDDLE = WEIGHTS[4], WEIGHTS[3], WEIGHTS[2]
+
+NEGLIGIBLE = -40.0
+"""A node whose density is the exponential of this, against the densest node's, adds nothing."""
+STEEPEST = 300.0
+"""Exponents up to this are multiplied as factors, which can then neither overflow nor vanish."""
+FLAT3, FLAT4 = 16.0, 6.0
+"""Squares of a Student law's core over a rectangle's half size: from these on 3 or 4 nodes are enough ..."""
+HEAVIEST = 8.0
+"""... up to so many degrees of freedom."""
 
 
 @law
@@ -21,12 +36,6 @@ def log_density(far: float, tail: float) -> float:
     if tail != tail:
         return -0.5 * far
     return -0.5 * (tail + 2.0) * log(1.0 + far / tail)
-
-
-@law
-def distance2(dx: float, dy: float, sxx: float, sxy: float, syy: float) -> float:
-    """Squared Mahalanobis distance."""
-    return (syy * dx * dx - 2.0 * sxy * dx * dy + sxx * dy * dy) / (sxx * syy - sxy * sxy)
 
 
 @law
@@ -40,7 +49,8 @@ def log_mass(
     endpoint predicted exactly is still known only to (width / 4.133, height / 4.133); these variances are
     added to the scale matrix, which is exact for a normal law. Quadrature with 5 x 5 nodes over the
     rectangle, which after the widening is at most 4.133 deviations wide in each direction: within 0.2 % of
-    a mass. Nothing underflows, however far the rectangle.
+    a mass. Cheaper sums of the same, ``normal_sum`` and ``student_sum``, stay within 3e-4 of a mass of
+    ``node_sum``. Nothing underflows, however far the rectangle.
 
     Reference: MacKenzie 1992, section 2.3: the effective width is 4.133 standard deviations of endpoints.
 
@@ -50,27 +60,84 @@ def log_mass(
     """
     sxx += (width / EFFECTIVE) ** 2
     syy += (height / EFFECTIVE) ** 2
-    nearest = inf
-    for i in range(5):
-        for j in range(5):
-            x, y = dx + 0.5 * width * NODES[i], dy + 0.5 * height * NODES[j]
-            nearest = min(nearest, distance2(x, y, sxx, sxy, syy))
-    top = log_density(nearest, tail)
-    total = 0.0
-    for i in range(5):
-        for j in range(5):
-            x, y = dx + 0.5 * width * NODES[i], dy + 0.5 * height * NODES[j]
-            here = log_density(distance2(x, y, sxx, sxy, syy), tail)
-            total += WEIGHTS[i] * WEIGHTS[j] * exp(here - top)
-    scale = 0.25 * width * height / (2.0 * pi * sqrt(sxx * syy - sxy * sxy))
-    return log(total * scale) + top
+    det = sxx * syy - sxy * sxy
+    a, b = 0.5 * width, 0.5 * height
+    ixx, ixy, iyy = syy / det, -sxy / det, sxx / det
+    # The squared distance at (dx + a u, dy + b v): far + 2 (u gx + v gy + u v gxy) + u^2 hx + v^2 hy.
+    far = ixx * dx * dx + 2.0 * ixy * dx * dy + iyy * dy * dy
+    gx, gy, gxy = a * (ixx * dx + ixy * dy), b * (ixy * dx + iyy * dy), a * b * ixy
+    hx, hy = ixx * a * a, iyy * b * b
+    if tail != tail and abs(gx) + abs(gy) + abs(gxy) + hx + hy < STEEPEST:
+        found = normal_sum(gx, gy, gxy, hx, hy) - 0.5 * far
+    elif tail <= HEAVIEST:
+        found = student_sum(far, gx, gy, gxy, hx, hy, tail)
+    else:
+        found = node_sum(far, gx, gy, gxy, hx, hy, tail)
+    return found + log(0.25 * width * height / (2.0 * pi * sqrt(det)))
 
 
 @law
-def log_masses(
-    table: FloatArray, x: float, y: float, sxx: float, sxy: float, syy: float, tail: float, out: FloatArray
-) -> None:
-    """``log_mass`` of every row of a table of targets, for a law centred at (x, y)."""
-    for i in range(len(table)):
-        row = table[i]
-        out[i] = log_mass(row[0] - x, row[1] - y, row[2], row[3], sxx, sxy, syy, tail)
+def node_sum(far: float, gx: float, gy: float, gxy: float, hx: float, hy: float, tail: float) -> float:
+    """Logarithm of the weighted densities at 5 x 5 nodes: any law, any distance."""
+    nearest = inf
+    for i in range(5):
+        u = NODES[i]
+        for j in range(5):
+            v = NODES[j]
+            here = far + 2.0 * (u * gx + v * gy + u * v * gxy) + u * u * hx + v * v * hy
+            nearest = min(nearest, here)
+    top = log_density(nearest, tail)
+    total = 0.0
+    for i in range(5):
+        u = NODES[i]
+        for j in range(5):
+            v = NODES[j]
+            here = far + 2.0 * (u * gx + v * gy + u * v * gxy) + u * u * hx + v * v * hy
+            less = log_density(here, tail) - top
+            if less > NEGLIGIBLE:
+                total += WEIGHTS[i] * WEIGHTS[j] * exp(less)
+    return log(total) + top
+
+
+@law
+def enough(half2: float, tail: float) -> int:
+    """How many nodes a Student law needs along an axis, by the squared half size in deviations."""
+    if FLAT3 * half2 < tail:
+        return 3
+    return 4 if FLAT4 * half2 < tail else 5
+
+
+@law
+def student_sum(far: float, gx: float, gy: float, gxy: float, hx: float, hy: float, tail: float) -> float:
+    """``node_sum`` of a heavy-tailed law, with fewer nodes where it is flat over the rectangle."""
+    power, whole = -0.5 * (tail + 2.0), 1.0 / (tail + far)
+    across, along = enough(hy, tail), enough(hx, tail)
+    total = 0.0
+    for i in range(BEGINS[along], BEGINS[along] + along):
+        u, part = PLACES[i], 0.0
+        fixed, slope = 1.0 + whole * (2.0 * u * gx + u * u * hx), 2.0 * whole * (gy + u * gxy)
+        for j in range(BEGINS[across], BEGINS[across] + across):
+            v = PLACES[j]
+            part += SHARES[j] * exp(power * log(fixed + v * (slope + v * whole * hy)))
+        total += SHARES[i] * part
+    return log(total) + log_density(far, tail)
+
+
+@law
+def normal_sum(gx: float, gy: float, gxy: float, hx: float, hy: float) -> float:
+    """``node_sum`` of a normal law less its value at the centre: a product along x, along y and of both.
+
+    11 exponentials for 25 nodes, because nodes lie in pairs.
+    """
+    xo, xi = W_OUTER * exp(-0.5 * OUTER * OUTER * hx), W_INNER * exp(-0.5 * INNER * INNER * hx)
+    yo, yi = W_OUTER * exp(-0.5 * OUTER * OUTER * hy), W_INNER * exp(-0.5 * INNER * INNER * hy)
+    po, pi_ = exp(OUTER * gx), exp(INNER * gx)
+    qo, qi = exp(OUTER * gy), exp(INNER * gy)
+    oo, oi, ii = exp(-OUTER * OUTER * gxy), exp(-OUTER * INNER * gxy), exp(-INNER * INNER * gxy)
+    x1, x2, x4, x5 = xo * po, xi * pi_, xi / pi_, xo / po
+    y1, y2, y4, y5 = yo * qo, yi * qi, yi / qi, yo / qo
+    outer = (x1 * y1 + x5 * y5) * oo + (x1 * y5 + x5 * y1) / oo
+    mixed = (x1 * y2 + x5 * y4 + x2 * y1 + x4 * y5) * oi + (x1 * y4 + x5 * y2 + x2 * y5 + x4 * y1) / oi
+    inner = (x2 * y2 + x4 * y4) * ii + (x2 * y4 + x4 * y2) / ii
+    cross = W_MIDDLE * (x1 + x2 + x4 + x5 + y1 + y2 + y4 + y5 + W_MIDDLE)
+    return log(outer + mixed + inner + cross)

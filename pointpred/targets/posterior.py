@@ -9,7 +9,8 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.targets import cursor, evidence, weights
-from pointpred.targets.evidence import features, unclaimed
+from pointpred.targets.evidence import SITUATION, feature, situation, unclaimed
+from pointpred.targets.rectangles import LOG_WEIGHT
 
 FEATURES = evidence.FEATURES
 SET = 2 * FEATURES + 2
@@ -30,7 +31,7 @@ for _first in (0, SET):
     FITTED_NEAREST[[_first + evidence.NEAR, _first + FEATURES + evidence.NEAR]] = weights.NEAREST
     FITTED_NEAREST[_first + 2 * FEATURES : _first + SET] = weights.NEAREST_NONE
 
-PRECISION, ELSEWHERE, LEAST_LEAD_S = 0, 1, 2
+PRECISION, ELSEWHERE, LEAST_LEAD_S, LEAST_WAY_PX = 0, 1, 2, 3
 """Places of a chooser's settings."""
 
 FITTED_NONE, FITTED_TARGETS = 0.25, 16.0
@@ -44,12 +45,11 @@ def scores(
     answer: FloatArray,
     coefficients: FloatArray,
     elsewhere: float,
-    rows: FloatArray,
     out: FloatArray,
 ) -> None:
     """The logarithm of each target's share, up to a constant; behind them that of none of them.
 
-    ``answer`` is a row of ``PredictionColumns``; ``rows`` is scratch for the features, a row a target.
+    ``answer`` is a row of ``PredictionColumns``. A target of weight 0 is not looked at.
     """
     x, y, sxx, sxy, syy, tail = answer[1], answer[2], answer[3], answer[4], answer[5], answer[8]
     if x != x:  # no prediction: the cursor itself
@@ -58,20 +58,20 @@ def scores(
     if answer[1] != answer[1] or not (sxx > 0.0 and syy > 0.0 and sxx * syy > sxy * sxy):
         sxx, sxy, syy = unclaimed(memory, x, y)
         tail, first = nan, SET
-    features(memory, table, x, y, sxx, sxy, syy, tail, rows)
+    now, weight = np.empty(SITUATION), np.empty(FEATURES)
+    situation(memory, x, y, sxx, sxy, syy, tail, now)
     fast = min(memory[cursor.SPEED] / memory[cursor.PEAK], 1.0) if memory[cursor.PEAK] > 0.0 else 0.0
-    count, most = len(table), -inf
+    for j in range(FEATURES):
+        weight[j] = (1.0 - fast) * coefficients[first + j] + fast * coefficients[first + FEATURES + j]
+    count, mass = len(table), weight[0] != 0.0
+    usual = log(FITTED_TARGETS * (1.0 - elsewhere) / (1.0 - FITTED_NONE))
     for i in range(count):
-        most = max(most, table[i, 4])
-    total = 0.0
-    for i in range(count):
-        total += exp(table[i, 4] - most) if most > -inf else 0.0
-    for i in range(count):
-        prior = table[i, 4] - most - log(total) if most > -inf else -inf
-        out[i] = prior + log(FITTED_TARGETS * (1.0 - elsewhere) / (1.0 - FITTED_NONE))
-        for j in range(FEATURES):
-            weight = (1.0 - fast) * coefficients[first + j] + fast * coefficients[first + FEATURES + j]
-            out[i] += weight * rows[i, j]
+        if table[i, LOG_WEIGHT] == -inf:
+            out[i] = -inf
+            continue
+        f0, f1, f2, f3, f4, f5 = feature(table[i], now, mass)
+        found = weight[0] * f0 + weight[1] * f1 + weight[2] * f2
+        out[i] = table[i, LOG_WEIGHT] + usual + found + weight[3] * f3 + weight[4] * f4 + weight[5] * f5
     at = first + 2 * FEATURES
     none = (1.0 - fast) * coefficients[at] + fast * coefficients[at + 1]
     out[count] = none + log(elsewhere / FITTED_NONE)

@@ -15,7 +15,8 @@ from pointpred.events import LARGEST
 MOST_TARGETS = 1000
 SMALLEST_PX = 1e-3
 
-# A row of the table: the rectangle's centre and size in px, and the logarithm of its weight.
+# A row of the table: the rectangle's centre and size in px, and the logarithm of its weight
+# over that of all.
 CENTRE_X, CENTRE_Y, WIDTH, HEIGHT, LOG_WEIGHT = 0, 1, 2, 3, 4
 FIELDS = 5
 
@@ -63,6 +64,9 @@ def table(targets: Sequence[Target]) -> FloatArray:
             raise ParameterError(f"the id of a target must occur once, received {target.id!r} twice")
         seen.add(target.id)
         rows[place] = _row(target)
+    weights = rows[:, LOG_WEIGHT]
+    if len(rows) and weights.max() > -inf:
+        weights -= weights.max() + np.log(np.exp(weights - weights.max()).sum())
     return rows
 
 

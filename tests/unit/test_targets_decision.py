@@ -28,7 +28,7 @@ def walk(sequence: Sequence[tuple[float, float]]) -> list[int]:
     standing, found = NOBODY, []
     for a, b in sequence:
         shares = np.array([a, b, max(1.0 - a - b, 0.0)])
-        standing = decide(at(0.0, 0.0), TABLE, shares, standing, np.nan, ASK, KEEP, 0.05)
+        standing = decide(at(0.0, 0.0), TABLE, shares, standing, np.nan, ASK, KEEP, 0.05, 0.0)
         found.append(standing)
     return found
 
@@ -81,12 +81,12 @@ def test_what_is_entered_at_once_is_not_proposed(
     x: float, speed: float, remaining_s: float, proposed: bool
 ) -> None:
     sure = np.array([0.95, 0.02, 0.03])
-    found = decide(at(x, 0.0, speed), TABLE, sure, NOBODY, remaining_s, ASK, KEEP, 0.05)
+    found = decide(at(x, 0.0, speed), TABLE, sure, NOBODY, remaining_s, ASK, KEEP, 0.05, 0.0)
     assert found == (0 if proposed else NOBODY)
 
 
 def test_without_targets_nobody_is_proposed() -> None:
-    assert decide(at(0.0, 0.0), np.empty((0, 5)), np.ones(1), NOBODY, np.nan, ASK, KEEP, 0.05) == NOBODY
+    assert decide(at(0.0, 0.0), np.empty((0, 5)), np.ones(1), NOBODY, np.nan, ASK, KEEP, 0.05, 0.0) == NOBODY
 
 
 def test_a_ledger_by_hand() -> None:

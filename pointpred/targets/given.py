@@ -1,0 +1,42 @@
+"""What a chooser is given: a prediction as a row, and events that it refuses."""
+
+from __future__ import annotations
+
+from math import nan
+
+from pointpred.columns import FloatArray
+from pointpred.errors import EventError, EventOrderError
+from pointpred.events import Prediction
+from pointpred.targets import cursor
+from pointpred.targets.choosing import unusable
+
+
+def write(row: FloatArray, prediction: Prediction | None) -> None:
+    """A prediction as a row of ``PredictionColumns``, NaN for what is not claimed; the phase is not used."""
+    if prediction is None:
+        row[:] = nan
+        return
+    sxx, sxy, syy = prediction.covariance or (nan, nan, nan)
+    left, tail = prediction.remaining_s, prediction.tail
+    row[1:9] = (
+        prediction.x,
+        prediction.y,
+        sxx,
+        sxy,
+        syy,
+        nan if left is None else left,
+        nan,
+        nan if tail is None else tail,
+    )
+
+
+def refuse(memory: FloatArray, events: FloatArray) -> None:
+    """Raise EventError or EventOrderError for the first row of ``EventColumns`` that cannot be taken in."""
+    wrong = unusable(memory, events)
+    if wrong < 0:
+        return
+    t, x, y = events[wrong, :3].tolist()
+    if not cursor.usable(t, x, y):
+        raise EventError(f"an event needs finite numbers within bounds, received row {wrong}: {(t, x, y)}")
+    before = float(events[wrong - 1, 0] if wrong else memory[cursor.T])
+    raise EventOrderError(f"t must not run backwards: row {wrong}, {t!r} after {before!r}")
