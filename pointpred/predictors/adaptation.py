@@ -100,8 +100,8 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     by how likely it had made the distances that came; 5 % flows back. The median of the product answers.
 
     Parameters: ``adapt`` 0 or 1 (0: bit for bit `kinematic`), ``distances`` 0 or 1, ``shortest_px``.
-    Memory: 568 floats. Costs about 2 us an event more than ``kinematic``. Raises ParameterError, and EventError
-    from ``update``.
+    Memory: 568 floats. Costs about 2 us an event more than ``kinematic``. Raises ParameterError,
+    and EventError from ``update``.
 
     Reference: none; docs/adaptation.md. Prior knowledge of repeated distances: Pasqual, Wobbrock 2014.
 
