@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from msgspec import structs
+
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
 from pointpred.registry import build
@@ -15,9 +17,12 @@ from pointpred.server.trials import score_of as score_of
 def local_scores(
     recording: Recording, places: Sequence[int], pipeline: Pipeline, *, cpi: float | None, dpi: float
 ) -> dict[int, Score]:
-    """The batch's score of each trial, all replayed in one table."""
+    """The batch's score of each trial, all replayed in one table.
+
+    Each as of a user of its own: a service scores a marked trial with a predictor that knows nobody.
+    """
     parts = [recording.rows(k) for k in places]
-    trials = [recording.trials[k] for k in places]
+    trials = [structs.replace(recording.trials[k], user=str(k)) for k in places]
     prepared = prepare(Recording.of("replay", parts, trials), cpi=cpi, dpi=dpi)
     errors, floor = replay(prepared, pipeline), replay(prepared, build("hold", cpi=cpi, dpi=dpi))
     scored = {id(one.trial): row for row, one in enumerate(prepared.trials)}

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable, Sequence
+from itertools import groupby
 
 import msgspec
 import numpy as np
@@ -79,7 +80,8 @@ def replay_to(
 
     ``speed``: 1 as recorded, 2 twice as fast, infinity as fast as the service's limits allow. ``trials``:
     USER-TRIAL, or places counted from 1; all unless given. ``cpi`` and ``dpi`` replace what the recording
-    says. Each trial is marked, so that the service scores it. Raises ParameterError, SourceError,
+    says. Each trial is marked, so that the service scores it. Another user begins another session: a
+    predictor that learns its person meets each knowing nobody. Raises ParameterError, SourceError,
     ServiceError.
     """
     said = recording.provenance
@@ -90,19 +92,23 @@ def replay_to(
     left_out = (*(() if trials else recording.skipped), *skips.values())
     played = [k for k in wanted if k not in skips]
     local = local_scores(recording, played, pipeline, cpi=cpi, dpi=dpi)
-    encoding = "binary" if packable(recording.events) else "json"
-    device, screen = (None if cpi is None else {"cpi": cpi}), {"dpi": dpi}
     total, done, answers = sum(len(recording.rows(k)) for k in played), 0, []
-    with connect(
-        url, predictor=predictor, device=device, screen=screen, reply="event", encoding=encoding, token=token
-    ) as connection:
-        player = _Player(connection, pipeline, speed)
-        for k in played:
-            events = recording.rows(k)
-            answers.append(player.play(recording, k, local[k]))
-            done += len(events)
-            if progress is not None:
-                progress(recording.name, done, total)
+    for _, turn in groupby(played, key=lambda k: recording.trials[k].user):
+        with connect(
+            url,
+            predictor=predictor,
+            device=None if cpi is None else {"cpi": cpi},
+            screen={"dpi": dpi},
+            reply="event",
+            encoding="binary" if packable(recording.events) else "json",
+            token=token,
+        ) as connection:
+            player = _Player(connection, pipeline.fresh(), speed)
+            for k in turn:
+                answers.append(player.play(recording, k, local[k]))
+                done += len(recording.rows(k))
+                if progress is not None:
+                    progress(recording.name, done, total)
     return Replayed(recording.name, predictor, tuple(answers), left_out)
 
 

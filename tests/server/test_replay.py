@@ -11,7 +11,7 @@ import msgspec
 import numpy as np
 import pytest
 
-from pointpred import EventColumns, PredictionColumns
+from pointpred import EventColumns, PredictionColumns, build, run
 from pointpred.datasets import sample
 from pointpred.errors import ParameterError
 from pointpred.recording import Recording, Trial
@@ -62,6 +62,26 @@ def test_a_service_that_answers_otherwise_is_found_out(monkeypatch: pytest.Monke
         played = replay_to(listener.url, SAMPLE, speed=math.inf, trials=["1"])
     assert not played.agrees
     assert 0 < played.trials[0].unlike < played.trials[0].events
+
+
+@pytest.mark.parametrize("predictor", ["ktm", "kinematic-adaptive"])
+def test_each_user_meets_a_predictor_that_knows_nobody(listener: Listener, predictor: str) -> None:
+    """Three trials of one person are followed by one of another, who is answered as if he came first."""
+    users = [trial.user for trial in SAMPLE.trials]
+    other = next(k for k, user in enumerate(users) if user != users[0])
+    names = ["1", "2", "3", str(other + 1)]
+    before = len(listener.messages("hello"))
+    played = replay_to(listener.url, SAMPLE, predictor=predictor, speed=math.inf, trials=names)
+    assert played.agrees
+    assert len(listener.messages("hello")) == before + 2
+    heard = {}
+    for first in (names[:3], []):
+        pipeline = build(predictor, cpi=SAMPLE.provenance.cpi, dpi=SAMPLE.provenance.dpi)
+        for name in first:
+            run(pipeline, SAMPLE.rows(int(name) - 1))
+            pipeline.reset()
+        heard[len(first)] = run(pipeline, SAMPLE.rows(other))
+    assert unlike(heard[3], heard[0]) > 0  # it would have mattered
 
 
 def test_one_bit_is_seen() -> None:

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from pointpred.columns import FloatArray
 from pointpred.targets import Ledger, around, cursor
-from pointpred.targets.decision import NOBODY, decide
+from pointpred.targets.decision import NOBODY, decide, rank
 from pointpred.targets.rectangles import table
 
 TABLE = table([around("a", 100.0, 0.0, 20.0), around("b", 0.0, 100.0, 20.0)])
@@ -83,6 +83,23 @@ def test_what_is_entered_at_once_is_not_proposed(
     sure = np.array([0.95, 0.02, 0.03])
     found = decide(at(x, 0.0, speed), TABLE, sure, NOBODY, remaining_s, ASK, KEEP, 0.05, 0.0)
     assert found == (0 if proposed else NOBODY)
+
+
+@pytest.mark.parametrize(("x", "proposed"), [(0.0, False), (2.99, False), (3.0, True), (-3.0, True)])
+def test_nothing_is_proposed_before_the_cursor_has_set_out(x: float, proposed: bool) -> None:
+    sure = np.array([0.95, 0.02, 0.03])
+    found = decide(at(x, 0.0), TABLE, sure, NOBODY, np.nan, ASK, KEEP, 0.05, 3.0)
+    assert found == (0 if proposed else NOBODY)
+    assert decide(at(x, 0.0), TABLE, sure, 0, np.nan, ASK, KEEP, 0.05, 3.0) == 0  # what stands, stays
+
+
+def test_of_equal_shares_the_first_come_first() -> None:
+    generator = np.random.default_rng(4)
+    for count in (1, 5, 40):
+        shares = generator.integers(0, 6, count + 1) / 6.0
+        order = np.empty(min(5, count))
+        rank(shares, count, order)
+        assert order.tolist() == np.argsort(-shares[:count], kind="stable")[:5].tolist()
 
 
 def test_without_targets_nobody_is_proposed() -> None:

@@ -9,7 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pointpred import PointerEvent, Prediction, build
+from pointpred import EventColumns, PointerEvent, Prediction, build
+from pointpred import run as run_columns
 from pointpred.columns import FloatArray
 from pointpred.errors import EventError, EventOrderError, ParameterError
 from pointpred.targets import Chooser, Target, around
@@ -159,6 +160,42 @@ def test_a_refused_event_changes_nothing(x: float) -> None:
     with pytest.raises(EventOrderError):
         chooser.update(LAW, PointerEvent(0.1, 0.0, 0.0))
     assert pickle.dumps(chooser) == before
+
+
+def test_many_events_at_once_are_the_same_as_one_by_one() -> None:
+    events = EventColumns.of_events(reach())
+    answers = run_columns(build("minimum-jerk"), events)
+    one, many = Chooser(PLACES, precision=0.5), Chooser(PLACES, precision=0.5)
+    changes, likely = [], []
+    for event, prediction in zip(events.events(), answers.predictions(), strict=True):
+        changes += [(event.t, choice) for choice in one.update(prediction, event)]
+        likely.append(one.likeliest())
+    assert changes
+    for first, stop in ((0, 13), (13, 13), (13, 40)):
+        found, told = many.follow(events.table[first:stop], answers.table[first:stop])
+        assert found == [change for change in changes if change[0] in events.t[first:stop]]
+        assert told == likely[first:stop]
+    assert many.finish(0) == one.finish(0)
+    assert many.shares.tolist() == one.shares.tolist()
+    before = pickle.dumps(many)
+    with pytest.raises(EventOrderError, match="row 0"):
+        many.follow(events.table[:2], answers.table[:2])
+    wrong = events.table[-2:].copy()
+    wrong[:, 0] += 9.0
+    wrong[1, 1] = np.nan
+    with pytest.raises(EventError, match="row 1"):
+        many.follow(wrong, answers.table[-2:])
+    assert pickle.dumps(many) == before
+
+
+def test_a_smooth_start_towards_targets_far_apart_proposes_nothing_within_three_pixels() -> None:
+    places = [around("a", 900.0, 0.0, 40.0), around("b", -900.0, 0.0, 40.0)]
+    for least, near in ((3.0, False), (0.0, True)):
+        chooser, pipeline = Chooser(places, least_way_px=least), build("minimum-jerk")
+        events = reach(900.0, 0.0, 400)
+        where = [abs(e.x) for e in events if chooser.update(pipeline.update(e), e)]
+        assert where
+        assert (where[0] < 3.0) == near
 
 
 def test_other_targets_keep_a_proposal_that_is_still_there() -> None:
