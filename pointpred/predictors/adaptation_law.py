@@ -41,9 +41,9 @@ def arrived(memory: FloatArray, at: int, near: float) -> float:
     for back in range(min(kept, TRACED)):
         place = at + TRACE + 3 * ((kept - 1 - back) % TRACED)
         if hypot(memory[place + 1] - memory[at + X], memory[place + 2] - memory[at + Y]) > near:
-            return when
+            return float(when)
         when = memory[place]
-    return when
+    return float(when)
 
 
 @law
