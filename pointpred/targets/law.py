@@ -39,44 +39,6 @@ def log_density(far: float, tail: float) -> float:
 
 
 @law
-def log_mass(
-    dx: float, dy: float, width: float, height: float, sxx: float, sxy: float, syy: float, tail: float
-) -> float:
-    """Logarithm of the mass in a rectangle whose centre lies (dx, dy) px from the law's centre.
-
-    A Student law with ``tail`` degrees of freedom and scale matrix (sxx, sxy, syy) px^2, a normal one where
-    ``tail`` is NaN. It is widened first: people aim at centres and scatter in proportion to the width, so an
-    endpoint predicted exactly is still known only to (width / 4.133, height / 4.133); these variances are
-    added to the scale matrix, which is exact for a normal law. Quadrature with 5 x 5 nodes over the
-    rectangle, which after the widening is at most 4.133 deviations wide in each direction: within 0.2 % of
-    a mass. Cheaper sums of the same, ``normal_sum`` and ``student_sum``, stay within 3e-4 of a mass of
-    ``node_sum``. Nothing underflows, however far the rectangle.
-
-    Reference: MacKenzie 1992, section 2.3: the effective width is 4.133 standard deviations of endpoints.
-
-    >>> from math import exp, nan
-    >>> round(exp(log_mass(0.0, 0.0, 4.133, 4.133, 0.0, 0.0, 0.0, nan)), 3)  # 96 % along each axis
-    0.925
-    """
-    sxx += (width / EFFECTIVE) ** 2
-    syy += (height / EFFECTIVE) ** 2
-    det = sxx * syy - sxy * sxy
-    a, b = 0.5 * width, 0.5 * height
-    ixx, ixy, iyy = syy / det, -sxy / det, sxx / det
-    # The squared distance at (dx + a u, dy + b v): far + 2 (u gx + v gy + u v gxy) + u^2 hx + v^2 hy.
-    far = ixx * dx * dx + 2.0 * ixy * dx * dy + iyy * dy * dy
-    gx, gy, gxy = a * (ixx * dx + ixy * dy), b * (ixy * dx + iyy * dy), a * b * ixy
-    hx, hy = ixx * a * a, iyy * b * b
-    if tail != tail and abs(gx) + abs(gy) + abs(gxy) + hx + hy < STEEPEST:
-        found = normal_sum(gx, gy, gxy, hx, hy) - 0.5 * far
-    elif tail <= HEAVIEST:
-        found = student_sum(far, gx, gy, gxy, hx, hy, tail)
-    else:
-        found = node_sum(far, gx, gy, gxy, hx, hy, tail)
-    return found + log(0.25 * width * height / (2.0 * pi * sqrt(det)))
-
-
-@law
 def node_sum(far: float, gx: float, gy: float, gxy: float, hx: float, hy: float, tail: float) -> float:
     """Logarithm of the weighted densities at 5 x 5 nodes: any law, any distance."""
     nearest = inf
@@ -141,3 +103,41 @@ def normal_sum(gx: float, gy: float, gxy: float, hx: float, hy: float) -> float:
     inner = (x2 * y2 + x4 * y4) * ii + (x2 * y4 + x4 * y2) / ii
     cross = W_MIDDLE * (x1 + x2 + x4 + x5 + y1 + y2 + y4 + y5 + W_MIDDLE)
     return log(outer + mixed + inner + cross)
+
+
+@law
+def log_mass(
+    dx: float, dy: float, width: float, height: float, sxx: float, sxy: float, syy: float, tail: float
+) -> float:
+    """Logarithm of the mass in a rectangle whose centre lies (dx, dy) px from the law's centre.
+
+    A Student law with ``tail`` degrees of freedom and scale matrix (sxx, sxy, syy) px^2, a normal one where
+    ``tail`` is NaN. It is widened first: people aim at centres and scatter in proportion to the width, so an
+    endpoint predicted exactly is still known only to (width / 4.133, height / 4.133); these variances are
+    added to the scale matrix, which is exact for a normal law. Quadrature with 5 x 5 nodes over the
+    rectangle, which after the widening is at most 4.133 deviations wide in each direction: within 0.2 % of
+    a mass. Cheaper sums of the same, ``normal_sum`` and ``student_sum``, stay within 3e-4 of a mass of
+    ``node_sum``. Nothing underflows, however far the rectangle.
+
+    Reference: MacKenzie 1992, section 2.3: the effective width is 4.133 standard deviations of endpoints.
+
+    >>> from math import exp, nan
+    >>> round(exp(log_mass(0.0, 0.0, 4.133, 4.133, 0.0, 0.0, 0.0, nan)), 3)  # 96 % along each axis
+    0.925
+    """
+    sxx += (width / EFFECTIVE) ** 2
+    syy += (height / EFFECTIVE) ** 2
+    det = sxx * syy - sxy * sxy
+    a, b = 0.5 * width, 0.5 * height
+    ixx, ixy, iyy = syy / det, -sxy / det, sxx / det
+    # The squared distance at (dx + a u, dy + b v): far + 2 (u gx + v gy + u v gxy) + u^2 hx + v^2 hy.
+    far = ixx * dx * dx + 2.0 * ixy * dx * dy + iyy * dy * dy
+    gx, gy, gxy = a * (ixx * dx + ixy * dy), b * (ixy * dx + iyy * dy), a * b * ixy
+    hx, hy = ixx * a * a, iyy * b * b
+    if tail != tail and abs(gx) + abs(gy) + abs(gxy) + hx + hy < STEEPEST:
+        found = normal_sum(gx, gy, gxy, hx, hy) - 0.5 * far
+    elif tail <= HEAVIEST:
+        found = student_sum(far, gx, gy, gxy, hx, hy, tail)
+    else:
+        found = node_sum(far, gx, gy, gxy, hx, hy, tail)
+    return found + log(0.25 * width * height / (2.0 * pi * sqrt(det)))
