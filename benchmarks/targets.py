@@ -1,33 +1,39 @@
 """Measure choices among targets and write docs/targets.md: ``python -m benchmarks.targets``.
 
-Coefficients are fitted here anew for each set without that set; the last fit, on all of them, is what comes
-with pointpred. Recordings come from the folder named by POINTPRED_RECORDINGS.
+Evidence and learned predictor are fitted anew for each set without that set; the last fit of the evidence,
+on all sets as predicted by networks that did not know them, is what comes with pointpred. Recordings come
+from the folder named by POINTPRED_RECORDINGS.
 """
 
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from benchmarks import targets_fit
+from benchmarks.held_out import HeldOut, held_out, seen, trained
 from benchmarks.markdown import filled, table
 from pointpred import PointerEvent, Prediction
+from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
 from pointpred.registry import REGISTRY
 from pointpred.report.style import GREY, PALETTE, canvas, legend_outside, picture
 from pointpred.scoring.target_choice import NEAREST, score_targets, target_summary
 from pointpred.targets import Chooser, around
 from pointpred.targets.evidence import NEAR
+from pointpred.training.people import folder
 
 ROOT = Path(__file__).parents[1]
 PAGE = ROOT / "docs" / "targets.md"
 SHOWN = tuple(name for name in ("kalman", "minimum-jerk", "kinematic") if name in REGISTRY)
 TIMES = ("0.2", "0.3", "0.4", "0.5", "0.6", "0.7", "0.8", "0.9")
 Json = dict[str, Any]
+Situations = tuple[targets_fit.Cases, targets_fit.Cases]
+"""Of a set: as seen with a claimed law, and without one."""
 
 
 def apart(recording: Recording) -> Iterator[Recording]:
@@ -43,20 +49,37 @@ def apart(recording: Recording) -> Iterator[Recording]:
         yield Recording.of(name, parts, trials, provenance=recording.provenance)
 
 
-def measured() -> list[Json]:
-    """Every set with every predictor, the coefficients fitted without the set; then fits on all sets."""
-    sets = targets_fit.recordings()
-    cases = {one.name: targets_fit.both(one) for one in sets}
+def unseen(recording: Recording, name: str, held: HeldOut) -> str | Pipeline | None:
+    """The predictor as it is without the recording; ``None`` where there is none."""
+    if name not in trained() or recording.name not in seen():
+        return name
+    return held.of_set(name, recording)
+
+
+def measured(sets: Sequence[Recording], held: HeldOut) -> tuple[list[Json], list[Situations]]:
+    """Every set and layout, evidence and predictor fitted without it; the situations of each set.
+
+    Sets whose predictor cannot be had without them are left out.
+    """
+    sets = [one for one in sets if one.name in targets_fit.SETS or one.provenance.simulated]
+    cases: dict[str, Situations] = {}
+    for one in sets:
+        if (claiming := unseen(one, targets_fit.CLAIMING, held)) is not None:
+            silent = targets_fit.cases(one, (targets_fit.SILENT,))
+            cases[one.name] = (targets_fit.cases(one, (claiming,)), silent)
+    if len(cases) < 2:
+        return [], list(cases.values())  # nothing to fit the evidence to
     found = []
-    for recording in sets:
+    for recording in (one for one in sets if one.name in cases):
         others = [case for name, case in cases.items() if name != recording.name]
         ours, near = targets_fit.coefficients(others), targets_fit.coefficients(others, [NEAR])
+        judged = [unseen(recording, name, held) for name in SHOWN]
         for part in apart(recording):
-            print(f"scoring {part.name}", flush=True)
-            scored = score_targets(part, SHOWN, coefficients=ours, nearest=near)
+            print(f"choosing among targets: {part.name}", flush=True)
+            names = [one for one in judged if one is not None]
+            scored = score_targets(part, names, coefficients=ours, nearest=near)
             found += [target_summary(one) for one in scored]
-    targets_fit.write(list(cases.values()))
-    return found
+    return found, list(cases.values())
 
 
 def right(sets: list[Json]) -> str:
@@ -135,7 +158,8 @@ def draw(sets: list[Json]) -> str:
 
 def main() -> None:
     """Write the coefficients, the figure and the generated parts of the page."""
-    sets = measured()
+    sets, cases = measured(targets_fit.recordings(), held_out(folder()))
+    targets_fit.write(cases)
     page = PAGE.read_text(encoding="utf-8")
     parts = {
         "figure": draw(sets), "right": right(sets), "decisions": decisions(sets, "precision"),

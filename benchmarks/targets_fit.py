@@ -1,4 +1,4 @@
-"""Fit the coefficients of the evidence for targets: ``python -m benchmarks.targets_fit``.
+"""Fit the coefficients of the evidence for targets, for ``python -m benchmarks.targets``.
 
 A conditional logit (McFadden 1974): the share of a target is proportional to the exponential of a
 weighted sum of its features. Fitted on the recordings of POINTPRED_RECORDINGS and the embedded sample, each
@@ -138,19 +138,9 @@ def fit(sets: Sequence[Cases], only: Sequence[int] | None = None) -> FloatArray:
     return weights
 
 
-def both(recording: Recording) -> tuple[Cases, Cases]:
-    """The situations of a set as seen with a claimed law, and without one."""
-    return cases(recording, (CLAIMING,)), cases(recording, (SILENT,))
-
-
 def coefficients(sets: Sequence[tuple[Cases, Cases]], only: Sequence[int] | None = None) -> FloatArray:
     """Coefficients as ``posterior`` wants them: for a claimed law, then for none."""
     return np.concatenate([fit([one[place] for one in sets], only) for place in range(2)])
-
-
-def main() -> None:
-    """Fit on everything and write the coefficients."""
-    write([both(recording) for recording in recordings()])
 
 
 def write(sets: Sequence[tuple[Cases, Cases]]) -> None:
@@ -168,7 +158,3 @@ def write(sets: Sequence[tuple[Cases, Cases]]) -> None:
             lines[i] = f"{name} = ({', '.join(f'{value:.4g}' for value in values[name])})"
     file.write_text("\n".join(lines) + "\n", encoding="utf-8")
     print("\n".join(lines))
-
-
-if __name__ == "__main__":
-    main()
