@@ -129,6 +129,7 @@ def predict_for_ever(connection: ServerConnection) -> None:
     until = time.monotonic() + 4.0
     while time.monotonic() < until:
         connection.send(PREDICTION)
+        time.sleep(0.001)
 
 
 def test_predictions_do_not_lengthen_the_wait_for_an_answer() -> None:
