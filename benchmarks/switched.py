@@ -7,6 +7,7 @@ recordings that POINTPRED_RECORDINGS names, and writes the tables and the figure
 
 from __future__ import annotations
 
+import argparse
 import os
 import sys
 from collections.abc import Iterable
@@ -21,7 +22,7 @@ from pointpred import Pipeline, build
 from pointpred.datasets import sample
 from pointpred.recording import Recording
 from pointpred.report.style import canvas, line_style, picture
-from pointpred.scoring import SetScore, score
+from pointpred.scoring import SetScore, resolution, score
 from pointpred.scoring.results import TIME_FRACTIONS, PredictorErrors
 from pointpred.sources import read
 
@@ -37,9 +38,10 @@ def named(name: str, pattern: Pipeline) -> Pipeline:
     return Pipeline(name, pattern.differentiator, pattern.predictor)
 
 
-def variants() -> list[Pipeline]:
-    """Versions that lack one part each."""
-    whole = build(NAME)
+def variants(recording: Recording) -> list[Pipeline]:
+    """Versions that lack one part each, built for a recording's device and screen as ``score`` builds."""
+    settings = resolution(recording, None, None)
+    whole = build(NAME, **settings)
     changed = {
         "one unit: sub-movements are not told apart": {"rise": 10.0},
         "the rate at the switch is kept: nothing is learned after the peak": {"turn": 0.0},
@@ -52,7 +54,7 @@ def variants() -> list[Pipeline]:
         whole,
         Pipeline("each axis on its own", whole.differentiator.fresh(), AxisWise()),
         Pipeline("held after the peak, as in the thesis", whole.differentiator.fresh(), Held()),
-        *(named(label, build(NAME, **parameters)) for label, parameters in changed.items()),
+        *(named(label, build(NAME, **settings, **parameters)) for label, parameters in changed.items()),
     ]
 
 
@@ -125,17 +127,23 @@ def recordings() -> list[Recording]:
 
 def main(arguments: list[str]) -> None:
     """Score, write and draw."""
-    if arguments == ["search"]:
+    parser = argparse.ArgumentParser(description=__doc__, allow_abbrev=False)
+    parser.add_argument("what", nargs="?", choices=("page", "search"), default="page")
+    if parser.parse_args(arguments).what == "search":
         from benchmarks.switched_search import search
 
         search()
         return
-    parts = variants()
-    scores = score(recordings(), [*parts, *OTHERS])
+    scores: list[SetScore] = []
+    names: list[str] = []
+    for recording in recordings():
+        parts = variants(recording)
+        names = [part.name for part in parts]
+        scores += score([recording], [*parts, *OTHERS])
     page = PAGE.read_text(encoding="utf-8")
     page = filled(page, "comparison", shares_table(scores, (NAME, *OTHERS)))
     page = filled(page, "deciles", deciles_table(scores))
-    page = filled(page, "ablations", shares_table(scores, [part.name for part in parts]))
+    page = filled(page, "ablations", shares_table(scores, names))
     PAGE.write_text(page, encoding="utf-8")
     draw(scores, PAGE.parent / "figures" / "switched-time.svg")
     print(f"wrote {PAGE}")
