@@ -34,7 +34,8 @@ set (*set left out*: fitted to the other sets) and by coefficients that did not 
 out*: five folds of the people of all sets, each judged by a fit to the other four), never by those that come
 with the package, which saw them all. These stand only on sets that they did not see, as the simulated one. Of
 the regions of a left-out set the calibration comes from people of the other sets, as judged by fits that knew
-the set."""
+the set. Features and settings were chosen on these same held-out people and sets
+([experiments.md](experiments.md)): the scores are a little too good."""
 
 OUT = " left out)"
 

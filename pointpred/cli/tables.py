@@ -9,7 +9,7 @@ from typing import Any
 from rich.table import Table
 
 from pointpred.cli.screen import counted, remarks, results
-from pointpred.scoring import HEADINGS, rows
+from pointpred.scoring import HEADINGS, footnotes, rows
 
 NARROW = 120
 """A terminal with fewer columns shows fewer of the table's."""
@@ -31,6 +31,8 @@ def print_sets(described: list[dict[str, Any]]) -> None:
         if one["trials"]:
             results().print(title(one), style="bold", markup=False)
             results().print(_table(one))
+            for note in footnotes(one):
+                results().print(note, style="red", markup=False)
         _print_remarks(one)
     if any(one["trials"] for one in described):
         results().print(

@@ -143,6 +143,10 @@ class KinematicPredictor(Predictor):
         Predictor.__init__(made, [], sight.STATES)
         return made
 
+    def saw(self, name: str) -> bool:
+        """Whether the coefficients were fitted to people of the set of this name."""
+        return name in kinematic_coefficients.sets(self._source)
+
     def advance(self, row: tuple[float, ...]) -> tuple[float, ...]:
         """``consume``, with the prediction as a row of ``PredictionColumns``."""
         t, x, y, vx, vy, ax, ay, settled, start, _ = row

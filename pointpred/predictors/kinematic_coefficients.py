@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 import hashlib
+import io
 import json
-from functools import cache
+import zipfile
+import zlib
+from functools import cache, lru_cache
+from math import prod
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +25,24 @@ VERSION = 1
 OWN = Path(__file__).with_name("kinematic.npz")
 """The file that comes with the package."""
 LARGEST_BYTES = 2 * 1024 * 1024
+LARGEST_INFLATED = 16 * 1024 * 1024
+"""Bytes of all arrays of a file together."""
+WIDEST = 1024
+"""Units of a hidden layer."""
+LARGEST_SCALE, LARGEST_WEIGHT, LARGEST_LOG = 2e6, 1e4, 20.0
+"""Magnitudes of means and scales, of weights, of logarithms of factors: no answer overflows within them."""
+UNUSABLE = (
+    OSError,
+    ValueError,
+    TypeError,
+    LookupError,
+    EOFError,
+    RuntimeError,
+    SyntaxError,
+    zipfile.BadZipFile,
+    zlib.error,
+)
+"""What reading a file that is none of ours can raise."""
 LAYERS = 3
 
 
@@ -42,45 +64,99 @@ def write(
         np.savez(file, **arrays)
 
 
-@cache
-def read(path: Path) -> FloatArray:
+def read(path: Path | str) -> FloatArray:
     """The coefficients of a file as one array that nobody may write to.
 
+    A file is read once, and again when its size or the time of its last change is another.
     Raises ParameterError for a file that cannot be read, is of another version or does not fit.
     """
+    if not isinstance(path, Path | str):
+        raise ParameterError(f"coefficients must be the path of a file, received {path!r}")
+    path = Path(path)
     try:
-        if path.stat().st_size > LARGEST_BYTES:
-            raise ValueError(f"more than {LARGEST_BYTES} bytes")
-        with np.load(path, allow_pickle=False) as file:
-            held = {name: np.asarray(file[name]) for name in file.files}
-        parts = _parts(held)
-    except (OSError, ValueError, KeyError, EOFError) as unusable:
+        found = path.stat()
+        return _read(path, found.st_mtime_ns, found.st_size)
+    except UNUSABLE as unusable:
         raise ParameterError(
             f"coefficients must be a file of version {VERSION}: {path}: {unusable}"
         ) from unusable
+
+
+@lru_cache(maxsize=16)
+def _read(path: Path, changed_ns: int, size: int) -> FloatArray:
+    """``read``, once for each path, time of change and size."""
+    if not path.is_file() or size > LARGEST_BYTES:
+        raise ValueError(f"must be a plain file of at most {LARGEST_BYTES} bytes")
+    with path.open("rb") as file:
+        parts = _parts(_unpacked(file.read(LARGEST_BYTES)))
     flat = np.concatenate([np.ravel(part) for part in parts]).astype(np.float64)
     flat.flags.writeable = False
     return flat
 
 
+def _unpacked(packed: bytes) -> dict[str, Any]:
+    """The arrays of an archive; nothing is inflated or laid out before its size is known to be bounded."""
+    held: dict[str, Any] = {}
+    with zipfile.ZipFile(io.BytesIO(packed)) as archive:
+        members = archive.infolist()
+        inflated = sum(member.file_size for member in members)
+        if inflated > LARGEST_INFLATED:
+            raise ValueError(f"may inflate to at most {LARGEST_INFLATED} bytes, would to {inflated}")
+        for member in members:
+            name = member.filename.removesuffix(".npy")
+            held[name] = _array(name, archive.read(member))
+    return held
+
+
+def _array(name: str, written: bytes) -> Any:
+    """One array, whose header must name as many bytes as follow it."""
+    file = io.BytesIO(written)
+    if np.lib.format.read_magic(file) != (1, 0):
+        raise ValueError(f"{name} is not written in version 1.0 of its format")
+    shape, _, kind = np.lib.format.read_array_header_1_0(file)
+    if prod(shape) * kind.itemsize != len(written) - file.tell():
+        raise ValueError(f"{name} has {len(written) - file.tell()} bytes, said to be {shape} of {kind}")
+    file.seek(0)
+    return np.lib.format.read_array(file, allow_pickle=False)
+
+
 def _parts(held: dict[str, Any]) -> list[Any]:
     """The arrays in the order in which ``kinematic_net`` reads them; ValueError where one does not fit."""
-    if int(held["version"]) != VERSION:
-        raise ValueError(f"is of version {int(held['version'])}")
-    first, second = held["weights0"].shape[1], held["weights1"].shape[1]
-    wanted: list[tuple[str, tuple[int, ...]]] = [
-        ("mean", (features.FEATURES,)),
-        ("scale", (features.FEATURES,)),
+    version = held["version"]
+    if version.shape != () or version.dtype.kind not in "iu" or int(version) != VERSION:
+        raise ValueError(f"is of version {version}")
+    first, second = _width(held, 0), _width(held, 1)
+    wanted: list[tuple[str, tuple[int, ...], float]] = [
+        ("mean", (features.FEATURES,), LARGEST_SCALE),
+        ("scale", (features.FEATURES,), LARGEST_SCALE),
     ]
     for number, (rows, width) in enumerate(
         ((features.FEATURES, first), (first, second), (second, net.OUTPUTS))
     ):
-        wanted += [(f"weights{number}", (rows, width)), (f"offset{number}", (width,))]
-    wanted.append(("table", (calibration.KNOTS, calibration.FACTORS)))
-    for name, shape in wanted:
-        if held[name].shape != shape or not np.isfinite(held[name]).all():
-            raise ValueError(f"{name} must hold finite numbers of shape {shape}, has {held[name].shape}")
-    return [np.array([first, second], np.float64), *(held[name] for name, _ in wanted)]
+        wanted += [
+            (f"weights{number}", (rows, width), LARGEST_WEIGHT),
+            (f"offset{number}", (width,), LARGEST_WEIGHT),
+        ]
+    wanted.append(("table", (calibration.KNOTS, calibration.FACTORS), LARGEST_LOG))
+    for name, shape, most in wanted:
+        _check(name, held[name], shape, most)
+    return [np.array([first, second], np.float64), *(held[name] for name, _, _ in wanted)]
+
+
+def _width(held: dict[str, Any], number: int) -> int:
+    """How many units a hidden layer has."""
+    shape = held[f"weights{number}"].shape
+    if len(shape) != 2 or not 1 <= shape[1] <= WIDEST:
+        raise ValueError(f"weights{number} must have from 1 to {WIDEST} columns, is of shape {shape}")
+    return int(shape[1])
+
+
+def _check(name: str, values: Any, shape: tuple[int, ...], most: float) -> None:
+    if values.shape != shape or values.dtype.kind != "f" or not (np.abs(values) <= most).all():
+        raise ValueError(
+            f"{name} must hold finite numbers of shape {shape} and magnitude up to {most:g}, "
+            f"has {values.dtype} of {values.shape}"
+        )
 
 
 def card(path: Path = OWN) -> dict[str, Any]:
@@ -88,6 +164,12 @@ def card(path: Path = OWN) -> dict[str, Any]:
     with np.load(path, allow_pickle=False) as file:
         said: dict[str, Any] = json.loads(file["card"].tobytes())
     return said
+
+
+@cache
+def sets(path: Path = OWN) -> frozenset[str]:
+    """The names of the sets that the coefficients were fitted to, as far as the card says."""
+    return frozenset(one["name"] for one in card(path).get("sets", ()))
 
 
 def digest(path: Path = OWN) -> str:

@@ -29,6 +29,7 @@ from pointpred.report.worst import Drawing, draw_worst, worst
 from pointpred.scoring.results import SetScore
 from pointpred.scoring.statistics import axis_anova, axis_profile
 from pointpred.scoring.summary import summary
+from pointpred.scoring.table import footnotes
 from pointpred.scoring.trials import prepare, resolution
 
 Json = dict[str, Any]
@@ -93,6 +94,7 @@ def _set_html(place: int, score: SetScore, described: Json, drawings: Sequence[D
     parts += [
         "<h3>Summary</h3>",
         summary_table(described),
+        "".join(f"<p>{text(note, 200)}</p>" for note in footnotes(described)),
         series_table(described, "by_time"),
         series_table(described, "by_path"),
         groups_table(described) if described["groups"] else "",

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 
+import msgspec
+
 from pointpred.errors import ParameterError
 from pointpred.pipeline import Pipeline
+from pointpred.predictors import KinematicPredictor
 from pointpred.recording import Recording
 from pointpred.registry import build
 from pointpred.scoring.replay import replay
 from pointpred.scoring.results import PredictorErrors, ScoredTrial, SetScore
 from pointpred.scoring.summary import FLOOR, document, summary
-from pointpred.scoring.table import HEADINGS, rows
+from pointpred.scoring.table import HEADINGS, footnotes, rows
 from pointpred.scoring.trials import Prepared, prepare, resolution
 
 Progress = Callable[[str, int, int], None]
@@ -28,6 +31,7 @@ __all__ = [
     "ScoredTrial",
     "SetScore",
     "document",
+    "footnotes",
     "prepare",
     "replay",
     "rows",
@@ -108,9 +112,21 @@ def _score(
         recording.name,
         prepared.trials,
         prepared.skipped,
-        tuple(replay(prepared, pipeline, threads=threads, progress=advance) for pipeline in pipelines),
+        tuple(
+            msgspec.structs.replace(
+                replay(prepared, pipeline, threads=threads, progress=advance),
+                seen=_seen(pipeline, recording.name),
+            )
+            for pipeline in pipelines
+        ),
         simulated=recording.provenance.simulated,
         seed=seed,
         notes=(*recording.notes, *IN_COUNTS[:counted]),
         unit="counts" if counted else "px",
     )
+
+
+def _seen(pipeline: Pipeline, name: str) -> bool:
+    """Whether a pipeline has learned from the set, known by its name without the folder put before it."""
+    predictor = pipeline.predictor
+    return isinstance(predictor, KinematicPredictor) and predictor.saw(name.rpartition("/")[2])

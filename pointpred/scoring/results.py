@@ -59,6 +59,8 @@ class PredictorErrors(msgspec.Struct, frozen=True):
     """(trials, DECILES, LEVELS): whether intervals of the time left held the arrival"""
     hits: FloatArray | None = None
     """(trials, TIME_FRACTIONS): whether the prediction lay in the target; ``None`` where none is known"""
+    seen: bool = False
+    """Whether the predictor was fitted to people of a set of this name: its errors are too low."""
 
 
 class SetScore(msgspec.Struct, frozen=True):

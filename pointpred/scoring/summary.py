@@ -50,6 +50,7 @@ def summary(score: SetScore, *, draws: int = DRAWS) -> Json:
     ranked probability score in px, and the shares of trials at each decile of the time; ``time_left`` the
     absolute error in s, that of a clock which knows the set's median time, their ratio, and the same shares
     for intervals; ``hits`` the share of trials whose prediction lies in the target, by time.
+    ``seen``: the predictor was fitted to people of this set, its errors are too low.
     ``unit`` is ``counts`` where the recording holds no cursor: all ``px`` are then counts.
     Raises ParameterError when the set was scored without ``hold``.
     """
@@ -81,6 +82,7 @@ def summary(score: SetScore, *, draws: int = DRAWS) -> Json:
         "predictors": [
             {
                 "name": errors.name,
+                "seen": errors.seen,
                 "coverage": _number(errors.coverage.mean() if len(users) else np.nan),
                 "us_per_event": _number(errors.us_per_event),
                 "failed": [msgspec.structs.asdict(skip) for skip in errors.failed],

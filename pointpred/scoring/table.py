@@ -25,6 +25,14 @@ HEADINGS = (
 """Columns of the table of a set. All but the last two are errors as a share of the error of ``hold``."""
 
 
+SEEN = "fitted to people of this set: too good; see docs/results.md"
+
+
+def footnotes(described: Json) -> list[str]:
+    """What must be known of a predictor before its row is believed, a line each."""
+    return [f"{one['name']}: {SEEN}" for one in described["predictors"] if one["seen"]]
+
+
 def rows(described: Json) -> list[tuple[str, ...]]:
     """The table of a set from its ``summary``: a row of text a predictor, a cell for each of HEADINGS."""
     return [_row(predictor) for predictor in described["predictors"]]

@@ -69,6 +69,19 @@ def test_a_faulty_row_is_counted_as_the_messages_say(command, tmp_path: Path) ->
     assert "(first: trial 2 of u, data row 3 (counted from 0))" in left.err
 
 
+def test_scores_on_what_was_learned_from_carry_a_warning(command, good: Path, tmp_path: Path) -> None:
+    known, page = tmp_path / "kh2017_samples.csv", tmp_path / "out.html"
+    known.write_text(good.read_text().replace("walk", "kh2017"))
+    warning = "kinematic: fitted to people of this set: too good; see docs/results.md"
+    left = command("score", known, "--predictors", "kinematic", "--report", page)
+    assert warning in left.out
+    assert warning in page.read_text()
+    left = command("score", good, "--predictors", "kinematic", "--report", page)
+    assert "too good" not in left.out + page.read_text()
+    (one,) = json.loads(command("score", known, "--predictors", "kinematic", "--json", "-").out)["sets"]
+    assert [predictor["seen"] for predictor in one["predictors"]] == [False, True]
+
+
 def test_two_recordings_of_one_name_are_told_apart(command, good: Path, tmp_path: Path) -> None:
     files = []
     for folder in ("c", "d"):

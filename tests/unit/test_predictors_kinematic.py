@@ -16,6 +16,7 @@ from pointpred.errors import ParameterError
 from pointpred.predictors import KinematicPredictor, kinematic_coefficients
 from pointpred.predictors import kinematic_features as features
 from pointpred.scoring import prepare
+from pointpred.training.page import FALLS_SHORT, card_lines
 
 X, Y, SXX, SXY, SYY, LEFT, PHASE, TAIL, SPREAD = range(1, 10)
 
@@ -169,6 +170,7 @@ def test_the_card_says_what_the_file_is() -> None:
         assert f"| {one['name']} | {one['licence']} | {one['users']} | {one['trials']} |" in page
         assert f"{one['name']} ({one['licence']})" in notice
     assert "kinematic" in REGISTRY
+    assert card_lines() + "\n" + FALLS_SHORT in page
 
 
 def test_a_region_widens_with_its_tail() -> None:

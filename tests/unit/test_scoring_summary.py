@@ -3,13 +3,28 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
+import msgspec
 import numpy as np
 import pytest
 
+from pointpred.columns import EventColumns
 from pointpred.errors import ParameterError
-from pointpred.recording import Skip, Trial
-from pointpred.scoring import HEADINGS, PredictorErrors, ScoredTrial, SetScore, document, rows, summary
+from pointpred.pipeline import Pipeline
+from pointpred.predictors import KinematicPredictor, kinematic_coefficients
+from pointpred.recording import Recording, Skip, Trial
+from pointpred.scoring import (
+    HEADINGS,
+    PredictorErrors,
+    ScoredTrial,
+    SetScore,
+    document,
+    footnotes,
+    rows,
+    score,
+    summary,
+)
 
 USERS = ["ann", "ann", "bob", "bob", "eve"]
 CLEAN = [True, False, True, True, False]
@@ -132,3 +147,39 @@ def test_a_set_without_trials_has_numbers_nowhere_and_no_warning() -> None:
 def test_without_hold_nothing_can_be_said() -> None:
     with pytest.raises(ParameterError, match="needs the predictor 'hold'"):
         summary(scored(HALF))
+
+
+def test_what_has_learned_from_the_set_is_called_so() -> None:
+    """The package's own coefficients saw the sets of their card, whatever folder stands before the name."""
+    path = EventColumns.of(t=[0.0, 0.1, 0.2, 0.3], x=[0, 1, 60, 101], y=[0, 0, 0, 0])
+
+    def seen(name: str, *pipelines: str | Pipeline) -> list[bool]:
+        one = Recording.of(name, [path], [Trial("ann", "1")])
+        return [p["seen"] for p in summary(score([one], pipelines)[0])["predictors"]]
+
+    learned = ("kalman", "kinematic", "kinematic-adaptive")
+    for known in kinematic_coefficients.card()["sets"]:
+        assert seen(known["name"], *learned) == [False, False, True, True]
+    assert seen("folder/kh2017", *learned) == [False, False, True, True]
+    assert seen("kh2017 of another day", *learned) == [False] * 4
+
+
+def test_other_coefficients_saw_what_their_own_card_says(tmp_path: Path) -> None:
+    with np.load(kinematic_coefficients.OWN) as file:
+        held = dict(file)
+    held["card"] = np.frombuffer(json.dumps({"sets": [{"name": "elsewhere"}]}).encode(), np.uint8)
+    np.savez(tmp_path / "other.npz", **held)
+    held["card"] = np.frombuffer(b"{}", np.uint8)
+    np.savez(tmp_path / "nameless.npz", **held)
+    other = KinematicPredictor.of(tmp_path / "other.npz")
+    assert (other.saw("elsewhere"), other.saw("kh2017")) == (True, False)
+    assert not KinematicPredictor.of(tmp_path / "nameless.npz").saw("kh2017")
+
+
+def test_a_footnote_names_who_has_learned_from_the_set() -> None:
+    learned = msgspec.structs.replace(HALF, name="learned", seen=True)
+    described = summary(scored(HOLD, HALF, learned))
+    assert footnotes(described) == [
+        "learned: fitted to people of this set: too good; see docs/results.md",
+    ]
+    assert footnotes(summary(scored(HOLD, HALF))) == []
