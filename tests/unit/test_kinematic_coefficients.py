@@ -1,0 +1,118 @@
+"""Files of coefficients that cannot be right are refused, each with a ParameterError that says why."""
+
+from __future__ import annotations
+
+import os
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from pointpred.errors import ParameterError
+from pointpred.predictors import kinematic_coefficients as coefficients
+from pointpred.predictors import kinematic_features as features
+
+
+def own() -> dict[str, Any]:
+    with np.load(coefficients.OWN) as file:
+        return {name: np.asarray(file[name]) for name in file.files}
+
+
+def wrong(path: Path, **changes: Any) -> Path:
+    np.savez(path, **(own() | changes))
+    return path
+
+
+def wide(first: int, second: int) -> dict[str, Any]:
+    return {
+        "weights0": np.zeros((features.FEATURES, first), np.float32),
+        "offset0": np.zeros(first, np.float32),
+        "weights1": np.zeros((first, second), np.float32),
+        "offset1": np.zeros(second, np.float32),
+        "weights2": np.zeros((second, 12), np.float32),
+    }
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"version": np.float64(1.5)},
+        {"version": np.array([1, 1])},
+        {"version": np.array("1")},
+        {"mean": np.array(["a"] * features.FEATURES)},
+        {"mean": np.ones(features.FEATURES, complex)},
+        {"mean": np.ones(features.FEATURES, object)},
+        {"weights0": np.ones(features.FEATURES)},
+        {"weights1": np.float64(1.0)},
+        {"table": np.full((10, 3), 1e3)},
+        {"offset2": np.full(12, 2e4)},
+        {"scale": np.full(features.FEATURES, 1e7)},
+        wide(0, 4),
+        wide(4, 0),
+        wide(1025, 4),
+    ],
+)
+def test_arrays_that_do_not_fit_are_refused(tmp_path: Path, changes: dict[str, Any]) -> None:
+    with pytest.raises(ParameterError, match="version 1"):
+        coefficients.read(wrong(tmp_path / "wrong.npz", **changes))
+
+
+def test_hidden_layers_of_one_and_of_many_are_taken(tmp_path: Path) -> None:
+    for first, second in ((1, 1), (1024, 4)):
+        flat = coefficients.read(wrong(tmp_path / f"{first}.npz", **wide(first, second)))
+        assert flat[:2].tolist() == [first, second]
+
+
+def test_a_damaged_file_is_refused_or_read_as_it_was(tmp_path: Path) -> None:
+    whole, path = coefficients.OWN.read_bytes(), tmp_path / "damaged.npz"
+    generator, kept, refused = np.random.default_rng(3), coefficients.read(coefficients.OWN), 0
+    places = [*generator.integers(0, len(whole), 60), *range(60), *range(len(whole) - 200, len(whole))]
+    for place in places:
+        damaged = bytearray(whole)
+        damaged[place] ^= int(generator.integers(1, 256))
+        path.write_bytes(damaged)
+        try:
+            assert np.array_equal(coefficients.read(path), kept)
+        except ParameterError:
+            refused += 1
+    assert refused > 60  # a flipped byte of a date or of the card's own text harms nobody
+    for length in (0, 1, 30, 1000, len(whole) // 2, len(whole) - 1):
+        path.write_bytes(whole[:length])
+        with pytest.raises(ParameterError):
+            coefficients.read(path)
+
+
+def test_another_kind_of_file_is_refused(tmp_path: Path) -> None:
+    np.save(tmp_path / "plain.npy", np.ones(3))
+    for path in (tmp_path / "plain.npy", tmp_path, tmp_path / "none.npz"):
+        with pytest.raises(ParameterError):
+            coefficients.read(path)
+    for path in (None, 3):
+        with pytest.raises(ParameterError, match="path"):
+            coefficients.read(path)  # type: ignore[arg-type]
+
+
+def test_what_would_fill_the_memory_is_refused_before_it_is_inflated(tmp_path: Path) -> None:
+    np.savez_compressed(tmp_path / "zeros.npz", **(own() | {"more": np.zeros(1 << 25, np.uint8)}))
+    assert (tmp_path / "zeros.npz").stat().st_size < coefficients.LARGEST_BYTES
+    with pytest.raises(ParameterError, match="inflate"):
+        coefficients.read(tmp_path / "zeros.npz")
+    lies = tmp_path / "lies.npz"
+    wrong(lies)
+    with zipfile.ZipFile(lies, "a") as file, file.open("more.npy", "w") as member:
+        header = {"descr": "<f8", "fortran_order": False, "shape": (1 << 50,)}
+        np.lib.format.write_array_header_1_0(member, header)  # type: ignore[arg-type]
+    with pytest.raises(ParameterError, match="more"):
+        coefficients.read(lies)
+
+
+def test_a_path_may_be_text_and_a_file_written_anew_is_read_anew(tmp_path: Path) -> None:
+    path = wrong(tmp_path / "same.npz")
+    before = coefficients.read(str(path))
+    assert coefficients.read(path) is coefficients.read(path)
+    assert not before.flags.writeable
+    wrong(path, mean=own()["mean"] + 1.0)
+    os.utime(path, ns=(0, 1))
+    assert coefficients.read(path)[2] == before[2] + 1.0
