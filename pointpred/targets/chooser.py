@@ -9,12 +9,12 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from pointpred.columns import FloatArray, PredictionColumns
-from pointpred.errors import EventError, EventOrderError, ParameterError
+from pointpred.errors import EventError, EventOrderError
 from pointpred.events import PointerEvent, Prediction
 from pointpred.stage import Parameter, check
 from pointpred.targets import cursor, decision, posterior
 from pointpred.targets.choosing import ENTERED, OUTSIDE, step, walk
-from pointpred.targets.given import refuse, write
+from pointpred.targets.given import refuse, usable, write
 from pointpred.targets.ledger import Ledger, Movement
 from pointpred.targets.rectangles import Target, table
 
@@ -66,13 +66,11 @@ class Chooser:
         coefficients: FloatArray = posterior.FITTED,
     ) -> None:
         self._answer: FloatArray = np.full(len(PredictionColumns.names), nan)
-        self._settings = np.zeros(len(self.parameters))
-        self.configure(
-            precision=precision, elsewhere=elsewhere, least_lead_s=least_lead_s, least_way_px=least_way_px
-        )
-        if np.shape(coefficients) != (posterior.COEFFICIENTS,) or not np.isfinite(coefficients).all():
-            raise ParameterError(f"coefficients must be {posterior.COEFFICIENTS} finite numbers")
-        self._coefficients = np.array(coefficients, dtype=np.float64)
+        given = (precision, elsewhere, least_lead_s, least_way_px)
+        names = (parameter.name for parameter in self.parameters)
+        check(self.parameters, dict(zip(names, given, strict=True)))
+        self._settings = np.array(given, dtype=np.float64)
+        self._coefficients = usable(coefficients)
         self._memory = np.zeros(cursor.STATES)
         self._standing = decision.NOBODY
         self._ids: tuple[Hashable, ...] = ()

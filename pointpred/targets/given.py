@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from math import nan
 
+import numpy as np
+
 from pointpred.columns import FloatArray
-from pointpred.errors import EventError, EventOrderError
-from pointpred.events import Prediction
+from pointpred.errors import EventError, EventOrderError, ParameterError
+from pointpred.events import LARGEST, Prediction
 from pointpred.targets import cursor
 from pointpred.targets.choosing import unusable
+from pointpred.targets.posterior import COEFFICIENTS
 
 
 def write(row: FloatArray, prediction: Prediction | None) -> None:
@@ -40,3 +43,18 @@ def refuse(memory: FloatArray, events: FloatArray) -> None:
         raise EventError(f"an event needs finite numbers within bounds, received row {wrong}: {(t, x, y)}")
     before = float(events[wrong - 1, 0] if wrong else memory[cursor.T])
     raise EventOrderError(f"t must not run backwards: row {wrong}, {t!r} after {before!r}")
+
+
+def usable(coefficients: FloatArray) -> FloatArray:
+    """A copy of a posterior's coefficients; raises ParameterError for what is no row of numbers in bounds."""
+    try:
+        values = np.asarray(coefficients)
+    except ValueError as ragged:
+        raise ParameterError(f"coefficients must be {COEFFICIENTS} finite numbers: {ragged}") from ragged
+    fits = values.shape == (COEFFICIENTS,) and values.dtype.kind in "fiu"
+    if not fits or not (np.abs(values) <= LARGEST).all():
+        raise ParameterError(
+            f"coefficients must be {COEFFICIENTS} finite numbers of magnitude up to {LARGEST:g}, "
+            f"received {values.dtype} of shape {values.shape}"
+        )
+    return np.array(values, dtype=np.float64)

@@ -8,6 +8,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.events import LARGEST
 from pointpred.targets import cursor, evidence, weights
 from pointpred.targets.evidence import SITUATION, feature, situation, unclaimed
 from pointpred.targets.rectangles import LOG_WEIGHT
@@ -37,6 +38,21 @@ PRECISION, ELSEWHERE, LEAST_LEAD_S, LEAST_WAY_PX = 0, 1, 2, 3
 FITTED_NONE, FITTED_TARGETS = 0.25, 16.0
 """What was so in the fit: the share of movements to none of the targets, and how many targets there were."""
 
+FLATTEST = 1e-12
+"""The least determinant of a region over that of one with axes along x and y: below it, it is a line."""
+TAILS = (1e-3, LARGEST)
+"""Bounds on the degrees of freedom of a law."""
+
+
+@law
+def lawful(sxx: float, sxy: float, syy: float, tail: float) -> bool:
+    """Whether a predicted law can be used: a region of finite size, and a tail that is one, or none."""
+    if not (
+        0.0 < sxx <= LARGEST * LARGEST and 0.0 < syy <= LARGEST * LARGEST and abs(sxy) <= LARGEST * LARGEST
+    ):
+        return False
+    return sxx * syy - sxy * sxy > FLATTEST * sxx * syy and (tail != tail or TAILS[0] <= tail <= TAILS[1])
+
 
 @law
 def scores(
@@ -49,13 +65,15 @@ def scores(
 ) -> None:
     """The logarithm of each target's share, up to a constant; behind them that of none of them.
 
-    ``answer`` is a row of ``PredictionColumns``. A target of weight 0 is not looked at.
+    ``answer`` is a row of ``PredictionColumns``; a point beyond the bounds of positions, and a law that is
+    not ``lawful``, are as if not claimed. A target of weight 0 is not looked at.
     """
     x, y, sxx, sxy, syy, tail = answer[1], answer[2], answer[3], answer[4], answer[5], answer[8]
-    if x != x:  # no prediction: the cursor itself
+    claimed = abs(x) <= LARGEST and abs(y) <= LARGEST
+    if not claimed:  # no prediction: the cursor itself
         x, y = memory[cursor.X], memory[cursor.Y]
     first = 0
-    if answer[1] != answer[1] or not (sxx > 0.0 and syy > 0.0 and sxx * syy > sxy * sxy):
+    if not claimed or not lawful(sxx, sxy, syy, tail):
         sxx, sxy, syy = unclaimed(memory, x, y)
         tail, first = nan, SET
     now, weight = np.empty(SITUATION), np.empty(FEATURES)

@@ -49,8 +49,8 @@ def around(id: Hashable, x: float, y: float, width: float, height: float | None 
 def table(targets: Sequence[Target]) -> FloatArray:
     """The targets as a table, a row each.
 
-    Raises ParameterError for more than MOST_TARGETS, an id that occurs twice, and a place, size or weight
-    out of bounds.
+    Raises ParameterError for more than MOST_TARGETS, an id that occurs twice or cannot be hashed, and a
+    place, size or weight that is no number or out of bounds.
 
     >>> table([Target("a", 0.0, 0.0, 20.0, 10.0)]).tolist()
     [[10.0, 5.0, 20.0, 10.0, 0.0]]
@@ -60,7 +60,15 @@ def table(targets: Sequence[Target]) -> FloatArray:
     seen: set[Hashable] = set()
     rows = np.empty((len(targets), FIELDS))
     for place, target in enumerate(targets):
-        if target.id in seen:
+        if not isinstance(target, Target):
+            raise ParameterError(f"a target must be a Target, received {target!r}")
+        try:
+            twice = target.id in seen
+        except TypeError as unhashable:
+            raise ParameterError(
+                f"the id of a target must be hashable, received {target.id!r}"
+            ) from unhashable
+        if twice:
             raise ParameterError(f"the id of a target must occur once, received {target.id!r} twice")
         seen.add(target.id)
         rows[place] = _row(target)
@@ -78,7 +86,8 @@ def _row(target: Target) -> tuple[float, ...]:
         ("height", target.height, SMALLEST_PX, LARGEST),
         ("weight", target.weight, 0.0, LARGEST),
     ):
-        if not low <= value <= high:
+        number = isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool)
+        if not number or not low <= value <= high:
             unit = "" if name == "weight" else " px"
             raise ParameterError(
                 f"{name} of target {target.id!r} must lie in [{low:g}, {high:g}]{unit}, received {value!r}"

@@ -91,7 +91,7 @@ def test_another_kind_of_file_is_refused(tmp_path: Path) -> None:
             coefficients.read(path)
     for path in (None, 3):
         with pytest.raises(ParameterError, match="path"):
-            coefficients.read(path)  # type: ignore[arg-type]
+            coefficients.read(path)
 
 
 def test_what_would_fill_the_memory_is_refused_before_it_is_inflated(tmp_path: Path) -> None:
@@ -103,7 +103,7 @@ def test_what_would_fill_the_memory_is_refused_before_it_is_inflated(tmp_path: P
     wrong(lies)
     with zipfile.ZipFile(lies, "a") as file, file.open("more.npy", "w") as member:
         header = {"descr": "<f8", "fortran_order": False, "shape": (1 << 50,)}
-        np.lib.format.write_array_header_1_0(member, header)  # type: ignore[arg-type]
+        np.lib.format.write_array_header_1_0(member, header)
     with pytest.raises(ParameterError, match="more"):
         coefficients.read(lies)
 
