@@ -7,7 +7,7 @@ import io
 import json
 import zipfile
 import zlib
-from functools import cache, lru_cache
+from functools import lru_cache
 from math import prod
 from pathlib import Path
 from typing import Any
@@ -166,7 +166,6 @@ def card(path: Path = OWN) -> dict[str, Any]:
     return said
 
 
-@cache
 def sets(path: Path = OWN) -> frozenset[str]:
     """The names of the sets that the coefficients were fitted to, as far as the card says."""
     return frozenset(one["name"] for one in card(path).get("sets", ()))
