@@ -152,13 +152,15 @@ class Chooser:
         if memory[cursor.KNOWN] == 1.0 and t < memory[cursor.T]:
             raise EventOrderError(f"t must not run backwards: {t!r} after {memory[cursor.T]!r}")
         write(self._answer, prediction)
+        pressed = float(event.buttons & 1)
+        released = memory[cursor.PRESSED] > pressed
         chosen, entered = step(
             memory,
             self._table,
             t,
             x,
             y,
-            float(event.buttons & 1),
+            pressed,
             self._answer,
             self._coefficients,
             self._settings,
@@ -168,7 +170,7 @@ class Chooser:
         )
         if chosen == self._standing and not entered:
             return ()
-        return self._note(t, chosen, entered)
+        return self._note(t, chosen, entered, released)
 
     def follow(
         self, events: FloatArray, answers: FloatArray, *, most: int = 5, last: int | None = None
@@ -182,6 +184,7 @@ class Chooser:
         count, taken = len(events), 0
         told = np.empty((count if last is None else min(last, count), 2 * min(most, len(self._table))))
         changes: list[tuple[float, Choice]] = []
+        before = int(self._memory[cursor.PRESSED])
         while taken < count:
             taken, chosen, entered = walk(
                 self._memory,
@@ -198,7 +201,9 @@ class Chooser:
             )
             t = float(events[taken - 1, 0])
             if chosen != self._standing or entered:
-                changes += [(t, choice) for choice in self._note(t, chosen, entered)]
+                down = before if taken == 1 else int(events[taken - 2, 5]) & 1
+                released = down > int(events[taken - 1, 5]) & 1
+                changes += [(t, choice) for choice in self._note(t, chosen, entered, released)]
         if count:
             self._answer[:] = answers[-1]
         return changes, [self._named(row) for row in told.tolist()]
@@ -206,8 +211,11 @@ class Chooser:
     def finish(self, target: Hashable | None) -> Movement:
         """Close the movement at the last event, a click on ``target``, in the ledger.
 
-        The proposal stands until the next movement starts.
+        The proposal stands until the next movement starts: at the release, without one at the next event.
         """
+        memory = self._memory
+        if memory[cursor.T0] < memory[cursor.T]:
+            memory[cursor.PRESSED] = 1.0
         return self.ledger.finish(float(self._memory[cursor.T]), target)
 
     def reset(self) -> None:
@@ -224,7 +232,7 @@ class Chooser:
         most = len(row) // 2
         return [(self._ids[int(place)], p) for place, p in zip(row[:most], row[most:], strict=True)]
 
-    def _note(self, t: float, chosen: int, entered: int) -> tuple[Choice, ...]:
+    def _note(self, t: float, chosen: int, entered: int, released: bool) -> tuple[Choice, ...]:
         """Tell the ledger which targets the cursor has just gone into, and pass to the chosen proposal."""
         if entered:
             for i in np.flatnonzero(self._inside == ENTERED).tolist():
@@ -234,7 +242,7 @@ class Chooser:
             return ()
         changed: list[Choice] = []
         if before != decision.NOBODY:
-            self.ledger.retract(t, self._ids[before])
+            (self.ledger.end if released else self.ledger.retract)(t, self._ids[before])
             changed.append(Choice(self._ids[before], float(self._shares[before]), "retract"))
         if chosen != decision.NOBODY:
             self.ledger.propose(t, self._ids[chosen])

@@ -53,6 +53,7 @@ class Ledger:
     def _forget(self) -> None:
         self._made: dict[Hashable, int] = {}
         self._standing: tuple[Hashable, float] | None = None
+        self._ended: tuple[float, Hashable, float] | None = None
         self._entered: dict[Hashable, tuple[float, float | None]] = {}
         self._retracted = 0
 
@@ -62,9 +63,19 @@ class Ledger:
         self._standing = (id, t)
 
     def retract(self, t: float, id: Hashable) -> None:
-        """Note that the proposal that stands was withdrawn."""
-        self._retracted += 1
-        self._standing = None
+        """Note that the proposal that stands was withdrawn; where it does not stand, nothing is noted."""
+        if self._since(id) is not None:
+            self._retracted += 1
+            self._standing = None
+
+    def end(self, t: float, id: Hashable) -> None:
+        """Note that the proposal that stands ended with its movement, when the button came up.
+
+        That is no retraction, and if the movement is closed at this moment, the proposal stood until then.
+        """
+        since = self._since(id)
+        if since is not None:
+            self._standing, self._ended = None, (t, id, since)
 
     def enter(self, t: float, id: Hashable) -> None:
         """Note that the cursor went into a target; only the first time in a movement counts."""
@@ -74,11 +85,16 @@ class Ledger:
     def _since(self, id: Hashable) -> float | None:
         return self._standing[1] if self._standing is not None and self._standing[0] == id else None
 
+    def _until(self, t: float, id: Hashable) -> float | None:
+        """Since when a target has been proposed, where its proposal stands or ended just now."""
+        ended = self._ended
+        return ended[2] if ended is not None and ended[:2] == (t, id) else self._since(id)
+
     def finish(self, t: float, id: Hashable | None) -> Movement:
         """Close the movement at its click, with the target it was for or ``None``."""
         proposed = sum(self._made.values())
         right = self._made.get(id, 0) if id is not None else 0
-        entered, since = (t, None) if id is None else self._entered.get(id, (t, self._since(id)))
+        entered, since = (t, None) if id is None else self._entered.get(id, (t, self._until(t, id)))
         leads = None if since is None else (entered - since, t - since)
         if leads is not None:
             self._leads.append(leads)

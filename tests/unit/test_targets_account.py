@@ -1,0 +1,123 @@
+"""Movements in a row, with buttons and without: the ledger's account is that of the offline scorer."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pointpred import EventColumns, PointerEvent, Prediction, PredictionColumns
+from pointpred.columns import FloatArray
+from pointpred.scoring import target_replay as replaying
+from pointpred.targets import Chooser, Ledger, Movement, around
+from pointpred.targets.given import write
+from pointpred.targets.posterior import FITTED
+from pointpred.targets.rectangles import table
+
+PLACES = [around("left", -400.0, 0.0, 40.0), around("right", 400.0, 0.0, 40.0), around("mid", 0.0, 0.0, 40.0)]
+IDS = [place.id for place in PLACES]
+WAYS = [("right", 0.0, 400.0), ("left", 400.0, -400.0), ("mid", -400.0, 0.0), ("right", 0.0, 400.0)]
+ASK = 0.6
+ELSEWHERE, LEAST = 0.02, (0.05, 3.0)  # as a chooser has them unless told otherwise
+
+
+def way(begin_s: float, start: float, end: float, beside: float) -> list[PointerEvent]:
+    """A reach of 0.6 s from where the last one ended."""
+    s = np.linspace(0.0, 1.0, 61)
+    x = start + (end - start) * (10 * s**3 - 15 * s**4 + 6 * s**5)
+    return [PointerEvent(begin_s + 0.01 * i, place, beside) for i, place in enumerate(x.tolist())]
+
+
+def movements(beside: float) -> list[tuple[str, list[PointerEvent], list[Prediction]]]:
+    found = []
+    for i, (right, start, end) in enumerate(WAYS):
+        events = way(0.7 * i, start, end, beside)
+        law = Prediction(0.0, end, beside, (400.0, 0.0, 400.0), "ballistic", None, None)
+        claims = [law] * len(events)
+        found.append((right, events, claims))
+    return found
+
+
+def offline(right: str, events: list[PointerEvent], claims: list[Prediction]) -> FloatArray:
+    rows, laid = EventColumns.of_events(events).table, table(PLACES)
+    answers = np.full((len(rows), len(PredictionColumns.names)), np.nan)
+    for row, claim in zip(answers, claims, strict=True):
+        write(row, claim)
+    shares, out = np.empty((len(rows), len(laid) + 1)), np.empty(replaying.ACCOUNT)
+    replaying.weigh(rows, answers, laid, FITTED, ELSEWHERE, shares)
+    replaying.account(rows, answers, laid, shares, IDS.index(right), ASK, *LEAST, out)
+    return out
+
+
+def live(how: str, beside: float, at_once: bool) -> tuple[list[Movement], Chooser]:
+    """The account of each movement where it is closed at the press, at the release, or without a button."""
+    chooser, done = Chooser(PLACES, precision=ASK), []
+
+    def take(events: list[PointerEvent], claims: list[Prediction]) -> None:
+        answers = np.full((len(events), len(PredictionColumns.names)), np.nan)
+        for row, claim in zip(answers, claims, strict=True):
+            write(row, claim)
+        if at_once:
+            chooser.follow(EventColumns.of_events(events).table, answers)
+        for event, claim in zip(events, claims, strict=True) if not at_once else ():
+            chooser.update(claim, event)
+
+    for right, events, claims in movements(beside):
+        take(events, claims)
+        last = events[-1]
+        press = PointerEvent(last.t + 0.01, last.x, last.y, buttons=1)
+        release = PointerEvent(last.t + 0.02, last.x, last.y)
+        if how == "press":
+            take([press], claims[:1])
+            done.append(chooser.finish(right))
+            take([release], claims[:1])
+        elif how == "release":
+            take([press, release], claims[:2])
+            done.append(chooser.finish(right))
+        else:
+            done.append(chooser.finish(right))
+    return done, chooser
+
+
+@pytest.mark.parametrize("how", ["press", "release", "no button"])
+@pytest.mark.parametrize("beside", [0.0, 30.0])
+@pytest.mark.parametrize("at_once", [False, True])
+def test_the_ledger_and_the_scorer_agree(how: str, beside: float, at_once: bool) -> None:
+    done, chooser = live(how, beside, at_once)
+    for account, (right, events, claims) in zip(done, movements(beside), strict=True):
+        found = offline(right, events, claims)
+        counted = (account.proposed, account.proposed - account.wasted, account.retracted, account.hit)
+        assert counted == tuple(found[: replaying.HIT + 1])
+        assert account.lead_entry_s is not None
+        late = {"press": 0.01, "release": 0.02, "no button": 0.0}[how]
+        assert account.lead_entry_s == pytest.approx(found[replaying.LEAD_ENTRY] + (late if beside else 0.0))
+        assert account.lead_click_s == pytest.approx(found[replaying.LEAD_CLICK] + late)
+    assert [one.retracted for one in done] == [0] * len(WAYS)
+    assert chooser.ledger.coverage == chooser.ledger.precision == 1.0
+
+
+def test_what_is_withdrawn_while_it_stands_is_counted() -> None:
+    chooser = Chooser(PLACES, precision=ASK)
+    right, events, claims = movements(0.0)[0]
+    for event, claim in zip(events[:40], claims[:40], strict=True):
+        chooser.update(claim, event)
+    assert chooser.standing == right
+    chooser.replace([PLACES[0]])
+    assert chooser.finish(right).retracted == 1
+
+
+def test_nothing_is_withdrawn_where_nothing_stands() -> None:
+    ledger = Ledger()
+    ledger.retract(0.1, "a")
+    ledger.propose(0.2, "a")
+    ledger.retract(0.3, "b")
+    ledger.end(0.4, "a")
+    ledger.retract(0.5, "a")
+    assert ledger.finish(0.6, "a").retracted == 0
+
+
+def test_what_a_release_ended_leads_only_a_movement_that_is_closed_there() -> None:
+    for closed, hit in ((0.4, True), (0.5, False)):
+        ledger = Ledger()
+        ledger.propose(0.2, "a")
+        ledger.end(0.4, "a")
+        assert ledger.finish(closed, "a").hit == hit
