@@ -94,7 +94,7 @@ def between() -> str:
     rows = []
     for rate, kind, step_s in itertools.product((1000.0, 125.0, 60.0), ("line", "hold"), (0.0015, 0.00025)):
         errors = measure(
-            HomogeneousDifferentiator(between=kind, step_s=step_s),  # type: ignore[arg-type]
+            HomogeneousDifferentiator(between=kind, step_s=step_s),
             exact(minimum_jerk, rate),
         )
         late = f"{1e3 * (errors.delay_s or 0.0):+.1f}"
@@ -110,7 +110,7 @@ def best() -> str:
     kind, rows = HomogeneousDifferentiator, []
     for source in SOURCES:
         for movement in MOVEMENTS:
-            found = min(_settings(kind), key=lambda s, m=movement, o=source: _cost(kind, s, o, (m,)))  # type: ignore[misc]
+            found = min(_settings(kind), key=lambda s, m=movement, o=source: _cost(kind, s, o, (m,)))
             place = (source, f"{movement.distance:g} m in {movement.duration:g} s")
             values = tuple(f"{value:g}" for value in found.values())
             rows.append(
@@ -128,7 +128,7 @@ def recommended() -> str:
     """The setting of each differentiator that is best over all movements of a source."""
     rows = []
     for source, kind in itertools.product(SOURCES, GRIDS):
-        found = min(_settings(kind), key=lambda s, k=kind, o=source: _cost(k, s, o, MOVEMENTS))  # type: ignore[misc]
+        found = min(_settings(kind), key=lambda s, k=kind, o=source: _cost(k, s, o, MOVEMENTS))
         values = ", ".join(f"{name} {value:g}" for name, value in found.items())
         rows.append(
             (
@@ -156,7 +156,7 @@ def _errors(
     kind: type[Differentiator], parameters: dict[str, Any], signal: Signal, movement: Movement
 ) -> np.ndarray:
     """RMS over the whole signal, which begins and ends at rest, as shares of the movement's peaks."""
-    motions = kind(cpi=signal.cpi, **parameters).run(signal.events)  # type: ignore[call-arg]
+    motions = kind(cpi=signal.cpi, **parameters).run(signal.events)
     off = (motions.vx - signal.velocity, motions.ax - signal.acceleration)
     return np.array([np.sqrt(np.mean(o**2)) / peak for o, peak in zip(off, movement.peaks, strict=True)])
 

@@ -39,7 +39,7 @@ def described(
     for recording in recordings:
         try:
             scored = score_targets(recording, tuple(predictors), **settings)
-        except Exception as error:
+        except Exception as error:  # as in ``score``: the other recordings are scored all the same
             failed(recording, error)
             continue
         found += [target_summary(one) for one in scored]

@@ -181,7 +181,7 @@ class TemplatePredictor(Predictor):
         states += 0 if templates else matching.LEARNED
         super().__init__(np.concatenate([settings, wide.ravel()]), states)
 
-    def library(self) -> FloatArray:
+    def held(self) -> FloatArray:
         """The templates it would compare with after a reset, in the order in which ties are decided."""
         twin = copy.copy(self)
         twin.reset()
