@@ -10,11 +10,10 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-import msgspec
 import numpy as np
 
 from benchmarks.adaptation_folds import coefficients, kept, say
-from benchmarks.adaptation_page import FLOOR, PART, PLAIN, WHOLE, written
+from benchmarks.adaptation_page import FLOOR, PART, PLAIN, WHOLE, Measured, written
 from pointpred import Pipeline, build
 from pointpred.columns import FloatArray
 from pointpred.predictors import AdaptiveKinematicPredictor, KinematicPredictor
@@ -22,17 +21,6 @@ from pointpred.recording import Recording
 from pointpred.scoring import ktm_protocol as protocol
 from pointpred.scoring import prepare, resolution
 from pointpred.scoring.replay import replay
-from pointpred.scoring.results import PredictorErrors
-
-
-class Measured(msgspec.Struct):
-    """A set: errors of each predictor, a row a trial, the number of each trial in its user's order."""
-
-    name: str
-    order: list[FloatArray]
-    errors: dict[str, list[PredictorErrors]]
-    template: dict[bool, dict[str, list[FloatArray]]]
-    """In the protocol of template matching, clean or all: errors at each share of the way."""
 
 
 def pipelines(recording: Recording, path: Path) -> list[Pipeline]:

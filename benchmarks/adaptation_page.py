@@ -5,23 +5,31 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+import msgspec
 import numpy as np
 
 from benchmarks.markdown import filled, table
 from pointpred.columns import FloatArray
 from pointpred.report.style import GREY, MARKERS, PALETTE, canvas, picture
 from pointpred.scoring import calibration, time_left
-
-if TYPE_CHECKING:
-    from benchmarks.adaptation import Measured
+from pointpred.scoring.results import PredictorErrors
 
 ROOT = Path(__file__).parents[1]
 PAGE, FIGURE = ROOT / "docs" / "adaptation.md", ROOT / "docs" / "figures" / "adaptation.svg"
 FLOOR, PLAIN, WHOLE, PART = "hold", "kinematic", "kinematic-adaptive", "without the distances"
 STAGES = ((0, 5, "1-5"), (5, 10, "6-10"), (10, 20, "11-20"), (20, 10**9, "21+"))
 EDGES = (0, 1, 2, 3, 5, 8, 12, 20, 48, 150, 10**9)
+
+
+class Measured(msgspec.Struct):
+    """A set: errors of each predictor, a row a trial, the number of each trial in its user's order."""
+
+    name: str
+    order: list[FloatArray]
+    errors: dict[str, list[PredictorErrors]]
+    template: dict[bool, dict[str, list[FloatArray]]]
+    """In the protocol of template matching, clean or all: errors at each share of the way."""
 
 
 def column(one: Measured, name: str, field: str) -> FloatArray:
