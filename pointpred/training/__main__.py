@@ -33,7 +33,7 @@ def main() -> None:
 
 if __name__ == "__main__":
     if any(os.environ.get(name) != "1" for name in THREADS):
-        # Sums in one thread come in one order: the same machine makes the same bytes.
+        # Sums in one thread come in one order: the same machine makes the same numbers.
         os.environ.update(dict.fromkeys(THREADS, "1"))
         os.execv(sys.executable, [sys.executable, "-m", "pointpred.training", *sys.argv[1:]])
     main()

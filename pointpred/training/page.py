@@ -53,7 +53,7 @@ def card_lines() -> str:
             "## Card",
             "",
             f"`{path.name}`, version {kinematic_coefficients.VERSION}, {path.stat().st_size} bytes, "
-            f"blake2b-64 `{kinematic_coefficients.digest()}`.",
+            f"blake2b-64 of its arrays `{kinematic_coefficients.digest()}`.",
             f"Network {first} x {second}, {said['passes']} passes, seed {said['seed']}; each movement in",
             f"{said['variants']} variants more; calibrated on {said['folds']} folds of people held out.",
             "",

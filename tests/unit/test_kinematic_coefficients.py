@@ -116,3 +116,12 @@ def test_a_path_may_be_text_and_a_file_written_anew_is_read_anew(tmp_path: Path)
     wrong(path, mean=own()["mean"] + 1.0)
     os.utime(path, ns=(0, 1))
     assert coefficients.read(path)[2] == before[2] + 1.0
+
+
+def test_the_digest_is_of_the_numbers_and_not_of_their_packing(tmp_path: Path) -> None:
+    packed, changed = tmp_path / "packed.npz", own()
+    np.savez_compressed(packed, **own())
+    assert packed.read_bytes() != coefficients.OWN.read_bytes()
+    assert coefficients.digest(packed) == coefficients.digest(coefficients.OWN)
+    changed["mean"] = np.nextafter(changed["mean"], np.inf)
+    assert coefficients.digest(wrong(tmp_path / "changed.npz", **changed)) != coefficients.digest(packed)
