@@ -10,7 +10,7 @@ import numpy as np
 from benchmarks.per_event import reach
 
 EVENT = Struct("<dddhhH")
-TEXT, BINARY, CLOSE = 1, 2, 8
+TEXT, BINARY, CLOSE, PING = 1, 2, 8, 9
 
 
 def frame(opcode: int, payload: bytes) -> bytes:

@@ -18,27 +18,31 @@ PREDICTION = np.dtype([("numbers", "<f8", (7,)), ("phase", "u1")])
 NO_COUNTS = -32768
 
 NONE = float("nan")
-ByteArray = NDArray[np.uint8]
+RecordArray = NDArray[np.void]
 _one_event = Struct("<dddhhH")
 _one_prediction = Struct("<dddddddB")
 
 
 @law
-def take_apart(frame: ByteArray, table: FloatArray) -> None:
+def take_apart(records: RecordArray, table: FloatArray) -> None:
     """The fields of each record into a row of the table."""
     for i in range(len(table)):
-        record = frame[30 * i : 30 * i + 30]
-        table[i, 0:3] = record[0:24].view(np.float64)
-        table[i, 3:5] = record[24:28].view(np.int16)
-        table[i, 5] = record[28:30].view(np.uint16)[0]
+        record = records[i]
+        table[i, 0] = record["t"]
+        table[i, 1] = record["x"]
+        table[i, 2] = record["y"]
+        table[i, 3] = record["dx"]
+        table[i, 4] = record["dy"]
+        table[i, 5] = record["buttons"]
         if table[i, 3] == NO_COUNTS or table[i, 4] == NO_COUNTS:
-            table[i, 3:5] = np.nan
+            table[i, 3] = table[i, 4] = np.nan
 
 
 def unpack(frame: bytes) -> FloatArray:
     """The events of a frame as the table of ``EventColumns``; the frame holds whole records."""
-    table = np.empty((len(frame) // EVENT.itemsize, 6))
-    take_apart(np.frombuffer(bytearray(frame), np.uint8), table)
+    records = np.frombuffer(frame, EVENT)
+    table = np.empty((len(records), 6))
+    take_apart(records, table)
     return table
 
 
@@ -62,7 +66,7 @@ def pack(table: FloatArray) -> bytes:
 
 def pack_one(row: Sequence[float]) -> bytes:
     """One row of ``PredictionColumns`` as a record."""
-    t, x, y, sxx, sxy, syy, remaining_s, phase = row[:8]
+    t, x, y, sxx, sxy, syy, remaining_s, phase, _, _ = row
     if x != x:
         return _one_prediction.pack(t, NONE, NONE, NONE, NONE, NONE, NONE, 0)
     return _one_prediction.pack(t, x, y, sxx, sxy, syy, remaining_s, int(phase))

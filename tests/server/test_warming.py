@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import subprocess
+import sys
 import threading
 from collections.abc import Callable, Iterator
 
@@ -10,6 +12,8 @@ import pytest
 from httpx2 import get
 from websockets.exceptions import ConnectionClosed
 
+from pointpred.registry import REGISTRY
+from pointpred.server import warm as warming
 from tests.server.listener import soon
 from tests.server.running import HELLO, running
 
@@ -103,3 +107,37 @@ def test_code_that_cannot_be_warmed_is_logged_and_clients_are_served_all_the_sam
     with running() as here, here.greeted():
         assert get(f"{here.url}/readyz").json() == {"ready": False, "stopping": False}
     assert "compiled code could not be warmed" in caplog.text
+
+
+@pytest.mark.parametrize("goes_on", [True, False])
+def test_a_helper_compiles_meanwhile_and_ends_with_the_warming(
+    monkeypatch: pytest.MonkeyPatch, goes_on: bool
+) -> None:
+    started: list[subprocess.Popen[bytes]] = []
+
+    def helper() -> subprocess.Popen[bytes]:
+        started.append(subprocess.Popen([sys.executable, "-c", "import time; time.sleep(60)"]))
+        return started[-1]
+
+    warmed: list[str] = []
+    monkeypatch.setattr(warming, "warm_one", warmed.append)
+    monkeypatch.setattr(warming, "_helper", helper)
+    monkeypatch.setattr(warming.os, "cpu_count", lambda: 2)
+    warming.warm()
+    assert warmed == list(REGISTRY)
+    assert not started, "what was in the cache needs no help"
+    monkeypatch.setattr(warming, "COMPILES_S", -1.0)
+    warming.warm(lambda done, of, name: goes_on or done < 3)
+    (one,) = started
+    assert one.poll() is not None
+    assert warmed[len(REGISTRY) :] == list(REGISTRY)[: None if goes_on else 3]
+
+
+def test_the_helper_is_a_program_that_warms_every_predictor_from_the_last_on() -> None:
+    spied = (
+        "import pointpred.registry as known, runpy; build = known.build\n"
+        "known.build = lambda name, **all: print(name) or build(name, **all)\n"
+        "runpy.run_module('pointpred.server.warm', run_name='__main__')"
+    )
+    ran = subprocess.run([sys.executable, "-c", spied], check=True, stdout=subprocess.PIPE, text=True)
+    assert ran.stdout.split() == list(reversed(REGISTRY))
