@@ -1,0 +1,1 @@
+"""Live devices: HID and evdev mice, and the cursor of the screen."""
