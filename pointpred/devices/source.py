@@ -1,0 +1,141 @@
+"""What every live device is to the rest: reports with times, a bounded queue, and what can be found."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections import deque
+from types import TracebackType
+from typing import Literal, Protocol, Self
+
+import msgspec
+
+from pointpred.errors import ParameterError
+
+MOST_WAITING = 65536
+"""Reports a queue holds unless told: eight seconds of the fastest mice."""
+
+
+class Report(msgspec.Struct, frozen=True, gc=False):
+    """One report of a device: counts since the report before, never a position.
+
+    ``t`` s on the clock the source names; ``dx dy`` counts, y downwards; ``buttons`` pressed after it, as in
+    ``PointerEvent``; ``wheel`` steps away from the hand, ``pan`` steps of a horizontal wheel to the right.
+    """
+
+    t: float
+    dx: float
+    dy: float
+    buttons: int = 0
+    wheel: float = 0
+    pan: float = 0
+
+
+class Found(msgspec.Struct, frozen=True):
+    """A device that was found; where it cannot be opened, ``why``, and ``advice`` on what to do next."""
+
+    path: str
+    name: str
+    kind: Literal["hid", "evdev"]
+    openable: bool
+    why: str | None = None
+    advice: str | None = None
+
+
+class BoundedQueue:
+    """Reports on their way from a reader thread to whoever takes them; full, the oldest goes first.
+
+    ``put`` never blocks and what it drops is counted in ``lost``. Holds at most ``most`` reports.
+    Raises ParameterError when ``most`` is below 1.
+
+    >>> queue = BoundedQueue(2)
+    >>> for t in (0.0, 0.1, 0.2):
+    ...     queue.put(Report(t, 1, 0))
+    >>> [report.t for report in queue.take(0.0)], queue.lost
+    ([0.1, 0.2], 1)
+    """
+
+    def __init__(self, most: int = MOST_WAITING) -> None:
+        if most < 1:
+            raise ParameterError(f"a queue of at most {most} reports, expected at least 1")
+        self.lost = 0
+        self._most = most
+        self._waiting: deque[Report] = deque()
+        self._filled = threading.Condition(threading.Lock())
+        self._closed = False
+
+    def put(self, report: Report) -> None:
+        """Append one report; where there is no room, the oldest is dropped and counted."""
+        with self._filled:
+            if len(self._waiting) == self._most:
+                self._waiting.popleft()
+                self.lost += 1
+            self._waiting.append(report)
+            self._filled.notify()
+
+    def take(self, timeout_s: float) -> list[Report]:
+        """Everything that waits, in order; waits at most ``timeout_s`` until there is something."""
+        with self._filled:
+            if not self._waiting and not self._closed and timeout_s > 0:
+                until = time.monotonic() + timeout_s
+                while not self._waiting and not self._closed and (left := until - time.monotonic()) > 0:
+                    self._filled.wait(left)
+            taken = list(self._waiting)
+            self._waiting.clear()
+        return taken
+
+    def close(self) -> None:
+        """Wake whoever waits: nothing more will come. What is held can still be taken."""
+        with self._filled:
+            self._closed = True
+            self._filled.notify_all()
+
+
+class DeviceSource(Protocol):
+    """A device being read: entering opens it and starts its reader thread, leaving closes it.
+
+    Entering raises SourceError that says what to do next. While unplugged (``plugged`` is false) it waits for
+    the same device to come back and goes on. ``lost`` counts reports dropped because the queue was full,
+    ``unreadable`` reports that could not be decoded, ``resynchronised`` recoveries after the kernel dropped
+    events. ``clock`` says which clock stamps the reports and where.
+    """
+
+    @property
+    def name(self) -> str:
+        """What the device calls itself."""
+
+    @property
+    def clock(self) -> str:
+        """Which clock stamps the reports, and when."""
+
+    @property
+    def path(self) -> str:
+        """Where it is open, or was last."""
+
+    @property
+    def lost(self) -> int:
+        """Reports dropped because nobody took them in time."""
+
+    @property
+    def unreadable(self) -> int:
+        """Reports that could not be decoded."""
+
+    @property
+    def resynchronised(self) -> int:
+        """Recoveries after the kernel had dropped events."""
+
+    @property
+    def plugged(self) -> bool:
+        """Whether the device is there now."""
+
+    def take(self, timeout_s: float) -> list[Report]:
+        """Everything that came since the last call; waits at most ``timeout_s`` until something came."""
+
+    def close(self) -> None:
+        """Stop reading; may be called twice."""
+
+    def __enter__(self) -> Self: ...
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None: ...
