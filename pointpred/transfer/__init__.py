@@ -1,6 +1,7 @@
 """Pointing transfer functions: from the motion of the hand to the motion of the cursor."""
 
 from pointpred.transfer.assisted import AssistedTransfer
+from pointpred.transfer.assisted_guarded import GuardedTransfer
 from pointpred.transfer.identification import Identification, PolynomialIdentifier
 from pointpred.transfer.known import Arctan, ConstantGain, SigmoidGain, TransferFunction
 from pointpred.transfer.pixels import PixelTransfer
@@ -11,6 +12,7 @@ __all__ = [
     "Arctan",
     "AssistedTransfer",
     "ConstantGain",
+    "GuardedTransfer",
     "Identification",
     "PixelTransfer",
     "PolynomialFunction",
