@@ -35,5 +35,9 @@ class CertificateError(PointpredError, ArithmeticError):
     """A claimed certificate fails when its eigenvalues are recomputed."""
 
 
+class MissingExtraError(PointpredError, ImportError):
+    """An optional library is not installed; the message holds the line that installs it."""
+
+
 class SourceError(PointpredError, OSError):
     """A device or another live source cannot be opened or has gone."""

@@ -1,0 +1,156 @@
+"""The unknown matrices of a design problem as one vector, and affine functions of them found by probing.
+
+A block is written once, as a numpy function of the matrices. Its coefficients are found by evaluating it at
+unit vectors, so what a solver sees and what the audit recomputes cannot differ.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.errors import InfeasibleError, ParameterError
+from pointpred.observers import matrices
+
+Block = Callable[[Any], Any]
+"""A function of the matrices (as attributes of its argument) with a symmetric matrix or a number as value."""
+
+ROUNDING = 1e-9
+"""Relative error below which a block counts as symmetric and affine."""
+
+
+class Unknown(msgspec.Struct, frozen=True):
+    """One unknown matrix: ``kind`` is ``symmetric``, ``free``, ``diagonal`` or ``number``."""
+
+    name: str
+    kind: str
+    rows: int
+    columns: int
+    low: float
+    """Least value of each entry: 0 for diagonals and numbers that must not be negative."""
+
+    @property
+    def count(self) -> int:
+        """How many numbers it takes."""
+        if self.kind == "symmetric":
+            return self.rows * (self.rows + 1) // 2
+        return self.rows if self.kind == "diagonal" else self.rows * self.columns
+
+    def matrix(self, numbers: FloatArray) -> Any:
+        """The matrix (or the number) that the numbers stand for."""
+        if self.kind == "number":
+            return float(numbers[0])
+        if self.kind == "diagonal":
+            return np.diag(numbers)
+        if self.kind == "free":
+            return numbers.reshape(self.rows, self.columns)
+        matrix = np.zeros((self.rows, self.rows))
+        matrix[np.triu_indices(self.rows)] = numbers
+        return np.triu(matrix) + np.triu(matrix, 1).T
+
+    def numbers(self, matrix: Any) -> FloatArray:
+        """The numbers of a matrix; raises ParameterError where its shape or its structure differs."""
+        given = matrices.matrix(self.name, matrix, self.rows, self.columns)
+        numbers = given.reshape(-1)
+        if self.kind == "symmetric":
+            numbers = given[np.triu_indices(self.rows)]
+        elif self.kind == "diagonal":
+            numbers = np.diag(given).copy()
+        if not np.array_equal(np.atleast_2d(self.matrix(numbers)), given):
+            raise ParameterError(f"{self.name} must be {self.kind}, received {matrix!r}")
+        return numbers
+
+
+class Unknowns:
+    """All unknown matrices in order, and the walk between a vector of numbers and the matrices."""
+
+    def __init__(self) -> None:
+        self.listed: list[Unknown] = []
+
+    def add(self, unknown: Unknown) -> None:
+        """Take in one more; raises ParameterError for a name that is taken."""
+        if not unknown.name.isidentifier() or unknown.name in {one.name for one in self.listed}:
+            raise ParameterError(
+                f"an unknown needs a new name that is an identifier, received {unknown.name!r}"
+            )
+        if unknown.rows < 1 or unknown.columns < 1:
+            raise ParameterError(f"{unknown.name} needs at least one entry, received {unknown}")
+        self.listed.append(unknown)
+
+    @property
+    def count(self) -> int:
+        """How many numbers the matrices take together."""
+        return sum(unknown.count for unknown in self.listed)
+
+    def lows(self) -> FloatArray:
+        """The least value of each number."""
+        return np.concatenate([np.full(one.count, one.low) for one in self.listed])
+
+    def matrices(self, numbers: FloatArray) -> SimpleNamespace:
+        """The matrices as attributes."""
+        found, start = SimpleNamespace(), 0
+        for one in self.listed:
+            setattr(found, one.name, one.matrix(numbers[start : start + one.count]))
+            start += one.count
+        return found
+
+    def numbers(self, matrices: dict[str, Any]) -> FloatArray:
+        """The vector of given matrices; raises ParameterError for one missing, foreign or misshapen."""
+        names = [one.name for one in self.listed]
+        if set(matrices) != set(names):
+            raise ParameterError(f"needs the matrices {names}, received {sorted(matrices)}")
+        return np.concatenate([one.numbers(matrices[one.name]) for one in self.listed])
+
+    def coefficients(self, name: str, block: Block) -> tuple[FloatArray, FloatArray]:
+        """The constant part of a block and its coefficients, shape (numbers, n, n), found by probing.
+
+        Raises ParameterError for a block that is not symmetric or not affine.
+        """
+        return self._probed(name, lambda numbers: self.value(name, block, numbers))
+
+    def equalities(self, blocks: dict[str, Block]) -> tuple[FloatArray, FloatArray]:
+        """All numbers that satisfy every equality, as one solution and a basis of the rest.
+
+        Raises InfeasibleError where the equalities contradict each other, with the residual.
+        """
+        if not blocks:
+            return np.zeros(self.count), np.eye(self.count)
+        constants, slopes = [], []
+        for name, block in blocks.items():
+            probed = self._probed(name, lambda numbers, b=block: np.ravel(b(self.matrices(numbers))))  # type: ignore[misc]
+            constants.append(probed[0])
+            slopes.append(probed[1].T)
+        matrix, target = np.vstack(slopes), -np.concatenate(constants)
+        x0: FloatArray = np.asarray(np.linalg.lstsq(matrix, target, rcond=None)[0], np.float64)
+        residual = float(np.abs(matrix @ x0 - target).max())
+        if residual > ROUNDING * max(1.0, np.abs(target).max()):
+            raise InfeasibleError(f"{', '.join(blocks)} cannot hold: the least residual is {residual:.3g}")
+        _, sizes, rows = np.linalg.svd(matrix)
+        rank = int((sizes > ROUNDING * sizes.max(initial=0.0)).sum())
+        basis: FloatArray = np.asarray(rows[rank:].T, np.float64)
+        return x0, basis
+
+    def _probed(self, name: str, function: Callable[[FloatArray], Any]) -> tuple[FloatArray, FloatArray]:
+        constant: FloatArray = np.asarray(function(np.zeros(self.count)), np.float64)
+        slopes: FloatArray = np.array([function(unit) - constant for unit in np.eye(self.count)], np.float64)
+        point = np.cos(np.arange(1.0, self.count + 1.0))
+        expected = constant + np.tensordot(point, slopes, 1)
+        error = np.abs(function(point) - expected).max()
+        if not error <= ROUNDING * max(1.0, np.abs(expected).max()):
+            raise ParameterError(f"{name} must be affine in the unknown matrices; it is off by {error:.3g}")
+        return constant, slopes
+
+    def value(self, name: str, block: Block, numbers: FloatArray) -> FloatArray:
+        """A block as a symmetric matrix; raises ParameterError where it is none."""
+        value = np.atleast_2d(np.asarray(block(self.matrices(numbers)), np.float64))
+        if value.ndim != 2 or value.shape[0] != value.shape[1]:
+            raise ParameterError(f"{name} must be a square matrix, received shape {value.shape}")
+        skew = np.abs(value - value.T).max()
+        if skew > ROUNDING * max(1.0, np.abs(value).max()):
+            raise ParameterError(f"{name} must be symmetric; it differs from its transpose by {skew:.3g}")
+        return 0.5 * (value + value.T)

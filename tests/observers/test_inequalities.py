@@ -1,0 +1,191 @@
+"""Matrix inequalities: three answers, and no certificate that its own eigenvalues do not bear out."""
+
+from __future__ import annotations
+
+import sys
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pointpred.errors import (
+    CertificateError,
+    InfeasibleError,
+    MissingExtraError,
+    ParameterError,
+    UndecidedError,
+)
+from pointpred.observers import matrix_inequalities
+from pointpred.observers.matrix_inequalities import MatrixInequalities
+from pointpred.observers.solver import Affine, Answer, run
+
+
+def lyapunov(a: Any, **bounds: float) -> MatrixInequalities:
+    return (
+        MatrixInequalities("Lyapunov", **bounds)
+        .positive("P", len(a))
+        .below("A'P + PA", lambda v: a.T @ v.P + v.P @ a)
+    )
+
+
+def trace(v: Any) -> float:
+    return float(np.trace(v.P))
+
+
+@given(st.integers(1, 5), st.integers(0, 2**32 - 1), st.booleans())
+@settings(max_examples=25)
+def test_a_certificate_exists_exactly_where_the_eigenvalues_say_so(n: int, seed: int, stable: bool) -> None:
+    a = np.random.default_rng(seed).normal(size=(n, n))
+    a -= (np.linalg.eigvals(a).real.max() + (0.3 if stable else -0.3)) * np.eye(n)
+    if not stable:
+        with pytest.raises(InfeasibleError, match="no choice reaches more than"):
+            lyapunov(a).solve()
+        return
+    solution = lyapunov(a).solve(minimise=trace)
+    p = solution.values["P"]
+    assert np.array_equal(p, p.T)
+    assert np.linalg.eigvalsh(p).min() == pytest.approx(solution.margins["P > 0"])
+    largest = np.linalg.eigvalsh(a.T @ p + p @ a).max()
+    assert largest == pytest.approx(-solution.margins["A'P + PA"], abs=1e-9)
+    assert largest < 0.0
+
+
+def test_two_solvers_find_the_same_least_objective() -> None:
+    pytest.importorskip("cvxopt", reason="the second solver is a tool of the tests only")
+    a = np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [-6.0, -11.0, -6.0]])
+    first = lyapunov(a).solve(minimise=trace)
+    second = lyapunov(a).solve(minimise=trace, solver="CVXOPT")
+    assert first.objective == pytest.approx(second.objective, rel=1e-5)
+    assert np.allclose(first.values["P"], second.values["P"], rtol=1e-4, atol=1e-4)
+
+
+def test_infeasible_is_not_undecided() -> None:
+    with pytest.raises(InfeasibleError, match=r"no choice reaches more than -0\.1"):
+        lyapunov(np.diag([-1.0, 0.1])).solve()
+    with pytest.raises(UndecidedError, match="proves only that none exceeds"):
+        lyapunov(np.array([[-1.0, 1e6], [0.0, -1.0]]), kappa=1e8).solve()
+
+
+def test_a_system_on_the_edge_has_no_margin() -> None:
+    with pytest.raises((InfeasibleError, UndecidedError)):
+        lyapunov(np.array([[0.0, 1.0], [-1.0, 0.0]])).solve()
+
+
+def test_a_solver_that_lies_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
+    def lie(problem: Affine, *, solver: str, margin: float | None) -> Answer:
+        return Answer("optimal", np.array([1.0, 0.0, 1.0]), 1e-2, np.inf)
+
+    monkeypatch.setattr(matrix_inequalities, "run", lie)
+    with pytest.raises(CertificateError, match=r"claims 0\.01, its matrices have -0\.027 at A'P \+ PA"):
+        lyapunov(np.array([[0.0, 1.0], [-2.0, -3.0]])).solve()
+
+
+def test_matrices_worse_than_their_bounds_are_no_solution(monkeypatch: pytest.MonkeyPatch) -> None:
+    def indefinite(problem: Affine, *, solver: str, margin: float | None) -> Answer:
+        return Answer("optimal", np.array([-1.0]), 1e-2, np.inf)
+
+    monkeypatch.setattr(matrix_inequalities, "run", indefinite)
+    with pytest.raises(CertificateError):
+        lyapunov(np.array([[1.0]])).solve()
+
+
+def test_multipliers_that_prove_nothing_leave_it_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
+    def mute(problem: Affine, *, solver: str, margin: float | None) -> Answer:
+        answer = run(problem, solver=solver, margin=margin)
+        return Answer(answer.status, answer.numbers, answer.claimed, np.inf)
+
+    monkeypatch.setattr(matrix_inequalities, "run", mute)
+    with pytest.raises(UndecidedError):
+        lyapunov(np.eye(2)).solve()
+
+
+@given(st.integers(0, 2**32 - 1))
+@settings(max_examples=20)
+def test_the_bound_of_the_margin_holds_for_every_choice(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    a = rng.normal(size=(3, 3))
+    problem = lyapunov(a, kappa=100.0)
+    affine, scales = problem._numbers(None)
+    bound = run(affine, solver="CLARABEL", margin=None).bound
+    for _ in range(30):
+        factor = rng.normal(size=(3, 3))
+        p = np.eye(3) + factor @ factor.T
+        reached = problem.margins({"P": p})["A'P + PA"] / scales["A'P + PA"]
+        assert reached <= bound + 1e-9 or np.linalg.eigvalsh(p).max() > 100.0 or bound >= 1e-2 - 1e-6
+
+
+def test_equalities_hold_exactly_and_contradictions_are_found() -> None:
+    a = np.array([[-1.0, 2.0], [0.0, -3.0]])
+    problem = lyapunov(a).equal("trace P = 5", lambda v: np.trace(v.P) - 5.0)
+    solution = problem.solve()
+    assert np.trace(solution.values["P"]) == pytest.approx(5.0, abs=1e-12)
+    with pytest.raises(InfeasibleError, match=r"cannot hold: the least residual is 1"):
+        problem.equal("trace P = 7", lambda v: np.trace(v.P) - 7.0).solve()
+
+
+def test_an_equality_that_fails_is_named() -> None:
+    problem = lyapunov(-np.eye(2)).equal("trace P = 5", lambda v: np.trace(v.P) - 5.0)
+    with pytest.raises(CertificateError, match="trace P = 5 fails by 3"):
+        problem.check({"P": np.eye(2)})
+
+
+def test_rounding_is_an_excuse_only_where_it_is_one() -> None:
+    a = np.array([[0.0, 1.0], [-1.0, -0.001]])
+    with pytest.raises(CertificateError, match=r"entries rounded by 0\.001 could explain it"):
+        lyapunov(a).check({"P": np.eye(2)}, rounding=1e-3)
+    with pytest.raises(CertificateError, match=r"entries rounded by 0\.001 cannot explain it"):
+        lyapunov(a).check({"P": np.diag([1.0, 2.0])}, rounding=1e-3)
+
+
+def test_diagonals_and_numbers_are_never_negative() -> None:
+    problem = MatrixInequalities("bounds").diagonal("D", 2).number("g").free("F", 1, 2)
+    problem = problem.below("D", lambda v: v.D - v.g * np.eye(2)).above("g", lambda v: 3.0 - v.g)
+    solution = problem.solve(minimise=lambda v: v.g + np.trace(v.D))
+    assert (np.diag(solution.values["D"]) >= 0.0).all()
+    assert solution.values["F"].shape == (1, 2)
+    with pytest.raises(CertificateError, match="D >= 0 fails: its least value is -1"):
+        problem.check({"D": np.diag([-1.0, 0.0]), "g": 1.0, "F": [[0.0, 0.0]]})
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        ({}, r"needs the matrices \['P'\], received \[\]"),
+        ({"P": np.eye(3)}, r"P has shape \(3, 3\), needs \(2, 2\)"),
+        ({"P": np.array([[1.0, 2.0], [0.0, 1.0]])}, "P must be symmetric"),
+        ({"P": np.diag([1.0, np.nan])}, "P must be finite"),
+        ({"P": np.diag([1.0, np.inf])}, "P must be finite"),
+        ({"P": np.eye(2) * 1j}, "P must be real"),
+        ({"P": "I"}, "P must be a matrix of numbers"),
+    ],
+)
+def test_printed_matrices_of_the_wrong_kind(given: Any, told: str) -> None:
+    with pytest.raises(ParameterError, match=told):
+        lyapunov(-np.eye(2)).check(given)
+
+
+def test_blocks_that_are_no_inequality() -> None:
+    problem = MatrixInequalities("blocks").positive("P", 2)
+    with pytest.raises(ParameterError, match="square must be affine"):
+        MatrixInequalities("b").positive("P", 2).below("square", lambda v: v.P @ v.P).solve()
+    with pytest.raises(ParameterError, match="skew must be symmetric"):
+        MatrixInequalities("b").positive("P", 2).below("skew", lambda v: v.P @ np.diag([1.0, 2.0])).solve()
+    with pytest.raises(ParameterError, match="row must be a square matrix"):
+        MatrixInequalities("b").positive("P", 2).below("row", lambda v: v.P[:1]).solve()
+    with pytest.raises(ParameterError, match="an unknown needs a new name"):
+        problem.free("P", 1, 1)
+    with pytest.raises(ParameterError, match="an inequality needs a new name"):
+        problem.below("one", lambda v: v.P).below("one", lambda v: v.P)
+    with pytest.raises(ParameterError, match=r"margin must lie in \(0, 0.01\], received 0"):
+        MatrixInequalities("b", margin=0.0)
+    with pytest.raises(ParameterError, match=r"kappa must lie in \[10, 1e8\], received 1"):
+        MatrixInequalities("b", kappa=1.0)
+
+
+def test_a_missing_solver_is_said_with_the_line_that_installs_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "cvxpy", None)
+    with pytest.raises(MissingExtraError, match=r"pip install 'pointpred\[observers\]'"):
+        lyapunov(-np.eye(2)).solve()
+    assert lyapunov(-np.eye(2)).check({"P": np.eye(2)})["A'P + PA"] == pytest.approx(2.0)
