@@ -1,0 +1,94 @@
+"""Where the X11 server's cursor is."""
+
+from __future__ import annotations
+
+import os
+from types import TracebackType
+from typing import Any, Protocol, Self
+
+from pointpred.errors import SourceError
+
+OTHERWISE = (
+    "predict in motor space, or give the transfer function that moves the cursor (identified before, on a "
+    "screen that can be read)"
+)
+
+
+class Cursor(Protocol):
+    """Tells where a cursor is."""
+
+    def position(self) -> tuple[float, float]:
+        """The cursor's place now, px from the left and from the top."""
+        ...
+
+
+class ScreenCursor:
+    """The cursor of an X11 screen, asked for anew at each call: one round trip to the server.
+
+    Assumes X11. Under Wayland a program hears of the cursor only while it is over a window of its own kind:
+    the place would stand still elsewhere, so without a named ``display`` such a session is refused.
+    The server moves its cursor a little after the device reported; ``Pairing`` allows for that.
+
+    Parameters: ``display`` such as ``":0"``; ``None`` takes the environment's. One thread at a time.
+    Raises SourceError, which says what to do next, when opening, and from ``position`` once the server is
+    gone.
+    """
+
+    def __init__(self, display: str | None = None) -> None:
+        if display is None and (os.environ.get("WAYLAND_DISPLAY") or _session() == "wayland"):
+            raise SourceError(
+                "the screen's cursor cannot be followed under Wayland: it is told only over X11 windows; log in "
+                f"to an X11 session, or {OTHERWISE}."
+            )
+        self.name = display or os.environ.get("DISPLAY", "")
+        if not self.name:
+            raise SourceError(f"no X11 display: DISPLAY is not set; set it, or {OTHERWISE}.")
+        self._display = _connected(self.name)
+        screen = self._display.screen()
+        self._root = screen.root
+        self.size = (int(screen.width_in_pixels), int(screen.height_in_pixels))
+
+    def position(self) -> tuple[float, float]:
+        """The cursor's place now, px from the left and from the top of the screen. Raises SourceError."""
+        from Xlib.error import ConnectionClosedError
+
+        try:
+            told = self._root.query_pointer()
+        except (ConnectionClosedError, OSError) as error:
+            raise SourceError(f"the X11 display {self.name} is gone ({error}); {OTHERWISE}.") from error
+        return float(told.root_x), float(told.root_y)
+
+    def close(self) -> None:
+        """Leave the server; may be called twice, and when the server is gone."""
+        from Xlib.error import ConnectionClosedError
+
+        try:
+            self._display.close()
+        except (ConnectionClosedError, OSError):
+            return
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+
+def _session() -> str:
+    return os.environ.get("XDG_SESSION_TYPE", "").lower()
+
+
+def _connected(name: str) -> Any:
+    """A connection to a display; raises SourceError."""
+    try:
+        from Xlib import display, error
+    except ImportError as missing:
+        raise SourceError(
+            f"reading the cursor needs python-xlib: pip install python-xlib; or {OTHERWISE}."
+        ) from missing
+    try:
+        return display.Display(name)
+    except (error.DisplayError, error.XauthError, error.ConnectionClosedError, OSError) as refused:
+        raise SourceError(f"the X11 display {name} cannot be opened ({refused}); {OTHERWISE}.") from refused

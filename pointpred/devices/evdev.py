@@ -1,0 +1,185 @@
+"""Mice through the kernel's own decoding: ``/dev/input/event*`` read as it is, nothing compiled needed."""
+
+from __future__ import annotations
+
+import os
+import select
+import threading
+import time
+from types import TracebackType
+from typing import Self
+
+from pointpred.devices import evdev_nodes
+from pointpred.devices.evdev_clock import Clock
+from pointpred.devices.evdev_decoding import EVENT, Frame, FrameDecoder, pressed
+from pointpred.devices.source import MOST_WAITING, BoundedQueue, Report
+from pointpred.errors import SourceError
+
+list_evdev = evdev_nodes.list_evdev
+
+EVIOCGKEY = 0x80604518
+"""_IOC(read, 'E', 0x18, 96): the keys pressed, a bit each."""
+KEY_BYTES = 96
+AT_ONCE = 256 * EVENT.size
+WATCH_S = 0.25
+"""How often a node is looked for: one that is gone, or one that should come back."""
+
+
+class EvdevSource:
+    """Reports of one input node, stamped by the kernel; the desktop keeps its mouse.
+
+    Assumes Linux. Motion that the kernel dropped (SYN_DROPPED) is lost: it is counted in ``resynchronised``
+    and nothing is made up for it. The same device is known again by its name, numbers and serial; two alike
+    without a serial are told apart by which one stayed.
+
+    Parameters: ``path`` such as ``/dev/input/event5``; ``most`` reports wait, then the oldest goes first.
+    Memory: the queue. Entering raises SourceError with what to do next; so does ``take`` before entering.
+    """
+
+    def __init__(self, path: str, *, most: int = MOST_WAITING) -> None:
+        self.path, self.name, self.plugged = path, "", False
+        self._queue = BoundedQueue(most)
+        self._clock = Clock()
+        self._decoder = FrameDecoder()
+        self._thread: threading.Thread | None = None
+        self._file = -1
+        self._unreadable = self._resynchronised = 0  # of devices that were here before
+
+    def __enter__(self) -> Self:
+        if self._thread is not None:
+            raise SourceError(f"{self.path}: this source is open already; make another")
+        self._node = evdev_nodes.check(self.path)
+        self.name = self._node.name
+        try:
+            self._open(self.path)
+        except OSError as error:
+            raise evdev_nodes.refusal(self._node, error) from error
+        self._stopped, self._stop = os.pipe()
+        self._thread = threading.Thread(target=self._read, name=f"evdev {self.path}", daemon=True)
+        self._thread.start()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    @property
+    def clock(self) -> str:
+        """Which clock the kernel stamps with."""
+        return self._clock.words
+
+    @property
+    def lost(self) -> int:
+        """Reports dropped because nobody took them in time."""
+        return self._queue.lost
+
+    @property
+    def unreadable(self) -> int:
+        """Records that cannot be events; the frame of each is void."""
+        return self._unreadable + self._decoder.unreadable
+
+    @property
+    def resynchronised(self) -> int:
+        """Recoveries after the kernel had dropped events."""
+        return self._resynchronised + self._decoder.resynchronised
+
+    @property
+    def clock_steps(self) -> int:
+        """How often a clock that may be set was set."""
+        return self._clock.steps
+
+    def take(self, timeout_s: float) -> list[Report]:
+        """Everything that came since the last call; waits at most ``timeout_s`` until something came."""
+        if self._thread is None:
+            raise SourceError(f"{self.path}: not open; use it in a 'with' statement")
+        return self._queue.take(timeout_s)
+
+    def close(self) -> None:
+        """Stop reading; may be called twice. What was read can still be taken."""
+        if self._thread is None or not self._thread.is_alive():
+            return
+        os.write(self._stop, b".")
+        self._thread.join()
+        os.close(self._stop)
+        os.close(self._stopped)
+        self._queue.close()
+
+    def _open(self, path: str) -> None:
+        """Open a node; raises OSError."""
+        self._file = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
+        self.path = path
+        self._clock.ask(self._file)
+        self._unreadable, self._resynchronised = self.unreadable, self.resynchronised
+        self._decoder = FrameDecoder(self._pressed() or 0, self._pressed)
+        self.plugged = True
+
+    def _pressed(self) -> int | None:
+        """The buttons pressed now; ``None`` where the kernel does not say."""
+        import fcntl
+
+        try:
+            return pressed(fcntl.ioctl(self._file, EVIOCGKEY, bytes(KEY_BYTES)))
+        except OSError:
+            return None
+
+    def _read(self) -> None:
+        """The reader thread: read while the device is there, wait while it is not."""
+        while True:
+            stopped = self._read_device() if self.plugged else self._wait_for_device()
+            if stopped:
+                if self.plugged:
+                    os.close(self._file)
+                return
+
+    def _read_device(self) -> bool:
+        """Read until the device is gone (false) or the source is closed (true)."""
+        looked = time.monotonic()
+        while True:
+            ready, _, _ = select.select([self._file, self._stopped], [], [], WATCH_S)
+            if self._stopped in ready:
+                return True
+            now = time.monotonic()
+            try:
+                data = os.read(self._file, AT_ONCE) if ready else None
+            except BlockingIOError:
+                data = None
+            except OSError:  # ENODEV, or whatever else a vanished device answers
+                data = b""
+            if data == b"" or (now - looked >= WATCH_S and not os.path.exists(self.path)):  # noqa: PTH110
+                self._unplug(now)
+                return False
+            if data:
+                self._put(self._decoder.feed(data), now)
+            looked = now if now - looked >= WATCH_S else looked
+
+    def _put(self, frames: list[Frame], now: float) -> None:
+        """Queue what was read at ``now``."""
+        for frame in frames:
+            t = self._clock.seconds(frame.stamp_us, now)
+            self._queue.put(Report(t, frame.dx, frame.dy, frame.buttons, frame.wheel, frame.pan))
+
+    def _unplug(self, now: float) -> None:
+        """The device has gone: it presses nothing any more."""
+        os.close(self._file)
+        self.plugged = False
+        if self._decoder.buttons:
+            self._queue.put(Report(max(now, self._clock.last), 0, 0))
+        self._twins = self._alike() - {self.path}
+
+    def _alike(self) -> set[str]:
+        """The nodes of devices that cannot be told from this one."""
+        return {each.path for each in evdev_nodes.nodes() if each.identity == self._node.identity}
+
+    def _wait_for_device(self) -> bool:
+        """Look for the device until it is back (false) or the source is closed (true)."""
+        while not select.select([self._stopped], [], [], WATCH_S)[0]:
+            present = self._alike()
+            self._twins &= present
+            for path in sorted(present - self._twins):
+                try:
+                    self._open(path)
+                except OSError:  # not there any more, or not opened to us yet: udev comes later
+                    continue
+                return False
+        return True

@@ -1,0 +1,139 @@
+"""Which input nodes there are, what they are called, and what to do where one cannot be opened.
+
+Names and abilities come from sysfs, which anyone may read: a node that is closed to the user has them too.
+"""
+
+from __future__ import annotations
+
+import errno
+import os
+import re
+import sys
+from pathlib import Path
+
+import msgspec
+
+from pointpred.devices.source import Found
+from pointpred.errors import SourceError
+from pointpred.sources.evdev_frames import REL_X, REL_Y
+
+NODES, CLASS = Path("/dev/input"), Path("/sys/class/input")
+BOTH = 1 << REL_X | 1 << REL_Y
+UDEV_FILE = "/etc/udev/rules.d/70-pointpred-evdev.rules"
+ELSEWHERE = "open the live page in a browser instead: it sends the pointer's motion to 'pointpred serve'"
+
+
+class Node(msgspec.Struct, frozen=True):
+    """An input node and what makes it the same device when it comes back (``identity``).
+
+    ``relative`` and ``absolute``: whether it moves by counts or tells places; ``None`` where sysfs is silent.
+    """
+
+    path: str
+    name: str
+    identity: tuple[str, ...]
+    vendor: str
+    relative: bool | None
+    absolute: bool | None
+
+
+def nodes() -> list[Node]:
+    """Every ``/dev/input/event*`` in the order of its number."""
+    try:
+        names = [name for name in os.listdir(NODES) if re.fullmatch(r"event\d+", name)]  # noqa: PTH208
+    except OSError:
+        return []
+    return [node(str(NODES / name)) for name in sorted(names, key=lambda name: int(name[5:]))]
+
+
+def node(path: str) -> Node:
+    """What sysfs says of one node; a link such as those of ``/dev/input/by-id`` is followed."""
+    device = CLASS / Path(path).resolve().name / "device"
+    name, *ids = (
+        _line(device / part)
+        for part in ("name", "id/bustype", "id/vendor", "id/product", "id/version", "uniq")
+    )
+    return Node(
+        path,
+        name or Path(path).name,
+        (name, *ids),
+        ids[1],
+        _has_both(_line(device / "capabilities/rel")),
+        _has_both(_line(device / "capabilities/abs")),
+    )
+
+
+def list_evdev() -> list[Found]:
+    """The nodes of pointing devices; one that cannot be opened says why, and what to do next.
+
+    Left out are nodes that sysfs says move nothing: keyboards, switches, sound jacks.
+    """
+    return [found(each) for each in nodes() if each.relative is not False or each.absolute]
+
+
+def found(each: Node) -> Found:
+    """One node, tried."""
+    if each.relative is False:
+        why = "it tells absolute positions (a touchpad, tablet or touch screen), no counts"
+        return Found(each.path, each.name, "evdev", False, why, f"{ELSEWHERE}.")
+    try:
+        os.close(os.open(each.path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC))
+    except OSError as error:
+        return Found(each.path, each.name, "evdev", False, _why(error), advice(each, error))
+    return Found(each.path, each.name, "evdev", True)
+
+
+def rule(each: Node) -> str:
+    """The udev rule that opens this device to whoever sits at the screen."""
+    vendor = f', ATTRS{{id/vendor}}=="{each.vendor}"' if each.vendor else ""
+    return f'KERNEL=="event*", SUBSYSTEM=="input"{vendor}, ENV{{ID_INPUT_MOUSE}}=="1", TAG+="uaccess"'
+
+
+def advice(each: Node, error: OSError) -> str:
+    """What to do about an error of opening."""
+    if error.errno in (errno.EACCES, errno.EPERM):
+        return (
+            f"put this line into {UDEV_FILE}:\n  {rule(each)}\nthen run: sudo udevadm control --reload && "
+            "sudo udevadm trigger, and plug the device in again."
+        )
+    if error.errno in (errno.ENOENT, errno.ENODEV, errno.ENXIO):
+        return "plug the device in; 'pointpred devices list' shows where it is."
+    return f"look at the node ('ls -l {each.path}'), or {ELSEWHERE}."
+
+
+def refusal(each: Node, error: OSError) -> SourceError:
+    """The error of a node that cannot be opened."""
+    return SourceError(f"{each.path} ({each.name}): {_why(error)}; {advice(each, error)}")
+
+
+def check(path: str) -> Node:
+    """What a node is, before it is opened; raises SourceError where it can be no pointing device."""
+    if not sys.platform.startswith("linux"):
+        raise SourceError(f"{path}: evdev exists on Linux only, this is {sys.platform}; {ELSEWHERE}.")
+    each = node(path)
+    if each.relative is False:
+        raise SourceError(
+            f"{path} ({each.name}): it sends no relative motion, expected REL_X and REL_Y; choose another of "
+            "'pointpred devices list'."
+        )
+    return each
+
+
+def _why(error: OSError) -> str:
+    return error.strerror or str(error)
+
+
+def _line(path: Path) -> str:
+    """The text of an attribute, empty where it is missing or closed."""
+    try:
+        return path.read_text(errors="replace").strip()
+    except OSError:
+        return ""
+
+
+def _has_both(words: str) -> bool | None:
+    """Whether a bitmap, hexadecimal words with the lowest last, has both bits 0 and 1."""
+    try:
+        return int(words.split()[-1], 16) & BOTH == BOTH
+    except (IndexError, ValueError):
+        return None
