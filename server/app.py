@@ -23,6 +23,7 @@ from pointpred.server.described import METRICS, NOT_READY, UPLOAD, Health, Readi
 from pointpred.server.endpoint import StreamEndpoint
 from pointpred.server.hosts import HostGuard, HostRule
 from pointpred.server.http_answers import SAFE, answer, fail, harden, miss, refuse, turn_down
+from pointpred.server.live_endpoint import NO_DEVICE, LiveEndpoint
 from pointpred.server.service import Service
 from pointpred.server.uploads import UploadError, received
 
@@ -73,6 +74,8 @@ def create_app(hosts: HostRule | None = None, service: Service | None = None) ->
     stream = StreamEndpoint(serving)
     app.router.routes.append(WebSocketRoute("/v1/stream", stream))
     app.router.routes.append(Route("/v1/stream", stream, include_in_schema=False))  # says what it speaks
+    _add_read(app, "/v1/live", _live, responses=GUARDED)
+    app.router.routes.append(WebSocketRoute("/v1/live", LiveEndpoint(serving)))
     app.mount("/web", StaticFiles(directory=WEB))
     return app
 
@@ -138,6 +141,14 @@ def _samples() -> Response:
 def _sample(name: str, predictors: str = "switched,hold") -> Response:
     """One trial with the predictions of the predictors named, separated by commas."""
     return answer(samples.trial(name, _names(predictors)))
+
+
+def _live(request: Request) -> Response:
+    """The device attached to this machine, if any; a WebSocket at the same path shows what it does."""
+    service: Service = request.app.state.service
+    if (feed := service.live) is None:
+        return answer({"version": 1, "attached": None, "message": NO_DEVICE})
+    return answer({"version": 1, "attached": feed.attached, "message": feed.attached.words})
 
 
 async def _score(request: Request, predictors: str = "") -> Response:

@@ -84,7 +84,7 @@ class StreamEndpoint:
 
     async def _refuse(self, send: Send, code: Code, message: str, close: int) -> None:
         self.service.metrics.turned_away.labels(code).inc()
-        await _turn_away(send, code, message, close)
+        await turn_away(send, code, message, close)
 
     async def _serve(self, receive: Receive, send: Send) -> None:
         service = self.service
@@ -99,7 +99,7 @@ class StreamEndpoint:
             # The message might quote an event: the entry names the place, not the values.
             log.error("session failed", extra={"session": session.name, "error": place_of(error)})
             session.fail()
-            await _turn_away(send, "internal", FAILED, 1011)
+            await turn_away(send, "internal", FAILED, 1011)
         finally:
             session.lose()
             service.closed(session)
@@ -116,7 +116,7 @@ def shows_token(scope: Scope, token: str | None) -> bool:
     return any(compare_digest(word.encode(), token.encode()) for word in shown)
 
 
-async def _turn_away(send: Send, code: Code, message: str, close: int) -> None:
+async def turn_away(send: Send, code: Code, message: str, close: int) -> None:
     """An error and the close, where the client takes them."""
     said = encode(ErrorMessage(code, message, None, recoverable=False)).decode()
     try:

@@ -8,6 +8,9 @@ import secrets
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 
+from pointpred.server.conversation import Conversation
+from pointpred.server.live import LiveFeed
+from pointpred.server.live_viewer import Viewer
 from pointpred.server.logs import place_of
 from pointpred.server.messages import Hello
 from pointpred.server.metrics import Counted, Metrics
@@ -41,7 +44,9 @@ class Service:
         """Told, by another thread, how many of how many are warm and what comes next."""
         self.on_ready: Callable[[], None] = lambda: None
         """Called when compiled code is warm."""
-        self._open: dict[Session, tuple[Talk | None, Counted]] = {}
+        self.live: LiveFeed | None = None
+        """What the attached device says, where one is."""
+        self._open: dict[Conversation, tuple[Talk | None, Counted]] = {}
         self._warming: asyncio.Future[None] | None = None
         self._waiting = 0
 
@@ -53,16 +58,25 @@ class Service:
     def open(self, now: float) -> Session:
         """A session without a name that means anything."""
         session = Session(secrets.token_hex(8), self.settings.limits, now, self._watch)
+        self._opened(session)
+        return session
+
+    def view(self, now: float) -> Viewer:
+        """Somebody who looks at the attached device; counts as a session."""
+        viewer = Viewer(secrets.token_hex(8), self.settings.limits, now)
+        self._opened(viewer)
+        return viewer
+
+    def _opened(self, session: Conversation) -> None:
         self._open[session] = (None, Counted())
         self.metrics.sessions.set(len(self._open))
         log.info("session opened", extra={"session": session.name})
-        return session
 
-    def attach(self, session: Session, talk: Talk) -> None:
+    def attach(self, session: Conversation, talk: Talk) -> None:
         """Name the connection that is woken when the service stops."""
         self._open[session] = (talk, self._open[session][1])
 
-    def closed(self, session: Session) -> None:
+    def closed(self, session: Conversation) -> None:
         """A session has ended."""
         talk, counted = self._open.pop(session)
         self.metrics.settle(session, _frames(talk), counted)
@@ -80,6 +94,8 @@ class Service:
 
     def begin(self) -> None:
         """Warm compiled code beside answering; the first start ever takes a while."""
+        if self.live is not None:
+            self.live.begin(asyncio.get_running_loop())
         self._warming = asyncio.get_running_loop().run_in_executor(None, warm, self._progress)
         self._warming.add_done_callback(self._warmed)
 

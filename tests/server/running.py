@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
@@ -47,9 +47,10 @@ class Running:
 
 
 @contextmanager
-def running(**settings: Any) -> Iterator[Running]:
-    """Serve until the block ends; ``settings`` as for ``pointpred serve``."""
+def running(prepare: Callable[[Service], None] = lambda service: None, **settings: Any) -> Iterator[Running]:
+    """Serve until the block ends; ``settings`` as for ``pointpred serve``, ``prepare`` before it begins."""
     service = Service(Settings(**settings))
+    prepare(service)
     opened = listen("127.0.0.1", 0)
     up = threading.Event()
     server = make_server(HostRule(), service, up.set)

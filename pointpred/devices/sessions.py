@@ -1,0 +1,151 @@
+"""A device followed live: its reports, where the cursor is, and what a pipeline predicts of each."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator, Sequence
+from threading import Event
+
+import msgspec
+
+from pointpred.devices.gauges import Delays, Pace
+from pointpred.devices.paths import CursorPath, MotorPath, Space
+from pointpred.devices.source import DeviceSource
+from pointpred.errors import EventError
+from pointpred.events import PointerEvent, Prediction
+from pointpred.stage import Stage
+
+Pair = tuple[PointerEvent, Prediction | None]
+Watcher = Callable[[Sequence[Pair]], None]
+"""Told, on the session's thread, what came together; what it raises ends the session."""
+
+WAIT_S = 0.1
+"""How long a session waits for a report before it looks whether it is to stop."""
+
+
+class LiveState(msgspec.Struct, frozen=True):
+    """What a session can say of itself at a moment.
+
+    ``lost`` reports nobody took in time, ``unreadable`` ones that could not be decoded, ``resynchronised``
+    recoveries after the kernel dropped events, ``refused`` events that the pipeline did not take, the newest
+    reason in ``why``. Delays are those from a report's stamp to its prediction, in s; ``None`` where nothing
+    came yet or the stamps are of another clock than the session's.
+    """
+
+    plugged: bool
+    reports: int
+    rate_hz: float
+    lost: int
+    unreadable: int
+    resynchronised: int
+    refused: int
+    why: str | None
+    delay_p50_s: float | None
+    delay_p99_s: float | None
+    delay_most_s: float | None
+
+
+class LiveSession:
+    """Pairs of a pointer event and what is predicted at it, from a device.
+
+    Assumes an open source; the one who made it closes it. ``path`` makes events of reports, ``None``
+    integrates the counts and says so in ``words``. ``pipeline`` is any stage from events to predictions: the
+    step is the one that runs everywhere. One thread drives a session, others may ask for ``state`` and read
+    ``newest``. Memory is bounded over any time. Badly done: reports that the source lost leave a hole in a
+    path that integrates.
+
+    >>> from types import SimpleNamespace
+    >>> from pointpred import build
+    >>> from pointpred.devices.source import Report
+    >>> reports = [Report(0.01 * i, 2 * i, 0) for i in range(9)]
+    >>> source = SimpleNamespace(clock="made up", take=lambda timeout_s: reports)
+    >>> session = LiveSession(source, None, build("hold"))
+    >>> [(event.x, prediction.x) for event, prediction in session.advance(0.0)][-1]
+    (72.0, 72.0)
+    """
+
+    def __init__(
+        self,
+        source: DeviceSource,
+        path: CursorPath | None,
+        pipeline: Stage[PointerEvent, Prediction | None],
+        *,
+        watchers: Sequence[Watcher] = (),
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
+        self.source = source
+        self.path = path or MotorPath()
+        self.pipeline = pipeline
+        self.watchers = list(watchers)
+        self.newest: Pair | None = None
+        self.reports = 0
+        self.refused = 0
+        self._why: str | None = None
+        self._last_t = float("-inf")
+        self._clock = clock
+        self._comparable = "monotonic" in source.clock
+        self._delays, self._pace = Delays(), Pace()
+
+    @property
+    def space(self) -> Space:
+        """What the positions are: the screen's cursor, a transfer function's, or the hand's own."""
+        return self.path.space
+
+    @property
+    def words(self) -> str:
+        """The same for people."""
+        return self.path.words
+
+    def advance(self, timeout_s: float = WAIT_S) -> list[Pair]:
+        """What can be said of the reports that wait, after waiting at most so long until there are some.
+
+        An event that the pipeline refuses is left out and counted. Raises what a watcher raises.
+        """
+        reports = self.source.take(timeout_s)
+        if reports:
+            self.reports += len(reports)
+            self._pace.add(self._clock(), len(reports))
+        pairs: list[Pair] = []
+        for event in self.path.events(reports):
+            try:
+                prediction = self.pipeline.update(event)
+            except EventError as error:
+                self.refused += 1
+                self._why = str(error)
+                continue
+            pairs.append((event, prediction))
+            if self._comparable and event.t > self._last_t:  # not where a path corrects what it has said
+                self._delays.add(self._clock() - event.t)
+            self._last_t = event.t
+        if pairs:
+            self.newest = pairs[-1]
+            for watcher in self.watchers:
+                watcher(pairs)
+        return pairs
+
+    def run(self, stopping: Event) -> None:
+        """Follow the device until ``stopping`` is set."""
+        while not stopping.is_set():
+            self.advance()
+
+    def __iter__(self) -> Iterator[Pair]:
+        """Pairs without end, as they come."""
+        while True:
+            yield from self.advance()
+
+    def state(self) -> LiveState:
+        """Counts, rates and delays now; any thread may ask."""
+        source, delays = self.source, self._delays
+        return LiveState(
+            source.plugged,
+            self.reports,
+            self._pace.rate(self._clock()),
+            source.lost,
+            source.unreadable,
+            source.resynchronised,
+            self.refused,
+            self._why,
+            delays.percentile(0.5),
+            delays.percentile(0.99),
+            delays.longest if delays.count else None,
+        )
