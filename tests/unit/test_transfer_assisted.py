@@ -82,6 +82,34 @@ def test_without_strength_it_is_the_plain_function_bit_for_bit(
     assert found == [plain.update((i * H, float(r[0]), float(r[1]))) for i, r in enumerate(reports)]
 
 
+def test_no_single_pixel_goes_against_a_wavering_hand_whose_axes_round_at_different_times() -> None:
+    random = np.random.default_rng(1)
+    opposing = 0
+    for _ in range(60):
+        heading = random.uniform(0.0, 2.0 * np.pi)
+        angles, sizes = heading + 0.3 * random.normal(size=200), random.uniform(0.0, 30.0, 200)
+        told = (2e4 * float(np.cos(heading + 0.7)), 2e4 * float(np.sin(heading + 0.7)), (0.0, 0.0))
+        counts = [(round(m * np.cos(a)), round(m * np.sin(a))) for m, a in zip(sizes, angles, strict=True)]
+        rows = played(made(0.9, sideways=1.0, rho=300.0), [(dx, dy, told) for dx, dy in counts])
+        for (dx, dy), (_, _, added_x, added_y) in zip(counts, rows, strict=True):
+            assert added_x * dx + added_y * dy >= 0.0
+            opposing += added_x * dx < 0.0 or added_y * dy < 0.0
+    assert opposing > 10  # one axis alone may oppose the hand
+
+
+def test_bending_fades_towards_a_right_angle() -> None:
+    guard = np.array([50.0, 1.0, 1.0, 0.5, 0.25])
+    bent = [
+        assisted_guard.guide(guard, 0, 0.001, 9.0, 0.0, 90.0 * np.cos(a), 90.0 * np.sin(a), 0.0, 0.0, 0.0)[1]
+        for a in np.deg2rad([0.0, 45.0, 80.0, 89.0, 89.99, 91.0])
+    ]
+    share = -expm1(-0.05) * 90.0
+    expected = [0.0, share / 2.0, *(share * np.sin(a) * np.cos(a) for a in np.deg2rad([80.0, 89.0]))]
+    assert bent[:4] == pytest.approx(expected, rel=1e-9, abs=1e-12)
+    assert 0.0 <= bent[4] < 0.001
+    assert bent[5] == 0.0
+
+
 GUARD = st.tuples(st.floats(0.0, 300.0), SHARE, SHARE, st.floats(1e-3, 10.0), st.floats(0.0, 2.0))
 
 
