@@ -14,7 +14,8 @@ from pointpred.recording import Recording
 from pointpred.sources.evdev_frames import Frames, recording
 from pointpred.sources.joining import join
 from pointpred.sources.reading import AS_IS, Reading, read_text
-from pointpred.sources.report_descriptor import ReportDescriptor, parse_descriptor
+from pointpred.sources.report_descriptor import parse_descriptor
+from pointpred.sources.report_layout import ReportDescriptor
 
 TITLE = "hid-recorder"
 REPORT = re.compile(r"E: (\d{1,10})\.(\d{6}) (\d{1,5})((?: [0-9a-fA-F]{2})*)\s*$")
@@ -105,10 +106,11 @@ def _report(path: Path, number: int, line: str, device: _Device, row: int) -> No
         decoded = device.descriptor.decode(data)
     except RecordingError as error:
         raise RecordingError(f"{path}: line {number}: {error}") from error
-    if decoded is None:
+    layout = device.descriptor.layout_of(data)
+    if decoded is None or layout is None or not layout.points:
         device.aside += 1
         return
-    dx, dy, pressed, mask = decoded
+    dx, dy, pressed, mask, _, _ = decoded
     held = device.events[-1][3] if device.events else 0
     time = int(found.group(1)) * 1_000_000 + int(found.group(2))
     device.events.append((time, dx, dy, (held & ~mask) | pressed))

@@ -1,185 +1,186 @@
-"""HID report descriptors: where relative x, y and the buttons lie in a mouse's reports, and their values."""
+"""HID report descriptors: where relative x, y, the wheels and the buttons lie in a mouse's reports."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-import msgspec
+from typing import NamedTuple
 
 from pointpred.errors import RecordingError
+from pointpred.sources.report_items import GLOBAL, LOCAL, MAIN, Item, short_items
+from pointpred.sources.report_layout import Field, Layout, ReportDescriptor
 
-GENERIC_DESKTOP, BUTTON_PAGE = 0x01, 0x09
-X, Y = 0x30, 0x31
-INPUT, OUTPUT, COLLECTION, FEATURE, END_COLLECTION = 0x8, 0x9, 0xA, 0xB, 0xC
-CONSTANT, VARIABLE, RELATIVE = 1, 2, 4
-LONG_ITEM = 0xFE
-MOST_BITS, MOST_FIELDS = 32, 4096
-BITS = {1: 1, 2: 2, 3: 4, 4: 8, 5: 16}
+GENERIC_DESKTOP, BUTTON, CONSUMER = 0x01, 0x09, 0x0C
+AXES = {
+    GENERIC_DESKTOP << 16 | 0x30: "x",
+    GENERIC_DESKTOP << 16 | 0x31: "y",
+    GENERIC_DESKTOP << 16 | 0x38: "wheel",
+    CONSUMER << 16 | 0x238: "pan",
+}
+"""Usages of the relative axes that are read; the last is AC Pan, the horizontal wheel."""
+BUTTONS = {BUTTON << 16 | usage: bit for usage, bit in {1: 1, 2: 2, 3: 4, 4: 8, 5: 16}.items()}
 """HID buttons 1 (primary), 2 (secondary), 3 (middle), 4, 5 -> bits of W3C pointer events."""
-
-
-class Field(msgspec.Struct, frozen=True):
-    """``bits`` bits from bit ``first`` of a report (its ID byte included), two's complement where signed."""
-
-    first: int
-    bits: int
-    signed: bool
-
-    def value(self, report: int) -> int:
-        """The field's value in a report read as one little-endian number."""
-        raw = (report >> self.first) & ((1 << self.bits) - 1)
-        return raw - (1 << self.bits) if self.signed and raw >> (self.bits - 1) else raw
-
-
-class Layout(msgspec.Struct, frozen=True):
-    """The fields of one report: x and y where it has them, and (field, W3C bit) of each button."""
-
-    size: int
-    x: Field | None
-    y: Field | None
-    buttons: tuple[tuple[Field, int], ...]
-
-
-class ReportDescriptor(msgspec.Struct, frozen=True):
-    """Layouts by report ID (0 where reports carry none); ``numbered`` when the first byte is the ID."""
-
-    numbered: bool
-    layouts: dict[int, Layout]
-
-    def decode(self, report: bytes) -> tuple[int, int, int, int] | None:
-        """dx, dy, buttons and the mask of buttons this report speaks about; ``None`` for other reports.
-
-        Raises RecordingError when the report is shorter than its descriptor says.
-        """
-        layout = self.layouts.get(report[0] if self.numbered and report else 0)
-        if layout is None:
-            return None
-        if len(report) < layout.size:
-            raise RecordingError(f"report of {len(report)} bytes, expected {layout.size}")
-        whole = int.from_bytes(report, "little")
-        pressed = mask = 0
-        for field, bit in layout.buttons:
-            pressed |= bit * field.value(whole)
-            mask |= bit
-        dx = layout.x.value(whole) if layout.x else 0
-        dy = layout.y.value(whole) if layout.y else 0
-        return dx, dy, pressed, mask
+INPUT, COLLECTION, END_COLLECTION = 0x8, 0xA, 0xC
+CONSTANT, VARIABLE, RELATIVE = 1, 2, 4
+LONGEST, MOST_BITS, MOST_FIELDS = 4096, 256, 12288
+"""Bounds of the Linux kernel on a descriptor (bytes), a field (bits) and the fields of an item."""
+LONGEST_REPORT = 16384
+WIDEST = 32
+"""Bits of the widest field that is read."""
 
 
 def parse_descriptor(data: bytes) -> ReportDescriptor:
-    """Where the relative x, y and buttons lie, from a report descriptor's bytes.
+    """Where the relative x, y, wheels and buttons lie, from a report descriptor's bytes.
 
     Assumes variable input fields of up to 32 bits; a field is signed when its logical minimum is negative.
-    Absolute x and y (tablets, touch) and array buttons are not taken. Wheels are not read yet.
-    Raises RecordingError when the bytes are no descriptor or nothing in it moves.
+    Absolute x and y (tablets, touch) and array buttons are not taken. Output and feature reports lie apart
+    and are passed over, the resolution multiplier of a wheel among them: wheels count the device's own steps.
+    Raises RecordingError, naming the byte, when the bytes are no descriptor; and when nothing in it moves.
     Reference: USB HID 1.11, section 6.2.2.
 
     >>> head = "05010902a1010901a100"
     >>> three_buttons = "05091901290315002501950375018102950175058101"
     >>> two_bytes = "0501093009311581257f750895028106c0c0"
     >>> parse_descriptor(bytes.fromhex(head + three_buttons + two_bytes)).decode(bytes([1, 5, 0xFF]))
-    (5, -1, 1, 7)
+    (5, -1, 1, 7, 0, 0)
     """
+    if len(data) > LONGEST:
+        raise RecordingError(f"report descriptor of {len(data)} bytes, expected at most {LONGEST}")
     state = _State()
-    for tag, kind, unsigned, signed, size in _items(data):
-        if kind == 0:
-            state.main(tag, unsigned)
-        elif kind == 1:
-            state.set_global(tag, unsigned, signed)
-        elif kind == 2:
-            state.set_local(tag, unsigned, size)
-    layouts = {
-        number: Layout(
-            (state.reached[number] + 7) // 8, fields.get(X), fields.get(Y), tuple(state.buttons[number])
-        )
-        for number, fields in state.axes.items()
-        if fields or state.buttons[number]
-    }
+    for item in short_items(data):
+        if item.kind == MAIN:
+            state.main(item)
+        elif item.kind == GLOBAL:
+            state.set_global(item)
+        elif item.kind == LOCAL:
+            state.set_local(item)
+    if state.depth:
+        raise RecordingError(f"report descriptor ends at byte {len(data)} with {state.depth} collections open")
+    sizes = {number: (bits + 7) // 8 for number, bits in state.reached.items()}
+    layouts = {}
+    for number in state.axes.keys() | state.buttons.keys():
+        if number or not state.numbered:  # where reports are numbered, those without a number never come
+            axes = state.axes.get(number, {})
+            x, y, wheel, pan = (axes.get(name) for name in AXES.values())
+            layouts[number] = Layout(sizes[number], x, y, wheel, pan, state.buttons.get(number, {}))
     if not any(layout.x or layout.y for layout in layouts.values()):
         raise RecordingError("report descriptor without relative x or y, expected a mouse's")
-    return ReportDescriptor(state.numbered, layouts)
+    return ReportDescriptor(state.numbered, layouts, max(sizes.values()))
 
 
-def _items(data: bytes) -> Iterator[tuple[int, int, int, int, int]]:
-    """Tag, type, unsigned and signed value and size of every short item; long items are passed over."""
-    at = 0
-    while at < len(data):
-        prefix = data[at]
-        if prefix == LONG_ITEM:
-            at += 3 + (data[at + 1] if at + 1 < len(data) else 0)
-            continue
-        size = (0, 1, 2, 4)[prefix & 3]
-        value = data[at + 1 : at + 1 + size]
-        if len(value) < size:
-            raise RecordingError(f"report descriptor ends inside the item at byte {at}")
-        unsigned, signed = int.from_bytes(value, "little"), int.from_bytes(value, "little", signed=True)
-        yield prefix >> 4, (prefix >> 2) & 3, unsigned, signed, size
-        at += 1 + size
+class _Range(NamedTuple):
+    """Usages ``first`` to ``last`` of a page; ``own`` where the item carried the page itself."""
+
+    page: int
+    first: int
+    last: int
+    own: bool
 
 
 class _State:
     """The item state table of HID 1.11 and what has been found with it."""
 
     def __init__(self) -> None:
-        self.page = self.minimum = self.size = self.count = self.report = 0
-        self.pushed: list[tuple[int, int, int, int, int]] = []
+        self.page = self.minimum = self.maximum = self.size = self.count = self.report = 0
+        self.pushed: list[tuple[int, int, int, int, int, int]] = []
         self.numbered = False
-        self.usages: list[int] = []
-        self.lowest: int | None = None
+        self.depth = self.branch = 0
+        self.usages: list[_Range] = []
+        self.lowest: tuple[int, int, bool] | None = None
         self.reached: dict[int, int] = {0: 0}
-        self.axes: dict[int, dict[int, Field]] = {0: {}}
-        self.buttons: dict[int, list[tuple[Field, int]]] = {0: []}
+        self.axes: dict[int, dict[str, Field]] = {}
+        self.buttons: dict[int, dict[int, Field]] = {}
 
-    def set_global(self, tag: int, unsigned: int, signed: int) -> None:
-        """Usage page, logical minimum, report size, ID and count, push and pop."""
-        if tag == 0x0:
-            self.page = unsigned
-        elif tag == 0x1:
-            self.minimum = signed
-        elif tag == 0x7:
-            self.size = unsigned
-        elif tag == 0x8:
-            self.report, self.numbered = unsigned & 0xFF, True
+    def set_global(self, item: Item) -> None:
+        """Usage page, logical range, report size, ID and count, push and pop."""
+        if item.tag == 0x0:
+            self.page = item.unsigned & 0xFFFF
+        elif item.tag == 0x1:
+            self.minimum = item.signed
+        elif item.tag == 0x2:
+            self.maximum = item.signed if self.minimum < 0 else item.unsigned
+        elif item.tag == 0x7:
+            self.size = self._within(item, "a field", "bits", MOST_BITS)
+        elif item.tag == 0x8:
+            if not 0 < item.unsigned < 256:
+                raise RecordingError(f"report ID {item.unsigned} at byte {item.at}, expected 1 to 255")
+            self.report, self.numbered = item.unsigned, True
             self.reached.setdefault(self.report, 8)
-            self.axes.setdefault(self.report, {})
-            self.buttons.setdefault(self.report, [])
-        elif tag == 0x9:
-            self.count = unsigned
-        elif tag == 0xA:
-            self.pushed.append((self.page, self.minimum, self.size, self.count, self.report))
-        elif tag == 0xB:
+        elif item.tag == 0x9:
+            self.count = self._within(item, "an item", "fields", MOST_FIELDS)
+        elif item.tag == 0xA:
+            self.pushed.append((self.page, self.minimum, self.maximum, self.size, self.count, self.report))
+        elif item.tag == 0xB:
             if not self.pushed:
-                raise RecordingError("report descriptor pops more than it pushes")
-            self.page, self.minimum, self.size, self.count, self.report = self.pushed.pop()
+                raise RecordingError(f"report descriptor pops more than it pushes at byte {item.at}")
+            self.page, self.minimum, self.maximum, self.size, self.count, self.report = self.pushed.pop()
 
-    def set_local(self, tag: int, value: int, size: int) -> None:
-        """Usages, one by one or as a range; 4-byte usages carry their page."""
-        usage = value if size == 4 else (self.page << 16) | value
-        if tag == 0x0:
-            self.usages.append(usage)
-        elif tag == 0x1:
-            self.lowest = usage
-        elif tag == 0x2 and self.lowest is not None:
-            self.usages.extend(range(self.lowest, min(usage, self.lowest + MOST_FIELDS) + 1))
+    def set_local(self, item: Item) -> None:
+        """Usages, one by one or as a range; 4-byte ones carry their page; the first alternative counts."""
+        own = item.size == 4
+        page, usage = (item.unsigned >> 16, item.unsigned & 0xFFFF) if own else (self.page, item.unsigned)
+        if item.tag == 0xA:
+            self.branch += 1 if item.unsigned else 0
+        elif self.branch > 1:
+            return
+        elif item.tag == 0x0:
+            self.usages.append(_Range(page, usage, usage, own))
+        elif item.tag == 0x1:
+            self.lowest = page, usage, own
+        elif item.tag == 0x2 and self.lowest is not None:
+            self.usages.append(_Range(self.lowest[0], self.lowest[1], usage, self.lowest[2]))
             self.lowest = None
 
-    def main(self, tag: int, flags: int) -> None:
-        """Input fields; every main item clears the usages."""
-        if tag == INPUT:
-            if self.count > MOST_FIELDS or self.size > MOST_BITS * MOST_FIELDS:
-                raise RecordingError(f"report descriptor with {self.count} fields of {self.size} bits")
-            for index in range(self.count):
-                self._field(index, flags)
-            self.reached[self.report] += self.size * self.count
-        self.usages, self.lowest = [], None
+    def main(self, item: Item) -> None:
+        """Input fields and collections; every main item clears the usages."""
+        if item.tag == INPUT:
+            bits = self.size * self.count
+            if not item.unsigned & CONSTANT and item.unsigned & VARIABLE and 0 < self.size <= WIDEST:
+                self._take(item)
+            self.reached[self.report] += bits
+            if self.reached[self.report] > 8 * LONGEST_REPORT:
+                raise RecordingError(f"report of more than {LONGEST_REPORT} bytes at byte {item.at}")
+        elif item.tag == COLLECTION:
+            self.depth += 1
+        elif item.tag == END_COLLECTION:
+            self.depth -= 1
+            if self.depth < 0:
+                raise RecordingError(f"collection ended that never began at byte {item.at}")
+        self.usages, self.lowest, self.branch = [], None, 0
 
-    def _field(self, index: int, flags: int) -> None:
-        """Take one field if it is a relative axis or a button."""
-        if flags & CONSTANT or not flags & VARIABLE or not self.usages or not 0 < self.size <= MOST_BITS:
-            return
-        page, usage = divmod(self.usages[min(index, len(self.usages) - 1)], 1 << 16)
-        field = Field(self.reached[self.report] + index * self.size, self.size, self.minimum < 0)
-        if page == GENERIC_DESKTOP and usage in (X, Y) and flags & RELATIVE:
-            self.axes[self.report].setdefault(usage, field)
-        elif page == BUTTON_PAGE and usage in BITS and self.size == 1:
-            self.buttons[self.report].append((msgspec.structs.replace(field, signed=False), BITS[usage]))
+    def _take(self, item: Item) -> None:
+        """Take the fields of an input item that are relative axes or buttons."""
+        at = self.reached[self.report]
+        index = 0
+        for page, first, last, _ in self._paged():
+            for usage in (*AXES, *BUTTONS):
+                place = index + (usage & 0xFFFF) - first
+                if usage >> 16 != page or not first <= usage & 0xFFFF <= last or place >= self.count:
+                    continue
+                field = Field(at + place * self.size, self.size, self.minimum < 0)
+                if usage in BUTTONS and self.size == 1:
+                    field = Field(field.first, 1, signed=False)
+                    self.buttons.setdefault(self.report, {}).setdefault(BUTTONS[usage], field)
+                elif usage in AXES and item.unsigned & RELATIVE:
+                    if self.maximum < self.minimum:
+                        raise RecordingError(
+                            f"field from {self.minimum} to {self.maximum} at byte {item.at}, expected a range"
+                        )
+                    self.axes.setdefault(self.report, {}).setdefault(AXES[usage], field)
+            index += max(0, last - first + 1)
+
+    def _paged(self) -> list[_Range]:
+        """The usages; a page declared after the last of them holds for those that did not carry their own."""
+        ranges = list(self.usages)
+        stale = ranges[-1].page if ranges else self.page
+        for place in reversed(range(len(ranges))):
+            if ranges[place].own or ranges[place].page != stale:
+                break
+            ranges[place] = ranges[place]._replace(page=self.page)
+        return ranges
+
+    @staticmethod
+    def _within(item: Item, what: str, of: str, most: int) -> int:
+        if item.unsigned > most:
+            raise RecordingError(
+                f"{what} with {item.unsigned} {of} at byte {item.at}, expected at most {most}"
+            )
+        return item.unsigned

@@ -3,7 +3,8 @@
 import pytest
 
 from pointpred.errors import RecordingError
-from pointpred.sources.report_descriptor import Field, parse_descriptor
+from pointpred.sources.report_descriptor import parse_descriptor
+from pointpred.sources.report_layout import Field
 
 BOOT = (
     "05 01 09 02 a1 01 09 01 a1 00 05 09 19 01 29 03 15 00 25 01 95 03 75 01 81 02 95 01 75 05 81 01"
@@ -27,22 +28,29 @@ def test_a_field_is_sign_extended_over_byte_borders() -> None:
 
 @pytest.mark.parametrize(
     ("report", "expected"),
-    [([0, 0, 0], (0, 0, 0, 7)), ([5, 127, 129], (127, -127, 5, 7)), ([2, 255, 1], (-1, 1, 2, 7))],
+    [([0, 0, 0], (0, 0, 0)), ([5, 127, 129], (127, -127, 5)), ([2, 255, 1], (-1, 1, 2))],
 )
-def test_the_boot_mouse(report: list[int], expected: tuple[int, int, int, int]) -> None:
-    assert parse_descriptor(bytes.fromhex(BOOT)).decode(bytes(report)) == expected
+def test_the_boot_mouse(report: list[int], expected: tuple[int, int, int]) -> None:
+    assert parse_descriptor(bytes.fromhex(BOOT)).decode(bytes(report)) == (*expected, 7, 0, 0)
 
 
-def test_a_wheel_after_x_and_y_does_not_disturb() -> None:
+def test_a_wheel_after_x_and_y() -> None:
     mouse = parse_descriptor(bytes.fromhex(A4TECH))
-    assert mouse.decode(bytes([0x51, 10, 0xF6, 1])) == (10, -10, 17, 31)  # buttons 1, 5; 7 has no W3C bit
+    assert mouse.decode(bytes([0x51, 10, 0xF6, 1])) == (
+        10,
+        -10,
+        17,
+        31,
+        1,
+        0,
+    )  # buttons 1, 5; 7 has no W3C bit
     with pytest.raises(RecordingError, match="report of 3 bytes, expected 4"):
         mouse.decode(bytes(3))
 
 
 def test_a_field_without_negative_minimum_is_not_signed() -> None:
     forward = "05 01 09 02 a1 01 09 30 15 00 26 ff 00 75 08 95 01 81 06 09 31 15 80 25 7f 81 06 c0"
-    assert parse_descriptor(bytes.fromhex(forward)).decode(bytes([0xFF, 0xFF])) == (255, -1, 0, 0)
+    assert parse_descriptor(bytes.fromhex(forward)).decode(bytes([0xFF, 0xFF])) == (255, -1, 0, 0, 0, 0)
 
 
 def test_buttons_on_one_report_and_motion_on_another() -> None:
@@ -52,8 +60,8 @@ def test_buttons_on_one_report_and_motion_on_another() -> None:
     )
     mouse = parse_descriptor(bytes.fromhex(split))
     assert mouse.numbered
-    assert mouse.decode(bytes([1, 3])) == (0, 0, 3, 31)
-    assert mouse.decode(bytes([2, 0x2C, 0x01, 0xD4, 0xFE])) == (300, -300, 0, 0)
+    assert mouse.decode(bytes([1, 3])) == (0, 0, 3, 31, 0, 0)
+    assert mouse.decode(bytes([2, 0x2C, 0x01, 0xD4, 0xFE])) == (300, -300, 0, 0, 0, 0)
     assert mouse.decode(bytes([7, 0, 0, 0, 0])) is None
 
 
@@ -64,12 +72,38 @@ def test_push_pop_extended_usages_and_long_items() -> None:
         "05 09 15 00 25 01 75 01 95 08 19 01 29 08 81 02 b4"  # buttons between push and pop
         "0b 30 00 01 00 81 06 0b 31 00 01 00 81 06 c0"  # x and y as four-byte usages
     )
-    assert parse_descriptor(bytes.fromhex(twisted)).decode(bytes([4, 0xFE, 3])) == (-2, 3, 4, 31)
+    assert parse_descriptor(bytes.fromhex(twisted)).decode(bytes([4, 0xFE, 3])) == (-2, 3, 4, 31, 0, 0)
 
 
 def test_the_last_usage_repeats_when_there_are_fewer_than_fields() -> None:
     lonely = "05 01 09 02 a1 01 09 30 15 81 25 7f 75 08 95 02 81 06 09 31 95 01 81 06 c0"
     assert parse_descriptor(bytes.fromhex(lonely)).decode(bytes([1, 2, 3]))[:2] == (1, 3)  # type: ignore[index]
+
+
+def test_a_page_declared_after_its_usages_holds_for_them() -> None:
+    """As the Linux kernel reads it (HID 1.11, 6.2.2.8): what counts is the page at the main item."""
+    late = "05 09 09 30 09 31 05 01 15 81 25 7f 75 08 95 02 81 06"
+    assert parse_descriptor(bytes.fromhex(late)).decode(bytes([1, 0xFE])) == (1, -2, 0, 0, 0, 0)
+    own = "05 09 0b 30 00 01 00 09 31 05 01 15 81 25 7f 75 08 95 02 81 06"
+    assert parse_descriptor(bytes.fromhex(own)).decode(bytes([1, 0xFE])) == (1, -2, 0, 0, 0, 0)
+
+
+def test_of_alternative_usages_the_first_counts() -> None:
+    delimited = "05 01 a9 01 09 30 a9 00 a9 01 09 31 a9 00 15 81 25 7f 75 08 95 01 81 06 09 31 81 06"
+    assert parse_descriptor(bytes.fromhex(delimited)).decode(bytes([4, 5])) == (4, 5, 0, 0, 0, 0)
+
+
+def test_unnumbered_fields_of_a_numbered_device_never_come() -> None:
+    mixed = "05 01 09 30 15 81 25 7f 75 08 95 01 81 06 85 03 09 31 81 06"
+    mouse = parse_descriptor(bytes.fromhex(mixed))
+    assert mouse.decode(bytes([0, 7])) is None
+    assert mouse.decode(bytes([3, 7])) == (0, 7, 0, 0, 0, 0)
+    assert mouse.decode(b"") is None
+
+
+def test_reserved_items_and_fields_of_no_size_are_passed_over() -> None:
+    odd = "0d 01 05 01 09 30 15 81 25 7f 75 00 95 01 81 06 09 31 75 08 81 06"
+    assert parse_descriptor(bytes.fromhex(odd)).decode(bytes([9])) == (0, 9, 0, 0, 0, 0)
 
 
 @pytest.mark.parametrize(
@@ -78,8 +112,17 @@ def test_the_last_usage_repeats_when_there_are_fewer_than_fields() -> None:
         ("05 01 09 02 a1 01 09 30 16 81", "ends inside the item at byte 8"),
         ("05 01 09 06 a1 01 c0", "without relative x or y"),
         ("05 01 09 30 15 00 26 ff 7f 75 10 95 01 81 02", "without relative x or y"),  # a tablet: absolute
-        ("b4", "pops more than it pushes"),
-        ("27 ff ff ff ff 77 ff ff ff 7f 97 ff ff ff 7f 81 06", "fields of"),
+        ("05 01 b4", "pops more than it pushes at byte 2"),
+        ("77 ff ff ff 7f", "a field with 2147483647 bits at byte 0, expected at most 256"),
+        ("05 01 96 01 30", "an item with 12289 fields at byte 2, expected at most 12288"),
+        ("76 00 01 96 00 30 81 01", "report of more than 16384 bytes at byte 6"),
+        ("05 01 85 00", "report ID 0 at byte 2, expected 1 to 255"),
+        ("a1 01 c0 c0", "collection ended that never began at byte 3"),
+        ("05 01 09 02 a1 01 a1 00 c0", "ends at byte 9 with 1 collections open"),
+        ("05 01 09 30 15 05 25 01 75 08 95 01 81 06", "field from 5 to 1 at byte 12"),
+        ("fe", "ends inside the item at byte 0"),
+        ("fe 03 f0 aa bb", "ends inside the item at byte 0"),
+        ("c0" * 4097, "report descriptor of 4097 bytes, expected at most 4096"),
         ("", "without relative x or y"),
     ],
 )
