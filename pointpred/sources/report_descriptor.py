@@ -53,7 +53,7 @@ def parse_descriptor(data: bytes) -> ReportDescriptor:
         elif item.kind == LOCAL:
             state.set_local(item)
     if state.depth:
-        raise RecordingError(f"report descriptor ends at byte {len(data)} with {state.depth} collections open")
+        raise RecordingError(f"report descriptor ends at byte {len(data)}, {state.depth} collections open")
     sizes = {number: (bits + 7) // 8 for number, bits in state.reached.items()}
     layouts = {}
     for number in state.axes.keys() | state.buttons.keys():

@@ -118,7 +118,7 @@ def test_reserved_items_and_fields_of_no_size_are_passed_over() -> None:
         ("76 00 01 96 00 30 81 01", "report of more than 16384 bytes at byte 6"),
         ("05 01 85 00", "report ID 0 at byte 2, expected 1 to 255"),
         ("a1 01 c0 c0", "collection ended that never began at byte 3"),
-        ("05 01 09 02 a1 01 a1 00 c0", "ends at byte 9 with 1 collections open"),
+        ("05 01 09 02 a1 01 a1 00 c0", "ends at byte 9, 1 collections open"),
         ("05 01 09 30 15 05 25 01 75 08 95 01 81 06", "field from 5 to 1 at byte 12"),
         ("fe", "ends inside the item at byte 0"),
         ("fe 03 f0 aa bb", "ends inside the item at byte 0"),
