@@ -39,5 +39,9 @@ class MissingExtraError(PointpredError, ImportError):
     """An optional library is not installed; the message holds the line that installs it."""
 
 
+class DivergenceError(PointpredError, ArithmeticError):
+    """A simulated trajectory leaves every bound."""
+
+
 class SourceError(PointpredError, OSError):
     """A device or another live source cannot be opened or has gone."""

@@ -1,0 +1,99 @@
+"""The generator (or the dynamic regulator) that drives a Persidskii plant."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.errors import ParameterError
+from pointpred.observers.matrices import matrix
+from pointpred.observers.nonlinearity import nonlinearity
+from pointpred.observers.persidskii import Persidskii, column
+
+
+class Generator:
+    """The signal generator of chapter 3: w' = S0 w + S1 f(Jw) + G y + E rho, u = L0 w + L1 f(Jw).
+
+    With y measured instead of known it is the dynamic regulator of (3.8). Constant matrices only.
+
+    Parameters: ``S0`` (q, q), ``S1`` (q, k), ``J`` (r, q) or ``None`` for the one that the plant implies, J =
+    H Pi; ``G`` (q, p), ``L0`` (m, q), ``L1`` (m, k), ``E`` (q, z), ``None`` for one that is absent; ``f`` the
+    generator's own nonlinearity, ``None`` for the plant's.
+    Raises ParameterError (a ValueError) naming the matrix.
+
+    Reference: Khalin 2022, (3.2), (3.8).
+
+    >>> circle = Generator([[0.0, 1.0], [-1.0, 0.0]], L0=[1.0, 0.0])
+    >>> circle.field([1.0, 0.0]).tolist()
+    [0.0, -1.0]
+    """
+
+    def __init__(
+        self,
+        S0: Any,  # noqa: N803
+        S1: Any = None,  # noqa: N803
+        J: Any = None,  # noqa: N803
+        G: Any = None,  # noqa: N803
+        L0: Any = None,  # noqa: N803
+        L1: Any = None,  # noqa: N803
+        E: Any = None,  # noqa: N803
+        f: Any = None,
+    ) -> None:
+        self.S0: FloatArray = matrix("S0", S0, len(matrix("S0", S0)), len(matrix("S0", S0)))
+        self.q = len(self.S0)
+        self.S1 = None if S1 is None else column("S1", S1, self.q)
+        self.J = None if J is None else matrix("J", J, None, self.q)
+        self.G = None if G is None else column("G", G, self.q)
+        self.E = None if E is None else column("E", E, self.q)
+        self.L0 = None if L0 is None else matrix("L0", L0, None, self.q)
+        self.L1 = None if L1 is None else matrix("L1", L1, None if self.L0 is None else len(self.L0))
+        self.f = None if f is None else nonlinearity(f, 1 if self.S1 is None else self.S1.shape[1])
+
+    def beside(self, plant: Persidskii) -> Generator:
+        """The same generator with every matrix present and of the shape that the plant needs.
+
+        Raises ParameterError naming the matrix, the shape it has and the shape it should have.
+        """
+        q = self.q
+        k = plant.k if self.f is None or self.S1 is None else self.S1.shape[1]
+        needed = {
+            "S1": (q, k),
+            "G": (q, plant.p),
+            "L0": (plant.m, q),
+            "L1": (plant.m, k),
+            "E": (q, plant.z),
+        }
+        full = {name: _shaped(name, getattr(self, name), shape) for name, shape in needed.items()}
+        j = None if self.J is None else matrix("J", self.J, plant.r if self.f is None else None, q)
+        return Generator(self.S0, J=j, f=self.f, **full)
+
+    def field(self, w: Any, *, y: Any = None, rho: Any = None, f: Any = None) -> FloatArray:
+        """The w' (or the next w); ``f`` is the plant's nonlinearity where it has none of its own."""
+        w = np.asarray(w, np.float64)
+        change: FloatArray = self.S0 @ w
+        if self.S1 is not None and self.S1.any():
+            change = change + self.S1 @ self._nonlinear(w, f)
+        for name, signal in ((self.G, y), (self.E, rho)):
+            if name is not None and signal is not None:
+                change = change + name @ np.atleast_1d(signal)
+        return change
+
+    def output(self, w: Any, *, f: Any = None) -> FloatArray:
+        """The input u = L0 w + L1 f(Jw)."""
+        w = np.asarray(w, np.float64)
+        u = np.zeros(0) if self.L0 is None else self.L0 @ w
+        if self.L1 is not None and self.L1.any():
+            u = u + self.L1 @ self._nonlinear(w, f)
+        return np.asarray(u, np.float64)
+
+    def _nonlinear(self, w: FloatArray, f: Any) -> Any:
+        own = f if self.f is None else self.f
+        if own is None or self.J is None:
+            raise ParameterError("the nonlinear part needs f and J: give them, or take them from the plant")
+        return own(self.J @ w)
+
+
+def _shaped(name: str, given: FloatArray | None, shape: tuple[int, int]) -> FloatArray:
+    return np.zeros(shape) if given is None else matrix(name, given, *shape)

@@ -1,0 +1,136 @@
+"""Trajectories of systems and observers by two independent integrators, with seeded noise and disturbances."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import ceil, floor
+from typing import Any
+
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.errors import DivergenceError, ParameterError
+from pointpred.observers.matrices import matrix
+
+Field = Callable[[float, FloatArray], Any]
+INTEGRATORS = ("rk4", "scipy", "discrete")
+CHUNK = 1024
+
+
+class SeededSignal:
+    """A random signal that is a function of time: constant over each period, the same whenever it is asked.
+
+    Assumes that values of different periods are independent: the spectrum is white up to 1 / (2 period_s).
+
+    Parameters: ``seed``; ``size`` of the vector; ``amplitude``, the largest value (``kind`` ``"uniform"``) or
+    the standard deviation (``"normal"``), >= 0; ``period_s`` > 0.
+    Memory held: the last ``CHUNK`` values.
+
+    >>> noise = SeededSignal(7, 2, 0.1)
+    >>> bool(np.array_equal(noise(3.0), noise(3.0004))), bool(abs(noise(3.0)).max() <= 0.1)
+    (True, True)
+    """
+
+    def __init__(
+        self, seed: int, size: int, amplitude: float, *, kind: str = "uniform", period_s: float = 1e-2
+    ) -> None:
+        if kind not in ("uniform", "normal"):
+            raise ParameterError(f"kind must be 'uniform' or 'normal', received {kind!r}")
+        if not 0.0 <= amplitude < np.inf:
+            raise ParameterError(f"amplitude must be finite and not negative, received {amplitude!r}")
+        if not 0.0 < period_s < np.inf:
+            raise ParameterError(f"period_s must be finite and above 0, received {period_s!r}")
+        self.seed, self.size, self.amplitude, self.kind, self.period_s = seed, size, amplitude, kind, period_s
+        self._chunk, self._values = -1, np.zeros((CHUNK, size))
+
+    def __call__(self, t: float) -> FloatArray:
+        """The value at t >= 0."""
+        # A time that is a period's multiple but for rounding belongs to the period that it starts.
+        index = max(0, floor(t / self.period_s + 1e-10))
+        if index // CHUNK != self._chunk:
+            self._chunk = index // CHUNK
+            generator = np.random.default_rng([self.seed, self._chunk])
+            draw = generator.standard_normal if self.kind == "normal" else _symmetric(generator)
+            self._values = self.amplitude * draw((CHUNK, self.size))
+        value: FloatArray = self._values[index % CHUNK]
+        return value
+
+
+def _symmetric(generator: np.random.Generator) -> Callable[[tuple[int, int]], FloatArray]:
+    return lambda shape: generator.uniform(-1.0, 1.0, shape)
+
+
+def simulate(
+    field: Field,
+    start: Any,
+    times: Any,
+    *,
+    integrator: str = "rk4",
+    step_s: float = 1e-3,
+    tolerance: float = 1e-10,
+) -> FloatArray:
+    """The state at each of the times, one row a time, from ``start`` at the first of them.
+
+    ``rk4`` takes equal steps of at most ``step_s`` between two times; ``scipy`` is DOP853 with relative and
+    absolute ``tolerance`` and steps of at most a hundred ``step_s``; ``discrete`` applies ``field(k, x)``,
+    the next state, between two times that are indices.
+
+    Disturbances belong into the field; a ``SeededSignal`` there jumps between its periods, so that only steps
+    that end where it jumps keep the order of a method.
+
+    Raises ParameterError for times that do not increase, DivergenceError naming the time at which a state is
+    no finite number any more.
+
+    >>> simulate(lambda t, x: -x, [1.0], [0.0, 1.0]).round(6).tolist()
+    [[1.0], [0.367879]]
+    >>> simulate(lambda k, x: 0.5 * x, [1.0], range(3), integrator="discrete").ravel().tolist()
+    [1.0, 0.5, 0.25]
+    """
+    if integrator not in INTEGRATORS:
+        raise ParameterError(f"integrator must be one of {', '.join(INTEGRATORS)}, received {integrator!r}")
+    if not 0.0 < step_s < np.inf:
+        raise ParameterError(f"step_s must be finite and above 0, received {step_s!r}")
+    t = matrix("times", list(times), 1)[0]
+    if (np.diff(t) <= 0.0).any():
+        raise ParameterError("times must increase")
+    x0 = matrix("start", start, 1)[0]
+    if integrator == "scipy":
+        return _adaptive(field, x0, t, 100.0 * step_s, tolerance)
+    states = np.empty((len(t), len(x0)))
+    states[0] = x0
+    with np.errstate(over="ignore", invalid="ignore"):
+        for i in range(1, len(t)):
+            if integrator == "discrete":
+                states[i] = field(t[i - 1], states[i - 1])
+            else:
+                states[i] = _rk4(field, t[i - 1], t[i], states[i - 1], step_s)
+            if not np.isfinite(states[i]).all():
+                raise DivergenceError(f"the trajectory leaves every bound before t = {t[i]:g}")
+    return states
+
+
+def _rk4(field: Field, begin: float, end: float, x: FloatArray, step_s: float) -> FloatArray:
+    count = max(1, ceil((end - begin) / step_s - 1e-9))
+    h = (end - begin) / count
+    for i in range(count):
+        t = begin + i * h
+        k1 = np.asarray(field(t, x), np.float64)
+        k2 = np.asarray(field(t + 0.5 * h, x + 0.5 * h * k1), np.float64)
+        k3 = np.asarray(field(t + 0.5 * h, x + 0.5 * h * k2), np.float64)
+        # The end of a step belongs to the period it closes, lest a jump enters before its time.
+        k4 = np.asarray(field(t + h * (1.0 - 1e-8), x + h * k3), np.float64)
+        x = x + h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4)
+    return x
+
+
+def _adaptive(field: Field, x0: FloatArray, t: FloatArray, longest: float, tolerance: float) -> FloatArray:
+    from scipy.integrate import solve_ivp
+
+    with np.errstate(over="ignore", invalid="ignore"):
+        found = solve_ivp(
+            field, (t[0], t[-1]), x0, "DOP853", t, rtol=tolerance, atol=tolerance, max_step=longest
+        )
+    if found.status != 0 or not np.isfinite(found.y).all():
+        raise DivergenceError(f"the trajectory leaves every bound after t = {found.t[-1]:g}: {found.message}")
+    states: FloatArray = np.ascontiguousarray(found.y.T)
+    return states
