@@ -28,8 +28,9 @@ class Mouse(msgspec.Struct, frozen=True):
 
 
 class Plugged(msgspec.Struct, frozen=True):
-    """A mouse in the testbed: its node, where it stands in /sys, and the descriptor to write reports to."""
+    """A mouse in a testbed: its node, where it stands in /sys, and the descriptor to write reports to."""
 
+    testbed: Testbed
     node: str
     syspath: str
     hand: int
@@ -37,6 +38,13 @@ class Plugged(msgspec.Struct, frozen=True):
     def send(self, report: bytes) -> None:
         """Send one report."""
         os.write(self.hand, report)
+
+    def unplug(self) -> None:
+        """Pull it out: the node goes, and whoever reads it is hung up."""
+        self.testbed.remove(self.syspath)
+        nothing = os.open(os.devnull, os.O_RDWR)
+        os.dup2(nothing, self.hand)  # the testbed will close its number itself
+        os.close(nothing)
 
 
 def plug(testbed: Testbed, mouse: Mouse, number: int = 0) -> Plugged:
@@ -62,7 +70,7 @@ def plug(testbed: Testbed, mouse: Mouse, number: int = 0) -> Plugged:
             f"HIDIOCGRAWINFO 0 {struct.pack('<IHH', 3, mouse.vendor, mouse.product).hex()}\n"
         },
     )
-    return Plugged(node, f"/sys{device}", testbed.hand(node))
+    return Plugged(testbed, node, f"/sys{device}", testbed.hand(node))
 
 
 Encode = Callable[[int, int, int, int, int], list[bytes]]

@@ -1,0 +1,198 @@
+"""Mice through hidapi's ``hidraw``: every report as the device sent it, while the desktop keeps its mouse."""
+
+from __future__ import annotations
+
+import threading
+import time
+from types import TracebackType
+from typing import Any, Self
+
+from pointpred.devices.hid_devices import (
+    BROWSER,
+    HidDevice,
+    found,
+    hid_devices,
+    hidraw,
+    list_hid,
+    no_mouse,
+)
+from pointpred.devices.source import MOST_WAITING, BoundedQueue, Report
+from pointpred.errors import RecordingError, SourceError
+from pointpred.sources.report_descriptor import parse_descriptor
+from pointpred.sources.report_layout import ReportDescriptor
+
+__all__ = ["HidSource", "list_hid"]
+
+WAIT_MS = 100
+"""How long a read waits before it looks whether the source was closed."""
+RETURN_S = 0.25
+"""How often a device that is gone is looked for."""
+
+
+class HidSource:
+    """Reports of one HID mouse, stamped at the read by a thread of its own.
+
+    Assumes Linux, and a mouse whose report descriptor has relative x or y. hidraw has no times: a stamp is as
+    late as the scheduler and Python's lock let the thread run. The kernel holds 64 reports (8 ms of the
+    fastest mice) and drops later ones uncounted: a process that computes for long beside this thread may
+    lose some. Wheels count the device's own steps: where the kernel has switched a resolution multiplier on,
+    a notch is several. Two alike without serial numbers are not told apart when one comes back.
+
+    Parameters: ``path`` such as ``/dev/hidraw2``; or ``vendor`` and ``product`` numbers; or neither: the
+    first mouse that may be opened. At most ``most`` reports wait, then the oldest goes first.
+    Memory: the queue. Entering raises SourceError with what to do next; so does ``take`` before entering.
+    """
+
+    resynchronised = 0
+    clock = "this computer's monotonic clock, at the read: hidraw gives no times"
+
+    def __init__(
+        self,
+        path: str | None = None,
+        *,
+        vendor: int | None = None,
+        product: int | None = None,
+        most: int = MOST_WAITING,
+    ) -> None:
+        self.path, self.name, self.plugged, self.unreadable = path or "", "", False, 0
+        self._wanted = path, vendor, product
+        self._queue = BoundedQueue(most)
+        self._stopping = threading.Event()
+        self._thread: threading.Thread | None = None
+        self._failure: Exception | None = None
+        self._buttons = 0
+
+    def __enter__(self) -> Self:
+        if self._thread is not None:
+            raise SourceError(f"{self.path}: this source is open already; make another")
+        self._device = choose(*self._wanted)
+        self._open(self._device)
+        self._thread = threading.Thread(target=self._run, name=f"hid {self.path}", daemon=True)
+        self._thread.start()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    @property
+    def lost(self) -> int:
+        """Reports dropped because nobody took them in time."""
+        return self._queue.lost
+
+    def take(self, timeout_s: float) -> list[Report]:
+        """Everything that came since the last call; waits at most ``timeout_s`` until something came."""
+        if self._thread is None:
+            raise SourceError("the HID source is not open; use it in a 'with' statement")
+        taken = self._queue.take(timeout_s)
+        if not taken and self._failure is not None:
+            raise SourceError(f"{self._device.described}: reading ended: {self._failure}") from self._failure
+        return taken
+
+    def close(self) -> None:
+        """Stop reading; may be called twice. What was read can still be taken."""
+        self._stopping.set()
+        if self._thread is not None:
+            self._thread.join()
+        self._queue.close()
+
+    def _open(self, device: HidDevice) -> None:
+        """Open a device and learn its reports; raises SourceError."""
+        refused = found(device)
+        if not refused.openable:
+            raise SourceError(f"{device.described}: {refused.why}; {refused.advice}")
+        handle: Any = hidraw().device()
+        try:
+            handle.open_path(device.path.encode())
+            self._reports: ReportDescriptor = parse_descriptor(bytes(handle.get_report_descriptor()))
+        except RecordingError as error:
+            handle.close()
+            raise SourceError(f"{device.described}: {error}") from error
+        except OSError as error:
+            raise SourceError(
+                f"{device.described}: {error}; another program may hold it: 'fuser -v {device.path}' names it"
+            ) from error
+        self._handle = handle
+        self._device, self.path, self.name, self.plugged = device, device.path, device.name, True
+
+    def _run(self) -> None:
+        """The reader thread: read while the device is there, wait for it while it is not."""
+        try:
+            while not self._stopping.is_set():
+                if self.plugged:
+                    self._read()
+                else:
+                    self._wait_for_return()
+        except Exception as error:  # told by take: a thread has nobody else to tell
+            self._failure = error
+        finally:
+            self._handle.close()
+            self._queue.close()
+
+    def _read(self) -> None:
+        """One report, or none within WAIT_MS; the error of a device that has gone marks it unplugged."""
+        try:
+            data = self._handle.read(self._reports.longest, WAIT_MS)
+        except OSError:
+            self._unplug()
+            return
+        if data:
+            self._hear(time.monotonic(), bytes(data))
+
+    def _hear(self, t: float, data: bytes) -> None:
+        """Queue what a report says; others than the mouse's, of a keyboard or a vendor, say nothing."""
+        try:
+            decoded = self._reports.decode(data)
+        except RecordingError:
+            self.unreadable += 1
+            return
+        if decoded is not None:
+            dx, dy, pressed, mask, wheel, pan = decoded
+            self._buttons = (self._buttons & ~mask) | pressed
+            self._queue.put(Report(t, dx, dy, self._buttons, wheel, pan))
+
+    def _unplug(self) -> None:
+        """The device has gone: it presses nothing any more."""
+        self._handle.close()
+        self.plugged = False
+        if self._buttons:
+            self._buttons = 0
+            self._queue.put(Report(time.monotonic(), 0, 0))
+
+    def _wait_for_return(self) -> None:
+        """Look once for the device; one that is back but not yet opened to us by udev is tried again."""
+        for device in hid_devices():
+            if device.identity == self._device.identity:
+                try:
+                    self._open(device)
+                    return
+                except SourceError:
+                    continue
+        self._stopping.wait(RETURN_S)
+
+
+def choose(path: str | None, vendor: int | None, product: int | None) -> HidDevice:
+    """The device that is meant: by its path, by its numbers, or the first mouse that may be opened.
+
+    Raises SourceError that says what there is instead, and what to do next.
+    """
+    devices = hid_devices()
+    if path is not None:
+        for device in devices:
+            if device.path == path:
+                return device
+        known = ", ".join(device.described for device in devices) or "none"
+        raise SourceError(f"{path} is no HID device, there are: {known}; see 'pointpred devices list'")
+    mice = [
+        device
+        for device in devices
+        if vendor in (None, device.vendor) and product in (None, device.product) and no_mouse(device) is None
+    ]
+    if not mice:
+        wanted = f" {vendor or 0:04x}:{product or 0:04x}" if (vendor, product) != (None, None) else ""
+        raise SourceError(
+            f"no HID mouse{wanted} found among {len(devices)} HID devices; plug one in and see 'pointpred "
+            f"devices list'. Virtual machines and containers have none of their own: {BROWSER}"
+        )
+    return next((device for device in mice if found(device).openable), mice[0])

@@ -1,0 +1,114 @@
+"""Which HID mice there are, what they are called, and what to do where one cannot be opened.
+
+Names and report descriptors come from hidapi's list and sysfs, which anyone may read.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from pointpred.devices.source import Found
+from pointpred.devices.udev import hid_rule, permission_advice
+from pointpred.errors import RecordingError, SourceError
+from pointpred.sources.report_descriptor import parse_descriptor
+
+KEEPERS = {"win32": "Windows", "cygwin": "Windows", "darwin": "macOS"}
+"""Systems that open every mouse for themselves and let no program read its reports."""
+BROWSER = (
+    "run 'pointpred serve' and use a browser: its page reads the pointer, and docs/browser.md names the "
+    "browser client for pages of your own"
+)
+CLASS = Path("/sys/class/hidraw")
+
+
+class HidDevice(msgspec.Struct, frozen=True):
+    """A HID device as hidapi lists it; ``identity`` is what stays when it is unplugged and comes back."""
+
+    path: str
+    name: str
+    vendor: int
+    product: int
+    serial: str
+    interface: int
+
+    @property
+    def identity(self) -> tuple[int, int, str, int, str]:
+        """Equal for the same device in another port, and for two of a kind without serial numbers."""
+        return self.vendor, self.product, self.serial, self.interface, self.name
+
+    @property
+    def described(self) -> str:
+        """Path and name, as errors say it."""
+        return f"{self.path} ({self.name})"
+
+
+def hidraw() -> Any:
+    """The module of hidapi for the kernel's hidraw nodes.
+
+    Raises SourceError, naming what to do, on systems that keep mice to themselves and without hidapi.
+    """
+    if sys.platform != "linux":
+        keeper = KEEPERS.get(sys.platform, f"this system ({sys.platform})")
+        raise SourceError(f"{keeper} keeps mice to itself, no program can read their reports; {BROWSER}")
+    try:
+        import hidraw as module
+    except ImportError as error:
+        raise SourceError(
+            f"hidapi cannot be used ({error}); install it: python -m pip install 'hidapi>=0.14'"
+        ) from error
+    return module
+
+
+def hid_devices() -> list[HidDevice]:
+    """Every HID device, mouse or not, in the order of its path; raises SourceError as ``hidraw`` does."""
+    found: dict[str, HidDevice] = {}
+    for entry in hidraw().enumerate():  # an entry for each top-level collection of a device
+        path, vendor, product = os.fsdecode(entry["path"]), entry["vendor_id"], entry["product_id"]
+        name = entry["product_string"] or f"HID device {vendor:04x}:{product:04x}"
+        serial, interface = entry["serial_number"] or "", entry["interface_number"]
+        found.setdefault(path, HidDevice(path, name, vendor, product, serial, interface))
+    return sorted(found.values(), key=lambda device: (len(device.path), device.path))
+
+
+def no_mouse(device: HidDevice) -> str | None:
+    """Why a device is no mouse that can be read, from its report descriptor; ``None`` where it is one."""
+    try:
+        data = (CLASS / Path(device.path).name / "device/report_descriptor").read_bytes()
+    except OSError as error:
+        return f"its report descriptor cannot be read: {error.strerror}"
+    try:
+        parse_descriptor(data)
+    except RecordingError as error:
+        return str(error)
+    return None
+
+
+def list_hid(everything: bool = False) -> list[Found]:
+    """The HID mice, each with why it cannot be opened and what to do; or ``everything``, keyboards and all.
+
+    Raises SourceError where no program can read HID devices: Windows, macOS, or hidapi is missing.
+    """
+    listed = []
+    for device in hid_devices():
+        why = no_mouse(device)
+        if why is None:
+            listed.append(found(device))
+        elif everything:
+            listed.append(Found(device.path, device.name, "hid", False, why, "choose another device."))
+    return listed
+
+
+def found(device: HidDevice) -> Found:
+    """A mouse, and whether it may be opened."""
+    if not os.path.exists(device.path):  # noqa: PTH110
+        advice = "plug the device in; in a container, hand the node into it."
+        return Found(device.path, device.name, "hid", False, "there is no such node", advice)
+    if not os.access(device.path, os.R_OK | os.W_OK):  # hidapi opens for both, and only ever reads here
+        advice = permission_advice(hid_rule(device.vendor, device.product))
+        return Found(device.path, device.name, "hid", False, "permission denied", advice)
+    return Found(device.path, device.name, "hid", True)

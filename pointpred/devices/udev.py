@@ -1,0 +1,34 @@
+"""Rules for udev: they open mice to whoever sits at the screen, and to nobody else."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+RULES_FILE = "/etc/udev/rules.d/70-pointpred.rules"
+"""Below 73, where systemd reads the tag."""
+RELOAD = "sudo udevadm control --reload && sudo udevadm trigger"
+SHIPPED = Path(__file__).with_name("70-pointpred.rules")
+
+
+def hid_rule(vendor: int, product: int) -> str:
+    """The line for one HID device, by USB or Bluetooth: its kernel name is bus:vendor:product.number.
+
+    >>> hid_rule(0x46D, 0xC077)
+    'KERNEL=="hidraw*", SUBSYSTEM=="hidraw", KERNELS=="*:046D:C077.*", TAG+="uaccess"'
+    """
+    return (
+        f'KERNEL=="hidraw*", SUBSYSTEM=="hidraw", KERNELS=="*:{vendor:04X}:{product:04X}.*", TAG+="uaccess"'
+    )
+
+
+def permission_advice(rule: str) -> str:
+    """What to do where a node may not be opened."""
+    return (
+        f"put this line into {RULES_FILE}:\n  {rule}\nthen run: {RELOAD}\n"
+        f"('pointpred devices udev | sudo tee {RULES_FILE}' writes it for every mouse here.)"
+    )
+
+
+def shipped_rules() -> str:
+    """The rules of the package: USB interfaces that say they are mice, and input nodes of mice."""
+    return SHIPPED.read_text(encoding="utf-8")
