@@ -37,8 +37,8 @@ class ScreenCursor:
     def __init__(self, display: str | None = None) -> None:
         if display is None and (os.environ.get("WAYLAND_DISPLAY") or _session() == "wayland"):
             raise SourceError(
-                "the screen's cursor cannot be followed under Wayland: it is told only over X11 windows; log in "
-                f"to an X11 session, or {OTHERWISE}."
+                "the screen's cursor cannot be followed under Wayland: it is told only over X11 windows; "
+                f"log in to an X11 session, or {OTHERWISE}."
             )
         self.name = display or os.environ.get("DISPLAY", "")
         if not self.name:
