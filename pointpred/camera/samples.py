@@ -1,0 +1,118 @@
+"""What a camera with an inertial sensor delivers, as records, as columns, and simulated from a trajectory."""
+
+from __future__ import annotations
+
+import msgspec
+import numpy as np
+
+from pointpred.camera.scenario import Scenario, Trajectory, trajectory
+from pointpred.columns import Columns, FloatArray
+from pointpred.differentiators.sampling import is_number
+from pointpred.errors import ParameterError
+from pointpred.stage import Parameter, check
+
+FOCAL = Parameter("focal_px", "px", 1.0, 1e6, "focal length: image plane to px")
+NOISE = (
+    Parameter("noise_px", "px", 0.0, 1e3, "pixel noise, uniform in +-noise_px"),
+    Parameter("gyro_noise", "rad/s/sqrt(Hz)", 0.0, 1.0, "density of the gyroscope's white noise"),
+    Parameter("accel_noise", "m/s^2/sqrt(Hz)", 0.0, 10.0, "density of the accelerometer's white noise"),
+    Parameter("dropped", "", 0.0, 1.0, "share of the images that are missing"),
+)
+
+
+class CameraSample(msgspec.Struct, frozen=True):
+    """A reading of the inertial sensor, with the tracked point where an image was taken at that moment.
+
+    ``t`` s; ``x y`` px from the principal point, x right, y down, ``None`` without an image; ``wx wy wz``
+    rad/s; ``ax ay az`` m/s^2 of the motion in the camera's frame, gravity already removed (10).
+    """
+
+    t: float
+    x: float | None
+    y: float | None
+    wx: float
+    wy: float
+    wz: float
+    ax: float
+    ay: float
+    az: float
+
+
+class CameraColumns(Columns):
+    """Camera samples as columns; x and y are NaN where there is no image."""
+
+    names = ("t", "x", "y", "wx", "wy", "wz", "ax", "ay", "az")
+
+    def samples(self) -> list[CameraSample]:
+        """The rows as records."""
+        rows = self.table.tolist()
+        return [CameraSample(row[0], *(v if v == v else None for v in row[1:3]), *row[3:]) for row in rows]
+
+
+class Noise(msgspec.Struct, frozen=True):
+    """What a simulated sensor does to the truth; all zero by default.
+
+    ``noise_px``: uniform in +-noise_px, as the paper has it (standard deviation noise_px / sqrt(3));
+    ``normal``: normal noise of that standard deviation instead. Biases are constant, one number an axis.
+    """
+
+    noise_px: float = 0.0
+    normal: bool = False
+    gyro_noise: float = 0.0
+    accel_noise: float = 0.0
+    gyro_bias: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    accel_bias: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    dropped: float = 0.0
+
+
+def simulate(
+    scenario: Scenario,
+    *,
+    focal_px: float,
+    duration_s: float = 10.0,
+    image_hz: float = 33.0,
+    readings: int = 1,
+    noise: Noise | None = None,
+    seed: int = 0,
+) -> tuple[CameraColumns, Trajectory]:
+    """Samples of a scenario, and the truth at the same times.
+
+    ``focal_px`` must be given: it is what turns px of noise into radians, and the paper does not state it.
+    ``readings`` of the inertial sensor an image. The first sample always has an image. Raises
+    ParameterError.
+
+    >>> from pointpred.camera.scenario import SCENARIOS
+    >>> samples, truth = simulate(SCENARIOS["paper"], focal_px=800.0, duration_s=1.0)
+    >>> len(samples), float(truth.chi[0])
+    (34, 1.0)
+    """
+    noise = noise or Noise()
+    check((FOCAL, *NOISE), {"focal_px": focal_px, **{p.name: getattr(noise, p.name) for p in NOISE}})
+    for name, value in (("duration_s", duration_s), ("image_hz", image_hz)):
+        if not (is_number(value) and 0.0 < value <= 1e6):
+            raise ParameterError(f"{name} must lie in (0, 1e6], received {value!r}")
+    if isinstance(readings, bool) or not isinstance(readings, int) or not 1 <= readings <= 1000:
+        raise ParameterError(f"readings must be a whole number in [1, 1000], received {readings!r}")
+    rate_hz = image_hz * readings
+    t = np.arange(round(duration_s * rate_hz) + 1) / rate_hz
+    truth = trajectory(scenario, t)
+    return CameraColumns(_table(truth, focal_px, readings, rate_hz, noise, seed)), truth
+
+
+def _table(
+    truth: Trajectory, focal_px: float, readings: int, rate_hz: float, noise: Noise, seed: int
+) -> FloatArray:
+    random = np.random.default_rng(seed)
+    rows = len(truth.t)
+    if noise.normal:
+        pixels = random.normal(0.0, noise.noise_px / np.sqrt(3.0), (rows, 2))
+    else:
+        pixels = random.uniform(-noise.noise_px, noise.noise_px, (rows, 2))
+    image = focal_px * truth.image + pixels
+    taken = np.arange(rows) % readings == 0
+    taken[1:] &= random.uniform(size=rows - 1) >= noise.dropped
+    image[~taken] = np.nan
+    spread = np.sqrt(rate_hz)
+    gyro = truth.w + noise.gyro_bias + spread * noise.gyro_noise * random.normal(size=(rows, 3))
+    accel = truth.a + noise.accel_bias + spread * noise.accel_noise * random.normal(size=(rows, 3))
+    return np.column_stack([truth.t, image, gyro, accel])

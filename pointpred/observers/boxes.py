@@ -1,0 +1,102 @@
+"""Boxes of scheduling variables: their vertices, and the multilinear weights of a point among them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from itertools import product
+from math import isfinite
+
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.differentiators.sampling import is_number
+from pointpred.errors import ParameterError
+
+AXES_MOST = 12
+"""Bound on the axes that have a width: each doubles the vertices."""
+ROUNDING = 1e-9
+"""Share of a width by which a point may lie outside and still counts as on the border."""
+
+
+class Box:
+    """Closed intervals, one for each scheduling variable.
+
+    An interval of no width is allowed: its variable is a constant and makes no further vertices. What is
+    true at the vertices says nothing of points outside, so such points have no weights.
+
+    Weights: mu_i(p) = product over the axes of (p - low) / (high - low) where vertex i is high and
+    (high - p) / (high - low) where it is low. They are not negative, sum to 1, and sum_i mu_i(p) M_i is M(p)
+    for every M that is affine in each variable on its own.
+
+    Parameters: ``bounds`` by name, low <= high, finite; at most 12 axes with a width.
+    Raises ParameterError, also from ``weights`` for a point outside.
+
+    Reference: Benyoucef et al. 2021, equation (25).
+
+    >>> box = Box({"speed": (1.0, 3.0), "slope": (0.5, 0.5), "load": (0.0, 1.0)})
+    >>> len(box.vertices)
+    4
+    >>> [float(share) for share in box.weights({"speed": 1.5, "slope": 0.5, "load": 1.0})]
+    [0.0, 0.75, 0.0, 0.25]
+    """
+
+    def __init__(self, bounds: Mapping[str, tuple[float, float]]) -> None:
+        if not bounds:
+            raise ParameterError("a box needs at least one axis, received none")
+        self.bounds = {name: _interval(name, pair) for name, pair in bounds.items()}
+        wide = sum(low < high for low, high in self.bounds.values())
+        if wide > AXES_MOST:
+            raise ParameterError(f"a box has at most {AXES_MOST} axes with a width, received {wide}")
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The scheduling variables in order."""
+        return tuple(self.bounds)
+
+    @property
+    def vertices(self) -> FloatArray:
+        """A row a vertex, a column a variable; the last axis changes fastest."""
+        ends = [(low,) if low == high else (low, high) for low, high in self.bounds.values()]
+        return np.array(list(product(*ends)))
+
+    def named(self, point: FloatArray) -> dict[str, float]:
+        """A row of ``vertices`` with the names of its variables."""
+        return dict(zip(self.names, map(float, point), strict=True))
+
+    def outside(self, point: Mapping[str, float]) -> list[str]:
+        """The variables whose values lie outside their intervals, or are no numbers at all."""
+        found = []
+        for name, (low, high) in self.bounds.items():
+            slack = ROUNDING * (high - low)
+            if not low - slack <= self._value(point, name) <= high + slack:
+                found.append(name)
+        return found
+
+    def weights(self, point: Mapping[str, float]) -> FloatArray:
+        """The share of each vertex in a point; raises ParameterError for a point outside."""
+        for name in self.outside(point):
+            low, high = self.bounds[name]
+            raise ParameterError(f"{name} must lie in [{low:g}, {high:g}], received {point[name]!r}")
+        shares = np.ones(1)
+        for name, (low, high) in self.bounds.items():
+            if low < high:
+                up = min(max((point[name] - low) / (high - low), 0.0), 1.0)
+                shares = np.outer(shares, (1.0 - up, up)).ravel()
+        return shares
+
+    def _value(self, point: Mapping[str, float], name: str) -> float:
+        if name not in point:
+            raise ParameterError(f"a point needs {', '.join(self.names)}, received {', '.join(point)}")
+        return point[name]
+
+
+def _interval(name: str, pair: tuple[float, float]) -> tuple[float, float]:
+    try:
+        low, high = pair
+    except (TypeError, ValueError) as unusable:
+        raise ParameterError(f"{name} needs (low, high), received {pair!r}") from unusable
+    if not (is_number(low) and is_number(high) and isfinite(low) and isfinite(high)):
+        raise ParameterError(f"{name} needs two finite numbers, received {pair!r}")
+    if low > high:
+        raise ParameterError(f"{name} needs low <= high, received {pair!r}")
+    return float(low), float(high)

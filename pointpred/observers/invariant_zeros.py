@@ -1,0 +1,91 @@
+"""Invariant zeros: what no observer without knowledge of the unknown inputs can change."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.errors import ParameterError
+
+RELATIVE = 1e-9
+"""Singular values below this share of the largest count as zero."""
+
+
+def kernel(matrix: FloatArray) -> FloatArray:
+    """An orthonormal basis of the vectors that a matrix maps to zero, one a column."""
+    _, sizes, rows = np.linalg.svd(np.atleast_2d(matrix))
+    rank = int((sizes > RELATIVE * max(1.0, sizes.max(initial=0.0))).sum())
+    basis: FloatArray = rows[rank:].T
+    return basis
+
+
+def unobservable(gamma: FloatArray, c: FloatArray) -> FloatArray:
+    """An orthonormal basis of the largest subspace inside ker C that Gamma maps into itself.
+
+    >>> basis = unobservable(np.array([[0.0, 1.0], [0.0, -3.0]]), np.array([[0.0, 1.0]]))
+    >>> np.abs(basis).round(6).tolist()
+    [[1.0], [0.0]]
+    """
+    basis = kernel(c)
+    while basis.shape[1]:
+        moved = gamma @ basis
+        leaving = moved - basis @ (basis.T @ moved)
+        staying = kernel(leaving) if np.abs(leaving).max() > 0.0 else np.eye(basis.shape[1])
+        if staying.shape[1] == basis.shape[1]:
+            break
+        basis = basis @ staying
+    return basis
+
+
+def invariant_zeros(a: FloatArray, f: FloatArray, c: FloatArray) -> FloatArray:
+    """The invariant zeros of x' = A x + F d, y = C x, where d is unknown.
+
+    Assumes rank(C F) = rank(F) = columns of F, so that d can be undone; raises ParameterError otherwise.
+    Rank decisions are made at 1e-9: zeros of nearly cancelling systems may be found or missed.
+
+    The zeros are the values s where [[A - s I, F], [C, 0]] loses rank: the eigenvalues of T A on its
+    unobservable subspace, T = I - F (C F)^+ C. No gain moves them; they are how errors there fade or grow.
+
+    Parameters: matrices of n x n, n x m, p x n. Returns the zeros, complex, the slowest first.
+
+    Reference: Darouach, Zasadzinski, Xu 1994, theorem 2; the pencil is Rosenbrock's.
+
+    >>> a = np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 0.0], [0.0, 1.0, -2.0]])
+    >>> f, c = np.array([[1.0], [0.0], [0.0]]), np.array([[1.0, 0.0, 0.0]])
+    >>> invariant_zeros(a, f, c).real.tolist()
+    [0.0, -2.0]
+    """
+    return fixed_modes(decoupling(f, c) @ a, c)
+
+
+def fixed_modes(gamma: FloatArray, c: FloatArray) -> FloatArray:
+    """The eigenvalues of Gamma that Gamma - K C keeps for every K, complex, the slowest first.
+
+    >>> fixed_modes(np.diag([-1.0, -2.0]), np.array([[1.0, 0.0]])).real.tolist()
+    [-2.0]
+    """
+    basis = unobservable(gamma, c)
+    if not basis.shape[1]:
+        return np.zeros(0, dtype=np.complex128)
+    zeros = np.linalg.eigvals(basis.T @ gamma @ basis).astype(np.complex128)
+    return zeros[np.argsort(-zeros.real, kind="stable")]
+
+
+def decoupling(f: FloatArray, c: FloatArray) -> FloatArray:
+    """T = I - F (C F)^+ C, which no unknown input passes: T F = 0.
+
+    Raises ParameterError naming the ranks where the unknown inputs cannot be undone.
+    """
+    if f.ndim != 2 or c.ndim != 2 or f.shape[0] != c.shape[1]:
+        raise ParameterError(f"C F must exist: F has shape {f.shape}, C has shape {c.shape}")
+    seen = c @ f
+    rank_seen, rank = int(np.linalg.matrix_rank(seen)), int(np.linalg.matrix_rank(f))
+    if rank < f.shape[1]:
+        raise ParameterError(f"F must have full column rank {f.shape[1]}, its rank is {rank}")
+    if rank_seen < rank:
+        raise ParameterError(
+            f"rank(C F) must equal rank(F): rank(C F) = {rank_seen} < rank(F) = {rank}, "
+            "so an unknown input does not reach the outputs directly"
+        )
+    passed: FloatArray = np.eye(len(f)) - f @ np.linalg.pinv(seen) @ c
+    return passed

@@ -1,0 +1,107 @@
+"""Theorem 1 of the camera paper as a certificate, every eigenvalue recomputed."""
+
+from __future__ import annotations
+
+from math import exp, sqrt
+
+import msgspec
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.errors import CertificateError, ParameterError
+
+
+class UnknownInputCertificate(msgspec.Struct, frozen=True):
+    """A proof that the error of an observer fades, in the matrices that prove it.
+
+    |e(t)| <= phi1 |e(0)| exp(-sigma t / 2) + phi2 sup |delta|, delta = (A(p) - A(p_hat)) x, as long as the
+    scheduling variables stay in the box. ``margin``: how far the largest eigenvalue of (27c) lies below 0.
+    """
+
+    sigma: float
+    """Twice the proved rate, 1/s."""
+    p: FloatArray
+    gamma: float
+    margin: float
+    zeros: FloatArray
+    """Invariant zeros at each vertex, 1/s, one row a vertex."""
+
+    @property
+    def phi1(self) -> float:
+        """sqrt(chi2 / chi1), chi the extreme eigenvalues of P."""
+        values = np.linalg.eigvalsh(self.p)
+        return float(sqrt(values[-1] / values[0]))
+
+    @property
+    def phi2(self) -> float:
+        """sqrt(gamma / (sigma chi1)), s."""
+        return sqrt(self.gamma / (self.sigma * float(np.linalg.eigvalsh(self.p)[0])))
+
+    @property
+    def largest_sigma(self) -> float:
+        """The bound that the zeros set to any design in this box, 1/s; infinite where there are none."""
+        return largest_sigma(self.zeros)
+
+    def bound(self, t: float, error: float, disturbance: float = 0.0) -> float:
+        """The proved bound of |e| at ``t`` s after an error of size ``error``."""
+        return self.phi1 * error * exp(-0.5 * self.sigma * t) + self.phi2 * disturbance
+
+
+def largest_sigma(zeros: FloatArray) -> float:
+    """-2 max Re s over all zeros: every feasible sigma lies below it.
+
+    >>> largest_sigma(np.array([[-0.5 + 1j, -0.25], [-2.0, -1.0]]))
+    0.5
+    """
+    return float(-2.0 * zeros.real.max()) if zeros.size else float("inf")
+
+
+def inequality(
+    gamma_i: FloatArray,
+    t_i: FloatArray,
+    c: FloatArray,
+    p: FloatArray,
+    w_i: FloatArray,
+    force: FloatArray,
+    sigma: float,
+) -> FloatArray:
+    """The matrix of (27c) at one vertex, with - W C: K = P^-1 W and N = Gamma - K C make it V's rate.
+
+    The print has + W C, for which N = Gamma - K C of (44) is the wrong observer.
+    """
+    corner = gamma_i.T @ p + p @ gamma_i - w_i @ c - c.T @ w_i.T + sigma * p
+    return np.block([[corner, p @ t_i], [t_i.T @ p, -force]])
+
+
+def verified(
+    gammas: FloatArray,
+    ts: FloatArray,
+    c: FloatArray,
+    p: FloatArray,
+    ws: FloatArray,
+    force: FloatArray,
+    sigma: float,
+    zeros: FloatArray,
+) -> UnknownInputCertificate:
+    """Recompute every eigenvalue that Theorem 1 asks for; raises CertificateError naming the one that fails.
+
+    ``gammas``, ``ts`` and ``ws`` hold a matrix a vertex, ``force`` is F of the theorem; gamma is its largest
+    eigenvalue. The result does not change when P, W and F are multiplied by one positive number.
+    """
+    if not (sigma > 0.0 and np.isfinite(sigma)):
+        raise ParameterError(f"sigma must be positive and finite, received {sigma!r}")
+    for name, matrix in (("P", p), ("F", force)):
+        least = float(np.linalg.eigvalsh(matrix)[0]) if np.allclose(matrix, matrix.T) else -np.inf
+        if not least > 0.0:
+            raise CertificateError(
+                f"{name} must be symmetric and positive definite, its least eigenvalue is {least:.6g}"
+            )
+    largest, vertex = -np.inf, 0
+    for i, (gamma_i, t_i, w_i) in enumerate(zip(gammas, ts, ws, strict=True)):
+        found = float(np.linalg.eigvalsh(inequality(gamma_i, t_i, c, p, w_i, force, sigma))[-1])
+        if not found <= largest:
+            largest, vertex = found, i
+    if not largest < 0.0:
+        raise CertificateError(f"(27c) has the eigenvalue {largest:.6g} at vertex {vertex}, must lie below 0")
+    gamma = float(np.linalg.eigvalsh(force)[-1])
+    return UnknownInputCertificate(sigma, p, gamma, -largest, zeros)
