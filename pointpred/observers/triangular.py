@@ -55,7 +55,7 @@ class SymbolicSystem:
     """A plant with one input: x' = F(x, z, u), z' = eta(z, x, u), y = h(z, x), (4.1).
 
     Parameters: ``states`` x and ``field`` F in the order of their triangular form; ``input`` u; ``zero`` z
-    and ``zero_field`` eta, the zero dynamics, none by default; ``outputs`` h. Any other symbol is a parameter.
+    and ``zero_field`` eta, the zero dynamics, none by default; ``outputs`` h. Other symbols are parameters.
     Floats are read as the decimals they print. Raises ParameterError.
     """
 
