@@ -64,7 +64,7 @@ class LiveFeed:
     def take(self, pairs: Sequence[Pair]) -> None:
         """Put aside what the session made; a ``Watcher``. Does not wait."""
         loop = self._loop
-        if loop is None or not self._viewers:
+        if loop is None or not self._viewers or not pairs:
             return
         with self._lock:
             self._waiting.extend(pairs)

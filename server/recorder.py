@@ -13,6 +13,7 @@ import time
 from collections.abc import Callable
 from datetime import UTC, datetime
 from pathlib import Path
+from typing import Any
 
 import msgspec
 
@@ -81,8 +82,11 @@ class Recorder:
         origin = Provenance(
             FORMAT, origin="as the client says", clock=CLOCK, dpi=dpi_of(hello), cpi=cpi_of(hello)
         )
-        about = {"provenance": msgspec.to_builtins(origin), "begun": begun.isoformat(timespec="seconds")}
-        return SessionRecorder(self._put, SessionFiles(self.folder, name, about, self._write), hello)
+        return self.record(SessionFiles(self.folder, name, about_of(origin, begun), self._write), hello)
+
+    def record(self, files: SessionFiles, hello: Hello) -> SessionRecorder:
+        """A recording into files of the caller's choice."""
+        return SessionRecorder(self._put, files, hello)
 
     def _put(self, session: SessionRecorder, item: Item) -> None:
         """Put something aside for the thread; events beyond the bound are lost and counted."""
@@ -193,3 +197,8 @@ class Recorder:
             session.files.close()
         except OSError as again:
             log.error("recording %s: closing its files failed as well: %s", session.name, again)
+
+
+def about_of(origin: Provenance, begun: datetime) -> dict[str, Any]:
+    """What the header of a recording says."""
+    return {"provenance": msgspec.to_builtins(origin), "begun": begun.isoformat(timespec="seconds")}

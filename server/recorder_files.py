@@ -51,13 +51,16 @@ class SessionFiles:
         if part not in self._opened:
             self._check_kept()
             rows = self._head(part) + rows
-            path = self.folder / f"{self.name}_{part}.csv"
-            self._opened[part] = os.open(path, FLAGS, 0o600)
+            self._opened[part] = os.open(self.path_of(part), FLAGS, 0o600)
             self._sync_folder()
         self._dirty.add(part)
         left = memoryview(rows)
         while left:
             left = left[self._write(self._opened[part], bytes(left)) :]
+
+    def path_of(self, part: str) -> Path:
+        """Where a part is written."""
+        return self.folder / f"{self.name}_{part}.csv"
 
     def sync(self) -> None:
         """See that what was written survives a loss of power."""

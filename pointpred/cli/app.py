@@ -12,6 +12,7 @@ import typer
 
 import pointpred
 from pointpred.cli.datasets import app as datasets
+from pointpred.cli.live import live
 from pointpred.cli.predictors import predictors
 from pointpred.cli.recordings import app as recordings
 from pointpred.cli.replay import replay
@@ -32,7 +33,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-for command in (score, simulate, convert, predictors, serve, replay):
+for command in (score, simulate, convert, predictors, serve, replay, live):
     app.command()(command)
 app.add_typer(datasets, name="datasets")
 app.add_typer(recordings, name="recordings")

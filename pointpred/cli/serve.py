@@ -66,7 +66,7 @@ def serve(
     from pointpred.server.logs import set_up
     from pointpred.server.service import Service
 
-    settings = _settings(given)
+    settings = settings_of(given)
     set_up(settings.log_format)
     wanted = settings.port
     opened = listen(settings.host, PORT if wanted is None else wanted, TRIES if wanted is None else 1)
@@ -81,7 +81,7 @@ def serve(
         remarks().print("stopped")
 
 
-def _settings(given: dict[str, Any]) -> Any:
+def settings_of(given: dict[str, Any]) -> Any:
     """The settings from flags and environment; raises ParameterError in one line for a wrong one."""
     from pydantic import ValidationError
 

@@ -17,7 +17,8 @@ from pointpred.stage import Stage
 
 Pair = tuple[PointerEvent, Prediction | None]
 Watcher = Callable[[Sequence[Pair]], None]
-"""Told, on the session's thread, what came together; what it raises ends the session."""
+"""Told, on the session's thread, what came together, and after each wait in vain that nothing did; what it
+raises ends the session."""
 
 WAIT_S = 0.1
 """How long a session waits for a report before it looks whether it is to stop."""
@@ -119,8 +120,8 @@ class LiveSession:
             self._last_t = event.t
         if pairs:
             self.newest = pairs[-1]
-            for watcher in self.watchers:
-                watcher(pairs)
+        for watcher in self.watchers:
+            watcher(pairs)
         return pairs
 
     def run(self, stopping: Event) -> None:

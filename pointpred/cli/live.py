@@ -1,0 +1,99 @@
+"""``pointpred live``: predictions of the mouse attached to this machine, as it moves."""
+
+from __future__ import annotations
+
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from pointpred.cli import live_device
+from pointpred.cli.live_device import Where
+from pointpred.cli.live_outlets import Outlets, Wanted
+from pointpred.cli.screen import check_target
+from pointpred.errors import ParameterError
+from pointpred.events import PointerEvent
+from pointpred.registry import build
+
+PREDICTOR = "kinematic"
+
+
+def live(
+    device: Annotated[
+        str | None,
+        typer.Option(
+            metavar="PATH", help="/dev/hidraw2, /dev/input/event5; not given: the first that opens."
+        ),
+    ] = None,
+    predictor: Annotated[str, typer.Option(help="A name from 'pointpred predictors'.")] = PREDICTOR,
+    cpi: Annotated[float | None, typer.Option(help="Counts per inch of the mouse; on its box.")] = None,
+    measure_cpi: Annotated[
+        bool, typer.Option("--measure-cpi", help="Measure them first, from one move along a ruler.")
+    ] = False,
+    distance_cm: Annotated[float, typer.Option(min=1.0, max=100.0, help="How long that move is.")] = 10.0,
+    dpi: Annotated[float, typer.Option(min=1.0, max=1e5, help="Pixels per inch of the screen.")] = 96.0,
+    cursor: Annotated[
+        Where, typer.Option(help="Where the cursor is known from; motor: predict in the hand's own space.")
+    ] = "auto",
+    transfer: Annotated[
+        str | None,
+        typer.Option(metavar="FUNCTION", help="What moves the cursor: constant:4, sigmoid, or a saved file."),
+    ] = None,
+    display: Annotated[
+        str | None, typer.Option(help="The X11 display; not given: the environment's.")
+    ] = None,
+    record: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Record there, as 'pointpred score' reads it.")
+    ] = None,
+    serve: Annotated[
+        bool, typer.Option("--serve", help="Serve the live page, which then shows this device.")
+    ] = False,
+    host: Annotated[str | None, typer.Option(help="With --serve: address to listen on.")] = None,
+    port: Annotated[int | None, typer.Option(min=0, max=65535, help="With --serve: port.")] = None,
+    seconds: Annotated[float | None, typer.Option(min=0.0, help="Stop by itself after so long.")] = None,
+) -> None:
+    """Predict where the mouse attached to this machine is heading, while it moves.
+
+    In a terminal the numbers stand still and change; elsewhere a line a second is written. Ctrl-C stops.
+    Which devices there are: 'pointpred devices list'.
+
+    Try:
+
+      pointpred live --cpi 800
+
+      pointpred live --cpi 800 --record session.csv --seconds 60; pointpred score session.csv
+
+      pointpred live --cpi 800 --serve
+    """
+    if record is not None:
+        _check_record(record)
+    if not serve and (host is not None or port is not None):
+        raise ParameterError("--host and --port need --serve")
+    function = live_device.transfer_of(transfer)
+    _warm(predictor)
+    from pointpred.devices.sessions import LiveSession
+    from pointpred.server.garbage import spare
+
+    with ExitStack() as until_done:
+        source = until_done.enter_context(live_device.choose(device))
+        known = live_device.resolution(source, cpi, measure_cpi, distance_cm)
+        path, close = live_device.path_of(cursor, function, known, dpi, display)
+        until_done.callback(close)
+        session = LiveSession(source, path, build(predictor, cpi=known, dpi=dpi))
+        outlets = Outlets(session, Wanted(predictor, known, dpi, record, serve, host, port, seconds))
+        spare()
+        outlets.follow()
+
+
+def _check_record(file: Path) -> None:
+    check_target(file)
+    if file.exists() or str(file) == "-":
+        raise ParameterError(f"--record makes a new file, and {file} is there already; name another")
+
+
+def _warm(predictor: str) -> None:
+    """Compile what is not compiled yet, before reports wait for it; raises ParameterError."""
+    pipeline = build(predictor, cpi=1000.0)
+    for i in range(4):
+        pipeline.update(PointerEvent(0.01 * i, 5.0 * i, 2.0 * i, 4.0, 2.0))

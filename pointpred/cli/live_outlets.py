@@ -1,0 +1,130 @@
+"""Where ``pointpred live`` sends what a session makes: the screen, a file, the page."""
+
+from __future__ import annotations
+
+import threading
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import msgspec
+
+from pointpred.cli.live_following import Following, attentive
+from pointpred.cli.live_serving import Serving
+from pointpred.cli.live_view import delays, losses, show
+from pointpred.cli.screen import counted, remarks, results
+from pointpred.errors import SourceError
+
+if TYPE_CHECKING:
+    from pointpred.devices.sessions import LiveSession
+    from pointpred.server.live import LiveFeed
+    from pointpred.server.live_recording import LiveRecording
+
+
+class Wanted(msgspec.Struct, frozen=True):
+    """What was asked for: the predictor, the resolutions, and where it all goes."""
+
+    predictor: str
+    cpi: float | None = None
+    dpi: float = 96.0
+    record: Path | None = None
+    serve: bool = False
+    host: str | None = None
+    port: int | None = None
+    seconds: float | None = None
+
+
+class Outlets:
+    """The outlets of one session; raises SourceError or ParameterError where one cannot be opened."""
+
+    def __init__(self, session: LiveSession, wanted: Wanted) -> None:
+        self.session = session
+        self.wanted = wanted
+        self.recording = _recording(session, wanted) if wanted.record else None
+        self.feed = _feed(session, wanted) if wanted.serve else None
+        self.serving = Serving(self.feed, wanted.host, wanted.port) if self.feed else None
+        self._following = Following(session, self.feed.fail if self.feed else _to_nobody)
+
+    def follow(self) -> None:
+        """Drive the session until something or somebody ends it; raises what ended it."""
+        stopping, serving, screen = self._following.stopping, self.serving, results()
+        heading = self._heading()
+        self.session.source.take(0.0)  # what came while the outlets were opened belongs to nothing
+        with attentive(stopping):
+            self._following.start(self.wanted.seconds)
+            if not screen.is_terminal:
+                for name, words in heading:
+                    remarks().print(f"{name}: {words}", markup=False)
+            shown = (self.session, heading, stopping, screen, self._more)
+            try:
+                if serving is None:
+                    show(*shown)
+                else:
+                    threading.Thread(target=show, args=shown, name="view").start()
+                    serving.run(stopping)
+            except KeyboardInterrupt:
+                stopping.set()
+            finally:
+                self._end()
+
+    def _end(self) -> None:
+        """Stop, see that everything is written, and say what it came to."""
+        recording = self.recording
+        try:
+            self._following.stop()
+        finally:
+            written = recording.close() if recording else True
+            screen, state = results(), self.session.state()
+            said = f"{counted(state.reports, 'report')}; {losses(state)}; delay {delays(state)}"
+            screen.print(said, markup=False, soft_wrap=True)
+            for name, words in self._more():
+                screen.print(f"{name}: {words}", markup=False, soft_wrap=True)
+        if recording is not None and not written:
+            raise SourceError(f"{recording.file}: not everything could be recorded")
+
+    def _heading(self) -> list[tuple[str, str]]:
+        source, cpi = self.session.source, self.wanted.cpi
+        fineness = "counts per inch unknown" if cpi is None else f"{cpi:.0f} counts per inch"
+        page = [("page", self.serving.address)] if self.serving else []
+        return [
+            *page,
+            ("device", f"{source.name} ({source.path}), {fineness}"),
+            ("clock", source.clock),
+            ("positions", self.session.words),
+            ("predictor", self.wanted.predictor),
+        ]
+
+    def _more(self) -> list[tuple[str, str]]:
+        recording = self.recording
+        if recording is None:
+            return []
+        said = f"{counted(recording.events, 'event')} in {recording.file}"
+        said += f", {recording.lost} lost" if recording.lost else ""
+        return [("recorded", said + (", stopped by an error" if recording.failed else ""))]
+
+
+def _recording(session: LiveSession, wanted: Wanted) -> LiveRecording:
+    from pointpred.server.live_recording import LiveRecording
+    from pointpred.server.messages import Device, Hello, Screen
+
+    assert wanted.record is not None
+    hello = Hello(1, wanted.predictor, device=Device(cpi=wanted.cpi), screen=Screen(dpi=wanted.dpi))
+    made = LiveRecording(wanted.record, hello, session.words, session.source.clock)
+    session.watchers.append(made.take)
+    return made
+
+
+def _feed(session: LiveSession, wanted: Wanted) -> LiveFeed:
+    from pointpred.server.live import LiveFeed
+    from pointpred.server.live_messages import Attached
+
+    source = session.source
+    about = Attached(
+        source.name, source.clock, session.space, session.words, wanted.predictor, wanted.cpi, wanted.dpi
+    )
+    feed = LiveFeed(about, session.state)
+    session.watchers.append(feed.take)
+    return feed
+
+
+def _to_nobody(why: str) -> None:
+    """The main thread hears of it."""

@@ -1,0 +1,111 @@
+"""What ``pointpred live`` shows: a table that stands still in a terminal, a line a second elsewhere."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import hypot
+from threading import Event
+from typing import TYPE_CHECKING
+
+from rich.console import Console
+from rich.live import Live
+from rich.panel import Panel
+from rich.table import Table
+from rich.text import Text
+
+from pointpred.cli.screen import counted, plain
+
+if TYPE_CHECKING:
+    from pointpred.devices.sessions import LiveSession, LiveState
+    from pointpred.events import PointerEvent, Prediction
+
+REFRESH_S = 0.2
+LINE_S = 1.0
+DASH = "-"
+
+Extra = Callable[[], list[tuple[str, str]]]
+"""More rows, such as what is recorded."""
+
+
+def show(
+    session: LiveSession, heading: list[tuple[str, str]], stopping: Event, console: Console, extra: Extra
+) -> None:
+    """Show the session until ``stopping`` is set."""
+    if not console.is_terminal:
+        while not stopping.wait(LINE_S):
+            console.print(line(session.state(), session.newest), markup=False, soft_wrap=True)
+        return
+    with Live(console=console, auto_refresh=False, transient=False) as view:
+        while True:
+            view.update(picture(session, heading, extra()), refresh=True)
+            if stopping.wait(REFRESH_S):
+                return
+
+
+def picture(session: LiveSession, heading: list[tuple[str, str]], extra: list[tuple[str, str]]) -> Panel:
+    """The whole view; always as many rows, so that nothing jumps."""
+    state, newest = session.state(), session.newest
+    told = [*heading, *prediction_rows(newest), *state_rows(state), *extra]
+    table = Table.grid(padding=(0, 2))
+    table.add_column(style="dim", no_wrap=True)
+    table.add_column(overflow="fold")
+    for name, words in told:
+        table.add_row(name, Text(plain(words)))
+    title = "pointpred live" if state.plugged else "pointpred live: unplugged, waiting for the device"
+    return Panel(table, title=title, title_align="left", subtitle="Ctrl-C stops", subtitle_align="right")
+
+
+def prediction_rows(newest: tuple[PointerEvent, Prediction | None] | None) -> list[tuple[str, str]]:
+    """Cursor, endpoint, phase and time left of the newest event."""
+    if newest is None:
+        return [("cursor", "nothing has moved yet"), ("endpoint", DASH), ("phase", DASH), ("time left", DASH)]
+    event, one = newest
+    cursor = ("cursor", f"{event.x:.0f}, {event.y:.0f} px")
+    if one is None:
+        return [cursor, ("endpoint", DASH), ("phase", DASH), ("time left", DASH)]
+    away = hypot(one.x - event.x, one.y - event.y)
+    left = DASH if one.remaining_s is None else f"{one.remaining_s:.2f} s"
+    return [
+        cursor,
+        ("endpoint", f"{one.x:.0f}, {one.y:.0f} px, {away:.0f} px away"),
+        ("phase", one.phase),
+        ("time left", left),
+    ]
+
+
+def state_rows(state: LiveState) -> list[tuple[str, str]]:
+    """Rate, losses and delays."""
+    return [
+        ("reports", f"{state.reports}, now {state.rate_hz:.0f}/s"),
+        ("losses", losses(state)),
+        ("delay", delays(state)),
+    ]
+
+
+def losses(state: LiveState) -> str:
+    """Everything that did not become a prediction, by its kind."""
+    said = (
+        f"{state.lost} lost, {state.unreadable} unreadable, {state.refused} refused, "
+        f"{counted(state.resynchronised, 'gap')} in the kernel"
+    )
+    return f"{said} ({state.why})" if state.why else said
+
+
+def delays(state: LiveState) -> str:
+    """From a report's stamp to its prediction."""
+    if state.delay_p50_s is None or state.delay_p99_s is None or state.delay_most_s is None:
+        return "not known: the stamps are of another clock" if state.reports else DASH
+    p50, p99, most = (
+        f"{1000 * value:.2f}" for value in (state.delay_p50_s, state.delay_p99_s, state.delay_most_s)
+    )
+    return f"median {p50} ms, 99 % under {p99} ms, longest {most} ms"
+
+
+def line(state: LiveState, newest: tuple[PointerEvent, Prediction | None] | None) -> str:
+    """One line for a log."""
+    told = dict(prediction_rows(newest))
+    there = "" if state.plugged else "unplugged; "
+    return (
+        f"{there}{state.rate_hz:.0f} reports/s; cursor {told['cursor']}; endpoint {told['endpoint']}; "
+        f"{told['phase']}; {told['time left']} left; {losses(state)}; delay {delays(state)}"
+    )
