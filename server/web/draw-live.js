@@ -21,11 +21,16 @@ function drawTrail(pen, trail, now, ink) {
   if (last !== undefined) disc(pen, last.slice(1), 5, ink.past, true);
 }
 
-/** A predicted endpoint: the mark, a dashed line to it, its region where one is given. */
+/** Where the endpoint is likely to lie, where that is said: below everything else. */
+function drawRegion(pen, which, prediction, ink) {
+  const { colour, dash } = MARKS[which];
+  if (prediction.region) ellipse(pen, [prediction.x, prediction.y], ellipseOf(prediction.region), ink[colour], dash);
+}
+
+/** A predicted endpoint: the mark, and a dashed line to it. */
 function drawEndpoint(pen, which, from, prediction, width, height, ink) {
   const { shape, colour, dash } = MARKS[which];
   const point = [prediction.x, prediction.y];
-  if (prediction.region) ellipse(pen, point, ellipseOf(prediction.region), ink[colour], dash);
   const place = inside(point, width, height, 11);
   if (from !== undefined) line(pen, [from, place], ink[colour], 1.5, dash);
   shape(pen, place, 9, ink.panel, false, 6); // a rim: a tile in the mark's own colour may lie below
@@ -43,15 +48,12 @@ export function drawLive(canvas, trail, predictions, now, tiles) {
   const { pen, width, height } = prepare(canvas);
   const ink = inks();
   for (const one of tiles.list) tile(pen, one, ink.endpoint, ink.none, tiles.shares[one.id] ?? 0, one.id === tiles.proposed);
+  const said = predictions.map((prediction, which) => ({ prediction, which })).filter(({ prediction }) => prediction !== null && prediction.x !== null);
+  for (const { prediction, which } of said) drawRegion(pen, which, prediction, ink);
   drawTrail(pen, trail, now, ink);
   const from = trail[trail.length - 1]?.slice(1);
-  let drawn = 0;
-  predictions.forEach((prediction, which) => {
-    if (prediction === null || prediction.x === null) return;
-    drawEndpoint(pen, which, from, prediction, width, height, ink);
-    drawn += 1;
-  });
-  return drawn;
+  for (const { prediction, which } of said) drawEndpoint(pen, which, from, prediction, width, height, ink);
+  return said.length;
 }
 
 function caption(pen, words, [x, y], width, colour) {

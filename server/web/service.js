@@ -1,7 +1,7 @@
 // What the service answers over HTTP.
 
 /** The predictor shown first. */
-export const PREFERRED = "switched";
+export const PREFERRED = "kinematic";
 
 /** The token in the page's own address, where the service asks for one: the address that it printed has it. */
 export const token = new URLSearchParams(window.location.search).get("token") ?? undefined;

@@ -98,7 +98,7 @@ def test_predictions_of_two_predictors_are_drawn_while_the_mouse_moves(visitor: 
     assert visitor.value("document.querySelector('#live-invitation').classList.contains('away')")
     visitor.reach(half, end, 0.25)
     visitor.wait("document.querySelector('#live-verdict').textContent.startsWith('Half-way')")
-    assert "switched was" in visitor.text("#live-verdict")
+    assert "kinematic was" in visitor.text("#live-verdict")
     assert "linear" in visitor.text("#live-verdict")
 
 

@@ -133,8 +133,8 @@ def test_the_final_scores_are_those_of_the_command_to_the_bit(
 
 
 def test_each_movement_was_scored_as_it_was_done(finished: Finished, scored: dict[str, Any]) -> None:
-    [switched] = [one for one in scored["predictors"] if one["name"] == "switched"]
-    assert np.mean(finished.trial_px) == pytest.approx(switched["time_averaged"]["px"], rel=1e-12)
+    [first] = [one for one in scored["predictors"] if one["name"] == "kinematic"]
+    assert np.mean(finished.trial_px) == pytest.approx(first["time_averaged"]["px"], rel=1e-12)
 
 
 def test_the_recording_says_who_moved_towards_what(finished: Finished) -> None:

@@ -93,7 +93,7 @@ def test_the_sentence_names_whose_prediction_it_judges(visitor: Visitor, url: st
     visitor.reach((left + 30, top + 30), (left + width / 2, top + height / 2), 0.4)
     visitor.choose("#live-predictor-0", "hold")
     visitor.wait("document.querySelector('#live-verdict').textContent.startsWith('Half-way')")
-    assert "switched was" in visitor.text("#live-verdict")
+    assert "kinematic was" in visitor.text("#live-verdict")
 
 
 def test_a_file_that_stalls_leaves_what_is_shown(visitor: Visitor, url: str) -> None:
