@@ -2,24 +2,35 @@
 
 from pointpred.transfer.assisted import AssistedTransfer
 from pointpred.transfer.assisted_guarded import GuardedTransfer
+from pointpred.transfer.curve import GainCurve
+from pointpred.transfer.held import HeldPolynomial
 from pointpred.transfer.identification import Identification, PolynomialIdentifier
 from pointpred.transfer.known import Arctan, ConstantGain, SigmoidGain, TransferFunction
+from pointpred.transfer.learner import TransferLearner
 from pointpred.transfer.pixels import PixelTransfer
 from pointpred.transfer.polynomial import PolynomialFunction, averaged_gain
+from pointpred.transfer.saved import SavedTransfer, load_transfer, named_transfer, save_transfer
 from pointpred.transfer.speeds import differentiated_speeds, euler_speeds
 
 __all__ = [
     "Arctan",
     "AssistedTransfer",
     "ConstantGain",
+    "GainCurve",
     "GuardedTransfer",
+    "HeldPolynomial",
     "Identification",
     "PixelTransfer",
     "PolynomialFunction",
     "PolynomialIdentifier",
+    "SavedTransfer",
     "SigmoidGain",
     "TransferFunction",
+    "TransferLearner",
     "averaged_gain",
     "differentiated_speeds",
     "euler_speeds",
+    "load_transfer",
+    "named_transfer",
+    "save_transfer",
 ]

@@ -18,9 +18,12 @@ from pointpred.errors import EventError, ParameterError
 from pointpred.stage import Parameter, check
 
 # The kind, then its numbers, zeros behind them.
-CONSTANT, SIGMOID, ARCTAN, POLYNOMIAL = 1.0, 2.0, 3.0, 4.0
+CONSTANT, SIGMOID, ARCTAN, POLYNOMIAL, HELD = 1.0, 2.0, 3.0, 4.0, 5.0
 COEFFICIENTS_MOST = 7
 SLOTS = 1 + COEFFICIENTS_MOST
+# A held polynomial: c_1 ... c_5, then the range beyond which its gain stays.
+HELD_COEFFICIENTS = 5
+HELD_LOW, HELD_HIGH = 1 + HELD_COEFFICIENTS, 2 + HELD_COEFFICIENTS
 GAIN_MIN, GAIN_MAX, SPEED_LOW, SPEED_HIGH = 1, 2, 3, 4
 
 
@@ -36,6 +39,11 @@ def gain(memory: FloatArray, at: int, speed: float) -> float:
     if memory[at] == ARCTAN:
         return atan(speed) / speed if speed > 0.0 else 1.0
     value = 0.0
+    if memory[at] == HELD:
+        within = min(max(speed, memory[at + HELD_LOW]), memory[at + HELD_HIGH])
+        for i in range(HELD_COEFFICIENTS):
+            value = value * within + memory[at + HELD_COEFFICIENTS - i]
+        return value
     for i in range(COEFFICIENTS_MOST - 1):
         value = value * speed + memory[at + COEFFICIENTS_MOST - i]
     if memory[at + 1] == 0.0:

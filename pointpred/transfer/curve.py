@@ -1,0 +1,166 @@
+"""The gain curve of an identification as plain lists, beside a constant gain and a sigmoid fitted to it."""
+
+from __future__ import annotations
+
+from math import inf
+from typing import Literal
+
+import msgspec
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.transfer.bands import TRUSTED
+from pointpred.transfer.identification import Identification
+from pointpred.transfer.known import ConstantGain, SigmoidGain, TransferFunction
+
+POINTS = 41
+GAIN_MOST, SPEED_MOST = 1e3, 1e2
+AS_GOOD = 0.02
+"""A simpler function whose largest error is larger by no more than this explains the data as well."""
+NARROWEST_M_S = 1e-3
+
+Kind = Literal["constant", "sigmoid", "polynomial"]
+
+
+class Bands(msgspec.Struct, frozen=True):
+    """The mean gain measured in each band of speed, and its standard error."""
+
+    speeds: FloatArray
+    gains: FloatArray
+    errors: FloatArray
+
+    @property
+    def trust(self) -> FloatArray:
+        """In [0, 1]: a half where the gain is known to 2 %."""
+        shares: FloatArray = 1.0 / (1.0 + (self.errors / self.gains / TRUSTED) ** 2)
+        return shares
+
+
+class Comparison(msgspec.Struct, frozen=True):
+    """A function beside the measured gains: errors as shares of the gain, over the bands that are trusted."""
+
+    kind: Kind
+    parameters: dict[str, float]
+    median: float
+    largest: float
+
+
+class GainCurve(msgspec.Struct, frozen=True):
+    """What a page draws: the gain over the speed of the hand, where it is known, and what it is like.
+
+    ``speeds`` in m/s and ``gains`` run over ``excited`` only, the range of speeds that the person has shown
+    often enough; both are empty and ``excited`` is ``None`` while there is no function, for the reason in
+    ``words``. ``measured_speeds``, ``measured_gains``, ``measured_errors``: the bands behind it.
+    ``compared``: a constant gain, a sigmoid and the polynomial on the same bands; ``closest``: the simplest
+    of those that explain them best.
+    """
+
+    words: str
+    speeds: list[float]
+    gains: list[float]
+    excited: tuple[float, float] | None
+    measured_speeds: list[float]
+    measured_gains: list[float]
+    measured_errors: list[float]
+    coefficients: list[float]
+    compared: list[Comparison]
+    closest: Kind | None
+    samples: int
+    skipped: int
+    edges: int
+
+
+def curve_of(found: Identification, bands: Bands, edges: int) -> GainCurve:
+    """The curve of an identification and of the bands behind it; ``edges`` events were left out there."""
+    function = found.function
+    speeds = gains = np.zeros(0)
+    if function is not None:
+        speeds = np.linspace(function.speed_low, function.speed_high, POINTS)
+        gains = function.gain(speeds)
+    compared = compare(bands, function)
+    return GainCurve(
+        words_of(found),
+        speeds.tolist(),
+        gains.tolist(),
+        None if function is None else (function.speed_low, function.speed_high),
+        bands.speeds.tolist(),
+        bands.gains.tolist(),
+        bands.errors.tolist(),
+        [] if function is None else list(function.coefficients),
+        compared,
+        closest(compared),
+        found.samples,
+        found.skipped,
+        edges,
+    )
+
+
+def words_of(found: Identification) -> str:
+    """What the identification rests on, or what it lacks."""
+    if found.samples == 0:
+        return "nothing learnt yet: move the mouse"
+    if found.function is None:
+        powers = ", ".join(map(str, found.unexcited))
+        return f"the speeds so far do not tell the powers {powers} apart: move slowly, and fast, and between"
+    low, high = found.function.speed_low, found.function.speed_high
+    return f"identified between {low:.3f} and {high:.3f} m/s of the hand, from {found.samples} displacements"
+
+
+def compare(bands: Bands, function: TransferFunction | None) -> list[Comparison]:
+    """A constant gain and a sigmoid fitted to the bands, and ``function``, each with its errors there."""
+    known = bands.trust > 0.5
+    if not known.any():
+        return []
+    kept = Bands(bands.speeds[known], bands.gains[known], bands.errors[known])
+    gain = fitted_constant(kept)
+    told = [_errors("constant", ConstantGain(gain), {"gain": gain}, kept)]
+    sigmoid = fitted_sigmoid(kept)
+    if sigmoid is not None:
+        told.append(_errors("sigmoid", SigmoidGain(**sigmoid), sigmoid, kept))
+    if function is not None:
+        told.append(_errors("polynomial", function, {}, kept))
+    return told
+
+
+def closest(compared: list[Comparison]) -> Kind | None:
+    """The simplest whose largest error is the smallest, or larger by no more than 2 % of the gain."""
+    least = min((each.largest for each in compared), default=inf)
+    return next((each.kind for each in compared if each.largest <= least + AS_GOOD), None)
+
+
+def fitted_constant(bands: Bands) -> float:
+    """The constant gain whose relative errors are least, weighed by trust."""
+    return float(min(np.sum(bands.trust) / np.sum(bands.trust / bands.gains), GAIN_MOST))
+
+
+def fitted_sigmoid(bands: Bands) -> dict[str, float] | None:
+    """The sigmoid whose relative errors are least; ``None`` with fewer bands than it has numbers."""
+    if len(bands.speeds) < 5:
+        return None
+    from scipy.optimize import least_squares
+
+    weights = np.sqrt(bands.trust)
+    low, high = float(bands.speeds[0]), float(bands.speeds[-1])
+
+    def wrong(numbers: FloatArray) -> FloatArray:
+        least, most, start, width = numbers
+        share = np.clip((bands.speeds - start) / width, 0.0, 1.0)
+        errors: FloatArray = weights * ((least + share * (most - least)) / bands.gains - 1.0)
+        return errors
+
+    best, cost = None, inf
+    for begins, ends in ((0.0, 1.0), (0.1, 0.9), (0.3, 0.6), (0.5, 1.5)):
+        start = low + begins * (high - low)
+        first = [bands.gains[0], bands.gains[-1], start, (ends - begins) * (high - low)]
+        bounds = ([0.0, 0.0, 0.0, NARROWEST_M_S], [GAIN_MOST, GAIN_MOST, SPEED_MOST / 2, SPEED_MOST / 2])
+        answer = least_squares(wrong, np.clip(first, *bounds), bounds=bounds, x_scale=np.maximum(first, 1e-3))
+        if answer.cost < cost:
+            best, cost = answer.x.tolist(), float(answer.cost)
+    if best is None:
+        return None
+    return {"gain_min": best[0], "gain_max": best[1], "speed_low": best[2], "speed_high": best[2] + best[3]}
+
+
+def _errors(kind: Kind, function: TransferFunction, parameters: dict[str, float], bands: Bands) -> Comparison:
+    errors = np.abs(function.gain(bands.speeds) / bands.gains - 1.0)
+    return Comparison(kind, parameters, float(np.median(errors)), float(errors.max()))

@@ -1,0 +1,127 @@
+"""The transfer function learnt while a person works."""
+
+from __future__ import annotations
+
+from copy import copy
+from threading import Lock
+from typing import Any, Self
+
+import numpy as np
+
+from pointpred.events import PointerEvent
+from pointpred.transfer import bands, windows
+from pointpred.transfer.curve import Bands, GainCurve, curve_of
+from pointpred.transfer.identification import Identification, PolynomialIdentifier
+
+FORGETTING = 1.0 - 5e-6
+"""Half of what was learnt is forgotten after six minutes of motion: a changed setting shows."""
+WINDOW_S = 0.01
+"""Longer than for simulated reports: a real cursor follows its counts with a delay that varies."""
+
+
+class TransferLearner:
+    """Pointer events with counts and the screen's cursor in; the system's transfer function, at any time.
+
+    Assumes that this device alone moves the cursor; what a program or a second mouse moves is taken for
+    gain. At the screen's edge the cursor stops and the hand does not: with ``size`` those events are left
+    out and counted. Knows nothing outside the speeds that were shown.
+
+    The law is that of ``PolynomialIdentifier``: V_c = sum c_i V_m^i by recursive least squares over windows,
+    with forgetting, bands of speed weighed so that the largest relative error of the gain is small.
+
+    Parameters: ``size`` of the screen in px; ``forgetting`` for each window and axis; ``window_s`` in s,
+    longer than the time by which the cursor's delay varies; the others, ``cpi`` and ``dpi`` first, as for
+    ``PolynomialIdentifier``. Any thread may ask while another one feeds.
+    Memory: 267 floats. Raises ParameterError, and EventError from ``update``.
+    Reference: Khalin 2022, sections 2.4.1 and 2.5.1, with the cursor's speed corrected.
+
+    >>> learner = TransferLearner(cpi=1000.0, dpi=100.0)
+    >>> for i in range(1, 4000):
+    ...     path = i * i // 1000
+    ...     learner.update(PointerEvent(0.001 * i, 0.4 * path, 0.0, path - (i - 1) ** 2 // 1000, 0.0))
+    >>> curve = learner.curve()
+    >>> round(curve.gains[20], 2), curve.closest
+    (4.0, 'constant')
+    """
+
+    def __init__(
+        self,
+        *,
+        size: tuple[int, int] | None = None,
+        forgetting: float = FORGETTING,
+        window_s: float = WINDOW_S,
+        **settings: Any,
+    ) -> None:
+        self.size, self.edges = size, 0
+        self._settings: dict[str, Any] = {"forgetting": forgetting, "window_s": window_s, **settings}
+        self._identifier = PolynomialIdentifier(**self._settings)
+        self._lock = Lock()
+
+    def update(self, event: PointerEvent, /) -> None:
+        """Learn from one event.
+
+        Raises EventError for one without counts, with a value that is not finite, or before the last one;
+        nothing is then changed.
+        """
+        with self._lock:
+            if self._at_edge(event):
+                self.edges += 1
+                self._identifier._memory[windows.KNOWN] = 0.0
+            else:
+                self._identifier.update(event)
+
+    def reset(self) -> None:
+        """A new movement begins: no speed reaches over to it. What was learnt stays."""
+        with self._lock:
+            self._identifier._memory[windows.KNOWN] = 0.0
+
+    def forget(self) -> None:
+        """Forget everything that was learnt."""
+        with self._lock:
+            self._identifier.reset()
+            self.edges = 0
+
+    def fresh(self) -> Self:
+        """A learner with the same parameters that has learnt nothing."""
+        return type(self)(size=self.size, **self._settings)
+
+    def identify(self) -> Identification:
+        """The function now, with what it rests on."""
+        return self._still().identify()
+
+    def curve(self) -> GainCurve:
+        """The function now as plain lists, with its excited range, beside a constant gain and a sigmoid."""
+        still = self._still()
+        found = still.identify()
+        return curve_of(found, measured(still, found.residual), self.edges)
+
+    def _still(self) -> PolynomialIdentifier:
+        """A copy that nobody feeds."""
+        with self._lock:
+            return copy(self._identifier)
+
+    def _at_edge(self, event: PointerEvent) -> bool:
+        """Whether the cursor may have been stopped there."""
+        if self.size is None:
+            return False
+        width, height = self.size
+        return not (0.0 < event.x < width - 1.0 and 0.0 < event.y < height - 1.0)
+
+
+def measured(identifier: PolynomialIdentifier, noise: float) -> Bands:
+    """The mean gain in each band that was visited; ``noise`` is the standard deviation of a displacement.
+
+    Between bends of the gain curve, a band's gain is that at the speed given for it.
+    """
+    n, shift = identifier.count, 0 if identifier.offset else 1
+    linear = 1 - shift
+    memory = identifier._memory
+    table = memory[windows.BANDS : windows.BANDS + bands.states(n)].reshape(bands.BANDS, 1 + n)
+    weight, product = table[:, 1 + linear], table[:, 0]
+    rows = np.flatnonzero((weight > 0.0) & (product > 0.0))
+    weight, product = weight[rows], product[rows]
+    if n > linear + 1:
+        speeds = table[rows, 2 + linear] / weight
+    else:
+        speeds = identifier.speed_low + (rows + 0.5) * identifier.band_width
+    return Bands(speeds, product / weight, noise / np.sqrt(weight))
