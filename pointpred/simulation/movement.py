@@ -55,7 +55,7 @@ def move(
     ``endpoint`` (px from the start), with ``setup.rho`` > 0, is the estimate that an assisted transfer
     function draws the cursor to, known from the moment the hand starts.
     """
-    memory, rows = _prepare(person, setup, aim, generator)
+    memory, rows = prepare(person, setup, aim, generator)
     if endpoint is not None:
         rows[int(memory[slots.REACTION_S] / setup.period_s) :, 3:] = endpoint
     out = np.empty((len(rows), len(loop.OUTPUTS)))
@@ -69,7 +69,7 @@ def move_assisted(
 
     The pipeline is reset first. Runs report by report, so it is some hundred times slower than ``move``.
     """
-    memory, rows = _prepare(person, setup, aim, generator)
+    memory, rows = prepare(person, setup, aim, generator)
     pipeline.reset()
     made: list[tuple[float, ...]] = []
     hat = (NONE, NONE)
@@ -84,7 +84,7 @@ def move_assisted(
     return Movement(np.array(made, dtype=np.float64))
 
 
-def _prepare(
+def prepare(
     person: Person, setup: plan.Setup, aim: plan.Aim, generator: np.random.Generator
 ) -> tuple[FloatArray, FloatArray]:
     """The memory of the trial and a row of chance a poll, without an estimated endpoint."""
