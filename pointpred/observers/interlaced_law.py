@@ -20,6 +20,8 @@ STARTED, T, SEEN, Y = 0, 1, 2, 3
 
 ORDER = 14
 """Terms of the exponential series; with a norm of at most 1/2 the rest lies below 1e-16."""
+NEGLIGIBLE = 1e-18
+"""Share of the estimate below which the rest of the series cannot be seen in it."""
 STEPS_MOST = 4096
 """Sub-steps of one interval; after a longer one the estimate begins anew."""
 
@@ -62,9 +64,14 @@ def follow(memory: FloatArray, matrix: int, h: float, steps: int, sample: FloatA
                 for j in range(q):
                     total += memory[matrix + i * q + j] * memory[source + j]
                 memory[after + i] = total * h / (steps * k)
+            moved, most = 0.0, 0.0
             for i in range(q):
                 memory[term + i] = memory[after + i]
                 memory[w + i] += memory[after + i]
+                moved = max(moved, abs(memory[after + i]))
+                most = max(most, abs(memory[w + i]))
+            if k > 2 and moved <= NEGLIGIBLE * most:
+                break
 
 
 @law

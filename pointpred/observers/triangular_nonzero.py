@@ -37,7 +37,7 @@ def prove_nonzero(name: str, expression: Any, over: Sequence[Any], region: Regio
     Traceback (most recent call last):
     pointpred.errors.InfeasibleError: g vanishes at w = 1.41421
     """
-    if expression == 0:
+    if symbolic().cancel(expression) == 0:
         raise InfeasibleError(f"{name} vanishes everywhere")
     real = {w: symbolic().Symbol(w.name, real=True) for w in over}
     if expression.subs(real).is_nonzero or not expression.free_symbols & {*over}:

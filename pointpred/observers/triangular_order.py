@@ -87,7 +87,7 @@ class Solving:
             if x in self.known and target not in self.known and not self._missing(x, frozenset({target})):
                 gain = symbolic().diff(self.rows[x], target)
                 drift = self.rows[x].subs(target, 0).subs(self.known, simultaneous=True)
-                over = symbolic().cancel(gain.subs(self.known, simultaneous=True))
+                over = gain.subs(self.known, simultaneous=True)
                 prove_nonzero(f"g of {x}'", over, self.generator.states, self.region)
                 self.known[target] = vanishes((self.generator.along(self.known[x]) - drift) / over)[1]
                 return True
