@@ -12,6 +12,7 @@ import typer
 
 import pointpred
 from pointpred.cli.datasets import app as datasets
+from pointpred.cli.devices import app as devices
 from pointpred.cli.live import live
 from pointpred.cli.predictors import predictors
 from pointpred.cli.recordings import app as recordings
@@ -36,6 +37,7 @@ app = typer.Typer(
 for command in (score, simulate, convert, predictors, serve, replay, live):
     app.command()(command)
 app.add_typer(datasets, name="datasets")
+app.add_typer(devices, name="devices")
 app.add_typer(recordings, name="recordings")
 
 

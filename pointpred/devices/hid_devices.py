@@ -109,6 +109,20 @@ def found(device: HidDevice) -> Found:
         advice = "plug the device in; in a container, hand the node into it."
         return Found(device.path, device.name, "hid", False, "there is no such node", advice)
     if not os.access(device.path, os.R_OK | os.W_OK):  # hidapi opens for both, and only ever reads here
-        advice = permission_advice(hid_rule(device.vendor, device.product))
+        advice = permission_advice(rule_of(device))
         return Found(device.path, device.name, "hid", False, "permission denied", advice)
     return Found(device.path, device.name, "hid", True)
+
+
+def rule_of(device: HidDevice) -> str:
+    """The udev line that opens a device to whoever sits at the screen."""
+    return hid_rule(device.vendor, device.product, says_mouse(device))
+
+
+def says_mouse(device: HidDevice) -> bool:
+    """Whether its USB interface declares itself a mouse (HID 1.11, section 4.3: protocol 2)."""
+    try:
+        protocol = (CLASS / Path(device.path).name / "device/../bInterfaceProtocol").read_text()
+    except OSError:  # not USB
+        return False
+    return protocol.strip() == "02"

@@ -10,15 +10,20 @@ RELOAD = "sudo udevadm control --reload && sudo udevadm trigger"
 SHIPPED = Path(__file__).with_name("70-pointpred.rules")
 
 
-def hid_rule(vendor: int, product: int) -> str:
-    """The line for one HID device, by USB or Bluetooth: its kernel name is bus:vendor:product.number.
+def hid_rule(vendor: int, product: int, mouse_interface: bool = False) -> str:
+    """The line for one HID device.
+
+    ``mouse_interface``: its USB interface says that it is a mouse, and only that interface is opened.
+    Otherwise every interface of the device is, by USB or Bluetooth, a keyboard's of the same receiver too:
+    the kernel names devices bus:vendor:product.number.
 
     >>> hid_rule(0x46D, 0xC077)
     'KERNEL=="hidraw*", SUBSYSTEM=="hidraw", KERNELS=="*:046D:C077.*", TAG+="uaccess"'
     """
-    return (
-        f'KERNEL=="hidraw*", SUBSYSTEM=="hidraw", KERNELS=="*:{vendor:04X}:{product:04X}.*", TAG+="uaccess"'
-    )
+    which = f'KERNELS=="*:{vendor:04X}:{product:04X}.*"'
+    if mouse_interface:
+        which = f'ATTRS{{modalias}}=="usb:v{vendor:04X}p{product:04X}*", ATTRS{{bInterfaceProtocol}}=="02"'
+    return f'KERNEL=="hidraw*", SUBSYSTEM=="hidraw", {which}, TAG+="uaccess"'
 
 
 def permission_advice(rule: str) -> str:

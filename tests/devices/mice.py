@@ -25,6 +25,7 @@ class Mouse(msgspec.Struct, frozen=True):
     vendor: int = 0x1234
     product: int = 0x0001
     serial: str = ""
+    protocol: str = "00"
 
 
 class Plugged(msgspec.Struct, frozen=True):
@@ -61,7 +62,8 @@ def plug(testbed: Testbed, mouse: Mouse, number: int = 0) -> Plugged:
         f"P: {hid}\nE: HID_ID=0003:0000{mouse.vendor:04X}:0000{mouse.product:04X}\nE: HID_NAME={mouse.name}\n"
         f"E: HID_PHYS=usb-0000:00:14.0-{port}/input0\nE: HID_UNIQ={mouse.serial}\nE: SUBSYSTEM=hid\n"
         f"H: report_descriptor={mouse.descriptor.hex().upper()}\n\n"
-        f"P: {device}/1-{port}:1.0\nE: DEVTYPE=usb_interface\nE: SUBSYSTEM=usb\nA: bInterfaceNumber=00\\n\n\n"
+        f"P: {device}/1-{port}:1.0\nE: DEVTYPE=usb_interface\nE: SUBSYSTEM=usb\nA: bInterfaceNumber=00\\n\n"
+        f"A: bInterfaceProtocol={mouse.protocol}\\n\n\n"
         f"P: {device}\nE: DEVTYPE=usb_device\nE: SUBSYSTEM=usb\nA: idVendor={mouse.vendor:04x}\\n\n"
         f"A: idProduct={mouse.product:04x}\\n\nA: bcdDevice=0100\\n\nA: product={mouse.name}\\n\n\n",
         {

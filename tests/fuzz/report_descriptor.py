@@ -1,0 +1,65 @@
+"""Any bytes as a report descriptor and a report: refused, or read as a second reading does.
+
+An input is two bytes with the length of the descriptor, the descriptor, and a report.
+"""
+
+from __future__ import annotations
+
+from pointpred.errors import RecordingError
+from pointpred.sources.report_descriptor import parse_descriptor
+from tests.fuzz import naive
+
+MOST_EXPANDED = 200_000
+"""Fields the slow second reading is asked to go through."""
+
+
+def joined(descriptor: bytes, report: bytes) -> bytes:
+    """An input of the fuzzer."""
+    return len(descriptor).to_bytes(2, "little") + descriptor + report
+
+
+def check(data: bytes) -> str:
+    """Read one input; says what came of it, raises AssertionError or whatever else breaks.
+
+    The bytes are refused with RecordingError, or read as the second, naive reading does.
+    """
+    length = int.from_bytes(data[:2], "little")
+    descriptor, report = data[2 : 2 + length], data[2 + length :]
+    try:
+        ours = parse_descriptor(descriptor)
+    except RecordingError:
+        return "refused"
+    if _expanded(descriptor) > MOST_EXPANDED:
+        return "too large to be read twice"
+    theirs = naive.places(descriptor)
+    assert theirs.keys() == ours.layouts.keys()
+    for number, places in theirs.items():
+        layout = ours.layouts[number]
+        assert 0 < layout.size <= ours.longest
+        assert all(first + bits <= 8 * layout.size for first, bits, _ in places.values())
+    number = report[0] if ours.numbered and report else 0
+    try:
+        decoded = ours.decode(report)
+    except RecordingError:
+        assert len(report) < ours.layouts[number].size
+        return "short"
+    if decoded is None:
+        assert number not in theirs
+        return "another report"
+    expected = {name: naive.read(place, report) for name, place in theirs[number].items()}
+    pressed = sum(bit * expected.get(name, 0) for name, bit in naive.W3C.items())
+    mask = sum(bit for name, bit in naive.W3C.items() if name in expected)
+    x, y, wheel, pan = (expected.get(name, 0) for name in ("x", "y", "wheel", "pan"))
+    assert decoded == (x, y, pressed, mask, wheel, pan)
+    return "read"
+
+
+def _expanded(descriptor: bytes) -> int:
+    """A bound on the usages and fields of a naive reading."""
+    counts = usages = total = 0
+    for prefix, raw in naive.items(descriptor):
+        value = int.from_bytes(raw, "little") & 0xFFFF
+        counts = value if prefix == 0x94 else counts
+        usages += value + 1 if prefix == 0x28 else 1
+        total += counts + usages if prefix == 0x80 else 0
+    return total + usages
