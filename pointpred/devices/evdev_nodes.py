@@ -14,12 +14,12 @@ from pathlib import Path
 import msgspec
 
 from pointpred.devices.source import Found
+from pointpred.devices.udev import permission_advice
 from pointpred.errors import SourceError
 from pointpred.sources.evdev_frames import REL_X, REL_Y
 
 NODES, CLASS = Path("/dev/input"), Path("/sys/class/input")
 BOTH = 1 << REL_X | 1 << REL_Y
-UDEV_FILE = "/etc/udev/rules.d/70-pointpred-evdev.rules"
 ELSEWHERE = "open the live page in a browser instead: it sends the pointer's motion to 'pointpred serve'"
 
 
@@ -92,10 +92,7 @@ def rule(each: Node) -> str:
 def advice(each: Node, error: OSError) -> str:
     """What to do about an error of opening."""
     if error.errno in (errno.EACCES, errno.EPERM):
-        return (
-            f"put this line into {UDEV_FILE}:\n  {rule(each)}\nthen run: sudo udevadm control --reload && "
-            "sudo udevadm trigger, and plug the device in again."
-        )
+        return permission_advice(rule(each))
     if error.errno in (errno.ENOENT, errno.ENODEV, errno.ENXIO):
         return "plug the device in; 'pointpred devices list' shows where it is."
     return f"look at the node ('ls -l {each.path}'), or {ELSEWHERE}."

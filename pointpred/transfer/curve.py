@@ -37,12 +37,16 @@ class Bands(msgspec.Struct, frozen=True):
 
 
 class Comparison(msgspec.Struct, frozen=True):
-    """A function beside the measured gains: errors as shares of the gain, over the bands that are trusted."""
+    """A function beside the measured gains: errors as shares of the gain, over the bands that are trusted.
+
+    ``gains`` are its own at the curve's ``speeds``.
+    """
 
     kind: Kind
     parameters: dict[str, float]
     median: float
     largest: float
+    gains: list[float]
 
 
 class GainCurve(msgspec.Struct, frozen=True):
@@ -77,7 +81,7 @@ def curve_of(found: Identification, bands: Bands, edges: int) -> GainCurve:
     if function is not None:
         speeds = np.linspace(function.speed_low, function.speed_high, POINTS)
         gains = function.gain(speeds)
-    compared = compare(bands, function)
+    compared = compare(bands, function, speeds)
     return GainCurve(
         words_of(found),
         speeds.tolist(),
@@ -106,19 +110,24 @@ def words_of(found: Identification) -> str:
     return f"identified between {low:.3f} and {high:.3f} m/s of the hand, from {found.samples} displacements"
 
 
-def compare(bands: Bands, function: TransferFunction | None) -> list[Comparison]:
+def compare(bands: Bands, function: TransferFunction | None, speeds: FloatArray) -> list[Comparison]:
     """A constant gain and a sigmoid fitted to the bands, and ``function``, each with its errors there."""
     known = bands.trust > 0.5
     if not known.any():
         return []
     kept = Bands(bands.speeds[known], bands.gains[known], bands.errors[known])
-    gain = fitted_constant(kept)
-    told = [_errors("constant", ConstantGain(gain), {"gain": gain}, kept)]
-    sigmoid = fitted_sigmoid(kept)
+    constant, sigmoid = {"gain": fitted_constant(kept)}, fitted_sigmoid(kept)
+    fitted: list[tuple[Kind, TransferFunction, dict[str, float]]] = []
+    fitted.append(("constant", ConstantGain(**constant), constant))
     if sigmoid is not None:
-        told.append(_errors("sigmoid", SigmoidGain(**sigmoid), sigmoid, kept))
+        fitted.append(("sigmoid", SigmoidGain(**sigmoid), sigmoid))
     if function is not None:
-        told.append(_errors("polynomial", function, {}, kept))
+        fitted.append(("polynomial", function, {}))
+    told = []
+    for kind, each, parameters in fitted:
+        errors = np.abs(each.gain(kept.speeds) / kept.gains - 1.0)
+        median, largest = float(np.median(errors)), float(errors.max())
+        told.append(Comparison(kind, parameters, median, largest, each.gain(speeds).tolist()))
     return told
 
 
@@ -159,8 +168,3 @@ def fitted_sigmoid(bands: Bands) -> dict[str, float] | None:
     if best is None:
         return None
     return {"gain_min": best[0], "gain_max": best[1], "speed_low": best[2], "speed_high": best[2] + best[3]}
-
-
-def _errors(kind: Kind, function: TransferFunction, parameters: dict[str, float], bands: Bands) -> Comparison:
-    errors = np.abs(function.gain(bands.speeds) / bands.gains - 1.0)
-    return Comparison(kind, parameters, float(np.median(errors)), float(errors.max()))
