@@ -43,9 +43,7 @@ class Plugged(msgspec.Struct, frozen=True):
     def unplug(self) -> None:
         """Pull it out: the node goes, and whoever reads it is hung up."""
         self.testbed.remove(self.syspath)
-        nothing = os.open(os.devnull, os.O_RDWR)
-        os.dup2(nothing, self.hand)  # the testbed will close its number itself
-        os.close(nothing)
+        self.testbed.hang_up(self.node)
 
 
 def plug(testbed: Testbed, mouse: Mouse, number: int = 0) -> Plugged:

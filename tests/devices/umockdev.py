@@ -61,6 +61,16 @@ class Testbed:
         """Unplug a device and everything below it; its node's name cannot be used again."""
         self._library.umockdev_testbed_remove_device(self._bed, syspath.encode())
 
+    def hang_up(self, node: str) -> None:
+        """Take a node away, with what the library leaves behind; whoever reads it is hung up."""
+        hand, link = self.hand(node), Path(self.root + node)
+        Path(self.root, "dev/.ptymap", str(link.readlink()).replace("/", "_")).unlink()
+        Path(self.root, "dev/.node", node.removeprefix("/dev/").replace("/", "_")).unlink()
+        link.unlink()
+        nothing = os.open(os.devnull, os.O_RDWR)
+        os.dup2(nothing, hand)  # the testbed closes its number itself
+        os.close(nothing)
+
     def environment(self) -> dict[str, str]:
         """What a child needs to see the emulated devices."""
         return {**os.environ, "LD_PRELOAD": PRELOAD, "UMOCKDEV_DIR": self.root}
