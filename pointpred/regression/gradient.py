@@ -1,9 +1,10 @@
-"""The scalar gradient estimator, integrated exactly: what remains of DREM once the parameters are apart."""
+"""Gradient estimators, integrated exactly over a step: of one parameter (DREM), and of several."""
 
 from __future__ import annotations
 
 from math import expm1
 
+from pointpred.columns import FloatArray
 from pointpred.compiled import law
 
 
@@ -18,3 +19,24 @@ def descend(theta: float, mixed: float, phi: float, gamma: float, h: float) -> f
     if exponent <= 0.0:
         return theta
     return theta - expm1(-exponent) / phi * (mixed - phi * theta)
+
+
+@law
+def descend_along(memory: FloatArray, theta: int, w: int, n: int, gain: int, output: float, h: float) -> None:
+    """Follow theta' = G w (output - w'theta) over ``h`` s with w and output held; w at ``w``, G at ``gain``.
+
+    Exactly: theta moves along G w by (1 - exp(-w'G w h)) / w'G w times the error, so it never passes the
+    plane w'theta = output. G is n x n, row-major, positive definite; theta stays where G w = 0.
+    """
+    error, square = output, 0.0
+    for i in range(n):
+        error -= memory[w + i] * memory[theta + i]
+        for j in range(n):
+            square += memory[w + i] * memory[gain + i * n + j] * memory[w + j]
+    exponent = square * h
+    if exponent <= 0.0:
+        return
+    share = -expm1(-exponent) / square * error
+    for i in range(n):
+        for j in range(n):
+            memory[theta + i] += share * memory[gain + i * n + j] * memory[w + j]

@@ -16,8 +16,8 @@ from pointpred.regression import least_squares
 from pointpred.stage import CompiledStage, Parameter, check
 
 # Parameters, then the state: known, last time, the triangle.
-FORGETTING, RATE, LEAST = 0, 1, 2
-KNOWN, T, AT = 3, 4, 5
+FORGETTING, RATE, LEAST, RIDGE = 0, 1, 2, 3
+KNOWN, T, AT = 4, 5, 6
 
 
 class Fit(msgspec.Struct, frozen=True):
@@ -45,12 +45,19 @@ class RecursiveLeastSquares(CompiledStage):
 
     A = d A + w w', psi = d psi + w y, A theta = psi; kept as the triangular root of A, no inverse formed.
 
+    The recursion theta += A^-1 w (y - w'theta) has no inverse for the first samples: how it starts is
+    part of the estimator. Without ``ridge`` the start is exact: no estimate until the samples
+    determine one, which is then ordinary least squares. With ``ridge`` r the recursion starts from A =
+    r I, psi = r ``start``: it is ridge regression, least squares with r |theta - start|^2 added, at
+    every sample; ``residual`` counts that term, and forgetting fades it like a sample.
+
     Parameters: ``count`` of unknowns, 1 to 32; ``forgetting`` d in (0, 1] for each sample;
     ``forgetting_rate`` in 1/s, a further factor exp(-rate h) for each step of h s; ``least_excitation`` the
-    sine below which a parameter counts as not excited.
-    Memory: 8 + 2 n + n^2 floats. Raises ParameterError, and EventError and EventOrderError from ``update``.
+    sine below which a parameter counts as not excited; ``ridge`` in the unit of w^2, 0 for the exact start;
+    ``start`` the estimate that a ridge draws to, zeros unless given.
+    Memory: 9 + 2 n + n^2 floats. Raises ParameterError, and EventError and EventOrderError from ``update``.
 
-    Reference: Khalin 2022, section 2.5.1; Ljung 1999; Golub and Van Loan, Givens rotations.
+    Reference: Khalin 2022, section 2.5.1 and (3.62); Ljung 1999; Golub and Van Loan, Givens rotations.
 
     >>> stage = RecursiveLeastSquares(2)
     >>> for x in (1.0, 2.0, 4.0):
@@ -68,6 +75,7 @@ class RecursiveLeastSquares(CompiledStage):
         Parameter("forgetting", "", 1e-6, 1.0, "factor on the weight of the past at each sample"),
         Parameter("forgetting_rate", "1/s", 0.0, 1e6, "rate at which the weight of the past fades"),
         Parameter("least_excitation", "", 1e-14, 1.0, "sine below which a parameter is not excited"),
+        Parameter("ridge", "regressor^2", 0.0, 1e12, "weight of the start; 0: exact, no estimate too early"),
     )
 
     def __init__(
@@ -77,8 +85,10 @@ class RecursiveLeastSquares(CompiledStage):
         forgetting: float = 1.0,
         forgetting_rate: float = 0.0,
         least_excitation: float = 1e-6,
+        ridge: float = 0.0,
+        start: Sequence[float] | FloatArray | None = None,
     ) -> None:
-        values: dict[str, Any] = {"count": count, "forgetting": forgetting}
+        values: dict[str, Any] = {"count": count, "forgetting": forgetting, "ridge": ridge}
         check(
             self.parameters,
             {**values, "forgetting_rate": forgetting_rate, "least_excitation": least_excitation},
@@ -86,7 +96,10 @@ class RecursiveLeastSquares(CompiledStage):
         if count != int(count):
             raise ParameterError(f"count must be a whole number, received {count!r}")
         self.count = int(count)
-        settings = [float(forgetting), float(forgetting_rate), float(least_excitation)]
+        if start is not None and ridge == 0.0:
+            raise ParameterError("start needs a ridge above 0: the exact start draws to nothing")
+        self._start = np.zeros(self.count) if start is None else starting(self.count, start)
+        settings = [float(forgetting), float(forgetting_rate), float(least_excitation), float(ridge)]
         super().__init__(settings, 2 + least_squares.states(self.count))
 
     def update(self, regressor: Sequence[float] | FloatArray, output: float, t: float | None = None) -> None:
@@ -102,12 +115,32 @@ class RecursiveLeastSquares(CompiledStage):
         h = 0.0 if last_t is None or now is None else now - last_t
         if now is not None:
             memory[KNOWN], memory[T] = 1.0, now
+        if memory[RIDGE] > 0.0 and memory[AT + least_squares.SAMPLES] == 0.0:
+            self._lean()
         memory[AT + least_squares.REGRESSOR : AT + least_squares.REGRESSOR + self.count] = w
         least_squares.advance(memory, AT, self.count, memory[FORGETTING] * exp(-memory[RATE] * h), y)
 
     def fit(self) -> Fit:
         """The estimate now, with what it rests on."""
         return fit(self._memory, AT, self.count, float(self._memory[LEAST]))
+
+    def _lean(self) -> None:
+        """Put the ridge where the first sample will find it: A = r I, psi = r start."""
+        memory, n, root = self._memory, self.count, least_squares.root(AT, self.count)
+        weight = sqrt(float(memory[RIDGE]))
+        memory[root : root + n * n : n + 1] = weight
+        memory[root - n : root] = weight * self._start
+
+
+def starting(count: int, start: ArrayLike) -> FloatArray:
+    """The estimate to begin with; raises ParameterError unless it is ``count`` finite numbers."""
+    try:
+        values = np.array(start, np.float64)
+    except (TypeError, ValueError) as unusable:
+        raise ParameterError(f"start must be {count} numbers, received {start!r}") from unusable
+    if values.shape != (count,) or not np.isfinite(values).all():
+        raise ParameterError(f"start must be {count} finite numbers, received {start!r}")
+    return values
 
 
 def sample(count: int, regressor: ArrayLike, output: float) -> tuple[FloatArray, float]:
