@@ -8,6 +8,7 @@ import msgspec
 from msgspec import Struct
 
 from pointpred.server.messages import Bye, ErrorMessage, Events, PredictionMessage
+from pointpred.transfer import GainCurve
 
 
 class Attached(Struct, tag="device"):
@@ -46,21 +47,14 @@ class Status(Struct, tag="status"):
 
 
 class Curve(Struct, tag="transfer"):
-    """The transfer function as identified so far: gains at speeds of the hand in m/s, and what they rest on.
+    """The system's transfer function as learnt so far: why there is no curve, or what the curve rests on.
 
-    ``low`` and ``high`` bound the speeds that were seen; beyond them the curve is a guess. Empty, with
-    ``reason``, while the data do not tell a function. ``constant`` and ``sigmoid``: the same data explained
-    by those two, gains at the same speeds.
+    Speeds are the hand's in m/s; ``excited`` is the range that the person has shown, beyond it nothing is
+    known. ``compared``: simpler functions on the same measurements, ``closest`` the simplest that fits.
     """
 
-    speeds: list[float] = []
-    gains: list[float] = []
-    low: float | None = None
-    high: float | None = None
-    samples: int = 0
-    reason: str | None = None
-    constant: list[float] = []
-    sigmoid: list[float] = []
+    words: str
+    curve: GainCurve | None = None
 
 
 LiveMessage = Attached | Events | PredictionMessage | Status | Curve | ErrorMessage | Bye

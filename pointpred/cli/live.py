@@ -15,6 +15,7 @@ from pointpred.cli.screen import check_target
 from pointpred.errors import ParameterError
 from pointpred.events import PointerEvent
 from pointpred.registry import build
+from pointpred.transfer import named_transfer
 
 PREDICTOR = "kinematic"
 
@@ -39,6 +40,10 @@ def live(
     transfer: Annotated[
         str | None,
         typer.Option(metavar="FUNCTION", help="What moves the cursor: constant:4, sigmoid, or a saved file."),
+    ] = None,
+    save_transfer: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="Save there what the screen's cursor taught."),
     ] = None,
     display: Annotated[
         str | None, typer.Option(help="The X11 display; not given: the environment's.")
@@ -66,11 +71,14 @@ def live(
 
       pointpred live --cpi 800 --serve
     """
-    if record is not None:
-        _check_record(record)
+    for option, file in (("--record", record), ("--save-transfer", save_transfer)):
+        if file is not None:
+            _check_new(option, file)
     if not serve and (host is not None or port is not None):
         raise ParameterError("--host and --port need --serve")
-    function = live_device.transfer_of(transfer)
+    moving = named_transfer(transfer) if transfer else None
+    if moving is not None and cpi is None and not measure_cpi:
+        cpi = moving.cpi
     _warm(predictor)
     from pointpred.devices.sessions import LiveSession
     from pointpred.server.garbage import spare
@@ -78,18 +86,19 @@ def live(
     with ExitStack() as until_done:
         source = until_done.enter_context(live_device.choose(device))
         known = live_device.resolution(source, cpi, measure_cpi, distance_cm)
-        path, close = live_device.path_of(cursor, function, known, dpi, display)
+        path, close = live_device.path_of(cursor, moving.function if moving else None, known, dpi, display)
         until_done.callback(close)
         session = LiveSession(source, path, build(predictor, cpi=known, dpi=dpi))
-        outlets = Outlets(session, Wanted(predictor, known, dpi, record, serve, host, port, seconds))
+        wanted = Wanted(predictor, known, dpi, record, save_transfer, serve, host, port, seconds)
+        outlets = Outlets(session, wanted)
         spare()
         outlets.follow()
 
 
-def _check_record(file: Path) -> None:
+def _check_new(option: str, file: Path) -> None:
     check_target(file)
     if file.exists() or str(file) == "-":
-        raise ParameterError(f"--record makes a new file, and {file} is there already; name another")
+        raise ParameterError(f"{option} makes a new file, and {file} is there already; name another")
 
 
 def _warm(predictor: str) -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
-from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 import typer
@@ -30,7 +29,7 @@ def choose(path: str | None) -> DeviceSource:
 
     if not sys.platform.startswith("linux"):
         raise SourceError(
-            f"devices are read on Linux only, this is {sys.platform}, which keeps its mice to itself; {BROWSER}"
+            f"devices are read on Linux only; {sys.platform} keeps its mice to itself; {BROWSER}"
         )
     if path is not None:
         return EvdevSource(path) if "/input/" in path else HidSource(path)
@@ -120,24 +119,3 @@ def _screen(display: str | None) -> tuple[CursorPath, Callable[[], None]]:
 
 def _nothing() -> None:
     """There is nothing to close."""
-
-
-def transfer_of(words: str | None) -> TransferFunction | None:
-    """A transfer function: ``constant:4``, ``sigmoid``, or a file as an identification is saved."""
-    from pointpred.transfer import ConstantGain, PolynomialFunction, SigmoidGain
-
-    if words is None:
-        return None
-    name, _, gain = words.partition(":")
-    if name == "sigmoid" and not gain:
-        return SigmoidGain()
-    if name == "constant":
-        try:
-            return ConstantGain(float(gain or 4.0))
-        except ValueError as error:
-            raise ParameterError(f"--transfer constant:GAIN needs a number, received {words!r}") from error
-    if not Path(words).is_file():
-        raise ParameterError(
-            f"--transfer is constant:GAIN, sigmoid or a file that exists, received {words!r}"
-        )
-    return PolynomialFunction.from_json(Path(words).read_text(encoding="utf-8"))

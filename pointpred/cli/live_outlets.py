@@ -9,15 +9,18 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from pointpred.cli.live_following import Following, attentive
+from pointpred.cli.live_learning import Learning, learning_of
 from pointpred.cli.live_serving import Serving
-from pointpred.cli.live_view import delays, losses, show
+from pointpred.cli.live_view import all_delays, losses, show
 from pointpred.cli.screen import counted, remarks, results
-from pointpred.errors import SourceError
+from pointpred.errors import ParameterError, SourceError
 
 if TYPE_CHECKING:
     from pointpred.devices.sessions import LiveSession
     from pointpred.server.live import LiveFeed
+    from pointpred.server.live_messages import Curve
     from pointpred.server.live_recording import LiveRecording
+    from pointpred.transfer import GainCurve
 
 
 class Wanted(msgspec.Struct, frozen=True):
@@ -27,6 +30,7 @@ class Wanted(msgspec.Struct, frozen=True):
     cpi: float | None = None
     dpi: float = 96.0
     record: Path | None = None
+    save_transfer: Path | None = None
     serve: bool = False
     host: str | None = None
     port: int | None = None
@@ -42,6 +46,11 @@ class Outlets:
         self.recording = _recording(session, wanted) if wanted.record else None
         self.feed = _feed(session, wanted) if wanted.serve else None
         self.serving = Serving(self.feed, wanted.host, wanted.port) if self.feed else None
+        self.learning = learning_of(session.path, wanted.cpi, wanted.dpi)
+        if isinstance(self.learning, Learning):
+            session.watchers.append(self.learning.take)
+        elif wanted.save_transfer is not None:
+            raise ParameterError(f"nothing to save in {wanted.save_transfer}: {self.learning}")
         self._following = Following(session, self.feed.fail if self.feed else _to_nobody)
 
     def follow(self) -> None:
@@ -51,6 +60,7 @@ class Outlets:
         self.session.source.take(0.0)  # what came while the outlets were opened belongs to nothing
         with attentive(stopping):
             self._following.start(self.wanted.seconds)
+            self._learn()
             if not screen.is_terminal:
                 for name, words in heading:
                     remarks().print(f"{name}: {words}", markup=False)
@@ -66,6 +76,21 @@ class Outlets:
             finally:
                 self._end()
 
+    def _learn(self) -> None:
+        """Keep the curve up to date, and show it to whoever looks at the page."""
+        feed, learning = self.feed, self.learning
+        if isinstance(learning, str):
+            if feed is not None:
+                feed.curve = curve_message(learning)
+            return
+
+        def told(curve: GainCurve) -> None:
+            if feed is not None:
+                feed.curve = curve_message(curve.words, curve)
+
+        told(learning.curve)
+        learning.start(self._following.stopping, told)
+
     def _end(self) -> None:
         """Stop, see that everything is written, and say what it came to."""
         recording = self.recording
@@ -74,10 +99,12 @@ class Outlets:
         finally:
             written = recording.close() if recording else True
             screen, state = results(), self.session.state()
-            said = f"{counted(state.reports, 'report')}; {losses(state)}; delay {delays(state)}"
+            said = f"{counted(state.reports, 'report')}; {losses(state)}; delay {all_delays(self.session)}"
             screen.print(said, markup=False, soft_wrap=True)
             for name, words in self._more():
                 screen.print(f"{name}: {words}", markup=False, soft_wrap=True)
+        if self.wanted.save_transfer is not None and isinstance(self.learning, Learning):
+            screen.print(self.learning.save(self.wanted.save_transfer), markup=False, soft_wrap=True)
         if recording is not None and not written:
             raise SourceError(f"{recording.file}: not everything could be recorded")
 
@@ -94,12 +121,21 @@ class Outlets:
         ]
 
     def _more(self) -> list[tuple[str, str]]:
-        recording = self.recording
-        if recording is None:
-            return []
-        said = f"{counted(recording.events, 'event')} in {recording.file}"
-        said += f", {recording.lost} lost" if recording.lost else ""
-        return [("recorded", said + (", stopped by an error" if recording.failed else ""))]
+        told = []
+        if isinstance(self.learning, Learning):
+            told.append(("gain", self.learning.words()))
+        if (recording := self.recording) is not None:
+            said = f"{counted(recording.events, 'event')} in {recording.file}"
+            said += f", {recording.lost} lost" if recording.lost else ""
+            told.append(("recorded", said + (", stopped by an error" if recording.failed else "")))
+        return told
+
+
+def curve_message(words: str, curve: GainCurve | None = None) -> Curve:
+    """What viewers hear of the transfer function."""
+    from pointpred.server.live_messages import Curve
+
+    return Curve(words, curve)
 
 
 def _recording(session: LiveSession, wanted: Wanted) -> LiveRecording:

@@ -92,13 +92,19 @@ def losses(state: LiveState) -> str:
 
 
 def delays(state: LiveState) -> str:
-    """From a report's stamp to its prediction."""
-    if state.delay_p50_s is None or state.delay_p99_s is None or state.delay_most_s is None:
+    """From a report's stamp to its prediction, lately."""
+    if state.delay_p50_s is None or state.delay_p99_s is None:
         return "not known: the stamps are of another clock" if state.reports else DASH
-    p50, p99, most = (
-        f"{1000 * value:.2f}" for value in (state.delay_p50_s, state.delay_p99_s, state.delay_most_s)
-    )
-    return f"median {p50} ms, 99 % under {p99} ms, longest {most} ms"
+    return f"median {1000 * state.delay_p50_s:.2f} ms, 99 % under {1000 * state.delay_p99_s:.2f} ms"
+
+
+def all_delays(session: LiveSession) -> str:
+    """The same over the whole session, with the longest."""
+    held = session.delays
+    p50, p99 = held.percentile(0.5), held.percentile(0.99)
+    if p50 is None or p99 is None:
+        return delays(session.state())
+    return f"median {1000 * p50:.2f} ms, 99 % under {1000 * p99:.2f} ms, longest {1000 * held.longest:.2f} ms"
 
 
 def line(state: LiveState, newest: tuple[PointerEvent, Prediction | None] | None) -> str:

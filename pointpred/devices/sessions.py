@@ -8,7 +8,7 @@ from threading import Event
 
 import msgspec
 
-from pointpred.devices.gauges import Delays, Pace
+from pointpred.devices.gauges import Delays, Pace, RecentDelays
 from pointpred.devices.paths import CursorPath, MotorPath, Space
 from pointpred.devices.source import DeviceSource
 from pointpred.errors import EventError
@@ -29,8 +29,8 @@ class LiveState(msgspec.Struct, frozen=True):
 
     ``lost`` reports nobody took in time, ``unreadable`` ones that could not be decoded, ``resynchronised``
     recoveries after the kernel dropped events, ``refused`` events that the pipeline did not take, the newest
-    reason in ``why``. Delays are those from a report's stamp to its prediction, in s; ``None`` where nothing
-    came yet or the stamps are of another clock than the session's.
+    reason in ``why``. Delays are those from a report's stamp to its prediction over the last 10 to 20 s of
+    reports, in s; ``None`` where nothing came yet or the stamps are of another clock than the session's.
     """
 
     plugged: bool
@@ -43,7 +43,6 @@ class LiveState(msgspec.Struct, frozen=True):
     why: str | None
     delay_p50_s: float | None
     delay_p99_s: float | None
-    delay_most_s: float | None
 
 
 class LiveSession:
@@ -85,7 +84,9 @@ class LiveSession:
         self._last_t = float("-inf")
         self._clock = clock
         self._comparable = "monotonic" in source.clock
-        self._delays, self._pace = Delays(), Pace()
+        self.delays = Delays()
+        """From a report's stamp to its prediction, over the whole session."""
+        self._recent, self._pace = RecentDelays(), Pace()
 
     @property
     def space(self) -> Space:
@@ -116,7 +117,9 @@ class LiveSession:
                 continue
             pairs.append((event, prediction))
             if self._comparable and event.t > self._last_t:  # not where a path corrects what it has said
-                self._delays.add(self._clock() - event.t)
+                delay = self._clock() - event.t
+                self.delays.add(delay)
+                self._recent.add(event.t, delay)
             self._last_t = event.t
         if pairs:
             self.newest = pairs[-1]
@@ -136,7 +139,7 @@ class LiveSession:
 
     def state(self) -> LiveState:
         """Counts, rates and delays now; any thread may ask."""
-        source, delays = self.source, self._delays
+        source, recent = self.source, self._recent
         return LiveState(
             source.plugged,
             self.reports,
@@ -146,7 +149,6 @@ class LiveSession:
             source.resynchronised,
             self.refused,
             self._why,
-            delays.percentile(0.5),
-            delays.percentile(0.99),
-            delays.longest if delays.count else None,
+            recent.percentile(0.5),
+            recent.percentile(0.99),
         )

@@ -3,6 +3,7 @@
 import { calm } from "./draw.js";
 import { drawDemo, drawLive, drawNothing } from "./draw-live.js";
 import { number, offer, part, write } from "./elements.js";
+import * as device from "./live-device.js";
 import { Demo } from "./live-demo.js";
 import { Movement, speed } from "./live-movement.js";
 import { LiveCard } from "./live-card.js";
@@ -130,7 +131,7 @@ export async function open() {
   for (const card of cards) card.open();
   if (!drawing) requestAnimationFrame(frame);
   drawing = true;
-  const listing = await predictors();
+  const [listing] = await Promise.all([predictors(), device.open()]);
   if (cards[0].offered) return;
   offer(cards[0].select, listing.predictors, PREFERRED);
   offer(cards[1].select, listing.predictors, "", "none");
@@ -142,6 +143,7 @@ export async function open() {
 export function close() {
   active = false;
   tiles.clear();
+  device.close();
   for (const card of cards) card.close();
 }
 

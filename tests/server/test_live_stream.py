@@ -22,6 +22,7 @@ from pointpred.server.live import MOST_WAITING, LiveFeed
 from pointpred.server.live_messages import Attached, Curve
 from pointpred.server.messages import SUBPROTOCOL
 from pointpred.server.service import Service
+from pointpred.transfer import TransferLearner
 from tests.devices.live_fakes import FakeMouse, reach
 from tests.server.running import Running, running
 
@@ -212,11 +213,11 @@ def test_a_late_event_loop_leaves_out_the_oldest_and_counts_them() -> None:
 
 def test_the_curve_is_said_when_it_is_new() -> None:
     with attached() as (here, made):
-        made.feed.curve = Curve([0.1, 0.2], [4.0, 4.1], 0.1, 0.2, 500)
+        made.feed.curve = Curve("identified", TransferLearner(cpi=800.0).curve())
         with look(here) as socket:
-            assert hear(socket, "transfer")["gains"] == [4.0, 4.1]
-            made.feed.curve = Curve(reason="too little was moved")
-            assert hear(socket, "transfer")["reason"] == "too little was moved"
+            assert hear(socket, "transfer")["curve"]["gains"] == []
+            made.feed.curve = Curve("nothing learnt yet")
+            assert hear(socket, "transfer")["words"] == "nothing learnt yet"
 
 
 def test_a_session_that_fails_ends_its_viewers_with_a_reason() -> None:
