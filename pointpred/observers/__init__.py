@@ -1,5 +1,8 @@
 """Nonlinear observers with certificates that are proved: chapters 3 and 4 of the thesis."""
 
+from pointpred.observers.bounds import ErrorBound, convergence_bound, interconnection_bound
+from pointpred.observers.design import ObserverDesign, design_observer
+from pointpred.observers.detectability import undetectable
 from pointpred.observers.excitation import (
     Excitation,
     discrete_excitation,
@@ -7,23 +10,35 @@ from pointpred.observers.excitation import (
     persistent_excitation,
 )
 from pointpred.observers.generator import Generator
+from pointpred.observers.interconnection import theorem_3_2_1
 from pointpred.observers.matrix_inequalities import MatrixInequalities, Solution
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.regressors import GradientRegressor
 from pointpred.observers.simulate import SeededSignal, simulate
+from pointpred.observers.steady_state import SteadyState, residuals, steady_state_map
 from pointpred.regression import RecursiveLeastSquares
 
 __all__ = [
+    "ErrorBound",
     "Excitation",
     "Generator",
     "GradientRegressor",
     "MatrixInequalities",
+    "ObserverDesign",
     "Persidskii",
     "RecursiveLeastSquares",
     "SeededSignal",
     "Solution",
+    "SteadyState",
+    "convergence_bound",
+    "design_observer",
     "discrete_excitation",
+    "interconnection_bound",
     "linear_independence",
     "persistent_excitation",
+    "residuals",
     "simulate",
+    "steady_state_map",
+    "theorem_3_2_1",
+    "undetectable",
 ]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
@@ -11,6 +12,19 @@ from pointpred.errors import ParameterError
 from pointpred.observers.matrices import matrix
 from pointpred.observers.nonlinearity import nonlinearity
 from pointpred.observers.persidskii import Persidskii, column
+
+
+class Fitted(msgspec.Struct, frozen=True):
+    """A generator with every matrix present and of the shape that a plant needs; ``J`` may be ``None``."""
+
+    q: int
+    S0: FloatArray
+    S1: FloatArray
+    J: FloatArray | None
+    G: FloatArray
+    L0: FloatArray
+    L1: FloatArray
+    E: FloatArray
 
 
 class Generator:
@@ -51,8 +65,8 @@ class Generator:
         self.L1 = None if L1 is None else matrix("L1", L1, None if self.L0 is None else len(self.L0))
         self.f = None if f is None else nonlinearity(f, 1 if self.S1 is None else self.S1.shape[1])
 
-    def beside(self, plant: Persidskii) -> Generator:
-        """The same generator with every matrix present and of the shape that the plant needs.
+    def beside(self, plant: Persidskii) -> Fitted:
+        """Every matrix, zero where it was left out, in the shape that the plant needs.
 
         Raises ParameterError naming the matrix, the shape it has and the shape it should have.
         """
@@ -67,7 +81,7 @@ class Generator:
         }
         full = {name: _shaped(name, getattr(self, name), shape) for name, shape in needed.items()}
         j = None if self.J is None else matrix("J", self.J, plant.r if self.f is None else None, q)
-        return Generator(self.S0, J=j, f=self.f, **full)
+        return Fitted(q=q, S0=self.S0, J=j, **full)
 
     def field(self, w: Any, *, y: Any = None, rho: Any = None, f: Any = None) -> FloatArray:
         """The w' (or the next w); ``f`` is the plant's nonlinearity where it has none of its own."""

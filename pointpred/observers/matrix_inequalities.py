@@ -67,6 +67,7 @@ class MatrixInequalities:
         self.unknowns = Unknowns()
         self.blocks: dict[str, Block] = {}
         self._normal: dict[str, int] = {}
+        self._weak: set[str] = set()
         self._equalities: dict[str, Block] = {}
 
     def positive(self, name: str, rows: int) -> Self:
@@ -90,16 +91,18 @@ class MatrixInequalities:
         """One number not below ``low``; the functions receive it as a float."""
         return self._add(name, "number", 1, 1, low)
 
-    def below(self, name: str, block: Block) -> Self:
-        """Demand block(v) < 0."""
+    def below(self, name: str, block: Block, *, strict: bool = True) -> Self:
+        """Demand block(v) < 0; where it is not ``strict``, ``check`` accepts an eigenvalue of 0."""
         if name in self.blocks:
             raise ParameterError(f"an inequality needs a new name, received {name!r}")
         self.blocks[name] = block
+        if not strict:
+            self._weak.add(name)
         return self
 
-    def above(self, name: str, block: Block) -> Self:
-        """Demand block(v) > 0."""
-        return self.below(name, lambda v: -np.asarray(block(v)))
+    def above(self, name: str, block: Block, *, strict: bool = True) -> Self:
+        """Demand block(v) > 0; where it is not ``strict``, ``check`` accepts an eigenvalue of 0."""
+        return self.below(name, lambda v: -np.asarray(block(v)), strict=strict)
 
     def equal(self, name: str, block: Block) -> Self:
         """Demand block(v) = 0, whatever its shape; solved exactly before any solver runs."""
@@ -167,6 +170,8 @@ class MatrixInequalities:
         return margins
 
     def _holds(self, name: str, margin: float) -> bool:
+        if name in self._weak:
+            return margin >= -1e-12
         return margin > 0.0 if name in self.blocks or name.endswith(" > 0") else margin >= 0.0
 
     def _failure(self, name: str, margin: float) -> str:

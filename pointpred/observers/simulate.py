@@ -1,4 +1,4 @@
-"""Trajectories of systems and observers by two independent integrators, with seeded noise and disturbances."""
+"""Trajectories of systems and observers, by two independent integrators, with seeded noise and disturbance."""
 
 from __future__ import annotations
 

@@ -7,6 +7,7 @@ unit vectors, so what a solver sees and what the audit recomputes cannot differ.
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 from types import SimpleNamespace
 from typing import Any
 
@@ -50,15 +51,17 @@ class Unknown(msgspec.Struct, frozen=True):
         if self.kind == "free":
             return numbers.reshape(self.rows, self.columns)
         matrix = np.zeros((self.rows, self.rows))
-        matrix[np.triu_indices(self.rows)] = numbers
-        return np.triu(matrix) + np.triu(matrix, 1).T
+        above, right = _triangle(self.rows)
+        matrix[above, right] = numbers
+        matrix[right, above] = numbers
+        return matrix
 
     def numbers(self, matrix: Any) -> FloatArray:
         """The numbers of a matrix; raises ParameterError where its shape or its structure differs."""
         given = matrices.matrix(self.name, matrix, self.rows, self.columns)
         numbers = given.reshape(-1)
         if self.kind == "symmetric":
-            numbers = given[np.triu_indices(self.rows)]
+            numbers = given[_triangle(self.rows)]
         elif self.kind == "diagonal":
             numbers = np.diag(given).copy()
         if not np.array_equal(np.atleast_2d(self.matrix(numbers)), given):
@@ -111,7 +114,7 @@ class Unknowns:
 
         Raises ParameterError for a block that is not symmetric or not affine.
         """
-        return self._probed(name, lambda numbers: self.value(name, block, numbers))
+        return self._probed(name, lambda at: symmetric(name, block(at)))
 
     def equalities(self, blocks: dict[str, Block]) -> tuple[FloatArray, FloatArray]:
         """All numbers that satisfy every equality, as one solution and a basis of the rest.
@@ -122,7 +125,7 @@ class Unknowns:
             return np.zeros(self.count), np.eye(self.count)
         constants, slopes = [], []
         for name, block in blocks.items():
-            probed = self._probed(name, lambda numbers, b=block: np.ravel(b(self.matrices(numbers))))  # type: ignore[misc]
+            probed = self._probed(name, lambda at, b=block: np.ravel(b(at)))  # type: ignore[misc]
             constants.append(probed[0])
             slopes.append(probed[1].T)
         matrix, target = np.vstack(slopes), -np.concatenate(constants)
@@ -135,22 +138,56 @@ class Unknowns:
         basis: FloatArray = np.asarray(rows[rank:].T, np.float64)
         return x0, basis
 
-    def _probed(self, name: str, function: Callable[[FloatArray], Any]) -> tuple[FloatArray, FloatArray]:
-        constant: FloatArray = np.asarray(function(np.zeros(self.count)), np.float64)
-        slopes: FloatArray = np.array([function(unit) - constant for unit in np.eye(self.count)], np.float64)
+    def _probed(self, name: str, function: Callable[[Any], Any]) -> tuple[FloatArray, FloatArray]:
+        """The constant part and the slopes; only matrices that the function looks at are probed."""
+        zero = vars(self.matrices(np.zeros(self.count)))
+        watched = Watched(zero)
+        constant: FloatArray = np.asarray(function(watched), np.float64)
+        slopes: FloatArray = np.zeros((self.count, *constant.shape))
+        start = 0
+        for one in self.listed:
+            if one.name in watched.seen:
+                for i, unit in enumerate(np.eye(one.count)):
+                    at = SimpleNamespace(**{**zero, one.name: one.matrix(unit)})
+                    slopes[start + i] = function(at) - constant
+            start += one.count
         point = np.cos(np.arange(1.0, self.count + 1.0))
         expected = constant + np.tensordot(point, slopes, 1)
-        error = np.abs(function(point) - expected).max()
+        error = np.abs(function(self.matrices(point)) - expected).max()
         if not error <= ROUNDING * max(1.0, np.abs(expected).max()):
             raise ParameterError(f"{name} must be affine in the unknown matrices; it is off by {error:.3g}")
         return constant, slopes
 
     def value(self, name: str, block: Block, numbers: FloatArray) -> FloatArray:
         """A block as a symmetric matrix; raises ParameterError where it is none."""
-        value = np.atleast_2d(np.asarray(block(self.matrices(numbers)), np.float64))
-        if value.ndim != 2 or value.shape[0] != value.shape[1]:
-            raise ParameterError(f"{name} must be a square matrix, received shape {value.shape}")
-        skew = np.abs(value - value.T).max()
-        if skew > ROUNDING * max(1.0, np.abs(value).max()):
-            raise ParameterError(f"{name} must be symmetric; it differs from its transpose by {skew:.3g}")
-        return 0.5 * (value + value.T)
+        return symmetric(name, block(self.matrices(numbers)))
+
+
+class Watched:
+    """Matrices as attributes, which notes those that were looked at."""
+
+    def __init__(self, matrices: dict[str, Any]) -> None:
+        self._matrices, self.seen = matrices, set[str]()
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_") or name not in self._matrices:
+            raise AttributeError(f"there is no unknown matrix {name!r}, only {sorted(self._matrices)}")
+        self.seen.add(name)
+        return self._matrices[name]
+
+
+def symmetric(name: str, given: Any) -> FloatArray:
+    """A square matrix rid of rounding; raises ParameterError where it is not symmetric."""
+    value: FloatArray = np.atleast_2d(np.asarray(given, np.float64))
+    if value.ndim != 2 or value.shape[0] != value.shape[1]:
+        raise ParameterError(f"{name} must be a square matrix, received shape {value.shape}")
+    skew = np.abs(value - value.T).max()
+    if skew > ROUNDING * max(1.0, np.abs(value).max()):
+        raise ParameterError(f"{name} must be symmetric; it differs from its transpose by {skew:.3g}")
+    return 0.5 * (value + value.T)
+
+
+@cache
+def _triangle(rows: int) -> tuple[Any, Any]:
+    """Rows and columns of the upper triangle."""
+    return np.triu_indices(rows)

@@ -1,0 +1,89 @@
+"""What a certificate says of the error: bounds of the theorems, corrected where the print lacks a factor."""
+
+from __future__ import annotations
+
+from math import exp, log, sqrt
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.errors import CertificateError
+from pointpred.observers.matrices import matrix
+
+
+class ErrorBound(msgspec.Struct, frozen=True):
+    """abs(e(t)) <= ``overshoot`` decay(t) abs(e(0)) + sum of ``gains`` times the largest disturbances.
+
+    decay(t) = exp(-``rate`` t); ``rate`` in 1/s, or in 1/step for discrete time. ``disturbances`` names what
+    the gains belong to.
+    """
+
+    overshoot: float
+    rate: float
+    gains: tuple[float, ...]
+    disturbances: tuple[str, ...]
+
+    def __call__(self, t: float, initial: float, **largest: float) -> float:
+        """The bound at t for an initial error and the largest norm of each disturbance that is there."""
+        forced = sum(
+            gain * largest.get(name, 0.0) for name, gain in zip(self.disturbances, self.gains, strict=True)
+        )
+        return self.overshoot * exp(-self.rate * t) * initial + forced
+
+
+def eigenvalues(name: str, given: Any) -> FloatArray:
+    """The eigenvalues of a matrix that must be positive; raises CertificateError naming the least."""
+    square = matrix(name, given)
+    found: FloatArray = np.asarray(np.linalg.eigvalsh(0.5 * (square + square.T)), np.float64)
+    if found[0] <= 0.0:
+        raise CertificateError(f"{name} has the eigenvalue {found[0]:.6g}, must lie above 0")
+    return found
+
+
+def interconnection_bound(
+    P: Any,  # noqa: N803
+    Theta: Any,  # noqa: N803
+    Gamma: Any,  # noqa: N803
+    Xi: Any,  # noqa: N803
+    *,
+    time: str = "continuous",
+    sharp: bool = False,
+) -> ErrorBound:
+    """The bound of Theorem 3.2.1 for the disturbances v, eps (v~ in print) and w.
+
+    With c = min Theta / max P (eigenvalues): V' <= -c V + ..., so that abs(e) <= sqrt(max P / min P)
+    exp(-c t / 2) abs(e0) + sqrt(max Gamma / (c min P)) (abs(v) + abs(eps)) + sqrt(max Xi / (c min P)) abs(w), as printed.
+    ``sharp`` takes the least generalised eigenvalue of (Theta, P) for c, which is never smaller. In discrete
+    time the decay of V is 1 - c each step.
+
+    >>> interconnection_bound([[1.0]], [[2.0]], [[8.0]], [[2.0]])(1.0, 1.0, v=0.5)  # exp(-1) + 2 * 0.5
+    1.3678794411714423
+    """
+    p, theta = eigenvalues("P", P), eigenvalues("Theta", Theta)
+    gamma, xi = eigenvalues("Gamma", Gamma), eigenvalues("Xi", Xi)
+    c = float(theta[0] / p[-1])
+    if sharp:
+        c = max(
+            c, float(np.linalg.eigvals(np.linalg.solve(np.atleast_2d(P), np.atleast_2d(Theta))).real.min())
+        )
+    speed = -log(max(1.0 - c, 1e-300)) if time == "discrete" else c
+    noise, drive = sqrt(gamma[-1] / (c * p[0])), sqrt(xi[-1] / (c * p[0]))
+    return ErrorBound(sqrt(p[-1] / p[0]), 0.5 * speed, (noise, noise, drive), ("v", "eps", "w"))
+
+
+def convergence_bound(P: Any, Xi: Any, gamma: float) -> ErrorBound:  # noqa: N803
+    """The bound of Theorem 3.3.1 with the factor sqrt(max P / min Xi) that the print lacks, for delta.
+
+    V' <= -e' Xi e + delta' P delta / gamma gives abs(e) <= sqrt(max P / min P) (exp(-min Xi / (2 max P) t)
+    abs(e0) + sqrt(max P / min Xi) abs(delta) / sqrt(gamma)).
+
+    >>> convergence_bound([[4.0]], [[1.0]], 1.0)(0.0, 0.0, delta=1.0)
+    2.0
+    """
+    p, xi = eigenvalues("P", P), eigenvalues("Xi", Xi)
+    overshoot = sqrt(p[-1] / p[0])
+    return ErrorBound(
+        overshoot, float(0.5 * xi[0] / p[-1]), (overshoot * sqrt(p[-1] / xi[0] / gamma),), ("delta",)
+    )

@@ -1,0 +1,62 @@
+"""Detectability by the test of Popov, Belevitch and Hautus, before any solver is asked for a gain."""
+
+from __future__ import annotations
+
+from itertools import product
+from typing import Any
+
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.errors import InfeasibleError, ParameterError
+from pointpred.observers.matrices import matrix
+
+SINGULAR = 1e-9
+"""A singular value below this, relative to the matrices, counts as zero."""
+COMPONENTS_MOST = 8
+
+
+def undetectable(A: Any, C: Any, time: str = "continuous") -> list[complex]:  # noqa: N803
+    """The eigenvalues of modes that neither decay nor show in the output; empty for a detectable pair.
+
+    An eigenvalue s with real part >= 0 (modulus >= 1 in discrete time) is one of them if (sI - A; C) loses
+    rank.
+
+    >>> undetectable([[1.0, 0.0], [0.0, -2.0]], [[0.0, 1.0]])
+    [(1+0j)]
+    """
+    a = matrix("A", A, len(matrix("A", A)), len(matrix("A", A)))
+    c = matrix("C", C, None, len(a))
+    size = max(1.0, float(np.linalg.norm(a, 2)), float(np.linalg.norm(c, 2)) if c.size else 0.0)
+    found = []
+    for one in np.linalg.eigvals(a).astype(np.complex128):
+        stays = abs(one) >= 1.0 - SINGULAR if time == "discrete" else one.real >= -SINGULAR * size
+        pencil = np.vstack([one * np.eye(len(a)) - a, c])
+        # Repeated eigenvalues are known to half their digits only.
+        if stays and np.linalg.svd(pencil, compute_uv=False)[-1] <= np.sqrt(SINGULAR) * 1e-2 * size:
+            found.append(complex(one))
+    return found
+
+
+def require_detectable(a: FloatArray, c: FloatArray, time: str, pair: str) -> None:
+    """Raise InfeasibleError naming the pair and its first undetectable eigenvalue."""
+    for one in undetectable(a, c, time):
+        value = f"{one.real:.6g}" if one.imag == 0.0 else f"{one.real:.6g}{one.imag:+.6g}j"
+        raise InfeasibleError(f"{pair} is not detectable: the mode of the eigenvalue {value} never shows")
+
+
+def vertices(slopes: tuple[tuple[float, float], ...] | None) -> dict[str, FloatArray]:
+    """The corners of the box of slopes as diagonal matrices, named by their slopes.
+
+    Raises ParameterError where slopes are missing, infinite, or have more than 2^8 corners.
+    """
+    if slopes is None:
+        raise ParameterError("a design needs slopes: the interval of the slope of each component of f")
+    if not np.isfinite(np.array(slopes)).all():
+        raise ParameterError(
+            f"a design needs bounded slopes (give slopes and their domain), received {slopes}"
+        )
+    corners = [sorted(set(one)) for one in slopes]
+    if sum(len(one) > 1 for one in corners) > COMPONENTS_MOST:
+        raise ParameterError(f"at most {COMPONENTS_MOST} components with two slopes, received {len(slopes)}")
+    return {", ".join(f"{one:.6g}" for one in corner): np.diag(corner) for corner in product(*corners)}
