@@ -45,8 +45,10 @@ class CameraColumns(Columns):
 
     def samples(self) -> list[CameraSample]:
         """The rows as records."""
-        rows = self.table.tolist()
-        return [CameraSample(row[0], *(v if v == v else None for v in row[1:3]), *row[3:]) for row in rows]
+        return [
+            CameraSample(t, x if x == x else None, y if y == y else None, *rest)
+            for t, x, y, *rest in self.table.tolist()
+        ]
 
 
 class Noise(msgspec.Struct, frozen=True):

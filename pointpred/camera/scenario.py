@@ -59,7 +59,7 @@ class Trajectory(msgspec.Struct, frozen=True):
 
     @property
     def turn(self) -> FloatArray:
-        """y w_x - x w_y, 1/s."""
+        """What rotation adds to the zero of depth: y w_x - x w_y, 1/s."""
         x, y = self.image.T
         rate: FloatArray = y * self.w[:, 0] - x * self.w[:, 1]
         return rate

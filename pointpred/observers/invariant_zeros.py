@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
@@ -37,7 +38,7 @@ def unobservable(gamma: FloatArray, c: FloatArray) -> FloatArray:
     return basis
 
 
-def invariant_zeros(a: FloatArray, f: FloatArray, c: FloatArray) -> FloatArray:
+def invariant_zeros(a: FloatArray, f: FloatArray, c: FloatArray) -> NDArray[np.complex128]:
     """The invariant zeros of x' = A x + F d, y = C x, where d is unknown.
 
     Assumes rank(C F) = rank(F) = columns of F, so that d can be undone; raises ParameterError otherwise.
@@ -58,7 +59,7 @@ def invariant_zeros(a: FloatArray, f: FloatArray, c: FloatArray) -> FloatArray:
     return fixed_modes(decoupling(f, c) @ a, c)
 
 
-def fixed_modes(gamma: FloatArray, c: FloatArray) -> FloatArray:
+def fixed_modes(gamma: FloatArray, c: FloatArray) -> NDArray[np.complex128]:
     """The eigenvalues of Gamma that Gamma - K C keeps for every K, complex, the slowest first.
 
     >>> fixed_modes(np.diag([-1.0, -2.0]), np.array([[1.0, 0.0]])).real.tolist()
@@ -67,7 +68,7 @@ def fixed_modes(gamma: FloatArray, c: FloatArray) -> FloatArray:
     basis = unobservable(gamma, c)
     if not basis.shape[1]:
         return np.zeros(0, dtype=np.complex128)
-    zeros = np.linalg.eigvals(basis.T @ gamma @ basis).astype(np.complex128)
+    zeros: NDArray[np.complex128] = np.linalg.eigvals(basis.T @ gamma @ basis).astype(np.complex128)
     return zeros[np.argsort(-zeros.real, kind="stable")]
 
 

@@ -6,6 +6,7 @@ from math import isfinite
 from typing import Self
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError
@@ -107,7 +108,7 @@ class UnknownInputObserver:
     def reducible(self) -> bool:
         """Whether C T = 0: with as many outputs as unknown inputs the rest needs no gain."""
         middle = self.box.named(self.box.vertices[0])
-        return self.system.f(middle).shape[1] == self.system.c.shape[0]
+        return bool(self.system.f(middle).shape[1] == self.system.c.shape[0])
 
     def reduce(self, z: FloatArray) -> FloatArray:
         """The coordinates of the reduced form: those of z in the kernel of C."""
@@ -134,7 +135,7 @@ class UnknownInputObserver:
         return self.reduce(self.system.gamma(point) @ estimate + self.system.t(point) @ known)
 
 
-def zeros_over(system: ParameterVaryingSystem, box: Box) -> FloatArray:
+def zeros_over(system: ParameterVaryingSystem, box: Box) -> NDArray[np.complex128]:
     """The invariant zeros at each vertex, one row a vertex; no solver is needed for it."""
     points = [box.named(vertex) for vertex in box.vertices]
     rows = [fixed_modes(system.ta(p), system.c) for p in points]
@@ -147,7 +148,7 @@ def zeros_over(system: ParameterVaryingSystem, box: Box) -> FloatArray:
     return np.array(rows).reshape(len(rows), widest)
 
 
-def refuse(box: Box, zeros: FloatArray, sigma: float) -> None:
+def refuse(box: Box, zeros: NDArray[np.complex128], sigma: float) -> None:
     """Raise InfeasibleError where a zero reaches -sigma/2, with the largest sigma."""
     most = largest_sigma(zeros)
     if sigma < most:

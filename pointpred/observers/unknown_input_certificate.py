@@ -6,6 +6,7 @@ from math import exp, sqrt
 
 import msgspec
 import numpy as np
+from numpy.typing import NDArray
 
 from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, ParameterError
@@ -23,7 +24,7 @@ class UnknownInputCertificate(msgspec.Struct, frozen=True):
     p: FloatArray
     gamma: float
     margin: float
-    zeros: FloatArray
+    zeros: NDArray[np.complex128]
     """Invariant zeros at each vertex, 1/s, one row a vertex."""
 
     @property
@@ -47,7 +48,7 @@ class UnknownInputCertificate(msgspec.Struct, frozen=True):
         return self.phi1 * error * exp(-0.5 * self.sigma * t) + self.phi2 * disturbance
 
 
-def largest_sigma(zeros: FloatArray) -> float:
+def largest_sigma(zeros: NDArray[np.complex128]) -> float:
     """-2 max Re s over all zeros: every feasible sigma lies below it.
 
     >>> largest_sigma(np.array([[-0.5 + 1j, -0.25], [-2.0, -1.0]]))
@@ -81,7 +82,7 @@ def verified(
     ws: FloatArray,
     force: FloatArray,
     sigma: float,
-    zeros: FloatArray,
+    zeros: NDArray[np.complex128],
 ) -> UnknownInputCertificate:
     """Recompute every eigenvalue that Theorem 1 asks for; raises CertificateError naming the one that fails.
 

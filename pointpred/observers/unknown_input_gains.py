@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -34,23 +35,22 @@ def lyapunov(gammas: FloatArray, ts: FloatArray, c: FloatArray, sigma: float) ->
     cases = np.unique(np.concatenate([gammas @ blind, _root(ts)], axis=2), axis=0)
 
     def problem(name: str) -> MatrixInequalities:
-        return MatrixInequalities(f"unknown input observer, {name}", kappa=KAPPA).positive(
-            "P", frame.shape[1]
-        )
+        made = MatrixInequalities(f"unknown input observer, {name}", kappa=KAPPA)
+        return made.positive("P", frame.shape[1])
 
-    def corner(v: Any, case: FloatArray) -> FloatArray:
+    def corner(case: FloatArray, v: Any) -> FloatArray:
         moved = case[:, : blind.shape[1]] + 0.5 * sigma * blind
-        half = blind.T @ (rest + frame @ v.P @ frame.T) @ moved
+        half: FloatArray = blind.T @ (rest + frame @ v.P @ frame.T) @ moved
         return half + half.T
 
-    def whole(v: Any, case: FloatArray) -> FloatArray:
+    def whole(case: FloatArray, v: Any) -> FloatArray:
         side = blind.T @ (rest + frame @ v.P @ frame.T) @ case[:, blind.shape[1] :]
-        return np.block([[corner(v, case), side], [side.T, -v.gamma * np.eye(side.shape[1])]])
+        return np.block([[corner(case, v), side], [side.T, -v.gamma * np.eye(side.shape[1])]])
 
     best, any_p = problem("least gamma").number("gamma"), problem("decay")
     for i, case in enumerate(cases):
-        best.below(f"(27c), case {i}", lambda v, case=case: whole(v, case))
-        any_p.below(f"decay, case {i}", lambda v, case=case: corner(v, case))
+        best.below(f"(27c), case {i}", partial(whole, case))
+        any_p.below(f"decay, case {i}", partial(corner, case))
     try:
         values = best.solve(minimise=lambda v: v.gamma).values
     except (InfeasibleError, UndecidedError):  # gamma may have to be larger than a solver can handle
@@ -58,8 +58,8 @@ def lyapunov(gammas: FloatArray, ts: FloatArray, c: FloatArray, sigma: float) ->
             values = any_p.solve().values
         except InfeasibleError as none:
             raise UndecidedError(
-                f"the invariant zeros allow sigma = {sigma:g}, but too closely for a P of condition {KAPPA:g}: "
-                f"choose a smaller sigma or a smaller box ({none})"
+                f"the invariant zeros allow sigma = {sigma:g}, but too closely for a P of condition "
+                f"{KAPPA:g}: choose a smaller sigma or a smaller box ({none})"
             ) from none
     p = rest + frame @ values["P"] @ frame.T
     return p, ROOM * least_gamma(gammas, ts, c, p, sigma)
@@ -67,7 +67,7 @@ def lyapunov(gammas: FloatArray, ts: FloatArray, c: FloatArray, sigma: float) ->
 
 def _root(ts: FloatArray) -> FloatArray:
     """R with R R' = T T' for each T, as few columns as T has rows that differ from zero."""
-    found = np.array([np.linalg.qr(t.T, mode="r").T for t in ts])
+    found = np.array([np.asarray(np.linalg.qr(t.T, mode="r")).T for t in ts])
     used = np.abs(found).max(axis=(0, 1)) > 0.0
     return found[:, :, used]
 

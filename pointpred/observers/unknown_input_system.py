@@ -66,8 +66,8 @@ class ParameterVaryingSystem:
     def e(self, point: Point) -> FloatArray:
         """E = -F (C F)^+, n x p."""
         f = self.f(point)
-        inverse: FloatArray = np.linalg.pinv(self.c @ f)
-        return -f @ inverse
+        found: FloatArray = -f @ np.linalg.pinv(self.c @ f)
+        return found
 
     def t(self, point: Point) -> FloatArray:
         """T = I + E C; raises ParameterError naming the ranks where T F = 0 cannot be had."""
@@ -75,11 +75,13 @@ class ParameterVaryingSystem:
 
     def e_rate(self, point: Point) -> FloatArray:
         """dE/dt where F moves with the rates of its variables; exact for F affine in each of them."""
-        f, moving = self.f(point), np.zeros_like(self.f(point))
+        f = self.f(point)
+        moving: FloatArray = np.zeros_like(f)
         for name, rate in self.rates.items():
-            moving += (self.f({**point, name: point[name] + 1.0}) - f) * point[rate]
+            slope = self.f({**point, name: point[name] + 1.0}) - f
+            moving = np.asarray(moving + slope * point[rate], np.float64)
         seen, seen_rate = self.c @ f, self.c @ moving
-        inverse = np.linalg.pinv(seen)
+        inverse = np.asarray(np.linalg.pinv(seen), np.float64)
         square = np.linalg.inv(seen.T @ seen)
         inverse_rate = -inverse @ seen_rate @ inverse
         inverse_rate += square @ seen_rate.T @ (np.eye(len(seen)) - seen @ inverse)

@@ -1,0 +1,110 @@
+"""Observer, velocity and peer side by side: samples in, depth and velocity out, with what is to be believed."""
+
+from __future__ import annotations
+
+import msgspec
+import numpy as np
+
+from pointpred.camera.depth import Depth, DepthColumns, DepthObserver
+from pointpred.camera.point_filter import PointEstimate, PointFilter
+from pointpred.camera.samples import CameraColumns, CameraSample
+from pointpred.camera.velocity import FED_FORWARD, UnknownInputs, velocities
+from pointpred.columns import Columns
+
+NONE = float("nan")
+SURE = 2.0
+"""Standard deviations by which the images must speak against a receding camera."""
+
+
+class CameraEstimate(msgspec.Struct, frozen=True):
+    """What is known after a sample: the observer's depth and velocity, and the peer's estimate.
+
+    ``detectable``: the observer's own zeros lie below -sigma/2 and the images do not say otherwise. Where it
+    is false the observer's errors do not fade: believe ``peer``, if it says anything.
+    """
+
+    depth: Depth
+    velocity: tuple[float, float, float]
+    detectable: bool
+    peer: PointEstimate | None
+
+
+class CameraTable(Columns):
+    """Estimates as columns, NaN where nothing is known; what begins with ``peer_`` is the filter's."""
+
+    names = (
+        "t",
+        "chi",
+        "eta",
+        "vx",
+        "vy",
+        "vz",
+        "detectable",
+        "certified",
+        "image",
+        "peer_chi",
+        "peer_eta",
+        "peer_vx",
+        "peer_vy",
+        "peer_vz",
+        "peer_depth_spread",
+    )
+
+
+class CameraPipeline:
+    """A ``Stage[CameraSample, CameraEstimate]``: the unknown input observer with the filter as its witness.
+
+    The observer alone cannot tell a camera that approaches from one that recedes when it was started with
+    the wrong sign. The filter can, once the images have told the depth: where its eta lies above -sigma/2 by
+    two standard deviations, ``detectable`` is false whatever the observer believes. Before that nobody knows.
+
+    Parameters: ``observer``; ``peer``; ``way``, how (x, y)' is had, one of ``velocity.WAYS``; ``noise_px``
+    px, the standard deviation of the image. Raises EventError and EventOrderError; it is then unchanged.
+    """
+
+    def __init__(
+        self, observer: DepthObserver, peer: PointFilter, *, way: str = FED_FORWARD, noise_px: float = 1.0
+    ) -> None:
+        self.observer, self.peer = observer, peer
+        self.unknown = UnknownInputs(way, focal_px=observer.focal_px, noise_px=noise_px)
+
+    def reset(self) -> None:
+        """Forget every sample."""
+        for stage in (self.observer, self.peer, self.unknown):
+            stage.reset()
+
+    def update(self, sample: CameraSample, /) -> CameraEstimate:
+        """Consume one sample; a refused one changes nothing."""
+        kept = self.observer.remembered()
+        depth = self.observer.update(sample)
+        try:
+            peer = self.peer.update(sample)
+        except Exception:
+            self.observer.recall(kept)
+            raise
+        d = self.unknown.update(sample, depth.eta)
+        row = DepthColumns([[depth.t, depth.chi, depth.eta, depth.zero, 0.0, 0.0, 0.0]])
+        vx, vy, vz = velocities(np.array([d]), row)[0].tolist()
+        return CameraEstimate(depth, (vx, vy, vz), depth.detectable and not self._denied(peer), peer)
+
+    def run(self, samples: CameraColumns) -> CameraTable:
+        """Consume a table row by row; a refused row raises, naming it, and the rows before it stay consumed."""
+        rows = []
+        for number, sample in enumerate(samples.samples()):
+            try:
+                rows.append(_row(self.update(sample)))
+            except Exception as refused:
+                raise type(refused)(f"row {number}: {refused}") from refused
+        return CameraTable(np.array(rows).reshape(-1, len(CameraTable.names)))
+
+    def _denied(self, peer: PointEstimate | None) -> bool:
+        return peer is not None and peer.eta - SURE * peer.eta_spread > -self.observer.half_sigma
+
+
+def _row(one: CameraEstimate) -> tuple[float, ...]:
+    depth, peer = one.depth, one.peer
+    seen = (
+        (peer.chi, peer.eta, *peer.state[3:].tolist(), peer.depth_spread) if peer is not None else (NONE,) * 6
+    )
+    flags = (float(one.detectable), float(depth.certified), float(depth.image))
+    return (depth.t, depth.chi, depth.eta, *one.velocity, *flags, *seen)
