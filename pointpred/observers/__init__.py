@@ -14,15 +14,19 @@ from pointpred.observers.interconnection import theorem_3_2_1
 from pointpred.observers.matrix_inequalities import MatrixInequalities, Solution
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.regressors import GradientRegressor
+from pointpred.observers.reversed_certificate import Convergence, certify_convergence
+from pointpred.observers.reversed_connection import InvariantObserver, invariant_observer
 from pointpred.observers.simulate import SeededSignal, simulate
 from pointpred.observers.steady_state import SteadyState, residuals, steady_state_map
 from pointpred.regression import RecursiveLeastSquares
 
 __all__ = [
+    "Convergence",
     "ErrorBound",
     "Excitation",
     "Generator",
     "GradientRegressor",
+    "InvariantObserver",
     "MatrixInequalities",
     "ObserverDesign",
     "Persidskii",
@@ -30,10 +34,12 @@ __all__ = [
     "SeededSignal",
     "Solution",
     "SteadyState",
+    "certify_convergence",
     "convergence_bound",
     "design_observer",
     "discrete_excitation",
     "interconnection_bound",
+    "invariant_observer",
     "linear_independence",
     "persistent_excitation",
     "residuals",

@@ -1,0 +1,239 @@
+"""Certificates of the reversed connection: Theorems 3.3.1 and 3.3.2, for a given observer."""
+
+from __future__ import annotations
+
+from math import log, sqrt
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.errors import CertificateError, InfeasibleError, ParameterError
+from pointpred.observers.bounds import ErrorBound, convergence_bound, eigenvalues
+from pointpred.observers.detectability import vertices
+from pointpred.observers.matrices import matrix
+from pointpred.observers.matrix_inequalities import MatrixInequalities
+from pointpred.observers.persidskii import Persidskii
+from pointpred.observers.reversed_connection import Connection, InvariantObserver
+
+
+class Convergence(msgspec.Struct, frozen=True):
+    """A certificate that the invariant solution attracts the observer's state.
+
+    ``values`` of P, Xi and the theorem's other matrices, the ``margins`` of each inequality recomputed from
+    them, and the ``bound`` of the error for a disturbance delta of the observer's equation. The certificate
+    holds while the arguments of f stay within ``domain``; ``J`` takes the error to them.
+    """
+
+    theorem: str
+    values: dict[str, Any]
+    margins: dict[str, float]
+    bound: ErrorBound
+    J: FloatArray
+    domain: float
+
+    def region(self, reach: float) -> tuple[float, float]:
+        """Where the certificate holds, if abs(H x) stays within ``reach`` on the true trajectory.
+
+        Returns the level c of the ellipsoid e'Pe <= c that keeps the observer's arguments within the
+        domain, and the radius of the largest ball of initial errors in it; infinite where the domain
+        is. Raises CertificateError where the trajectory itself leaves the domain.
+        """
+        if np.isinf(self.domain) or not self.J.any():
+            return np.inf, np.inf
+        room = self.domain - reach
+        if room <= 0.0:
+            raise CertificateError(
+                f"the trajectory reaches {reach:g}, the slopes hold within {self.domain:g} only"
+            )
+        p = np.asarray(self.values["P"])
+        spread = float(np.einsum("ij,jk,ik->i", self.J, np.linalg.inv(p), self.J).max())
+        level = room**2 / spread
+        return level, sqrt(level / float(np.linalg.eigvalsh(p).max()))
+
+
+def theorem_3_3_1(
+    connections: list[Connection],
+    slopes: tuple[tuple[float, float], ...] | None,
+    gamma: float,
+    *,
+    F: Any = None,  # noqa: N803
+    **bounds: float,
+) -> MatrixInequalities:
+    """The inequalities of Theorem 3.3.1 with a constant P, at each of the observer's given matrices.
+
+    Unknowns: P, Xi, and W where f matters. F = P S1; where it is given, the equality is demanded.
+    e'F(f(Jw) - f(Jz)) <= e'We holds exactly if W >= sym(F D J) at each corner D of the slopes.
+    """
+    q = len(connections[0].S0)
+    problem = MatrixInequalities("Theorem 3.3.1", **bounds).positive("P", q).symmetric("Xi", q)
+    problem.above("Xi > 0", lambda v: v.Xi)
+    sloped = any(one.S1.any() for one in connections)
+    if sloped:
+        problem.symmetric("W", q)
+    for i, one in enumerate(connections):
+        mark = f" at {i}" if len(connections) > 1 else ""
+        if F is not None:
+            f = matrix("F", F, q, one.S1.shape[1])
+            problem.equal(f"P S1 - F{mark}", lambda v, o=one, f=f: v.P @ o.S1 - f)
+        for name, corner in (vertices(slopes) if sloped else {}).items():
+            problem.above(
+                f"W - sym(F D J), D = diag({name}){mark}",
+                lambda v, o=one, d=corner: v.W - symmetric(v.P @ o.S1 @ d @ o.J),
+                strict=False,
+            )
+        problem.below(
+            f"the inequality{mark}",
+            lambda v, o=one: (
+                symmetric(2.0 * v.P @ o.S0) + v.Xi + gamma * v.P + (2.0 * v.W if sloped else 0.0)
+            ),
+        )
+    return problem
+
+
+def theorem_3_3_2(
+    connections: list[Connection], lipschitz: list[float], **bounds: float
+) -> MatrixInequalities:
+    """The inequalities of Theorem 3.3.2 with a constant P; ``lipschitz`` is its gamma for each.
+
+    Unknowns: P, Xi, Gamma, alpha; the last row and column are q wide, as Gamma is q x q.
+    """
+    q = len(connections[0].S0)
+    problem = MatrixInequalities("Theorem 3.3.2", **bounds).positive("P", q).symmetric("Xi", q)
+    problem.symmetric("Gamma", q).number("alpha").above("Xi > 0", lambda v: v.Xi)
+
+    def block(v: Any, one: Connection, constant: float) -> FloatArray:
+        k = one.S1.shape[1]
+        onward = np.hstack([one.S0, one.S1, -np.eye(q)])
+        held = np.zeros((2 * q + k, 2 * q + k))
+        held[:q, :q] = v.Xi - v.P + v.alpha * constant**2 * np.eye(q)
+        held[q : q + k, q : q + k] = -v.alpha * np.eye(k)
+        held[q + k :, q + k :] = -v.Gamma
+        return np.asarray(held + onward.T @ v.P @ onward)
+
+    for i, (one, constant) in enumerate(zip(connections, lipschitz, strict=True)):
+        mark = f" at {i}" if len(connections) > 1 else ""
+        problem.below(f"the LMI{mark}", lambda v, o=one, c=constant: block(v, o, c), strict=False)
+    return problem
+
+
+def certify_convergence(
+    observer: InvariantObserver,
+    *,
+    gamma: float | None = None,
+    times: Any = (0.0,),
+    solver: str = "CLARABEL",
+    **bounds: float,
+) -> Convergence:
+    """A certificate that w = Pi x + Upsilon y attracts the observer's state, recomputed from its matrices.
+
+    Assumes one P for all times; where matrices vary, ``times`` are all that is certified, and what
+    lies between them is not. Theorem 3.3.2 knows the nonlinearity by its Lipschitz constant only: a
+    steep f is refused although it may help.
+
+    Parameters: ``gamma`` of Theorem 3.3.1 in 1/s, of which a part of the slowest decay is tried where it is
+    not given; in discrete time there is none. ``margin``, ``kappa`` as for ``MatrixInequalities``.
+    Raises InfeasibleError naming the eigenvalue where S0 + S1 D J is unstable at a corner D of the
+    slopes, before any solver runs; InfeasibleError, UndecidedError, CertificateError from the solver.
+
+    Reference: Khalin 2022, Theorems 3.3.1 and 3.3.2, the bounds corrected.
+
+    >>> from pointpred.observers import Persidskii, invariant_observer
+    >>> plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], None, None, "sin", C0=[1.0, 0.0])
+    >>> found = certify_convergence(invariant_observer(plant, [[0.0, 1.0]], [[-3.0]]))
+    >>> min(found.margins.values()) > 0.0, found.bound(1.0, 1.0) < 1.0
+    (True, True)
+    >>> certify_convergence(invariant_observer(plant, [[0.0, 1.0]], [[2.0]]))
+    Traceback (most recent call last):
+    pointpred.errors.InfeasibleError: Theorem 3.3.1: S0 + S1 D J has the eigenvalue 1, must lie left of 0
+    """
+    plant = observer.plant
+    connections = [observer.at(t) for t in (times if observer.varying else (0.0,))]
+    slowest = max(_slowest(one, plant) for one in connections)
+    if plant.time == "discrete":
+        problem = theorem_3_3_2(
+            connections, [lipschitz_constant(plant, one.J) for one in connections], **bounds
+        )
+        values = problem.number("bound").above("bound - Gamma", _spare, strict=False)
+        values = values.above("Xi - I", lambda v: v.Xi - np.eye(observer.q), strict=False)
+        solution = values.solve(minimise=lambda v: v.bound, solver=solver)
+        return _discrete(solution.values, solution.margins, connections[0], plant)
+    shares = (1.0, 0.5, 0.2, 0.05) if gamma is None else (1.0,)
+    for share in shares:
+        chosen = share * -slowest if gamma is None else gamma
+        problem = theorem_3_3_1(connections, plant.slopes, chosen, **bounds)
+        problem.above("Xi - I", lambda v: v.Xi - np.eye(observer.q), strict=False)
+        problem.number("bound").above("bound - P", lambda v: v.bound * np.eye(observer.q) - v.P, strict=False)
+        try:
+            solution = problem.solve(minimise=lambda v: v.bound, solver=solver)
+        except InfeasibleError:
+            if share == shares[-1]:
+                raise
+            continue
+        break
+    values = {name: one for name, one in solution.values.items() if name != "bound"}
+    values["gamma"] = chosen
+    bound = convergence_bound(values["P"], values["Xi"], chosen)
+    return Convergence("3.3.1", values, solution.margins, bound, connections[0].J, plant.domain)
+
+
+def discrete_bound(P: Any, Xi: Any, Gamma: Any) -> ErrorBound:  # noqa: N803
+    """The bound that Theorem 3.3.2 implies and the print leaves out, for delta; the rate is per step.
+
+    V(k+1) <= (1 - c) V(k) + max Gamma abs(delta)^2 with c = min Xi / max P, so that abs(e) <= sqrt(max
+    P / min P) ((1 - c)^(k/2) abs(e0) + sqrt(max Gamma / min Xi) abs(delta)).
+
+    >>> discrete_bound([[1.0]], [[0.75]], [[3.0]])(2.0, 1.0, delta=0.5)  # 1/4 + 2 * 0.5
+    1.25
+    """
+    p, xi, gamma = eigenvalues("P", P), eigenvalues("Xi", Xi), eigenvalues("Gamma", Gamma)
+    overshoot, c = sqrt(p[-1] / p[0]), float(xi[0] / p[-1])
+    rate = -0.5 * log(max(1.0 - c, 1e-300))
+    return ErrorBound(overshoot, rate, (overshoot * sqrt(gamma[-1] / xi[0]),), ("delta",))
+
+
+def lipschitz_constant(plant: Persidskii, j: FloatArray) -> float:
+    """The gamma of Theorem 3.3.2: abs(f(Jw) - f(Jz)) <= gamma abs(w - z), from the slopes."""
+    if plant.slopes is None or not np.isfinite(np.array(plant.slopes)).all():
+        raise ParameterError(f"a certificate needs bounded slopes, received {plant.slopes}")
+    steepest = np.abs(np.array(plant.slopes).reshape(-1, 2)).max(axis=1, initial=0.0)
+    return float(np.linalg.norm(steepest[:, None] * j, 2)) if j.size else 0.0
+
+
+def symmetric(square: FloatArray) -> FloatArray:
+    """The symmetric part."""
+    return 0.5 * (square + square.T)
+
+
+def _spare(v: Any) -> FloatArray:
+    return np.asarray(v.bound * np.eye(len(v.Gamma)) - v.Gamma)
+
+
+def _slowest(one: Connection, plant: Persidskii) -> float:
+    """The largest real part (log modulus) at a corner of the slopes; raises where it is not negative."""
+    corners = vertices(plant.slopes) if one.S1.any() else {"": np.zeros((one.S1.shape[1], len(one.J)))}
+    discrete, slowest = plant.time == "discrete", -np.inf
+    for name, corner in corners.items():
+        for value in np.linalg.eigvals(one.S0 + one.S1 @ corner @ one.J).astype(np.complex128):
+            place = log(max(abs(value), 1e-300)) if discrete else float(value.real)
+            if place >= 0.0:
+                shown = f"{value.real:.6g}" if value.imag == 0.0 else f"{value.real:.6g}{value.imag:+.6g}j"
+                where, which = (
+                    "within the unit circle" if discrete else "left of 0",
+                    f" at D = diag({name})" if name else "",
+                )
+                theorem = "3.3.2" if discrete else "3.3.1"
+                raise InfeasibleError(
+                    f"Theorem {theorem}: S0 + S1 D J has the eigenvalue {shown}{which}, must lie {where}"
+                )
+            slowest = max(slowest, place)
+    return slowest
+
+
+def _discrete(
+    values: dict[str, Any], margins: dict[str, float], one: Connection, plant: Persidskii
+) -> Convergence:
+    kept = {name: value for name, value in values.items() if name != "bound"}
+    bound = discrete_bound(kept["P"], kept["Xi"], kept["Gamma"])
+    return Convergence("3.3.2", kept, margins, bound, one.J, plant.domain)

@@ -1,0 +1,224 @@
+"""The reversed connection of section 3.3: an observer whose state is a linear function of the plant's."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.errors import InfeasibleError, ParameterError
+from pointpred.observers.matrices import matrix
+from pointpred.observers.persidskii import Persidskii
+
+TOLERANCE = 1e-9
+Given = Any
+"""A matrix, or a function of t (of the index in discrete time)."""
+
+
+class Connection(msgspec.Struct, frozen=True):
+    """The observer's matrices at one time: w' = S0 w + S1 f(J w + R y) + B y + O u, with w = Z x invariant.
+
+    ``R`` is zero unless the measured output was allowed into the nonlinearity. ``residuals`` are what
+    is left of each equality; ``unique`` says whether the equalities leave no choice of S0 and B.
+    ``onward`` is the Z that the next w belongs to: Z itself in continuous time.
+    """
+
+    Z: FloatArray
+    S0: FloatArray
+    S1: FloatArray
+    J: FloatArray
+    B: FloatArray
+    O: FloatArray  # noqa: E741
+    R: FloatArray
+    residuals: dict[str, float]
+    unique: bool
+    onward: FloatArray
+
+
+class InvariantObserver:
+    """An observer that w = Pi x + Upsilon y joins to its plant; see ``invariant_observer``.
+
+    Assumes y = C0 x + C1 f(Hx) without noise for the invariance; whether w is attracted by it is the
+    matter of a certificate.
+    """
+
+    def __init__(
+        self,
+        plant: Persidskii,
+        Pi: Given,  # noqa: N803
+        Upsilon: Given,  # noqa: N803
+        *,
+        B: Given = None,  # noqa: N803
+        injection: bool = False,
+        rates: dict[str, Callable[[float], Any]] | None = None,
+        tolerance: float = TOLERANCE,
+    ) -> None:
+        self.plant, self.injection, self.tolerance = plant, injection, tolerance
+        self._given = {"Pi": Pi, "Upsilon": np.zeros((0, 0)) if Upsilon is None else Upsilon, "B": B}
+        self.q = len(matrix("Pi", _at(Pi, 0.0), None, plant.n))
+        self._rates = dict(rates or {})
+        self.varying = bool(plant.varying) or any(callable(one) for one in self._given.values())
+        self._check_rates()
+        self._first = self._connection(0.0)
+
+    def at(self, t: float) -> Connection:
+        """The matrices at t (at the index, in discrete time)."""
+        return self._connection(t) if self.varying else self._first
+
+    def field(self, t: float, w: Any, y: Any, u: Any = None) -> FloatArray:
+        """The w' at t (or the next w); ``u`` are the inputs of the plant's B, then those of its Q."""
+        now = self.at(t)
+        w, y = np.asarray(w, np.float64), np.atleast_1d(np.asarray(y, np.float64))
+        change: FloatArray = now.S0 @ w + now.B @ y
+        if now.S1.size:
+            change = change + now.S1 @ self.plant.f(now.J @ w + now.R @ y)
+        return change if u is None else change + now.O @ np.atleast_1d(u)
+
+    def invariant(self, t: float, x: Any) -> FloatArray:
+        """The w that belongs to a state of the plant: Z x."""
+        return np.asarray(self.at(t).Z @ np.asarray(x, np.float64))
+
+    def recovery(self, t: float) -> tuple[FloatArray, FloatArray]:
+        """X, Y with x = X w + Y y on the invariant solution.
+
+        Raises ParameterError where w and y do not determine x, or y holds the nonlinearity.
+        """
+        now, plant = self.at(t), self.plant.matrices(t)
+        both = np.vstack([now.Z, plant["C0"]])
+        if plant["C1"].any():
+            raise ParameterError("the state is recovered linearly from w and y, which needs C1 = 0")
+        rank = np.linalg.matrix_rank(both, tol=1e-9 * max(1.0, float(np.abs(both).max())))
+        if rank < self.plant.n:
+            raise ParameterError(f"w and y hold {rank} combinations of the {self.plant.n} states, not all")
+        inverse = np.linalg.pinv(both)
+        return inverse[:, : self.q], inverse[:, self.q :]
+
+    def estimate(self, t: float, w: Any, y: Any) -> FloatArray:
+        """The plant's state that w and y stand for."""
+        onto, straight = self.recovery(t)
+        return np.asarray(onto @ np.asarray(w, np.float64) + straight @ np.atleast_1d(y))
+
+    def _maps(self, t: float) -> tuple[dict[str, FloatArray], FloatArray, FloatArray, FloatArray]:
+        """The plant's matrices, Pi, Upsilon and Z at t."""
+        now = self.plant.matrices(t)
+        pi = matrix("Pi", _at(self._given["Pi"], t), self.q, self.plant.n)
+        given = _at(self._given["Upsilon"], t)
+        upsilon = np.zeros((self.q, self.plant.p)) if np.size(given) == 0 else given
+        upsilon = matrix("Upsilon", upsilon, self.q, self.plant.p)
+        return now, pi, upsilon, pi + upsilon @ now["C0"]
+
+    def _connection(self, t: float) -> Connection:
+        now, _, upsilon, z = self._maps(t)
+        discrete = self.plant.time == "discrete"
+        onward = self._maps(t + 1)[3] if discrete and self.varying else z
+        change = onward @ now["A0"]
+        if not discrete:
+            change = change + self._rate(t, now, upsilon)
+        given = self._given["B"]
+        if given is None:
+            both = _right(np.vstack([z, now["C0"]]), change)
+            s0, b = both[:, : self.q], both[:, self.q :]
+        else:
+            b = matrix("B", _at(given, t), self.q, self.plant.p)
+            s0 = _right(z, change - b @ now["C0"])
+        s1 = onward @ now["A1"] - b @ now["C1"]
+        stacked = np.vstack([z, now["C0"]]) if self.injection else z
+        jr = _right(stacked, now["H"])
+        j, r = jr[:, : self.q], jr[:, self.q :] if self.injection else np.zeros((len(jr), self.plant.p))
+        left = {
+            "Upsilon C1": upsilon @ now["C1"],
+            "J (Pi + Upsilon C0) - H": j @ z + r @ now["C0"] - now["H"] if s1.any() else np.zeros(0),
+            "S0 Z + B C0 - Z A0 - Z'": s0 @ z + b @ now["C0"] - change,
+            "R C1": r @ now["C1"],
+        }
+        _demand(left, self.tolerance, max(1.0, *(float(np.abs(m).max(initial=0.0)) for m in now.values())), t)
+        rank = np.linalg.matrix_rank(np.vstack([z, now["C0"]]))
+        free = given is None and rank < self.q + self.plant.p
+        inputs = onward @ np.hstack([now["B"], now["Q"]])
+        residuals = {name: float(np.abs(one).max(initial=0.0)) for name, one in left.items()}
+        return Connection(z, s0, s1, j, b, inputs, r, residuals, not free, onward)
+
+    def _rate(self, t: float, now: dict[str, FloatArray], upsilon: FloatArray) -> FloatArray:
+        """Z' = Pi' + Upsilon' C0 + Upsilon C0', from the derivatives that were given."""
+        total = np.zeros((self.q, self.plant.n))
+        if "Pi" in self._rates:
+            total += matrix("Pi'", self._rates["Pi"](t), self.q, self.plant.n)
+        if "Upsilon" in self._rates:
+            total += matrix("Upsilon'", self._rates["Upsilon"](t), self.q, self.plant.p) @ now["C0"]
+        if "C0" in self._rates:
+            total += upsilon @ matrix("C0'", self._rates["C0"](t), self.plant.p, self.plant.n)
+        return total
+
+    def _check_rates(self) -> None:
+        moving = {name for name in ("Pi", "Upsilon") if callable(self._given[name])}
+        if "C0" in self.plant.varying and np.size(self._given["Upsilon"]) != 0:
+            moving.add("C0")
+        foreign = set(self._rates) - {"Pi", "Upsilon", "C0"}
+        if foreign:
+            raise ParameterError(f"rates may name Pi, Upsilon and C0, received {sorted(foreign)}")
+        missing = moving - set(self._rates)
+        if missing and self.plant.time == "continuous":
+            raise ParameterError(
+                f"{', '.join(sorted(missing))} vary in continuous time: give their derivatives in rates"
+            )
+
+
+def invariant_observer(
+    plant: Persidskii,
+    Pi: Given,  # noqa: N803
+    Upsilon: Given = None,  # noqa: N803
+    *,
+    B: Given = None,  # noqa: N803
+    injection: bool = False,
+    rates: dict[str, Callable[[float], Any]] | None = None,
+    tolerance: float = TOLERANCE,
+) -> InvariantObserver:
+    """The observer w' = S0 w + S1 f(Jw) + B y + O u that w = Pi x + Upsilon y solves for every x(0) and u.
+
+    Assumes nothing of stability. Where the equalities leave S0 and B open (q + p > n), B is the one of
+    least norm unless given, which need not make a stable observer.
+
+    With Z = Pi + Upsilon C0: Upsilon C1 = 0, J Z = H, S0 Z + B C0 = Z A0 + Z', S1 = Z A1 - B C1, O = Z
+    (B Q). In discrete time the Z before A0, A1 and the inputs is that of the next index, and there is
+    no Z'. ``injection`` weakens J Z = H to J Z + R C0 = H with f(J w + R y): the measured output
+    within f, which the thesis does not have. J is not asked for where S1 = 0.
+
+    Parameters: ``Pi`` (q, n), ``Upsilon`` (q, p), ``B`` (q, p): arrays or functions of t (of the index);
+    ``rates`` in continuous time the derivatives of those of Pi, Upsilon and C0 that vary;
+    ``tolerance`` of a residual relative to the plant's largest entry, for matrices that were rounded
+    in print. Raises InfeasibleError naming an equality that cannot hold and its residual;
+    ParameterError for a shape.
+
+    Reference: Khalin 2022, Propositions 3.3.1 and 3.3.2, (3.20)-(3.25); C0, C1 and Q are its D0, D1 and Q.
+
+    >>> plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], None, None, "sin", B=[0.0, 1.0], C0=[1.0, 0.0])
+    >>> now = invariant_observer(plant, [[0.0, 1.0]], [[-3.0]]).at(0.0)
+    >>> now.S0.round(9).tolist(), now.B.round(9).tolist(), now.O.tolist()
+    ([[-4.0]], [[-12.0]], [[1.0]])
+    >>> plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], [0.0, -2.0], [1.0, 0.0], "sin", C0=[1.0, 0.0])
+    >>> invariant_observer(plant, [[0.0, 1.0]], [[-3.0]])  # doctest: +ELLIPSIS
+    Traceback (most recent call last):
+    pointpred.errors.InfeasibleError: J (Pi + Upsilon C0) - H = 0 cannot hold: its residual is 0.3 ...
+    >>> invariant_observer(plant, [[0.0, 1.0]], [[-3.0]], injection=True).at(0.0).R.round(9).tolist()
+    [[1.0]]
+    """
+    return InvariantObserver(plant, Pi, Upsilon, B=B, injection=injection, rates=rates, tolerance=tolerance)
+
+
+def _at(given: Given, t: float) -> Any:
+    return given(t) if callable(given) else given
+
+
+def _right(a: FloatArray, b: FloatArray) -> FloatArray:
+    """The X of least norm that comes nearest to X a = b."""
+    return np.asarray(np.linalg.lstsq(a.T, b.T, rcond=None)[0].T, np.float64)
+
+
+def _demand(left: dict[str, FloatArray], tolerance: float, size: float, t: float) -> None:
+    for name, one in left.items():
+        residual = float(np.abs(one).max(initial=0.0))
+        if residual > tolerance * size:
+            raise InfeasibleError(f"{name} = 0 cannot hold: its residual is {residual:.3g} at t = {t:g}")
