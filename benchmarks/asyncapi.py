@@ -18,8 +18,8 @@ from pointpred.server.records import EVENT, NO_COUNTS, PREDICTION, pack
 CHANNEL = {"$ref": "#/channels/stream"}
 REPLIES = {
     "hello": ["welcome"],
-    "events": ["prediction", "binaryPredictions", "choice"],
-    "binaryEvents": ["prediction", "binaryPredictions", "choice"],
+    "events": ["prediction", "binaryPredictions", "cursor", "choice"],
+    "binaryEvents": ["prediction", "binaryPredictions", "cursor", "choice"],
     "targets": ["targetsTaken", "choice"],
     "trial": ["score", "choice"],
     "configure": ["welcome", "choice"],

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pointpred.server.assisted_messages import Assist, Cursor
 from pointpred.server.messages import (
     Bye,
     Choice,
@@ -34,11 +35,19 @@ HELLO = Hello(
     encoding="json",
 )
 CLIENT = (
-    (HELLO, Hello(1, "hold", reply="event", encoding="binary")),
+    (
+        HELLO,
+        Hello(1, "hold", reply="event", encoding="binary"),
+        Hello(1, "switched-direction", device=Device(cpi=800.0), assist=Assist(0.4, 6.0, "constant", 3.0)),
+    ),
     (Events([(0.5, 640.0, 360.0, None, None, 0), (0.508, 643.0, 359.0, 4.0, -1.0, 0)]),),
     (Targets([Target("save", 900.0, 20.0, 80.0, 24.0, weight=2.0)]), Targets([])),
     (TrialMark("start", Goal(940.0, 32.0, 24.0)), TrialMark("end")),
-    (Configure(predictor="kalman"), Configure(reply="event")),
+    (
+        Configure(predictor="kalman"),
+        Configure(reply="event"),
+        Configure(assist=Assist(0.25, function="sigmoid")),
+    ),
     (Reset(),),
     (Bye("done"),),
 )
@@ -51,6 +60,7 @@ SERVER = (
         PredictionMessage(0.5),
         PredictionMessage(0.508, 871.5, 251.0, None, "ballistic", 0.35, [Likely("save", 0.8125)]),
     ),
+    (Cursor(0.508, 652.0, 356.0, 4.0),),
     (
         Choice("save", 0.8125, "propose", 0.508),
         Choice("save", 0.25, "retract", 0.75),

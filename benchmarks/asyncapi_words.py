@@ -14,6 +14,10 @@ the client's clock. A client that reads slowly gets the newest prediction only, 
 to it. Proposals among targets (`choice`) go as text in either encoding; of more than 64 that wait to be read,
 the client gets what they come to: the end of the proposal it was told, and the one that stands.
 
+With `assist` in `hello` the service moves the cursor: events carry counts, the first says where the cursor
+stands before it, and before each prediction `cursor` says, as text in either encoding, where it is now.
+Positions in later events are not looked at. `configure` may replace `assist`, but not ask for it anew.
+
 Subprotocol: `{SUBPROTOCOL}`. A page of another origin or a foreign `Host` is refused with HTTP 403 before the
 upgrade. A token is needed as soon as the service is bound to an address that is not loopback."""
 CLOSES = {

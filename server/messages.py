@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Any, Literal
 
 import msgspec
-from msgspec import UNSET, Meta, Struct, UnsetType
+from msgspec import UNSET, Struct, UnsetType
 
-from pointpred.events import CPI, DPI, LARGEST, LATEST_S
-from pointpred.targets.rectangles import SMALLEST_PX
+from pointpred.server.assisted_messages import Assist, Cursor
+from pointpred.server.fields import Bounded, Buttons, Cpi, Dpi, Extent, Moment, Name, Positive, Share, Weight
 
 VERSION = 1
 SUBPROTOCOL = "pointpred.v1"
@@ -32,15 +32,6 @@ Code = Literal[
     "internal",
 ]
 
-Moment = Annotated[float, Meta(ge=-LATEST_S, le=LATEST_S)]
-Bounded = Annotated[float, Meta(ge=-LARGEST, le=LARGEST)]
-Positive = Annotated[float, Meta(gt=0.0, le=LARGEST)]
-Extent = Annotated[float, Meta(ge=SMALLEST_PX, le=LARGEST)]
-Weight = Annotated[float, Meta(ge=0.0, le=LARGEST)]
-Cpi = Annotated[float, Meta(ge=CPI[0], le=CPI[1])]
-Dpi = Annotated[float, Meta(ge=DPI[0], le=DPI[1])]
-Buttons = Annotated[int, Meta(ge=0, le=65535)]
-Name = Annotated[str, Meta(min_length=1, max_length=128)]
 EventRow = tuple[Moment, Bounded, Bounded, Bounded | None, Bounded | None, Buttons]
 """t in s, x and y in px, dx and dy in counts or null, buttons."""
 
@@ -74,6 +65,7 @@ class Hello(Struct, tag="hello", forbid_unknown_fields=True):
     screen: Screen | None = None
     reply: Reply = "frame"
     encoding: Encoding = "json"
+    assist: Assist | None = None
 
 
 class Events(Struct, tag="events", forbid_unknown_fields=True):
@@ -123,7 +115,8 @@ class Configure(Struct, tag="configure", forbid_unknown_fields=True):
     predictor: str | None = None
     parameters: dict[str, Setting] = {}
     reply: Reply | None = None
-    precision: Annotated[float, Meta(ge=0.0, le=1.0)] | None = None
+    precision: Share | None = None
+    assist: Assist | None = None
 
 
 class Reset(Struct, tag="reset", forbid_unknown_fields=True):
@@ -236,7 +229,7 @@ class ErrorMessage(Struct, tag="error"):
     recoverable: bool = True
 
 
-ServerMessage = Welcome | PredictionMessage | Choice | TargetsTaken | Score | ErrorMessage | Bye
+ServerMessage = Welcome | PredictionMessage | Cursor | Choice | TargetsTaken | Score | ErrorMessage | Bye
 
 encode = msgspec.json.Encoder().encode
 

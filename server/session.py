@@ -11,6 +11,7 @@ from collections.abc import Callable
 from pointpred.columns import FloatArray
 from pointpred.errors import EventError
 from pointpred.server.allowance import TARGETS_AN_EVENT, Allowance
+from pointpred.server.assisted import stream_of
 from pointpred.server.conversation import SLOW, Conversation
 from pointpred.server.decoding import decode_text, row_of, table_of_bytes, table_of_rows
 from pointpred.server.messages import (
@@ -164,7 +165,7 @@ class Session(Conversation):
             raise RefusedError(
                 "bad_field", f"version must be {VERSION}, received {hello.version}", "$.version"
             )
-        self.stream = Stream(hello)
+        self.stream = stream_of(hello)
         self.stream.watch = self._watch(self.name, hello) if self._watch else None
         self.state, self.heard = "greeted", now
         self._welcome(self.stream)

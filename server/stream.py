@@ -14,8 +14,8 @@ from pointpred.server import answers
 from pointpred.server.building import cpi_of, dpi_of, pipeline_of
 from pointpred.server.choices import Choices, Taken
 from pointpred.server.decoding import check_numbers
-from pointpred.server.messages import Configure, ErrorMessage, Goal, Hello, Target
-from pointpred.server.outbox import Outbox
+from pointpred.server.messages import Configure, ErrorMessage, Goal, Hello, Likely, Target
+from pointpred.server.outbox import Frame, Outbox
 from pointpred.server.refusals import RefusedError
 from pointpred.server.trials import Scoring, TrialKeeper, with_account
 from pointpred.server.watch import Watch
@@ -68,7 +68,7 @@ class Stream:
     def _answer(self, kept: FloatArray, predictions: FloatArray, outbox: Outbox) -> None:
         """Say the predictions, with targets after what they change; many targets are looked at later."""
         choices = self.choices
-        told = partial(answers.frames, predictions, binary=self._binary, each=self.hello.reply == "event")
+        told = partial(self._frames, predictions)
         if choices is None:
             outbox.predict(*told())
             return
@@ -76,7 +76,7 @@ class Stream:
 
         def say(taken: Taken) -> None:
             choices.say(taken.changes)
-            outbox.predict(*told(likely=taken.likely))
+            outbox.predict(*told(taken.likely))
 
         def work() -> Callable[[], None]:
             return partial(say, look())
@@ -85,6 +85,12 @@ class Stream:
             self.work = work
         else:
             say(look())
+
+    def _frames(
+        self, predictions: FloatArray, likely: list[list[Likely]] | None = None
+    ) -> tuple[list[Frame], int]:
+        each = self.hello.reply == "event"
+        return answers.frames(predictions, binary=self._binary, each=each, likely=likely)
 
     def feed_one(self, row: Sequence[float], outbox: Outbox) -> bool:
         """``feed`` for the one event of most frames, without a table: the same steps, the same answer.
@@ -108,6 +114,7 @@ class Stream:
         Parameters add to those said before, but another predictor begins with its own. A running trial goes
         on, and is scored with the predictor it ends with.
         """
+        self._check_assist(message)
         another = message.predictor is not None
         known = {} if another else self.hello.parameters
         hello = structs.replace(
@@ -115,6 +122,7 @@ class Stream:
             predictor=self.hello.predictor if message.predictor is None else message.predictor,
             parameters={**known, **message.parameters},
             reply=message.reply or self.hello.reply,
+            assist=message.assist or self.hello.assist,
         )
         if another or message.parameters:
             self.pipeline = pipeline_of(hello)
@@ -155,6 +163,11 @@ class Stream:
         account = self.choices.account(goal or self._trial.goal) if self.choices else {}
         scoring = self._trial.end(goal, self.pipeline, cpi_of(self.hello), dpi_of(self.hello))
         return partial(with_account, scoring, account) if account else scoring
+
+    def _check_assist(self, message: Configure) -> None:
+        if message.assist is not None:
+            words = "expected assistance to be asked for in 'hello'; it may be changed afterwards"
+            raise RefusedError("out_of_place", words, "$.assist")
 
     def _forget(self) -> None:
         self._last_t = NEVER

@@ -19,6 +19,7 @@ from pointpred.pipeline import run
 from pointpred.registry import REGISTRY, build
 from pointpred.server.records import EVENT, unpack
 from pointpred.targets import Chooser, around
+from pointpred.transfer import ConstantGain, GuardedTransfer
 
 COMPILES_S = 1.0
 """A predictor that takes longer was not in the cache."""
@@ -38,6 +39,7 @@ def warm(progress: Callable[[int, int, str], bool] = lambda done, of, name: True
             if done == 0 and time.monotonic() - began > COMPILES_S and (os.cpu_count() or 1) > 1:
                 until_done.callback(_end, _helper())
         unpack(bytes(2 * EVENT.itemsize))
+        GuardedTransfer(ConstantGain(), cpi=1000.0).advance(0.0, 4.0, 2.0)
     progress(len(REGISTRY), len(REGISTRY), "")
 
 
