@@ -13,6 +13,8 @@ from pointpred.observers.generator import Generator
 from pointpred.observers.interconnection import theorem_3_2_1
 from pointpred.observers.matrix_inequalities import MatrixInequalities, Solution
 from pointpred.observers.persidskii import Persidskii
+from pointpred.observers.persidskii_observer import PersidskiiObserver, observer_stage, regulator_stage
+from pointpred.observers.reduced_order import ReducedOrderDesign, design_reduced_order
 from pointpred.observers.regressors import GradientRegressor
 from pointpred.observers.reversed_certificate import Convergence, certify_convergence
 from pointpred.observers.reversed_connection import InvariantObserver, invariant_observer
@@ -30,18 +32,23 @@ __all__ = [
     "MatrixInequalities",
     "ObserverDesign",
     "Persidskii",
+    "PersidskiiObserver",
     "RecursiveLeastSquares",
+    "ReducedOrderDesign",
     "SeededSignal",
     "Solution",
     "SteadyState",
     "certify_convergence",
     "convergence_bound",
     "design_observer",
+    "design_reduced_order",
     "discrete_excitation",
     "interconnection_bound",
     "invariant_observer",
     "linear_independence",
+    "observer_stage",
     "persistent_excitation",
+    "regulator_stage",
     "residuals",
     "simulate",
     "steady_state_map",

@@ -54,7 +54,7 @@ def interconnection_bound(
     """The bound of Theorem 3.2.1 for the disturbances v, eps (v~ in print) and w.
 
     With c = min Theta / max P (eigenvalues): V' <= -c V + ..., so that abs(e) <= sqrt(max P / min P)
-    exp(-c t / 2) abs(e0) + sqrt(max Gamma / (c min P)) (abs(v) + abs(eps)) + sqrt(max Xi / (c min P)) abs(w), as printed.
+    exp(-c t / 2) abs(e0) + sqrt(max Gamma / (c min P)) (abs(v) + abs(eps)) + sqrt(max Xi / (c min P)) abs(w).
     ``sharp`` takes the least generalised eigenvalue of (Theta, P) for c, which is never smaller. In discrete
     time the decay of V is 1 - c each step.
 
