@@ -1,6 +1,8 @@
-"""Observer, velocity and peer side by side: samples in, depth and velocity out, with what is to be believed."""
+"""Observer, velocity and peer side by side: samples in, depth and velocity out, and which to believe."""
 
 from __future__ import annotations
+
+import copy
 
 import msgspec
 import numpy as np
@@ -10,6 +12,7 @@ from pointpred.camera.point_filter import PointEstimate, PointFilter
 from pointpred.camera.samples import CameraColumns, CameraSample
 from pointpred.camera.velocity import FED_FORWARD, UnknownInputs, velocities
 from pointpred.columns import Columns
+from pointpred.errors import EventError
 
 NONE = float("nan")
 SURE = 2.0
@@ -88,12 +91,13 @@ class CameraPipeline:
         return CameraEstimate(depth, (vx, vy, vz), depth.detectable and not self._denied(peer), peer)
 
     def run(self, samples: CameraColumns) -> CameraTable:
-        """Consume a table row by row; a refused row raises, naming it, and the rows before it stay consumed."""
-        rows = []
+        """Consume a table; when a row is refused the error names it and nothing is consumed."""
+        rows, kept = [], copy.deepcopy((self.observer, self.peer, self.unknown))
         for number, sample in enumerate(samples.samples()):
             try:
                 rows.append(_row(self.update(sample)))
-            except Exception as refused:
+            except EventError as refused:
+                self.observer, self.peer, self.unknown = kept
                 raise type(refused)(f"row {number}: {refused}") from refused
         return CameraTable(np.array(rows).reshape(-1, len(CameraTable.names)))
 

@@ -32,7 +32,7 @@ CALM: dict[str, dict[str, Any]] = {
 }
 """Settings for a camera at 33 images a second, the best of a small grid with 4 px of noise."""
 WAYS = (*DIFFERENTIATORS, *(f"{name}, calm" for name in CALM), FED_FORWARD)
-"""How d can be had: every differentiator with its defaults, those set for a camera, and the two-state filter."""
+"""How d can be had: by each differentiator, by those set for a camera, by the two-state filter."""
 
 
 def velocities(d: FloatArray, depth: DepthColumns) -> FloatArray:

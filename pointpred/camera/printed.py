@@ -1,0 +1,78 @@
+"""What the camera paper prints, kept to be audited: nothing here is used to estimate anything."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pointpred.camera.scenario import Trajectory
+from pointpred.columns import FloatArray
+
+
+def derivatives(truth: Trajectory) -> FloatArray:
+    """(x, y, chi, eta)' of a trajectory by the chain rule on p' = -v - w x p and v' = a - w x v alone.
+
+    Uses (7) and (11), none of the equations that are audited.
+    """
+    p_rate = -truth.v - np.cross(truth.w, truth.p)
+    v_rate = truth.a - np.cross(truth.w, truth.v)
+    chi = truth.chi
+    image_rate = (p_rate[:, :2] - truth.image * p_rate[:, 2:]) * chi[:, None]
+    chi_rate = -p_rate[:, 2] * chi**2
+    return np.column_stack([image_rate, chi_rate, v_rate[:, 2] * chi + truth.v[:, 2] * chi_rate])
+
+
+def eta_rate_12(truth: Trajectory) -> FloatArray:
+    """Second line of (12) as printed: four of its six signs are wrong."""
+    (x, y), (wx, wy, _) = truth.image.T, truth.w.T
+    (vx, vy, _), chi, eta = truth.v.T, truth.chi, truth.eta
+    rate: FloatArray = (
+        truth.a[:, 2] * chi - wy * vx * chi + wx * vy * chi + eta**2 - y * eta * wx + x * wy * eta
+    )
+    return rate
+
+
+def chi_rate_14(truth: Trajectory) -> FloatArray:
+    """First entry of f_u in (14) as printed: all three signs are wrong."""
+    rate: FloatArray = -truth.chi * (truth.eta + truth.turn)
+    return rate
+
+
+def decoupling_matrices(wx: float, wy: float) -> tuple[FloatArray, FloatArray]:
+    """E and T as printed below (23): with this T the unknown input passes, T F = (0; 0; 0; 2 w_y, -2 w_x)."""
+    e = np.array([[-1.0, 0.0], [0.0, -1.0], [0.0, 0.0], [-wy, wx]])
+    t = np.diag([0.0, 0.0, 1.0, 1.0])
+    t[3, :2] = -wy, wx
+    return e, t
+
+
+def gain_inequality(
+    gamma_i: FloatArray,
+    t_i: FloatArray,
+    c: FloatArray,
+    p: FloatArray,
+    w_i: FloatArray,
+    force: FloatArray,
+    sigma: float,
+) -> FloatArray:
+    """(27c) as printed, with + W C: it proves something of Gamma + K C, while (44) runs Gamma - K C."""
+    corner = gamma_i.T @ p + p @ gamma_i + w_i @ c + c.T @ w_i.T + sigma * p
+    return np.block([[corner, p @ t_i], [t_i.T @ p, -force]])
+
+
+P = np.array(
+    [
+        [0.0034, -2.0580e-8, 0.0, 0.0],
+        [-2.0580e-8, 0.0034, 0.0, 0.0],
+        [0.0, 0.0, 9.8857e-13, 0.0],
+        [0.0, 0.0, 0.0, 1.6109e-13],
+    ]
+)
+"""The P of section V: its least eigenvalue lies below the chi_1 that was demanded."""
+CHI_1, SIGMA, GAMMA = 1e-12, 1e-2, 9.5492e-13
+TABLE_I = {
+    0: (0.2350, 0.0917, 0.0516, 0.0848, 0.0139),
+    2: (0.2319, 0.0937, 0.5483, 0.9726, 0.0196),
+    4: (0.2319, 0.0937, 1.1204, 1.9462, 0.0198),
+    8: (0.2321, 0.0938, 2.2697, 3.9192, 0.0199),
+}
+"""RMSE of chi, eta, v_x, v_y, v_z by pixel noise, as printed."""
