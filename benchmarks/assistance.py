@@ -1,6 +1,6 @@
 """What assistance does to simulated people, right and wrong on purpose: ``python -m benchmarks.assistance``.
 
-Fills the tables of docs/assistance.md and draws its figure; seeded, about two minutes, progress on stderr.
+Fills the tables of docs/assistance.md and draws its figure; seeded, a minute or two, progress on stderr.
 """
 
 from __future__ import annotations
@@ -84,14 +84,16 @@ def right_table(measure: Measuring) -> str:
     return table(("strength", "used to it", *HEADER), rows)
 
 
-def curves(measure: Measuring, name: str, places: tuple[float, ...]) -> assistance_figure.Curves:
-    """Changes of time by how wrong a prediction is in one way, for both claims; the people are used to it."""
+def curves(
+    measure: Measuring, name: str, places: tuple[float, ...], learnt: bool
+) -> assistance_figure.Curves:
+    """Changes of time by how wrong a prediction is in one way, for both claims."""
     found: dict[str, dict[str, list[tuple[float, float]]]] = {}
     for claim, spread_px in (("sure", 10.0), ("honest", None)):
         found[claim] = {group: [] for group in SKILLS}
         for place in places:
-            play = scripted(STRENGTH, spread_px=spread_px, **{name: place})
-            made = measure(f"{name} {place:g}, {claim}", play)
+            play = scripted(STRENGTH, spread_px=spread_px, learnt=learnt, **{name: place})
+            made = measure(f"{name} {place:g}, {claim}{', used to it' * learnt}", play)
             for group in SKILLS:
                 found[claim][group].append(made.change(measure.plain, group))
     return assistance_figure.Curves(places, found)
@@ -137,11 +139,17 @@ def main() -> None:
     measure = Measuring(given.movements, given.people)
     page = PAGE.read_text(encoding="utf-8")
     page = filled(page, "right", right_table(measure))
-    angles, factors = curves(measure, "angle_deg", ANGLES), curves(measure, "factor", FACTORS)
+    drawn = {
+        words: (
+            curves(measure, "angle_deg", ANGLES, learnt),
+            curves(measure, "factor", FACTORS, learnt),
+        )
+        for words, learnt in (("people used to help", True), ("people who do not know of it", False))
+    }
     laws, times = laws_table(measure)
     page = filled(page, "laws", laws)
     page = filled(page, "predictors", predictors_table(measure))
-    assistance_figure.draw(angles, factors, times, FIGURE)
+    assistance_figure.draw(drawn, times, FIGURE)
     PAGE.write_text(page, encoding="utf-8")
     print(f"wrote {PAGE.relative_to(ROOT)} and {FIGURE.relative_to(ROOT)}", file=sys.stderr)
 

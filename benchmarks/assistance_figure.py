@@ -22,21 +22,29 @@ class Curves(msgspec.Struct, frozen=True):
     changes: Mapping[str, Mapping[str, Sequence[Change]]]
 
 
-def draw(angles: Curves, factors: Curves, bars: Mapping[str, Mapping[str, float]], path: Path) -> None:
-    """Write it; ``bars``: [prediction][law] the time over that without help."""
+def draw(
+    curves: Mapping[str, tuple[Curves, Curves]], bars: Mapping[str, Mapping[str, float]], path: Path
+) -> None:
+    """Write it.
+
+    ``curves``: by what the people know of the help, errors of direction and of distance; ``bars``:
+    [prediction][law] the time over that without help.
+    """
     import matplotlib as mpl
 
     mpl.use("Agg")
     import matplotlib.pyplot as plt
 
-    with mpl.rc_context({"svg.hashsalt": "pointpred", "font.size": 9.0, "svg.fonttype": "path"}):
-        figure, (left, middle, right) = plt.subplots(
-            1, 3, figsize=(11.0, 3.9), layout="constrained", width_ratios=(1.0, 1.0, 1.25)
-        )
-        _curves(left, angles, "error of direction, degrees", "prediction beside the target")
-        _curves(middle, factors, "predicted distance / true distance", "prediction short or beyond")
-        left.legend(loc="lower right", fontsize=7.5, frameon=False)
-        _bars(right, bars)
+    with mpl.rc_context({"svg.hashsalt": "pointpred", "font.size": 9.0}):
+        figure = plt.figure(figsize=(11.0, 6.4), layout="constrained")
+        grid = figure.add_gridspec(2, 3, width_ratios=(1.0, 1.0, 1.25))
+        for row, (people, (angles, factors)) in enumerate(curves.items()):
+            left = figure.add_subplot(grid[row, 0])
+            _curves(left, angles, "error of direction, degrees", people)
+            if row == 0:
+                left.legend(loc="lower right", fontsize=7.5, frameon=False, ncols=2)
+            _curves(figure.add_subplot(grid[row, 1]), factors, "predicted / true distance", people)
+        _bars(figure.add_subplot(grid[:, 2]), bars)
         figure.suptitle("Simulated people, help of strength 0.5: what an error of the prediction costs")
         path.parent.mkdir(parents=True, exist_ok=True)
         figure.savefig(path, metadata={"Date": None})
@@ -54,7 +62,7 @@ def _curves(axes: Any, curves: Curves, label: str, title: str) -> None:
                 bands = [[100.0 * (m + s * half) for m, half in groups[group]] for s in (-1.0, 1.0)]
                 axes.fill_between(curves.places, *bands, color=colour, alpha=0.12, lw=0)
     axes.axhline(0.0, color="0.3", lw=0.8)
-    axes.set(xlabel=label, ylabel="change of time to the click, %", title=title, ylim=(-20.0, 27.0))
+    axes.set(xlabel=label, ylabel="change of time, %", title=title, ylim=(-25.0, 25.0))
     axes.plot([], [], STYLES["sure"], color="0.4", label="claims a small region")
     axes.plot([], [], STYLES["honest"], color="0.4", label="claims an honest region")
 
@@ -75,4 +83,4 @@ def _bars(axes: Any, bars: Mapping[str, Mapping[str, float]]) -> None:
     axes.set_yticks(range(len(bars)), list(bars))
     axes.invert_yaxis()
     axes.set(xlim=(0.75, 4.2), xlabel="time / time without help", title="with and without the safety rule")
-    axes.legend(loc="lower right", fontsize=7.5, frameon=False, bbox_to_anchor=(1.0, 0.02))
+    axes.legend(loc="upper right", fontsize=8.0, frameon=False)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import hypot
 
 import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import EventError
-from pointpred.events import LARGEST, PointerEvent
+from pointpred.events import LARGEST
 from pointpred.server.assisted_messages import Assist, Cursor
 from pointpred.server.building import cpi_of, dpi_of
 from pointpred.server.decoding import check_numbers
@@ -56,9 +57,27 @@ class AssistedStream(Stream):
             self._answer(kept, predictions, outbox)
         return error, len(table) - len(kept)
 
-    def feed_one(self, row: object, outbox: Outbox) -> bool:
-        """Never: each event changes the cursor first."""
-        return False
+    def feed_one(self, row: Sequence[float], outbox: Outbox) -> bool:
+        """As ``Stream.feed_one``: the one event of most frames, without a table."""
+        if self.place is None or self.watch or self._trial.running or self.choices:
+            return False
+        kept, before = self.transfer.remembered(), (self.place, self.added_px)
+        t, _, _, dx, dy, buttons = row
+        prediction: tuple[float, ...] | None = None
+        try:
+            place = self._step(t, *self.place, dx, dy)
+            prediction = None if place is None else self.pipeline.advance(t, *place, dx, dy, buttons)
+        finally:
+            if prediction is None:
+                self.transfer.recall(kept)
+                self.place, self.added_px = before
+        if prediction is None:
+            return False
+        self._guide(prediction)
+        self.events += 1
+        self._last_t = t
+        outbox.predict([self._cursor(t), self._frame(prediction)], 1)
+        return True
 
     def configure(self, message: Configure) -> None:
         """As ``Stream.configure``; ``assist`` replaces what was asked for, raises RefusedError."""
@@ -84,8 +103,11 @@ class AssistedStream(Stream):
         try:
             for i, (t, x, y, dx, dy, buttons) in enumerate(table.tolist()):
                 place = self._step(t, x, y, dx, dy)
-                moved[i, 1:3] = place
-                predictions[i] = self._predict(t, *place, dx, dy, buttons)
+                answer = None if place is None else self.pipeline.advance(t, *place, dx, dy, buttons)
+                if place is None or answer is None:
+                    raise EventError(f"t = {t!r} s with counts {dx!r}, {dy!r} cannot be used")
+                moved[i, 1:3], predictions[i] = place, answer
+                self._guide(answer)
         except EventError:
             for stage, memory in zip(stages, kept, strict=True):
                 stage.recall(memory)
@@ -93,39 +115,37 @@ class AssistedStream(Stream):
             raise
         return moved, predictions
 
-    def _step(self, t: float, x: float, y: float, dx: float, dy: float) -> tuple[float, float]:
-        """Where one report brings the cursor, within the screen."""
+    def _step(self, t: float, x: float, y: float, dx: float, dy: float) -> tuple[float, float] | None:
+        """Where one report brings the cursor, within the screen; ``None`` where it is refused."""
         x, y = self.place or (x, y)
         told = UNGUIDED
         if self._guidance:
             to_x, to_y, sxx, sxy, syy = self._guidance
             if abs(to_x - x) <= LARGEST and abs(to_y - y) <= LARGEST:
                 told = (to_x - x, to_y - y, sxx, sxy, syy)
-        _, px, py, added_x, added_y = self.transfer.advance(t, dx, dy, told)
+        accepted, px, py, added_x, added_y = self.transfer.advance(t, dx, dy, told)
+        if accepted != accepted:
+            return None
         self.added_px += hypot(added_x, added_y)
         screen = self.hello.screen
         width, height = (screen.width_px, screen.height_px) if screen else (None, None)
         self.place = _within(x + px, width), _within(y + py, height)
         return self.place
 
-    def _predict(
-        self, t: float, x: float, y: float, dx: float, dy: float, buttons: float
-    ) -> tuple[float, ...]:
-        answer = self.pipeline.advance(t, x, y, dx, dy, buttons)
-        if answer is None:
-            self.pipeline.update(PointerEvent(t, x, y, dx, dy, int(buttons)))  # says why
-            raise EventError("the event was refused")
-        self._guidance = answer[1:6] if answer[1] == answer[1] else ()
-        return answer
+    def _guide(self, prediction: tuple[float, ...]) -> None:
+        """The newest prediction guides the next report."""
+        self._guidance = prediction[1:6] if prediction[1] == prediction[1] else ()
+
+    def _cursor(self, t: float) -> str:
+        assert self.place is not None
+        return encode(Cursor(t, *self.place, self.added_px)).decode()
 
     def _frames(
         self, predictions: FloatArray, likely: list[list[Likely]] | None = None
     ) -> tuple[list[Frame], int]:
         """Where the cursor is now goes before the predictions, as text in either encoding."""
         found, count = super()._frames(predictions, likely)
-        assert self.place is not None
-        cursor = Cursor(float(predictions[-1, 0]), *self.place, self.added_px)
-        return [encode(cursor).decode(), *found], count
+        return [self._cursor(float(predictions[-1, 0])), *found], count
 
 
 def _transfer(hello: Hello, assist: Assist) -> GuardedTransfer:
