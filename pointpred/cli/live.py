@@ -13,7 +13,7 @@ from pointpred.cli.live_device import Where
 from pointpred.cli.live_outlets import Outlets, Wanted
 from pointpred.cli.screen import check_target
 from pointpred.errors import ParameterError
-from pointpred.events import PointerEvent
+from pointpred.events import CPI, DPI, PointerEvent
 from pointpred.registry import build
 from pointpred.transfer import named_transfer
 
@@ -28,12 +28,14 @@ def live(
         ),
     ] = None,
     predictor: Annotated[str, typer.Option(help="A name from 'pointpred predictors'.")] = PREDICTOR,
-    cpi: Annotated[float | None, typer.Option(help="Counts per inch of the mouse; on its box.")] = None,
+    cpi: Annotated[
+        float | None, typer.Option(min=CPI[0], max=CPI[1], help="Counts per inch of the mouse; on its box.")
+    ] = None,
     measure_cpi: Annotated[
         bool, typer.Option("--measure-cpi", help="Measure them first, from one move along a ruler.")
     ] = False,
     distance_cm: Annotated[float, typer.Option(min=1.0, max=100.0, help="How long that move is.")] = 10.0,
-    dpi: Annotated[float, typer.Option(min=1.0, max=1e5, help="Pixels per inch of the screen.")] = 96.0,
+    dpi: Annotated[float, typer.Option(min=DPI[0], max=DPI[1], help="Pixels per inch of the screen.")] = 96.0,
     cursor: Annotated[
         Where, typer.Option(help="Where the cursor is known from; motor: predict in the hand's own space.")
     ] = "auto",

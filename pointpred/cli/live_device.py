@@ -18,39 +18,51 @@ if TYPE_CHECKING:
     from pointpred.transfer import TransferFunction
 
 Where = Literal["auto", "screen", "transfer", "motor"]
-BROWSER = "'pointpred serve' and a browser on its page take any pointer of this machine"
+QUESTION = "Counts per inch of the mouse (on its box; m: measure it; -: unknown)"
 RULER = "Put the mouse against a ruler, move it 10 cm in a straight line, then hold it still for a second."
 
 
 def choose(path: str | None) -> DeviceSource:
     """The device at a path, or the first that can be read; raises SourceError that says what to do next."""
-    from pointpred.devices.evdev import EvdevSource, list_evdev
-    from pointpred.devices.hid import HidSource, list_hid
+    from pointpred.devices.evdev import EvdevSource
+    from pointpred.devices.hid import HidSource
 
-    if not sys.platform.startswith("linux"):
-        raise SourceError(
-            f"devices are read on Linux only; {sys.platform} keeps its mice to itself; {BROWSER}"
-        )
     if path is not None:
         return EvdevSource(path) if "/input/" in path else HidSource(path)
-    found = [*list_evdev(), *list_hid()]
+    found = _listed()
     fit = [one for one in found if one.openable]
     if not fit:
         raise SourceError(_none(found))
     if len(fit) > 1:
         others = ", ".join(f"{one.path} ({one.name})" for one in fit[1:])
-        remarks().print(
-            f"reading {fit[0].path} ({fit[0].name}); --device takes another: {others}", markup=False
-        )
+        said = f"reading {fit[0].path} ({fit[0].name}); --device takes another: {others}"
+        remarks().print(said, markup=False)
     return EvdevSource(fit[0].path) if fit[0].kind == "evdev" else HidSource(fit[0].path)
+
+
+def _listed() -> list[Found]:
+    """Mice by evdev, which the kernel stamps, then by hidraw; without hidapi only the former."""
+    from pointpred.devices.evdev import list_evdev
+    from pointpred.devices.hid import list_hid
+
+    try:
+        mice = list_hid()
+    except SourceError as error:
+        if sys.platform != "linux":
+            raise
+        remarks().print(str(error), markup=False)
+        mice = []
+    return [*list_evdev(), *mice]
 
 
 def _none(found: list[Found]) -> str:
     """Why no device can be read, and what to do next."""
+    from pointpred.devices.hid_devices import BROWSER
+
     if not found:
-        return f"no mouse was found: plug one in, then look with 'pointpred devices list'; {BROWSER}"
+        return f"no mouse was found; plug one in and see 'pointpred devices list'. Otherwise {BROWSER}"
     said = [f"{one.path} ({one.name}): {one.why}; {one.advice or BROWSER}" for one in found]
-    return "\n  ".join([f"none of {len(found)} devices can be read:", *said])
+    return "\n  ".join(["no mouse can be read:", *said])
 
 
 def resolution(source: DeviceSource, cpi: float | None, measured: bool, distance_cm: float) -> float | None:
@@ -58,7 +70,7 @@ def resolution(source: DeviceSource, cpi: float | None, measured: bool, distance
     if cpi is not None and measured:
         raise ParameterError("give either --cpi or --measure-cpi")
     if cpi is None and not measured and sys.stdin.isatty() and sys.stdout.isatty():
-        said = typer.prompt("Counts per inch of the mouse (on its box; m: measure it; -: unknown)", type=_cpi)
+        said = typer.prompt(QUESTION, value_proc=_cpi)
         measured, cpi = said == "m", said if isinstance(said, float) else None
     if measured:
         return _measured(source, distance_cm)
@@ -68,11 +80,16 @@ def resolution(source: DeviceSource, cpi: float | None, measured: bool, distance
 
 
 def _cpi(words: str) -> float | str:
-    if words.strip() in ("m", "-"):
-        return words.strip()
-    value = float(words)
+    """An answer to the question for counts per inch."""
+    said = words.strip()
+    if said in ("m", "-"):
+        return said
+    try:
+        value = float(said)
+    except ValueError:
+        raise typer.BadParameter(f"expected a number, m or -, received {said!r}") from None
     if not CPI[0] <= value <= CPI[1]:
-        raise ValueError(f"must lie in [{CPI[0]:g}, {CPI[1]:g}], received {value:g}")
+        raise typer.BadParameter(f"must lie in [{CPI[0]:g}, {CPI[1]:g}], received {value:g}")
     return value
 
 

@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 REFRESH_S = 0.2
 LINE_S = 1.0
+REST_S = 0.3
+"""A pause that ends a movement."""
 DASH = "-"
 
 Extra = Callable[[], list[tuple[str, str]]]
@@ -45,7 +47,7 @@ def show(
 def picture(session: LiveSession, heading: list[tuple[str, str]], extra: list[tuple[str, str]]) -> Panel:
     """The whole view; always as many rows, so that nothing jumps."""
     state, newest = session.state(), session.newest
-    told = [*heading, *prediction_rows(newest), *state_rows(state), *extra]
+    told = [*heading, *prediction_rows(newest, state.idle_s), *state_rows(state), *extra]
     table = Table.grid(padding=(0, 2))
     table.add_column(style="dim", no_wrap=True)
     table.add_column(overflow="fold")
@@ -55,18 +57,19 @@ def picture(session: LiveSession, heading: list[tuple[str, str]], extra: list[tu
     return Panel(table, title=title, title_align="left", subtitle="Ctrl-C stops", subtitle_align="right")
 
 
-def prediction_rows(newest: tuple[PointerEvent, Prediction | None] | None) -> list[tuple[str, str]]:
-    """Cursor, endpoint, phase and time left of the newest event."""
-    if newest is None:
-        return [("cursor", "nothing has moved yet"), ("endpoint", DASH), ("phase", DASH), ("time left", DASH)]
-    event, one = newest
-    cursor = ("cursor", f"{event.x:.0f}, {event.y:.0f} px")
-    if one is None:
-        return [cursor, ("endpoint", DASH), ("phase", DASH), ("time left", DASH)]
+def prediction_rows(
+    newest: tuple[PointerEvent, Prediction | None] | None, idle_s: float
+) -> list[tuple[str, str]]:
+    """Cursor, endpoint, phase and time left; a prediction says nothing of a device that rests."""
+    cursor = "nothing has moved yet" if newest is None else f"{newest[0].x:.0f}, {newest[0].y:.0f} px"
+    event, one = newest or (None, None)
+    if event is None or one is None or idle_s > REST_S:
+        phase = "at rest" if event is not None and idle_s > REST_S else DASH
+        return [("cursor", cursor), ("endpoint", DASH), ("phase", phase), ("time left", DASH)]
     away = hypot(one.x - event.x, one.y - event.y)
     left = DASH if one.remaining_s is None else f"{one.remaining_s:.2f} s"
     return [
-        cursor,
+        ("cursor", cursor),
         ("endpoint", f"{one.x:.0f}, {one.y:.0f} px, {away:.0f} px away"),
         ("phase", one.phase),
         ("time left", left),
@@ -109,7 +112,7 @@ def all_delays(session: LiveSession) -> str:
 
 def line(state: LiveState, newest: tuple[PointerEvent, Prediction | None] | None) -> str:
     """One line for a log."""
-    told = dict(prediction_rows(newest))
+    told = dict(prediction_rows(newest, state.idle_s))
     there = "" if state.plugged else "unplugged; "
     return (
         f"{there}{state.rate_hz:.0f} reports/s; cursor {told['cursor']}; endpoint {told['endpoint']}; "

@@ -27,15 +27,17 @@ WAIT_S = 0.1
 class LiveState(msgspec.Struct, frozen=True):
     """What a session can say of itself at a moment.
 
-    ``lost`` reports nobody took in time, ``unreadable`` ones that could not be decoded, ``resynchronised``
-    recoveries after the kernel dropped events, ``refused`` events that the pipeline did not take, the newest
-    reason in ``why``. Delays are those from a report's stamp to its prediction over the last 10 to 20 s of
-    reports, in s; ``None`` where nothing came yet or the stamps are of another clock than the session's.
+    ``idle_s`` since something was reported, infinite before. ``lost`` reports nobody took in time,
+    ``unreadable`` ones that could not be decoded, ``resynchronised`` recoveries after the kernel dropped
+    events, ``refused`` events that the pipeline did not take, the newest reason in ``why``. Delays are those
+    from a report's stamp to its prediction over the last 10 to 20 s of reports, in s; ``None`` where nothing
+    came yet or the stamps are of another clock than the session's.
     """
 
     plugged: bool
     reports: int
     rate_hz: float
+    idle_s: float
     lost: int
     unreadable: int
     resynchronised: int
@@ -81,7 +83,7 @@ class LiveSession:
         self.reports = 0
         self.refused = 0
         self._why: str | None = None
-        self._last_t = float("-inf")
+        self._last_t = self._heard = float("-inf")
         self._clock = clock
         self._comparable = "monotonic" in source.clock
         self.delays = Delays()
@@ -106,7 +108,8 @@ class LiveSession:
         reports = self.source.take(timeout_s)
         if reports:
             self.reports += len(reports)
-            self._pace.add(self._clock(), len(reports))
+            self._heard = self._clock()
+            self._pace.add(self._heard, len(reports))
         pairs: list[Pair] = []
         for event in self.path.events(reports):
             try:
@@ -139,11 +142,12 @@ class LiveSession:
 
     def state(self) -> LiveState:
         """Counts, rates and delays now; any thread may ask."""
-        source, recent = self.source, self._recent
+        source, recent, now = self.source, self._recent, self._clock()
         return LiveState(
             source.plugged,
             self.reports,
-            self._pace.rate(self._clock()),
+            self._pace.rate(now),
+            now - self._heard,
             source.lost,
             source.unreadable,
             source.resynchronised,

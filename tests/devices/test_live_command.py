@@ -1,0 +1,148 @@
+"""``pointpred live`` where something is missing: what a person reads says what to do next."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from pointpred.cli import live_device
+from pointpred.devices.source import Found
+from pointpred.transfer import ConstantGain, save_transfer
+
+CLOSED = Found(
+    "/dev/hidraw3", "Some mouse", "hid", False, "Permission denied", "put this line into /etc/udev/rules.d/x"
+)
+
+
+def found(monkeypatch: pytest.MonkeyPatch, *devices: Found) -> None:
+    monkeypatch.setattr("pointpred.devices.hid.list_hid", lambda: list(devices))
+    monkeypatch.setattr("pointpred.devices.evdev.list_evdev", list)
+
+
+def test_help_teaches_by_example(command: Any) -> None:
+    left = command("live", "--help")
+    assert left.code == 0
+    assert any(line.strip().startswith("pointpred live") for line in left.out.splitlines())
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--predictor", "switchd"], "did you mean 'switched'?"),
+        (["--host", "0.0.0.0"], "--host and --port need --serve"),
+        (["--transfer", "magic"], "'magic' names no transfer function"),
+        (["--cpi", "-1"], "cpi"),
+        (["--record", "no/such/folder/a.csv"], "no/such/folder/a.csv"),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, list) else "",
+)
+def test_wrong_use_is_one_line_and_2(
+    command: Any, monkeypatch: pytest.MonkeyPatch, arguments: list[str], said: str
+) -> None:
+    found(monkeypatch)
+    left = command("live", *arguments)
+    assert (left.code, left.out) == (2, "")
+    assert said in left.err
+
+
+def test_a_recording_is_never_written_over(command: Any, tmp_path: Path) -> None:
+    (tmp_path / "kept.csv").write_text("precious")
+    left = command("live", "--record", tmp_path / "kept.csv")
+    assert left.code == 2
+    assert "is there already" in left.err
+    assert (tmp_path / "kept.csv").read_text() == "precious"
+
+
+def test_without_a_device_the_browser_is_named(command: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    found(monkeypatch)
+    left = command("live", "--cpi", "800")
+    assert left.code == 1
+    assert "no mouse was found" in left.err
+    assert "pointpred devices list" in left.err
+    assert "pointpred serve" in left.err
+
+
+def test_without_permission_the_rule_is_printed(command: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    found(monkeypatch, CLOSED)
+    left = command("live", "--cpi", "800")
+    assert left.code == 1
+    assert "/dev/hidraw3 (Some mouse): Permission denied" in left.err
+    assert "/etc/udev/rules.d/x" in left.err
+
+
+@pytest.mark.parametrize(("system", "name"), [("win32", "Windows"), ("darwin", "macOS")])
+def test_systems_that_keep_their_mice_are_told_to_use_the_page(
+    command: Any, monkeypatch: pytest.MonkeyPatch, system: str, name: str
+) -> None:
+    monkeypatch.setattr(sys, "platform", system)
+    for arguments in ([], ["--device", "/dev/hidraw0"]):
+        left = command("live", "--cpi", "800", *arguments)
+        assert left.code == 1
+        assert name in left.err
+        assert "pointpred serve" in left.err
+
+
+def test_of_several_devices_the_first_is_taken_and_the_others_are_named(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    one, two = (Found(f"/dev/hidraw{i}", f"mouse {i}", "hid", True) for i in range(2))
+    found(monkeypatch, CLOSED, one, two)
+    assert live_device.choose(None).path == "/dev/hidraw0"
+    assert "--device takes another: /dev/hidraw1 (mouse 1)" in capsys.readouterr().err
+
+
+def test_a_screen_asked_for_is_an_error_where_there_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("DISPLAY", raising=False)
+    monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
+    with pytest.raises(OSError, match="DISPLAY is not set"):
+        live_device.path_of("screen", None, 800.0, 96.0, None)
+
+
+@pytest.mark.parametrize(
+    ("where", "function", "cpi", "space"),
+    [
+        ("auto", None, 800.0, "motor"),
+        ("auto", ConstantGain(4.0), 800.0, "transfer"),
+        ("transfer", ConstantGain(4.0), 800.0, "transfer"),
+        ("motor", ConstantGain(4.0), 800.0, "motor"),
+    ],
+)
+def test_the_cursor_is_known_from_what_there_is(
+    monkeypatch: pytest.MonkeyPatch, where: Any, function: Any, cpi: float, space: str
+) -> None:
+    monkeypatch.delenv("DISPLAY", raising=False)
+    monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
+    path, close = live_device.path_of(where, function, cpi, 96.0, None)
+    close()
+    assert path.space == space
+
+
+def test_a_transfer_function_without_a_resolution_is_wrong_use() -> None:
+    with pytest.raises(ValueError, match="--transfer and --cpi"):
+        live_device.path_of("transfer", ConstantGain(4.0), None, 96.0, None)
+
+
+def test_a_saved_function_brings_the_resolution_it_was_learnt_with(
+    command: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    save_transfer(tmp_path / "desk.json", ConstantGain(4.0), cpi=1234.0, dpi=96.0)
+    asked: list[float | None] = []
+
+    class Opened:
+        def __enter__(self) -> Opened:
+            return self
+
+        def __exit__(self, *about: object) -> None:
+            """Nothing is open."""
+
+    def resolution(source: object, cpi: float | None, *about: object) -> float | None:
+        asked.append(cpi)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(live_device, "choose", lambda path: Opened())
+    monkeypatch.setattr(live_device, "resolution", resolution)
+    assert command("live", "--transfer", tmp_path / "desk.json").code == 130
+    assert asked == [1234.0]

@@ -1,0 +1,166 @@
+"""``pointpred live`` reads an emulated mouse: what it records is scored, what it measures is right."""
+
+from __future__ import annotations
+
+import json
+import os
+import pty
+import select
+import signal
+import struct
+import subprocess
+import sys
+import termios
+import time
+from fcntl import ioctl
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from pointpred import EventColumns, build, run
+from pointpred.devices.source import Report
+from pointpred.sources import read
+from tests.devices.live_fakes import reach
+from tests.devices.live_process import READING, environment, send, started, until_said
+from tests.devices.mice import TWO_WHEELS, Plugged, plug
+from tests.devices.umockdev import Testbed
+
+REACHES = ((900.0, -400.0), (-700.0, 500.0), (400.0, 800.0))
+
+
+@pytest.fixture
+def mouse(testbed: Testbed) -> Plugged:
+    return plug(testbed, TWO_WHEELS)
+
+
+def test_a_recorded_session_is_scored_as_it_is(
+    testbed: Testbed, mouse: Plugged, tmp_path: Path, command: Any
+) -> None:
+    file, errors = tmp_path / "session.csv", tmp_path / "errors"
+    arguments = ("--cpi", "800", "--predictor", "switched", "--record", str(file))
+    with started(testbed, errors, *arguments) as process:
+        until_said(errors, READING, process)
+        sent = sum(send(mouse, reach(0.0, way, rate_hz=500.0)) for way in REACHES)
+        time.sleep(0.5)
+        process.send_signal(signal.SIGTERM)
+        out, _ = process.communicate(timeout=30)
+        assert process.returncode == 0, errors.read_text()
+    assert f"{sent} reports; 0 lost, 0 unreadable, 0 refused" in out
+    assert "motor space" in errors.read_text()
+    recording = read(file)
+    assert len(recording.trials) == len(REACHES)
+    ends = [recording.rows(i).table[-1, 1:3] for i in range(len(REACHES))]
+    scale = 96.0 / 800.0
+    np.testing.assert_allclose(ends, scale * np.cumsum(REACHES, axis=0), atol=1e-6)
+    left = command("score", file, "--predictors", "switched,kep-quadratic,kep-quartic", "--json", "-")
+    assert left.code == 0, left.err
+    (told,) = json.loads(left.out)["sets"]
+    assert told["trials"] == len(REACHES)
+    names = [one["name"] for one in told["predictors"]]
+    assert names == ["hold", "switched", "kep-quadratic", "kep-quartic"]
+    assert all(one["time_averaged"]["px"] > 0.0 for one in told["predictors"])
+
+
+def test_recorded_predictions_are_those_of_a_batch(testbed: Testbed, mouse: Plugged, tmp_path: Path) -> None:
+    file, errors = tmp_path / "session_samples.csv", tmp_path / "errors"
+    arguments = ("--cpi", "800", "--predictor", "switched", "--record", str(file))
+    with started(testbed, errors, *arguments) as process:
+        until_said(errors, READING, process)
+        send(mouse, reach(0.0, REACHES[0], rate_hz=500.0))
+        time.sleep(0.5)
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=30)
+        assert process.returncode == 0, errors.read_text()
+    events = np.genfromtxt(file, delimiter=",", skip_header=2, usecols=range(2, 8))
+    told = np.genfromtxt(tmp_path / "session_predictions.csv", delimiter=",", skip_header=1, usecols=range(3))
+    batch = run(build("switched", cpi=800.0, dpi=96.0), EventColumns(events)).table[:, :3]
+    np.testing.assert_array_equal(told, batch)
+
+
+def test_a_killed_process_loses_little(testbed: Testbed, mouse: Plugged, tmp_path: Path) -> None:
+    file, errors = tmp_path / "session.csv", tmp_path / "errors"
+    with started(testbed, errors, "--cpi", "800", "--record", str(file)) as process:
+        until_said(errors, READING, process)
+        sent = send(mouse, reach(0.0, REACHES[0], rate_hz=500.0))
+        time.sleep(1.5)  # nothing comes: what is held back is written all the same
+        process.kill()
+    rows = file.read_text().splitlines()[2:]
+    assert len(rows) == sent
+
+
+def test_the_resolution_is_measured_from_one_move(testbed: Testbed, mouse: Plugged, tmp_path: Path) -> None:
+    errors = tmp_path / "errors"
+    with started(testbed, errors, "--measure-cpi", "--seconds", "0.5") as process:
+        until_said(errors, "Put the mouse against a ruler", process)
+        time.sleep(0.3)
+        send(mouse, (Report(0.002 * i, 15.0, 0.0) for i in range(420)))
+        process.communicate(timeout=60)
+    assert process.returncode == 0
+    assert "6300 counts over 10 cm: 1600 CPI" in errors.read_text()
+    assert "1600 counts per inch" in errors.read_text()
+
+
+def test_an_unplugged_mouse_is_waited_for_and_read_on(
+    testbed: Testbed, mouse: Plugged, tmp_path: Path
+) -> None:
+    errors = tmp_path / "errors"
+    with started(testbed, errors, "--cpi", "800", "--seconds", "30") as process:
+        until_said(errors, READING, process)
+        sent = send(mouse, reach(0.0, REACHES[0], rate_hz=250.0))
+        assert process.stdout is not None
+        mouse.unplug()
+        while not next(process.stdout).startswith("unplugged; "):
+            pass
+        again = plug(testbed, TWO_WHEELS, 1)
+        while next(process.stdout).startswith("unplugged; "):
+            pass
+        sent += send(again, reach(0.0, REACHES[1], rate_hz=250.0))
+        time.sleep(0.3)
+        process.send_signal(signal.SIGTERM)
+        out, _ = process.communicate(timeout=30)
+    assert f"{sent} reports; 0 lost" in out
+
+
+def screen_of(testbed: Testbed, *arguments: str) -> tuple[subprocess.Popen[bytes], int]:
+    """``pointpred live`` in a terminal of 100 columns; the descriptor reads what is drawn there."""
+    ours, theirs = pty.openpty()
+    ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 40, 100, 0, 0))
+    words = [sys.executable, "-m", "pointpred", "live", *arguments]
+    surroundings = environment(testbed) | {"TERM": "xterm-256color"}
+    process = subprocess.Popen(words, env=surroundings, stdin=theirs, stdout=theirs, stderr=theirs)
+    os.close(theirs)
+    return process, ours
+
+
+def drawn(screen: int, words: str, patience_s: float = 60.0) -> str:
+    """What is drawn until some words are."""
+    said, end = "", time.monotonic() + patience_s
+    while words not in said:
+        assert time.monotonic() < end, f"waited for {words!r}, saw {said[-3000:]!r}"
+        if select.select([screen], [], [], 0.1)[0]:
+            said += os.read(screen, 65536).decode(errors="replace")
+    return said
+
+
+def test_the_terminal_asks_shows_and_stops(testbed: Testbed, mouse: Plugged) -> None:
+    process, screen = screen_of(testbed, "--predictor", "switched")
+    try:
+        drawn(screen, "Counts per inch of the mouse")
+        os.write(screen, b"fast\n")
+        drawn(screen, "expected a number, m or -")
+        os.write(screen, b"1200\n")
+        first = drawn(screen, "Ctrl-C stops")
+        assert "1200 counts per inch" in first
+        assert "motor space" in first
+        sent = send(mouse, reach(0.0, REACHES[0]))
+        assert "px away" in drawn(screen, "ballistic")
+        assert "0 lost, 0 unreadable, 0 refused" in drawn(screen, "at rest")
+        process.send_signal(signal.SIGINT)
+        drawn(screen, f"{sent} reports; ")
+        assert process.wait(20) == 0
+    finally:
+        process.kill()
+        process.wait()
+        os.close(screen)
