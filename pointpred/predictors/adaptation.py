@@ -143,6 +143,7 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
             if given[name] != int(given[name]):
                 raise ParameterError(f"{name} must be 0 or 1, received {given[name]!r}")
         self._source, self._coefficients = coefficients, kinematic_coefficients.read(coefficients)
+        self._known = kinematic_coefficients.sets(coefficients)
         self.learned = adaptation_law.LEARNED if adapt else 0
         Predictor.__init__(self, list(given.values()), LENGTH - SETTINGS - self.learned)
 

@@ -133,6 +133,7 @@ class KinematicPredictor(Predictor):
     def __init__(self) -> None:
         self._source = kinematic_coefficients.OWN
         self._coefficients = kinematic_coefficients.read(self._source)
+        self._known = kinematic_coefficients.sets(self._source)
         super().__init__([], sight.STATES)
 
     @classmethod
@@ -140,12 +141,13 @@ class KinematicPredictor(Predictor):
         """The same predictor with the coefficients of another file; raises ParameterError."""
         made = cls.__new__(cls)
         made._source, made._coefficients = coefficients, kinematic_coefficients.read(coefficients)
+        made._known = kinematic_coefficients.sets(coefficients)  # the file may be gone when it is asked for
         Predictor.__init__(made, [], sight.STATES)
         return made
 
     def saw(self, name: str) -> bool:
         """Whether the coefficients were fitted to people of the set of this name."""
-        return name in kinematic_coefficients.sets(self._source)
+        return name in self._known
 
     def advance(self, row: tuple[float, ...]) -> tuple[float, ...]:
         """``consume``, with the prediction as a row of ``PredictionColumns``."""

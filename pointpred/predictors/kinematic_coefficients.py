@@ -160,14 +160,34 @@ def _check(name: str, values: Any, shape: tuple[int, ...], most: float) -> None:
 
 
 def card(path: Path = OWN) -> dict[str, Any]:
-    """What the file says of itself: sets, users, seeds, scores."""
-    with np.load(path, allow_pickle=False) as file:
-        said: dict[str, Any] = json.loads(file["card"].tobytes())
+    """What the file says of itself: sets, users, seeds, scores; raises ParameterError where it is no card."""
+    try:
+        if path.stat().st_size > LARGEST_BYTES:
+            raise ValueError(f"must be a file of at most {LARGEST_BYTES} bytes")
+        said = json.loads(_unpacked(path.read_bytes())["card"].tobytes())
+        if not isinstance(said, dict) or not all(
+            isinstance(one["name"], str) for one in said.get("sets", ())
+        ):
+            raise ValueError("must be a JSON object whose sets have names")
+    except UNUSABLE as unusable:
+        raise ParameterError(f"the card of {path}: {type(unusable).__name__}: {unusable}") from unusable
     return said
 
 
-def sets(path: Path = OWN) -> frozenset[str]:
-    """The names of the sets that the coefficients were fitted to, as far as the card says."""
+def sets(path: Path | str = OWN) -> frozenset[str]:
+    """The names of the sets that the coefficients were fitted to, as far as the card says.
+
+    Read once, and again when the file's size or the time of its last change is another; raises ParameterError
+    where there is no card.
+    """
+    path = Path(path)
+    found = path.stat()
+    return _sets(path, found.st_mtime_ns, found.st_size)
+
+
+@lru_cache(maxsize=16)
+def _sets(path: Path, changed_ns: int, size: int) -> frozenset[str]:
+    """``sets``, once for each path, time of change and size."""
     return frozenset(one["name"] for one in card(path).get("sets", ()))
 
 

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from pointpred.errors import ParameterError
+from pointpred.predictors import KinematicPredictor
 from pointpred.predictors import kinematic_coefficients as coefficients
 from pointpred.predictors import kinematic_features as features
 
@@ -125,3 +126,12 @@ def test_the_digest_is_of_the_numbers_and_not_of_their_packing(tmp_path: Path) -
     assert coefficients.digest(packed) == coefficients.digest(coefficients.OWN)
     changed["mean"] = np.nextafter(changed["mean"], np.inf)
     assert coefficients.digest(wrong(tmp_path / "changed.npz", **changed)) != coefficients.digest(packed)
+
+
+@pytest.mark.parametrize(
+    "card", [b"", b"[]", b"{", b'{"sets": [{}]}', b'{"sets": [{"name": 3}]}', b'{"sets": 3}', b"\xff\xfe"]
+)
+def test_a_card_that_is_none_is_refused_with_the_file_named(tmp_path: Path, card: bytes) -> None:
+    path = wrong(tmp_path / "odd.npz", card=np.frombuffer(card, np.uint8))
+    with pytest.raises(ParameterError, match="odd"):
+        KinematicPredictor.of(path)
