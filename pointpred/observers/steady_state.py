@@ -115,19 +115,20 @@ def steady_state_map(
         np.abs(one).max(initial=0.0) for one in (plant.A0, plant.A1, plant.B, plant.Q, g.S0, g.L0, g.L1, g.G)
     )
     limit = tolerance * max(1.0, float(size))
-    if not any((g.G @ one.C0).any() for one in plants):
+    linear = not any((g.G @ one.C0).any() for one in plants)
+    if linear:
         candidates = [_least(stacked, np.zeros(plant.n * g.q))]
     else:
         started = invariant_graphs(plants[0].A0, g.S0, plants[0].B @ g.L0, g.G @ plants[0].C0)
         candidates = [refined(stacked, one.ravel()) for one in [*started, np.zeros((plant.n, g.q))]]
     solved = [one for one in candidates if np.abs(stacked(one)).max(initial=0.0) <= limit]
     if not solved:
-        _refuse(left, candidates, (plant.n, g.q), linear=len(candidates) == 1)
+        _refuse(left, candidates, (plant.n, g.q), linear=linear)
     distinct = _distinct([one.reshape(plant.n, g.q) for one in solved])
     distinct.sort(key=lambda pi: _abscissa(plants[0].A0 - pi @ g.G @ plants[0].C0, plant.time))
     pi = distinct[0]
     basis = _null(_jacobian(stacked, pi.ravel())).reshape(-1, plant.n, g.q)
-    worst = {name: max(float(np.abs(one).max()) for one in parts) for name, parts in left(pi).items()}
+    worst = {name: _largest(parts) for name, parts in left(pi).items()}
     return SteadyState(pi, plants[0].H @ pi, worst, len(basis), basis, tuple(distinct[1:]))
 
 
@@ -165,15 +166,34 @@ def _distinct(found: list[FloatArray]) -> list[FloatArray]:
 
 
 def _refuse(left: Any, candidates: list[FloatArray], shape: tuple[int, int], *, linear: bool) -> None:
-    best = min(
-        (left(one.reshape(shape)) for one in candidates),
-        key=lambda parts: max(float(np.abs(one).max()) for part in parts.values() for one in part),
-    )
-    worst = {name: max(float(np.abs(one).max()) for one in parts) for name, parts in best.items()}
-    name = max(worst, key=lambda one: worst[one])
     if linear:
-        raise InfeasibleError(f"{name} = 0 cannot hold: the least residual is {worst[name]:.6g}")
+        _name_first(left, candidates[0], shape)
+    worst = min(
+        ({name: _largest(parts) for name, parts in left(one.reshape(shape)).items()} for one in candidates),
+        key=lambda found: max(found.values()),
+    )
+    name = max(worst, key=lambda one: worst[one])
     raise UndecidedError(
         f"no solution of the Riccati equation was found that satisfies the other equalities: {name} keeps a "
         f"residual of {worst[name]:.6g}"
     )
+
+
+def _name_first(left: Any, zero: FloatArray, shape: tuple[int, int]) -> None:
+    """Raise InfeasibleError for the first equality that cannot hold beside those before it."""
+    names = list(left(zero.reshape(shape)))
+    for count in range(1, len(names) + 1):
+
+        def some(numbers: FloatArray, kept: list[str] = names[:count]) -> FloatArray:
+            found = left(numbers.reshape(shape))
+            return np.concatenate([one.ravel() for name in kept for one in found[name]])
+
+        residual = float(np.abs(some(_least(some, np.zeros_like(zero)))).max())
+        if residual > TOLERANCE or count == len(names):
+            beside = f" beside {', '.join(names[: count - 1])}" if count > 1 else ""
+            told = f"{names[count - 1]} = 0 cannot hold{beside}"
+            raise InfeasibleError(f"{told}: the least residual is {residual:.6g}")
+
+
+def _largest(parts: list[FloatArray]) -> float:
+    return max(float(np.abs(one).max()) for one in parts)
