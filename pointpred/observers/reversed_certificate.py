@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import log, sqrt
+from math import expm1, log, sqrt
 from typing import Any
 
 import msgspec
@@ -10,12 +10,17 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
-from pointpred.observers.bounds import ErrorBound, convergence_bound, eigenvalues
+from pointpred.observers.bounds import ErrorBound
 from pointpred.observers.detectability import vertices
 from pointpred.observers.matrices import matrix
 from pointpred.observers.matrix_inequalities import MatrixInequalities
 from pointpred.observers.persidskii import Persidskii
+from pointpred.observers.reversed_bounds import continuous_bound, discrete_bound
 from pointpred.observers.reversed_connection import Connection, InvariantObserver
+from pointpred.observers.unknowns import Block
+
+SHARES = (0.6, 0.4, 0.2, 0.05)
+"""Shares of the slowest corner's decay that are tried where none is demanded."""
 
 
 class Convergence(msgspec.Struct, frozen=True):
@@ -75,20 +80,10 @@ def theorem_3_3_1(
     for i, one in enumerate(connections):
         mark = f" at {i}" if len(connections) > 1 else ""
         if F is not None:
-            f = matrix("F", F, q, one.S1.shape[1])
-            problem.equal(f"P S1 - F{mark}", lambda v, o=one, f=f: v.P @ o.S1 - f)
+            problem.equal(f"P S1 - F{mark}", _product(one, matrix("F", F, q, one.S1.shape[1])))
         for name, corner in (vertices(slopes) if sloped else {}).items():
-            problem.above(
-                f"W - sym(F D J), D = diag({name}){mark}",
-                lambda v, o=one, d=corner: v.W - symmetric(v.P @ o.S1 @ d @ o.J),
-                strict=False,
-            )
-        problem.below(
-            f"the inequality{mark}",
-            lambda v, o=one: (
-                symmetric(2.0 * v.P @ o.S0) + v.Xi + gamma * v.P + (2.0 * v.W if sloped else 0.0)
-            ),
-        )
+            problem.above(f"W - sym(F D J), D = diag({name}){mark}", _sector(one, corner), strict=False)
+        problem.below(f"the inequality{mark}", _dissipation(one, gamma, sloped))
     return problem
 
 
@@ -103,24 +98,16 @@ def theorem_3_3_2(
     problem = MatrixInequalities("Theorem 3.3.2", **bounds).positive("P", q).symmetric("Xi", q)
     problem.symmetric("Gamma", q).number("alpha").above("Xi > 0", lambda v: v.Xi)
 
-    def block(v: Any, one: Connection, constant: float) -> FloatArray:
-        k = one.S1.shape[1]
-        onward = np.hstack([one.S0, one.S1, -np.eye(q)])
-        held = np.zeros((2 * q + k, 2 * q + k))
-        held[:q, :q] = v.Xi - v.P + v.alpha * constant**2 * np.eye(q)
-        held[q : q + k, q : q + k] = -v.alpha * np.eye(k)
-        held[q + k :, q + k :] = -v.Gamma
-        return np.asarray(held + onward.T @ v.P @ onward)
-
     for i, (one, constant) in enumerate(zip(connections, lipschitz, strict=True)):
         mark = f" at {i}" if len(connections) > 1 else ""
-        problem.below(f"the LMI{mark}", lambda v, o=one, c=constant: block(v, o, c), strict=False)
+        problem.below(f"the LMI{mark}", _next(one, constant), strict=False)
     return problem
 
 
 def certify_convergence(
     observer: InvariantObserver,
     *,
+    decay: float | None = None,
     gamma: float | None = None,
     times: Any = (0.0,),
     solver: str = "CLARABEL",
@@ -130,10 +117,11 @@ def certify_convergence(
 
     Assumes one P for all times; where matrices vary, ``times`` are all that is certified, and what
     lies between them is not. Theorem 3.3.2 knows the nonlinearity by its Lipschitz constant only: a
-    steep f is refused although it may help.
+    steep f is refused although it may help. Of all P the one of least condition is taken.
 
-    Parameters: ``gamma`` of Theorem 3.3.1 in 1/s, of which a part of the slowest decay is tried where it is
-    not given; in discrete time there is none. ``margin``, ``kappa`` as for ``MatrixInequalities``.
+    Parameters: ``decay`` of the error in 1/s (per step in discrete time), > 0, by Xi >= 2 decay P; a
+    share of what the slowest corner has where it is not given; ``gamma`` of Theorem 3.3.1 in 1/s, > 0,
+    ``decay`` unless given. ``margin``, ``kappa`` as for ``MatrixInequalities``.
     Raises InfeasibleError naming the eigenvalue where S0 + S1 D J is unstable at a corner D of the
     slopes, before any solver runs; InfeasibleError, UndecidedError, CertificateError from the solver.
 
@@ -141,56 +129,37 @@ def certify_convergence(
 
     >>> from pointpred.observers import Persidskii, invariant_observer
     >>> plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], None, None, "sin", C0=[1.0, 0.0])
-    >>> found = certify_convergence(invariant_observer(plant, [[0.0, 1.0]], [[-3.0]]))
-    >>> min(found.margins.values()) > 0.0, found.bound(1.0, 1.0) < 1.0
+    >>> found = certify_convergence(invariant_observer(plant, [[0.0, 1.0]], [[-3.0]]), decay=2.0)
+    >>> min(found.margins.values()) > 0.0, found.bound(1.0, 1.0) < 0.14
     (True, True)
     >>> certify_convergence(invariant_observer(plant, [[0.0, 1.0]], [[2.0]]))
     Traceback (most recent call last):
     pointpred.errors.InfeasibleError: Theorem 3.3.1: S0 + S1 D J has the eigenvalue 1, must lie left of 0
     """
-    plant = observer.plant
+    for name, given in (("decay", decay), ("gamma", gamma)):
+        if given is not None and not 0.0 < given < np.inf:
+            raise ParameterError(f"{name} must be finite and above 0, received {given!r}")
     connections = [observer.at(t) for t in (times if observer.varying else (0.0,))]
-    slowest = max(_slowest(one, plant) for one in connections)
-    if plant.time == "discrete":
-        problem = theorem_3_3_2(
-            connections, [lipschitz_constant(plant, one.J) for one in connections], **bounds
-        )
-        values = problem.number("bound").above("bound - Gamma", _spare, strict=False)
-        values = values.above("Xi - I", lambda v: v.Xi - np.eye(observer.q), strict=False)
-        solution = values.solve(minimise=lambda v: v.bound, solver=solver)
-        return _discrete(solution.values, solution.margins, connections[0], plant)
-    shares = (1.0, 0.5, 0.2, 0.05) if gamma is None else (1.0,)
-    for share in shares:
-        chosen = share * -slowest if gamma is None else gamma
-        problem = theorem_3_3_1(connections, plant.slopes, chosen, **bounds)
-        problem.above("Xi - I", lambda v: v.Xi - np.eye(observer.q), strict=False)
+    slowest = max(_slowest(one, observer.plant) for one in connections)
+    tried = [share * -slowest for share in SHARES] if decay is None else [decay]
+    for rate in tried:
+        problem = _problem(connections, observer.plant, rate, gamma or rate, bounds)
         problem.number("bound").above("bound - P", lambda v: v.bound * np.eye(observer.q) - v.P, strict=False)
         try:
             solution = problem.solve(minimise=lambda v: v.bound, solver=solver)
         except InfeasibleError:
-            if share == shares[-1]:
+            if rate == tried[-1]:
                 raise
             continue
         break
     values = {name: one for name, one in solution.values.items() if name != "bound"}
-    values["gamma"] = chosen
-    bound = convergence_bound(values["P"], values["Xi"], chosen)
-    return Convergence("3.3.1", values, solution.margins, bound, connections[0].J, plant.domain)
-
-
-def discrete_bound(P: Any, Xi: Any, Gamma: Any) -> ErrorBound:  # noqa: N803
-    """The bound that Theorem 3.3.2 implies and the print leaves out, for delta; the rate is per step.
-
-    V(k+1) <= (1 - c) V(k) + max Gamma abs(delta)^2 with c = min Xi / max P, so that abs(e) <= sqrt(max
-    P / min P) ((1 - c)^(k/2) abs(e0) + sqrt(max Gamma / min Xi) abs(delta)).
-
-    >>> discrete_bound([[1.0]], [[0.75]], [[3.0]])(2.0, 1.0, delta=0.5)  # 1/4 + 2 * 0.5
-    1.25
-    """
-    p, xi, gamma = eigenvalues("P", P), eigenvalues("Xi", Xi), eigenvalues("Gamma", Gamma)
-    overshoot, c = sqrt(p[-1] / p[0]), float(xi[0] / p[-1])
-    rate = -0.5 * log(max(1.0 - c, 1e-300))
-    return ErrorBound(overshoot, rate, (overshoot * sqrt(gamma[-1] / xi[0]),), ("delta",))
+    if observer.plant.time == "discrete":
+        bound = discrete_bound(values["P"], values["Xi"], values["Gamma"], sharp=True)
+    else:
+        values["gamma"] = gamma or rate
+        bound = continuous_bound(values["P"], values["Xi"], values["gamma"])
+    theorem = "3.3.2" if observer.plant.time == "discrete" else "3.3.1"
+    return Convergence(theorem, values, solution.margins, bound, connections[0].J, observer.plant.domain)
 
 
 def lipschitz_constant(plant: Persidskii, j: FloatArray) -> float:
@@ -206,8 +175,45 @@ def symmetric(square: FloatArray) -> FloatArray:
     return 0.5 * (square + square.T)
 
 
-def _spare(v: Any) -> FloatArray:
-    return np.asarray(v.bound * np.eye(len(v.Gamma)) - v.Gamma)
+def _product(one: Connection, f: FloatArray) -> Block:
+    return lambda v: v.P @ one.S1 - f
+
+
+def _sector(one: Connection, corner: FloatArray) -> Block:
+    return lambda v: v.W - symmetric(v.P @ one.S1 @ corner @ one.J)
+
+
+def _dissipation(one: Connection, gamma: float, sloped: bool) -> Block:
+    return lambda v: symmetric(2.0 * v.P @ one.S0) + v.Xi + gamma * v.P + (2.0 * v.W if sloped else 0.0)
+
+
+def _next(one: Connection, lipschitz: float) -> Block:
+    """V(k+1) - V(k) + e'Xi e - delta'Gamma delta, with what the Lipschitz constant adds."""
+    q, k = one.S1.shape
+    onward = np.hstack([one.S0, one.S1, -np.eye(q)])
+
+    def block(v: Any) -> FloatArray:
+        held = np.zeros((2 * q + k, 2 * q + k))
+        held[:q, :q] = v.Xi - v.P + v.alpha * lipschitz**2 * np.eye(q)
+        held[q : q + k, q : q + k] = -v.alpha * np.eye(k)
+        held[q + k :, q + k :] = -v.Gamma
+        return np.asarray(held + onward.T @ v.P @ onward)
+
+    return block
+
+
+def _problem(
+    connections: list[Connection], plant: Persidskii, decay: float, gamma: float, bounds: dict[str, float]
+) -> MatrixInequalities:
+    """The theorem's inequalities with the decay demanded."""
+    if plant.time == "discrete":
+        problem = theorem_3_3_2(
+            connections, [lipschitz_constant(plant, one.J) for one in connections], **bounds
+        )
+        share = -expm1(-2.0 * decay)
+    else:
+        problem, share = theorem_3_3_1(connections, plant.slopes, gamma, **bounds), 2.0 * decay
+    return problem.above("Xi for the decay", lambda v: v.Xi - share * v.P, strict=False)
 
 
 def _slowest(one: Connection, plant: Persidskii) -> float:
@@ -229,11 +235,3 @@ def _slowest(one: Connection, plant: Persidskii) -> float:
                 )
             slowest = max(slowest, place)
     return slowest
-
-
-def _discrete(
-    values: dict[str, Any], margins: dict[str, float], one: Connection, plant: Persidskii
-) -> Convergence:
-    kept = {name: value for name, value in values.items() if name != "bound"}
-    bound = discrete_bound(kept["P"], kept["Xi"], kept["Gamma"])
-    return Convergence("3.3.2", kept, margins, bound, one.J, plant.domain)

@@ -94,7 +94,8 @@ class InvariantObserver:
         if rank < self.plant.n:
             raise ParameterError(f"w and y hold {rank} combinations of the {self.plant.n} states, not all")
         inverse = np.linalg.pinv(both)
-        return inverse[:, : self.q], inverse[:, self.q :]
+        onto, straight = inverse[:, : self.q], inverse[:, self.q :]
+        return np.asarray(onto, np.float64), np.asarray(straight, np.float64)
 
     def estimate(self, t: float, w: Any, y: Any) -> FloatArray:
         """The plant's state that w and y stand for."""
