@@ -47,10 +47,10 @@ export class Wishes {
   }
 
   /** A change holds from the next hello on. */
-  hold({ predictor, parameters, reply, precision }) {
+  hold({ predictor, parameters, reply, precision, assist }) {
     const kept = predictor ? {} : this.#hello.parameters;
     this.#hello = { ...this.#hello, predictor: predictor ?? this.#hello.predictor,
-      parameters: { ...kept, ...parameters }, reply: reply ?? this.#hello.reply };
+      parameters: { ...kept, ...parameters }, reply: reply ?? this.#hello.reply, assist: assist ?? this.#hello.assist };
     this.#precision = precision ?? this.#precision;
   }
 }

@@ -1,6 +1,7 @@
-// The page's three views; each is connected and drawn only while its tab is open.
+// The page's four views; each is connected and drawn only while its tab is open.
 // All are loaded with the page: a browser never asks again for a module whose loading has failed once.
 
+import * as assist from "./assist.js";
 import * as circle from "./circle.js";
 import { part } from "./elements.js";
 import * as live from "./live.js";
@@ -8,8 +9,8 @@ import * as replay from "./replay.js";
 import { refuseFiles } from "./replay-drop.js";
 import { tabs } from "./tabs.js";
 
-const VIEWS = { live, circle, replay };
-const SAID_IN = { live: "live-verdict", circle: "circle-said", replay: "replay-source" };
+const VIEWS = { live, circle, replay, assist };
+const SAID_IN = { live: "live-verdict", circle: "circle-said", replay: "replay-source", assist: "assist-said" };
 const RETRY_MS = 2000;
 
 let shown = null;

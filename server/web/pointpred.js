@@ -20,6 +20,8 @@
  *   region: {sxx: number, sxy: number, syy: number}|null, phase: "still"|"ballistic"|"corrective"|null,
  *   remaining_s: number|null, targets?: {id: string, p: number, element?: Element}[]}} Prediction null: nothing is
  *   justified now; targets: the likeliest five, with encoding "json"; element: the observed one
+ * @typedef {{type: "cursor", t: number, x: number, y: number, added_px: number}} Cursor where the service has moved the
+ *   cursor, px, and how much of that was help since the session began
  * @typedef {{type: "choice", id: string, p: number, action: "propose"|"retract", t: number|null, element?: Element}} Choice
  * @typedef {{type: "error", code: string, message: string, path: string|null, recoverable: boolean}} Fault
  * @typedef {{type: "welcome", version: number, session: string, predictor: string, limits: Limits}} Welcome
@@ -28,7 +30,7 @@
  * @typedef {{type: "score", events: number, time_averaged_px: number|null, hold_px: number|null, skill: number|null,
  *   by_time: Object<string, number>, by_path: Object<string, number>, reason: string|null,
  *   fired: number|null, hit: boolean|null, wasted: number|null, lead_s: number|null}} Score
- * @typedef {{prediction: Prediction, choice: Choice, error: Fault, state: State, welcome: Welcome, score: Score,
+ * @typedef {{prediction: Prediction, cursor: Cursor, choice: Choice, error: Fault, state: State, welcome: Welcome, score: Score,
  *   targets: {type: "targets", count: number}, bye: {type: "bye", reason: string}}} Messages by the name to listen for
  * @typedef {Object} Options
  * @property {string} [predictor] a name of the registry; "switched" unless given
@@ -37,6 +39,8 @@
  * @property {{width_px?: number, height_px?: number, dpi?: number}} [screen] 96 px per inch and this screen unless given
  * @property {"frame"|"event"} [reply] one prediction a message, or one an event
  * @property {"binary"|"json"} [encoding] of events and predictions
+ * @property {{strength?: number, rho?: number, function?: "constant"|"sigmoid", gain?: number}} [assist] the service moves
+ *   the cursor by the counts of events, helped towards the predicted endpoint; needs `device.cpi` and counts
  * @property {string} [token] where the service asks for one
  * @property {EventTarget} [element] whose pointer events are streamed; the window unless given
  * @property {boolean} [pointer] false: only what `send` is given
@@ -57,7 +61,7 @@ const MOST_BUFFERED = 2 ** 20; // bytes the browser may hold back before events 
 const FIRST_WAIT_MS = 250;
 const LONGEST_WAIT_MS = 8000;
 const STEADY_MS = 2000; // a connection that held so long starts the waits anew
-const NAMES = ["prediction", "choice", "error", "state", "welcome", "score", "targets", "bye"];
+const NAMES = ["prediction", "cursor", "choice", "error", "state", "welcome", "score", "targets", "bye"];
 
 /**
  * Opens a connection and keeps it open.
@@ -86,10 +90,10 @@ export class Connection {
       coordinates: "client", targets: [], queue: 8192, ...given(options) };
     this.#url = url;
     this.#waiting = new Queue(this.#options.queue);
-    const { predictor, parameters = {}, device, reply, encoding } = this.#options;
+    const { predictor, parameters = {}, device, reply, encoding, assist } = this.#options;
     const screen = { width_px: window.screen?.width || undefined, height_px: window.screen?.height || undefined,
       ...this.#options.screen };
-    this.#wishes = new Wishes({ type: "hello", version: 1, predictor, parameters, device, screen, reply, encoding });
+    this.#wishes = new Wishes({ type: "hello", version: 1, predictor, parameters, device, screen, reply, encoding, assist });
     const { element, pointer, coordinates, targets } = this.#options;
     const onScreen = coordinates === "screen", { signal } = this.#stop;
     if (pointer) this.#pointer = new PointerStream(element, { onScreen, passed: (rows) => this.#pass(rows), signal });
@@ -180,7 +184,7 @@ export class Connection {
    * Changes what is given; another predictor or other parameters begin without memory. Answered by `welcome`.
    * Another token is shown when the connection is next opened.
    * @param {{token?: string, predictor?: string, parameters?: Object<string, number|string|boolean>, reply?: "frame"|"event",
-   *   precision?: number}} changes
+   *   precision?: number, assist?: Options["assist"]}} changes
    */
   configure({ token = this.#options.token, ...changes }) {
     this.#pointer?.flush();
@@ -302,7 +306,7 @@ export class Connection {
       const socket = this.#socket;
       this.#lost();
       socket.close(1000);
-    } else if (code === "unknown_predictor" || /^\$\.(predictor|parameters|reply|precision)/.test(path ?? "")) {
+    } else if (code === "unknown_predictor" || /^\$\.(predictor|parameters|reply|precision|assist)/.test(path ?? "")) {
       this.#wishes.refused();
     }
   }

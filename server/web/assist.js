@@ -1,0 +1,158 @@
+// The assist view: the mouse lent to the page, its counts mapped by the service's own function, helped or not.
+
+import { drawAssist } from "./assist-draw.js";
+import { KINDS, Lock, lendable } from "./assist-lock.js";
+import { Task } from "./assist-task.js";
+import { onRepaint } from "./draw.js";
+import { fill, offer, part, write } from "./elements.js";
+import { predictors } from "./service.js";
+import { Track, words } from "./track.js";
+
+const PREFERRED = "switched-direction"; // the one that helps most in simulation
+const HELPING_MS = 60;
+const SHOWN_MS = 500;
+const BOUNDS = { cpi: "Counts per inch", gain: "Gain" };
+
+const canvas = part("assist-scene"), form = part("assist-form"), select = part("assist-predictor"), take = part("assist-take");
+const [said, connected, results, invitation] = ["said", "connection", "results", "invitation"].map((of) => part(`assist-${of}`));
+
+let task = new Task();
+let track = null; // a session lasts as long as the mouse is lent
+let cursor = null;
+let added = 0;
+let helpedAt = -Infinity;
+let kind = "unknown";
+let why = ""; // why the mouse is given back, where it was not the person's wish
+
+const lock = new Lock(canvas, { moved, pressed, taken, given });
+
+/** What the form asks for; null, said in its place, where a number cannot be used. */
+function wishes() {
+  for (const [name, noun] of Object.entries(BOUNDS)) {
+    const { valueAsNumber: value, min, max } = form.elements[name];
+    const fine = value >= Number(min) && value <= Number(max);
+    form.elements[name].setAttribute("aria-invalid", String(!fine));
+    if (!fine) {
+      write(said, `${noun} must be a number from ${min} to ${max}.`);
+      return null;
+    }
+  }
+  return { cpi: form.elements.cpi.valueAsNumber, gain: form.elements.gain.valueAsNumber,
+    strength: form.elements.strength.valueAsNumber / 100, alternate: form.elements.alternate.checked };
+}
+
+async function start(event) {
+  event.preventDefault();
+  if (wishes() === null || lock.held) return;
+  why = "";
+  try {
+    kind = await lock.take();
+    if (lock.held) tell();
+  } catch (error) {
+    write(said, `The browser does not lend the mouse: ${error.message}`);
+  }
+}
+
+/** The mouse is ours: the field's middle, a session, a target. */
+function taken() {
+  const { cpi, gain, strength } = wishes();
+  const size = [canvas.clientWidth, canvas.clientHeight];
+  cursor ??= size.map((each) => Math.round(each / 2));
+  cursor = cursor.map((each, axis) => Math.min(each, size[axis] - 1));
+  added = 0;
+  track = new Track(select.value, { state, error: ({ message, recoverable }) => !recoverable && leave(message) },
+    { assist: { strength, gain }, device: { cpi }, screen: { width_px: size[0], height_px: size[1], dpi: 96 } });
+  track.connection.on("cursor", placed);
+  next();
+  tell();
+  requestAnimationFrame(frame);
+}
+
+function next() {
+  const { gain, strength, alternate } = wishes();
+  task.next(cursor, [canvas.clientWidth, canvas.clientHeight], !alternate);
+  track.connection.configure({ assist: { strength: task.helped ? strength : 0, gain } });
+}
+
+function tell() {
+  invitation.classList.toggle("away", lock.held);
+  write(take, lock.held ? "Escape gives it back" : "Lend the mouse");
+  if (lock.held) write(said, `Click the filled target, and each next one. ${KINDS[kind]} Escape gives the mouse back.`);
+  fill(results, task.table);
+}
+
+function moved(counts) {
+  if (track === null) return;
+  for (const { t, dx, dy } of counts) if (dx || dy) task.moved(t);
+  track.connection.send(counts.map(({ t, dx, dy, buttons }) => [t, ...cursor, dx, dy, buttons]));
+}
+
+function pressed(t) {
+  if (task.pressed(cursor, t)) next();
+  tell();
+}
+
+function placed({ x, y, added_px: now }) {
+  cursor = [x, y];
+  if (now > added) helpedAt = performance.now();
+  added = now;
+}
+
+function frame() {
+  draw();
+  if (lock.held) requestAnimationFrame(frame);
+}
+
+function draw() {
+  const held = lock.held, now = performance.now();
+  const latest = held && track !== null && now - track.at < SHOWN_MS ? track.latest : null;
+  const prediction = latest?.x == null ? null : [latest.x, latest.y];
+  drawAssist(canvas, { cursor, target: held ? task.target : null, prediction, helps: held && now - helpedAt < HELPING_MS, held });
+  Object.assign(canvas.dataset, { held, x: cursor?.[0] ?? "", y: cursor?.[1] ?? "", added, helped: task.helped,
+    target: [task.target.x, task.target.y].join() });
+}
+
+function state(now) {
+  connected.dataset.state = now;
+  write(connected, words(now));
+  if (now === "waiting" || now === "refused") leave("the service does not answer");
+}
+
+/** Nobody keeps a mouse whose cursor nobody moves. */
+function leave(reason) {
+  why = `Your mouse is yours again: ${reason}.`;
+  lock.give();
+}
+
+function given() {
+  track?.close();
+  track = null;
+  tell();
+  write(said, why || `Given back. ${task.done.length ? "Lend it again to go on; the numbers stay." : "Nothing was clicked."}`);
+  draw();
+}
+
+/** Offers the predictors; nothing is connected until the mouse is lent. */
+export async function open() {
+  fill(results, task.table);
+  draw();
+  if (!lendable()) {
+    write(said, "This browser cannot lend its mouse to a page (it has no pointer lock), so nothing here can move the cursor.");
+    return;
+  }
+  const listing = await predictors();
+  if (select.disabled) offer(select, listing.predictors, PREFERRED);
+  take.disabled = false;
+}
+
+/** Gives the mouse back. */
+export function close() {
+  lock.give();
+}
+
+form.addEventListener("submit", start);
+part("assist-forget").addEventListener("click", () => {
+  task = new Task();
+  fill(results, task.table);
+});
+onRepaint(draw);
