@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import json
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import suppress
 from socket import SO_RCVBUF, SOL_SOCKET
 from typing import Any
 
@@ -15,44 +14,12 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Subprotocol
 
-from pointpred import build
-from pointpred.devices.paths import MotorPath
-from pointpred.devices.sessions import LiveSession
-from pointpred.server.live import MOST_WAITING, LiveFeed
-from pointpred.server.live_messages import Attached, Curve
+from pointpred.server.live import MOST_WAITING
+from pointpred.server.live_messages import Curve
 from pointpred.server.messages import SUBPROTOCOL
-from pointpred.server.service import Service
 from pointpred.transfer import TransferLearner
-from tests.devices.live_fakes import FakeMouse, reach
+from tests.server.live_attached import ATTACHED, Attachment, attached
 from tests.server.running import Running, running
-
-ATTACHED = Attached("a made-up mouse", "its own", "motor", "prediction in motor space", "switched", 800.0)
-
-
-class Attachment:
-    """A fake mouse with its session, driven by the test, and its feed."""
-
-    def __init__(self) -> None:
-        self.mouse = FakeMouse()
-        self.session = LiveSession(self.mouse, MotorPath(800.0), build("switched", cpi=800.0))
-        self.feed = LiveFeed(ATTACHED, self.session.state)
-        self.session.watchers.append(self.feed.take)
-
-    def move(self, begin: float) -> int:
-        """A movement all at once; returns how many events that are."""
-        self.mouse.put(reach(begin, (500.0, 200.0)))
-        return len(self.session.advance(0.0))
-
-
-@contextmanager
-def attached(**settings: Any) -> Iterator[tuple[Running, Attachment]]:
-    made = Attachment()
-
-    def attach(service: Service) -> None:
-        service.live = made.feed
-
-    with running(prepare=attach, **settings) as here:
-        yield here, made
 
 
 def look(here: Running, query: str = "", **options: Any) -> ClientConnection:

@@ -1,0 +1,215 @@
+"""The page with a device attached to the service: what it does is drawn, what is lost is told."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pointpred import PointerEvent
+from pointpred.server.live_messages import Curve
+from pointpred.transfer import ConstantGain, PixelTransfer, TransferLearner
+from tests.devices.live_fakes import reach
+from tests.server import browser, page_browser
+from tests.server.live_attached import Attachment, attached, followed, play
+from tests.server.page_browser import Visitor, until
+from tests.server.running import Running, running
+from tests.server.test_page import LIGHT, pixels
+
+pytestmark = browser.needed
+
+SEEN = """
+window.seen = { phase: [], left: [] };
+for (const of in seen) {
+  const shown = document.querySelector(`#live-device [data-of=${of}]`);
+  new MutationObserver(() => seen[of].push(shown.textContent)).observe(shown, { childList: true });
+}
+"""
+DRAWN = "Number(document.querySelector('#device-scene').dataset.drawn ?? 0)"
+EVENTS = "Number(document.querySelector('#device-scene').dataset.events ?? 0)"
+SAID = "document.querySelector('#device-said').textContent"
+
+
+@pytest.fixture(scope="module")
+def one(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
+    with page_browser.visitor(tmp_path_factory.mktemp("profile")) as opened:
+        yield opened
+
+
+@pytest.fixture(scope="module")
+def service() -> Iterator[tuple[Running, Attachment]]:
+    with attached() as (here, made), followed(made):
+        yield here, made
+
+
+@pytest.fixture
+def visitor(one: Visitor, service: tuple[Running, Attachment]) -> Iterator[Visitor]:
+    """Somebody who looks at the attached device; nothing is complained of, and nothing moves by itself."""
+    one.prefer(prefers_color_scheme="light")
+    one.resize(1280, 720)
+    one.open(f"{service[0].url}#live")
+    one.wait(f"{SAID} === 'Attached.'")
+    yield one
+    assert one.complaints() == []
+    assert one.shift() < 0.001
+
+
+def to_the_device(visitor: Visitor) -> None:
+    visitor.value("document.querySelector('#live-device').scrollIntoView()")
+
+
+def test_its_movements_and_predictions_are_drawn(
+    visitor: Visitor, service: tuple[Running, Attachment]
+) -> None:
+    _, made = service
+    assert visitor.text("#device-name") == "a made-up mouse"
+    assert "motor space" in visitor.text("#device-words")
+    assert "800 counts per inch" in visitor.text("#device-words")
+    to_the_device(visitor)
+    visitor.value(SEEN)
+    before = made.session.reports
+
+    def drawn() -> bool:
+        play(made, (2500.0, -900.0))
+        return {LIGHT["past"], LIGHT["endpoint"]} <= pixels(visitor, "#device-scene")
+
+    until(drawn, "the trail and a predicted endpoint")  # a loaded machine may look when all is over
+    visitor.wait(f"{EVENTS} >= {made.session.reports - before}")
+    assert visitor.value(DRAWN) > 0
+    assert "ballistic" in visitor.value("seen.phase")
+    visitor.wait("seen.phase.at(-1) === '–'")
+    reports = "document.querySelector('#live-device [data-of=reports]').textContent"
+    visitor.wait(f"{reports} === '{made.session.reports}'")
+    assert visitor.text("#live-device [data-of=delay]").endswith(" ms")
+
+
+def test_losses_and_an_unplugged_device_are_told(
+    visitor: Visitor, service: tuple[Running, Attachment]
+) -> None:
+    mouse = service[1].mouse
+    losses = "document.querySelector('#live-device [data-of=losses]')"
+    visitor.wait(f"{losses}.textContent === 'none'")
+    mouse.unreadable, mouse.plugged = 3, False
+    try:
+        visitor.wait(f"{losses}.title === '3 unreadable'")
+        visitor.wait(f"{SAID}.startsWith('Unplugged')")
+    finally:
+        mouse.unreadable, mouse.plugged = 0, True
+    visitor.wait(f"{SAID} === 'Attached.'")
+
+
+def test_keys_lead_to_it(visitor: Visitor) -> None:
+    for _ in range(8):
+        visitor.press("Tab")
+        if visitor.value("document.activeElement.id") == "device-go":
+            break
+    assert visitor.value("document.activeElement.id") == "device-go"
+    assert visitor.value("getComputedStyle(document.activeElement).outlineStyle") == "solid"
+    visitor.value("document.activeElement.click()")
+    assert visitor.value("document.activeElement.id") == "live-device-title"
+    top = "document.querySelector('#live-device-title').getBoundingClientRect().top"
+    visitor.wait(f"{top} >= 0 && {top} < 720")
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (390, 844)])
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_nothing_is_wider_than_the_window_or_covers_anything(
+    visitor: Visitor, size: tuple[int, int], theme: str
+) -> None:
+    visitor.prefer(prefers_color_scheme=theme)
+    visitor.resize(*size)
+    to_the_device(visitor)
+    assert visitor.value("document.documentElement.scrollWidth <= document.documentElement.clientWidth")
+    parts = [
+        "#device-said",
+        "#device-shown .picture",
+        "#device-shown .side",
+        "#device-gain",
+        "#device-gain-said",
+    ]
+    boxes = [visitor.corner(part) for part in parts]
+    for i, (left, top, width, height) in enumerate(boxes):
+        for x, y, wide, high in boxes[i + 1 :]:
+            apart = x >= left + width or left >= x + wide or y >= top + height or top >= y + high
+            assert apart, (parts[i], size)
+
+
+def learnt() -> TransferLearner:
+    """What a constant gain of 4 teaches."""
+    learner, moved = TransferLearner(cpi=1000.0, dpi=96.0), PixelTransfer(ConstantGain(4.0), cpi=1000.0)
+    x = y = 0.0
+    for k, length in enumerate(np.linspace(300.0, 6000.0, 24)):
+        for report in reach(2.0 * k, (length * (-1) ** k, 0.5 * length), 0.7):
+            dx, dy = moved.update((report.t, report.dx, report.dy))
+            x, y = x + dx, y + dy
+            learner.update(PointerEvent(report.t, x, y, report.dx, report.dy))
+    return learner
+
+
+def test_the_gain_curve_is_drawn_with_the_speeds_that_were_shown(
+    visitor: Visitor, service: tuple[Running, Attachment]
+) -> None:
+    curve = learnt().curve()
+    assert curve.excited is not None
+    visitor.value("document.querySelector('#device-gain').scrollIntoView()")
+    before = pixels(visitor, "#device-gain")
+    assert LIGHT["endpoint"] not in before
+    service[1].feed.curve = Curve(curve.words, curve)
+    visitor.wait("document.querySelector('#device-gain').dataset.points === '41'")
+    low, high = curve.excited
+    said = visitor.text("#device-gain-said")
+    assert said.startswith(f"Identified between {low:.3f} and {high:.3f} m/s of the hand")
+    assert said.endswith("Closest: constant.")
+    after = pixels(visitor, "#device-gain")
+    assert LIGHT["endpoint"] in after
+    assert after - before > {LIGHT["endpoint"]}
+
+
+def test_where_nothing_is_learnt_the_reason_stands(
+    visitor: Visitor, service: tuple[Running, Attachment]
+) -> None:
+    service[1].feed.curve = Curve("a transfer function is learnt from counts and the screen's cursor")
+    visitor.wait(
+        "document.querySelector('#device-gain-said').textContent.startsWith('A transfer function is learnt')"
+    )
+
+
+def test_the_picture_follows_a_device_that_no_window_bounds(visitor: Visitor) -> None:
+    rng = np.random.default_rng(5)
+    walks = np.cumsum(rng.normal(0.0, 120.0, (300, 2)), axis=0)
+    windows = [walks[max(0, i - 20) : i + 1].tolist() for i in range(len(walks))]
+    code = f"""import('/web/device-camera.js').then(({{ Camera }}) => {{
+      const camera = new Camera();
+      return {json.dumps(windows)}.map((points) => {{
+        camera.follow(points, 800, 400);
+        return [camera.scale, ...points.map((point) => camera.place(point))];
+      }});
+    }})"""
+    scales = []
+    for scale, *places in visitor.value(code):
+        scales.append(scale)
+        assert all(0 <= x <= 800 and 0 <= y <= 400 for x, y in places)
+    assert max(scales) <= 1.0
+    changes = np.count_nonzero(np.diff(scales))
+    assert 0 < changes < 60
+
+
+def test_without_a_device_the_page_says_how_to_attach_one(one: Visitor) -> None:
+    with running() as here:
+        one.open(here.url)
+        one.wait(f"{SAID}.includes('pointpred live --serve')")
+        assert one.value("getComputedStyle(document.querySelector('#device-go')).visibility") == "hidden"
+        assert one.value("document.querySelector('#device-shown').hidden")
+        assert one.complaints() == []
+        assert one.shift() < 0.001
+
+
+def test_a_service_that_has_gone_is_told_and_waited_for(tmp_path: Path) -> None:
+    with page_browser.visitor(tmp_path) as visitor:
+        with attached() as (here, _):
+            visitor.open(here.url)
+            visitor.wait(f"{SAID} === 'Attached.'")
+        until(lambda: visitor.value(SAID) == "Not connected: trying again…", "the loss to be told")
