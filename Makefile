@@ -5,7 +5,7 @@ PYTHON ?= $(shell for python in python3.11 python3 python3.12 python3.13 python3
 BIN = .venv/bin
 READY = .venv/.ready
 
-.PHONY: run test check format bench docs results train crossvalidate sample clean help
+.PHONY: run test check format bench docs results train crossvalidate sample fuzz clean help
 
 help:  ## show these lines
 	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -43,6 +43,10 @@ crossvalidate: $(READY)  ## score kinematic on people and sets held out, and wri
 
 sample: $(READY)  ## generate the embedded sample again (same bytes)
 	$(BIN)/python -m pointpred.datasets.generate
+
+fuzz: $(READY)  ## look for bytes that break the HID decoder, ten minutes; what is new stays in tests/fuzz/corpus
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check 'atheris>=3.0'
+	$(BIN)/python -m tests.fuzz.run -max_total_time=600 -max_len=600 -artifact_prefix=tests/fuzz/ tests/fuzz/corpus
 
 clean:  ## remove the environment and every cache
 	rm -rf .venv .mypy_cache .ruff_cache .pytest_cache .hypothesis build dist *.egg-info
