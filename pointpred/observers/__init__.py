@@ -11,6 +11,7 @@ from pointpred.observers.excitation import (
 )
 from pointpred.observers.generator import Generator
 from pointpred.observers.interconnection import theorem_3_2_1
+from pointpred.observers.invariant_stage import invariant_stage
 from pointpred.observers.matrix_inequalities import MatrixInequalities, Solution
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.persidskii_observer import PersidskiiObserver, observer_stage, regulator_stage
@@ -45,6 +46,7 @@ __all__ = [
     "discrete_excitation",
     "interconnection_bound",
     "invariant_observer",
+    "invariant_stage",
     "linear_independence",
     "observer_stage",
     "persistent_excitation",

@@ -1,4 +1,4 @@
-"""The law of every observer of Persidskii form: w' (or the next w) = N w + L f(Jw) + K i, and its output."""
+"""The law of observers of Persidskii form: w' (or the next w) = N w + L f(Jw + R i) + K i, and its output."""
 
 from __future__ import annotations
 
@@ -11,7 +11,8 @@ from pointpred.compiled import law, layout
 from pointpred.observers import nonlinearity
 
 # Parameters: states q, components k, inputs, outputs, discrete?, step, gap; then codes (k), N (q, q), L (q,
-# k), J (k, q), K (q, inputs), R0 (outputs, q), R1 (outputs, k) and the start (q). The state behind them:
+# k), J (k, q), K (q, inputs), R0 (outputs, q), R1 (outputs, k), R (k, inputs), R2 (outputs, inputs) and the
+# start (q). The state behind them:
 # known, t, w less its start (q), the last inputs, and room for the stages of an integration step.
 STATES, COMPONENTS, INPUTS, OUTPUTS, DISCRETE, STEP, GAP = 0, 1, 2, 3, 4, 5, 6
 CODES = 7
@@ -20,9 +21,15 @@ ACCEPTED, REPEATED, BACKWARDS = 0, 1, 2
 
 
 @layout
+def injected_at(q: int, k: int, inputs: int, outputs: int) -> int:
+    """Where R lies, which lets inputs into the nonlinearity; R2 follows it."""
+    return CODES + k + q * q + 2 * q * k + q * inputs + outputs * (q + k)
+
+
+@layout
 def start_at(q: int, k: int, inputs: int, outputs: int) -> int:
     """Where the start lies."""
-    return CODES + k + q * q + 2 * q * k + q * inputs + outputs * (q + k)
+    return injected_at(q, k, inputs, outputs) + (k + outputs) * inputs
 
 
 @layout
@@ -39,16 +46,19 @@ def floats(q: int, k: int, inputs: int) -> int:
 
 @law
 def slope(memory: FloatArray, w: int, inputs: int, nonlinear: int, to: int) -> None:
-    """N w + L f(Jw) + K i, read from three places of the memory and written to a fourth."""
+    """N w + L f(Jw + R i) + K i, read from three places of the memory and written to a fourth."""
     q, k, m = int(memory[STATES]), int(memory[COMPONENTS]), int(memory[INPUTS])
     n_at = CODES + k
     l_at = n_at + q * q
     j_at = l_at + q * k
     k_at = j_at + q * k
+    r_at = injected_at(q, k, m, int(memory[OUTPUTS]))
     for j in range(k):
         s = 0.0
         for i in range(q):
             s += memory[j_at + j * q + i] * memory[w + i]
+        for i in range(m):
+            s += memory[r_at + j * m + i] * memory[inputs + i]
         memory[nonlinear + j] = nonlinearity.value(memory[CODES + j], s)
     for i in range(q):
         change = 0.0
@@ -128,15 +138,19 @@ def advance(memory: FloatArray, row: FloatArray) -> int:
 
 @law
 def read(memory: FloatArray, out: FloatArray) -> None:
-    """R0 w + R1 f(Jw)."""
+    """R0 w + R1 f(Jw + R i) + R2 i."""
     q, k, m, p = int(memory[STATES]), int(memory[COMPONENTS]), int(memory[INPUTS]), int(memory[OUTPUTS])
     start = start_at(q, k, m, p)
     j_at = CODES + k + q * q + q * k
     r0_at = j_at + q * k + q * m
     r1_at = r0_at + p * q
-    w, nonlinear = start + q + 2, start + q + 2 + q + m + 4 * q
+    r_at = injected_at(q, k, m, p)
+    r2_at = r_at + k * m
+    w, last, nonlinear = start + q + 2, start + q + 2 + q, start + q + 2 + q + m + 4 * q
     for j in range(k):
         s = 0.0
+        for i in range(m):
+            s += memory[r_at + j * m + i] * memory[last + i]
         for i in range(q):
             s += memory[j_at + j * q + i] * (memory[w + i] + memory[start + i])
         memory[nonlinear + j] = nonlinearity.value(memory[CODES + j], s)
@@ -146,6 +160,8 @@ def read(memory: FloatArray, out: FloatArray) -> None:
             value += memory[r0_at + row * q + i] * (memory[w + i] + memory[start + i])
         for j in range(k):
             value += memory[r1_at + row * k + j] * memory[nonlinear + j]
+        for j in range(m):
+            value += memory[r2_at + row * m + j] * memory[last + j]
         out[row] = value
 
 

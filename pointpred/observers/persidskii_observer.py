@@ -19,17 +19,18 @@ from pointpred.stage import CompiledStage, Parameter, check
 
 
 class PersidskiiObserver(CompiledStage):
-    """The stage w' = N w + L f(Jw) + K i with i the inputs of each sample; it returns R0 w + R1 f(Jw).
+    """The stage w' = N w + L f(Jw + R i) + K i with i the inputs of a sample; returns R0 w + R1 f(.) + R2 i.
 
     Assumes that inputs lie on a line between two samples, which is what the samples cannot say; in discrete
-    time each sample is one step, and what it brings counts from the next one on. A gap longer than ``gap_s``
-    begins anew at ``start``: nothing is known of the inputs in between.
+    time each sample is one step, and what it brings counts from the next one on. A gap longer than
+    ``gap_s`` begins anew at ``start``: nothing is known of the inputs in between.
 
     Continuous time is integrated by the classical Runge-Kutta method in steps of at most ``step_s``; a step
     too long for the fastest eigenvalue of N is unstable, so choose step_s below 1 / (largest eigenvalue).
 
     Parameters: ``N`` (q, q), ``L`` (q, k), ``J`` (k, q), ``K`` (q, inputs), ``f`` a name or one for each
-    component; ``R0`` (outputs, q), the identity unless given; ``R1`` (outputs, k); ``start`` (q), zeros
+    component; ``R0`` (outputs, q), the identity unless given; ``R1`` (outputs, k); ``R`` (k, inputs)
+    and ``R2`` (outputs, inputs), zeros unless given; ``start`` (q), zeros
     unless given; ``step_s`` in s, [1e-6, 1]; ``gap_s`` in s, [1e-6, 1e6], at most 10^5 steps; ``time``
     "continuous" or "discrete". Memory: the matrices and 2 + 6 q + k + 2 inputs floats.
     Raises ParameterError; EventError, EventOrderError and DivergenceError from ``update``.
@@ -58,6 +59,8 @@ class PersidskiiObserver(CompiledStage):
         *,
         R0: ArrayLike | None = None,  # noqa: N803
         R1: ArrayLike | None = None,  # noqa: N803
+        R: ArrayLike | None = None,  # noqa: N803
+        R2: ArrayLike | None = None,  # noqa: N803
         start: ArrayLike | None = None,
         step_s: float = 1e-2,
         gap_s: float = 1.0,
@@ -86,6 +89,8 @@ class PersidskiiObserver(CompiledStage):
             kay,
             out,
             np.zeros((len(out), k)) if R1 is None else matrix("R1", R1, len(out), k),
+            np.zeros((k, kay.shape[1])) if R is None or k == 0 else matrix("R", R, k, kay.shape[1]),
+            np.zeros((len(out), kay.shape[1])) if R2 is None else matrix("R2", R2, len(out), kay.shape[1]),
             np.zeros(q) if start is None else matrix("start", start, 1, q),
         ]
         self.inputs, self.time = kay.shape[1], time
@@ -98,8 +103,8 @@ class PersidskiiObserver(CompiledStage):
     def update(self, t: float, inputs: ArrayLike = ()) -> FloatArray:
         """Take in the inputs measured at ``t`` (s, or the index) and return what is known at t.
 
-        Raises EventError for values that are not finite or of another number, EventOrderError when time runs
-        backwards and DivergenceError where the state leaves every bound; nothing is then changed.
+        Raises EventError for values that are not finite or of another number, EventOrderError when
+        time runs backwards and DivergenceError where the state leaves every bound; nothing is then changed.
         """
         row = self._row(t, inputs)
         before = self._memory.copy()
