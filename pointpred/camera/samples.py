@@ -6,7 +6,7 @@ import msgspec
 import numpy as np
 
 from pointpred.camera.scenario import Scenario, Trajectory, trajectory
-from pointpred.columns import Columns, FloatArray
+from pointpred.columns import Columns
 from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
 from pointpred.stage import Parameter, check
@@ -88,8 +88,6 @@ def simulate(
     >>> len(samples), float(truth.chi[0])
     (34, 1.0)
     """
-    noise = noise or Noise()
-    check((FOCAL, *NOISE), {"focal_px": focal_px, **{p.name: getattr(noise, p.name) for p in NOISE}})
     for name, value in (("duration_s", duration_s), ("image_hz", image_hz)):
         if not (is_number(value) and 0.0 < value <= 1e6):
             raise ParameterError(f"{name} must lie in (0, 1e6], received {value!r}")
@@ -98,14 +96,20 @@ def simulate(
     rate_hz = image_hz * readings
     t = np.arange(round(duration_s * rate_hz) + 1) / rate_hz
     truth = trajectory(scenario, t)
-    return CameraColumns(_table(truth, focal_px, readings, rate_hz, noise, seed)), truth
+    return observed(truth, focal_px=focal_px, readings=readings, noise=noise, seed=seed), truth
 
 
-def _table(
-    truth: Trajectory, focal_px: float, readings: int, rate_hz: float, noise: Noise, seed: int
-) -> FloatArray:
+def observed(
+    truth: Trajectory, *, focal_px: float, readings: int = 1, noise: Noise | None = None, seed: int = 0
+) -> CameraColumns:
+    """What the sensors deliver on a trajectory sampled at equal intervals, an image every ``readings`` rows.
+
+    The same seed gives the same samples. Raises ParameterError.
+    """
+    noise = noise or Noise()
+    check((FOCAL, *NOISE), {"focal_px": focal_px, **{p.name: getattr(noise, p.name) for p in NOISE}})
     random = np.random.default_rng(seed)
-    rows = len(truth.t)
+    rows, rate_hz = len(truth.t), 1.0 / (truth.t[1] - truth.t[0])
     if noise.normal:
         pixels = random.normal(0.0, noise.noise_px / np.sqrt(3.0), (rows, 2))
     else:
@@ -117,4 +121,4 @@ def _table(
     spread = np.sqrt(rate_hz)
     gyro = truth.w + noise.gyro_bias + spread * noise.gyro_noise * random.normal(size=(rows, 3))
     accel = truth.a + noise.accel_bias + spread * noise.accel_noise * random.normal(size=(rows, 3))
-    return np.column_stack([truth.t, image, gyro, accel])
+    return CameraColumns(np.column_stack([truth.t, image, gyro, accel]))

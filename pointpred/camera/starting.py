@@ -78,7 +78,7 @@ def solved(matrix: FloatArray, vector: FloatArray) -> None:
 def start(memory: FloatArray, at: int, state: int, p: int, variance: float, share: float) -> bool:
     """Write (p, v) and its covariance now, if the depth is known to ``share`` of itself; else change nothing.
 
-    P = Phi N^-1 Phi' r Z^2 with the larger of the depths then and now, and what the sensors' noise added.
+    P = Phi N^-1 Phi' r Z^2, Z^2 the mean square of a depth that ran evenly since, and the sensors' noise.
     """
     matrix = np.empty((6, 6))
     for i in range(6):
@@ -92,7 +92,7 @@ def start(memory: FloatArray, at: int, state: int, p: int, variance: float, shar
     for i in range(6):
         for j in range(6):
             now[i] += memory[at + CARRY + 6 * i + j] * first[j]
-    depth = max(first[2], now[2])
+    square = (first[2] * first[2] + first[2] * now[2] + now[2] * now[2]) / 3.0
     if not (first[2] > 0.0 and now[2] > 0.0):
         return False
     spread = np.empty((6, 6))  # rows: Phi N^-1, then times Phi'
@@ -103,7 +103,7 @@ def start(memory: FloatArray, at: int, state: int, p: int, variance: float, shar
             total = 0.0
             for k in range(6):
                 total += row[k] * memory[at + CARRY + 6 * j + k]
-            spread[i, j] = total * variance * depth * depth + memory[at + SHAKEN + 6 * i + j]
+            spread[i, j] = total * variance * square + memory[at + SHAKEN + 6 * i + j]
     if not spread[2, 2] < (share * now[2]) ** 2:
         return False
     for i in range(6):
