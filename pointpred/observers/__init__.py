@@ -21,6 +21,15 @@ from pointpred.observers.reversed_certificate import Convergence, certify_conver
 from pointpred.observers.reversed_connection import InvariantObserver, invariant_observer
 from pointpred.observers.simulate import SeededSignal, simulate
 from pointpred.observers.steady_state import SteadyState, residuals, steady_state_map
+from pointpred.observers.tracking import (
+    SectorBounds,
+    TrackingCertificate,
+    certify_tracking,
+    closed_loop,
+    sector_bounds,
+    theorem_3_2_2,
+    theorem_3_2_3,
+)
 from pointpred.regression import RecursiveLeastSquares
 
 __all__ = [
@@ -36,10 +45,14 @@ __all__ = [
     "PersidskiiObserver",
     "RecursiveLeastSquares",
     "ReducedOrderDesign",
+    "SectorBounds",
     "SeededSignal",
     "Solution",
     "SteadyState",
+    "TrackingCertificate",
     "certify_convergence",
+    "certify_tracking",
+    "closed_loop",
     "convergence_bound",
     "design_observer",
     "design_reduced_order",
@@ -52,8 +65,11 @@ __all__ = [
     "persistent_excitation",
     "regulator_stage",
     "residuals",
+    "sector_bounds",
     "simulate",
     "steady_state_map",
     "theorem_3_2_1",
+    "theorem_3_2_2",
+    "theorem_3_2_3",
     "undetectable",
 ]

@@ -58,7 +58,7 @@ class MatrixInequalities:
     pointpred.errors.CertificateError: Lyapunov: A'P + PA has the eigenvalue 0.162278, must lie below 0
     """
 
-    def __init__(self, name: str, *, margin: float = 1e-5, kappa: float = 1e5) -> None:
+    def __init__(self, name: str, *, margin: float = 1e-5, kappa: float = 1e4) -> None:
         if not 0.0 < margin <= 1e-2:
             raise ParameterError(f"margin must lie in (0, 0.01], received {margin!r}")
         if not 10.0 <= kappa <= 1e8:
