@@ -22,8 +22,9 @@ class Clock:
     """Stamps in microseconds in, seconds that never run backwards out.
 
     A node whose kernel refuses the monotonic clock stamps with the real-time clock, which may be set: the
-    difference is taken at the first report, wrong by the time its reading took, and anew (``steps`` counts)
-    when a stamp runs backwards or lies more than 1 s from the expected one.
+    difference is taken at the first report and made smaller whenever a stamp would lie in the future, so it
+    is wrong by the shortest time that a reading took; anew (``steps`` counts) when a stamp runs backwards or
+    lies more than 1 s from the expected one.
 
     >>> clock = Clock()
     >>> clock.seconds(1_700_000_000_000_000, now=50.0), clock.seconds(1_700_000_000_008_000, now=50.0085)
@@ -52,9 +53,9 @@ class Clock:
         """A stamp of the real-time clock on the monotonic one."""
         if self._ahead_us is not None:
             t = (stamp_us - self._ahead_us) / 1e6
-            if t >= self.last and abs(t - now) <= APART_S:
+            if t >= self.last and now - APART_S <= t <= now:
                 return t
-            self.steps += 1
+            self.steps += not now < t <= now + APART_S
         self._ahead_us = stamp_us - round(now * 1e6)
         return (stamp_us - self._ahead_us) / 1e6
 

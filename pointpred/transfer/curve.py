@@ -56,7 +56,8 @@ class GainCurve(msgspec.Struct, frozen=True):
     often enough; both are empty and ``excited`` is ``None`` while there is no function, for the reason in
     ``words``. ``measured_speeds``, ``measured_gains``, ``measured_errors``: the bands behind it.
     ``compared``: a constant gain, a sigmoid and the polynomial on the same bands; ``closest``: the simplest
-    of those that explain them best.
+    of those that explain them best. ``skipped`` reports came after a pause, ``edges`` at the screen's edge,
+    ``fast`` above the range that is judged: they taught nothing.
     """
 
     words: str
@@ -72,10 +73,11 @@ class GainCurve(msgspec.Struct, frozen=True):
     samples: int
     skipped: int
     edges: int
+    fast: int
 
 
-def curve_of(found: Identification, bands: Bands, edges: int) -> GainCurve:
-    """The curve of an identification and of the bands behind it; ``edges`` events were left out there."""
+def curve_of(found: Identification, bands: Bands, edges: int, fast: int) -> GainCurve:
+    """The curve of an identification and of the bands behind it, and how many events were left out why."""
     function = found.function
     speeds = gains = np.zeros(0)
     if function is not None:
@@ -96,6 +98,7 @@ def curve_of(found: Identification, bands: Bands, edges: int) -> GainCurve:
         found.samples,
         found.skipped,
         edges,
+        fast,
     )
 
 

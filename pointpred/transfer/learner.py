@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from copy import copy
+from math import hypot, inf, isfinite
 from threading import Lock
 from typing import Any, Self
 
 import numpy as np
 
+from pointpred.errors import EventError, ParameterError
 from pointpred.events import PointerEvent
 from pointpred.transfer import bands, windows
 from pointpred.transfer.curve import Bands, GainCurve, curve_of
@@ -15,6 +17,9 @@ from pointpred.transfer.identification import Identification, PolynomialIdentifi
 
 FORGETTING = 1.0 - 5e-6
 """Half of what was learnt is forgotten after six minutes of motion: a changed setting shows."""
+SPACING_S, SPACING_MOST_S = 0.0005, 0.1
+TOO_FAST = 1.5
+NONE = float("nan")
 WINDOW_S = 0.01
 """Longer than for simulated reports: a real cursor follows its counts with a delay that varies."""
 
@@ -27,12 +32,15 @@ class TransferLearner:
     out and counted. Knows nothing outside the speeds that were shown.
 
     The law is that of ``PolynomialIdentifier``: V_c = sum c_i V_m^i by recursive least squares over windows,
-    with forgetting, bands of speed weighed so that the largest relative error of the gain is small.
+    with forgetting, bands of speed weighed so that the largest relative error of the gain is small. A speed
+    is taken over ``spacing_s`` at least: reports that waited together for their reader have stamps too close
+    to divide by. What is faster than 1.5 ``speed_high`` is left out and counted in ``fast``: it is not
+    judged, and its powers would outweigh all that is.
 
     Parameters: ``size`` of the screen in px; ``forgetting`` for each window and axis; ``window_s`` in s,
-    longer than the time by which the cursor's delay varies; the others, ``cpi`` and ``dpi`` first, as for
-    ``PolynomialIdentifier``. Any thread may ask while another one feeds.
-    Memory: 267 floats. Raises ParameterError, and EventError from ``update``.
+    longer than the time by which the cursor's delay varies; ``spacing_s`` in [0, 0.1] s; the others, ``cpi``
+    and ``dpi`` first, as for ``PolynomialIdentifier``. Any thread may ask while another one feeds.
+    Memory: 267 floats and one event. Raises ParameterError, and EventError from ``update``.
     Reference: Khalin 2022, sections 2.4.1 and 2.5.1, with the cursor's speed corrected.
 
     >>> learner = TransferLearner(cpi=1000.0, dpi=100.0)
@@ -50,12 +58,19 @@ class TransferLearner:
         size: tuple[int, int] | None = None,
         forgetting: float = FORGETTING,
         window_s: float = WINDOW_S,
+        spacing_s: float = SPACING_S,
         **settings: Any,
     ) -> None:
-        self.size, self.edges = size, 0
+        if not 0.0 <= spacing_s <= SPACING_MOST_S:
+            raise ParameterError(f"spacing_s must lie in [0, {SPACING_MOST_S:g}] s, received {spacing_s!r}")
+        self.size, self.spacing_s, self.edges, self.fast = size, spacing_s, 0, 0
         self._settings: dict[str, Any] = {"forgetting": forgetting, "window_s": window_s, **settings}
         self._identifier = PolynomialIdentifier(**self._settings)
         self._lock = Lock()
+        self._dx = self._dy = 0.0
+        high = self._identifier.speed_low + bands.BANDS * self._identifier.band_width
+        metres_per_count = float(self._identifier._memory[windows.METRES_PER_COUNT])
+        self._counts_a_second = TOO_FAST * high / metres_per_count
 
     def update(self, event: PointerEvent, /) -> None:
         """Learn from one event.
@@ -64,41 +79,66 @@ class TransferLearner:
         nothing is then changed.
         """
         with self._lock:
+            memory = self._identifier._memory
+            if memory[windows.KNOWN] and not memory[windows.T] <= event.t:
+                raise EventError(f"event must not lie before t = {memory[windows.T]!r} s, received {event!r}")
+            dx, dy = (NONE if d is None else d + w for d, w in ((event.dx, self._dx), (event.dy, self._dy)))
+            h = event.t - memory[windows.T] if memory[windows.KNOWN] else inf
             if self._at_edge(event):
+                self._begin()
                 self.edges += 1
-                self._identifier._memory[windows.KNOWN] = 0.0
+            elif 0.0 < h < self.spacing_s and isfinite(event.x + event.y + dx + dy):
+                self._dx, self._dy = dx, dy
+            elif 0.0 < h <= memory[windows.GAP_S] and hypot(dx, dy) > h * self._counts_a_second:
+                self._begin()
+                self.fast += 1
             else:
-                self._identifier.update(event)
+                self._identifier.update(PointerEvent(event.t, event.x, event.y, dx, dy))
+                self._dx = self._dy = 0.0
 
     def reset(self) -> None:
         """A new movement begins: no speed reaches over to it. What was learnt stays."""
         with self._lock:
-            self._identifier._memory[windows.KNOWN] = 0.0
+            self._begin()
 
     def forget(self) -> None:
         """Forget everything that was learnt."""
         with self._lock:
             self._identifier.reset()
-            self.edges = 0
+            self._begin()
+            self.edges = self.fast = 0
 
     def fresh(self) -> Self:
         """A learner with the same parameters that has learnt nothing."""
-        return type(self)(size=self.size, **self._settings)
+        return type(self)(size=self.size, spacing_s=self.spacing_s, **self._settings)
 
     def identify(self) -> Identification:
-        """The function now, with what it rests on."""
-        return self._still().identify()
+        """The function now, with what it rests on.
+
+        Bands are weighed by their relative error once enough of them are known well; before that every
+        window counts alike, since weighing would follow the noise.
+        """
+        return self._told()[0]
 
     def curve(self) -> GainCurve:
         """The function now as plain lists, with its excited range, beside a constant gain and a sigmoid."""
-        still = self._still()
-        found = still.identify()
-        return curve_of(found, measured(still, found.residual), self.edges)
+        found, known = self._told()
+        return curve_of(found, known, self.edges, self.fast)
 
-    def _still(self) -> PolynomialIdentifier:
-        """A copy that nobody feeds."""
+    def _told(self) -> tuple[Identification, Bands]:
+        """The identification and the bands behind it, from a copy that nobody feeds."""
         with self._lock:
-            return copy(self._identifier)
+            still = copy(self._identifier)
+        found = still.identify()
+        known = measured(still, found.residual)
+        if (known.trust > 0.5).sum() <= still.count:
+            found = still.identify("samples")
+        return found, known
+
+    def _begin(self) -> None:
+        """Know no last report."""
+        self._identifier._memory[windows.KNOWN] = 0.0
+        self._dx = self._dy = 0.0
 
     def _at_edge(self, event: PointerEvent) -> bool:
         """Whether the cursor may have been stopped there."""
