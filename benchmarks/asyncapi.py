@@ -11,7 +11,9 @@ import yaml
 import pointpred
 from benchmarks import asyncapi_examples as examples
 from benchmarks import asyncapi_words as words
+from benchmarks.asyncapi_live import live_channel, live_messages, live_operations
 from pointpred.events import PHASES
+from pointpred.server.live_messages import live_schemas
 from pointpred.server.messages import SUBPROTOCOL, ClientMessage, ServerMessage, schemas
 from pointpred.server.records import EVENT, NO_COUNTS, PREDICTION, pack
 
@@ -30,7 +32,7 @@ REPLIES = {
 
 def document() -> dict[str, Any]:
     """The whole description."""
-    _, components = schemas()
+    components = schemas()[1] | live_schemas()
     messages = _messages()
     return {
         "asyncapi": "3.0.0",
@@ -58,11 +60,12 @@ def document() -> dict[str, Any]:
                 "x-subprotocol": SUBPROTOCOL,
                 "x-close-codes": words.CLOSES,
                 "x-error-codes": words.CODES,
-            }
+            },
+            "live": live_channel(),
         },
-        "operations": _operations(),
+        "operations": {**_operations(), **live_operations()},
         "components": {
-            "messages": messages,
+            "messages": {**messages, **live_messages()},
             "schemas": {name: _draft7(schema) for name, schema in components.items()},
             "securitySchemes": words.SECURITY,
         },

@@ -15,7 +15,7 @@ from pointpred.recording import Provenance
 from pointpred.server.messages import Hello
 from pointpred.server.recorder import Recorder, about_of
 from pointpred.server.recorder_files import SessionFiles, prediction_rows, sample_rows
-from pointpred.sources.appended import FORMAT
+from pointpred.sources.appended import LIVE
 
 TOGETHER_S = 0.05
 """Events of so much time go to the recorder together."""
@@ -45,7 +45,7 @@ class LiveRecording:
     def __init__(self, file: Path, hello: Hello, origin: str, clock: str) -> None:
         device, screen = hello.device, hello.screen
         provenance = Provenance(
-            FORMAT,
+            LIVE,
             origin=origin,
             clock=clock,
             dpi=screen.dpi if screen else 96.0,

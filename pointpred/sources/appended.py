@@ -24,6 +24,8 @@ from pointpred.sources.reading import AS_IS, Reading
 from pointpred.sources.segmentation import trials_of_stream
 
 FORMAT = "pointpred recorder"
+LIVE = "pointpred live"
+"""What a header says that a session of a device was recorded by."""
 TITLE = "pointpred recorder CSV"
 VALUES = ("t_s", "x_px", "y_px", "dx_counts", "dy_counts", "buttons")
 SAMPLES = ("user", "trial", *VALUES)
@@ -44,8 +46,9 @@ def read(path: Path, trials: Path | None, reading: Reading = AS_IS) -> Recording
     """Read a recording that was appended to, together with its table of trials where there is one.
 
     Rows of a marked trial name it. Where no row does, the stream is cut as ``reading`` says, at clicks unless
-    told otherwise. A trial without a row in ``trials`` had not ended; one that lost events has fewer samples
-    than ``trials`` says: both are skipped. Memory: the file, and about 150 bytes a row.
+    told otherwise; that of a device followed live at pauses, where nothing was clicked. A trial without a row
+    in ``trials`` had not ended; one that lost events has fewer samples than it says: both are skipped.
+    Memory: the file, and about 150 bytes a row.
     Returns the recording; raises RecordingError.
     """
     table, header, notes = _table(path, SAMPLES)
@@ -57,6 +60,9 @@ def read(path: Path, trials: Path | None, reading: Reading = AS_IS) -> Recording
     user = str(users[0].as_py()) if len(users) else name
     if marks.null_count == len(marks):
         how = reading.cut or "clicks"
+        if reading.cut is None and provenance.format == LIVE and not (events[:, -1] > 0).any():
+            how = "bursts"
+            notes.append("no button was pressed: cut at pauses")
         return trials_of_stream(
             name, EventColumns(events), how, reading, user=user, provenance=provenance, notes=notes
         )

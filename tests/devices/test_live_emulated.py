@@ -164,3 +164,20 @@ def test_the_terminal_asks_shows_and_stops(testbed: Testbed, mouse: Plugged) -> 
         process.kill()
         process.wait()
         os.close(screen)
+
+
+def test_a_session_without_clicks_is_cut_at_pauses(
+    testbed: Testbed, mouse: Plugged, tmp_path: Path, command: Any
+) -> None:
+    file, errors = tmp_path / "session.csv", tmp_path / "errors"
+    with started(testbed, errors, "--cpi", "800", "--record", str(file)) as process:
+        until_said(errors, READING, process)
+        for way in REACHES[:2]:
+            send(mouse, reach(0.0, way, rate_hz=250.0)[:-2])
+            time.sleep(0.6)
+        process.send_signal(signal.SIGTERM)
+        process.communicate(timeout=30)
+    assert len(read(file).trials) == 2
+    left = command("score", file, "--predictors", "switched")
+    assert left.code == 0
+    assert "no button was pressed: cut at pauses" in left.err

@@ -1,0 +1,90 @@
+"""What the AsyncAPI document says of ``/v1/live``: the stream of the attached device."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+
+from pointpred.server.live_endpoint import NO_DEVICE
+from pointpred.server.live_messages import Attached, Curve, Status
+from pointpred.server.messages import SUBPROTOCOL
+from pointpred.transfer import GainCurve
+from pointpred.transfer.curve import Comparison
+
+ABOUT = f"""Read only: events and predictions of the mouse attached to the machine of the service
+(`pointpred live --serve`). The server speaks first: `device`, `status` and, where something is known of it,
+`transfer`. Then `events` come with the newest `prediction`, at most 120 times a second, `status` once a
+second, and `transfer` when it is new. Times are those of the clock that `device` names. A viewer need not say
+anything; `bye` ends, everything else is answered by an error. One that reads slowly gets the newest frame,
+and is told by `slow` how many predictions gave way. Origin, host, token and the number of sessions are
+checked as for `/v1/stream`.
+
+Where no device is attached the upgrade is answered with HTTP 404 and an `error`: {NO_DEVICE}.
+`GET /v1/live` says without an upgrade whether one is."""
+
+CURVE = GainCurve(
+    words="identified between 0.025 and 0.250 m/s of the hand, from 4100 displacements",
+    speeds=[0.025, 0.25],
+    gains=[4.02, 3.98],
+    excited=(0.025, 0.25),
+    measured_speeds=[0.03, 0.2],
+    measured_gains=[4.05, 3.99],
+    measured_errors=[0.04, 0.01],
+    coefficients=[0.0, 4.0],
+    compared=[Comparison("constant", {"gain": 4.0}, 0.004, 0.0125, [4.0, 4.0])],
+    closest="constant",
+    samples=4100,
+    skipped=3,
+    edges=12,
+    fast=0,
+)
+EXAMPLES = {
+    "device": (
+        Attached("Some mouse", "the kernel's stamps", "screen", "the cursor", "kinematic", 800.0, 110.0),
+        Attached("Some mouse", "at the read", "motor", "prediction in motor space", "switched"),
+    ),
+    "status": (Status(True, 61250, 998.0, 2, 1, 3, 4, 5e-05, 0.00038), Status(False, 0, 0.0)),
+    "transfer": (Curve(CURVE.words, CURVE), Curve("nothing learnt yet: move the mouse")),
+}
+"""What only viewers hear."""
+SHARED = ("events", "prediction", "error", "goodbye")
+"""What they hear in the words of the other stream."""
+
+
+def live_messages() -> dict[str, Any]:
+    """The messages that only this stream has."""
+    return {
+        name: {
+            "name": name,
+            "summary": (type(shown[0]).__doc__ or "").strip().splitlines()[0],
+            "contentType": "application/json",
+            "payload": {"$ref": f"#/components/schemas/{type(shown[0]).__name__}"},
+            "examples": [{"payload": msgspec.to_builtins(one)} for one in shown],
+        }
+        for name, shown in EXAMPLES.items()
+    }
+
+
+def live_channel() -> dict[str, Any]:
+    """The channel."""
+    return {
+        "address": "/v1/live",
+        "summary": "The device attached to the machine of the service.",
+        "description": ABOUT,
+        "messages": {name: {"$ref": f"#/components/messages/{name}"} for name in (*EXAMPLES, *SHARED, "bye")},
+        "bindings": {"ws": {"method": "GET", "bindingVersion": "0.1.0"}},
+        "x-subprotocol": SUBPROTOCOL,
+    }
+
+
+def live_operations() -> dict[str, Any]:
+    """What is said to viewers, and the one thing that is heard of them."""
+    channel = {"$ref": "#/channels/live"}
+
+    def one(action: str, name: str) -> dict[str, Any]:
+        messages = [{"$ref": f"#/channels/live/messages/{name}"}]
+        return {"action": action, "channel": channel, "messages": messages}
+
+    said = {f"show{name.capitalize()}": one("send", name) for name in (*EXAMPLES, *SHARED)}
+    return {**said, "hearViewerLeave": one("receive", "bye")}
