@@ -88,9 +88,31 @@ def test_a_page_declared_after_its_usages_holds_for_them() -> None:
     assert parse_descriptor(bytes.fromhex(own)).decode(bytes([1, 0xFE])) == (1, -2, 0, 0, 0, 0)
 
 
+def test_a_late_page_leaves_usages_of_other_pages_alone() -> None:
+    mixed = "05 01 09 30 06 00 ff 09 31 05 0c 15 81 25 7f 75 08 95 02 81 06"
+    assert parse_descriptor(bytes.fromhex(mixed)).decode(bytes([7, 8])) == (7, 0, 0, 0, 0, 0)
+
+
 def test_of_alternative_usages_the_first_counts() -> None:
-    delimited = "05 01 a9 01 09 30 a9 00 a9 01 09 31 a9 00 15 81 25 7f 75 08 95 01 81 06 09 31 81 06"
-    assert parse_descriptor(bytes.fromhex(delimited)).decode(bytes([4, 5])) == (4, 5, 0, 0, 0, 0)
+    delimited = "05 01 a9 01 09 30 a9 00 a9 01 09 31 a9 00 15 81 25 7f 75 08 95 02 81 06 95 01 09 31 81 06"
+    assert parse_descriptor(bytes.fromhex(delimited)).decode(bytes([4, 5, 6])) == (4, 6, 0, 0, 0, 0)
+
+
+def test_a_usage_stands_after_every_usage_of_the_range_before_it() -> None:
+    ranged = "05 01 19 32 29 34 09 30 15 81 25 7f 75 08 95 04 81 06"  # z, rx, ry, then x
+    assert parse_descriptor(bytes.fromhex(ranged)).decode(bytes([1, 2, 3, 4])) == (4, 0, 0, 0, 0, 0)
+
+
+def test_constant_fields_say_nothing() -> None:
+    constant = "05 01 15 81 25 7f 75 08 95 01 09 30 81 07 09 30 81 06"
+    assert parse_descriptor(bytes.fromhex(constant)).decode(bytes([1, 2])) == (2, 0, 0, 0, 0, 0)
+
+
+def test_buttons_with_a_gap_between_them() -> None:
+    """Buttons 1 to 3, one constant bit, button 5: Microsoft's way (the ResolutionMultiplierMouse)."""
+    gap = "05 09 19 01 29 03 15 00 25 01 75 01 95 03 81 02 95 01 81 01 09 05 81 02 95 03 81 01"
+    mouse = parse_descriptor(bytes.fromhex(gap + "05 01 09 30 15 81 25 7f 75 08 95 01 81 06"))
+    assert [mouse.decode(bytes([1 << bit, 0]))[2] for bit in range(6)] == [1, 2, 4, 0, 16, 0]  # type: ignore[index]
 
 
 def test_unnumbered_fields_of_a_numbered_device_never_come() -> None:
