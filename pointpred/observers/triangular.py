@@ -15,6 +15,8 @@ from pointpred.observers.power_series import Free
 
 HIGHEST_DEGREE = 15
 """Beyond it the number of terms, not the mathematics, sets the limit."""
+SHORTENED_MOST = 400
+"""Operations in an expression that is still brought into a shorter form; a longer one stays as it is."""
 
 
 class SymbolicGenerator:
@@ -126,7 +128,7 @@ class SteadyState(msgspec.Struct, frozen=True):
         wanted = (*self.maps, *self.zero_maps, self.input)
         if missing := set().union(*(e.free_symbols for e in wanted)) - {*self.generator.states}:
             raise ParameterError(f"parameters without value: {sorted(map(str, missing))}")
-        plain = symbolic().lambdify(self.generator.states, wanted, modules="numpy")
+        plain = symbolic().lambdify(self.generator.states, wanted, modules="numpy", cse=True)
 
         def evaluate(w: Any) -> FloatArray:
             columns = np.asarray(w, np.float64)
@@ -137,11 +139,15 @@ class SteadyState(msgspec.Struct, frozen=True):
 
 
 def vanishes(expression: Any) -> tuple[bool, Any]:
-    """Whether an expression is identically zero, as far as can be shown, and its shortest form found."""
+    """Whether an expression is identically zero, as far as cancelling shows, and a shorter form of it."""
     sp = symbolic()
-    short = sp.cancel(sp.together(sp.expand(expression)))
-    if short != 0 and not short.is_rational_function(*short.free_symbols):
-        short = sp.simplify(short)
+    if expression.is_polynomial(*expression.free_symbols):
+        short = sp.expand(expression)
+        return bool(short == 0), short
+    rational = expression.is_rational_function(*expression.free_symbols)
+    if sp.count_ops(expression) > (SHORTENED_MOST if rational else SHORTENED_MOST // 8):
+        return bool(expression == 0), expression
+    short = sp.cancel(expression)
     return bool(short == 0), short
 
 

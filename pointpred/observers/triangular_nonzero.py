@@ -12,6 +12,7 @@ from typing import Any
 
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers.polynomials import symbolic
+from pointpred.observers.triangular import vanishes
 
 Region = Sequence[tuple[float, float]] | None
 """Bounds of each state of the generator; ``None`` is the whole space."""
@@ -37,7 +38,7 @@ def prove_nonzero(name: str, expression: Any, over: Sequence[Any], region: Regio
     Traceback (most recent call last):
     pointpred.errors.InfeasibleError: g vanishes at w = 1.41421
     """
-    if symbolic().cancel(expression) == 0:
+    if vanishes(expression)[0]:
         raise InfeasibleError(f"{name} vanishes everywhere")
     real = {w: symbolic().Symbol(w.name, real=True) for w in over}
     if expression.subs(real).is_nonzero or not expression.free_symbols & {*over}:

@@ -46,11 +46,14 @@ class Solving:
         self.symbols = {*system.states, *system.zero, system.input}
         self.free: list[Free] = []
         self.series_used = False
+        self.divided: list[Any] = []
+        self.given: tuple[Any, ...] = ()
         self._check_form(upper)
         if zero is not None:
             if len(zero) != len(system.zero):
                 raise ParameterError(f"zero must hold {len(system.zero)} maps, received {len(zero)}")
             self.known |= {z: self._of_generator(z, e) for z, e in zip(system.zero, zero, strict=True)}
+            self.given = system.zero
 
     def solve(self) -> SteadyState:
         """Apply the rules until everything is known; raises ParameterError where they do not get on."""
@@ -63,8 +66,15 @@ class Solving:
         fields = (*self.system.field, *self.system.zero_field)
         residuals = []
         for x, field in zip((*states, *zero), fields, strict=True):
+            if x in self.divided:
+                residuals.append(symbolic().Integer(0))
+                continue
             after = field.subs(self.known, simultaneous=True)
             residuals.append(vanishes(self.generator.along(self.known[x]) - after)[1])
+            if x in self.given and not self.series_used and residuals[-1] != 0:
+                raise ParameterError(
+                    f"{x}' is not satisfied by {x} = {self.known[x]}: the residual is {residuals[-1]}"
+                )
         return SteadyState(
             self.system,
             self.generator,
@@ -89,6 +99,7 @@ class Solving:
                 drift = self.rows[x].subs(target, 0).subs(self.known, simultaneous=True)
                 over = gain.subs(self.known, simultaneous=True)
                 prove_nonzero(f"g of {x}'", over, self.generator.states, self.region)
+                self.divided.append(x)
                 self.known[target] = vanishes((self.generator.along(self.known[x]) - drift) / over)[1]
                 return True
         return False
