@@ -76,7 +76,6 @@ function next() {
 
 function tell() {
   invitation.classList.toggle("away", lock.held);
-  write(take, lock.held ? "Escape gives it back" : "Lend the mouse");
   if (lock.held) write(said, `Click the filled target, and each next one. ${KINDS[kind]} Escape gives the mouse back.`);
   fill(results, task.table);
 }

@@ -126,14 +126,15 @@ def test_tabs_take_arrow_keys_and_deep_links(visitor: Visitor, url: str) -> None
     shown = "[...document.querySelectorAll('[role=tabpanel]')].filter(one => !one.hidden).map(one => one.id)"
     assert visitor.value(shown) == ["view-circle"]
     visitor.value("document.getElementById('tab-circle').focus()")
-    for key, view in [("ArrowRight", "replay"), ("ArrowRight", "live"), ("End", "replay"), ("Home", "live")]:
+    keys = [("ArrowRight", "replay"), ("ArrowRight", "assist"), ("ArrowRight", "live")]
+    for key, view in [*keys, ("End", "assist"), ("Home", "live")]:
         visitor.press(key)
         assert visitor.value(shown) == [f"view-{view}"]
         assert visitor.value("document.activeElement.id") == f"tab-{view}"
         assert visitor.value("location.hash") == f"#{view}"
-        assert visitor.value("document.querySelectorAll('[role=tab][tabindex=\"-1\"]').length") == 2
+        assert visitor.value("document.querySelectorAll('[role=tab][tabindex=\"-1\"]').length") == 3
     visitor.value("history.back()")
-    visitor.wait(f"{shown}[0] === 'view-replay'")
+    visitor.wait(f"{shown}[0] === 'view-assist'")
     until(lambda: sockets(visitor) == 0, "views that are not open have no connection")
 
 

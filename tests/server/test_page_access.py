@@ -81,6 +81,8 @@ STOPS = {
     },
     "replay": {"tab-replay", "replay-predictor-0", "replay-predictor-1", "replay-trials", "replay-file"}
     | {"replay-play", "replay-time", "replay-previous", "replay-next"},
+    "assist": {"tab-assist", "assist-predictor", "cpi", "gain", "strength", "alternate"}
+    | {"assist-take", "assist-forget"},
 }
 
 

@@ -1,4 +1,4 @@
-"""The assist view in a real browser: the mouse is lent, the service moves the cursor, Escape gives it back."""
+"""The assist view in a real browser: the mouse is lent, the service moves the cursor, Escape ends it."""
 
 from __future__ import annotations
 
@@ -16,7 +16,10 @@ window.told = []; window.answered = [];
 const Plain = WebSocket;
 window.WebSocket = class extends Plain {
   set onmessage(listen) {
-    super.onmessage = (event) => { if (typeof event.data === "string") answered.push(JSON.parse(event.data)); listen(event); };
+    super.onmessage = (event) => {
+      if (typeof event.data === "string") answered.push(JSON.parse(event.data));
+      listen(event);
+    };
   }
   send(data) { if (typeof data === "string") told.push(JSON.parse(data)); super.send(data); }
 };
@@ -25,6 +28,8 @@ window.WebSocket = class extends Plain {
 HELD = "document.pointerLockElement?.id === 'assist-scene'"
 CURSOR = "['x', 'y'].map((of) => Number(document.querySelector('#assist-scene').dataset[of]))"
 TARGET = "document.querySelector('#assist-scene').dataset.target.split(',').map(Number)"
+ROWS = "[...document.querySelectorAll('#assist-results tbody tr')]"
+DONE = f"{ROWS}.map((row) => +row.cells[1].textContent)"
 LAST = "answered.findLast(({ type }) => type === 'cursor')"
 
 
@@ -76,4 +81,88 @@ def test_lent_movement_moves_the_cursor_of_the_service(visitor: Visitor) -> None
     px = 6.0 * 96.0 / 1000.0  # the gain of the form, 96 px and 1000 counts an inch
     assert x - before[0] == pytest.approx(-100.0 * px, abs=4.0)
     assert y - before[1] == pytest.approx(40.0 * px, abs=4.0)
-    print(visitor.text("#assist-said"))
+
+
+def test_escape_gives_the_mouse_back_and_ends_the_session(visitor: Visitor) -> None:
+    place = lend(visitor)
+    wander(visitor, place, (-60.0, 0.0))
+    visitor.press("Escape")
+    visitor.wait(f"!({HELD})")
+    visitor.wait("document.querySelector('#assist-said').textContent.startsWith('Given back')")
+    assert visitor.text("#assist-connection") == "Not connected."
+    assert visitor.value("told.at(-1).type") == "bye"
+    count = visitor.value("told.length")
+    wander(visitor, place, (-60.0, 0.0))
+    assert visitor.value("told.length") == count
+
+
+def test_targets_are_clicked_with_help_and_without_it(visitor: Visitor) -> None:
+    """Each click asks for the help of the next target; the table tells both kinds apart."""
+    visitor.value("document.querySelector('#assist-form [name=gain]').value = 20")
+    place = lend(visitor)  # a high gain, so that the mouse stays in the window
+    for done in range(1, 5):
+        for _ in range(40):
+            x, y = visitor.value(CURSOR)
+            goal = visitor.value(TARGET)
+            off = (goal[0] - x, goal[1] - y)
+            if max(map(abs, off)) < 8:
+                break
+            scale = 0.6 / 1.92  # a little less than what is left: help may add half of it
+            place = wander(visitor, place, (off[0] * scale, off[1] * scale))
+            visitor.wait(f"{CURSOR}[0] === {LAST}.x && {CURSOR}[1] === {LAST}.y")
+        visitor.click(*place)
+        visitor.wait(f"{DONE}[0] + {DONE}[1] === {done} && {TARGET}.join() !== '{goal[0]},{goal[1]}'")
+    assert visitor.value(DONE) == [2, 2]
+    asked = visitor.value("told.flatMap(({ assist }) => assist ? [assist.strength] : [])")
+    assert [sorted(asked[pair : pair + 2]) for pair in (0, 2)] == [[0, 0.5], [0, 0.5]]
+    assert visitor.value(f"{LAST}.added_px") > 20
+
+
+def test_the_keyboard_reaches_everything_and_lends_the_mouse(visitor: Visitor) -> None:
+    stops = set()
+    for _ in range(10):
+        visitor.press("Tab")
+        stops.add(visitor.value("document.activeElement.id || document.activeElement.name || ''"))
+    wanted = {"tab-assist", "assist-predictor", "cpi", "gain", "strength", "alternate", "assist-take"}
+    assert wanted | {"assist-forget"} <= stops
+    visitor.value("document.querySelector('#assist-take').focus()")
+    visitor.page.call("Page.bringToFront")
+    visitor.page.call("Emulation.setFocusEmulationEnabled", enabled=True)
+    key = {"key": "Enter", "windowsVirtualKeyCode": 13, "text": "\r"}
+    for kind in ("keyDown", "keyUp"):
+        visitor.page.call("Input.dispatchKeyEvent", type=kind, **key)
+    visitor.wait(HELD)
+
+
+def test_another_view_gives_the_mouse_back(visitor: Visitor) -> None:
+    lend(visitor)
+    visitor.value("location.hash = '#replay'")
+    visitor.wait(f"!({HELD})")
+
+
+def test_wrong_numbers_are_named_and_nothing_is_lent(visitor: Visitor) -> None:
+    visitor.value("document.querySelector('#assist-form [name=cpi]').value = 3")
+    visitor.value("document.querySelector('#assist-take').click()")
+    assert visitor.text("#assist-said") == "Counts per inch must be a number from 50 to 50000."
+    assert not visitor.value(HELD)
+
+
+def test_a_browser_without_pointer_lock_is_told_so(visitor: Visitor, url: str) -> None:
+    visitor.page.call(
+        "Page.addScriptToEvaluateOnNewDocument", source="delete Element.prototype.requestPointerLock;"
+    )
+    visitor.open(f"{url}#assist")
+    visitor.wait("document.querySelector('#assist-said').textContent.includes('cannot lend its mouse')")
+    assert visitor.value("document.querySelector('#assist-take').disabled")
+
+
+def test_a_service_that_goes_away_gives_the_mouse_back(tmp_path_factory: pytest.TempPathFactory) -> None:
+    with page_browser.visitor(tmp_path_factory.mktemp("profile")) as visitor:
+        with page_browser.service() as address:
+            visitor.open(f"{address}#assist")
+            visitor.wait("!document.querySelector('#assist-take').disabled")
+            place = lend(visitor)
+            wander(visitor, place, (-60.0, 0.0))
+        visitor.wait(f"!({HELD})")
+        said = "document.querySelector('#assist-said').textContent"
+        assert visitor.value(said) == "Your mouse is yours again: the service does not answer."
