@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 from copy import copy
-from math import hypot, inf, isfinite
+from math import hypot, inf
 from threading import Lock
 from typing import Any, Self
 
 import numpy as np
 
 from pointpred.errors import EventError, ParameterError
-from pointpred.events import PointerEvent
+from pointpred.events import LARGEST, LATEST_S, PointerEvent
 from pointpred.transfer import bands, windows
 from pointpred.transfer.curve import Bands, GainCurve, curve_of
 from pointpred.transfer.identification import Identification, PolynomialIdentifier
 
-FORGETTING = 1.0 - 5e-6
-"""Half of what was learnt is forgotten after six minutes of motion: a changed setting shows."""
+FORGETTING = 1.0 - 2e-5
+"""Half of what the samples say is forgotten after three minutes of motion, half of a band of speed after an
+hour spread over all bands."""
 SPACING_S, SPACING_MOST_S = 0.0005, 0.1
 TOO_FAST = 1.5
 NONE = float("nan")
@@ -32,9 +33,9 @@ class TransferLearner:
     out and counted. Knows nothing outside the speeds that were shown.
 
     The law is that of ``PolynomialIdentifier``: V_c = sum c_i V_m^i by recursive least squares over windows,
-    with forgetting, bands of speed weighed so that the largest relative error of the gain is small. A speed
-    is taken over ``spacing_s`` at least: reports that waited together for their reader have stamps too close
-    to divide by. What is faster than 1.5 ``speed_high`` is left out and counted in ``fast``: it is not
+    with forgetting, bands of speed weighed so that the largest relative error of the gain is small. Reports
+    within ``spacing_s`` count as one: those that waited together for their reader have stamps too close to
+    divide by. What is faster than 1.5 ``speed_high`` is left out and counted in ``fast``: it is not
     judged, and its powers would outweigh all that is.
 
     Parameters: ``size`` of the screen in px; ``forgetting`` for each window and axis; ``window_s`` in s,
@@ -67,7 +68,8 @@ class TransferLearner:
         self._settings: dict[str, Any] = {"forgetting": forgetting, "window_s": window_s, **settings}
         self._identifier = PolynomialIdentifier(**self._settings)
         self._lock = Lock()
-        self._dx = self._dy = 0.0
+        self._waiting: PointerEvent | None = None
+        self._since = self._last = -inf
         high = self._identifier.speed_low + bands.BANDS * self._identifier.band_width
         metres_per_count = float(self._identifier._memory[windows.METRES_PER_COUNT])
         self._counts_a_second = TOO_FAST * high / metres_per_count
@@ -79,22 +81,20 @@ class TransferLearner:
         nothing is then changed.
         """
         with self._lock:
-            memory = self._identifier._memory
-            if memory[windows.KNOWN] and not memory[windows.T] <= event.t:
-                raise EventError(f"event must not lie before t = {memory[windows.T]!r} s, received {event!r}")
-            dx, dy = (NONE if d is None else d + w for d, w in ((event.dx, self._dx), (event.dy, self._dy)))
-            h = event.t - memory[windows.T] if memory[windows.KNOWN] else inf
-            if self._at_edge(event):
-                self._begin()
-                self.edges += 1
-            elif 0.0 < h < self.spacing_s and isfinite(event.x + event.y + dx + dy):
-                self._dx, self._dy = dx, dy
-            elif 0.0 < h <= memory[windows.GAP_S] and hypot(dx, dy) > h * self._counts_a_second:
-                self._begin()
-                self.fast += 1
+            dx, dy = (NONE if d is None else d for d in (event.dx, event.dy))
+            fine = abs(event.t) <= LATEST_S and abs(event.x) + abs(event.y) + abs(dx) + abs(dy) <= LARGEST
+            if not fine or event.t < self._last:
+                raise EventError(
+                    f"event needs counts, finite values and a time not before {self._last!r} s, "
+                    f"received {event!r}"
+                )
+            self._last = event.t
+            if self._waiting is not None and event.t - self._since < self.spacing_s:
+                dx, dy = dx + (self._waiting.dx or 0.0), dy + (self._waiting.dy or 0.0)
             else:
-                self._identifier.update(PointerEvent(event.t, event.x, event.y, dx, dy))
-                self._dx = self._dy = 0.0
+                self._pass_on()
+                self._since = event.t
+            self._waiting = PointerEvent(event.t, event.x, event.y, dx, dy)
 
     def reset(self) -> None:
         """A new movement begins: no speed reaches over to it. What was learnt stays."""
@@ -104,8 +104,8 @@ class TransferLearner:
     def forget(self) -> None:
         """Forget everything that was learnt."""
         with self._lock:
-            self._identifier.reset()
             self._begin()
+            self._identifier.reset()
             self.edges = self.fast = 0
 
     def fresh(self) -> Self:
@@ -135,10 +135,28 @@ class TransferLearner:
             found = still.identify("samples")
         return found, known
 
+    def _pass_on(self) -> None:
+        """Let the law learn from what waits, or leave it out and count it."""
+        event, self._waiting = self._waiting, None
+        if event is None:
+            return
+        memory = self._identifier._memory
+        path = hypot(event.dx or 0.0, event.dy or 0.0)
+        h = event.t - memory[windows.T] if memory[windows.KNOWN] else inf
+        if self._at_edge(event):
+            memory[windows.KNOWN] = 0.0
+            self.edges += 1
+        elif path > LARGEST / 4.0 or (0.0 < h <= memory[windows.GAP_S] and path > h * self._counts_a_second):
+            memory[windows.KNOWN] = 0.0
+            self.fast += 1
+        else:
+            self._identifier.update(event)
+
     def _begin(self) -> None:
-        """Know no last report."""
+        """Finish with what waits, and know no last report."""
+        self._pass_on()
         self._identifier._memory[windows.KNOWN] = 0.0
-        self._dx = self._dy = 0.0
+        self._last = -inf
 
     def _at_edge(self, event: PointerEvent) -> bool:
         """Whether the cursor may have been stopped there."""
