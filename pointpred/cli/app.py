@@ -11,6 +11,7 @@ from typing import Annotated, NoReturn
 import typer
 
 import pointpred
+from pointpred.cli.camera import app as camera
 from pointpred.cli.datasets import app as datasets
 from pointpred.cli.devices import app as devices
 from pointpred.cli.live import live
@@ -36,6 +37,7 @@ app = typer.Typer(
 )
 for command in (score, simulate, convert, predictors, serve, replay, live):
     app.command()(command)
+app.add_typer(camera, name="camera")
 app.add_typer(datasets, name="datasets")
 app.add_typer(devices, name="devices")
 app.add_typer(recordings, name="recordings")

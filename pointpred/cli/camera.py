@@ -1,0 +1,149 @@
+"""``pointpred camera``: depth and velocity from one tracked point and an inertial sensor."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from pointpred.cli.screen import check_target, counted, remarks, write_json
+from pointpred.errors import ParameterError
+
+app = typer.Typer(
+    no_args_is_help=True, help="Depth and velocity of a camera from one tracked point and an inertial sensor."
+)
+Focal = Annotated[float, typer.Option(metavar="PX", help="Focal length in px; there is no default.")]
+Seen = Annotated[float, typer.Option(metavar="PX", help="Noise of the point, uniform in +- so many px.")]
+FED = "kalman-two-state"
+SMALLEST_PX = 0.05
+"""A point is never known better than this: a filter told no noise at all believes its first image."""
+
+
+@app.command()
+def simulate(
+    focal_px: Focal,
+    scenario: Annotated[
+        str, typer.Option(help="paper, approaching, axial, rotating or stationary.")
+    ] = "paper",
+    out: Annotated[Path, typer.Option(metavar="FILE", help="CSV file to write.")] = Path("camera.csv"),
+    seconds: Annotated[float, typer.Option(help="Length.")] = 10.0,
+    noise_px: Seen = 2.0,
+    dropped: Annotated[float, typer.Option(help="Share of the images that are missing.")] = 0.0,
+    readings: Annotated[int, typer.Option(help="Readings of the inertial sensor an image.")] = 1,
+    seed: Annotated[int, typer.Option(help="The same seed gives the same bytes.")] = 0,
+    force: Annotated[bool, typer.Option("--force", help="Replace files that exist.")] = False,
+) -> None:
+    """Write what a moving camera would deliver, and beside it the truth (FILE with _truth in its name).
+
+    Columns: t; x and y in px from the principal point, empty without an image; wx wy wz in rad/s; ax ay az in
+    m/s^2 of the motion in the camera's frame, gravity removed.
+
+    Try:
+
+      pointpred camera simulate --focal-px 800
+
+      pointpred camera run camera.csv --focal-px 800 --truth camera_truth.csv --plot camera.svg
+    """
+    from pointpred.camera import SCENARIOS, CameraColumns, Noise
+    from pointpred.camera import simulate as make
+    from pointpred.cli.camera_files import TRUTH, truth_table, write_table
+
+    if scenario not in SCENARIOS:
+        raise ParameterError(f"--scenario must be one of {', '.join(SCENARIOS)}, received {scenario!r}")
+    targets = (out, out.with_name(f"{out.stem}_truth{out.suffix}"))
+    for target in targets:
+        check_target(target)
+        if target.exists() and not force:
+            raise ParameterError(f"{target} exists: choose another --out, or --force to replace it")
+    samples, truth = make(
+        SCENARIOS[scenario],
+        focal_px=focal_px,
+        duration_s=seconds,
+        readings=readings,
+        noise=Noise(noise_px=noise_px, dropped=dropped),
+        seed=seed,
+    )
+    write_table(out, CameraColumns.names, samples.table)
+    write_table(targets[1], TRUTH, truth_table(truth))
+    for target in targets:
+        typer.echo(target)
+    remarks().print(f"{counted(len(samples), 'sample')}, simulated: {scenario}")
+
+
+@app.command()
+def run(
+    samples: Annotated[Path, typer.Argument(exists=True, dir_okay=False, help="CSV of camera samples.")],
+    focal_px: Focal,
+    start_depth: Annotated[float, typer.Option(metavar="M", help="Depth the observer starts with.")] = 1.0,
+    start_vz: Annotated[float, typer.Option(metavar="M/S", help="Its forward velocity.")] = 0.0,
+    noise_px: Seen = 2.0,
+    way: Annotated[str, typer.Option(help="How the image's motion is had; a wrong one lists all.")] = FED,
+    images: Annotated[
+        Path | None,
+        typer.Option(exists=True, file_okay=False, help="Images to follow the point in."),
+    ] = None,
+    point: Annotated[
+        str, typer.Option(metavar="X,Y", help="Where it is in the first one, px from its centre.")
+    ] = "0,0",
+    every: Annotated[int, typer.Option(help="Samples an image, with --images.")] = 1,
+    truth: Annotated[
+        Path | None, typer.Option(exists=True, dir_okay=False, help="CSV with the truth.")
+    ] = None,
+    plot: Annotated[Path | None, typer.Option(metavar="FILE", help="SVG file to draw.")] = None,
+    json: Annotated[Path | None, typer.Option(metavar="FILE", help="Write JSON; - for stdout.")] = None,
+) -> None:
+    """Estimate depth and velocity: the unknown input observer, and a Kalman filter that uses the image.
+
+    The observer's errors fade only while the camera recedes; where they do not, the last column says so and
+    the filter is to be believed. The filter says nothing until the images have told the depth.
+
+    Try:
+
+      pointpred camera run camera.csv --focal-px 800 --start-depth 1 --start-vz -0.3
+
+      pointpred camera run readings.csv --focal-px 620 --images frames/ --point 12,-40 --plot depth.svg
+    """
+    for target in (plot, json):
+        check_target(target)
+    from pointpred.cli.camera_files import TRUTH, errors_of, read_samples, read_table
+    from pointpred.cli.camera_tables import show, summary
+
+    columns = read_samples(samples)
+    if images is not None:
+        columns = _followed(columns, images, point, every)
+    found = _pipeline(focal_px, start_depth, start_vz, noise_px, way).run(columns)
+    known = None if truth is None else read_table(truth, TRUTH)
+    errors = None if known is None else errors_of(found, known)
+    if plot is not None:
+        from pointpred.cli.camera_plot import plot as draw
+
+        draw(found, known, plot, f"{samples.name}, focal length {focal_px:g} px")
+        remarks().print(f"{plot}", markup=False)
+    if json is not None:
+        write_json(summary(found, errors), json)
+    if json is None or str(json) != "-":
+        show(found, errors)
+
+
+def _followed(columns: Any, folder: Path, point: str, every: int) -> Any:
+    from pointpred.camera.tracker import PointTracker, tracked
+    from pointpred.cli.camera_files import read_images
+
+    try:
+        x, y = (float(part) for part in point.split(","))
+    except ValueError as unusable:
+        raise ParameterError(f"--point needs X,Y in px, received {point!r}") from unusable
+    if every < 1:
+        raise ParameterError(f"--every must be at least 1, received {every}")
+    return tracked(PointTracker(x=x, y=y), read_images(folder), columns, every)
+
+
+def _pipeline(focal_px: float, depth: float, vz: float, noise_px: float, way: str) -> Any:
+    from pointpred.camera import CameraPipeline, DepthObserver, PointFilter
+
+    if not depth > 0.0:
+        raise ParameterError(f"--start-depth must be positive, received {depth:g}")
+    noise = max(noise_px / 3.0**0.5, SMALLEST_PX)
+    observer = DepthObserver(focal_px=focal_px, start_chi=1.0 / depth, start_eta=vz / depth)
+    return CameraPipeline(observer, PointFilter(focal_px=focal_px, noise_px=noise), way=way, noise_px=noise)
