@@ -165,6 +165,10 @@ def _resonance(
         for chosen in combinations_with_replacement(range(len(driving)), k):
             total = complex(sum(driving[i] for i in chosen))
             if abs(total - value) < COINCIDENCE * max(1.0, float(np.abs(driving).max())):
-                terms = " + ".join(f"({driving[i]:.4g})" for i in chosen)
-                places.append(f"eigenvalue {complex(value):.4g} = {terms}")
+                terms = " + ".join(f"({_number(driving[i])})" for i in chosen)
+                places.append(f"eigenvalue {_number(value)} = {terms}")
     return f"{said} ({places[0]})" if places else said
+
+
+def _number(value: complex) -> str:
+    return f"{value.real:.4g}" if value.imag == 0.0 else f"{complex(value):.4g}"
