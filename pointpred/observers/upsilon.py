@@ -184,7 +184,7 @@ class Choice(msgspec.Struct, frozen=True):
                 problem.below(f"the inequality, D = diag({name})", self._dissipation(p, closed, spare, a, c))
             return problem
         q, k = len(parts.drift), self.plant.k
-        constant, keep = lipschitz_constant(self.plant, parts.inner), exp(-2.0 * self.decay)
+        constant, keep = lipschitz_constant(self.plant, parts.inner), exp(-3.0 * self.decay)
         problem.number("alpha")
 
         def block(v: Any) -> FloatArray:
