@@ -18,6 +18,7 @@ from pointpred.differentiators import (
     FadingMemoryDifferentiator,
     HomogeneousDifferentiator,
     KalmanDifferentiator,
+    ReducedOrderDifferentiator,
 )
 from pointpred.differentiators.bounds import BOUNDS, measure, named
 from pointpred.differentiators.signals import SIGNALS, Signal, exact, minimum_jerk, quantised
@@ -57,6 +58,10 @@ GRIDS: dict[type[Differentiator], dict[str, tuple[float, ...]]] = {
     },
     KalmanDifferentiator: {"jerk_density": (3.0, 10.0, 30.0, 100.0, 300.0, 1000.0)},
     FadingMemoryDifferentiator: {"memory_s": (0.004, 0.005, 0.0065, 0.008, 0.01, 0.0125, 0.016)},
+    ReducedOrderDifferentiator: {
+        "bandwidth": (40.0, 50.0, 60.0, 75.0, 90.0, 120.0),
+        "damping": (0.5, 0.7, 1.0),
+    },
 }
 
 

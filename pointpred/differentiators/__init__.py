@@ -5,11 +5,13 @@ from pointpred.differentiators.differentiator import Differentiator
 from pointpred.differentiators.fading import FadingMemoryDifferentiator
 from pointpred.differentiators.homogeneous import HomogeneousDifferentiator
 from pointpred.differentiators.kalman import KalmanDifferentiator
+from pointpred.differentiators.reduced_order import ReducedOrderDifferentiator
 
 DIFFERENTIATORS: dict[str, type[Differentiator]] = {
     "homogeneous": HomogeneousDifferentiator,
     "kalman": KalmanDifferentiator,
     "fading-memory": FadingMemoryDifferentiator,
+    "reduced-order": ReducedOrderDifferentiator,
     "difference": BackwardDifferentiator,
 }
 """Names users type, and what they mean."""
@@ -21,4 +23,5 @@ __all__ = [
     "FadingMemoryDifferentiator",
     "HomogeneousDifferentiator",
     "KalmanDifferentiator",
+    "ReducedOrderDifferentiator",
 ]

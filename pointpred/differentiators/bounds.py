@@ -105,6 +105,15 @@ BOUNDS: dict[str, dict[str, Errors]] = {
         "minimum jerk, 2000 CPI, 1 kHz": Errors(0.0023, 0.0054, 0.23, 0.57, 0.0005, 0.012),
         "minimum jerk, 2000 CPI, 125 Hz": Errors(0.0021, 0.0052, 0.22, 0.52, 0.00069, 0.017),
     },
+    "reduced-order": {
+        "constant": _exact(0.18),
+        "ramp": Errors(0.00035, 0.003, 0.013, 0.13, None, 0.18),
+        "parabola": Errors(1.4e-05, 0.00012, 0.00098, 0.0053, None, 0.18),
+        "sine": Errors(0.0033, 0.0058, 0.2, 0.28, None, 0.18),
+        "minimum jerk": Errors(0.0025, 0.0057, 0.16, 0.4, 0.00035, 0.18),
+        "minimum jerk, 2000 CPI, 1 kHz": Errors(0.0026, 0.0062, 0.17, 0.43, 0.00033, 0.18),
+        "minimum jerk, 2000 CPI, 125 Hz": Errors(0.0026, 0.0059, 0.17, 0.42, 0.0011, 0.18),
+    },
     "difference": {
         "constant": _exact(0.0021),
         "ramp": _exact(0.0021),
