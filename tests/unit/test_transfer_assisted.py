@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import pickle
-import subprocess
-import sys
 from math import atan, expm1, hypot, inf, nan
 
 import numpy as np
@@ -14,7 +10,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pointpred import Prediction
-from pointpred.errors import EventError, ParameterError
 from pointpred.transfer import ConstantGain, GuardedTransfer, PixelTransfer, SigmoidGain, assisted_guard
 
 CPI, DPI, H = 2000.0, 96.0, 2.0**-10
@@ -208,63 +203,3 @@ def test_a_predictor_without_a_region_is_trusted_as_far_as_said() -> None:
     assert half == pytest.approx(full / 2.0, abs=2.0)
     assert none == 0.0
     assert full > 200.0
-
-
-def test_rows_equal_reports_and_it_pickles() -> None:
-    random = np.random.default_rng(8)
-    rows = np.column_stack(
-        [np.arange(300) * H, random.integers(-9, 30, (300, 2)), random.uniform(-50, 900, (300, 2))]
-    )
-    rows = np.column_stack([rows, np.tile([4.0, 1.0, 9.0], (300, 1))])
-    single, whole = made(), made()
-    table = whole.walk(np.zeros(300, np.bool_), rows)
-    each = [single.advance(r[0], r[1], r[2], (r[3], r[4], r[5], r[6], r[7])) for r in rows.tolist()]
-    assert np.array_equal(table, each)
-    assert np.abs(table[:, 3:]).sum() > 100.0
-    twin = pickle.loads(pickle.dumps(single))
-    report = ((1.0, 30.0, 2.0), prediction(800.0, 0.0, 5.0), (1.0, 2.0))
-    assert twin.update(*report) == single.update(*report)
-    single.reset()
-    assert np.array_equal(single._memory, made()._memory)
-
-
-def test_refusals_change_nothing_and_say_why() -> None:
-    stage = made()
-    stage.update((1.0, 3.0, 1.0), prediction(5.0, 5.0))
-    before = stage._memory.copy()
-    for report, guess in (
-        ((0.5, 1.0, 1.0), None),
-        ((2.0, inf, 1.0), None),
-        ((2.0, 1.0, 1.0), prediction(1e12, 0.0)),
-    ):
-        with pytest.raises(EventError, match=r"not before t = 1\.0 s"):
-            stage.update(report, guess)
-    assert np.array_equal(before, stage._memory)
-    for name, value in {"strength": 1.5, "sideways": -0.1, "uncertain": 0.0, "rho": inf}.items():
-        with pytest.raises(ParameterError, match=name):
-            made(**{name: value})
-
-
-SCRIPT = """
-import numpy as np
-from pointpred.transfer import GuardedTransfer, SigmoidGain
-random = np.random.default_rng(4)
-rows = np.column_stack([np.arange(200) / 1000, random.integers(-9, 30, (200, 2)),
-    random.uniform(-50, 900, (200, 2)), random.uniform(0, 1e4, 200), np.zeros(200), np.full(200, 900.0)])
-print(GuardedTransfer(SigmoidGain(), cpi=800.0).walk(np.zeros(200, np.bool_), rows).tolist())
-"""
-
-
-def test_plain_python_says_the_same() -> None:
-    said = [
-        subprocess.run(
-            [sys.executable, "-W", "error", "-c", SCRIPT],
-            env={**os.environ, "POINTPRED_COMPILED": compiled},
-            capture_output=True,
-            text=True,
-            check=True,
-        ).stdout
-        for compiled in ("0", "1")
-    ]
-    assert said[0] == said[1]
-    assert len(said[0]) > 1000
