@@ -42,7 +42,7 @@ class EvdevSource:
         self._clock = Clock()
         self._decoder = FrameDecoder()
         self._thread: threading.Thread | None = None
-        self._file = -1
+        self._file, self._real = -1, path
         self._unreadable = self._resynchronised = 0  # of devices that were here before
 
     def __enter__(self) -> Self:
@@ -108,7 +108,7 @@ class EvdevSource:
     def _open(self, path: str) -> None:
         """Open a node; raises OSError."""
         self._file = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
-        self.path = path
+        self.path, self._real = path, os.path.realpath(path)
         self._clock.ask(self._file)
         self._unreadable, self._resynchronised = self.unreadable, self.resynchronised
         self._decoder = FrameDecoder(self._pressed() or 0, self._pressed)
@@ -165,7 +165,7 @@ class EvdevSource:
         self.plugged = False
         if self._decoder.buttons:
             self._queue.put(Report(max(now, self._clock.last), 0, 0))
-        self._twins = self._alike() - {self.path}
+        self._twins = self._alike() - {self._real}
 
     def _alike(self) -> set[str]:
         """The nodes of devices that cannot be told from this one."""

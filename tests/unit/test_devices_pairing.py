@@ -7,11 +7,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from benchmarks.transfer_trials import CPI, DPI, gain_error, simulate_trials
 from pointpred.columns import EventColumns
 from pointpred.devices.pairing import Pairing
+from pointpred.devices.pairing_delay import estimate_delay
 from pointpred.devices.source import Report
-from pointpred.errors import ParameterError
+from pointpred.errors import EventError, ParameterError
 from pointpred.events import PointerEvent
+from pointpred.transfer import ConstantGain, SigmoidGain, TransferFunction, TransferLearner
 
 
 class Scripted:
@@ -122,3 +125,55 @@ def test_whatever_comes_when_no_count_is_lost_and_order_stays(
     assert (np.diff(table[:, 0]) >= 0.0).all()
     assert table[:, 3:5].sum(axis=0).tolist() == [sum(m[1] for m in made), sum(m[2] for m in made)]
     assert tuple(table[-1, 1:3]) == cursor.place
+
+
+LATE_S = 0.008
+
+
+def paired(function: TransferFunction, delay_s: float) -> EventColumns:
+    """Trials through a function on a screen that is 8 ms late, looked at after every report."""
+    cursor = Scripted()
+    pairing, got, begin = Pairing(cursor, delay_s=delay_s, clock=cursor.clock), [], 0.0
+    for trial in simulate_trials(function, 31, 32):
+        table = trial.table
+        cursor.now, cursor.place = begin, tuple(table[0, 1:3])
+        got += pairing.events([])
+        for t, _, _, dx, dy, _ in table.tolist():
+            cursor.now = begin + t
+            shown = max(int(np.searchsorted(table[:, 0], t - LATE_S, side="right")) - 1, 0)
+            cursor.place = tuple(table[shown, 1:3])
+            got += pairing.events([Report(begin + t, dx, dy)])
+        cursor.now, cursor.place, begin = begin + t + LATE_S, tuple(table[-1, 1:3]), begin + t + 0.5
+        got += pairing.events([])
+    return EventColumns.of_events(got)
+
+
+def learnt_error(events: EventColumns, truth: TransferFunction) -> float:
+    learner = TransferLearner(cpi=CPI, dpi=DPI)
+    for event in events.events():
+        learner.update(event)
+    found = learner.identify().function
+    assert found is not None
+    return gain_error(found, truth).largest
+
+
+@pytest.mark.parametrize("function", [ConstantGain(4.0), SigmoidGain()])
+def test_a_late_screen_is_found_out(function: TransferFunction) -> None:
+    """A report every millisecond is shown between 8 and 9 ms after it."""
+    assert estimate_delay(paired(function, 0.0)) == pytest.approx(LATE_S + 0.0005, abs=0.0005)
+
+
+def test_a_late_screen_is_allowed_for() -> None:
+    late, allowed = (learnt_error(paired(SigmoidGain(), d), SigmoidGain()) for d in (0.0, LATE_S + 0.0005))
+    assert allowed < 0.8 * late
+
+
+def test_a_delay_needs_counts_and_motion() -> None:
+    with pytest.raises(EventError, match="need counts"):
+        estimate_delay(EventColumns.of([0.0, 1.0], [0.0, 1.0], [0.0, 1.0]))
+    still = EventColumns.of(np.arange(500) / 1000, np.zeros(500), np.zeros(500), np.zeros(500), np.zeros(500))
+    for events in (still, still.rows(0, 0)):
+        with pytest.raises(EventError, match=r"0\.2 s of motion between pauses, received 0 s"):
+            estimate_delay(events)
+    with pytest.raises(ParameterError, match="most_s"):
+        estimate_delay(still, most_s=0.0)
