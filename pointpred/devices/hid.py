@@ -7,15 +7,7 @@ import time
 from types import TracebackType
 from typing import Any, Self
 
-from pointpred.devices.hid_devices import (
-    BROWSER,
-    HidDevice,
-    found,
-    hid_devices,
-    hidraw,
-    list_hid,
-    no_mouse,
-)
+from pointpred.devices.hid_devices import HidDevice, choose, found, hid_devices, hidraw, list_hid
 from pointpred.devices.source import MOST_WAITING, BoundedQueue, Report
 from pointpred.errors import RecordingError, SourceError
 from pointpred.sources.report_descriptor import parse_descriptor
@@ -36,7 +28,8 @@ class HidSource:
     late as the scheduler and Python's lock let the thread run. The kernel holds 64 reports (8 ms of the
     fastest mice) and drops later ones uncounted: a process that computes for long beside this thread may
     lose some. Wheels count the device's own steps: where the kernel has switched a resolution multiplier on,
-    a notch is several. Two alike without serial numbers are not told apart when one comes back.
+    a notch is several. Of two alike without serial numbers, the one that stays is not taken for the other;
+    where both are pulled out, the first to come back is.
 
     Parameters: ``path`` such as ``/dev/hidraw2``; or ``vendor`` and ``product`` numbers; or neither: the
     first mouse that may be opened. At most ``most`` reports wait, then the oldest goes first.
@@ -153,17 +146,20 @@ class HidSource:
             self._queue.put(Report(t, dx, dy, self._buttons, wheel, pan))
 
     def _unplug(self) -> None:
-        """The device has gone: it presses nothing any more."""
+        """The device has gone: it presses nothing any more. Those like it that are still here are others."""
         self._handle.close()
         self.plugged = False
+        self._others = {device.path for device in self._alike()} - {self.path}
         if self._buttons:
             self._buttons = 0
             self._queue.put(Report(time.monotonic(), 0, 0))
 
     def _wait_for_return(self) -> None:
         """Look once for the device; one that is back but not yet opened to us by udev is tried again."""
-        for device in hid_devices():
-            if device.identity == self._device.identity:
+        alike = self._alike()
+        self._others &= {device.path for device in alike}
+        for device in alike:
+            if device.path not in self._others:
                 try:
                     self._open(device)
                     return
@@ -171,28 +167,6 @@ class HidSource:
                     continue
         self._stopping.wait(RETURN_S)
 
-
-def choose(path: str | None, vendor: int | None, product: int | None) -> HidDevice:
-    """The device that is meant: by its path, by its numbers, or the first mouse that may be opened.
-
-    Raises SourceError that says what there is instead, and what to do next.
-    """
-    devices = hid_devices()
-    if path is not None:
-        for device in devices:
-            if device.path == path:
-                return device
-        known = ", ".join(device.described for device in devices) or "none"
-        raise SourceError(f"{path} is no HID device, there are: {known}; see 'pointpred devices list'")
-    mice = [
-        device
-        for device in devices
-        if vendor in (None, device.vendor) and product in (None, device.product) and no_mouse(device) is None
-    ]
-    if not mice:
-        wanted = f" {vendor or 0:04x}:{product or 0:04x}" if (vendor, product) != (None, None) else ""
-        raise SourceError(
-            f"no HID mouse{wanted} found among {len(devices)} HID devices; plug one in and see 'pointpred "
-            f"devices list'. Virtual machines and containers have none of their own: {BROWSER}"
-        )
-    return next((device for device in mice if found(device).openable), mice[0])
+    def _alike(self) -> list[HidDevice]:
+        """Devices that cannot be told from this one, itself among them where it is there."""
+        return [device for device in hid_devices() if device.identity == self._device.identity]

@@ -126,3 +126,29 @@ def says_mouse(device: HidDevice) -> bool:
     except OSError:  # not USB
         return False
     return protocol.strip() == "02"
+
+
+def choose(path: str | None, vendor: int | None, product: int | None) -> HidDevice:
+    """The device that is meant: by its path, by its numbers, or the first mouse that may be opened.
+
+    Raises SourceError that says what there is instead, and what to do next.
+    """
+    devices = hid_devices()
+    if path is not None:
+        for device in devices:
+            if device.path == path:
+                return device
+        known = ", ".join(device.described for device in devices) or "none"
+        raise SourceError(f"{path} is no HID device, there are: {known}; see 'pointpred devices list'")
+    mice = [
+        device
+        for device in devices
+        if vendor in (None, device.vendor) and product in (None, device.product) and no_mouse(device) is None
+    ]
+    if not mice:
+        wanted = f" {vendor or 0:04x}:{product or 0:04x}" if (vendor, product) != (None, None) else ""
+        raise SourceError(
+            f"no HID mouse{wanted} found among {len(devices)} HID devices; plug one in, or see why each is "
+            f"none with 'pointpred devices list --all'. Containers have no devices of their own: {BROWSER}"
+        )
+    return next((device for device in mice if found(device).openable), mice[0])

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
+import pty
 import signal
 import subprocess
 import sys
@@ -106,3 +108,29 @@ def test_watching_for_a_while(testbed: Testbed) -> None:
     out, _ = start(testbed, "watch", "--for", "0.3").communicate(timeout=60)
     assert time.monotonic() - started > 0.3
     assert "/dev/hidraw0 sent nothing: move the mouse" in out
+
+
+def test_watching_in_a_terminal_draws_a_table(testbed: Testbed) -> None:
+    mouse = plug(testbed, WHEEL)
+    ours, theirs = pty.openpty()
+    process = subprocess.Popen(
+        [*MODULE, "watch", "--for", "1.5"],
+        env={**testbed.environment(), "TERM": "xterm"},
+        stdout=theirs,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    os.close(theirs)
+    assert process.stderr is not None
+    assert process.stderr.readline().startswith("wheel at /dev/hidraw0")
+    mouse.send(bytes([4, 2, 0xFF, 1]))
+    drawn = ""
+    with contextlib.suppress(OSError):  # a terminal whose other end is closed ends like this
+        while said := os.read(ours, 4096):
+            drawn += said.decode()
+    os.close(ours)
+    assert process.wait(60) == 0
+    assert "unreadable" in drawn
+    assert "+2, -1 counts" in drawn
+    assert "middle" in drawn
+    process.stderr.close()

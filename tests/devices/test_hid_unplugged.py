@@ -75,3 +75,19 @@ def test_closing_while_unplugged_ends_at_once(testbed: Testbed) -> None:
     _, err = child.communicate("", timeout=30)
     assert err == ""
     assert time.monotonic() - started < 10
+
+
+def test_of_two_alike_the_one_that_stays_is_not_taken_for_the_other(testbed: Testbed) -> None:
+    stays, mouse = plug(testbed, WHEEL, 1), plug(testbed, WHEEL, 0)
+    child = testbed.python(FOLLOWER)
+    assert child.stdout is not None
+    assert [child.stdout.readline().strip() for _ in range(2)] == ["open", '[true, "/dev/hidraw0"]']
+    mouse.unplug()
+    assert child.stdout.readline().strip() == '[false, "/dev/hidraw0"]'
+    time.sleep(0.6)
+    stays.send(report(9, 9))
+    back = plug(testbed, WHEEL, 2)
+    assert child.stdout.readline().strip() == '[true, "/dev/hidraw2"]'
+    back.send(report(-3, 4))
+    assert child.stdout.readline().strip() == "[-3, 4, 0]"
+    assert child.communicate("", timeout=30) == ("[0, 0]\n", "")

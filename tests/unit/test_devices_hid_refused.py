@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from pointpred.devices import hid, hid_devices
+from pointpred.devices import hid_devices
 from pointpred.devices.hid import HidSource, list_hid
 from pointpred.devices.udev import shipped_rules
 from pointpred.errors import SourceError
@@ -60,7 +60,6 @@ def plugged(monkeypatch: pytest.MonkeyPatch) -> Callable[..., Handle]:
         module = SimpleNamespace(enumerate=lambda: entries, device=lambda: handle)
         monkeypatch.setitem(sys.modules, "hidraw", module)
         monkeypatch.setattr(hid_devices, "no_mouse", lambda device: None)
-        monkeypatch.setattr(hid, "no_mouse", lambda device: None)
         monkeypatch.setattr(hid_devices.os.path, "exists", lambda path: True)
         monkeypatch.setattr(hid_devices.os, "access", lambda path, mode: True)
         return handle
@@ -103,7 +102,7 @@ def test_hidapi_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_no_devices(plugged: Callable[..., Handle]) -> None:
     plugged(entries=[])
     assert list_hid() == []
-    with pytest.raises(SourceError, match=r"no HID mouse found among 0 HID devices; plug one in.*containers"):
+    with pytest.raises(SourceError, match=r"no HID mouse found among 0 HID devices; plug one in.*Containers"):
         HidSource().__enter__()
     plugged()
     with pytest.raises(SourceError, match="no HID mouse 1234:0000 found among 1 HID devices"):
