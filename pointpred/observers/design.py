@@ -13,6 +13,7 @@ from pointpred.observers.bounds import ErrorBound, interconnection_bound
 from pointpred.observers.detectability import require_detectable
 from pointpred.observers.generator import Fitted, Generator
 from pointpred.observers.interconnection import Interconnection, theorem_3_2_1
+from pointpred.observers.matrices import matrix
 from pointpred.observers.matrix_inequalities import MatrixInequalities
 from pointpred.observers.persidskii import Persidskii
 
@@ -53,6 +54,7 @@ def design_observer(
     generator: Generator,
     Pi: Any,  # noqa: N803
     *,
+    gain: Any = None,
     decay: float = 0.0,
     solver: str = "CLARABEL",
     **bounds: float,
@@ -64,8 +66,8 @@ def design_observer(
 
     z' = S0 z + S1 f(Jz) + G Y + E rho + M (Y - C0 Pi z - C1 f(Jz)) with z the estimate of w, M = P^-1 U.
 
-    Parameters: ``decay`` in 1/s (1/step), demanded of the error; ``margin`` and ``kappa`` as for
-    ``MatrixInequalities``.
+    Parameters: ``gain`` M (q, p) to be certified instead of found; ``decay`` in 1/s (1/step), demanded of the
+    error; ``margin`` and ``kappa`` as for ``MatrixInequalities``.
     Raises InfeasibleError naming the undetectable eigenvalue before any solver runs; InfeasibleError,
     UndecidedError or CertificateError from the solver; ParameterError where slopes are not bounded.
 
@@ -94,21 +96,26 @@ def design_observer(
         "Gamma": lambda v: v.bound * np.eye(p),
         "Xi": lambda v: v.bound * np.eye(q),
     }
-    problem = MatrixInequalities("Theorem 3.2.1", **bounds).positive("P", q).free("U", q, p).number("bound")
+    problem = MatrixInequalities("Theorem 3.2.1", **bounds).positive("P", q).number("bound")
+    if gain is None:
+        problem.free("U", q, p)
+    else:
+        given = matrix("gain", gain, q, p)
+        fixed["U"] = lambda v: v.P @ given
     if seen.sloped and plant.time == "continuous":
         problem.symmetric("W", q)
     solution = seen.state(problem, **fixed).solve(minimise=lambda v: v.bound, solver=solver)
     found = msgspec.structs.asdict(solution)["values"]
-    gain = np.linalg.solve(found["P"], found["U"])
+    m = np.linalg.solve(found["P"], found["U"]) if gain is None else given
     whole = {name: function(_Attributes(found)) for name, function in fixed.items()}
-    values = {**found, **whole, "U": found["P"] @ gain}
+    values = {**found, **whole, "U": found["P"] @ m}
     del values["bound"]
     # The audit is of the gain that is returned, in the theorem as it stands, not of what was solved for.
     margins = theorem_3_2_1(plant, generator, Pi, **bounds).check(values)
     bound = interconnection_bound(
         values["P"], values["Theta"], values["Gamma"], values["Xi"], time=plant.time, sharp=True
     )
-    return ObserverDesign(gain, values, margins, bound, plant, seen.g, seen.pi)
+    return ObserverDesign(m, values, margins, bound, plant, seen.g, seen.pi)
 
 
 class _Attributes:

@@ -57,6 +57,7 @@ class Generator:
     ) -> None:
         self.S0: FloatArray = matrix("S0", S0, len(matrix("S0", S0)), len(matrix("S0", S0)))
         self.q = len(self.S0)
+        self._fitted: tuple[Persidskii, Fitted] | None = None
         self.S1 = None if S1 is None else column("S1", S1, self.q)
         self.J = None if J is None else matrix("J", J, None, self.q)
         self.G = None if G is None else column("G", G, self.q)
@@ -70,6 +71,8 @@ class Generator:
 
         Raises ParameterError naming the matrix, the shape it has and the shape it should have.
         """
+        if self._fitted is not None and self._fitted[0] is plant:
+            return self._fitted[1]
         q = self.q
         k = plant.k if self.f is None or self.S1 is None else self.S1.shape[1]
         needed = {
@@ -81,7 +84,8 @@ class Generator:
         }
         full = {name: _shaped(name, getattr(self, name), shape) for name, shape in needed.items()}
         j = None if self.J is None else matrix("J", self.J, plant.r if self.f is None else None, q)
-        return Fitted(q=q, S0=self.S0, J=j, **full)
+        self._fitted = plant, Fitted(q=q, S0=self.S0, J=j, **full)
+        return self._fitted[1]
 
     def field(self, w: Any, *, y: Any = None, rho: Any = None, f: Any = None) -> FloatArray:
         """The w' (or the next w); ``f`` is the plant's nonlinearity where it has none of its own."""

@@ -68,6 +68,7 @@ class MatrixInequalities:
         self.blocks: dict[str, Block] = {}
         self._normal: dict[str, int] = {}
         self._weak: set[str] = set()
+        self._above: set[str] = set()
         self._equalities: dict[str, Block] = {}
 
     def positive(self, name: str, rows: int) -> Self:
@@ -102,6 +103,7 @@ class MatrixInequalities:
 
     def above(self, name: str, block: Block, *, strict: bool = True) -> Self:
         """Demand block(v) > 0; where it is not ``strict``, ``check`` accepts an eigenvalue of 0."""
+        self._above.add(name)
         return self.below(name, lambda v: -np.asarray(block(v)), strict=strict)
 
     def equal(self, name: str, block: Block) -> Self:
@@ -175,6 +177,8 @@ class MatrixInequalities:
         return margin > 0.0 if name in self.blocks or name.endswith(" > 0") else margin >= 0.0
 
     def _failure(self, name: str, margin: float) -> str:
+        if name in self._above:
+            return f"{name} has the eigenvalue {margin:.6g}, must lie above 0"
         if name in self.blocks:
             return f"{name} has the eigenvalue {-margin:.6g}, must lie below 0"
         if name in self._equalities:

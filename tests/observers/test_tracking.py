@@ -79,7 +79,9 @@ def test_the_regulator_as_a_stage_closes_the_loop() -> None:
         u = stage.update(t, [*plant.output(t, x), *reference(t)])
         x = simulate(lambda s, one: plant.field(s, one, u, reference(s)), x, [t, t + h], step_s=h)[-1]  # noqa: B023
     exact = simulate(
-        lambda t, one: closed_loop(plant, regulator, t, one, rho=reference(t)), [1.0, 1.0, 0.5, -0.5], [0.0, 4.0],
+        lambda t, one: closed_loop(plant, regulator, t, one, rho=reference(t)),
+        [1.0, 1.0, 0.5, -0.5],
+        [0.0, 4.0],
         integrator="scipy",
     )[-1]  # fmt: skip
     assert np.abs(x - exact[:2]).max() < 5e-3  # the input is held for h: of first order in h

@@ -1,0 +1,256 @@
+"""Examples 1 to 4 of the thesis: what is printed, what is true, and no certificate where none is valid."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from pointpred.errors import CertificateError, InfeasibleError
+from pointpred.observers import (
+    certify_tracking,
+    closed_loop,
+    design_observer,
+    residuals,
+    sector_bounds,
+    simulate,
+    steady_state_map,
+    theorem_3_2_1,
+    theorem_3_2_2,
+    theorem_3_2_3,
+)
+from pointpred.observers.interconnection_examples import (
+    ROBOT_INPUT_MODIFIED,
+    Bioreactor,
+    academic,
+    chua_circuits,
+    robotic_arm,
+)
+
+INTEGRATORS = ["rk4", "scipy"]
+CHUA_GAIN = [[-0.34], [1.32], [5.35]]
+
+
+def largest(found: dict[str, Any]) -> float:
+    return max(float(np.abs(one).max()) for one in found.values())
+
+
+def test_example_1_j_has_one_row() -> None:
+    plant, generator = academic()
+    found = steady_state_map(plant, generator)
+    printed = np.array([[-0.5, 0.0], [0.0, -0.5], [1.5, 0.5]])
+    assert np.allclose(found.Pi, printed, atol=1e-12)
+    assert found.nullity == 0
+    assert found.J.round(12).tolist() == [[1.5, 0.5]]
+    assert largest(residuals(plant, generator, printed)) == 0.0
+
+
+def test_example_1_the_printed_certificate_fails_and_the_printed_gain_can_be_certified() -> None:
+    plant, generator = academic()
+    found = steady_state_map(plant, generator).Pi
+    p, u = [[1.129, 0.332], [0.332, 0.611]], [[-2.837], [-0.03]]
+    printed = {
+        "P": p, "Theta": [[0.388, 0.024], [0.024, 0.175]], "Gamma": 6.764,
+        "Xi": [[5.0, 0.457], [0.457, 3.65]], "U": u,
+    }  # fmt: skip
+    with pytest.raises(CertificateError, match=r"the LMI has the eigenvalue 0\.933.* cannot explain it"):
+        theorem_3_2_1(plant, generator, found).check(printed, rounding=5e-4)
+    gain = np.array([[-2.973], [1.565]])
+    assert np.allclose(np.linalg.solve(p, u), gain, atol=2e-3)
+    design = design_observer(plant, generator, found, gain=gain)
+    assert np.array_equal(design.gain, gain)
+    assert min(design.margins.values()) > 0.0
+    assert theorem_3_2_1(plant, generator, found).check(design.values) == design.margins
+
+
+@pytest.mark.parametrize("integrator", INTEGRATORS)
+def test_example_1_converges_within_the_certified_bound(integrator: str) -> None:
+    plant, generator = academic()
+    found = steady_state_map(plant, generator)
+    design = design_observer(plant, generator, found.Pi, gain=[[-2.973], [1.565]])
+    g, m = design.generator, design.gain
+
+    def field(t: float, both: Any) -> Any:
+        w, x, z = both[:2], both[2:5], both[5:]
+        dx = plant.field(t, x, g.L0 @ w + g.L1 @ plant.f(found.J @ w))
+        dz = g.S0 @ z + m @ (plant.output(t, x) - plant.C0 @ found.Pi @ z)
+        return np.concatenate([g.S0 @ w, dx, dz])
+
+    times = np.arange(0.0, 30.0, 1.0)
+    both = simulate(field, [0.125, 0.0, 0.5, -0.5, 0.5, 0.25, 0.0], times, integrator=integrator, step_s=0.02)
+    errors = np.linalg.norm(both[:, :2] - both[:, 5:], axis=1)
+    off = both[:, 2:5] - both[:, :2] @ found.Pi.T
+    eps = float(np.abs(plant.C0 @ off.T).max())
+    assert all(error <= design.bound(t, errors[0], eps=eps) for t, error in zip(times, errors, strict=True))
+    assert errors[-1] < 1e-2
+    assert np.abs(off[-1]).max() < 5e-3
+
+
+def test_example_2_the_map_is_right_but_not_unique() -> None:
+    reactor = Bioreactor()
+    found = steady_state_map(reactor.plant, reactor.generator, relaxed=True)
+    assert largest(residuals(reactor.plant, reactor.generator, reactor.printed_map, relaxed=True)) < 1e-14
+    assert found.nullity == 1
+    difference = reactor.printed_map - found.Pi
+    share = float((difference * found.basis[0]).sum())
+    assert np.allclose(difference, share * found.basis[0], atol=1e-12)
+    assert np.allclose(
+        found.basis[0][:, :2], 0.0, atol=1e-12
+    )  # it acts on the inflow: S_in1 = S_in2 is assumed
+
+
+def test_example_2_the_printed_sector_conditions_fail_on_nearly_all_of_the_box() -> None:
+    reactor, rng = Bioreactor(), np.random.default_rng(0)
+    f, eta1, eta2, slope, sigma = (0.1, -2.0), 0.7, 0.8, 0.1, 0.1
+    cross = 0.5 * (f[0] * eta2 * slope + f[1] * eta1)
+    w1 = np.array([[f[0] * eta1, cross], [cross, f[1] * eta2 * sigma]])
+    box = np.array([eta2, 30.0])
+    failed = 0
+    for one, other in zip(rng.uniform(size=(2000, 2)) * box, rng.uniform(size=(2000, 2)) * box, strict=True):
+        e = one - other
+        left = float(e @ f) * float(reactor.second(one)[0] - reactor.second(other)[0])
+        failed += left > e @ w1 @ e
+    assert failed / 2000 > 0.9
+
+
+def reactor_error(
+    gain: tuple[float, float], *, projected: bool, integrator: str = "rk4"
+) -> tuple[float, Any]:
+    reactor = Bioreactor()
+    states = simulate(
+        lambda t, one: reactor.field(12.7, one, gain, projected=projected),
+        [1.0, 5.0, 0.1, 0.0, 1.0, 20.0],
+        [0.0, 10.0, 20.0, 30.0],
+        integrator=integrator,
+        step_s=0.02,
+    )
+    return float(np.linalg.norm(states[-1, 2:4] - states[-1, 4:])), states
+
+
+def test_example_2_the_printed_gain_loses_without_projection_and_is_slower_with_it() -> None:
+    none, free = reactor_error((0.0, 0.0), projected=True)
+    printed, kept = reactor_error(Bioreactor.PRINTED_GAIN, projected=True)
+    lost, gone = reactor_error(Bioreactor.PRINTED_GAIN, projected=False)
+    assert none < 1e-2 < printed
+    assert lost > 100.0
+    assert gone[-1, 4] < 0.0  # a negative concentration
+    again = reactor_error(Bioreactor.PRINTED_GAIN, projected=True, integrator="scipy")[1]
+    assert np.allclose(kept, again, atol=1e-3)
+    assert np.allclose(free, reactor_error((0.0, 0.0), projected=True, integrator="scipy")[1], atol=1e-6)
+    pi = Bioreactor().printed_map
+    w = np.append(free[-1, 2:4], 12.7)
+    assert np.abs(free[-1, :2] - (pi @ w)[:2]).max() < 1e-3
+
+
+def test_example_3_what_holds_and_what_does_not() -> None:
+    plant, regulator = robotic_arm()
+    assert largest(residuals(plant, regulator, np.eye(4))) < 1e-12
+    with pytest.raises(InfeasibleError, match=r"Assumption 3\.2\.3: .* no choice reaches more than -0\.3"):
+        theorem_3_2_2(plant, regulator, np.eye(4)).solve()
+    with pytest.raises(InfeasibleError, match=r"Assumption 3\.2\.6: .* no choice reaches more than -0\.0"):
+        theorem_3_2_3(
+            plant, regulator, np.eye(4), sector_bounds(plant, Sigma1=np.eye(4), Psi1=np.eye(4))
+        ).solve()
+    held = theorem_3_2_3(plant, regulator, np.eye(4)).solve()
+    assert min(held.margins.values()) > 0.0
+    modified, driven = robotic_arm(ROBOT_INPUT_MODIFIED)
+    certificate = certify_tracking(modified, driven, np.eye(4))
+    assert min(certificate.margins.values()) > 0.0
+    with pytest.raises(InfeasibleError, match=r"Assumption 3\.2\.3"):
+        certify_tracking(plant, regulator, np.eye(4))
+
+
+def test_example_3_the_reason_is_that_no_input_drives_the_link() -> None:
+    """J S~ = 0 makes the block of f(Jw) zero: it needs P S~ + J' Omega = 0, so S~'P S~ = 0 with P > 0."""
+    plant, regulator = robotic_arm()
+    tilde = regulator.S1 + regulator.G @ plant.C1
+    assert (plant.H @ tilde == 0.0).all()
+    assert np.abs(tilde).max() > 1.0
+
+
+@pytest.mark.parametrize("integrator", INTEGRATORS)
+def test_example_3_the_observer_converges_and_the_plant_need_not_follow(integrator: str) -> None:
+    plant, regulator = robotic_arm()
+
+    def field(t: float, both: Any) -> Any:
+        rho = [np.sin(2.0 * np.pi * t)]
+        reference = both[8:]
+        u = regulator.L0 @ reference + regulator.L1 @ plant.f(plant.H @ reference) + rho
+        return np.concatenate(
+            [closed_loop(plant, regulator, t, both[:8], rho=rho), plant.field(t, reference, u)]
+        )
+
+    start = np.array([0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0])
+    both = simulate(
+        field, start, np.arange(0.0, 12.1, 0.5), integrator=integrator, step_s=0.01, tolerance=1e-8
+    )
+    z = np.linalg.norm(both[:, :4] - both[:, 4:8], axis=1)
+    follows = np.linalg.norm(both[:, :4] - both[:, 8:], axis=1)
+    assert z[-1] < 1e-3
+    assert follows[-4:].min() > 0.5
+
+
+def test_example_4_the_equalities_hold_with_exact_fractions() -> None:
+    plant, generator = chua_circuits()
+    assert largest(residuals(plant, generator, np.eye(3))) < 1e-14
+    assert np.allclose(steady_state_map(plant, generator).Pi, np.eye(3), atol=1e-12)
+    printed = generator.L1.copy()
+    printed[0, 0] = 2.857
+    wrong = generator.__class__(generator.S0, generator.S1, generator.J, None, generator.L0, printed)
+    assert largest(residuals(plant, wrong, np.eye(3))) == pytest.approx(2.857 + 20.0 / 7.0)
+
+
+@pytest.mark.parametrize("integrator", INTEGRATORS)
+def test_example_4_the_circuits_synchronise(integrator: str) -> None:
+    plant, g = chua_circuits()
+
+    def field(t: float, both: Any) -> Any:
+        w, x = both[:3], both[3:]
+        f = plant.f(g.J @ w)
+        return np.concatenate([g.S0 @ w + g.S1 @ f, plant.field(t, x, g.L0 @ w + g.L1 @ f)])
+
+    start = [0.2, 0.0, 0.2, 0.65, 0.0, 0.5]
+    both = simulate(field, start, np.arange(0.0, 20.1, 1.0), integrator=integrator, step_s=0.01)
+    errors = np.abs(both[:, :3] - both[:, 3:]).max(axis=1)
+    assert errors[-1] < 1e-3 * errors[0]
+    assert np.abs(both[:, 0]).max() > 0.9  # it oscillates on
+
+
+def test_example_4_no_valid_certificate_covers_the_trajectory() -> None:
+    plant, generator = chua_circuits(1.0)
+    p = [[0.223, -1.16, 0.087], [-1.16, 8.398, -0.589], [0.087, -0.589, 0.066]]
+    printed = {
+        "P": p, "Gamma": 10.933,
+        "Theta": [[0.46, -1.073, 0.093], [-1.073, 5.489, 0.077], [0.093, 0.077, 0.118]],
+        "Xi": [[6.5664, -0.7234, 0.0832], [-0.7234, 12.4347, -0.4819], [0.0832, -0.4819, 6.4706]],
+        "U": np.array(p) @ CHUA_GAIN, "W": [[0.25, -2.5, 0.1], [-2.5, 0.0, 0.0], [0.1, 0.0, 0.0]],
+    }  # fmt: skip
+    theorem = theorem_3_2_1(plant, generator, np.eye(3), F=[[0.5], [-5.0], [0.2]])
+    with pytest.raises(
+        CertificateError, match=r"D = diag\(0\) has the eigenvalue -2\.38\d+, must lie above 0"
+    ):
+        theorem.check(printed, rounding=5e-4)
+    assert theorem.margins(printed)["the LMI"] > 0.0
+    for gain in (None, CHUA_GAIN):
+        with pytest.raises(InfeasibleError, match="no choice reaches more than -0"):
+            design_observer(plant, generator, np.eye(3), gain=gain)
+    near = design_observer(*chua_circuits(0.5), np.eye(3))
+    assert min(near.margins.values()) > 0.0
+    with pytest.raises(
+        CertificateError, match=r"the trajectory reaches 0\.99, the slopes hold within 0\.5 only"
+    ):
+        near.region(0.99)
+
+
+@pytest.mark.parametrize("solver", ["CLARABEL", "CVXOPT"])
+def test_two_solvers_agree_on_the_examples(solver: str) -> None:
+    pytest.importorskip("cvxopt", reason="the second solver is a tool of the tests only")
+    plant, generator = academic()
+    found = steady_state_map(plant, generator).Pi
+    first = design_observer(plant, generator, found, solver=solver)
+    assert first.values["Gamma"][0, 0] == pytest.approx(14.79036, rel=1e-5)
+    second = design_observer(*chua_circuits(0.3), np.eye(3), solver=solver)
+    assert second.values["Gamma"][0, 0] == pytest.approx(
+        design_observer(*chua_circuits(0.3), np.eye(3)).values["Gamma"][0, 0], rel=1e-5
+    )
