@@ -13,7 +13,7 @@ import typer
 from rich.live import Live
 from rich.table import Table
 
-from pointpred.cli.screen import remarks, results, write_json
+from pointpred.cli.screen import plain, remarks, results, write_json
 from pointpred.errors import SourceError
 
 if TYPE_CHECKING:
@@ -93,7 +93,10 @@ def udev() -> None:
         mice = []
     for device in mice:
         if not says_mouse(device):
-            typer.echo(f"\n# {device.name} (opens every interface of this device)\n{rule_of(device)}")
+            name = plain(
+                " ".join(device.name.split())
+            )  # a device may be called anything, a line of rules too
+            typer.echo(f"\n# {name} (opens every interface of this device)\n{rule_of(device)}")
     remarks().print(f"write this into {RULES_FILE}, then run: {RELOAD}", markup=False)
 
 

@@ -103,8 +103,10 @@ class HidSource:
             handle.close()
             raise SourceError(f"{device.described}: {error}") from error
         except OSError as error:
+            handle.close()
             raise SourceError(
-                f"{device.described}: {error}; another program may hold it: 'fuser -v {device.path}' names it"
+                f"{device.described}: {error}; unplug it and plug it in again, 'dmesg' says what the kernel "
+                "makes of it"
             ) from error
         self._handle = handle
         self._device, self.path, self.name, self.plugged = device, device.path, device.name, True

@@ -153,9 +153,7 @@ def test_a_bad_descriptor_and_a_refusal_of_hidapi(plugged: Callable[..., Handle]
         raise OSError("open failed")
 
     handle.open_path = refuse  # type: ignore[method-assign]
-    with pytest.raises(
-        SourceError, match="open failed; another program may hold it: 'fuser -v /dev/hidraw7'"
-    ):
+    with pytest.raises(SourceError, match="open failed; unplug it and plug it in again, 'dmesg' says"):
         HidSource().__enter__()
 
 
@@ -189,3 +187,16 @@ def test_a_source_is_used_once_and_opened_first(plugged: Callable[..., Handle]) 
     with source, pytest.raises(SourceError, match="open already"):
         source.__enter__()
     source.close()
+
+
+def test_the_name_of_a_device_writes_no_rule_of_its_own(plugged: Callable[..., Handle], command: Any) -> None:
+    plugged(entries=[{**ENTRY, "product_string": 'x\nKERNEL=="sd*", MODE="0666"\x1b[2J'}])
+    left = command("devices", "udev")
+    assert left.code == 0
+    rules = [line for line in left.out.splitlines() if line and not line.startswith("#")]
+    assert [rule.partition(", ")[0] for rule in rules] == [
+        'KERNEL=="hidraw*"',
+        'KERNEL=="event*"',
+        'KERNEL=="hidraw*"',
+    ]
+    assert "\x1b" not in left.out
