@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from pointpred.errors import EventError, ParameterError
+from pointpred.errors import EventError, SourceError
 from pointpred.transfer import TransferLearner, save_transfer
 
 if TYPE_CHECKING:
@@ -46,10 +46,10 @@ class Learning:
         threading.Thread(target=self._run, args=(stopping, told), name="transfer", daemon=True).start()
 
     def save(self, path: Path) -> str:
-        """Write the function; returns what came of it in words. Raises ParameterError where there is none."""
+        """Write the function; returns what came of it in words. Raises SourceError where there is none."""
         function = self.learner.identify().function
         if function is None:
-            raise ParameterError(f"no transfer function to save in {path}: {self.learner.curve().words}")
+            raise SourceError(f"no transfer function to save in {path}: {self.learner.curve().words}")
         save_transfer(path, function, cpi=self.cpi, dpi=self.dpi)
         return f"saved in {path}; 'pointpred live --transfer {path}' uses it"
 

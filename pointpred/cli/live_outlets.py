@@ -10,6 +10,7 @@ import msgspec
 
 from pointpred.cli.live_following import Following, attentive
 from pointpred.cli.live_learning import Learning, learning_of
+from pointpred.cli.live_log import ViewLog
 from pointpred.cli.live_serving import Serving
 from pointpred.cli.live_view import all_delays, losses, show
 from pointpred.cli.screen import counted, remarks, results
@@ -51,29 +52,39 @@ class Outlets:
             session.watchers.append(self.learning.take)
         elif wanted.save_transfer is not None:
             raise ParameterError(f"nothing to save in {wanted.save_transfer}: {self.learning}")
+        self._log = ViewLog() if results().is_terminal else None
         self._following = Following(session, self.feed.fail if self.feed else _to_nobody)
 
     def follow(self) -> None:
         """Drive the session until something or somebody ends it; raises what ended it."""
+        from pointpred.server.logs import set_up
+
         stopping, serving, screen = self._following.stopping, self.serving, results()
         heading = self._heading()
         self.session.source.take(0.0)  # what came while the outlets were opened belongs to nothing
+        if self._log is not None:
+            self._log.take_over()
+        elif serving is not None:
+            set_up(None)
         with attentive(stopping):
             self._following.start(self.wanted.seconds)
             self._learn()
             if not screen.is_terminal:
                 for name, words in heading:
                     remarks().print(f"{name}: {words}", markup=False)
-            shown = (self.session, heading, stopping, screen, self._more)
+            shown = (self.session, heading, stopping, screen, self._viewed)
+            view = threading.Thread(target=show, args=shown, name="view")
+            view.start()
             try:
                 if serving is None:
-                    show(*shown)
+                    stopping.wait()
                 else:
-                    threading.Thread(target=show, args=shown, name="view").start()
-                    serving.run(stopping)
+                    serving.run(stopping, said=self._log is None)
             except KeyboardInterrupt:
                 stopping.set()
             finally:
+                stopping.set()
+                view.join()
                 self._end()
 
     def _learn(self) -> None:
@@ -101,6 +112,8 @@ class Outlets:
             screen, state = results(), self.session.state()
             said = f"{counted(state.reports, 'report')}; {losses(state)}; delay {all_delays(self.session)}"
             screen.print(said, markup=False, soft_wrap=True)
+            for entry in self._log.wrong if self._log else ():
+                remarks().print(entry, markup=False)
             for name, words in self._more():
                 screen.print(f"{name}: {words}", markup=False, soft_wrap=True)
         if self.wanted.save_transfer is not None and isinstance(self.learning, Learning):
@@ -121,6 +134,7 @@ class Outlets:
         ]
 
     def _more(self) -> list[tuple[str, str]]:
+        """What the outlets have come to so far."""
         told = []
         if isinstance(self.learning, Learning):
             told.append(("gain", self.learning.words()))
@@ -129,6 +143,11 @@ class Outlets:
             said += f", {recording.lost} lost" if recording.lost else ""
             told.append(("recorded", said + (", stopped by an error" if recording.failed else "")))
         return told
+
+    def _viewed(self) -> list[tuple[str, str]]:
+        """The further rows of the view."""
+        log = [("service", self._log.newest or "starting")] if self._log and self.serving else []
+        return [*self._more(), *log]
 
 
 def curve_message(words: str, curve: GainCurve | None = None) -> Curve:

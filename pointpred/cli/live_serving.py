@@ -36,11 +36,12 @@ class Serving:
         rule = HostRule(settings.host, settings.allow_host)
         self._server = make_server(rule, service, self._announce)
 
-    def run(self, stopping: threading.Event) -> None:
-        """Answer until interrupted or until ``stopping`` is set, which it is afterwards."""
-        from pointpred.server.logs import set_up
+    def run(self, stopping: threading.Event, *, said: bool) -> None:
+        """Answer until interrupted or until ``stopping`` is set, which it is afterwards.
 
-        set_up(None)
+        ``said``: print the address once the page can be opened.
+        """
+        self._said = said
         threading.Thread(target=self._stop_with, args=(stopping,), daemon=True).start()
         try:
             with self._opened:
@@ -49,7 +50,8 @@ class Serving:
             stopping.set()
 
     def _announce(self) -> None:
-        typer.echo(self.address)
+        if self._said:
+            typer.echo(self.address)
 
     def _stop_with(self, stopping: threading.Event) -> None:
         stopping.wait()

@@ -46,7 +46,9 @@ def started(testbed: Testbed, errors: Path, *arguments: str) -> Iterator[subproc
         yield process
     finally:
         process.kill()
-        process.communicate()
+        process.wait()
+        if process.stdout is not None:
+            process.stdout.close()
 
 
 def until_said(errors: Path, words: str, process: subprocess.Popen[str]) -> None:
