@@ -10,12 +10,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pointpred.columns import FloatArray
-from pointpred.errors import InfeasibleError, ParameterError
+from pointpred.errors import ParameterError
+from pointpred.observers.detectability import require_detectable
 from pointpred.observers.matrices import matrix
 from pointpred.observers.matrix_inequalities import MatrixInequalities
-
-UNSEEN = 1e-9
-"""Relative singular value below which an eigenvalue counts as unobservable."""
 
 
 class InterlacedCertificate(msgspec.Struct, frozen=True):
@@ -82,7 +80,7 @@ def certify(
     output = matrix("C", c, None, len(system))
     if not 0.0 < rate < np.inf:
         raise ParameterError(f"rate must be a positive number of 1/s, received {rate!r}")
-    _check_detectable(system, output)
+    require_detectable(system, output, "continuous", "(A, C)")
     problem = inequalities(system, output).above("Q - 2 rate P", lambda v: v.Q - 2.0 * rate * v.P)
     if gain is not None:
         given = matrix("gain", gain, len(system), len(output))
@@ -104,14 +102,3 @@ def certificate(values: dict[str, Any], margins: dict[str, float]) -> Interlaced
         overshoot=sqrt(p[-1] / p[0]),
         noise_gain=sqrt(gamma[-1] / (2.0 * rate * p[0])),
     )
-
-
-def _check_detectable(system: FloatArray, output: FloatArray) -> None:
-    """The test of Popov, Belevitch and Hautus."""
-    for value in np.linalg.eigvals(system):
-        pencil = np.vstack([system - value * np.eye(len(system)), output])
-        singular = np.linalg.svd(pencil, compute_uv=False)
-        if value.real >= -UNSEEN and singular[-1] <= UNSEEN * max(1.0, singular[0]):
-            raise InfeasibleError(
-                f"(A, C) is not detectable: the outputs do not show the eigenvalue {value:.6g}"
-            )

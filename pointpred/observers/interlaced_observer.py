@@ -141,8 +141,6 @@ def output_matrix(steady: SteadyState) -> FloatArray:
         row = [symbolic().diff(output, w) for w in states]
         linear = sum((c * w for c, w in zip(row, states, strict=True)), symbolic().Integer(0))
         if any(c.free_symbols for c in row) or symbolic().expand(output - linear) != 0:
-            raise ParameterError(
-                f"output {number} must be linear in the generator's states, received {output}"
-            )
+            raise ParameterError(f"output {number} must be C w with numbers C, received {output}")
         rows.append([float(c) for c in row])
     return np.array(rows)

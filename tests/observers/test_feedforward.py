@@ -120,8 +120,10 @@ def test_a_resonance_without_solution_names_degree_equation_and_eigenvalues() ->
     with pytest.raises(InfeasibleError, match=r"degree 1 in x1': .* \(eigenvalue -1 = \(-1\)\)"):
         feedforward(SymbolicSystem((X1,), (-X1 + U,), U), real, W1, degree=3)
     k = sp.Symbol("k")
-    with pytest.raises(InfeasibleError, match=r"degree 2 in x1': no power series satisfies the equation$"):
-        feedforward(SymbolicSystem((X1,), (k * U**2,), U), OSCILLATOR, W1, degree=3)
+    z1, z2 = sp.symbols("z1 z2")
+    open_system = SymbolicSystem((X1,), (-X1 + U,), U, zero=(z1, z2), zero_field=(U**2, -k * z2 + U))
+    with pytest.raises(InfeasibleError, match=r"degree 2 in z1': no power series satisfies the equation$"):
+        feedforward(open_system, OSCILLATOR, W1, degree=3)
 
 
 def test_a_resonance_that_can_be_solved_leaves_its_terms_free() -> None:
