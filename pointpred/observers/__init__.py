@@ -9,10 +9,17 @@ from pointpred.observers.excitation import (
     linear_independence,
     persistent_excitation,
 )
+from pointpred.observers.feedback_form import feedback
+from pointpred.observers.feedforward_form import feedforward
 from pointpred.observers.generator import Generator
 from pointpred.observers.interconnection import theorem_3_2_1
+from pointpred.observers.interlaced_certificate import InterlacedCertificate
+from pointpred.observers.interlaced_certificate import certify as certify_interlaced
+from pointpred.observers.interlaced_form import interlaced
+from pointpred.observers.interlaced_observer import InterlacedEstimate, InterlacedObserver
 from pointpred.observers.invariant_stage import invariant_stage
 from pointpred.observers.matrix_inequalities import MatrixInequalities, Solution
+from pointpred.observers.nonlinear_regression import NonlinearRegressor, RegressionMargin, regression_margin
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.persidskii_observer import PersidskiiObserver, observer_stage, regulator_stage
 from pointpred.observers.reduced_order import ReducedOrderDesign, design_reduced_order
@@ -30,6 +37,7 @@ from pointpred.observers.tracking import (
     theorem_3_2_2,
     theorem_3_2_3,
 )
+from pointpred.observers.triangular import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 from pointpred.regression import RecursiveLeastSquares
 
 __all__ = [
@@ -38,31 +46,44 @@ __all__ = [
     "Excitation",
     "Generator",
     "GradientRegressor",
+    "InterlacedCertificate",
+    "InterlacedEstimate",
+    "InterlacedObserver",
     "InvariantObserver",
     "MatrixInequalities",
+    "NonlinearRegressor",
     "ObserverDesign",
     "Persidskii",
     "PersidskiiObserver",
     "RecursiveLeastSquares",
     "ReducedOrderDesign",
+    "RegressionMargin",
     "SectorBounds",
     "SeededSignal",
     "Solution",
     "SteadyState",
+    "SymbolicGenerator",
+    "SymbolicSteadyState",
+    "SymbolicSystem",
     "TrackingCertificate",
     "certify_convergence",
+    "certify_interlaced",
     "certify_tracking",
     "closed_loop",
     "convergence_bound",
     "design_observer",
     "design_reduced_order",
     "discrete_excitation",
+    "feedback",
+    "feedforward",
     "interconnection_bound",
+    "interlaced",
     "invariant_observer",
     "invariant_stage",
     "linear_independence",
     "observer_stage",
     "persistent_excitation",
+    "regression_margin",
     "regulator_stage",
     "residuals",
     "sector_bounds",

@@ -14,7 +14,7 @@ from pointpred.observers import interlaced_law as law
 from pointpred.observers.interlaced_certificate import InterlacedCertificate, certify
 from pointpred.observers.matrices import matrix
 from pointpred.observers.polynomials import symbolic
-from pointpred.observers.triangular import SteadyState
+from pointpred.observers.triangular import SymbolicSteadyState
 from pointpred.observers.triangular_program import ROW, program
 from pointpred.regression.recursive_least_squares import moment
 from pointpred.stage import CompiledStage, Parameter, check
@@ -47,7 +47,7 @@ class InterlacedObserver(CompiledStage):
     EventOrderError from ``update``. Reference: Khalin 2022, Theorem 4.4.1.
 
     >>> import sympy as sp
-    >>> from pointpred.observers.interlaced import interlaced
+    >>> from pointpred.observers.interlaced_form import interlaced
     >>> from pointpred.observers.triangular import SymbolicGenerator, SymbolicSystem
     >>> x1, x2, u, w1, w2 = sp.symbols("x1 x2 u w1 w2")
     >>> plant = SymbolicSystem((x1, x2), (-x1 + x2**2, -x2 + u), u, outputs=(x2,))
@@ -65,7 +65,7 @@ class InterlacedObserver(CompiledStage):
 
     def __init__(
         self,
-        steady: SteadyState,
+        steady: SymbolicSteadyState,
         certificate: InterlacedCertificate,
         *,
         start: ArrayLike | None = None,
@@ -93,7 +93,7 @@ class InterlacedObserver(CompiledStage):
     @classmethod
     def design(
         cls,
-        steady: SteadyState,
+        steady: SymbolicSteadyState,
         *,
         rate: float = 0.5,
         gain: ArrayLike | None = None,
@@ -131,7 +131,7 @@ class InterlacedObserver(CompiledStage):
         return sample
 
 
-def output_matrix(steady: SteadyState) -> FloatArray:
+def output_matrix(steady: SymbolicSteadyState) -> FloatArray:
     """C with h(rho, pi) = C w; raises ParameterError for an output that is not linear in w."""
     states = steady.generator.states
     if not steady.system.outputs:

@@ -99,7 +99,7 @@ class SymbolicSystem:
         )
 
 
-class SteadyState(msgspec.Struct, frozen=True):
+class SymbolicSteadyState(msgspec.Struct, frozen=True):
     """x = pi(w), z = rho(w) and the input u = l(w) that keeps the system there.
 
     ``exact``: every equation Dpi s = F(pi, rho, l) holds identically; otherwise ``residuals`` say by how much

@@ -14,8 +14,8 @@ from pointpred.observers.polynomials import exact, symbolic
 from pointpred.observers.power_series import Free, power_series
 from pointpred.observers.triangular import (
     HIGHEST_DEGREE,
-    SteadyState,
     SymbolicGenerator,
+    SymbolicSteadyState,
     SymbolicSystem,
     vanishes,
 )
@@ -55,7 +55,7 @@ class Solving:
             self.known |= {z: self._of_generator(z, e) for z, e in zip(system.zero, zero, strict=True)}
             self.given = system.zero
 
-    def solve(self) -> SteadyState:
+    def solve(self) -> SymbolicSteadyState:
         """Apply the rules until everything is known; raises ParameterError where they do not get on."""
         while self._divide() or self._expand():
             pass
@@ -75,7 +75,7 @@ class Solving:
                 raise ParameterError(
                     f"{x}' is not satisfied by {x} = {self.known[x]}: the residual is {residuals[-1]}"
                 )
-        return SteadyState(
+        return SymbolicSteadyState(
             self.system,
             self.generator,
             tuple(self.known[x] for x in states),

@@ -12,9 +12,9 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import solve_sylvester
 
 from pointpred.errors import InfeasibleError, ParameterError
-from pointpred.observers.feedforward import feedforward
+from pointpred.observers.feedforward_form import feedforward
 from pointpred.observers.polynomials import composed
-from pointpred.observers.triangular import SteadyState, SymbolicGenerator, SymbolicSystem
+from pointpred.observers.triangular import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 
 sp = pytest.importorskip("sympy")
 W1, W2, U = sp.symbols("w1 w2 u")
@@ -24,7 +24,7 @@ FRACTION = st.fractions(min_value=-1, max_value=1, max_denominator=6)
 RATE = st.fractions(min_value=1, max_value=3, max_denominator=4)
 
 
-def settled(steady: SteadyState, w: np.ndarray, before_s: float = 25.0) -> np.ndarray:
+def settled(steady: SymbolicSteadyState, w: np.ndarray, before_s: float = 25.0) -> np.ndarray:
     """Where the plant is at w after ``before_s``, started at rest: integration, and nothing of the series."""
     system, generator = steady.system, steady.generator
     symbols = (*system.states, *system.zero, system.input)

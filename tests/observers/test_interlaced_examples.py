@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from pointpred.errors import ParameterError
-from pointpred.observers.interlaced import interlaced
+from pointpred.observers.interlaced_form import interlaced
 from pointpred.observers.simulate import simulate
-from pointpred.observers.triangular import SteadyState, SymbolicGenerator, SymbolicSystem
+from pointpred.observers.triangular import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 
 sp = pytest.importorskip("sympy")
 W1, W2, U = sp.symbols("w1 w2 u")
@@ -24,11 +24,11 @@ NINE = (Y2, -SPRING, Y4, -2 * SPRING + K3 * (Y1 - Y3) + A2 * (Y2 - Y4) - U)
 VALUES = {K1: 3, K2: 3, K3: 0.6, A1: 0.6, A2: 2}
 
 
-def eight() -> SteadyState:
+def eight() -> SymbolicSteadyState:
     return interlaced(SymbolicSystem(X, EIGHT, U, outputs=(X3,)), OSCILLATOR, 2, W1, degree=3)
 
 
-def nine() -> SteadyState:
+def nine() -> SymbolicSteadyState:
     return interlaced(SymbolicSystem(Y, NINE, U, outputs=(Y3,)), OSCILLATOR, 2, W1 + W2, degree=3)
 
 

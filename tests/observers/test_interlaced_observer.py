@@ -22,15 +22,15 @@ from pointpred.errors import (
     ParameterError,
 )
 from pointpred.observers import interlaced_law
-from pointpred.observers.interlaced import interlaced
 from pointpred.observers.interlaced_certificate import (
     InterlacedCertificate,
     certificate,
     certify,
     inequalities,
 )
+from pointpred.observers.interlaced_form import interlaced
 from pointpred.observers.interlaced_observer import InterlacedObserver, output_matrix
-from pointpred.observers.triangular import SteadyState, SymbolicGenerator, SymbolicSystem
+from pointpred.observers.triangular import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 
 sp = pytest.importorskip("sympy")
 pytest.importorskip("cvxpy")
@@ -41,7 +41,7 @@ C = np.array([[1.0, 0.0]])
 EIGHT = (-X1 + X2**2 * X3, -X2 + X3, -(X3**3) + X4, -X4 + (1 + X3**2) * U)
 
 
-def eight(outputs: tuple[Any, ...] = (X3,)) -> SteadyState:
+def eight(outputs: tuple[Any, ...] = (X3,)) -> SymbolicSteadyState:
     system = SymbolicSystem(X, EIGHT, U, outputs=outputs)
     return interlaced(system, SymbolicGenerator((W1, W2), (W2, -W1)), 2, W1, degree=3)
 

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from pointpred.errors import InfeasibleError, MissingExtraError, ParameterError
-from pointpred.observers.feedback import feedback
-from pointpred.observers.triangular import SteadyState, SymbolicGenerator, SymbolicSystem
+from pointpred.observers.feedback_form import feedback
+from pointpred.observers.triangular import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 
 sp = pytest.importorskip("sympy")
 W1, W2, U = sp.symbols("w1 w2 u")
@@ -20,7 +20,7 @@ X = sp.symbols("x1:5")
 OSCILLATOR = SymbolicGenerator((W1, W2), (W2, -W1))
 
 
-def departure(steady: SteadyState, start: np.ndarray, end_s: float = 1.0) -> float:
+def departure(steady: SymbolicSteadyState, start: np.ndarray, end_s: float = 1.0) -> float:
     """How far the plant leaves pi(w) within ``end_s`` when it starts on it: nothing of the solution is used
     but its value at the start and the input on the way."""
     system, generator = steady.system, steady.generator

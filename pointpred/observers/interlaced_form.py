@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from pointpred.errors import ParameterError
-from pointpred.observers.triangular import SteadyState, SymbolicGenerator, SymbolicSystem
+from pointpred.observers.triangular import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 from pointpred.observers.triangular_nonzero import Region
 from pointpred.observers.triangular_order import Solving
 
@@ -20,7 +20,7 @@ def interlaced(
     *,
     zero: Sequence[Any] | None = None,
     region: Region = None,
-) -> SteadyState:
+) -> SymbolicSteadyState:
     """The input and the steady state for which the first state of the lower part is a chosen function.
 
     Assumes the form (4.12), (4.13): the first ``upper`` states feed forward, the others feed back. Rows of

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from pointpred.observers.triangular import SteadyState, SymbolicGenerator, SymbolicSystem
+from pointpred.observers.triangular import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 from pointpred.observers.triangular_nonzero import Region
 from pointpred.observers.triangular_order import Solving
 
@@ -18,7 +18,7 @@ def feedback(
     zero: Sequence[Any] | None = None,
     degree: int | None = None,
     region: Region = None,
-) -> SteadyState:
+) -> SymbolicSteadyState:
     """The input that makes the first state follow a chosen function of the generator, and all states with it.
 
     Assumes xi_i' = f_i + g_i xi_(i+1) with f_i, g_i of xi_1 ... xi_i and z, the last row with the input in

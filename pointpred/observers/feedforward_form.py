@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from pointpred.observers.triangular import SteadyState, SymbolicGenerator, SymbolicSystem
+from pointpred.observers.triangular import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 from pointpred.observers.triangular_order import Solving
 
 
@@ -16,7 +16,7 @@ def feedforward(
     degree: int,
     *,
     zero: Sequence[Any] | None = None,
-) -> SteadyState:
+) -> SymbolicSteadyState:
     """The steady state under a given input as a power series in the generator's states.
 
     Assumes zeta_i' = f_i(zeta_i) + g_i(zeta_(i+1) ... zeta_n, z, u), analytic and zero at the origin; the row
