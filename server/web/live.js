@@ -131,7 +131,12 @@ export async function open() {
   for (const card of cards) card.open();
   if (!drawing) requestAnimationFrame(frame);
   drawing = true;
-  const [listing] = await Promise.all([predictors(), device.open()]);
+  await Promise.all([choices(), device.open()]);
+}
+
+/** Offers the predictors, and connects with those that are preferred. */
+async function choices() {
+  const listing = await predictors();
   if (cards[0].offered) return;
   offer(cards[0].select, listing.predictors, PREFERRED);
   offer(cards[1].select, listing.predictors, "", "none");
