@@ -122,6 +122,16 @@ def test_a_reset_forgets_the_movement_and_leaves_the_cursor() -> None:
     assert answers[1]["x"] == (None if fresh is None else fresh.x)
 
 
+def test_what_was_predicted_before_a_reset_guides_nothing_after_it() -> None:
+    rows = reach()[:55]  # given up while the hand is fast, with an endpoint ahead
+    talk = Talk(greet=asking(strength=1.0, rho=100.0))
+    (before,) = cursors(talk.say(events(*rows)))
+    talk.say({"type": "reset"})
+    _, _, _, dx, dy, _ = rows[35]
+    (after,) = cursors(talk.say(events([9.0, 0.0, 0.0, dx, dy, 0])))
+    assert after == tuple(np.array(before) + PixelTransfer(ConstantGain(4.0), cpi=CPI).update((9.0, dx, dy)))
+
+
 def test_configure_changes_the_strength_and_goes_on_from_where_the_cursor_is() -> None:
     rows = reach()
     talk = Talk(greet=asking(strength=1.0))
@@ -162,11 +172,16 @@ def test_late_events_are_dropped() -> None:
     assert cursors(answers) == cursors(other.say(events(*rows[50:52])))
 
 
-def test_a_frame_that_the_pipeline_refuses_changes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("first", [50, 55])
+def test_a_frame_that_the_pipeline_refuses_changes_nothing(
+    first: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Refused at event 55: in the middle of a frame, or alone in it."""
     rows = reach()
+    part = rows[first:] if first == 50 else rows[55:56]
     talk, other = Talk(greet=asking()), Talk(greet=asking())
     for one in (talk, other):
-        one.say(events(*rows[:50]))
+        one.say(events(*rows[:first]))
     predictor = Predictor.advance
 
     def fails(self: Predictor, row: tuple[float, ...]) -> tuple[float, ...]:
@@ -175,10 +190,11 @@ def test_a_frame_that_the_pipeline_refuses_changes_nothing(monkeypatch: pytest.M
         return predictor(self, row)
 
     monkeypatch.setattr(Predictor, "advance", fails)
-    error = talk.error(events(*rows[50:]))
+    error = talk.error(events(*part))
     assert (error["code"], error["path"]) == ("bad_field", "$.events")
     monkeypatch.undo()
-    assert talk.say(events(*rows[50:])) == other.say(events(*rows[50:]))
+    for row in rows[first:]:
+        assert talk.say(events(row)) == other.say(events(row))
 
 
 def test_targets_and_trials_see_the_assisted_cursor() -> None:
@@ -193,6 +209,11 @@ def test_targets_and_trials_see_the_assisted_cursor() -> None:
     told = next(a for a in answers if a["type"] == "prediction")
     assert told["targets"][0]["id"] == "a"
     place = cursors(answers)[0]
+    for _ in range(2):  # one event in a frame, in a trial and with targets
+        rows.append([rows[-1][0] + 0.001, 0.0, 0.0, 1.0, 0.0, 0])
+        alone = talk.say(events(rows[-1]))
+        assert [a["type"] for a in alone if a["type"] != "choice"] == ["cursor", "prediction"]
+        assert "targets" in alone[-1]
     end = {"type": "trial", "action": "end", "target": {"x": place[0], "y": place[1], "width": 20.0}}
     (score,) = [a for a in talk.say(end) if a["type"] == "score"]
     assert score["events"] > 100  # some stand still
