@@ -117,7 +117,8 @@ def steady_state_map(
     limit = tolerance * max(1.0, float(size))
     linear = not any((g.G @ one.C0).any() for one in plants)
     if linear:
-        candidates = [_least(stacked, np.zeros(plant.n * g.q))]
+        slope = _jacobian(stacked, np.zeros(plant.n * g.q))
+        candidates = [_least(stacked, slope)]
     else:
         started = invariant_graphs(plants[0].A0, g.S0, plants[0].B @ g.L0, g.G @ plants[0].C0)
         candidates = [refined(stacked, one.ravel()) for one in [*started, np.zeros((plant.n, g.q))]]
@@ -127,14 +128,15 @@ def steady_state_map(
     distinct = _distinct([one.reshape(plant.n, g.q) for one in solved])
     distinct.sort(key=lambda pi: _abscissa(plants[0].A0 - pi @ g.G @ plants[0].C0, plant.time))
     pi = distinct[0]
-    basis = _null(_jacobian(stacked, pi.ravel())).reshape(-1, plant.n, g.q)
+    basis = _null(slope if linear else _jacobian(stacked, pi.ravel())).reshape(-1, plant.n, g.q)
     worst = {name: _largest(parts) for name, parts in left(pi).items()}
     return SteadyState(pi, plants[0].H @ pi, worst, len(basis), basis, tuple(distinct[1:]))
 
 
-def _least(stacked: Any, zero: FloatArray) -> FloatArray:
+def _least(stacked: Any, slope: FloatArray) -> FloatArray:
     """The least-squares solution of linear equalities, of least norm."""
-    found: FloatArray = np.asarray(np.linalg.lstsq(_jacobian(stacked, zero), -stacked(zero), rcond=None)[0])
+    left = stacked(np.zeros(slope.shape[1]))
+    found: FloatArray = np.asarray(np.linalg.lstsq(slope, -left, rcond=None)[0], np.float64)
     return found
 
 
@@ -188,7 +190,7 @@ def _name_first(left: Any, zero: FloatArray, shape: tuple[int, int]) -> None:
             found = left(numbers.reshape(shape))
             return np.concatenate([one.ravel() for name in kept for one in found[name]])
 
-        residual = float(np.abs(some(_least(some, np.zeros_like(zero)))).max())
+        residual = float(np.abs(some(_least(some, _jacobian(some, np.zeros_like(zero))))).max())
         if residual > TOLERANCE or count == len(names):
             beside = f" beside {', '.join(names[: count - 1])}" if count > 1 else ""
             told = f"{names[count - 1]} = 0 cannot hold{beside}"

@@ -1,0 +1,41 @@
+"""Draw the figures of docs/observers, and print what a design and a step of an observer cost.
+
+``python -m benchmarks.observers [example-1 example-2 ...]``: all of them unless some are named.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from importlib import import_module
+from importlib.util import find_spec
+from pathlib import Path
+
+FIGURES = Path(__file__).parents[1] / "docs" / "observers" / "figures"
+PARTS = ("observers_1_4", "observers_5_7", "observers_8_9")
+"""Modules with ``FIGURES``, functions by the name of a figure; those that are not there are left out."""
+
+
+def figures() -> dict[str, Callable[[Path], None]]:
+    """Every figure's name with the function that draws it into a file."""
+    found: dict[str, Callable[[Path], None]] = {}
+    for part in PARTS:
+        if find_spec(f"benchmarks.{part}"):
+            found |= import_module(f"benchmarks.{part}").FIGURES
+    return found
+
+
+def main(names: list[str]) -> None:
+    drawn = figures()
+    for name in names or drawn:
+        file = FIGURES / f"{name}.svg"
+        drawn[name](file)
+        print(f"wrote {file.name}")
+    if not names:
+        from benchmarks.observers_cost import main as cost
+
+        cost()
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

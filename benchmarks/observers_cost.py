@@ -1,0 +1,67 @@
+"""What a design of an observer and one of its steps cost on this machine."""
+
+from __future__ import annotations
+
+from time import process_time
+
+import numpy as np
+
+from pointpred.observers import (
+    Generator,
+    Persidskii,
+    PersidskiiObserver,
+    design_observer,
+    steady_state_map,
+)
+
+STATES = (2, 4, 8, 16)
+
+
+def pair(states: int) -> tuple[Persidskii, Generator]:
+    """A random plant with two components of f and two outputs, which its generator copies: Pi = I."""
+    rng = np.random.default_rng(states)
+    a = rng.normal(size=(states, states)) / np.sqrt(states) - 0.8 * np.eye(states)
+    h, a1 = rng.normal(size=(2, states)) / np.sqrt(states), 0.1 * rng.normal(size=(states, 2))
+    return Persidskii(a, a1, h, "sin", C0=rng.normal(size=(2, states))), Generator(a, a1, h)
+
+
+def design_s(states: int) -> tuple[float, float]:
+    """Processor time of the map and of the design, after a first one that imports the solver."""
+    plant, generator = pair(states)
+    began = process_time()
+    found = steady_state_map(plant, generator)
+    between = process_time()
+    design_observer(plant, generator, np.eye(states) if found.nullity else found.Pi)
+    return between - began, process_time() - between
+
+
+def step_us(states: int, rows: int = 100_000) -> float:
+    """Processor time of one step in the loop over a table, in us, the best of five."""
+    rng = np.random.default_rng(0)
+    stage = PersidskiiObserver(
+        rng.normal(size=(states, states)) - 3.0 * np.eye(states), 0.1 * rng.normal(size=(states, 1)),
+        rng.normal(size=(1, states)), np.ones((states, 1)), "sin",
+    )  # fmt: skip
+    table = np.column_stack([np.arange(rows) * 1e-2, rng.normal(size=rows)])
+    begin = np.zeros(rows, dtype=np.bool_)
+    stage.walk(begin[:10], table[:10])
+    best = np.inf
+    for _ in range(5):
+        fresh = stage.fresh()
+        began = process_time()
+        fresh.walk(begin, table)
+        best = min(best, process_time() - began)
+    return best / rows * 1e6
+
+
+def main() -> None:
+    design_observer(*pair(2), np.eye(2))
+    for states in STATES:
+        found, designed = design_s(states)
+        print(
+            f"{states:3d} states: map {found:.3f} s, design {designed:.2f} s, step {step_us(states):.2f} us"
+        )
+
+
+if __name__ == "__main__":
+    main()
