@@ -70,7 +70,7 @@ def estimated(
     return observer.walk(np.zeros(len(table), dtype=np.bool_), table)
 
 
-def draw() -> None:
+def draw(path: Path, title: str, rows: np.ndarray, maps: np.ndarray, found: np.ndarray) -> None:
     """States above, their steady state and its estimate; the largest errors of both below."""
     import matplotlib as mpl
 
