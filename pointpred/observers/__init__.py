@@ -1,6 +1,7 @@
 """Nonlinear observers with certificates that are proved: chapters 3 and 4 of the thesis."""
 
 from pointpred.observers.bounds import ErrorBound, convergence_bound, interconnection_bound
+from pointpred.observers.boxes import Box
 from pointpred.observers.design import ObserverDesign, design_observer
 from pointpred.observers.detectability import undetectable
 from pointpred.observers.excitation import (
@@ -28,6 +29,7 @@ from pointpred.observers.reversed_certificate import Convergence, certify_conver
 from pointpred.observers.reversed_connection import InvariantObserver, invariant_observer
 from pointpred.observers.simulate import SeededSignal, simulate
 from pointpred.observers.steady_state import SteadyState, residuals, steady_state_map
+from pointpred.observers.takagi_sugeno import TakagiSugeno
 from pointpred.observers.tracking import (
     SectorBounds,
     TrackingCertificate,
@@ -38,9 +40,14 @@ from pointpred.observers.tracking import (
     theorem_3_2_3,
 )
 from pointpred.observers.triangular import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
+from pointpred.observers.unknown_input import UnknownInputObserver
+from pointpred.observers.unknown_input_certificate import UnknownInputCertificate
+from pointpred.observers.unknown_input_run import UnknownInputEstimate, UnknownInputSample
+from pointpred.observers.unknown_input_system import ParameterVaryingSystem
 from pointpred.regression import RecursiveLeastSquares
 
 __all__ = [
+    "Box",
     "Convergence",
     "ErrorBound",
     "Excitation",
@@ -53,6 +60,7 @@ __all__ = [
     "MatrixInequalities",
     "NonlinearRegressor",
     "ObserverDesign",
+    "ParameterVaryingSystem",
     "Persidskii",
     "PersidskiiObserver",
     "RecursiveLeastSquares",
@@ -65,7 +73,12 @@ __all__ = [
     "SymbolicGenerator",
     "SymbolicSteadyState",
     "SymbolicSystem",
+    "TakagiSugeno",
     "TrackingCertificate",
+    "UnknownInputCertificate",
+    "UnknownInputEstimate",
+    "UnknownInputObserver",
+    "UnknownInputSample",
     "certify_convergence",
     "certify_interlaced",
     "certify_tracking",

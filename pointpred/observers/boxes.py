@@ -72,6 +72,16 @@ class Box:
                 found.append(name)
         return found
 
+    def nearest(self, point: Mapping[str, float]) -> dict[str, float]:
+        """The point of the box that is nearest on each axis; raises ParameterError for NaN."""
+        found = {}
+        for name, (low, high) in self.bounds.items():
+            value = self._value(point, name)
+            if value != value:
+                raise ParameterError(f"{name} must be a number, received {value!r}")
+            found[name] = min(max(value, low), high)
+        return found
+
     def weights(self, point: Mapping[str, float]) -> FloatArray:
         """The share of each vertex in a point; raises ParameterError for a point outside."""
         for name in self.outside(point):

@@ -19,6 +19,11 @@ from pointpred.observers.unknown_input_certificate import (
     verified,
 )
 from pointpred.observers.unknown_input_gains import gain, lyapunov
+from pointpred.observers.unknown_input_run import (
+    RunningUnknownInputObserver,
+    UnknownInputEstimate,
+    UnknownInputSample,
+)
 from pointpred.observers.unknown_input_system import ParameterVaryingSystem, Point
 
 
@@ -32,9 +37,10 @@ class UnknownInputObserver:
     z' = N z + T b + L y, x_hat = z - E y, E = -F (C F)^+, T = I + E C, N = T A + T' - K C, L = K - N E.
     Then e = T x - z obeys e' = N e + T delta, delta = (A(p) - A(p_hat)) x: Theorem 1 with - W C in (27c).
 
-    Made by ``design``. Memory: a gain a vertex. Raises ParameterError for shapes, ranks and points without
-    sense; InfeasibleError where a zero reaches -sigma/2, before any solver runs, with the largest feasible
-    sigma; UndecidedError where no solver could tell; CertificateError where recomputed eigenvalues fail.
+    Made by ``design``; ``start`` and ``update`` run it. Memory: a gain a vertex, and one sample. Raises
+    ParameterError for shapes, ranks and points without sense; InfeasibleError where a zero reaches -sigma/2,
+    before any solver runs, with the largest feasible sigma; UndecidedError where no solver could tell;
+    CertificateError where recomputed eigenvalues fail.
 
     Reference: Benyoucef et al. 2021, equations (16) to (27), (44), corrected as docs/equations.md says.
 
@@ -59,6 +65,7 @@ class UnknownInputObserver:
     ) -> None:
         self.system, self.box, self.certificate, self.gains = system, box, certificate, gains
         self._blind = kernel(system.c)
+        self._running: RunningUnknownInputObserver | None = None
 
     @classmethod
     def design(
@@ -84,12 +91,22 @@ class UnknownInputObserver:
         certificate = verified(gammas, ts, system.c, p, ws, force, sigma, zeros)
         return cls(system, box, certificate, TakagiSugeno(box, np.linalg.solve(p, ws)))
 
-    def rate(self, z: FloatArray, y: FloatArray, point: Point, known: FloatArray) -> FloatArray:
-        """The rate of z in the full form; raises ParameterError for a point outside the box.
+    def start(self, estimate: FloatArray) -> None:
+        """Forget every sample and begin at an estimate; its outputs give way to the first sample's."""
+        self._running = RunningUnknownInputObserver(self, estimate)
 
-        ``known`` is b(y, u). The full form is the reference; ``reduced_rate`` is what runs.
+    def update(self, sample: UnknownInputSample, /) -> UnknownInputEstimate:
+        """Consume one sample after ``start``; a refused one changes nothing."""
+        if self._running is None:
+            raise ParameterError("an estimate to start with is needed: call start(estimate) first")
+        return self._running.update(sample)
+
+    def rate(self, z: FloatArray, y: FloatArray, point: Point, known: FloatArray) -> FloatArray:
+        """The rate of z in the full form; ``known`` is b(y, u).
+
+        Outside the box the gains are those of its nearest point, and nothing is proved.
         """
-        k, e = self.gains.at(point), self.system.e(point)
+        k, e = self.gains.at(self.box.nearest(point)), self.system.e(point)
         n = self.system.gamma(point) - k @ self.system.c
         rate: FloatArray = n @ z + self.system.t(point) @ known + (k - n @ e) @ y
         return rate
