@@ -141,12 +141,13 @@ def closest(compared: list[Comparison]) -> Kind | None:
 
 
 def fitted_constant(bands: Bands) -> float:
-    """The constant gain whose relative errors are least, weighed by trust."""
-    return float(min(np.sum(bands.trust) / np.sum(bands.trust / bands.gains), GAIN_MOST))
+    """The constant gain whose squared relative errors are least, weighed by trust."""
+    inverse = 1.0 / bands.gains
+    return float(min(np.sum(bands.trust * inverse) / np.sum(bands.trust * inverse**2), GAIN_MOST))
 
 
 def fitted_sigmoid(bands: Bands) -> dict[str, float] | None:
-    """The sigmoid whose relative errors are least; ``None`` with fewer bands than it has numbers."""
+    """The sigmoid whose squared relative errors are least, weighed by trust; ``None`` from too few bands."""
     if len(bands.speeds) < 5:
         return None
     from scipy.optimize import least_squares

@@ -136,6 +136,16 @@ def test_a_refused_clock_says_so_and_survives_being_set(monkeypatch: pytest.Monk
     assert times == pytest.approx([100.0003 + 0.001 * i for i in range(4000)], abs=1e-6)
 
 
+@pytest.mark.parametrize(("pause_s", "back_us"), [(10.0, 5_000_000), (0.001, 500_000)])
+def test_a_clock_set_back_does_not_hold_the_time(pause_s: float, back_us: int) -> None:
+    clock = Clock()
+    for i in range(1000):
+        now = 100.0 + 0.001 * i + (pause_s if i >= 500 else 0.0)
+        stamp = 1_700_000_000_000_000 + round(1e6 * (now - 100.0)) - (back_us if i >= 500 else 0)
+        assert clock.seconds(stamp, now) == pytest.approx(now, abs=1e-5)
+    assert clock.steps == 1
+
+
 def test_elsewhere_than_on_linux_the_browser_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     for platform in ("win32", "darwin"):
         monkeypatch.setattr(evdev_nodes.sys, "platform", platform)

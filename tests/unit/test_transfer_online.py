@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from math import inf
+from typing import Literal
 
 import numpy as np
 import pytest
@@ -96,6 +97,10 @@ def test_fitted_numbers_are_those_of_exact_gains() -> None:
     wanted = {"gain_min": 1.0, "gain_max": 15.0, "speed_low": 0.05, "speed_high": 0.6}
     assert found == pytest.approx(wanted, rel=1e-3)
     assert fitted_constant(Bands(speeds, np.full(18, 3.0), np.full(18, 0.1))) == pytest.approx(3.0)
+    mixed = Bands(speeds, speeds + 0.3, np.linspace(0.001, 0.02, 18))
+    gains = np.linspace(0.4, 0.8, 4001)
+    cost = (mixed.trust * (gains[:, None] / mixed.gains - 1.0) ** 2).sum(axis=1)
+    assert fitted_constant(mixed) == pytest.approx(gains[cost.argmin()], abs=1e-4)
     few = Bands(speeds[:3], np.ones(3), np.zeros(3))
     assert fitted_sigmoid(few) is None
     assert [each.kind for each in compare(few, None, speeds)] == ["constant"]
@@ -141,6 +146,22 @@ def test_reports_that_waited_together_and_leaps_do_not_spoil_it() -> None:
         plain.update(event)
     found = plain.identify().function
     assert found is None or np.abs(found.gain(curve.speeds) / SMOOTH.gain(curve.speeds) - 1.0).max() > 0.02
+
+
+@pytest.mark.parametrize(("noise_px", "weighting"), [(20.0, "samples"), (0.0, "gain")])
+def test_bands_are_weighed_once_they_are_known(
+    noise_px: float, weighting: Literal["samples", "gain"]
+) -> None:
+    learner, rng = TransferLearner(cpi=CPI, dpi=DPI), np.random.default_rng(5)
+    for trial in simulate_trials(SigmoidGain(), 7, 12):
+        learner.reset()
+        for e in trial.events():
+            x, y = (e.x, e.y) + noise_px * rng.standard_normal(2)
+            learner.update(PointerEvent(e.t, x, y, e.dx, e.dy))
+    found, wanted = (each.function for each in (learner.identify(), learner._identifier.identify(weighting)))
+    assert found is not None
+    assert wanted is not None
+    assert found.coefficients == wanted.coefficients
 
 
 def test_a_changed_setting_shows_after_a_while() -> None:
