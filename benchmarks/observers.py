@@ -13,7 +13,7 @@ from pathlib import Path
 
 FIGURES = Path(__file__).parents[1] / "docs" / "observers" / "figures"
 PARTS = ("observers_1_4", "observers_5_7", "observers_8_9")
-"""Modules with ``FIGURES``, functions by the name of a figure; those that are not there are left out."""
+"""Modules with ``FIGURES``, functions by the name of a figure, or with a ``main`` that draws its own."""
 
 
 def figures() -> dict[str, Callable[[Path], None]]:
@@ -21,7 +21,12 @@ def figures() -> dict[str, Callable[[Path], None]]:
     found: dict[str, Callable[[Path], None]] = {}
     for part in PARTS:
         if find_spec(f"benchmarks.{part}"):
-            found |= import_module(f"benchmarks.{part}").FIGURES
+            module = import_module(f"benchmarks.{part}")
+            found |= (
+                module.FIGURES
+                if hasattr(module, "FIGURES")
+                else {part: lambda file, whole=module.main: whole()}
+            )
     return found
 
 
@@ -30,7 +35,7 @@ def main(names: list[str]) -> None:
     for name in names or drawn:
         file = FIGURES / f"{name}.svg"
         drawn[name](file)
-        print(f"wrote {file.name}")
+        print(f"drew {name}")
     if not names:
         from benchmarks.observers_cost import main as cost
 
