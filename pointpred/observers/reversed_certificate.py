@@ -159,7 +159,8 @@ def certify_convergence(
         values["gamma"] = gamma or rate
         bound = continuous_bound(values["P"], values["Xi"], values["gamma"])
     theorem = "3.3.2" if observer.plant.time == "discrete" else "3.3.1"
-    return Convergence(theorem, values, solution.margins, bound, connections[0].J, observer.plant.domain)
+    domain = observer.plant.domain if any(one.S1.any() for one in connections) else np.inf
+    return Convergence(theorem, values, solution.margins, bound, connections[0].J, domain)
 
 
 def lipschitz_constant(plant: Persidskii, j: FloatArray) -> float:

@@ -1,4 +1,4 @@
-"""The nonlinear regressor against its differential equation, Theorem 3.3.3's condition against closed forms."""
+"""The nonlinear regressor against its equation, and the condition of Theorem 3.3.3 against closed forms."""
 
 from __future__ import annotations
 
