@@ -23,6 +23,7 @@ from pointpred.observers.matrix_inequalities import MatrixInequalities, Solution
 from pointpred.observers.nonlinear_regression import NonlinearRegressor, RegressionMargin, regression_margin
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.persidskii_observer import PersidskiiObserver, observer_stage, regulator_stage
+from pointpred.observers.printed import check
 from pointpred.observers.reduced_order import ReducedOrderDesign, design_reduced_order
 from pointpred.observers.regressors import GradientRegressor
 from pointpred.observers.reversed_certificate import Convergence, certify_convergence
@@ -82,6 +83,7 @@ __all__ = [
     "certify_convergence",
     "certify_interlaced",
     "certify_tracking",
+    "check",
     "closed_loop",
     "convergence_bound",
     "design_observer",

@@ -114,6 +114,26 @@ def test_example_2_the_printed_sector_conditions_fail_on_nearly_all_of_the_box()
     assert failed / 2000 > 0.9
 
 
+def test_example_2_the_sign_of_u_c1() -> None:
+    """What f1 adds to d/dt of e'Pe is -2 e'U C1 (f1(Pi w) - f1(Pi z)), found here by switching f1 off."""
+    reactor, gain = Bioreactor(), (0.3, 0.7)
+    p = np.array([[2.0, 0.5], [0.5, 1.0]])
+    w, z = np.array([0.5, 6.0]), np.array([0.45, 7.0])
+    x = (reactor.printed_map @ np.append(w, 12.7))[:2]
+    states = np.concatenate([x, w, z])
+
+    def power(gained: tuple[float, float]) -> float:
+        field = reactor.field(12.7, states, gained, projected=False)
+        return float(2.0 * (w - z) @ p @ (field[2:4] - field[4:]))
+
+    seen = (reactor.printed_map @ np.append(z, 12.7))[:2]
+    assert seen.min() > 0.0
+    change = reactor.K3 * float((reactor.first(x) - reactor.first(seen))[0])
+    u = p @ gain
+    assert power(gain) - power((0.0, 0.0)) == pytest.approx(-2.0 * float((w - z) @ u) * change)
+    assert abs(change) > 1.0
+
+
 def reactor_error(
     gain: tuple[float, float], *, projected: bool, integrator: str = "rk4"
 ) -> tuple[float, Any]:

@@ -211,3 +211,18 @@ def test_a_plant_keeps_what_it_was_given() -> None:
     plant = Persidskii(a0, None, None, "sin")
     a0[0, 0] = 7.0
     assert plant.A0[0, 0] == plant.at(0.0).A0[0, 0] == -1.0
+
+
+def test_a_varying_plant_is_its_matrices_at_each_time() -> None:
+    plant = Persidskii(
+        lambda t: [[-1.0 - t]], [1.0], [1.0], "sin", lambda t: [[2.0 * t]], [3.0], lambda t: [[t]], [[1.0]]
+    )
+    assert plant.varying == ("A0", "B", "C0")
+    expected = -3.0 * 0.5 + np.sin(0.5) + 4.0 * 0.7 + 3.0 * 0.2 + 0.1
+    assert plant.field(2.0, [0.5], u=0.7, rho=0.2, d=0.1).item() == pytest.approx(expected)
+    assert plant.output(2.0, [0.5], v=0.1).item() == pytest.approx(1.0 + np.sin(0.5) + 0.1)
+    held = plant.at(2.0)
+    assert not held.varying
+    assert held.field(9.0, [0.5], u=0.7, rho=0.2, d=0.1).item() == pytest.approx(expected)
+    with pytest.raises(ParameterError, match=r"A0 has shape \(1, 2\), needs \(1, 1\)"):
+        Persidskii(lambda t: [[1.0]] if t == 0.0 else [[1.0, 2.0]], None, None, "sin").field(1.0, [1.0])
