@@ -31,9 +31,10 @@ class SessionRecorder:
         self.configure(hello)
 
     def configure(self, hello: Hello) -> None:
-        """The predictor and its parameters from now on."""
+        """The predictor and its parameters from now on, and what help moves the cursor."""
         self._predictor = hello.predictor
-        self._parameters = msgspec.json.encode(hello.parameters).decode() if hello.parameters else None
+        said = {**hello.parameters, "assist": hello.assist} if hello.assist else hello.parameters
+        self._parameters = msgspec.json.encode(said).decode() if said else None
 
     def events(self, table: EventColumns, predictions: PredictionColumns) -> None:
         """Record the events that a pipeline took in, and what it answered to each."""

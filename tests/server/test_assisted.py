@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from typing import Any
 
 import numpy as np
@@ -12,7 +11,6 @@ from pointpred import PointerEvent, Prediction, build
 from pointpred.errors import EventError
 from pointpred.predictors import Predictor
 from pointpred.transfer import ConstantGain, GuardedTransfer, PixelTransfer, SigmoidGain
-from tests.server.running import running
 from tests.unit.talking import PREDICTION, Talk, events, hello, packed
 
 CPI = 1000.0
@@ -218,17 +216,3 @@ def test_targets_and_trials_see_the_assisted_cursor() -> None:
     (score,) = [a for a in talk.say(end) if a["type"] == "score"]
     assert score["events"] > 100  # some stand still
     assert score["hold_px"] > 5.0
-
-
-def test_who_does_not_ask_hears_no_cursor_over_a_real_socket() -> None:
-    rows = reach(30)
-    with running() as service:
-        with service.greeted(json.dumps(asking())) as socket:
-            socket.send(json.dumps(events(*rows)))
-            assert [json.loads(socket.recv(10))["type"] for _ in range(2)] == ["cursor", "prediction"]
-        plain = json.dumps(hello("switched-direction", device={"cpi": CPI}))
-        with service.greeted(plain) as socket:
-            socket.send(json.dumps(events(*rows)))
-            assert json.loads(socket.recv(10)).keys() == {
-                "type", "t", "x", "y", "region", "phase", "remaining_s"
-            }  # fmt: skip
