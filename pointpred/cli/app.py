@@ -14,6 +14,7 @@ import pointpred
 from pointpred.cli.camera import app as camera
 from pointpred.cli.datasets import app as datasets
 from pointpred.cli.devices import app as devices
+from pointpred.cli.doctor import doctor
 from pointpred.cli.live import live
 from pointpred.cli.predictors import predictors
 from pointpred.cli.recordings import app as recordings
@@ -35,7 +36,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-for command in (score, simulate, convert, predictors, serve, replay, live):
+for command in (score, simulate, convert, predictors, serve, replay, live, doctor):
     app.command()(command)
 app.add_typer(camera, name="camera")
 app.add_typer(datasets, name="datasets")

@@ -1,0 +1,192 @@
+"""``pointpred doctor``: what works on this machine, what does not, and what to do next."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Annotated, Literal
+
+import msgspec
+import typer
+from rich.table import Table
+
+from pointpred import compiled
+from pointpred.cli.screen import counted, results, write_json
+from pointpred.errors import PointpredError, SourceError
+
+OLDEST = (3, 11)
+EXTRAS = {"observers": ("clarabel", "cvxpy", "sympy"), "camera": ("cv2",)}
+"""What each extra brings, by the names that are imported."""
+LOOPBACK = "127.0.0.1"
+
+
+class Finding(msgspec.Struct, frozen=True):
+    """One thing that was looked at. ``missing`` is not needed by everybody, ``broken`` is by all."""
+
+    name: str
+    state: Literal["good", "missing", "broken"]
+    found: str
+    advice: str | None = None
+
+
+def doctor(
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
+) -> None:
+    """Look at the installation: each line says what was found, and what to do where something is missing.
+
+    Leaves with 1 where something that everybody needs is broken, with 0 otherwise.
+
+    Try:
+
+      pointpred doctor
+
+      pointpred doctor --json | jq '.findings[] | select(.state != "good")'
+    """
+    findings = [finding for look in LOOKS for finding in looked(look)]
+    broken = [one for one in findings if one.state == "broken"]
+    if as_json:
+        write_json({"version": 1, "findings": msgspec.to_builtins(findings)}, Path("-"))
+    else:
+        table = Table(box=None, pad_edge=False, show_header=False)
+        for one in findings:
+            table.add_row(one.state, one.name, one.found)
+            if one.advice:
+                table.add_row("", "", f"-> {one.advice}")
+        results().print(table, markup=False)
+    raise typer.Exit(1 if broken else 0)
+
+
+def looked(look: Callable[[], list[Finding]]) -> list[Finding]:
+    """What a look finds; one that fails is itself a finding."""
+    try:
+        return look()
+    except (PointpredError, OSError, ImportError) as error:
+        return [Finding(look.__name__, "broken", f"{type(error).__name__}: {error}", "report this line")]
+
+
+def python() -> list[Finding]:
+    """The interpreter."""
+    said = f"{sys.version.split()[0]} at {sys.executable}"
+    if sys.version_info < OLDEST:
+        return [Finding("python", "broken", said, "install pointpred under Python 3.11 or later")]
+    return [Finding("python", "good", said)]
+
+
+def laws() -> list[Finding]:
+    """Whether laws are compiled and kept, and one prediction as a proof that they run."""
+    from pointpred import PointerEvent, build
+
+    pipeline = build("hold")
+    pipeline.update(PointerEvent(0.0, 0.0, 0.0))
+    answer = pipeline.update(PointerEvent(0.01, 1.0, 0.0))
+    if answer is None:
+        return [Finding("prediction", "broken", "none was made where one is due", "install pointpred anew")]
+    findings = [Finding("prediction", "good", "one was made")]
+    if not compiled.COMPILED:
+        return [
+            *findings,
+            Finding("laws", "missing", "run as plain Python, much slower", "unset POINTPRED_COMPILED"),
+        ]
+    folder = compiled._cache_folder()
+    if folder is None or not os.access(_standing(folder), os.W_OK | os.X_OK):
+        said = "no folder can be written" if folder is None else f"{folder} cannot be written"
+        advice = "name a folder of your own with POINTPRED_CACHE_DIR, or every start compiles anew"
+        return [*findings, Finding("laws", "missing", f"compiled, not kept: {said}", advice)]
+    return [*findings, Finding("laws", "good", f"compiled, kept in {folder}")]
+
+
+def _standing(folder: Path) -> Path:
+    """The folder, or the nearest above it that is there."""
+    return next(one for one in (folder.absolute(), *folder.absolute().parents) if one.exists())
+
+
+def extras() -> list[Finding]:
+    """Optional libraries."""
+    findings = []
+    for extra, modules in EXTRAS.items():
+        absent = [module for module in modules if find_spec(module) is None]
+        if absent:
+            advice = f"if you need them: pip install 'pointpred[{extra}]'"
+            findings.append(Finding(f"extra {extra}", "missing", f"without {', '.join(absent)}", advice))
+        else:
+            findings.append(Finding(f"extra {extra}", "good", ", ".join(modules)))
+    return findings
+
+
+def devices() -> list[Finding]:
+    """Mice by both ways of reading them."""
+    from pointpred.devices.evdev_nodes import list_evdev
+    from pointpred.devices.hid_devices import list_hid
+
+    findings = []
+    for kind, listed in (("hidraw", list_hid), ("evdev", list_evdev)):
+        name = f"mice, {kind}"
+        try:
+            found = listed()
+        except SourceError as error:
+            findings.append(Finding(name, "missing", "cannot be listed", str(error)))
+            continue
+        closed = [one for one in found if not one.openable]
+        said = f"{counted(len(found), 'mouse' if len(found) == 1 else 'device')}, {len(closed)} closed"
+        if not found:
+            advice = "plug one in; virtual machines and containers have none of their own"
+            findings.append(Finding(name, "missing", "none found", advice))
+        elif len(closed) == len(found):
+            advice = closed[0].advice or "see 'pointpred devices list'"
+            findings.append(Finding(name, "missing", f"{said}: {closed[0].why}", advice))
+        else:
+            findings.append(Finding(name, "good", said))
+    return findings
+
+
+def cursor() -> list[Finding]:
+    """The screen's cursor."""
+    from pointpred.devices.cursor_x11 import ScreenCursor
+
+    try:
+        with ScreenCursor() as screen:
+            x, y = screen.position()
+            return [Finding("cursor", "good", f"at {x:g}, {y:g} of {screen.size[0]} x {screen.size[1]} px")]
+    except SourceError as error:
+        return [Finding("cursor", "missing", "cannot be followed", str(error))]
+
+
+def folders() -> list[Finding]:
+    """Folders that the environment names."""
+    findings = []
+    for variable, need, use in (
+        ("POINTPRED_RECORDINGS", os.R_OK, "recordings for tests and training"),
+        ("POINTPRED_RECORD", os.W_OK, "what the service records"),
+    ):
+        name, value = f"folder, {use}", os.environ.get(variable)
+        if not value:
+            findings.append(Finding(name, "good", f"{variable} is not set: none is used"))
+        elif not os.access(value, need | os.X_OK) or not Path(value).is_dir():
+            verb = "read" if need == os.R_OK else "written"
+            advice = f"set {variable} to a folder of yours, or unset it"
+            findings.append(Finding(name, "broken", f"{value} is no folder that can be {verb}", advice))
+        else:
+            findings.append(Finding(name, "good", value))
+    return findings
+
+
+def port() -> list[Finding]:
+    """Whether the page can be served."""
+    from pointpred.cli.serve import PORT, TRIES
+    from pointpred.server.listening import listen
+
+    try:
+        with listen(LOOPBACK, PORT, TRIES) as opened:
+            free = opened.getsockname()[1]
+    except SourceError as error:
+        return [Finding("port", "broken", str(error), "pointpred serve --port 0 takes any free one")]
+    if free != PORT:
+        return [Finding("port", "good", f"{PORT} is in use; 'pointpred serve' takes {free}")]
+    return [Finding("port", "good", f"{PORT} is free on {LOOPBACK}")]
+
+
+LOOKS = (python, laws, extras, devices, cursor, folders, port)
+"""In the order in which one thing builds on another."""
