@@ -118,7 +118,7 @@ def test_example_2_the_sign_of_u_c1() -> None:
     """What f1 adds to d/dt of e'Pe is -2 e'U C1 (f1(Pi w) - f1(Pi z)), found here by switching f1 off."""
     reactor, gain = Bioreactor(), (0.3, 0.7)
     p = np.array([[2.0, 0.5], [0.5, 1.0]])
-    w, z = np.array([0.5, 6.0]), np.array([0.45, 7.0])
+    w, z = np.array([0.5, 6.0]), np.array([0.3, 9.0])
     x = (reactor.printed_map @ np.append(w, 12.7))[:2]
     states = np.concatenate([x, w, z])
 
