@@ -11,7 +11,7 @@ import pytest
 from pointpred.columns import EventColumns
 from pointpred.sources.evdev_frames import Frames, frames
 from tests.devices import evdev_mice
-from tests.devices.evdev_mice import PLAIN, Mouse, Reader, described, events_of, plug, unplug
+from tests.devices.evdev_mice import Mouse, Reader, described, events_of, plug, unplug
 from tests.devices.umockdev import Testbed
 
 pytestmark = pytest.mark.recordings
@@ -89,7 +89,7 @@ def test_at_the_recording_s_own_pace_the_stamps_are_the_recording_s(
     assert len(told_rows) > 80
     assert told["clock_steps"] == 0
     off = told_rows[:, 0] - told_rows[0, 0] - (wanted.t - wanted.t[0])
-    assert (np.abs(np.diff(off)) < 1e-9).mean() > 0.8  # elsewhere the difference of the clocks was made smaller
+    assert (np.abs(np.diff(off)) < 1e-9).mean() > 0.8  # else the clocks' difference shrank
     assert (np.diff(off) < 1e-9).all()
     assert told_rows[:, 1:] == pytest.approx(wanted.table[:, 3:6], abs=0)
 
@@ -100,7 +100,7 @@ def test_unplugged_in_the_middle_it_waits_and_goes_on(testbed: Testbed, recordin
     half = next(i for i in range(len(events) // 2, len(events)) if events[i][2:4] == (0, 0)) + 1
     first, second = (expected(path, part) for part in (events[:half], events[half:]))
     node = plug(testbed, 3, mouse)
-    twin = plug(testbed, 4, PLAIN)
+    twin = plug(testbed, 4, mouse)
     with Reader(testbed, node) as reader:
         reader.ask()
         press = [(*events[0][:2], 1, 0x110, 1), (*events[0][:2], 0, 0, 0)]
@@ -115,7 +115,7 @@ def test_unplugged_in_the_middle_it_waits_and_goes_on(testbed: Testbed, recordin
         back = reader.ask(plugged=True)
         assert (back["plugged"], back["path"]) == (True, again)
         evdev_mice.write(testbed, again, events[half:])
-        evdev_mice.write(testbed, twin, events[:9])  # another mouse is not ours
+        evdev_mice.write(testbed, twin, events[:9])  # its twin stayed where it was
         rows = reader.ask(reports=len(second))["reports"]
     assert [row[1:4] for row in rows] == second.table[:, 3:6].tolist()
     assert rows[0][0] >= gone["reports"][0][0]
