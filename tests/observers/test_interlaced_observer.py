@@ -226,3 +226,16 @@ def test_an_observer_needs_linear_outputs_and_numbers(observer: InterlacedObserv
         InterlacedObserver(eight(), observer.certificate, gap_s=0.0)
     with pytest.raises(ParameterError, match="start has shape"):
         InterlacedObserver(eight(), observer.certificate, start=[1.0])
+
+
+@pytest.mark.parametrize("row", [[1.0, 0.0], [1.0, 1.0]], ids=["example 8", "example 9"])
+def test_another_solver_finds_the_same_least_trace(row: list[float]) -> None:
+    pytest.importorskip("cvxopt")
+
+    def least(solver: str) -> float:
+        problem = inequalities(A, [row]).above("Q - rate P", lambda v: v.Q - 0.5 * v.P)
+        solution = problem.solve(minimise=lambda v: np.trace(v.P) + np.trace(v.Gamma), solver=solver)
+        assert solution.objective is not None
+        return solution.objective
+
+    assert least("CVXOPT") == pytest.approx(least("CLARABEL"), rel=1e-5)
