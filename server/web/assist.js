@@ -22,6 +22,7 @@ let cursor = null;
 let added = 0;
 let helpedAt = -Infinity;
 let kind = "unknown";
+let asked = null; // what the form asked for when its numbers could last be used
 let why = ""; // why the mouse is given back, where it was not the person's wish
 
 const lock = new Lock(canvas, { moved, pressed, taken, given });
@@ -43,7 +44,8 @@ function wishes() {
 
 async function start(event) {
   event.preventDefault();
-  if (wishes() === null || lock.held) return;
+  asked = wishes();
+  if (asked === null || lock.held) return;
   why = "";
   try {
     kind = await lock.take();
@@ -55,7 +57,7 @@ async function start(event) {
 
 /** The mouse is ours: the field's middle, a session, a target. */
 function taken() {
-  const { cpi, gain, strength } = wishes();
+  const { cpi, gain, strength } = asked;
   const size = [canvas.clientWidth, canvas.clientHeight];
   cursor ??= size.map((each) => Math.round(each / 2));
   cursor = cursor.map((each, axis) => Math.min(each, size[axis] - 1));
@@ -69,7 +71,8 @@ function taken() {
 }
 
 function next() {
-  const { gain, strength, alternate } = wishes();
+  asked = wishes() ?? asked; // the keyboard can still change them
+  const { gain, strength, alternate } = asked;
   task.next(cursor, [canvas.clientWidth, canvas.clientHeight], !alternate);
   track.connection.configure({ assist: { strength: task.helped ? strength : 0, gain } });
 }
