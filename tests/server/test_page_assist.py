@@ -39,16 +39,21 @@ def url() -> Iterator[str]:
         yield address
 
 
-@pytest.fixture
-def visitor(tmp_path_factory: pytest.TempPathFactory, url: str) -> Iterator[Visitor]:
-    """Somebody who has opened the view; nothing complains, nothing shifts."""
+@pytest.fixture(scope="module")
+def one(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
     with page_browser.visitor(tmp_path_factory.mktemp("profile")) as opened:
         opened.page.call("Page.addScriptToEvaluateOnNewDocument", source=HEARD)
-        opened.open(f"{url}#assist")
-        opened.wait("!document.querySelector('#assist-take').disabled")
         yield opened
-        assert opened.complaints() == []
-        assert opened.shift() < 0.001
+
+
+@pytest.fixture
+def visitor(one: Visitor, url: str) -> Iterator[Visitor]:
+    """Somebody who has opened the view; nothing complains, nothing shifts."""
+    one.open(f"{url}#assist")
+    one.wait("!document.querySelector('#assist-take').disabled")
+    yield one
+    assert one.complaints() == []
+    assert one.shift() < 0.001
 
 
 def lend(visitor: Visitor) -> tuple[float, float]:
@@ -148,12 +153,28 @@ def test_wrong_numbers_are_named_and_nothing_is_lent(visitor: Visitor) -> None:
 
 
 def test_a_browser_without_pointer_lock_is_told_so(visitor: Visitor, url: str) -> None:
-    visitor.page.call(
-        "Page.addScriptToEvaluateOnNewDocument", source="delete Element.prototype.requestPointerLock;"
-    )
+    without = "delete Element.prototype.requestPointerLock;"
+    script = visitor.page.call("Page.addScriptToEvaluateOnNewDocument", source=without)
     visitor.open(f"{url}#assist")
+    visitor.page.call("Page.removeScriptToEvaluateOnNewDocument", identifier=script["identifier"])
     visitor.wait("document.querySelector('#assist-said').textContent.includes('cannot lend its mouse')")
     assert visitor.value("document.querySelector('#assist-take').disabled")
+
+
+def test_raw_counts_are_asked_for_and_what_came_is_said(visitor: Visitor) -> None:
+    """The browser of the tests has no raw counts; in its place one that says it has."""
+    lend(visitor)
+    assert "your system has accelerated" in visitor.text("#assist-said")
+    visitor.press("Escape")
+    visitor.wait(f"!({HELD})")
+    visitor.value("""{ const plain = Element.prototype.requestPointerLock;
+      Element.prototype.requestPointerLock = function (options) {
+        window.wished = options;
+        return plain.call(this);
+      }; }""")
+    lend(visitor)
+    assert visitor.value("wished.unadjustedMovement") is True
+    visitor.wait("document.querySelector('#assist-said').textContent.includes('Counts come raw')")
 
 
 def test_a_service_that_goes_away_gives_the_mouse_back(tmp_path_factory: pytest.TempPathFactory) -> None:
