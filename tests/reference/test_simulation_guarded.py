@@ -7,7 +7,7 @@ import pytest
 
 from pointpred import build
 from pointpred.errors import ParameterError
-from pointpred.simulation import Aim, Claim, Guard, Person, Setup, move_guarded
+from pointpred.simulation import Aim, Claim, Guard, Person, Setup, guarded, move_guarded, movement, slots
 from pointpred.simulation.movement import Movement, move
 from pointpred.transfer import ConstantGain, GuardedTransfer, PixelTransfer
 
@@ -59,6 +59,16 @@ def test_the_pixels_of_the_loop_are_those_of_the_stage(claim: Claim) -> None:
         _, moved_x, moved_y, _, _ = stage.advance(i * H, float(dx), float(dy), told)
         x, y = x + moved_x, y + moved_y
         assert (x, y) == (made.table[i, 1], made.table[i, 2]), i
+
+
+def test_the_eyes_are_given_the_helped_cursor() -> None:
+    memory, chance = movement.prepare(person(), SETUP, AIM, np.random.default_rng(5))
+    held = Guard().memory()
+    for tick, (noise_x, noise_y, late_s, _, _) in enumerate(chance[:800].tolist(), start=1):
+        made = guarded.step(memory, held, noise_x, noise_y, late_s, AIM.x, AIM.y, 4.0, 0.0, 4.0)
+        row = slots.RING + slots.RING_SLOTS * (tick % slots.RING_ROWS)
+        assert (memory[row], memory[row + 1]) == made[1:3]
+    assert np.hypot(made[1], made[2]) > 100.0
 
 
 def test_the_cursor_never_moves_against_the_hand_in_the_loop() -> None:
