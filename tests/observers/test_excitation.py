@@ -53,6 +53,7 @@ def test_a_signal_on_lines_is_integrated_exactly_however_it_is_sampled(seed: int
     assert whole.level == pytest.approx(max(float(np.linalg.eigvalsh(total)[0]), 0.0), rel=1e-3, abs=1e-6)
 
 
+@settings(max_examples=40)
 @given(seed=SEEDS, count=st.integers(1, 30), window=st.integers(1, 30))
 def test_the_discrete_level_is_that_of_brute_force(seed: int, count: int, window: int) -> None:
     random = np.random.default_rng(seed)
@@ -66,6 +67,7 @@ def test_the_discrete_level_is_that_of_brute_force(seed: int, count: int, window
     assert weakest @ sums[int(found.at)] @ weakest == pytest.approx(least.min(), abs=1e-12)
 
 
+@settings(max_examples=25)
 @given(seed=SEEDS)
 def test_what_stays_in_a_plane_is_not_excited_and_the_direction_says_where(seed: int) -> None:
     random = np.random.default_rng(seed)
@@ -79,6 +81,7 @@ def test_what_stays_in_a_plane_is_not_excited_and_the_direction_says_where(seed:
     assert abs(float(np.array(found.direction) @ normal)) == pytest.approx(1.0, abs=1e-6)
 
 
+@settings(max_examples=25)
 @given(seed=SEEDS)
 def test_a_fixed_combination_is_not_independent_and_another_frequency_is(seed: int) -> None:
     random = np.random.default_rng(seed)

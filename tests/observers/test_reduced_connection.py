@@ -82,7 +82,7 @@ def test_the_observer_stays_on_the_invariant_solution(seed: int, through: bool) 
         )
 
 
-@settings(max_examples=10)
+@settings(max_examples=6)
 @given(seed=SEEDS)
 def test_matrices_that_vary_with_time_keep_it_invariant(seed: int) -> None:
     random = np.random.default_rng(seed)
@@ -111,7 +111,7 @@ def test_matrices_that_vary_with_time_keep_it_invariant(seed: int) -> None:
 
     x = random.standard_normal(3)
     states = simulate(
-        slope, np.concatenate([x, z(0.0) @ x]), [0.0, 0.25, 0.5], integrator="scipy", tolerance=1e-12
+        slope, np.concatenate([x, z(0.0) @ x]), [0.0, 0.25, 0.5], integrator="scipy", tolerance=1e-11
     )
     for t, state in zip([0.0, 0.25, 0.5], states, strict=True):
         growth = max(1.0, float(np.abs(states).max()), float(np.exp(np.abs(observer.at(t).S0).max() * 0.5)))

@@ -64,6 +64,7 @@ def test_it_follows_its_differential_equation_to_second_order(outputs: int) -> N
     assert errors[1] / errors[2] == pytest.approx(4.0, rel=0.1)
 
 
+@settings(max_examples=40)
 @given(seed=SEEDS, exponent=st.floats(-3.0, 12.0))
 def test_without_noise_no_gain_makes_the_error_grow(seed: int, exponent: float) -> None:
     random = np.random.default_rng(seed)
@@ -78,6 +79,7 @@ def test_without_noise_no_gain_makes_the_error_grow(seed: int, exponent: float) 
         size = float(error @ weight @ error)
 
 
+@settings(max_examples=40)
 @given(seed=SEEDS, outputs=st.integers(1, 3))
 def test_the_discrete_law_is_the_printed_recursion(seed: int, outputs: int) -> None:
     random = np.random.default_rng(seed)
