@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
-from scipy.linalg import expm
+from scipy.linalg import eigh, expm
 
 from pointpred.errors import (
     CertificateError,
@@ -107,6 +107,8 @@ def test_the_printed_bound_is_exceeded_and_the_corrected_one_holds() -> None:
         assert rest <= found.noise_gain <= corrected + 1e-12
         assert found.overshoot == pytest.approx(np.sqrt(eigen[1] / eigen[0]))
         assert found.rate >= 0.5 * 0.206 / eigen[1] - 1e-12
+        assert found.rate == pytest.approx(0.5 * eigh(printed["Q"], p, eigvals_only=True)[0])
+        assert found.noise_gain == pytest.approx(np.sqrt(1.03 / (2.0 * found.rate * eigen[0])))
     assert rest > printed_gain
 
 
@@ -145,6 +147,14 @@ def test_it_follows_the_differential_equation_between_irregular_samples(observer
         span = (t[i - 1], t[i])
         answer = solve_ivp(motion, span, rows[i - 1], method="DOP853", rtol=1e-12, atol=1e-13)
         assert rows[i] == pytest.approx(answer.y[:, -1], abs=1e-10)
+
+
+def test_a_rise_from_nothing_is_seen_at_once(observer: InterlacedObserver) -> None:
+    """At rest with y = 0 the first derivative is zero, the second is not."""
+    stage, h = observer.fresh(), 0.01
+    stage.update(0.0, 0.0)
+    expected = observer.certificate.L[:, 0] * h / 2
+    assert np.array(stage.update(1.0, h).w) == pytest.approx(expected, rel=2 * h)
 
 
 def test_the_maps_are_those_of_sympy(observer: InterlacedObserver) -> None:
