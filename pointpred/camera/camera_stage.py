@@ -107,7 +107,7 @@ def _numbers(sample: CameraSample) -> tuple[float, ...]:
         raise EventError(f"a sample must be a CameraSample, received {sample!r:.80}") from missing
     paired = (raw[1] is None) == (raw[2] is None) and raw[1] == raw[1] and raw[2] == raw[2]
     if paired and set(map(type, raw)) <= PLAIN:
-        return tuple([NONE if value is None else value for value in raw])
+        return raw if raw[1] is not None else (raw[0], NONE, NONE, *raw[3:])
     for name, value in zip(CameraColumns.names, raw, strict=True):
         if not (is_number(value) and value == value) and not (value is None and name in "xy"):
             raise EventError(f"{name} must be a number, received {value!r}")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+from typing import Self
 
 import msgspec
 import numpy as np
@@ -75,6 +76,12 @@ class CameraPipeline:
         """Forget every sample."""
         for stage in (self.observer, self.peer, self.unknown):
             stage.reset()
+
+    def fresh(self) -> Self:
+        """The same parameters, without memory."""
+        twin = copy.deepcopy(self)
+        twin.reset()
+        return twin
 
     def update(self, sample: CameraSample, /) -> CameraEstimate:
         """Consume one sample; a refused one changes nothing."""

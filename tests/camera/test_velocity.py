@@ -158,6 +158,7 @@ def test_the_pipeline_refuses_as_a_whole(truth: Trajectory) -> None:
     with pytest.raises(EventOrderError, match="row 20: t must increase"):
         stage.run(CameraColumns(table))
     whole = stage.run(samples).table
+    assert np.array_equal(stage.fresh().run(samples).table, whole, equal_nan=True)
     stage.reset()
     assert np.array_equal(stage.run(samples).table, whole, equal_nan=True)
     kept = stage.observer.remembered(), stage.peer.remembered()
