@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 import pytest
 
-from pointpred import EventColumns, build, run
+from pointpred import EventColumns, PointerEvent, build, run
 from pointpred.devices.gauges import Delays, Pace
 from pointpred.devices.paths import MotorPath, TransferPath
 from pointpred.devices.sessions import LiveSession, Pair
@@ -90,6 +90,21 @@ def test_delays_run_from_the_stamp_to_the_prediction() -> None:
     assert session.delays.longest == pytest.approx(0.3)
     assert state.delay_p99_s == pytest.approx(0.3)
     assert state.delay_p50_s == pytest.approx(0.25, rel=0.05)
+
+
+def test_a_place_that_is_corrected_later_is_no_late_prediction() -> None:
+    class Corrected(MotorPath):
+        def events(self, reports: Sequence[Report]) -> list[PointerEvent]:
+            return super().events(reports) or [PointerEvent(10.0, 7.0, 0.0, 0.0, 0.0)]
+
+    moments = iter([10.0, 10.001, 12.0, 12.0])
+    session = LiveSession(
+        FakeMouse([Report(10.0, 1, 0)]), Corrected(), build("hold"), clock=lambda: next(moments)
+    )
+    session.advance(0.0)
+    ((event, prediction),) = session.advance(0.0)
+    assert (event.x, prediction and prediction.x) == (7.0, 7.0)
+    assert (session.delays.count, session.delays.longest) == (1, pytest.approx(0.001))
 
 
 def test_stamps_of_another_clock_give_no_delays() -> None:

@@ -84,6 +84,9 @@ def test_where_nothing_is_attached_it_is_404_with_what_to_do_next() -> None:
         asked = get(f"{here.url}/v1/live").json()
         assert asked["attached"] is None
         assert asked["message"] == told["message"]
+        with pytest.raises(InvalidStatus) as foreign:
+            look(here, origin="https://elsewhere.example")
+        assert foreign.value.response.status_code == 403  # what is here is no other site's business
 
 
 def test_http_says_what_is_attached() -> None:
