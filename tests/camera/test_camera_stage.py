@@ -122,3 +122,25 @@ def test_compiled_laws_agree_with_plain_python(tmp_path: Path) -> None:
         np.testing.assert_allclose(track.covariance, plain["covariance"], rtol=1e-6, atol=1e-12)
         d = UnknownInputs("kalman-two-state", focal_px=FOCAL).run(samples, depth.eta)
         np.testing.assert_allclose(d, plain["d"], rtol=1e-10, atol=1e-12)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_wild_samples_within_the_bounds_leave_a_memory_of_finite_numbers(seed: int) -> None:
+    from pointpred.camera import PointFilter
+
+    random = np.random.default_rng(seed)
+    rows = 3000
+    table = np.zeros((rows, 9))
+    table[:, 0] = np.cumsum(random.choice([1e-6, 0.01, 0.9], rows))
+    table[:, 1:3] = random.choice([0.0, 1.0, -300.0, 1e6], (rows, 2)) * random.normal(size=(rows, 2)).clip(
+        -1, 1
+    )
+    table[random.uniform(size=rows) < 0.2, 1:3] = np.nan
+    table[:, 3:6] = random.choice([0.0, 0.1, 1e3], (rows, 3)) * random.uniform(-1.0, 1.0, (rows, 3))
+    table[:, 6:9] = random.choice([0.0, 0.1, 1e4], (rows, 3)) * random.uniform(-1.0, 1.0, (rows, 3))
+    for stage in (observer(), PointFilter(focal_px=FOCAL, gyro_noise=1.0, accel_noise=10.0)):
+        out = stage.run(CameraColumns(table))
+        memory = np.frombuffer(stage.remembered())
+        assert np.isfinite(memory).all()
+        answers = out.table if hasattr(out, "table") else out.state
+        assert not np.isinf(answers).any()
