@@ -231,7 +231,8 @@ class ErrorMessage(Struct, tag="error"):
 
 ServerMessage = Welcome | PredictionMessage | Cursor | Choice | TargetsTaken | Score | ErrorMessage | Bye
 
-encode = msgspec.json.Encoder().encode
+# Laws that run as plain Python answer in numpy's floats.
+encode = msgspec.json.Encoder(enc_hook=float).encode
 
 
 def schemas() -> tuple[dict[str, Any], dict[str, Any]]:

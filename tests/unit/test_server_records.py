@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import json
 import math
 from typing import Any
 
@@ -7,6 +8,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
+from pointpred.server.answers import text_of
 from pointpred.server.records import EVENT, PREDICTION, pack, pack_one, unpack, unpack_one
 from tests.unit import talking
 
@@ -53,3 +55,9 @@ def test_predictions_are_packed_as_struct_says(rows: list[tuple[float, ...]]) ->
 def test_the_records_have_the_sizes_of_the_contract() -> None:
     assert (EVENT.itemsize, PREDICTION.itemsize) == (30, 57)
     assert (talking.EVENT.size, talking.PREDICTION.size) == (30, 57)
+
+
+def test_numbers_of_laws_that_run_as_plain_python_are_said_in_json() -> None:
+    row = (np.float64(0.1), *(np.float64(k) for k in range(1, 7)), 1.0, np.float64("nan"), np.float64("nan"))
+    said = json.loads(text_of(row))
+    assert (said["t"], said["x"], said["region"]["sxx"], said["remaining_s"]) == (0.1, 1.0, 3.0, 6.0)
