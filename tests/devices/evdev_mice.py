@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import ctypes
 import json
 import os
 import re
 import struct
 import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
 from types import TracebackType
@@ -96,11 +96,16 @@ def unplug(bed: Testbed, number: int) -> None:
     bed.remove(above)
 
 
-def play(bed: Testbed, node: str, events: Path) -> None:
-    """Let umockdev play a recording at the pace of its stamps."""
-    function = ctypes.CDLL("libumockdev.so.0").umockdev_testbed_load_evemu_events
-    function.argtypes = [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_char_p, ctypes.c_void_p]
-    assert function(bed._bed, node.encode(), str(events).encode(), None)
+def play(bed: Testbed, node: str, events: list[InputEvent]) -> None:
+    """Let a node report events at the pace of their stamps, never early.
+
+    umockdev's own player cuts every wait to whole milliseconds and reads .067 s as an octal number.
+    """
+    first, start = events[0], time.monotonic()
+    for event in events:
+        late = start + event[0] - first[0] + (event[1] - first[1]) / 1e6 - time.monotonic()
+        time.sleep(max(late, 0.0))
+        write(bed, node, [event])
 
 
 def write(bed: Testbed, node: str, events: list[InputEvent]) -> None:
@@ -108,6 +113,18 @@ def write(bed: Testbed, node: str, events: list[InputEvent]) -> None:
     data, hand = packed(events), bed.hand(node)
     while data:
         data = data[os.write(hand, data[: 64 * EVENT.size]) :]
+
+
+def told(child: subprocess.Popen[str]) -> Any:
+    """The next line of a child, as JSON; one that says nothing for too long is ended."""
+    assert child.stdout
+    end = threading.Timer(2.0 * PATIENCE_S, child.kill)
+    end.start()
+    line = child.stdout.readline()
+    end.cancel()
+    if not line:
+        raise AssertionError(f"the child has ended: {child.communicate()[1]}")
+    return json.loads(line)
 
 
 class Reader:
@@ -119,13 +136,9 @@ class Reader:
     def ask(self, **question: Any) -> Any:
         """The child's answer to one question."""
         assert self._child.stdin
-        assert self._child.stdout
         self._child.stdin.write(json.dumps(question) + "\n")
         self._child.stdin.flush()
-        line = self._child.stdout.readline()
-        if not line:
-            raise AssertionError(self._child.communicate()[1])
-        return json.loads(line)
+        return told(self._child)
 
     def __enter__(self) -> Self:
         return self

@@ -63,15 +63,6 @@ def learn(bed: Testbed, node: str, screen: Screen) -> subprocess.Popen[str]:
     return bed.python(CHILD, node, screen.name)
 
 
-def told(child: subprocess.Popen[str]) -> Any:
-    """The next thing the child says."""
-    assert child.stdout
-    line = child.stdout.readline()
-    if not line:
-        raise AssertionError(child.communicate()[1])
-    return json.loads(line)
-
-
 def child() -> None:
     """Learns, and says how many reports it has seen, until its input ends; then tells what it learnt."""
     import threading

@@ -15,7 +15,7 @@ from pointpred.devices.source import Report
 from pointpred.errors import SourceError
 from pointpred.transfer import ConstantGain, SigmoidGain, TransferLearner
 from tests.devices import live_hand
-from tests.devices.evdev_mice import PLAIN, plug
+from tests.devices.evdev_mice import PLAIN, plug, told
 from tests.devices.screens import HEIGHT, WIDTH, Screen, missing
 from tests.devices.umockdev import Testbed
 
@@ -97,16 +97,16 @@ def test_a_constant_gain_is_learnt_from_a_device_and_a_screen_in_real_time(
     peaks = [0.3, 0.05, 0.2, 0.12, 0.25, 0.08]
     screen.place(*live_hand.START)
     with live_hand.learn(testbed, node, screen) as child:
-        assert live_hand.told(child) == "ready"
+        assert told(child) == "ready"
         for sent in live_hand.work(testbed, node, screen, ConstantGain(4.0), peaks):
-            while live_hand.told(child) < sent:
+            while told(child) < sent:
                 pass
         assert child.stdin
         child.stdin.close()
-        told = live_hand.told(child)
-    assert (told["lost"], told["unpaired"]) == (0, 0)
-    assert told["place"] == told["cursor"]
-    curve = told["curve"]
+        said = told(child)
+    assert (said["lost"], said["unpaired"]) == (0, 0)
+    assert said["place"] == said["cursor"]
+    curve = said["curve"]
     assert curve["excited"][0] < 0.06
     assert curve["excited"][1] > 0.22
     assert curve["gains"] == pytest.approx([4.0] * len(curve["gains"]), rel=0.05)
