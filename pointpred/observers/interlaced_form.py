@@ -38,7 +38,8 @@ def interlaced(
     >>> steady.maps, steady.input
     ((w1/2 - w2/2, w1), -w1/2 + 3*w2/2)
     """
-    if not 0 <= upper < len(system.states):
-        raise ParameterError(f"upper must lie in [0, {len(system.states) - 1}], received {upper!r}")
+    if not isinstance(upper, int) or not 0 <= upper < len(system.states):
+        most = len(system.states) - 1
+        raise ParameterError(f"upper must be a whole number in [0, {most}], received {upper!r}")
     known = {system.states[upper]: first}
     return Solving(system, generator, known, upper=upper, zero=zero, degree=degree, region=region).solve()

@@ -73,6 +73,8 @@ class SymbolicSystem:
     ) -> None:
         self.states, self.field = _fields("system", states, field)
         self.zero, self.zero_field = _fields("zero dynamics", zero, zero_field)
+        if not isinstance(input, symbolic().Symbol):
+            raise ParameterError(f"the input must be a symbol, received {input!r}")
         self.input = input
         self.outputs = tuple(exact(h) for h in outputs)
         named = (*self.states, *self.zero, self.input)

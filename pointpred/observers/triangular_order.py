@@ -37,8 +37,10 @@ class Solving:
         region: Region,
     ) -> None:
         self.system, self.generator, self.region, self.degree = system, generator, region, degree
-        if degree is not None and not 1 <= degree <= HIGHEST_DEGREE:
-            raise ParameterError(f"degree must lie in [1, {HIGHEST_DEGREE}], received {degree!r}")
+        if degree is not None and (not isinstance(degree, int) or not 1 <= degree <= HIGHEST_DEGREE):
+            raise ParameterError(
+                f"degree must be a whole number in [1, {HIGHEST_DEGREE}], received {degree!r}"
+            )
         self.known = {symbol: self._of_generator(symbol, e) for symbol, e in known.items()}
         self.rows = dict(zip(system.states, system.field, strict=True))
         self.up, self.low = list(system.states[:upper])[::-1], list(system.states[upper:])

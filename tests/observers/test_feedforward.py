@@ -176,8 +176,10 @@ def test_what_the_form_does_not_allow_is_refused() -> None:
         feedforward(SymbolicSystem((X1, X2), (X2, X1 + U), U), OSCILLATOR, W1, degree=2)
     with pytest.raises(ParameterError, match="x1' must be zero at the origin, received 1"):
         feedforward(SymbolicSystem((X1,), (1 - X1 + U,), U), OSCILLATOR, W1, degree=2)
-    with pytest.raises(ParameterError, match=r"degree must lie in \[1, 15\], received 0"):
+    with pytest.raises(ParameterError, match=r"degree must be a whole number in \[1, 15\], received 0"):
         feedforward(SymbolicSystem((X1,), (-X1 + U,), U), OSCILLATOR, W1, degree=0)
+    with pytest.raises(ParameterError, match=r"degree must be a whole number in \[1, 15\], received 2\.5"):
+        feedforward(SymbolicSystem((X1,), (-X1 + U,), U), OSCILLATOR, W1, degree=2.5)
     with pytest.raises(ParameterError, match="has no power series that is known here"):
         feedforward(SymbolicSystem((X1,), (-X1 + sp.Abs(U),), U), OSCILLATOR, W1, degree=2)
     with pytest.raises(ParameterError, match="zero must hold 0 maps, received 1"):

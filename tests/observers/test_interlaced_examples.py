@@ -146,5 +146,5 @@ def test_a_system_whose_rows_wait_for_each_other_is_refused() -> None:
     system = SymbolicSystem((X1, X2), (-X1 + X2, U), U)
     with pytest.raises(ParameterError, match="x1' needs a power series: give its degree, received None"):
         interlaced(system, OSCILLATOR, 1, W1)
-    with pytest.raises(ParameterError, match=r"upper must lie in \[0, 1\], received 2"):
+    with pytest.raises(ParameterError, match=r"upper must be a whole number in \[0, 1\], received 2"):
         interlaced(system, OSCILLATOR, 2, W1, degree=2)

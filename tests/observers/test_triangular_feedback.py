@@ -125,6 +125,8 @@ def test_what_is_no_system_is_refused() -> None:
         SymbolicSystem(("x",), (X[1],), U)
     with pytest.raises(ParameterError, match="system needs different symbols"):
         SymbolicSystem((X[0], X[0]), (X[0], X[0]), U)
+    with pytest.raises(ParameterError, match="the input must be a symbol, received 'u'"):
+        SymbolicSystem((X[0],), (X[0],), "u")
     with pytest.raises(ParameterError, match="input need different symbols"):
         SymbolicSystem((X[0],), (X[0],), X[0])
     with pytest.raises(ParameterError, match="w1' must be zero at the origin, received 1"):
