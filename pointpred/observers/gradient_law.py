@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from math import inf
+
 from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law, layout
 from pointpred.regression import gradient
 
 CONTINUOUS, DISCRETE, NORMALISED = 0.0, 1.0, 2.0
 """Kinds of law, as they stand in the memory."""
-TAKEN, BACKWARDS, TOO_STEEP = 0, 1, 2
+TAKEN, BACKWARDS, TOO_STEEP, UNUSABLE = 0, 1, 2, 3
 """What became of a sample."""
 
 # Parameters: unknowns n, outputs p, kind of law, then the start (n) and the gain (n x n). The state
@@ -33,6 +35,15 @@ def known(n: int) -> int:
 def states(n: int, p: int) -> int:
     """Floats of the state."""
     return 2 + n + 2 * width(n, p)
+
+
+@law
+def finite(t: float, sample: FloatArray) -> bool:
+    """Whether a time and every number of a sample are finite."""
+    for i in range(len(sample)):
+        if not abs(sample[i]) < inf:
+            return False
+    return abs(t) < inf
 
 
 @law
@@ -81,6 +92,8 @@ def step(memory: FloatArray, t: float, sample: FloatArray, out: FloatArray) -> i
     state, wide = known(n), width(n, p)
     last = state + 2 + n
     middle = last + wide
+    if not finite(t, sample):
+        return UNUSABLE
     started, h = memory[state] == 1.0, t - memory[state + 1]
     if started and h < 0.0:
         return BACKWARDS

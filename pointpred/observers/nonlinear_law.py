@@ -6,9 +6,9 @@ from math import ceil
 
 from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law, layout
-from pointpred.observers import nonlinearity
+from pointpred.observers import gradient_law, nonlinearity
 
-TAKEN, BACKWARDS, TOO_FAST = 0, 1, 2
+TAKEN, BACKWARDS, TOO_FAST, UNUSABLE = 0, 1, 2, 3
 """What became of a sample."""
 STEPS_MOST = 10_000
 """Bound on the cost of one sample."""
@@ -90,6 +90,8 @@ def step(memory: FloatArray, t: float, sample: FloatArray, out: FloatArray) -> i
     n, r = int(memory[COUNT]), int(memory[OUTPUTS])
     known = START + n
     theta, last = known + 2, known + 2 + n
+    if not gradient_law.finite(t, sample) or not 0.0 <= sample[r * n + r] <= 1.0:
+        return UNUSABLE
     if memory[known] == 1.0:
         dt = t - memory[known + 1]
         if dt < 0.0:

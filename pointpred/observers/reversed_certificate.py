@@ -117,7 +117,8 @@ def certify_convergence(
 
     Assumes one P for all times; where matrices vary, ``times`` are all that is certified, and what
     lies between them is not. Theorem 3.3.2 knows the nonlinearity by its Lipschitz constant only: a
-    steep f is refused although it may help. Of all P the one of least condition is taken.
+    steep f is refused although it may help. Of all P the one of least condition is taken (in discrete
+    time, with a small Gamma).
 
     Parameters: ``decay`` of the error in 1/s (per step in discrete time), > 0, by Xi >= 2 decay P; a
     share of what the slowest corner has where it is not given; ``gamma`` of Theorem 3.3.1 in 1/s, > 0,
@@ -144,15 +145,14 @@ def certify_convergence(
     tried = [share * -slowest for share in SHARES] if decay is None else [decay]
     for rate in tried:
         problem = _problem(connections, observer.plant, rate, gamma or rate, bounds)
-        problem.number("bound").above("bound - P", lambda v: v.bound * np.eye(observer.q) - v.P, strict=False)
         try:
-            solution = problem.solve(minimise=lambda v: v.bound, solver=solver)
+            solution = problem.solve(minimise=_size, solver=solver)
         except InfeasibleError:
             if rate == tried[-1]:
                 raise
             continue
         break
-    values = {name: one for name, one in solution.values.items() if name != "bound"}
+    values = {name: one for name, one in solution.values.items() if name not in ("bound", "noise")}
     if observer.plant.time == "discrete":
         bound = discrete_bound(values["P"], values["Xi"], values["Gamma"], sharp=True)
     else:
@@ -174,6 +174,11 @@ def lipschitz_constant(plant: Persidskii, j: FloatArray) -> float:
 def symmetric(square: FloatArray) -> FloatArray:
     """The symmetric part."""
     return 0.5 * (square + square.T)
+
+
+def _size(v: Any) -> float:
+    """What is minimised: the largest eigenvalues of P and, in discrete time, of Gamma."""
+    return float(v.bound + getattr(v, "noise", 0.0))
 
 
 def _product(one: Connection, f: FloatArray) -> Block:
@@ -206,14 +211,17 @@ def _next(one: Connection, lipschitz: float) -> Block:
 def _problem(
     connections: list[Connection], plant: Persidskii, decay: float, gamma: float, bounds: dict[str, float]
 ) -> MatrixInequalities:
-    """The theorem's inequalities with the decay demanded."""
+    """The theorem's inequalities with the decay demanded, and what is to be small."""
+    identity = np.eye(len(connections[0].S0))
     if plant.time == "discrete":
         problem = theorem_3_3_2(
             connections, [lipschitz_constant(plant, one.J) for one in connections], **bounds
         )
+        problem.number("noise").above("noise - Gamma", lambda v: v.noise * identity - v.Gamma, strict=False)
         share = -expm1(-2.0 * decay)
     else:
         problem, share = theorem_3_3_1(connections, plant.slopes, gamma, **bounds), 2.0 * decay
+    problem.number("bound").above("bound - P", lambda v: v.bound * identity - v.P, strict=False)
     return problem.above("Xi for the decay", lambda v: v.Xi - share * v.P, strict=False)
 
 

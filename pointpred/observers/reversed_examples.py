@@ -69,7 +69,7 @@ def vapours(seed: int = 7, count: int = 125) -> tuple[FloatArray, FloatArray]:
 
     >>> rows, outputs = vapours()
     >>> rows.shape, round(float(np.linalg.cond(rows)), -2)
-    ((125, 4), 600.0)
+    ((125, 4), 500.0)
     """
     random = np.random.default_rng(seed)
     warm = random.uniform(30.0, 90.0, count)

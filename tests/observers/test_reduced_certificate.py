@@ -171,11 +171,16 @@ def test_another_solver_agrees() -> None:
     one = certify_convergence(observer, decay=0.05)
     two = certify_convergence(observer, decay=0.05, solver="CVXOPT")
     assert two.bound.overshoot == pytest.approx(one.bound.overshoot, rel=1e-5)
-    assert design_reduced_order(
-        masses(), PI, decay=0.5, injection=True, solver="CVXOPT"
-    ).Upsilon == pytest.approx(
-        design_reduced_order(masses(), PI, decay=0.5, injection=True).Upsilon, abs=1e-4
+    sampled = design_reduced_order(masses(time="discrete"), PI, decay=0.02, injection=True).observer
+    three, four = (certify_convergence(sampled, decay=0.02, solver=name) for name in ("CLARABEL", "CVXOPT"))
+    assert four.bound.overshoot == pytest.approx(three.bound.overshoot, rel=1e-5)
+    assert four.bound.gains == pytest.approx(three.bound.gains, rel=1e-5)
+    found, other = (
+        design_reduced_order(masses(), PI, decay=0.5, injection=True, solver=name)
+        for name in ("CLARABEL", "CVXOPT")
     )
+    # The least size agrees to 1e-5; where it is reached is flat, to the root of that.
+    assert other.Upsilon == pytest.approx(found.Upsilon, abs=1e-4)
 
 
 def test_matrices_that_vary_are_certified_where_they_are_looked_at() -> None:

@@ -137,6 +137,14 @@ def test_a_table_gives_what_single_samples_give() -> None:
         assert single.update(d[i], y[i], t[i]).tobytes() == table[i].tobytes()
     twin = pickle.loads(pickle.dumps(single))
     assert twin.update(d[0], y[0], 9.0).tobytes() == single.update(d[0], y[0], 9.0).tobytes()
+    spoiled = rows.copy()
+    spoiled[30, 3], spoiled[33, 0] = np.nan, -1.0
+    answers = GradientRegressor(3, outputs=2, gain=2.0).walk(begin, spoiled)
+    assert np.isnan(answers).any(axis=1).nonzero()[0].tolist() == [30, 33]
+    left = GradientRegressor(3, outputs=2, gain=2.0).walk(
+        np.delete(begin, [30, 33]), np.delete(rows, [30, 33], 0)
+    )
+    assert answers[39].tobytes() == left[37].tobytes()
     fresh = single.fresh()
     assert fresh.update(d[0], y[0], t[0]).tolist() == [0.0, 0.0, 0.0]
     plain = getattr(gradient_law.step, "py_func", gradient_law.step)

@@ -67,6 +67,10 @@ def test_a_table_gives_what_single_samples_give_and_refusals_change_nothing() ->
     for row in rows[:25]:
         plain(memory, row[0], row[1:], out)
     assert out == pytest.approx(table[24], abs=1e-12)
+    spoiled = rows.copy()
+    spoiled[10, 1], spoiled[12, 4] = np.inf, 1.5
+    answers = NonlinearRegressor(2, gain=3.0).walk(begin, spoiled)
+    assert np.isnan(answers).any(axis=1).nonzero()[0].tolist() == [10, 12]
     kept = pickle.dumps(single)
     wrong: list[tuple[Any, Any, Any, Any, type, str]] = [
         ([1.0], 0.5, 1.0, 99.0, EventError, r"regressor of shape \(1, 2\)"),
