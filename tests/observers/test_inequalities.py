@@ -116,6 +116,18 @@ def test_the_bound_of_the_margin_holds_for_every_choice(seed: int) -> None:
         assert reached <= bound + 1e-9 or np.linalg.eigvalsh(p).max() > 100.0 or bound >= 1e-2 - 1e-6
 
 
+@given(st.integers(0, 2**32 - 1))
+@settings(max_examples=10)
+def test_the_bound_of_the_margin_is_tight_where_numbers_must_not_be_negative(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    a, e = rng.normal(size=(3, 3)) + np.eye(3), rng.normal(size=(3, 2))
+    problem = lyapunov(a, kappa=100.0).diagonal("D", 2).number("g")
+    problem.below("damped", lambda v: a.T @ v.P + v.P @ a - v.P + e @ v.D @ e.T + v.g * np.eye(3))
+    answer = run(problem._numbers(None)[0], solver="CLARABEL", margin=None)
+    assert answer.claimed < 1e-3
+    assert answer.claimed - 1e-6 <= answer.bound <= answer.claimed + 1e-4
+
+
 def test_equalities_hold_exactly_and_contradictions_are_found() -> None:
     a = np.array([[-1.0, 2.0], [0.0, -3.0]])
     problem = lyapunov(a).equal("trace P = 5", lambda v: np.trace(v.P) - 5.0)

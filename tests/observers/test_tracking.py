@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred.observers import (
     Generator,
     Persidskii,
+    SectorBounds,
     certify_tracking,
     closed_loop,
     regulator_stage,
@@ -64,6 +66,58 @@ def test_both_functions_of_lyapunov_decay_along_trajectories(seed: int) -> None:
     levels = [lyapunov(one[:2] - one[2:]) for one in both]
     assert (np.diff(levels) < 0.0).all()
     assert levels[-1] < 1e-2 * levels[0]
+
+
+@given(st.integers(0, 2**31))
+@settings(max_examples=10)
+def test_the_blocks_are_what_the_derivative_of_the_lyapunov_function_needs(seed: int) -> None:
+    """Phi as a quadratic form, against V' written from the differential equations."""
+    rng = np.random.default_rng(seed)
+    plant, regulator = pendulum(seed)
+    plant = Persidskii(plant.A0, plant.A1, plant.H, "tanh", plant.B, None, plant.C0, [[0.4]])
+    regulator = Generator(regulator.S0, regulator.S1, None, regulator.G, regulator.L0, regulator.L1)
+    g, h, pi = regulator.beside(plant), plant.H, np.eye(2)
+
+    def some(rows: int) -> Any:
+        half = rng.normal(size=(rows, rows))
+        return half + half.T
+
+    def one(count: int) -> Any:
+        return rng.normal(size=count)
+
+    first = theorem_3_2_2(plant, regulator, pi)
+    v = SimpleNamespace(P=some(2), Gamma=some(2), Xi=some(2), Omega=some(1), Lambda=some(1))
+    w, f, dz, dw = one(2), one(1), one(2), one(2)
+    speed = (g.S0 + g.G @ plant.C0) @ w + (g.S1 + g.G @ plant.C1) @ f + dz + dw
+    change = 2.0 * w @ v.P @ speed + 2.0 * f @ v.Lambda @ h @ speed
+    left = change + w @ v.Xi @ w + 2.0 * w @ h.T @ v.Omega @ f - dz @ v.Gamma @ dz - dw @ v.Gamma @ dw
+    form = np.concatenate([w, f, dz, dw])
+    assert form @ first.blocks["Phi"](v) @ form == pytest.approx(left)
+
+    numbers = {name: some(1) for name in ("Lambda", "Omega1", "Omega2", "Upsilon")}
+    sector = SectorBounds(some(2), some(2), *(some(1) for _ in range(4)))
+    second = theorem_3_2_3(plant, regulator, pi, sector)
+    v = SimpleNamespace(
+        P=some(2), Gamma=some(2), Xi=some(2), gamma1=rng.normal(), gamma2=rng.normal(), **numbers
+    )
+    z, f, delta, d = one(2), one(1), one(1), one(2)
+    speed = (plant.A0 - g.G @ plant.C0) @ z + (plant.A1 - g.G @ plant.C1) @ delta + d
+    change = 2.0 * z @ v.P @ speed + 2.0 * f @ v.Lambda @ h @ speed
+    left = (
+        change
+        + z @ v.Xi @ z
+        + 2.0 * z @ h.T @ (v.Omega1 @ f + v.Omega2 @ delta)
+        + 2.0 * f @ v.Upsilon @ delta
+    )
+    left += -v.gamma1 * f @ f - v.gamma2 * delta @ delta - d @ v.Gamma @ d
+    form = np.concatenate([z, f, delta, d])
+    assert form @ second.blocks["Phi"](v) @ form == pytest.approx(left)
+    r1 = v.Xi - v.gamma1 * sector.Sigma1 - v.gamma2 * sector.Psi1
+    r2 = v.Omega1 - v.gamma1 * sector.Sigma2 - v.gamma2 * sector.Psi2
+    r3, r4 = v.Omega2 - v.gamma1 * sector.Sigma3, v.Upsilon - v.gamma1 * sector.Sigma4
+    whole = r1 + h.T @ (r2 + r3) @ h
+    for name, expected in (("R1", r1), ("R2", r2), ("R3", r3), ("R4", r4), ("R1 + H'(R2 + R3) H", whole)):
+        assert np.allclose(second.blocks[name](v), -expected), name
 
 
 def test_the_regulator_as_a_stage_closes_the_loop() -> None:
