@@ -63,8 +63,7 @@ class LiveFeed:
 
     def take(self, pairs: Sequence[Pair]) -> None:
         """Put aside what the session made; a ``Watcher``. Does not wait."""
-        loop = self._loop
-        if loop is None or not self._viewers or not pairs:
+        if self._loop is None or not self._viewers or not pairs:
             return
         with self._lock:
             self._waiting.extend(pairs)
@@ -73,10 +72,7 @@ class LiveFeed:
                 self.skipped += 1
             call, self._due = not self._due, True
         if call:
-            try:
-                loop.call_soon_threadsafe(self._plan)
-            except RuntimeError:  # the loop has ended: so has everybody who looked on
-                self._loop = None
+            self._soon(self._plan)
 
     def end(self, why: str) -> None:
         """The session has failed: say so and close; on the event loop."""
@@ -86,8 +82,16 @@ class LiveFeed:
 
     def fail(self, why: str) -> None:
         """``end`` from the device's thread."""
-        if self._loop is not None:
-            self._loop.call_soon_threadsafe(self.end, why)
+        self._soon(self.end, why)
+
+    def _soon(self, call: Callable[..., None], *about: str) -> None:
+        """Have something called on the event loop."""
+        if self._loop is None:
+            return
+        try:
+            self._loop.call_soon_threadsafe(call, *about)
+        except RuntimeError:  # the loop has ended, and with it everybody who looked on
+            self._loop = None
 
     def _plan(self) -> None:
         loop = asyncio.get_running_loop()

@@ -181,6 +181,15 @@ def test_a_late_event_loop_leaves_out_the_oldest_and_counts_them() -> None:
     assert made.feed.skipped == sent - MOST_WAITING
 
 
+def test_a_device_outlives_the_service_it_was_shown_by() -> None:
+    with attached() as (here, made), look(here) as socket:
+        hear(socket, "status")
+    made.feed._viewers[object()] = lambda: None  # type: ignore[index]
+    made.move(1.0)
+    made.feed.fail("nobody hears it")
+    assert made.session.reports == made.move(2.0) * 2
+
+
 def test_the_curve_is_said_when_it_is_new() -> None:
     with attached() as (here, made):
         made.feed.curve = Curve("identified", TransferLearner(cpi=800.0).curve())
