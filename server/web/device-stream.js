@@ -22,7 +22,9 @@ export class DeviceStream {
   close() {
     this.state = "closed";
     clearTimeout(this.#retry);
-    this.#socket?.close();
+    const socket = this.#socket;
+    if (socket?.readyState === WebSocket.CONNECTING) socket.addEventListener("open", () => socket.close()); // sooner, a browser complains
+    else socket?.close();
   }
 
   #open() {
@@ -32,6 +34,7 @@ export class DeviceStream {
     const socket = new WebSocket(address, "pointpred.v1");
     this.#socket = socket;
     socket.addEventListener("open", () => {
+      if (this.state === "closed") return;
       this.#tries = 0;
       this.#become("open");
     });

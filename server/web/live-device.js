@@ -9,6 +9,7 @@ import { GainCurve } from "./gain-curve.js";
 
 const TRAIL_S = 2;
 const THIN_S = 0.004; // a trail needs no more points than that, however fast the device is
+const MOST_POINTS = 2000;
 const FRESH_MS = 200;
 const SHOWN_MS = 1500;
 const NUMBERS_MS = 120;
@@ -45,6 +46,7 @@ const told = {
       if (trail.length > 1 && t - trail[trail.length - 2][0] < THIN_S) trail.pop();
       trail.push([t, x, y]);
     }
+    trail.splice(0, trail.length - MOST_POINTS); // nothing else shortens it while the page is hidden
     canvas.dataset.events = Number(canvas.dataset.events ?? 0) + events.length;
   },
   prediction: (message) => {

@@ -187,7 +187,7 @@ def test_a_device_outlives_the_service_it_was_shown_by() -> None:
     made.feed._viewers[object()] = lambda: None  # type: ignore[index]
     made.move(1.0)
     made.feed.fail("nobody hears it")
-    assert made.session.reports == made.move(2.0) * 2
+    assert made.move(2.0) * 2 == made.session.reports
 
 
 def test_the_curve_is_said_when_it_is_new() -> None:

@@ -101,6 +101,22 @@ def test_losses_and_an_unplugged_device_are_told(
     visitor.wait(f"{SAID} === 'Attached.'")
 
 
+def test_another_view_lets_it_go_and_coming_back_finds_it(
+    visitor: Visitor, service: tuple[Running, Attachment]
+) -> None:
+    viewers = service[1].feed._viewers
+    for _ in range(3):
+        visitor.value("document.getElementById('tab-replay').click()")
+        until(lambda: not viewers, "nobody to look on")
+        visitor.value("document.getElementById('tab-live').click()")
+        visitor.value("new Promise((done) => setTimeout(done, 1))")  # a socket may be on its way
+    until(lambda: len(viewers) == 1, "somebody to look on")
+    before = visitor.value(EVENTS)
+    play(service[1], (300.0, 100.0), 0.1)
+    visitor.wait(f"{EVENTS} > {before}")
+    until(lambda: len(viewers) == 1, "one viewer, however often the view was opened")
+
+
 def test_keys_lead_to_it(visitor: Visitor) -> None:
     for _ in range(8):
         visitor.press("Tab")
