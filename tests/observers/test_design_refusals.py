@@ -1,0 +1,79 @@
+"""Designs that are refused, each with its reason."""
+
+from __future__ import annotations
+
+import sys
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pointpred.errors import InfeasibleError, ParameterError
+from pointpred.observers import (
+    Generator,
+    Persidskii,
+    design_observer,
+    undetectable,
+)
+
+
+@given(st.integers(0, 2**31), st.sampled_from(["continuous", "discrete"]))
+@settings(max_examples=25)
+def test_undetectable_modes_are_those_of_the_hidden_block(seed: int, time: str) -> None:
+    rng = np.random.default_rng(seed)
+    seen, hidden = rng.normal(size=(2, 2)), np.array([[0.9, 0.7], [-0.7, 0.9]])
+    whole = np.block([[seen, np.zeros((2, 2))], [rng.normal(size=(2, 2)), hidden]])
+    turn = np.linalg.qr(rng.normal(size=(4, 4)))[0]
+    c = np.array([[1.0, 0.4, 0.0, 0.0]])
+    found = undetectable(turn @ whole @ turn.T, c @ turn.T, time)
+    assert sorted(one.imag for one in found) == pytest.approx([-0.7, 0.7], abs=1e-6)
+    assert undetectable(turn @ whole @ turn.T, np.eye(4), time) == []
+
+
+@pytest.mark.parametrize(
+    ("s0", "told"),
+    [
+        (
+            [[1.0, 0.0], [0.0, -2.0]],
+            r"\(S0, C0 Pi\) is not detectable: the mode of the eigenvalue 1 never shows",
+        ),
+        ([[0.0, 3.0], [-3.0, 0.0]], r"the mode of the eigenvalue 0[+-]3j never shows"),
+    ],
+)
+def test_a_hidden_mode_is_named_before_any_solver(
+    s0: Any, told: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "cvxpy", None)
+    plant = Persidskii(s0, None, None, "sin", C0=[0.0, 0.0])
+    with pytest.raises(InfeasibleError, match=told):
+        design_observer(plant, Generator(s0), np.eye(2))
+
+
+def test_infeasible_is_said_where_no_single_gain_serves_all_slopes() -> None:
+    # Each corner is detectable alone; f swaps the sign with which the state shows in the output.
+    plant = Persidskii([[1.0]], [[0.0]], [[1.0]], "sin", C1=[[1.0]])
+    with pytest.raises(InfeasibleError, match="no choice reaches more than"):
+        design_observer(plant, Generator([[1.0]], [[0.0]]), [[1.0]])
+
+
+@pytest.mark.parametrize(
+    ("plant", "pi", "told"),
+    [
+        (Persidskii([[-1.0]], [1.0], [1.0], "cube", C0=[1.0]), [[1.0]], "a design needs bounded slopes"),
+        (Persidskii([[-1.0]], [1.0], [1.0], np.sin, C0=[1.0]), [[1.0]], "a design needs slopes"),
+        (Persidskii(lambda t: [[-1.0]], [1.0], [1.0], "sin", C0=[1.0]), [[1.0]], "A0 vary: use plant.at"),
+        (Persidskii([[-1.0]], [1.0], [1.0], "sin", C0=[1.0]), [[1.0, 2.0]], r"Pi has shape \(1, 2\)"),
+        (Persidskii([[-1.0]], [1.0], [1.0], "sin", C0=[1.0]), [[2.0]], "J must be H Pi, differs by 1"),
+        (
+            Persidskii([[-1.0]], np.ones((1, 9)), np.ones((9, 1)), "sin", C0=[1.0]),
+            [[1.0]],
+            "at most 8 components",
+        ),
+    ],
+)
+def test_designs_that_cannot_start(plant: Persidskii, pi: Any, told: str) -> None:
+    generator = Generator([[-1.0]], np.ones((1, plant.k)), J=np.ones((plant.r, 1)))
+    with pytest.raises(ParameterError, match=told):
+        design_observer(plant, generator, pi)
