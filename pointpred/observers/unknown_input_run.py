@@ -4,17 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from math import ceil, isfinite
-from typing import TYPE_CHECKING, Self
+from typing import Protocol, Self
 
 import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import EventError, EventOrderError, ParameterError
-from pointpred.observers.unknown_input_system import Point
-
-if TYPE_CHECKING:
-    from pointpred.observers.unknown_input import UnknownInputObserver
+from pointpred.observers.boxes import Box
+from pointpred.observers.unknown_input_system import ParameterVaryingSystem, Point
 
 Schedule = Callable[[FloatArray], Point]
 """The scheduling variables at a time as a function of the estimate; what is measured it knows itself."""
@@ -36,6 +34,35 @@ class UnknownInputEstimate(msgspec.Struct, frozen=True):
     t: float
     x: FloatArray
     certified: bool
+
+
+class Design(Protocol):
+    """What is run: an ``UnknownInputObserver``."""
+
+    system: ParameterVaryingSystem
+    box: Box
+
+    @property
+    def reducible(self) -> bool:
+        """Whether the reduced form can run."""
+
+    def begin(self, estimate: FloatArray, point: Point) -> FloatArray:
+        """The z that stands for an estimate."""
+
+    def estimate(self, z: FloatArray, y: FloatArray, point: Point) -> FloatArray:
+        """The estimate that z stands for."""
+
+    def rate(self, z: FloatArray, y: FloatArray, point: Point, known: FloatArray) -> FloatArray:
+        """The rate of z in the full form."""
+
+    def reduce(self, z: FloatArray) -> FloatArray:
+        """The coordinates of the reduced form."""
+
+    def expand(self, reduced: FloatArray) -> FloatArray:
+        """The z of the reduced form's coordinates."""
+
+    def reduced_rate(self, reduced: FloatArray, y: FloatArray, point: Point, known: FloatArray) -> FloatArray:
+        """The rate of the reduced form."""
 
 
 class RunningUnknownInputObserver:
@@ -65,7 +92,7 @@ class RunningUnknownInputObserver:
     (1.0, True)
     """
 
-    def __init__(self, design: UnknownInputObserver, start: FloatArray) -> None:
+    def __init__(self, design: Design, start: FloatArray) -> None:
         self.design = design
         self.start = np.asarray(start, np.float64)
         states = design.system.c.shape[1]
