@@ -28,15 +28,14 @@ from pointpred.observers.reduced_order import ReducedOrderDesign, design_reduced
 from pointpred.observers.regressors import GradientRegressor
 from pointpred.observers.reversed_certificate import Convergence, certify_convergence
 from pointpred.observers.reversed_connection import InvariantObserver, invariant_observer
+from pointpred.observers.sector import SectorBounds, sector_bounds
 from pointpred.observers.simulate import SeededSignal, simulate
 from pointpred.observers.steady_state import SteadyState, residuals, steady_state_map
 from pointpred.observers.takagi_sugeno import TakagiSugeno
 from pointpred.observers.tracking import (
-    SectorBounds,
     TrackingCertificate,
     certify_tracking,
     closed_loop,
-    sector_bounds,
     theorem_3_2_2,
     theorem_3_2_3,
 )

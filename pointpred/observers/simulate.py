@@ -1,4 +1,4 @@
-"""Trajectories of systems and observers, by two independent integrators, with seeded noise and disturbance."""
+"""Trajectories of systems and observers by two independent integrators, with seeded noise."""
 
 from __future__ import annotations
 

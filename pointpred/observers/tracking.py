@@ -13,18 +13,8 @@ from pointpred.observers.generator import Fitted, Generator
 from pointpred.observers.matrices import matrix
 from pointpred.observers.matrix_inequalities import MatrixInequalities, Solution
 from pointpred.observers.persidskii import Persidskii
+from pointpred.observers.sector import SectorBounds, sector_bounds
 from pointpred.observers.steady_state import TOLERANCE, residuals
-
-
-class SectorBounds(msgspec.Struct, frozen=True):
-    """The constants of Assumption 3.2.4: ``Sigma1``, ``Psi1`` (n, n), the others diagonal (k, k)."""
-
-    Sigma1: FloatArray
-    Psi1: FloatArray
-    Sigma2: FloatArray
-    Sigma3: FloatArray
-    Sigma4: FloatArray
-    Psi2: FloatArray
 
 
 class TrackingCertificate(msgspec.Struct, frozen=True):
@@ -37,44 +27,6 @@ class TrackingCertificate(msgspec.Struct, frozen=True):
     error: Solution
     margins: dict[str, float]
     domain: float
-
-
-def sector_bounds(plant: Persidskii, **given: Any) -> SectorBounds:
-    """The constants that slopes of at most b_j imply, Sigma1 = Psi1 = H' diag(b^2) H, or those given.
-
-    Raises ParameterError where slopes are missing, unbounded or negative (Assumption 3.2.5 needs an f that
-    increases), CertificateError where given Sigma1 or Psi1 lie below what the slopes imply; that is
-    sufficient for Assumption 3.2.4 and, with the other constants zero, necessary where the slopes are
-    reached.
-
-    >>> plant = Persidskii(-np.eye(2), [0.0, 1.0], [0.0, 2.0], "tanh")
-    >>> sector_bounds(plant).Sigma1.tolist()
-    [[0.0, 0.0], [0.0, 4.0]]
-    """
-    slopes = np.array(plant.slopes if plant.slopes is not None else [], np.float64).reshape(-1, 2)
-    if len(slopes) != plant.k or not np.isfinite(slopes).all():
-        raise ParameterError(f"Assumption 3.2.4 needs bounded slopes, received {plant.slopes}")
-    if (slopes < 0.0).any():
-        raise ParameterError(
-            f"Assumption 3.2.5 needs an f that increases, received slopes {plant.slopes}: give those of a "
-            "domain on which it does"
-        )
-    least: FloatArray = plant.H.T @ np.diag(slopes[:, 1] ** 2) @ plant.H
-    n, k = plant.n, plant.k
-    shapes = {"Sigma1": n, "Psi1": n, "Sigma2": k, "Sigma3": k, "Sigma4": k, "Psi2": k}
-    if set(given) - set(shapes):
-        raise ParameterError(f"the constants are {', '.join(shapes)}, received {', '.join(given)}")
-    default = {"Sigma1": least, "Psi1": least}
-    found = {
-        name: matrix(name, given[name], size, size) if name in given else default.get(name, np.zeros((k, k)))
-        for name, size in shapes.items()
-    }
-    for name in ("Sigma1", "Psi1"):
-        below = float(np.linalg.eigvalsh(found[name] - least).min())
-        if below < -1e-9 * max(1.0, float(np.abs(least).max(initial=0.0))):
-            told = f"{name} - H' diag(b^2) H has the eigenvalue {below:.6g}, must be >= 0"
-            raise CertificateError(f"Assumption 3.2.4: {told}")
-    return SectorBounds(**found)
 
 
 def theorem_3_2_2(
