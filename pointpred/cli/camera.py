@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from pointpred.cli.screen import check_target, counted, remarks, write_json
+from pointpred.cli.screen import check_target, check_targets, counted, remarks, write_json
 from pointpred.errors import ParameterError
 
 app = typer.Typer(
@@ -51,6 +51,7 @@ def simulate(
 
     if scenario not in SCENARIOS:
         raise ParameterError(f"--scenario must be one of {', '.join(SCENARIOS)}, received {scenario!r}")
+    check_target(out)
     targets = (out, out.with_name(f"{out.stem}_truth{out.suffix}"))
     for target in targets:
         check_target(target)
@@ -104,8 +105,7 @@ def run(
 
       pointpred camera run readings.csv --focal-px 620 --images frames/ --point 12,-40 --plot depth.svg
     """
-    for target in (plot, json):
-        check_target(target)
+    check_targets({"--plot": plot, "--json": json}, [samples] if truth is None else [samples, truth])
     from pointpred.cli.camera_files import TRUTH, errors_of, read_samples, read_table
     from pointpred.cli.camera_tables import show, summary
 
@@ -144,6 +144,8 @@ def _pipeline(focal_px: float, depth: float, vz: float, noise_px: float, way: st
 
     if not depth > 0.0:
         raise ParameterError(f"--start-depth must be positive, received {depth:g}")
+    if not noise_px >= 0.0:
+        raise ParameterError(f"--noise-px must not be negative, received {noise_px:g}")
     noise = max(noise_px / 3.0**0.5, SMALLEST_PX)
     observer = DepthObserver(focal_px=focal_px, start_chi=1.0 / depth, start_eta=vz / depth)
     return CameraPipeline(observer, PointFilter(focal_px=focal_px, noise_px=noise), way=way, noise_px=noise)

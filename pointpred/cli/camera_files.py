@@ -27,14 +27,18 @@ def write_table(target: Path, names: Names, table: FloatArray) -> None:
 
 def read_table(source: Path, names: Names) -> FloatArray:
     """The columns of a CSV file, in any order; raises RecordingError naming file, line and column."""
-    with source.open(newline="", encoding="utf-8-sig") as stream:
-        reader = csv.DictReader(stream)
-        missing = [name for name in names if name not in (reader.fieldnames or [])]
-        if missing:
-            raise RecordingError(f"{source}: the header lacks {', '.join(missing)}; needs {', '.join(names)}")
-        rows = []
-        for number, row in enumerate(reader, start=2):
-            rows.append([_number(source, number, name, row[name]) for name in names])
+    try:
+        with source.open(newline="", encoding="utf-8-sig") as stream:
+            reader = csv.DictReader(stream)
+            missing = [name for name in names if name not in (reader.fieldnames or [])]
+            if missing:
+                told = f"the header lacks {', '.join(missing)}; needs {', '.join(names)}"
+                raise RecordingError(f"{source}: {told}")
+            rows = []
+            for number, row in enumerate(reader, start=2):
+                rows.append([_number(source, number, name, row[name]) for name in names])
+    except (UnicodeDecodeError, csv.Error) as unusable:
+        raise RecordingError(f"{source}: is no CSV file in UTF-8: {unusable}") from unusable
     if len(rows) < 2:
         raise RecordingError(f"{source}: needs at least 2 rows, received {len(rows)}")
     return np.array(rows)

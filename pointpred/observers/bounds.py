@@ -9,7 +9,7 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.errors import CertificateError
+from pointpred.errors import CertificateError, ParameterError
 from pointpred.observers.matrices import matrix
 
 
@@ -27,6 +27,11 @@ class ErrorBound(msgspec.Struct, frozen=True):
 
     def __call__(self, t: float, initial: float, **largest: float) -> float:
         """The bound at t for an initial error and the largest norm of each disturbance that is there."""
+        foreign = set(largest) - set(self.disturbances)
+        if foreign:
+            raise ParameterError(
+                f"the disturbances are {', '.join(self.disturbances)}, received {', '.join(sorted(foreign))}"
+            )
         forced = sum(
             gain * largest.get(name, 0.0) for name, gain in zip(self.disturbances, self.gains, strict=True)
         )

@@ -8,7 +8,7 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.errors import CertificateError
+from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred.observers.bounds import ErrorBound, interconnection_bound
 from pointpred.observers.detectability import require_detectable
 from pointpred.observers.generator import Fitted, Generator
@@ -16,6 +16,7 @@ from pointpred.observers.interconnection import Interconnection, theorem_3_2_1
 from pointpred.observers.matrices import matrix
 from pointpred.observers.matrix_inequalities import MatrixInequalities
 from pointpred.observers.persidskii import Persidskii
+from pointpred.observers.steady_state import residuals
 
 
 class ObserverDesign(msgspec.Struct, frozen=True):
@@ -82,6 +83,8 @@ def design_observer(
     Traceback (most recent call last):
     pointpred.errors.InfeasibleError: (S0, C0 Pi) is not detectable: the mode of the eigenvalue 0 never shows
     """
+    if not 0.0 <= decay < np.inf:
+        raise ParameterError(f"decay must be finite and not below 0, received {decay!r}")
     seen = Interconnection(plant, generator, Pi)
     for name, d in seen.corners.items():
         pair = f"(S0 + S1 D J, C0 Pi + C1 D J), D = diag({name}),"
@@ -89,6 +92,7 @@ def design_observer(
         require_detectable(*sloped, plant.time, pair)
     if not seen.corners:
         require_detectable(seen.g.S0, seen.output, plant.time, "(S0, C0 Pi)")
+    require_map(plant, generator, seen.pi)
     q, p = seen.g.q, plant.p
     c = 2.0 * decay if plant.time == "continuous" else 1.0 - float(np.exp(-2.0 * decay))
     fixed: dict[str, Any] = {
@@ -116,6 +120,19 @@ def design_observer(
         values["P"], values["Theta"], values["Gamma"], values["Xi"], time=plant.time, sharp=True
     )
     return ObserverDesign(m, values, margins, bound, plant, seen.g, seen.pi)
+
+
+def require_map(plant: Persidskii, generator: Generator, Pi: FloatArray) -> None:  # noqa: N803
+    """Raise InfeasibleError naming an equality of (3.3), or of Corollary 3.2.1, and its residual."""
+    parts = (plant.A0, plant.A1, plant.B, plant.Q, generator.S0, Pi)
+    size = max(np.abs(one).max(initial=0.0) for one in parts)
+    for relaxed in (True, False):
+        left = residuals(plant, generator, Pi, relaxed=relaxed)
+        name = max(left, key=lambda one: float(np.abs(left[one]).max()))
+        worst = float(np.abs(left[name]).max())
+        if worst <= 1e-6 * max(1.0, float(size)):
+            return
+    raise InfeasibleError(f"Assumption 3.2.1: {name} = 0 fails, its residual is {worst:.6g}")
 
 
 class _Attributes:

@@ -27,13 +27,14 @@ def undetectable(A: Any, C: Any, time: str = "continuous") -> list[complex]:  # 
     """
     a = matrix("A", A, len(matrix("A", A)), len(matrix("A", A)))
     c = matrix("C", C, None, len(a))
-    size = max(1.0, float(np.linalg.norm(a, 2)), float(np.linalg.norm(c, 2)) if c.size else 0.0)
+    size = float(np.linalg.norm(a, 2)) or 1.0
+    c = c / ((float(np.linalg.norm(c, 2)) if c.size else 0.0) or 1.0)
     found = []
     for one in np.linalg.eigvals(a).astype(np.complex128):
         stays = abs(one) >= 1.0 - SINGULAR if time == "discrete" else one.real >= -SINGULAR * size
-        pencil = np.vstack([one * np.eye(len(a)) - a, c])
+        pencil = np.vstack([(one * np.eye(len(a)) - a) / size, c])
         # Repeated eigenvalues are known to half their digits only.
-        if stays and np.linalg.svd(pencil, compute_uv=False)[-1] <= np.sqrt(SINGULAR) * 1e-2 * size:
+        if stays and np.linalg.svd(pencil, compute_uv=False)[-1] <= np.sqrt(SINGULAR) * 1e-2:
             found.append(complex(one))
     return found
 

@@ -12,10 +12,13 @@ RELATIVE = 1e-9
 """Singular values below this share of the largest count as zero."""
 
 
-def kernel(matrix: FloatArray) -> FloatArray:
-    """An orthonormal basis of the vectors that a matrix maps to zero, one a column."""
+def kernel(matrix: FloatArray, size: float | None = None) -> FloatArray:
+    """An orthonormal basis of the vectors that a matrix maps to zero, one a column.
+
+    ``size`` is what counts as large, the largest singular value unless given.
+    """
     _, sizes, rows = np.linalg.svd(np.atleast_2d(matrix))
-    rank = int((sizes > RELATIVE * max(1.0, sizes.max(initial=0.0))).sum())
+    rank = int((sizes > RELATIVE * (sizes.max(initial=0.0) if size is None else size)).sum())
     basis: FloatArray = rows[rank:].T
     return basis
 
@@ -27,11 +30,11 @@ def unobservable(gamma: FloatArray, c: FloatArray) -> FloatArray:
     >>> np.abs(basis).round(6).tolist()
     [[1.0], [0.0]]
     """
-    basis = kernel(c)
+    basis, size = kernel(c), float(np.linalg.norm(gamma, 2))
     while basis.shape[1]:
         moved = gamma @ basis
         leaving = moved - basis @ (basis.T @ moved)
-        staying = kernel(leaving) if np.abs(leaving).max() > 0.0 else np.eye(basis.shape[1])
+        staying = kernel(leaving, size)
         if staying.shape[1] == basis.shape[1]:
             break
         basis = basis @ staying

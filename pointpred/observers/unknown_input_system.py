@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
@@ -10,6 +11,7 @@ from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.observers.boxes import Box
 from pointpred.observers.invariant_zeros import decoupling
+from pointpred.observers.matrices import matrix
 from pointpred.observers.takagi_sugeno import Scheduled, TakagiSugeno
 
 Point = Mapping[str, float]
@@ -50,9 +52,7 @@ class ParameterVaryingSystem:
         decoupled: Scheduled | None = None,
     ) -> None:
         self._a, self._f, self._decoupled = a, f, decoupled
-        self.c = np.asarray(c, np.float64)
-        if self.c.ndim != 2 or not np.isfinite(self.c).all():
-            raise ParameterError(f"C must be a finite matrix, received shape {self.c.shape}")
+        self.c = _shaped("C", c, (None, None))
         self.rates = dict(rates or {})
 
     def a(self, point: Point) -> FloatArray:
@@ -121,12 +121,10 @@ class ParameterVaryingSystem:
                 raise ParameterError(f"F varies with {name}: its rate must be a scheduling variable too")
 
 
-def _shaped(name: str, matrix: FloatArray, shape: tuple[int, int | None]) -> FloatArray:
-    given = np.asarray(matrix, np.float64)
-    rows, columns = shape
-    if given.ndim != 2 or given.shape[0] != rows or (columns is not None and given.shape[1] != columns):
-        wanted = f"({rows}, {columns if columns is not None else 'inputs'})"
-        raise ParameterError(f"{name} has shape {given.shape}, needs {wanted}")
-    if not np.isfinite(given).all():
-        raise ParameterError(f"{name} must be finite, received {given.tolist()}")
-    return given
+def _shaped(name: str, given: Any, shape: tuple[int | None, int | None]) -> FloatArray:
+    found = matrix(name, given) if np.ndim(given) == 2 else np.zeros(np.shape(given))
+    if found.ndim != 2 or any(one not in (None, has) for one, has in zip(shape, found.shape, strict=True)):
+        rows, columns = shape
+        wanted = f"({rows or 'outputs'}, {columns or ('inputs' if rows else 'states')})"
+        raise ParameterError(f"{name} has shape {found.shape}, needs {wanted}")
+    return found

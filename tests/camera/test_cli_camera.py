@@ -100,6 +100,8 @@ def test_images_are_followed(tmp_path: Path, command: Callable) -> None:
         (("--way", "euler"), 2, "way must be one of"),
         (("--start-depth", "0"), 2, "--start-depth must be positive"),
         (("--focal-px", "-1"), 2, "focal_px must lie in"),
+        (("--noise-px", "-1"), 2, "--noise-px must not be negative, received -1"),
+        (("--noise-px", "nan"), 2, "--noise-px must not be negative, received nan"),
     ],
 )
 def test_wrong_use_is_told_in_a_line(
@@ -125,6 +127,28 @@ def test_files_that_cannot_be_used_name_the_place(simulated: Path, command: Call
     assert "line 5: t is empty, only x and y may be" in run([*lines[:4], ",1,1,0,0,0,0,0,0", *lines[5:]])
     assert "row 3: t must increase" in run([*lines[:4], lines[3], *lines[5:]])
     assert "needs at least 2 rows, received 1" in run(lines[:2])
+
+
+@pytest.mark.parametrize(
+    "content", ["t,x,y\n".encode("utf-16"), bytes(range(128, 256)), b"\x89PNG\r\n\x1a\n\0"]
+)
+def test_what_is_no_csv_is_named(simulated: Path, command: Callable, content: bytes) -> None:
+    simulated.write_bytes(content)
+    left = command("camera", "run", simulated, *FOCAL)
+    assert left.code == 1
+    assert f"{simulated}: is no CSV file in UTF-8" in left.err
+    assert left.err.count("\n") == 1
+
+
+@pytest.mark.parametrize("option", ["--plot", "--json"])
+def test_results_replace_no_input(simulated: Path, command: Callable, option: str) -> None:
+    truth = simulated.with_name("paper_truth.csv")
+    for source in (simulated, truth):
+        before = source.read_bytes()
+        left = command("camera", "run", simulated, *FOCAL, "--truth", truth, option, source)
+        assert left.code == 2
+        assert f"{option} {source} would replace" in left.err
+        assert source.read_bytes() == before
 
 
 def test_simulate_replaces_nothing_unasked(simulated: Path, command: Callable) -> None:

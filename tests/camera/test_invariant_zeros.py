@@ -9,7 +9,13 @@ from scipy.linalg import eig
 from pointpred.camera import model
 from pointpred.camera.model import camera_system
 from pointpred.errors import ParameterError
-from pointpred.observers.invariant_zeros import decoupling, invariant_zeros, kernel, unobservable
+from pointpred.observers.invariant_zeros import (
+    decoupling,
+    fixed_modes,
+    invariant_zeros,
+    kernel,
+    unobservable,
+)
 
 
 def rosenbrock(a: np.ndarray, f: np.ndarray, c: np.ndarray) -> np.ndarray:
@@ -66,6 +72,27 @@ def test_with_more_outputs_than_inputs_a_zero_can_vanish() -> None:
     f = np.array([[1.0], [0.0], [0.0]])
     assert invariant_zeros(a, f, np.eye(1, 3)).real.tolist() == [0.3, -2.0]
     assert invariant_zeros(a, f, np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])).size == 0
+
+
+@pytest.mark.parametrize("of_a", [1e-8, 1.0, 1e8])
+@pytest.mark.parametrize("of_c", [1e-8, 1.0, 1e8])
+def test_zeros_keep_their_number_in_every_unit(of_a: float, of_c: float) -> None:
+    """Time in other units multiplies A, and its zeros with it; outputs in other units change none."""
+    a = np.array([[0.0, 1.0, 0.0], [0.0, 0.3, 0.0], [0.0, 1.0, -2.0]])
+    f = np.array([[1.0], [0.0], [0.0]])
+    found = invariant_zeros(of_a * a, f, of_c * np.eye(1, 3))
+    assert (found / of_a).tolist() == pytest.approx([0.3, -2.0], rel=1e-9)
+    both = of_c * np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
+    assert invariant_zeros(of_a * a, f, both).size == 0
+
+
+def test_a_fast_mode_that_shows_hides_no_slow_one() -> None:
+    """Seen through the coupling 1, beside a mode of 1e6 1/s."""
+    s = 1e6
+    gamma, c = np.array([[0.0, 1.0, 1.0], [0.0, -s, 0.0], [0.0, 0.0, -1.0]]), np.eye(1, 3)
+    assert unobservable(gamma, c).shape == (3, 0)
+    gamma[0, 2] = 0.0
+    assert fixed_modes(gamma, c).real.tolist() == [-1.0]
 
 
 def test_ranks_are_named() -> None:

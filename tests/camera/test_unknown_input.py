@@ -203,7 +203,13 @@ def test_bad_systems_are_named() -> None:
         one(f=lambda p: np.ones((3, 1)))
     with pytest.raises(ParameterError, match="A must be finite"):
         one(a=np.diag([np.nan, 1.0]))
-    with pytest.raises(ParameterError, match="C must be a finite matrix"):
+    with pytest.raises(ParameterError, match="A must be real"):
+        one(a=np.diag([-1.0 + 1.0j, -1.0]))
+    with pytest.raises(ParameterError, match="C must be real"):
+        one(c=np.array([[1.0j, 0.0]]))
+    with pytest.raises(ParameterError, match=r"C has shape \(2,\), needs \(outputs, states\)"):
+        one(c=[1.0, 0.0])
+    with pytest.raises(ParameterError, match="C must be finite"):
         one(c=[[np.inf, 0.0]])
     with pytest.raises(ParameterError, match=r"rank\(C F\) = 0 < rank\(F\) = 1.*at the vertex \{'k': 0.0\}"):
         one(f=lambda p: np.array([[0.0], [1.0]]))

@@ -77,3 +77,37 @@ def test_designs_that_cannot_start(plant: Persidskii, pi: Any, told: str) -> Non
     generator = Generator([[-1.0]], np.ones((1, plant.k)), J=np.ones((plant.r, 1)))
     with pytest.raises(ParameterError, match=told):
         design_observer(plant, generator, pi)
+
+
+@pytest.mark.parametrize("scale", [1e-8, 1.0, 1e8])
+@pytest.mark.parametrize("shown", [1e-8, 1.0, 1e8])
+def test_detectable_is_detectable_in_every_unit(scale: float, shown: float) -> None:
+    a = scale * np.array([[1.0, 1.0], [0.0, -2.0]])
+    assert undetectable(a, [[shown, 0.0]]) == []
+    assert undetectable(a.T, [[0.0, shown]]) == []
+    hidden = undetectable(scale * np.diag([1.0, -2.0]), [[0.0, shown]])
+    assert [one / scale for one in hidden] == pytest.approx([1.0 + 0.0j])
+
+
+def test_a_wrong_map_is_refused_with_its_residual() -> None:
+    plant = Persidskii([[-1.0]], None, None, "sin", B=[1.0], C0=[1.0])
+    generator = Generator([[0.0]], L0=[2.0])
+    told = r"Assumption 3\.2\.1: A0 Pi - Pi G C0 Pi - Pi S0 \+ B L0 = 0 fails, its residual is 0\.25"
+    with pytest.raises(InfeasibleError, match=told):
+        design_observer(plant, generator, [[1.75]], decay=1.0)
+    assert design_observer(plant, generator, [[2.0]], decay=1.0).gain.shape == (1, 1)
+
+
+@pytest.mark.parametrize("decay", [-0.1, np.inf, np.nan])
+def test_a_decay_is_finite_and_not_negative(decay: float) -> None:
+    plant = Persidskii([[-1.0]], None, None, "sin", B=[1.0], C0=[1.0])
+    with pytest.raises(ParameterError, match="decay must be finite and not below 0"):
+        design_observer(plant, Generator([[0.0]], L0=[1.0]), [[1.0]], decay=decay)
+
+
+def test_a_bound_knows_its_disturbances() -> None:
+    plant = Persidskii([[-1.0]], None, None, "sin", B=[1.0], C0=[1.0])
+    bound = design_observer(plant, Generator([[0.0]], L0=[1.0]), [[1.0]], decay=1.0).bound
+    assert bound(0.0, 1.0, v=1.0) > bound(0.0, 1.0)
+    with pytest.raises(ParameterError, match="the disturbances are v, eps, w, received noise"):
+        bound(0.0, 1.0, noise=1.0)
