@@ -93,13 +93,23 @@ def _only_read(compiled: Any, plain: FunctionType) -> None:
 
 
 def _distrust(compiled: Any) -> None:
-    """Compile anew where the cached code cannot be loaded, as after a full disk or a killed process."""
+    """Compile anew where the cached code cannot be loaded, as after a full disk or a killed process.
+
+    Or where it is the code of another signature: numba gives names without a lock, so that two processes that
+    compile at once may write under the same one.
+    """
+    from numba.core import sigutils
+
+    arguments: Any = sigutils.normalize_signature
     store = compiled._cache
     load = store.load_overload
 
     def load_or_forget(signature: Any, context: Any) -> Any:
         try:
-            return load(signature, context)
+            found = load(signature, context)
+            if found is None or found.signature.args == arguments(signature)[0]:
+                return found
+            raise ValueError("the code of another signature")
         except Exception:  # whatever damaged bytes make of a pickle or of machine code
             try:
                 store.flush()

@@ -6,21 +6,28 @@ pointpred.server.warm``) compiles from the last one on: what it puts into the ca
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
+import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import ExitStack
+from pathlib import Path
+from typing import Any
 
+import pointpred
 from pointpred.columns import EventColumns
 from pointpred.events import PointerEvent
 from pointpred.pipeline import run
 from pointpred.registry import REGISTRY, build
-from pointpred.server.records import EVENT, unpack
+from pointpred.server.records import EVENT
+from pointpred.server.session import Session
+from pointpred.server.settings import Settings
 from pointpred.targets import Chooser, around
-from pointpred.transfer import ConstantGain, GuardedTransfer
 
+Frame = dict[str, Any] | bytes
 COMPILES_S = 1.0
 """A predictor that takes longer was not in the cache."""
 
@@ -36,11 +43,15 @@ def warm(progress: Callable[[int, int, str], bool] = lambda done, of, name: True
                 return
             began = time.monotonic()
             warm_one(name)
-            if done == 0 and time.monotonic() - began > COMPILES_S and (os.cpu_count() or 1) > 1:
+            if done == 0 and time.monotonic() - began > COMPILES_S and _processors() > 1:
                 until_done.callback(_end, _helper())
-        unpack(bytes(2 * EVENT.itemsize))
-        GuardedTransfer(ConstantGain(), cpi=1000.0).advance(0.0, 4.0, 2.0)
+        warm_session()
     progress(len(REGISTRY), len(REGISTRY), "")
+
+
+def _processors() -> int:
+    """How many this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def warm_one(name: str) -> None:
@@ -51,21 +62,69 @@ def warm_one(name: str) -> None:
         chooser.update(pipeline.update(event), event)
     pipeline.reset()  # one that learns its person concludes the movement
     table = EventColumns.of_events(events)
-    run(pipeline.fresh(), table)
+    chooser.reset()
+    chooser.follow(table.table, run(pipeline.fresh(), table).table)
     pipeline.fresh().advance_all(table.begin, table.table)
 
 
+def warm_session() -> None:
+    """What clients ask for beside a prediction: a scored trial, targets, packed frames, a helped cursor."""
+    hello: dict[str, Any] = {"type": "hello", "version": 1, "predictor": "switched", "device": {"cpi": 1000}}
+    packed: list[Frame] = [bytes(EVENT.itemsize), bytes(2 * EVENT.itemsize)]
+    events: list[Frame] = [{"type": "events", "events": [reach(i) for i in range(60)]}]
+    trial: list[Frame] = [
+        {"type": "targets", "targets": [{"id": "any", "x": 380, "y": 80, "width": 40, "height": 40}]},
+        {"type": "trial", "action": "start"},
+        *events,
+        {"type": "trial", "action": "end", "target": {"x": 400, "y": 100, "width": 40}},
+    ]
+    talk([hello, *trial])
+    talk([{**hello, "encoding": "binary", "reply": "event"}, *packed, *events])
+    talk([{**hello, "assist": {}}, *packed, *events])
+
+
+def talk(frames: Sequence[Frame]) -> None:
+    """Say frames to a session, and let it do the work that they make."""
+    session = Session("warm", Settings().limits, 0.0)
+    for frame in frames:
+        session.receive(frame if isinstance(frame, bytes) else json.dumps(frame), 0.0)
+        while session.work is not None:
+            session.finish(session.work())
+        session.outbox.take()
+
+
+def reach(i: int) -> list[float]:
+    """An event of a movement of 400 px in half a second, in JSON's order."""
+    s = min(i / 50, 1.0)
+    way = 10 * s**3 - 15 * s**4 + 6 * s**5
+    return [i / 100, 400 * way, 100 * way, 4, 1, 0]
+
+
 def _helper() -> subprocess.Popen[bytes]:
-    command = [sys.executable, "-m", "pointpred.server.warm"]
+    """Its input stays open while this process lives, however it ends."""
+    command = [sys.executable, "-P", "-m", "pointpred.server.warm"]
+    package = str(Path(pointpred.__file__).parent.parent)  # the folder of the user may hold another one
+    found = os.pathsep.join(filter(None, (package, os.environ.get("PYTHONPATH"))))
     quiet = subprocess.DEVNULL
-    return subprocess.Popen(command, stdin=quiet, stdout=quiet, stderr=quiet)
+    return subprocess.Popen(
+        command, stdin=subprocess.PIPE, stdout=quiet, stderr=quiet, env=os.environ | {"PYTHONPATH": found}
+    )
 
 
 def _end(helper: subprocess.Popen[bytes]) -> None:
     helper.kill()  # what it has written is whole: the cache puts files in place at once
-    helper.wait()
+    helper.communicate()
+
+
+def _leave_with_parent() -> None:
+    """End as soon as the process that asked for help has ended, however it did."""
+    while os.read(0, 4096):  # not sys.stdin: its lock would be held when the interpreter ends
+        pass
+    os._exit(1)
 
 
 if __name__ == "__main__":
+    threading.Thread(target=_leave_with_parent, daemon=True).start()
+    warm_session()
     for predictor in reversed(REGISTRY):
         warm_one(predictor)

@@ -52,6 +52,7 @@ def visitor(one: Visitor, service: tuple[Running, Attachment]) -> Iterator[Visit
     one.resize(1280, 720)
     one.open(f"{service[0].url}#live")
     one.wait(f"{SAID} === 'Attached.'")
+    one.wait("document.querySelector('#live-card-0 .connection').dataset.state === 'open'")
     yield one
     assert one.complaints() == []
     assert one.shift() < 0.001

@@ -107,7 +107,7 @@ def talk(address: str, *frames: str | bytes) -> list[str]:
         for frame in frames:
             socket.send(frame)
         while True:
-            heard.append(str(socket.recv(2)))
+            heard.append(str(socket.recv(5 if heard else 60)))  # the first waits for compiled code
     return heard
 
 

@@ -122,7 +122,7 @@ def test_a_helper_compiles_meanwhile_and_ends_with_the_warming(
     warmed: list[str] = []
     monkeypatch.setattr(warming, "warm_one", warmed.append)
     monkeypatch.setattr(warming, "_helper", helper)
-    monkeypatch.setattr(warming.os, "cpu_count", lambda: 2)
+    monkeypatch.setattr(warming, "_processors", lambda: 2)
     warming.warm()
     assert warmed == list(REGISTRY)
     assert not started, "what was in the cache needs no help"
@@ -137,7 +137,51 @@ def test_the_helper_is_a_program_that_warms_every_predictor_from_the_last_on() -
     spied = (
         "import pointpred.registry as known, runpy; build = known.build\n"
         "known.build = lambda name, **all: print(name) or build(name, **all)\n"
+        "import pointpred.server.session\n"
         "runpy.run_module('pointpred.server.warm', run_name='__main__')"
     )
-    ran = subprocess.run([sys.executable, "-c", spied], check=True, stdout=subprocess.PIPE, text=True)
-    assert ran.stdout.split() == list(reversed(REGISTRY))
+    helper = subprocess.Popen(
+        [sys.executable, "-c", spied], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    )
+    assert helper.stdout is not None
+    with helper:
+        said = helper.stdout.read().split()  # its input stays open: who asked for help lives
+    assert said[-len(REGISTRY) :] == list(reversed(REGISTRY))
+    assert helper.returncode == 0
+
+
+def test_the_helper_ends_when_who_asked_for_it_has_ended() -> None:
+    helper = subprocess.Popen([sys.executable, "-m", "pointpred.server.warm"], stdin=subprocess.PIPE)
+    with helper:
+        assert helper.stdin is not None
+        helper.stdin.close()
+        assert helper.wait(30) == 1
+
+
+def test_a_session_after_warming_compiles_and_loads_nothing() -> None:
+    """In a process of its own, which has compiled nothing for other tests."""
+    program = """
+from numba.core.dispatcher import Dispatcher
+from pointpred.server import warm
+warm.warm()
+asked, compile = [], Dispatcher.compile
+def spied(self, signature):
+    asked.append(f"{self.py_func.__module__}.{self.py_func.__name__}{signature}")
+    return compile(self, signature)
+Dispatcher.compile = spied
+warm.talk([
+    {"type": "hello", "version": 1, "predictor": "kinematic", "device": {"cpi": 800}},
+    {"type": "targets", "targets": [{"id": "a", "x": 1, "y": 2, "width": 3, "height": 4}]},
+    {"type": "trial", "action": "start"},
+    *({"type": "events", "events": [warm.reach(i)]} for i in range(60)),
+    {"type": "trial", "action": "end"},
+])
+warm.talk([
+    {"type": "hello", "version": 1, "predictor": "switched", "device": {"cpi": 800}, "assist": {}},
+    *({"type": "events", "events": [warm.reach(i), warm.reach(i)]} for i in range(9)),
+    bytes(60),
+])
+print(asked)
+"""
+    said = subprocess.run([sys.executable, "-c", program], check=True, stdout=subprocess.PIPE, text=True)
+    assert said.stdout == "[]\n"

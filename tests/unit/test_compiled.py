@@ -181,6 +181,23 @@ def test_damaged_files_of_the_cache_are_compiled_anew(ending: str, kept: int, tm
     assert len(mended.read_bytes()) == len(whole)
 
 
+def test_code_of_another_signature_is_compiled_anew(tmp_path: Path) -> None:
+    """As two processes that compile at once can leave it: each gave its own code the same name."""
+    program = "from pointpred.compiled import law\n@law\ndef f(x):\n    return x + x\nprint(f(4), f(0.25))"
+    (tmp_path / "program.py").write_text(program)
+    environment = {**os.environ, "POINTPRED_CACHE_DIR": str(tmp_path / "cache")}
+    command = [sys.executable, str(tmp_path / "program.py")]
+
+    def run() -> str:
+        return subprocess.run(command, env=environment, capture_output=True, text=True, check=True).stdout
+
+    assert run() == "8 0.5\n"
+    one, other = sorted((tmp_path / "cache").rglob("*.nbc"))
+    one.write_bytes(other.read_bytes())
+    assert run() == "8 0.5\n"
+    assert run() == "8 0.5\n"
+
+
 def test_a_user_without_a_home_gets_a_folder(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     def homeless() -> Path:
         raise RuntimeError("Could not determine home directory.")
