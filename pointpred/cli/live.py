@@ -15,7 +15,7 @@ from pointpred.cli.screen import check_target
 from pointpred.errors import ParameterError
 from pointpred.events import CPI, DPI, PointerEvent
 from pointpred.registry import build
-from pointpred.transfer import named_transfer
+from pointpred.transfer import ConstantGain, PixelTransfer, TransferLearner, named_transfer
 
 PREDICTOR = "kinematic"
 
@@ -105,6 +105,10 @@ def _check_new(option: str, file: Path) -> None:
 
 def _warm(predictor: str) -> None:
     """Compile what is not compiled yet, before reports wait for it; raises ParameterError."""
-    pipeline = build(predictor, cpi=1000.0)
+    pipeline, learner = build(predictor, cpi=1000.0), TransferLearner(cpi=1000.0)
+    transfer = PixelTransfer(ConstantGain(), cpi=1000.0)
     for i in range(4):
-        pipeline.update(PointerEvent(0.01 * i, 5.0 * i, 2.0 * i, 4.0, 2.0))
+        event = PointerEvent(0.01 * i, 5.0 * i, 2.0 * i, 4.0, 2.0)
+        pipeline.update(event)
+        learner.update(event)
+        transfer.update((event.t, 4.0, 2.0))

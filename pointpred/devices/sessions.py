@@ -131,9 +131,10 @@ class LiveSession:
         return pairs
 
     def run(self, stopping: Event) -> None:
-        """Follow the device until ``stopping`` is set."""
+        """Follow the device until ``stopping`` is set; what waits then is taken too."""
         while not stopping.is_set():
             self.advance()
+        self.advance(0.0)
 
     def __iter__(self) -> Iterator[Pair]:
         """Pairs without end, as they come."""

@@ -8,9 +8,10 @@ from typing import Any
 
 import pytest
 
-from pointpred.cli import live_device
+from pointpred.cli import live, live_device
 from pointpred.devices.source import Found
-from pointpred.transfer import ConstantGain, save_transfer
+from pointpred.pipeline import Pipeline
+from pointpred.transfer import ConstantGain, PixelTransfer, TransferLearner, save_transfer
 
 CLOSED = Found(
     "/dev/hidraw3", "Some mouse", "hid", False, "Permission denied", "put this line into /etc/udev/rules.d/x"
@@ -146,3 +147,18 @@ def test_a_saved_function_brings_the_resolution_it_was_learnt_with(
     monkeypatch.setattr(live_device, "resolution", resolution)
     assert command("live", "--transfer", tmp_path / "desk.json").code == 130
     assert asked == [1234.0]
+
+
+@pytest.mark.parametrize("stage", [Pipeline, TransferLearner, PixelTransfer])
+def test_whatever_a_report_may_run_through_has_run_before_one_waits(
+    monkeypatch: pytest.MonkeyPatch, stage: Any
+) -> None:
+    update, ran = stage.update, []
+
+    def noted(self: Any, sample: Any, /) -> Any:
+        ran.append(update(self, sample))
+        return ran[-1]
+
+    monkeypatch.setattr(stage, "update", noted)
+    live._warm("kinematic")
+    assert len(ran) > 1

@@ -141,6 +141,16 @@ def test_it_stops_when_it_is_told_to() -> None:
     assert not thread.is_alive()
 
 
+def test_what_waits_at_the_stop_is_taken_too() -> None:
+    stopping, heard = threading.Event(), list[int]()
+    session = LiveSession(
+        FakeMouse(REACH), None, build("hold"), watchers=[lambda pairs: heard.append(len(pairs))]
+    )
+    stopping.set()
+    session.run(stopping)
+    assert (session.state().reports, sum(heard)) == (len(REACH), len(REACH))
+
+
 def test_percentiles_bound_the_share_they_name() -> None:
     delays = Delays()
     values = [1e-5 * 1.01**i for i in range(1000)]
