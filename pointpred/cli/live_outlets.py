@@ -12,7 +12,7 @@ from pointpred.cli.live_following import Following, attentive
 from pointpred.cli.live_learning import Learning, learning_of
 from pointpred.cli.live_log import ViewLog
 from pointpred.cli.live_serving import Serving
-from pointpred.cli.live_view import all_delays, losses, show
+from pointpred.cli.live_view import ending, show
 from pointpred.cli.screen import counted, remarks, results
 from pointpred.errors import ParameterError, SourceError
 
@@ -109,9 +109,8 @@ class Outlets:
             self._following.stop()
         finally:
             written = recording.close() if recording else True
-            screen, state = results(), self.session.state()
-            said = f"{counted(state.reports, 'report')}; {losses(state)}; delay {all_delays(self.session)}"
-            screen.print(said, markup=False, soft_wrap=True)
+            screen = results()
+            screen.print(ending(self.session), markup=False, soft_wrap=True)
             for entry in self._log.wrong if self._log else ():
                 remarks().print(entry, markup=False)
             for name, words in self._more():

@@ -110,6 +110,15 @@ def all_delays(session: LiveSession) -> str:
     return f"median {1000 * p50:.2f} ms, 99 % under {1000 * p99:.2f} ms, longest {1000 * held.longest:.2f} ms"
 
 
+def ending(session: LiveSession) -> str:
+    """What a session came to; one in which nothing could be read says so."""
+    state = session.state()
+    told = counted(state.reports, "report")
+    if state.unreadable and not state.reports:
+        told += f": nothing that {session.source.path} sent could be read"
+    return f"{told}; {losses(state)}; delay {all_delays(session)}"
+
+
 def line(state: LiveState, newest: tuple[PointerEvent, Prediction | None] | None) -> str:
     """One line for a log."""
     told = dict(prediction_rows(newest, state.idle_s))

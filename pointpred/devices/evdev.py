@@ -107,7 +107,7 @@ class EvdevSource:
 
     def _open(self, path: str) -> None:
         """Open a node; raises OSError."""
-        self._file = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
+        self._file = evdev_nodes.opened(path)
         self.path, self._real = path, os.path.realpath(path)
         self._clock.ask(self._file)
         self._unreadable, self._resynchronised = self.unreadable, self.resynchronised

@@ -8,6 +8,7 @@ from __future__ import annotations
 import errno
 import os
 import re
+import stat
 import sys
 from pathlib import Path
 
@@ -77,10 +78,19 @@ def found(each: Node) -> Found:
         why = "it tells absolute positions (a touchpad, tablet or touch screen), no counts"
         return Found(each.path, each.name, "evdev", False, why, f"{ELSEWHERE}.")
     try:
-        os.close(os.open(each.path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC))
+        os.close(opened(each.path))
     except OSError as error:
         return Found(each.path, each.name, "evdev", False, _why(error), advice(each, error))
     return Found(each.path, each.name, "evdev", True)
+
+
+def opened(path: str) -> int:
+    """A descriptor that reads a node without waiting; raises OSError, also where there is no device."""
+    file = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
+    if not stat.S_ISCHR(os.fstat(file).st_mode):
+        os.close(file)
+        raise OSError(errno.ENOTTY, "it is no character device, expected an input node", path)
+    return file
 
 
 def rule(each: Node) -> str:
@@ -108,6 +118,10 @@ def check(path: str) -> Node:
     if not sys.platform.startswith("linux"):
         raise SourceError(f"{path}: evdev exists on Linux only, this is {sys.platform}; {ELSEWHERE}.")
     each = node(path)
+    if not re.fullmatch(r"event\d+", Path(path).resolve().name):  # mouse0, mice: another protocol
+        raise SourceError(
+            f"{path}: no node of input events, expected /dev/input/event* as in 'pointpred devices list'."
+        )
     if each.relative is False:
         raise SourceError(
             f"{path} ({each.name}): it sends no relative motion, expected REL_X and REL_Y; choose another of "

@@ -7,6 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from pointpred.devices import evdev_nodes
+from pointpred.devices.evdev import EvdevSource
+from pointpred.errors import SourceError
 from tests.devices import evdev_mice
 from tests.devices.evdev_mice import KEYBOARD, PLAIN, TOUCHPAD, Reader, plug
 from tests.devices.umockdev import Testbed
@@ -43,6 +46,33 @@ def test_a_keyboard_and_a_missing_node_say_what_to_do(testbed: Testbed) -> None:
             told = reader.ask()
         assert said in told
         assert "pointpred devices list" in told
+
+
+@pytest.mark.parametrize("name", ["mouse0", "mice", "session.csv"])
+def test_what_is_no_node_of_events_is_refused_by_its_name(tmp_path: Path, name: str) -> None:
+    (tmp_path / name).touch()
+    with pytest.raises(SourceError, match=r"expected /dev/input/event\*"), EvdevSource(str(tmp_path / name)):
+        raise AssertionError("it opened")
+
+
+def test_what_only_has_a_node_s_name_is_refused(tmp_path: Path) -> None:
+    file, folder = tmp_path / "event3", tmp_path / "event4"
+    file.write_bytes(bytes(24))
+    folder.mkdir()
+    for path in (str(file), str(folder)):
+        with pytest.raises(SourceError, match="no character device"), EvdevSource(path):
+            raise AssertionError("it opened")
+        listed = evdev_nodes.found(evdev_nodes.node(path))
+        assert (listed.openable, listed.why) == (False, "it is no character device, expected an input node")
+
+
+def test_a_link_to_a_node_of_events_is_followed(testbed: Testbed) -> None:
+    plug(testbed, 4, PLAIN)
+    link = Path(testbed.root, "dev/input/by-id/some-mouse")
+    link.parent.mkdir()
+    link.symlink_to("../event4")
+    with Reader(testbed, "/dev/input/by-id/some-mouse") as reader:
+        assert "clock" in reader.ask()
 
 
 def test_dropped_events_are_counted_and_the_buttons_asked_for(testbed: Testbed) -> None:

@@ -1,0 +1,29 @@
+"""What ``pointpred live`` says of a session, of made-up mice."""
+
+from __future__ import annotations
+
+from pointpred import build
+from pointpred.cli import live_view
+from pointpred.devices.sessions import LiveSession
+from pointpred.devices.source import Report
+from tests.devices.live_fakes import FakeMouse
+
+
+def session_of(mouse: FakeMouse) -> LiveSession:
+    session = LiveSession(mouse, None, build("hold"))
+    session.advance(0.0)
+    return session
+
+
+def test_a_device_of_which_nothing_could_be_read_says_so_at_the_end() -> None:
+    mouse = FakeMouse()
+    mouse.unreadable = 41
+    said = live_view.ending(session_of(mouse))
+    assert said.startswith("0 reports: nothing that /dev/nowhere sent could be read; 0 lost, 41 unreadable")
+
+
+def test_a_device_that_was_read_or_sent_nothing_is_not_blamed() -> None:
+    read = FakeMouse([Report(0.0, 1, 0)])
+    read.unreadable = 41
+    assert live_view.ending(session_of(read)).startswith("1 report; 0 lost, 41 unreadable")
+    assert live_view.ending(session_of(FakeMouse())).startswith("0 reports; 0 lost, 0 unreadable")
