@@ -47,7 +47,7 @@ def document() -> dict[str, Any]:
             "local": {
                 "host": "127.0.0.1:8765",
                 "protocol": "ws",
-                "description": "What `pointpred serve` prints; on loopback no token is needed.",
+                "description": "What `pointpred serve` prints; a token is needed where one is set.",
                 "security": [{"$ref": f"#/components/securitySchemes/{name}"} for name in words.SECURITY],
             }
         },

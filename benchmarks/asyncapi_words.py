@@ -19,7 +19,7 @@ stands before it, and before each prediction `cursor` says, as text in either en
 Positions in later events are not looked at. `configure` may replace `assist`, but not ask for it anew.
 
 Subprotocol: `{SUBPROTOCOL}`. A page of another origin or a foreign `Host` is refused with HTTP 403 before the
-upgrade. A token is needed as soon as the service is bound to an address that is not loopback."""
+upgrade. A token is needed where one is set; one is made up for an address that is not loopback."""
 CLOSES = {
     1000: "after `bye`",
     1001: "the server stops, after its `bye`",
@@ -44,7 +44,7 @@ CODES = {
     "stopping": "the server stops; the session ends",
     "internal": "something failed in the server; the session ends",
 }
-NEEDED = "Needed only where the service is bound to an address that is not loopback."
+NEEDED = "Needed where one is set; one is made up for an address that is not loopback."
 SECURITY = {
     "token": {"type": "httpApiKey", "in": "query", "name": "token", "description": NEEDED},
     "bearer": {"type": "http", "scheme": "bearer", "description": f"The same token as a header. {NEEDED}"},

@@ -18,6 +18,7 @@ from pointpred.client.wire import Row, address, authorization, encode
 from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.errors import SourceError
 from pointpred.events import PointerEvent
+from pointpred.server.assisted_messages import Cursor
 from pointpred.server.messages import (
     SUBPROTOCOL,
     Bye,
@@ -134,6 +135,11 @@ class AsyncConnection:
         """The target that is proposed, as far as it was heard."""
         return self.dialogue.proposed
 
+    @property
+    def cursor(self) -> Cursor | None:
+        """Where the service has put the cursor, in a session opened with ``assist``; newest heard."""
+        return self.dialogue.cursor
+
     async def targets(self, targets: Iterable[dict[str, Any] | Target]) -> int:
         """Replace the set of targets; returns how many the service holds."""
         await self._say(self.dialogue.targets(targets))
@@ -145,7 +151,7 @@ class AsyncConnection:
         return await self._await(Score) if action == "end" else None
 
     async def configure(self, **changes: Any) -> Welcome:
-        """Change ``predictor``, ``parameters``, ``reply`` or ``precision``; the rest stays."""
+        """Change ``predictor``, ``parameters``, ``reply``, ``precision``, ``assist``; the rest stays."""
         await self._say(self.dialogue.configure(**changes))
         answer = await self._await(Welcome)
         self.dialogue.configured(**changes)

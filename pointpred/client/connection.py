@@ -19,6 +19,7 @@ from pointpred.client.wire import Row, address, authorization, encode
 from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.errors import SourceError
 from pointpred.events import PointerEvent
+from pointpred.server.assisted_messages import Cursor
 from pointpred.server.messages import (
     SUBPROTOCOL,
     Bye,
@@ -142,6 +143,11 @@ class Connection:
         """The target that is proposed, as far as it was heard."""
         return self.dialogue.proposed
 
+    @property
+    def cursor(self) -> Cursor | None:
+        """Where the service has put the cursor, in a session opened with ``assist``; newest heard."""
+        return self.dialogue.cursor
+
     def targets(self, targets: Iterable[dict[str, Any] | Target]) -> int:
         """Replace the set of targets; returns how many the service holds."""
         self._say(self.dialogue.targets(targets))
@@ -153,7 +159,7 @@ class Connection:
         return self._await(Score) if action == "end" else None
 
     def configure(self, **changes: Any) -> Welcome:
-        """Change ``predictor``, ``parameters``, ``reply`` or ``precision``; the rest stays."""
+        """Change ``predictor``, ``parameters``, ``reply``, ``precision``, ``assist``; the rest stays."""
         self._say(self.dialogue.configure(**changes))
         answer = self._await(Welcome)
         self.dialogue.configured(**changes)

@@ -23,6 +23,7 @@ from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.errors import ParameterError, PointpredError
 from pointpred.events import PointerEvent
 from pointpred.server.answers import message as message_of
+from pointpred.server.assisted_messages import Cursor
 from pointpred.server.messages import (
     VERSION,
     Choice,
@@ -74,10 +75,13 @@ class Dialogue:
         screen: dict[str, float] | None = None,
         reply: Reply = "frame",
         encoding: Encoding = "binary",
+        assist: dict[str, Any] | None = None,
+        **others: Any,
     ) -> None:
         """Raises ParameterError where the hello would not fit the protocol."""
-        described = {"predictor": predictor, "parameters": parameters or {}, "device": device}
+        described = {"predictor": predictor, "parameters": parameters or {}, "device": device, **others}
         described |= {"screen": screen, "reply": reply, "encoding": encoding}
+        described |= {} if assist is None else {"assist": assist}
         self.hello = _fit(Hello, {"type": "hello", "version": VERSION, **described})
         self.welcome: Welcome | None = None
         self.notices: deque[ErrorMessage] = deque(maxlen=KEPT_NOTICES)
@@ -86,6 +90,8 @@ class Dialogue:
         """How many there were in all."""
         self.proposed: str | None = None
         """The target that the service proposes, as far as it was heard."""
+        self.cursor: Cursor | None = None
+        """Where the service has put the cursor, in a session that asked for assistance."""
         self._rows: deque[tuple[list[float], list[Likely] | msgspec.UnsetType]] = deque()
         self._choices: deque[Choice] = deque(maxlen=KEPT_CHOICES)
         self._awaited = Awaited()
@@ -127,7 +133,7 @@ class Dialogue:
         return self._text(Reset())
 
     def heard(self, frame: Frame) -> ServerMessage | None:
-        """Take in a frame: ``None`` for what is kept (predictions, choices, notices); raises ServiceError."""
+        """Take in a frame: ``None`` for what is kept, such as predictions and choices; raises ServiceError."""
         if isinstance(frame, bytes):
             for row in unpack_predictions(frame):
                 self._predicted(row)
@@ -139,6 +145,9 @@ class Dialogue:
         if isinstance(message, Choice):
             self._choices.append(message)
             self.proposed = message.id if message.action == "propose" else None
+            return None
+        if isinstance(message, Cursor):
+            self.cursor = message
             return None
         if isinstance(message, ErrorMessage):
             if not (message.code == "slow" and message.recoverable):

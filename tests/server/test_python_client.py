@@ -91,6 +91,23 @@ def test_a_trial_targets_and_changes_are_answered(listener: Listener) -> None:
         assert connection.columns().t.tolist() == [0.0, 0.5]
 
 
+def test_the_cursor_of_a_session_with_assistance_is_heard(listener: Listener) -> None:
+    with connect(listener.url, device={"cpi": 1000}, assist={"strength": 0.0, "gain": 3.0}) as connection:
+        assert connection.cursor is None
+        connection.send([(0.1 + i / 100, 0.0, 0.0, 2.0, 0.0, 0) for i in range(5)])
+        connection.columns()
+        assert connection.cursor is not None
+        assert connection.cursor.x > 0.0
+        assert connection.cursor.added_px == 0.0
+        connection.configure(assist={"strength": 0.5})
+
+
+def test_a_hello_that_does_not_fit_is_refused_before_anything_is_sent() -> None:
+    for wrong in ({"assist": {"strength": 7}}, {"colour": "blue"}):
+        with pytest.raises(ParameterError, match=next(iter(wrong))):
+            connect("ws://127.0.0.1:9/v1/stream", **wrong)
+
+
 REACH = [(i / 100, 400.0 * (i / 60) ** 2 * (3 - 2 * i / 60), 0.0) for i in range(40)]
 """Two thirds of a movement to the right."""
 PLACES = [
