@@ -133,7 +133,7 @@ class Dialogue:
         return self._text(Reset())
 
     def heard(self, frame: Frame) -> ServerMessage | None:
-        """Take in a frame: ``None`` for what is kept, such as predictions and choices; raises ServiceError."""
+        """Take in a frame: ``None`` for what is kept, such as predictions; raises ServiceError."""
         if isinstance(frame, bytes):
             for row in unpack_predictions(frame):
                 self._predicted(row)
