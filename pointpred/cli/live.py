@@ -73,9 +73,11 @@ def live(
 
       pointpred live --cpi 800 --serve
     """
-    for option, file in (("--record", record), ("--save-transfer", save_transfer)):
-        if file is not None:
-            _check_new(option, file)
+    if record is not None:
+        _check_new("--record", record)
+        _check_new("--record", _predictions_beside(record))
+    if save_transfer is not None:
+        _check_new("--save-transfer", save_transfer)
     if not serve and (host is not None or port is not None):
         raise ParameterError("--host and --port need --serve")
     moving = named_transfer(transfer) if transfer else None
@@ -101,6 +103,11 @@ def _check_new(option: str, file: Path) -> None:
     check_target(file)
     if file.exists() or str(file) == "-":
         raise ParameterError(f"{option} makes a new file, and {file} is there already; name another")
+
+
+def _predictions_beside(samples: Path) -> Path:
+    """Where a recording's predictions go."""
+    return samples.with_name(f"{samples.stem.removesuffix('_samples') or samples.stem}_predictions.csv")
 
 
 def _warm(predictor: str) -> None:

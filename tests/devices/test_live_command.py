@@ -57,6 +57,21 @@ def test_a_recording_is_never_written_over(command: Any, tmp_path: Path) -> None
     assert (tmp_path / "kept.csv").read_text() == "precious"
 
 
+@pytest.mark.parametrize("asked", ["kept.csv", "kept_samples.csv"])
+def test_predictions_beside_a_recording_are_never_written_over(
+    command: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, asked: str
+) -> None:
+    def choose(path: str | None) -> None:
+        raise AssertionError("a device was looked for")
+
+    monkeypatch.setattr(live_device, "choose", choose)
+    (tmp_path / "kept_predictions.csv").write_text("precious")
+    left = command("live", "--record", tmp_path / asked)
+    assert left.code == 2
+    assert "kept_predictions.csv is there already" in left.err
+    assert not (tmp_path / asked).exists()
+
+
 def test_without_a_device_the_browser_is_named(command: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     found(monkeypatch)
     left = command("live", "--cpi", "800")
