@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -46,3 +47,19 @@ def matrix(name: str, given: Any, rows: int | None = None, columns: int | None =
         needed = f"({'any' if rows is None else rows}, {'any' if columns is None else columns})"
         raise ParameterError(f"{name} has shape {shape}, needs {needed}")
     return value
+
+
+def moments(varying: str, times: Sequence[float] | None, purpose: str) -> list[float]:
+    """The times at which a statement is made: those given, or 0 alone where nothing varies.
+
+    Raises ParameterError where something varies and no time is given, or one is not finite.
+
+    >>> moments("A0", None, "to hold")
+    Traceback (most recent call last):
+    pointpred.errors.ParameterError: A0 varies: give the times at which it is to hold
+    """
+    if not varying:
+        return [0.0]
+    if times is None or len(times) == 0:
+        raise ParameterError(f"{varying} varies: give the times at which it is {purpose}")
+    return [float(one) for one in matrix("times", times, 1)[0]]

@@ -69,9 +69,8 @@ def design_reduced_order(
     choice = Choice(plant, parts, corners, base, free, decay, solver, bounds)
     upsilon = choice.made() if free.shape[1] else base
     observer = invariant_observer(plant, pi, upsilon, injection=injection)
-    return ReducedOrderDesign(
-        observer, upsilon, certify_convergence(observer, decay=decay, solver=solver, **bounds)
-    )
+    certificate = certify_convergence(observer, decay=decay, times=None, solver=solver, **bounds)
+    return ReducedOrderDesign(observer, upsilon, certificate)
 
 
 def _unmeasured(plant: Persidskii) -> FloatArray:

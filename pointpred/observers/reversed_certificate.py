@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import expm1, log, sqrt
 from typing import Any
 
@@ -12,7 +13,7 @@ from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred.observers.bounds import ErrorBound
 from pointpred.observers.detectability import vertices
-from pointpred.observers.matrices import matrix
+from pointpred.observers.matrices import matrix, moments
 from pointpred.observers.matrix_inequalities import MatrixInequalities
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.reversed_bounds import continuous_bound, discrete_bound
@@ -109,16 +110,16 @@ def certify_convergence(
     *,
     decay: float | None = None,
     gamma: float | None = None,
-    times: Any = (0.0,),
+    times: Sequence[float] | None = None,
     solver: str = "CLARABEL",
     **bounds: float,
 ) -> Convergence:
     """A certificate that w = Pi x + Upsilon y attracts the observer's state, recomputed from its matrices.
 
-    Assumes one P for all times; where matrices vary, ``times`` are all that is certified, and what
-    lies between them is not. Theorem 3.3.2 knows the nonlinearity by its Lipschitz constant only: a
-    steep f is refused although it may help. Of all P the one of least condition is taken (in discrete
-    time, with a small Gamma).
+    Assumes one P for all times; where matrices vary, ``times`` must be given and are all that is
+    certified: what lies between is not. Theorem 3.3.2 knows the nonlinearity by its Lipschitz constant
+    only: a steep f is refused although it may help. Of all P the one of least condition is taken (in
+    discrete time, with a small Gamma).
 
     Parameters: ``decay`` of the error in 1/s (per step in discrete time), > 0, by Xi >= 2 decay P; a
     share of what the slowest corner has where it is not given; ``gamma`` of Theorem 3.3.1 in 1/s, > 0,
@@ -140,7 +141,8 @@ def certify_convergence(
     for name, given in (("decay", decay), ("gamma", gamma)):
         if given is not None and not 0.0 < given < np.inf:
             raise ParameterError(f"{name} must be finite and above 0, received {given!r}")
-    connections = [observer.at(t) for t in (times if observer.varying else (0.0,))]
+    varying = "the observer" if observer.varying else ""
+    connections = [observer.at(t) for t in moments(varying, times, "certified")]
     slowest = max(_slowest(one, observer.plant) for one in connections)
     tried = [share * -slowest for share in SHARES] if decay is None else [decay]
     for rate in tried:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import msgspec
@@ -10,7 +11,7 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers.generator import Generator
-from pointpred.observers.matrices import matrix
+from pointpred.observers.matrices import matrix, moments
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.riccati import invariant_graphs, refined
 
@@ -69,15 +70,16 @@ def steady_state_map(
     generator: Generator,
     *,
     relaxed: bool = False,
-    times: Any = (0.0,),
+    times: Sequence[float] | None = None,
     tolerance: float = TOLERANCE,
 ) -> SteadyState:
     """Pi such that x = Pi w is a solution of plant and generator without disturbances.
 
     Assumes nothing of stability: whether x is attracted by Pi w is another question. For a plant whose
-    matrices vary, a constant Pi is sought that satisfies the equalities at each of ``times``. With G C0 = 0
-    everything is linear and the least residual decides; otherwise the first equality is a Riccati equation,
-    whose isolated solutions are found as graphs of invariant subspaces of ((S0, G C0), (B L0, A0)).
+    matrices vary, a constant Pi is sought that satisfies the equalities at each of ``times``, to be given
+    then. With G C0 = 0 everything is linear and the least residual decides; otherwise the first equality
+    is a Riccati equation, whose isolated solutions are found as graphs of invariant subspaces of
+    ((S0, G C0), (B L0, A0)).
 
     (A0 - Pi G C0) Pi - Pi S0 + B L0 = 0, A1 + B L1 - Pi (S1 + G C1) = 0, Q = Pi E, J = H Pi;
     ``relaxed``: A1 = Pi G C1 and B L1 = Pi S1 instead of the second, and nothing about J.
@@ -99,8 +101,8 @@ def steady_state_map(
         raise ParameterError(
             "a generator with an f of its own needs relaxed=True, as J = H Pi says nothing then"
         )
-    moments = list(times) if plant.varying else [0.0]
-    plants = [plant.at(t) for t in moments]
+    varying = f"the plant ({', '.join(plant.varying)})" if plant.varying else ""
+    plants = [plant.at(t) for t in moments(varying, times, "to hold")]
     g = generator.beside(plants[0])
 
     def left(pi: FloatArray) -> dict[str, list[FloatArray]]:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy import signal
 
-from pointpred.errors import CertificateError, InfeasibleError, UndecidedError
+from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers import (
     Persidskii,
     SeededSignal,
@@ -188,6 +188,10 @@ def test_matrices_that_vary_are_certified_where_they_are_looked_at() -> None:
     observer = invariant_observer(plant, [[0.0, 1.0]], [[-3.0]])
     found = certify_convergence(observer, decay=1.0, times=np.linspace(0.0, 6.3, 5))
     assert len([name for name in found.margins if name.startswith("the inequality at")]) == 5
+    with pytest.raises(ParameterError, match="the observer varies: give the times at which it is certified"):
+        certify_convergence(observer, decay=1.0)
+    with pytest.raises(ParameterError, match="times must be finite"):
+        certify_convergence(observer, decay=1.0, times=[0.0, np.nan])
     with pytest.raises(InfeasibleError, match=r"has the eigenvalue 0\.5"):
         certify_convergence(invariant_observer(plant, [[0.0, 1.0]], [[0.5]]), times=[1.5 * np.pi])
 
