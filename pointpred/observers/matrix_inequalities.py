@@ -93,7 +93,7 @@ class MatrixInequalities:
         return self._add(name, "number", 1, 1, low)
 
     def below(self, name: str, block: Block, *, strict: bool = True) -> Self:
-        """Demand block(v) < 0; where it is not ``strict``, ``check`` accepts an eigenvalue of 0."""
+        """Demand block(v) < 0; where not ``strict``, ``check`` accepts 0, to 1e-12 of the largest term."""
         if name in self.blocks:
             raise ParameterError(f"an inequality needs a new name, received {name!r}")
         self.blocks[name] = block
@@ -165,15 +165,18 @@ class MatrixInequalities:
         """
         margins = self.margins(values)
         failed = [
-            self._failure(name, margin) for name, margin in margins.items() if not self._holds(name, margin)
+            self._failure(name, margin)
+            for name, margin in margins.items()
+            if not self._holds(name, margin, values)
         ]
         if failed:
             raise CertificateError(f"{self.name}: {'; '.join(failed)}{self._excuse(margins, rounding)}")
         return margins
 
-    def _holds(self, name: str, margin: float) -> bool:
+    def _holds(self, name: str, margin: float, values: Mapping[str, Any]) -> bool:
         if name in self._weak:
-            return margin >= -1e-12
+            numbers = self.unknowns.numbers(dict(values))
+            return margin >= -1e-12 * self.unknowns.size(name, self.blocks[name], numbers)
         return margin > 0.0 if name in self.blocks or name.endswith(" > 0") else margin >= 0.0
 
     def _failure(self, name: str, margin: float) -> str:

@@ -158,6 +158,12 @@ class Unknowns:
             raise ParameterError(f"{name} must be affine in the unknown matrices; it is off by {error:.3g}")
         return constant, slopes
 
+    def size(self, name: str, block: Block, numbers: FloatArray) -> float:
+        """The largest entry among the terms of a block, before they cancel: what its rounding goes by."""
+        constant, slopes = self.coefficients(name, block)
+        terms = np.abs(slopes) * np.abs(numbers)[:, None, None]
+        return float(max(np.abs(constant).max(), terms.max(initial=0.0)))
+
     def value(self, name: str, block: Block, numbers: FloatArray) -> FloatArray:
         """A block as a symmetric matrix; raises ParameterError where it is none."""
         return symmetric(name, block(self.matrices(numbers)))

@@ -201,3 +201,16 @@ def test_a_missing_solver_is_said_with_the_line_that_installs_it(monkeypatch: py
     with pytest.raises(MissingExtraError, match=r"pip install 'pointpred\[observers\]'"):
         lyapunov(-np.eye(2)).solve()
     assert lyapunov(-np.eye(2)).check({"P": np.eye(2)})["A'P + PA"] == pytest.approx(2.0)
+
+
+@pytest.mark.parametrize("scale", [1e-14, 1.0, 1e14])
+def test_an_eigenvalue_of_zero_is_told_from_a_small_one_in_every_unit(scale: float) -> None:
+    """A block of 1e-14 fails by a tenth of itself, one of 1e14 holds although rounding moves it by 0.02."""
+    equal = MatrixInequalities("edge").number("a").number("b")
+    equal.below("a - b", lambda v: scale * (v.a - v.b), strict=False)
+    equal.above("b - a", lambda v: scale * (v.b - v.a), strict=False)
+    assert equal.check({"a": 1.0 + 2.0**-52, "b": 1.0})["a - b"] < 0.0
+    with pytest.raises(CertificateError, match="a - b has the eigenvalue"):
+        equal.check({"a": 1.1, "b": 1.0})
+    with pytest.raises(CertificateError, match="b - a has the eigenvalue"):
+        equal.check({"a": 1.0 + 1e-11, "b": 1.0})
