@@ -29,9 +29,9 @@ class Following:
         self._thread = threading.Thread(target=self._run, name="device", daemon=True)
 
     def start(self, seconds: float | None) -> None:
-        """Begin; end by itself after ``seconds`` where they are given."""
+        """Begin; end by itself after ``seconds`` where they are given and a clock can count them."""
         self._thread.start()
-        if seconds is not None:
+        if seconds is not None and seconds < threading.TIMEOUT_MAX:
             timer = threading.Timer(seconds, self.stopping.set)
             timer.daemon = True
             timer.start()

@@ -1,0 +1,35 @@
+"""How ``pointpred live`` drives a session and ends it."""
+
+from __future__ import annotations
+
+import threading
+
+import pytest
+
+from pointpred import build
+from pointpred.cli.live_following import Following
+from pointpred.devices.sessions import LiveSession
+from tests.devices.live_fakes import FakeMouse
+
+
+def following() -> Following:
+    return Following(LiveSession(FakeMouse(), None, build("hold")))
+
+
+@pytest.mark.parametrize("seconds", [float("inf"), 1e12])
+def test_more_seconds_than_a_clock_counts_are_no_end(monkeypatch: pytest.MonkeyPatch, seconds: float) -> None:
+    raised: list[BaseException | None] = []
+    monkeypatch.setattr(threading, "excepthook", lambda failure: raised.append(failure.exc_value))
+    driven = following()
+    driven.start(seconds)
+    for timer in [thread for thread in threading.enumerate() if isinstance(thread, threading.Timer)]:
+        timer.join(5.0)
+    assert (raised, driven.stopping.is_set()) == ([], False)
+    driven.stop()
+
+
+def test_it_ends_by_itself_after_the_seconds_given() -> None:
+    driven = following()
+    driven.start(0.01)
+    assert driven.stopping.wait(10.0)
+    driven.stop()
