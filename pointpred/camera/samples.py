@@ -18,6 +18,8 @@ NOISE = (
     Parameter("accel_noise", "m/s^2/sqrt(Hz)", 0.0, 10.0, "density of the accelerometer's white noise"),
     Parameter("dropped", "", 0.0, 1.0, "share of the images that are missing"),
 )
+ROWS_MOST = 10_000_000
+"""Samples that are simulated at once: a gigabyte or so."""
 
 
 class CameraSample(msgspec.Struct, frozen=True):
@@ -80,8 +82,8 @@ def simulate(
     """Samples of a scenario, and the truth at the same times.
 
     ``focal_px`` must be given: it is what turns px of noise into radians, and the paper does not state it.
-    ``readings`` of the inertial sensor an image. The first sample always has an image. Raises
-    ParameterError.
+    ``readings`` of the inertial sensor an image; 1e7 samples at most. The first sample always has an image.
+    Raises ParameterError.
 
     >>> from pointpred.camera.scenario import SCENARIOS
     >>> samples, truth = simulate(SCENARIOS["paper"], focal_px=800.0, duration_s=1.0)
@@ -93,7 +95,11 @@ def simulate(
             raise ParameterError(f"{name} must lie in (0, 1e6], received {value!r}")
     if isinstance(readings, bool) or not isinstance(readings, int) or not 1 <= readings <= 1000:
         raise ParameterError(f"readings must be a whole number in [1, 1000], received {readings!r}")
+    _check_seed(seed)
     rate_hz = image_hz * readings
+    if duration_s * rate_hz > ROWS_MOST:
+        told = f"{duration_s:g} s x {image_hz:g} images/s x {readings} readings"
+        raise ParameterError(f"at most {ROWS_MOST:.0e} samples can be simulated, received {told}")
     t = np.arange(round(duration_s * rate_hz) + 1) / rate_hz
     truth = trajectory(scenario, t)
     return observed(truth, focal_px=focal_px, readings=readings, noise=noise, seed=seed), truth
@@ -106,6 +112,7 @@ def observed(
 
     The same seed gives the same samples. Raises ParameterError.
     """
+    _check_seed(seed)
     noise = noise or Noise()
     check((FOCAL, *NOISE), {"focal_px": focal_px, **{p.name: getattr(noise, p.name) for p in NOISE}})
     random = np.random.default_rng(seed)
@@ -122,3 +129,8 @@ def observed(
     gyro = truth.w + noise.gyro_bias + spread * noise.gyro_noise * random.normal(size=(rows, 3))
     accel = truth.a + noise.accel_bias + spread * noise.accel_noise * random.normal(size=(rows, 3))
     return CameraColumns(np.column_stack([truth.t, image, gyro, accel]))
+
+
+def _check_seed(seed: int) -> None:
+    if isinstance(seed, bool) or not isinstance(seed, int) or seed < 0:
+        raise ParameterError(f"seed must be a whole number not below 0, received {seed!r}")

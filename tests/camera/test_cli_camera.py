@@ -158,3 +158,23 @@ def test_simulate_replaces_nothing_unasked(simulated: Path, command: Callable) -
     assert command("camera", "simulate", *FOCAL, "--out", simulated, "--force", "--seconds", "1").code == 0
     assert "--scenario must be one of" in command("camera", "simulate", *FOCAL, "--scenario", "x").err
     assert "Missing option" in command("camera", "simulate").err
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (("--seed", "-1"), "seed must be a whole number not below 0, received -1"),
+        (("--seconds", "1e6"), "at most 1e+07 samples can be simulated, received 1e+06 s x 33 images/s"),
+        (("--seconds", "1e4", "--readings", "1000"), "10000 s x 33 images/s x 1000 readings"),
+        (("--seconds", "0"), "duration_s must lie in (0, 1e6]"),
+        (("--readings", "0"), "readings must be a whole number in [1, 1000]"),
+    ],
+)
+def test_what_cannot_be_simulated_is_told_in_a_line(
+    tmp_path: Path, command: Callable, change: tuple[str, ...], said: str
+) -> None:
+    left = command("camera", "simulate", *FOCAL, "--out", tmp_path / "c.csv", *change)
+    assert left.code == 2
+    assert said in left.err
+    assert left.err.count("\n") == 1
+    assert not list(tmp_path.iterdir())
