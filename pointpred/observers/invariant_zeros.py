@@ -82,8 +82,11 @@ def decoupling(f: FloatArray, c: FloatArray) -> FloatArray:
     """
     if f.ndim != 2 or c.ndim != 2 or f.shape[0] != c.shape[1]:
         raise ParameterError(f"C F must exist: F has shape {f.shape}, C has shape {c.shape}")
+    if not f.shape[1]:
+        raise ParameterError("F needs a column for each unknown input, received none")
     seen = c @ f
-    rank_seen, rank = int(np.linalg.matrix_rank(seen)), int(np.linalg.matrix_rank(f))
+    smallest = RELATIVE * float(np.linalg.norm(c, 2) * np.linalg.norm(f, 2))
+    rank_seen, rank = int(np.linalg.matrix_rank(seen, tol=smallest)), int(np.linalg.matrix_rank(f))
     if rank < f.shape[1]:
         raise ParameterError(f"F must have full column rank {f.shape[1]}, its rank is {rank}")
     if rank_seen < rank:

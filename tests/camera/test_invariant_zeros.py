@@ -104,6 +104,18 @@ def test_ranks_are_named() -> None:
         decoupling(np.ones((3, 2)), np.eye(2, 3))
     with pytest.raises(ParameterError, match=r"F has shape \(3, 2\), C has shape \(2, 4\)"):
         decoupling(np.ones((3, 2)), np.eye(2, 4))
+    with pytest.raises(ParameterError, match="F needs a column for each unknown input, received none"):
+        decoupling(np.zeros((3, 0)), np.eye(2, 3))
+
+
+@pytest.mark.parametrize("scale", [1e-12, 1.0, 1e12])
+def test_an_input_that_rounding_alone_lets_through_is_not_seen(scale: float) -> None:
+    """0.3 - (0.1 + 0.2) is not 0; an output of 1e-6 of the states' is one all the same."""
+    f = scale * np.array([[1.0], [1.0], [1.0]])
+    with pytest.raises(ParameterError, match=r"rank\(C F\) = 0 < rank\(F\) = 1"):
+        decoupling(f, np.array([[0.3, -0.2, -0.1]]))
+    small = decoupling(f, np.array([[0.3, -0.2, -0.1 + 1e-6]]))
+    np.testing.assert_allclose(small @ f / scale, 0.0, atol=1e-9)
 
 
 def test_kernel_of_what_has_none_is_empty() -> None:
