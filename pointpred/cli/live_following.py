@@ -53,6 +53,28 @@ class Following:
             self.stopping.set()
 
 
+class Viewing:
+    """A view on a thread of its own; where it breaks it ends the session, and ``error`` is what broke it."""
+
+    def __init__(self, show: Callable[[], None], stopping: threading.Event) -> None:
+        self.error: BaseException | None = None
+        self._show, self._stopping = show, stopping
+        self._thread = threading.Thread(target=self._run, name="view")
+        self._thread.start()
+
+    def join(self) -> None:
+        """Wait for its end."""
+        self._thread.join()
+
+    def _run(self) -> None:
+        try:
+            self._show()
+        except BaseException as error:  # SystemExit too: what becomes of a pipe that nobody reads any more
+            self.error = error
+        finally:
+            self._stopping.set()
+
+
 @contextmanager
 def attentive(stopping: threading.Event) -> Iterator[None]:
     """A process whose threads take turns quickly, and which ends in order when it is asked to."""

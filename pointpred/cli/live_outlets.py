@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import threading
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import msgspec
 
-from pointpred.cli.live_following import Following, attentive
+from pointpred.cli.live_following import Following, Viewing, attentive
 from pointpred.cli.live_learning import Learning, learning_of
 from pointpred.cli.live_log import ViewLog
 from pointpred.cli.live_serving import Serving
@@ -72,9 +72,7 @@ class Outlets:
             if not screen.is_terminal:
                 for name, words in heading:
                     remarks().print(f"{name}: {words}", markup=False)
-            shown = (self.session, heading, stopping, screen, self._viewed)
-            view = threading.Thread(target=show, args=shown, name="view")
-            view.start()
+            view = Viewing(partial(show, self.session, heading, stopping, screen, self._viewed), stopping)
             try:
                 if serving is None:
                     stopping.wait()
@@ -85,7 +83,9 @@ class Outlets:
             finally:
                 stopping.set()
                 view.join()
-                self._end()
+                self._end(unheard=view.error is not None)
+            if view.error is not None:
+                raise view.error
 
     def _learn(self) -> None:
         """Keep the curve up to date, and show it to whoever looks at the page."""
@@ -102,14 +102,15 @@ class Outlets:
         told(learning.curve)
         learning.start(self._following.stopping, told)
 
-    def _end(self) -> None:
-        """Stop, see that everything is written, and say what it came to."""
+    def _end(self, *, unheard: bool) -> None:
+        """Stop, see that everything is written, and say what it came to unless that is ``unheard``."""
         recording = self.recording
         try:
             self._following.stop()
         finally:
             written = recording.close() if recording else True
             screen = results()
+            screen.quiet = unheard
             screen.print(ending(self.session), markup=False, soft_wrap=True)
             for entry in self._log.wrong if self._log else ():
                 remarks().print(entry, markup=False)

@@ -10,6 +10,7 @@ import time
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import IO
 
 from pointpred.devices.source import Report
 from tests.devices.mice import Plugged
@@ -30,7 +31,9 @@ def environment(testbed: Testbed) -> dict[str, str]:
 
 
 @contextmanager
-def started(testbed: Testbed, errors: Path, *arguments: str) -> Iterator[subprocess.Popen[str]]:
+def started(
+    testbed: Testbed, errors: Path, *arguments: str, out: int | IO[str] = subprocess.PIPE
+) -> Iterator[subprocess.Popen[str]]:
     """A process that reads the mouse; what it says on stderr goes to a file."""
     command = [sys.executable, "-m", "pointpred", "live", *arguments]
     with errors.open("w") as said:
@@ -38,7 +41,7 @@ def started(testbed: Testbed, errors: Path, *arguments: str) -> Iterator[subproc
             command,
             env=environment(testbed),
             stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
+            stdout=out,
             stderr=said,
             text=True,
         )

@@ -7,7 +7,7 @@ import threading
 import pytest
 
 from pointpred import build
-from pointpred.cli.live_following import Following
+from pointpred.cli.live_following import Following, Viewing
 from pointpred.devices.sessions import LiveSession
 from tests.devices.live_fakes import FakeMouse
 
@@ -33,3 +33,14 @@ def test_it_ends_by_itself_after_the_seconds_given() -> None:
     driven.start(0.01)
     assert driven.stopping.wait(10.0)
     driven.stop()
+
+
+@pytest.mark.parametrize("error", [OSError("no space left"), SystemExit(1)], ids=["full", "closed"])
+def test_a_view_that_breaks_ends_the_session(error: BaseException) -> None:
+    def show() -> None:
+        raise error
+
+    stopping = threading.Event()
+    view = Viewing(show, stopping)
+    view.join()
+    assert (view.error, stopping.is_set()) == (error, True)
