@@ -138,11 +138,19 @@ class Outlets:
         told = []
         if isinstance(self.learning, Learning):
             told.append(("gain", self.learning.words()))
-        if (recording := self.recording) is not None:
-            said = f"{counted(recording.events, 'event')} in {recording.file}"
-            said += f", {recording.lost} lost" if recording.lost else ""
-            told.append(("recorded", said + (", stopped by an error" if recording.failed else "")))
+        if self.recording is not None:
+            told.append(("recorded", self._recorded(self.recording)))
         return told
+
+    def _recorded(self, recording: LiveRecording) -> str:
+        """What has been recorded; there is no file before there is an event."""
+        if recording.events:
+            said = f"{counted(recording.events, 'event')} in {recording.file}"
+        else:
+            came = self.session.reports or self.session.source.unreadable
+            said = "nothing recorded" if came else "nothing moved, nothing recorded"
+        said += f", {recording.lost} lost" if recording.lost else ""
+        return said + (", stopped by an error" if recording.failed else "")
 
     def _viewed(self) -> list[tuple[str, str]]:
         """The further rows of the view."""
