@@ -5,7 +5,7 @@ from __future__ import annotations
 from pointpred import build
 from pointpred.cli import live_view
 from pointpred.devices.sessions import LiveSession
-from pointpred.devices.source import Report
+from pointpred.devices.source import MOST_WAITING, Report
 from tests.devices.live_fakes import FakeMouse
 
 
@@ -27,3 +27,22 @@ def test_a_device_that_was_read_or_sent_nothing_is_not_blamed() -> None:
     read.unreadable = 41
     assert live_view.ending(session_of(read)).startswith("1 report; 0 lost, 41 unreadable")
     assert live_view.ending(session_of(FakeMouse())).startswith("0 reports; 0 lost, 0 unreadable")
+
+
+def test_losses_are_told_by_kind_in_every_view() -> None:
+    mouse = FakeMouse(Report(0.0, 1, 0) for _ in range(MOST_WAITING + 7))
+    mouse.unreadable, mouse.resynchronised = 3, 2
+    session = session_of(mouse)
+    told = "7 lost, 3 unreadable, 0 refused, 2 gaps in the kernel"
+    state = session.state()
+    assert live_view.losses(state) == told
+    assert dict(live_view.state_rows(state))["losses"] == told
+    assert f"; {told}; " in live_view.line(state, session.newest)
+    assert f"; {told}; " in live_view.ending(session)
+
+
+def test_what_was_refused_comes_with_its_reason() -> None:
+    session = session_of(FakeMouse([Report(1.0, 1, 0), Report(0.5, 1, 0)]))
+    said = live_view.losses(session.state())
+    assert said.startswith("0 lost, 0 unreadable, 1 refused, 0 gaps in the kernel (")
+    assert "0.5" in said
