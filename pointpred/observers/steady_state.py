@@ -84,9 +84,10 @@ def steady_state_map(
     (A0 - Pi G C0) Pi - Pi S0 + B L0 = 0, A1 + B L1 - Pi (S1 + G C1) = 0, Q = Pi E, J = H Pi;
     ``relaxed``: A1 = Pi G C1 and B L1 = Pi S1 instead of the second, and nothing about J.
 
-    Parameters: ``tolerance`` of a residual relative to the largest entry of the matrices, for matrices that
-    were rounded in print. Raises InfeasibleError naming the equality that cannot hold and its residual,
-    UndecidedError where a Riccati equation has no isolated solution that satisfies the rest.
+    Parameters: ``tolerance`` of a residual, (0, 1), relative to the largest entry of A0, A1, B L0, B L1, Q,
+    S0 and G C0 (of H and J too where J is given), for matrices that were rounded in print; ``times`` in s
+    (indices in discrete time). Raises InfeasibleError naming the equality that cannot hold and its residual,
+    ParameterError, UndecidedError where a Riccati equation has no isolated solution that satisfies the rest.
 
     Reference: Khalin 2022, Proposition 3.2.1, Corollary 3.2.1; Lancaster and Rodman 1995, chapter 7.
 
@@ -97,6 +98,8 @@ def steady_state_map(
     Traceback (most recent call last):
     pointpred.errors.InfeasibleError: A0 Pi - Pi G C0 Pi - Pi S0 + B L0 = 0 cannot hold: ... residual is 2
     """
+    if not 0.0 < tolerance < 1.0:
+        raise ParameterError(f"tolerance must lie in (0, 1), received {tolerance!r}")
     if generator.f is not None and not relaxed:
         raise ParameterError(
             "a generator with an f of its own needs relaxed=True, as J = H Pi says nothing then"
@@ -113,10 +116,13 @@ def steady_state_map(
         parts = left(numbers.reshape(plant.n, g.q)).values()
         return np.concatenate([one.ravel() for part in parts for one in part])
 
+    held = () if relaxed or generator.J is None else (plants[0].H, generator.J)
     size = max(
-        np.abs(one).max(initial=0.0) for one in (plant.A0, plant.A1, plant.B, plant.Q, g.S0, g.L0, g.L1, g.G)
+        np.abs(one).max(initial=0.0)
+        for now in plants
+        for one in (now.A0, now.A1, now.B @ g.L0, now.B @ g.L1, now.Q, g.S0, g.G @ now.C0, *held)
     )
-    limit = tolerance * max(1.0, float(size))
+    limit = tolerance * (float(size) or 1.0)
     linear = not any((g.G @ one.C0).any() for one in plants)
     if linear:
         slope = _jacobian(stacked, np.zeros(plant.n * g.q))
@@ -126,7 +132,7 @@ def steady_state_map(
         candidates = [refined(stacked, one.ravel()) for one in [*started, np.zeros((plant.n, g.q))]]
     solved = [one for one in candidates if np.abs(stacked(one)).max(initial=0.0) <= limit]
     if not solved:
-        _refuse(left, candidates, (plant.n, g.q), linear=linear)
+        _refuse(left, candidates, (plant.n, g.q), limit, linear=linear)
     distinct = _distinct([one.reshape(plant.n, g.q) for one in solved])
     distinct.sort(key=lambda pi: _abscissa(plants[0].A0 - pi @ g.G @ plants[0].C0, plant.time))
     pi = distinct[0]
@@ -169,9 +175,11 @@ def _distinct(found: list[FloatArray]) -> list[FloatArray]:
     return kept
 
 
-def _refuse(left: Any, candidates: list[FloatArray], shape: tuple[int, int], *, linear: bool) -> None:
+def _refuse(
+    left: Any, candidates: list[FloatArray], shape: tuple[int, int], limit: float, *, linear: bool
+) -> None:
     if linear:
-        _name_first(left, candidates[0], shape)
+        _name_first(left, candidates[0], shape, limit)
     worst = min(
         ({name: _largest(parts) for name, parts in left(one.reshape(shape)).items()} for one in candidates),
         key=lambda found: max(found.values()),
@@ -183,7 +191,7 @@ def _refuse(left: Any, candidates: list[FloatArray], shape: tuple[int, int], *, 
     )
 
 
-def _name_first(left: Any, zero: FloatArray, shape: tuple[int, int]) -> None:
+def _name_first(left: Any, zero: FloatArray, shape: tuple[int, int], limit: float) -> None:
     """Raise InfeasibleError for the first equality that cannot hold beside those before it."""
     names = list(left(zero.reshape(shape)))
     for count in range(1, len(names) + 1):
@@ -193,7 +201,7 @@ def _name_first(left: Any, zero: FloatArray, shape: tuple[int, int]) -> None:
             return np.concatenate([one.ravel() for name in kept for one in found[name]])
 
         residual = float(np.abs(some(_least(some, _jacobian(some, np.zeros_like(zero))))).max())
-        if residual > TOLERANCE or count == len(names):
+        if residual > limit or count == len(names):
             beside = f" beside {', '.join(names[: count - 1])}" if count > 1 else ""
             told = f"{names[count - 1]} = 0 cannot hold{beside}"
             raise InfeasibleError(f"{told}: the least residual is {residual:.6g}")
