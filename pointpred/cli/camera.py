@@ -106,14 +106,14 @@ def run(
       pointpred camera run readings.csv --focal-px 620 --images frames/ --point 12,-40 --plot depth.svg
     """
     check_targets({"--plot": plot, "--json": json}, [samples] if truth is None else [samples, truth])
-    from pointpred.cli.camera_files import TRUTH, errors_of, read_samples, read_table
+    from pointpred.cli.camera_files import errors_of, read_samples, read_truth
     from pointpred.cli.camera_tables import show, summary
 
     columns = read_samples(samples)
     if images is not None:
         columns = _followed(columns, images, point, every)
     found = _pipeline(focal_px, start_depth, start_vz, noise_px, way).run(columns)
-    known = None if truth is None else read_table(truth, TRUTH)
+    known = None if truth is None else read_truth(truth)
     errors = None if known is None else errors_of(found, known)
     if plot is not None:
         from pointpred.cli.camera_plot import plot as draw

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+from math import isfinite
 from pathlib import Path
 from typing import Any
 
@@ -36,6 +37,8 @@ def read_table(source: Path, names: Names) -> FloatArray:
                 raise RecordingError(f"{source}: {told}")
             rows = []
             for number, row in enumerate(reader, start=2):
+                if None in row:
+                    raise RecordingError(f"{source}, line {number}: has more fields than the header")
                 rows.append([_number(source, number, name, row[name]) for name in names])
     except (UnicodeDecodeError, csv.Error) as unusable:
         raise RecordingError(f"{source}: is no CSV file in UTF-8: {unusable}") from unusable
@@ -53,6 +56,18 @@ def _number(source: Path, number: int, name: str, text: str | None) -> float:
         return float(text)
     except ValueError as unusable:
         raise RecordingError(f"{source}, line {number}: {name} is no number: {text!r:.40}") from unusable
+
+
+def read_truth(source: Path) -> FloatArray:
+    """The truth beside samples; raises RecordingError for numbers that no camera has, naming file and row."""
+    table = read_table(source, TRUTH)
+    for row, values in enumerate(table.tolist()):
+        for name, value in zip(TRUTH, values, strict=True):
+            if not isfinite(value):
+                raise RecordingError(f"{source}: row {row}: {name} must be finite, received {value!r}")
+        if not values[1] > 0.0:
+            raise RecordingError(f"{source}: row {row}: depth_m must be positive, received {values[1]!r}")
+    return table
 
 
 def truth_table(truth: Trajectory) -> FloatArray:

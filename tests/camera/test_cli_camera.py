@@ -140,6 +140,28 @@ def test_what_is_no_csv_is_named(simulated: Path, command: Callable, content: by
     assert left.err.count("\n") == 1
 
 
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ("0.0,0,0,0,0", "row 0: depth_m must be positive, received 0.0"),
+        ("0.0,-1,0,0,0", "row 0: depth_m must be positive, received -1.0"),
+        ("0.0,nan,0,0,0", "row 0: depth_m must be finite, received nan"),
+        ("0.0,1,0,0,inf", "row 0: vz must be finite, received inf"),
+        ("0.0,1,0,0,0,7", "line 2: has more fields than the header"),
+        ("0.0,1,0,0", "line 2: vz is empty"),
+    ],
+)
+def test_a_truth_that_cannot_be_is_named(simulated: Path, command: Callable, line: str, said: str) -> None:
+    truth = simulated.with_name("paper_truth.csv")
+    lines = truth.read_text().splitlines()
+    truth.write_text("\n".join([lines[0], line, *lines[2:]]) + "\n")
+    left = command("camera", "run", simulated, *FOCAL, "--truth", truth)
+    assert left.code == 1
+    assert f"{truth}" in left.err
+    assert said in left.err
+    assert left.err.count("\n") == 1
+
+
 @pytest.mark.parametrize("option", ["--plot", "--json"])
 def test_results_replace_no_input(simulated: Path, command: Callable, option: str) -> None:
     truth = simulated.with_name("paper_truth.csv")
