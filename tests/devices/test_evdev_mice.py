@@ -16,6 +16,7 @@ from tests.devices.umockdev import Testbed
 pytestmark = pytest.mark.recordings
 NAMES = ("PS2 Generic Mouse", "Saitek Cyborg R.A.T.5 Mouse", "Ultrathin Touch Mouse")
 PACED_S = 1.2
+DROPPED, PRESSED = (0, 3, 0), (1, 0x110, 1)
 
 
 def mouse_of(folder: Path, name: str) -> Mouse:
@@ -94,10 +95,10 @@ def test_unplugged_in_the_middle_it_waits_and_goes_on(testbed: Testbed, recordin
     twin = plug(testbed, 4, mouse)
     with Reader(testbed, node) as reader:
         reader.ask()
-        press = [(*events[0][:2], 1, 0x110, 1), (*events[0][:2], 0, 0, 0)]
-        evdev_mice.write(testbed, node, [*press, *events[:half]])
-        rows = reader.ask(reports=1 + len(first))["reports"]
-        assert [row[1:3] for row in rows[1:]] == first.table[:, 3:5].tolist()
+        dropped, press = ([(*events[0][:2], *kind), (*events[0][:2], 0, 0, 0)] for kind in (DROPPED, PRESSED))
+        evdev_mice.write(testbed, node, [*dropped, *press, *events[:half]])
+        rows = reader.ask(reports=2 + len(first))["reports"]
+        assert [row[1:3] for row in rows[2:]] == first.table[:, 3:5].tolist()
         unplug(testbed, 3)
         gone = reader.ask(plugged=False, reports=1)
         assert gone["plugged"] is False
@@ -107,6 +108,8 @@ def test_unplugged_in_the_middle_it_waits_and_goes_on(testbed: Testbed, recordin
         assert (back["plugged"], back["path"]) == (True, again)
         evdev_mice.write(testbed, again, events[half:])
         evdev_mice.write(testbed, twin, events[:9])  # its twin stayed where it was
-        rows = reader.ask(reports=len(second))["reports"]
+        told = reader.ask(reports=len(second))
+    rows = told["reports"]
+    assert told["resynchronised"] == 1  # what was lost before it went is not forgotten
     assert [row[1:4] for row in rows] == second.table[:, 3:6].tolist()
     assert rows[0][0] >= gone["reports"][0][0]
