@@ -8,12 +8,12 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.errors import CertificateError, InfeasibleError, ParameterError
+from pointpred.errors import CertificateError, InfeasibleError
 from pointpred.observers.bounds import ErrorBound, interconnection_bound
 from pointpred.observers.detectability import require_detectable
 from pointpred.observers.generator import Fitted, Generator
 from pointpred.observers.interconnection import Interconnection, theorem_3_2_1
-from pointpred.observers.matrices import matrix
+from pointpred.observers.matrices import matrix, positive
 from pointpred.observers.matrix_inequalities import MatrixInequalities
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.steady_state import residuals
@@ -83,8 +83,7 @@ def design_observer(
     Traceback (most recent call last):
     pointpred.errors.InfeasibleError: (S0, C0 Pi) is not detectable: the mode of the eigenvalue 0 never shows
     """
-    if not 0.0 <= decay < np.inf:
-        raise ParameterError(f"decay must be finite and not below 0, received {decay!r}")
+    decay = positive("decay", decay, zero=True)
     seen = Interconnection(plant, generator, Pi)
     for name, d in seen.corners.items():
         pair = f"(S0 + S1 D J, C0 Pi + C1 D J), D = diag({name}),"

@@ -25,6 +25,8 @@ def undetectable(A: Any, C: Any, time: str = "continuous") -> list[complex]:  # 
     >>> undetectable([[1.0, 0.0], [0.0, -2.0]], [[0.0, 1.0]])
     [(1+0j)]
     """
+    if time not in ("continuous", "discrete"):
+        raise ParameterError(f"time must be 'continuous' or 'discrete', received {time!r}")
     a = matrix("A", A, len(matrix("A", A)), len(matrix("A", A)))
     c = matrix("C", C, None, len(a))
     size = float(np.linalg.norm(a, 2)) or 1.0

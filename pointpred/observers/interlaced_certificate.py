@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pointpred.columns import FloatArray
+from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
 from pointpred.observers.detectability import require_detectable
 from pointpred.observers.matrices import matrix
@@ -78,7 +79,7 @@ def certify(
     """
     system = matrix("A", a)
     output = matrix("C", c, None, len(system))
-    if not 0.0 < rate < np.inf:
+    if not is_number(rate) or not 0.0 < rate < np.inf:
         raise ParameterError(f"rate must be a positive number of 1/s, received {rate!r}")
     require_detectable(system, output, "continuous", "(A, C)")
     problem = inequalities(system, output).above("Q - 2 rate P", lambda v: v.Q - 2.0 * rate * v.P)

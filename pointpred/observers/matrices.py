@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from pointpred.columns import FloatArray
+from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
 
 
@@ -63,3 +64,23 @@ def moments(varying: str, times: Sequence[float] | None, purpose: str) -> list[f
     if times is None or len(times) == 0:
         raise ParameterError(f"{varying} varies: give the times at which it is {purpose}")
     return [float(one) for one in matrix("times", times, 1)[0]]
+
+
+def positive(name: str, given: Any, *, zero: bool = False) -> float:
+    """A finite number above 0 (or not below it); raises ParameterError, also for words and complex ones.
+
+    >>> positive("decay", "fast")
+    Traceback (most recent call last):
+    pointpred.errors.ParameterError: decay must be finite and above 0, received 'fast'
+    """
+    if not is_number(given) or not 0.0 <= given < np.inf or (given == 0.0 and not zero):
+        bound = "not below" if zero else "above"
+        raise ParameterError(f"{name} must be finite and {bound} 0, received {given!r}")
+    return float(given)
+
+
+def share(name: str, given: Any) -> float:
+    """A number within (0, 1); raises ParameterError."""
+    if not is_number(given) or not 0.0 < given < 1.0:
+        raise ParameterError(f"{name} must lie in (0, 1), received {given!r}")
+    return float(given)

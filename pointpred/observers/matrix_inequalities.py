@@ -116,6 +116,8 @@ class MatrixInequalities:
 
         Raises InfeasibleError, UndecidedError or CertificateError where there is no answer to stand on.
         """
+        if not self.blocks:
+            raise ParameterError(f"{self.name}: needs at least one inequality, received none")
         problem, scales = self._numbers(minimise)
         if minimise is not None:
             best = run(problem, solver=solver, margin=self.margin)

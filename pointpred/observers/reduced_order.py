@@ -8,8 +8,8 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.errors import ParameterError
 from pointpred.observers.detectability import require_detectable, vertices
+from pointpred.observers.matrices import positive
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.reversed_certificate import Convergence, certify_convergence
 from pointpred.observers.reversed_connection import InvariantObserver, invariant_observer
@@ -55,8 +55,7 @@ def design_reduced_order(
     >>> bool(design.observer.at(0.0).S0[0, 0] < -2.0)
     True
     """
-    if not 0.0 < decay < np.inf:
-        raise ParameterError(f"decay must be finite and above 0, received {decay!r}")
+    decay = positive("decay", decay)
     pi = _unmeasured(plant) if Pi is None else Pi
     parts = split(plant, pi)
     sloped = bool(parts.driven.any() or parts.shown.any())

@@ -13,7 +13,7 @@ from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred.observers.bounds import ErrorBound
 from pointpred.observers.detectability import vertices
-from pointpred.observers.matrices import matrix, moments
+from pointpred.observers.matrices import matrix, moments, positive
 from pointpred.observers.matrix_inequalities import MatrixInequalities
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.reversed_bounds import continuous_bound, discrete_bound
@@ -139,8 +139,8 @@ def certify_convergence(
     pointpred.errors.InfeasibleError: Theorem 3.3.1: S0 + S1 D J has the eigenvalue 1, must lie left of 0
     """
     for name, given in (("decay", decay), ("gamma", gamma)):
-        if given is not None and not 0.0 < given < np.inf:
-            raise ParameterError(f"{name} must be finite and above 0, received {given!r}")
+        if given is not None:
+            positive(name, given)
     varying = "the observer" if observer.varying else ""
     connections = [observer.at(t) for t in moments(varying, times, "certified")]
     slowest = max(_slowest(one, observer.plant) for one in connections)

@@ -10,7 +10,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError
-from pointpred.observers.matrices import matrix
+from pointpred.observers.matrices import matrix, share
 from pointpred.observers.persidskii import Persidskii
 
 TOLERANCE = 1e-9
@@ -56,7 +56,7 @@ class InvariantObserver:
         rates: dict[str, Callable[[float], Any]] | None = None,
         tolerance: float = TOLERANCE,
     ) -> None:
-        self.plant, self.injection, self.tolerance = plant, injection, tolerance
+        self.plant, self.injection, self.tolerance = plant, injection, share("tolerance", tolerance)
         self._given = {"Pi": Pi, "Upsilon": np.zeros((0, 0)) if Upsilon is None else Upsilon, "B": B}
         self.q = len(matrix("Pi", _at(Pi, 0.0), None, plant.n))
         self._rates = dict(rates or {})

@@ -11,7 +11,7 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers.generator import Generator
-from pointpred.observers.matrices import matrix, moments
+from pointpred.observers.matrices import matrix, moments, share
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.riccati import invariant_graphs, refined
 
@@ -98,8 +98,7 @@ def steady_state_map(
     Traceback (most recent call last):
     pointpred.errors.InfeasibleError: A0 Pi - Pi G C0 Pi - Pi S0 + B L0 = 0 cannot hold: ... residual is 2
     """
-    if not 0.0 < tolerance < 1.0:
-        raise ParameterError(f"tolerance must lie in (0, 1), received {tolerance!r}")
+    tolerance = share("tolerance", tolerance)
     if generator.f is not None and not relaxed:
         raise ParameterError(
             "a generator with an f of its own needs relaxed=True, as J = H Pi says nothing then"

@@ -10,7 +10,7 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers.generator import Fitted, Generator
-from pointpred.observers.matrices import matrix
+from pointpred.observers.matrices import matrix, share
 from pointpred.observers.matrix_inequalities import MatrixInequalities, Solution
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.sector import SectorBounds, sector_bounds
@@ -151,6 +151,7 @@ def certify_tracking(
     >>> min(certificate.margins.values()) > 0.0
     True
     """
+    tolerance = share("tolerance", tolerance)
     scale = max(1.0, *(float(np.abs(one).max(initial=0.0)) for one in (plant.A0, plant.A1, regulator.S0)))
     for name, left in residuals(plant, regulator, Pi).items():
         worst = float(np.abs(left).max())

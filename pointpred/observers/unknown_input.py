@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pointpred.columns import FloatArray
+from pointpred.differentiators.sampling import is_number
 from pointpred.errors import InfeasibleError, ParameterError
 from pointpred.observers.boxes import Box
 from pointpred.observers.invariant_zeros import fixed_modes, kernel
@@ -76,7 +77,7 @@ class UnknownInputObserver:
         ``sigma`` 1/s, positive; ``output_rate`` 1/s, how fast errors of the outputs themselves fade.
         """
         for name, value in (("sigma", sigma), ("output_rate", output_rate)):
-            if not (isfinite(value) and value > 0.0):
+            if not (is_number(value) and isfinite(value) and value > 0.0):
                 raise ParameterError(f"{name} must be positive and finite, received {value!r}")
         system.checked(box)
         zeros = zeros_over(system, box)

@@ -111,6 +111,10 @@ class ParameterVaryingSystem:
             try:
                 self.t(point)
                 self.ta(point)
+            except KeyError as missing:
+                raise ParameterError(
+                    f"the system needs the variable {missing}, the box has {', '.join(box.names)}"
+                ) from missing
             except ParameterError as wrong:
                 raise ParameterError(f"{wrong}; at the vertex {point}") from wrong
         forces = TakagiSugeno.of(self.f, box, "F")
