@@ -97,7 +97,8 @@ def run(
     """Estimate depth and velocity: the unknown input observer, and a Kalman filter that uses the image.
 
     The observer's errors fade only while the camera recedes; where they do not, the last column says so and
-    the filter is to be believed. The filter says nothing until the images have told the depth.
+    the filter is to be believed. The filter says nothing until the images have told the depth; until then
+    nothing checks the observer, and a wrong start of it is not noticed.
 
     Try:
 

@@ -54,7 +54,7 @@ def show(found: CameraTable, errors: Errors | None) -> None:
 def _moment(found: CameraTable, row: int) -> tuple[str, ...]:
     told = found.peer_chi[row] == found.peer_chi[row]
     spread = f" +- {found.peer_depth_spread[row]:.3f}" if told else ""
-    believe = "filter" if told else ("observer, from its start" if found.detectable[row] else "nobody")
+    believe = "filter" if told else ("observer, unchecked" if found.detectable[row] else "nobody")
     return (
         f"{found.t[row]:.2f}",
         _number(1.0 / found.chi[row]),

@@ -41,7 +41,7 @@ def test_run_tells_depth_velocity_errors_and_what_to_believe(simulated: Path, co
         "camera", "run", simulated, *FOCAL, *start, "--truth", truth, "--plot", plot, "--json", out
     )
     assert left.code == 0, left.err
-    assert "observer, from its start" in left.out
+    assert "observer, unchecked" in left.out
     assert left.out.count("filter") > 5
     said = json.loads(out.read_text())
     assert said["samples"] == 199
@@ -59,6 +59,17 @@ def test_an_approaching_camera_is_told_to_be_so(tmp_path: Path, command: Callabl
     command("camera", "simulate", *FOCAL, "--scenario", "approaching", "--out", out)
     left = command("camera", "run", out, *FOCAL, "--start-depth", "4", "--start-vz", "-0.4")
     assert "filter; observer not detectable" in left.out.splitlines()[-1]
+
+
+@pytest.mark.parametrize("scenario", ["stationary", "rotating"])
+def test_a_camera_that_rests_checks_no_wrong_start(tmp_path: Path, command: Callable, scenario: str) -> None:
+    """Told to recede by 0.4 m/s, the observer has no witness: the filter never starts, nothing is flagged."""
+    out = tmp_path / "rest.csv"
+    command("camera", "simulate", *FOCAL, "--scenario", scenario, "--out", out, "--seconds", "4")
+    left = command("camera", "run", out, *FOCAL, "--start-depth", "2", "--start-vz", "-0.4")
+    rows = left.out.splitlines()[1:]
+    assert len(rows) == 11
+    assert all(row.rstrip().endswith("observer, unchecked") for row in rows)
 
 
 def test_json_on_stdout_is_all_there_is(simulated: Path, command: Callable) -> None:
