@@ -92,6 +92,12 @@ def _only_read(compiled: Any, plain: FunctionType) -> None:
     compiled._cache = keep(plain)
 
 
+def awaits_compiling(function: Any) -> bool:
+    """Whether a law would be compiled when it is called, and kept for other processes."""
+    folder = getattr(getattr(function, "stats", None), "cache_path", None)
+    return folder is not None and not any(Path(folder).glob("*.nbi"))
+
+
 def _distrust(compiled: Any) -> None:
     """Compile anew where the cached code cannot be loaded, as after a full disk or a killed process.
 

@@ -1,6 +1,6 @@
 """Compiled code before the first event: every predictor runs once, so that no client waits for a compiler.
 
-Where the first predictor shows that nothing is compiled yet, another process (``python -m
+Where nothing is compiled yet, another process (``python -m
 pointpred.server.warm``) compiles from the last one on: what it puts into the cache is only loaded here.
 """
 
@@ -11,7 +11,6 @@ import os
 import subprocess
 import sys
 import threading
-import time
 from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from pathlib import Path
@@ -19,6 +18,8 @@ from typing import Any
 
 import pointpred
 from pointpred.columns import EventColumns
+from pointpred.compiled import awaits_compiling
+from pointpred.differentiators import HomogeneousDifferentiator
 from pointpred.events import PointerEvent
 from pointpred.pipeline import run
 from pointpred.registry import REGISTRY, build
@@ -28,8 +29,8 @@ from pointpred.server.settings import Settings
 from pointpred.targets import Chooser, around
 
 Frame = dict[str, Any] | bytes
-COMPILES_S = 1.0
-"""A predictor that takes longer was not in the cache."""
+DEAREST = 2
+"""The last predictors take longest to compile; the helper does what sessions need after them."""
 
 
 def warm(progress: Callable[[int, int, str], bool] = lambda done, of, name: True) -> None:
@@ -38,13 +39,12 @@ def warm(progress: Callable[[int, int, str], bool] = lambda done, of, name: True
     ``progress`` is told how many of how many are done and what comes next, and says whether to go on.
     """
     with ExitStack() as until_done:
+        if awaits_compiling(HomogeneousDifferentiator.step) and _processors() > 1:
+            until_done.callback(_end, _helper())
         for done, name in enumerate(REGISTRY):
             if not progress(done, len(REGISTRY), name):
                 return
-            began = time.monotonic()
             warm_one(name)
-            if done == 0 and time.monotonic() - began > COMPILES_S and _processors() > 1:
-                until_done.callback(_end, _helper())
         warm_session()
     progress(len(REGISTRY), len(REGISTRY), "")
 
@@ -125,6 +125,7 @@ def _leave_with_parent() -> None:
 
 if __name__ == "__main__":
     threading.Thread(target=_leave_with_parent, daemon=True).start()
-    warm_session()
-    for predictor in reversed(REGISTRY):
+    for number, predictor in enumerate(reversed(REGISTRY)):
+        if number == DEAREST:
+            warm_session()
         warm_one(predictor)

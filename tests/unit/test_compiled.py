@@ -192,7 +192,11 @@ def test_code_of_another_signature_is_compiled_anew(tmp_path: Path) -> None:
         return subprocess.run(command, env=environment, capture_output=True, text=True, check=True).stdout
 
     assert run() == "8 0.5\n"
-    one, other = sorted((tmp_path / "cache").rglob("*.nbc"))
+    waits = "from pointpred.compiled import awaits_compiling, law\n@law\ndef f(x):\n    return x * x\n"
+    (tmp_path / "waits.py").write_text(f"{waits}print(awaits_compiling(f), f(4), awaits_compiling(f))")
+    asked = [sys.executable, str(tmp_path / "waits.py")]
+    assert subprocess.check_output(asked, env=environment, text=True) == "True 16 False\n"
+    one, other = sorted((tmp_path / "cache").rglob("program*.nbc"))
     one.write_bytes(other.read_bytes())
     assert run() == "8 0.5\n"
     assert run() == "8 0.5\n"
