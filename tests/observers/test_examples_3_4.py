@@ -146,3 +146,17 @@ def test_two_solvers_agree_on_the_examples(solver: str) -> None:
     assert second.values["Gamma"][0, 0] == pytest.approx(
         design_observer(*chua_circuits(0.3), np.eye(3)).values["Gamma"][0, 0], rel=1e-5
     )
+
+
+@pytest.mark.parametrize("solver", ["CLARABEL", "CVXOPT"])
+def test_two_solvers_agree_on_what_holds_in_example_3(solver: str) -> None:
+    """The least gamma2 is flat: the two meet at 3e-5, and each one's matrices pass the audit."""
+    pytest.importorskip("cvxopt", reason="the second solver is a tool of the tests only")
+    plant, regulator = robotic_arm()
+    with pytest.raises(InfeasibleError, match=r"no choice reaches more than -0\.353"):
+        theorem_3_2_2(plant, regulator, np.eye(4)).solve(solver=solver)
+    modified, driven = robotic_arm(ROBOT_INPUT_MODIFIED)
+    assert min(theorem_3_2_2(modified, driven, np.eye(4)).solve(solver=solver).margins.values()) > 0.0
+    least = theorem_3_2_3(plant, regulator, np.eye(4)).solve(minimise=lambda v: v.gamma2, solver=solver)
+    assert min(least.margins.values()) > 0.0
+    assert float(np.ravel(least.values["gamma2"])[0]) == pytest.approx(32.7243, rel=5e-5)
