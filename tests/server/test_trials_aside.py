@@ -47,6 +47,7 @@ def held(monkeypatch: pytest.MonkeyPatch) -> Iterator[Held]:
             raise RuntimeError("at 7315.25")
         return real(*arguments, **options)  # type: ignore[arg-type]
 
+    monkeypatch.setattr("pointpred.server.service.warm", lambda progress: None)  # it scores a trial, too
     monkeypatch.setattr(pointpred.server.trials, "prepare", slow)
     yield here
     here.go.set()
