@@ -9,6 +9,7 @@ import os
 import sys
 import time
 import timeit
+from functools import partial
 from pathlib import Path
 
 from benchmarks.devices_live import Live, measure
@@ -32,7 +33,7 @@ def decoding_rows() -> list[tuple[str, ...]]:
         decoder = parse_descriptor(mouse.descriptor)
         for report in encode(5, -7, 1, 1, -1):
             rounds = timeit.repeat(
-                lambda decoder=decoder, report=report: decoder.decode(report),  # type: ignore[misc]
+                partial(decoder.decode, report),
                 number=CALLS,
                 repeat=ROUNDS,
                 timer=time.process_time,

@@ -152,7 +152,7 @@ def read(rate_hz: float, number: int, notes: str, predictor: str) -> None:
             number - len(written),
             [x, y] == expected,
             (delays.percentile(0.5) or 0.0, delays.percentile(0.99) or 0.0, delays.longest),
-            tuple(np.quantile(done[:at] - written, [0.5, 0.99, 1.0]).tolist()),  # type: ignore[arg-type]
+            tuple(np.quantile(done[:at] - written, [0.5, 0.99, 1.0]).tolist()),
             share,
         )
     print(msgspec.json.encode(live).decode())

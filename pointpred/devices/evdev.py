@@ -6,6 +6,7 @@ import os
 import select
 import threading
 import time
+from pathlib import Path
 from types import TracebackType
 from typing import Self
 
@@ -146,7 +147,7 @@ class EvdevSource:
                 data = None
             except OSError:  # ENODEV, or whatever else a vanished device answers
                 data = b""
-            if data == b"" or (now - looked >= WATCH_S and not os.path.exists(self.path)):  # noqa: PTH110
+            if data == b"" or (now - looked >= WATCH_S and not Path(self.path).exists()):
                 self._unplug(now)
                 return False
             if data:

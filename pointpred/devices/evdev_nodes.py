@@ -41,7 +41,7 @@ class Node(msgspec.Struct, frozen=True):
 def nodes() -> list[Node]:
     """Every ``/dev/input/event*`` in the order of its number."""
     try:
-        names = [name for name in os.listdir(NODES) if re.fullmatch(r"event\d+", name)]  # noqa: PTH208
+        names = [path.name for path in NODES.iterdir() if re.fullmatch(r"event\d+", path.name)]
     except OSError:
         return []
     return [node(str(NODES / name)) for name in sorted(names, key=lambda name: int(name[5:]))]

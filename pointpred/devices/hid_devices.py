@@ -105,7 +105,7 @@ def list_hid(everything: bool = False) -> list[Found]:
 
 def found(device: HidDevice) -> Found:
     """A mouse, and whether it may be opened."""
-    if not os.path.exists(device.path):  # noqa: PTH110
+    if not Path(device.path).exists():
         advice = "plug the device in; in a container, hand the node into it."
         return Found(device.path, device.name, "hid", False, "there is no such node", advice)
     if not os.access(device.path, os.R_OK | os.W_OK):  # hidapi opens for both, and only ever reads here

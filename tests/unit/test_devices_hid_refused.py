@@ -60,7 +60,7 @@ def plugged(monkeypatch: pytest.MonkeyPatch) -> Callable[..., Handle]:
         module = SimpleNamespace(enumerate=lambda: entries, device=lambda: handle)
         monkeypatch.setitem(sys.modules, "hidraw", module)
         monkeypatch.setattr(hid_devices, "no_mouse", lambda device: None)
-        monkeypatch.setattr(hid_devices.os.path, "exists", lambda path: True)
+        monkeypatch.setattr(hid_devices.Path, "exists", lambda path: True)
         monkeypatch.setattr(hid_devices.os, "access", lambda path, mode: True)
         return handle
 
@@ -132,7 +132,7 @@ def test_a_node_that_is_listed_but_not_there(
     plugged: Callable[..., Handle], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     plugged()
-    monkeypatch.setattr(hid_devices.os.path, "exists", lambda path: False)
+    monkeypatch.setattr(hid_devices.Path, "exists", lambda path: False)
     assert "there is no such node" in str(list_hid()[0].why)
 
 
