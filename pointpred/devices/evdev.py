@@ -43,7 +43,7 @@ class EvdevSource:
         self._clock = Clock()
         self._decoder = FrameDecoder()
         self._thread: threading.Thread | None = None
-        self._file, self._real = -1, path
+        self._file, self._stop, self._real = -1, -1, path
         self._unreadable = self._resynchronised = 0  # of devices that were here before
 
     def __enter__(self) -> Self:
@@ -98,13 +98,13 @@ class EvdevSource:
 
     def close(self) -> None:
         """Stop reading; may be called twice. What was read can still be taken."""
-        if self._thread is None or not self._thread.is_alive():
+        if self._thread is None or self._stop < 0:
             return
         os.write(self._stop, b".")
         self._thread.join()
         os.close(self._stop)
         os.close(self._stopped)
-        self._queue.close()
+        self._stop = -1
 
     def _open(self, path: str) -> None:
         """Open a node; raises OSError."""
@@ -126,12 +126,17 @@ class EvdevSource:
 
     def _read(self) -> None:
         """The reader thread: read while the device is there, wait while it is not."""
-        while True:
-            stopped = self._read_device() if self.plugged else self._wait_for_device()
-            if stopped:
-                if self.plugged:
-                    os.close(self._file)
-                return
+        failure = None
+        try:
+            while not (self._read_device() if self.plugged else self._wait_for_device()):
+                pass
+        except Exception as error:  # told by take: a thread has nobody else to tell
+            failure = SourceError(f"{self.path}: reading ended: {error}")
+            failure.__cause__ = error
+        finally:
+            if self.plugged:
+                os.close(self._file)
+            self._queue.close(failure)
 
     def _read_device(self) -> bool:
         """Read until the device is gone (false) or the source is closed (true)."""

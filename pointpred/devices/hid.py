@@ -52,7 +52,6 @@ class HidSource:
         self._queue = BoundedQueue(most)
         self._stopping = threading.Event()
         self._thread: threading.Thread | None = None
-        self._failure: Exception | None = None
         self._buttons = 0
 
     def __enter__(self) -> Self:
@@ -78,10 +77,7 @@ class HidSource:
         """Everything that came since the last call; waits at most ``timeout_s`` until something came."""
         if self._thread is None:
             raise SourceError("the HID source is not open; use it in a 'with' statement")
-        taken = self._queue.take(timeout_s)
-        if not taken and self._failure is not None:
-            raise SourceError(f"{self._device.described}: reading ended: {self._failure}") from self._failure
-        return taken
+        return self._queue.take(timeout_s)
 
     def close(self) -> None:
         """Stop reading; may be called twice. What was read can still be taken."""
@@ -113,6 +109,7 @@ class HidSource:
 
     def _run(self) -> None:
         """The reader thread: read while the device is there, wait for it while it is not."""
+        failure = None
         try:
             while not self._stopping.is_set():
                 if self.plugged:
@@ -120,10 +117,11 @@ class HidSource:
                 else:
                     self._wait_for_return()
         except Exception as error:  # told by take: a thread has nobody else to tell
-            self._failure = error
+            failure = SourceError(f"{self._device.described}: reading ended: {error}")
+            failure.__cause__ = error
         finally:
             self._handle.close()
-            self._queue.close()
+            self._queue.close(failure)
 
     def _read(self) -> None:
         """One report, or none within WAIT_MS; the error of a device that has gone marks it unplugged."""

@@ -10,7 +10,7 @@ from typing import Literal, Protocol, Self
 
 import msgspec
 
-from pointpred.errors import ParameterError
+from pointpred.errors import ParameterError, SourceError
 
 MOST_WAITING = 65536
 """Reports a queue holds unless told: eight seconds of the fastest mice."""
@@ -63,6 +63,7 @@ class BoundedQueue:
         self._waiting: deque[Report] = deque()
         self._filled = threading.Condition(threading.Lock())
         self._closed = False
+        self._failure: SourceError | None = None
 
     def put(self, report: Report) -> None:
         """Append one report; where there is no room, the oldest is dropped and counted."""
@@ -74,7 +75,10 @@ class BoundedQueue:
             self._filled.notify()
 
     def take(self, timeout_s: float) -> list[Report]:
-        """Everything that waits, in order; waits at most ``timeout_s`` until there is something."""
+        """Everything that waits, in order; waits at most ``timeout_s`` until there is something.
+
+        Raises the failure that closed the queue once nothing waits any more.
+        """
         with self._filled:
             if not self._waiting and not self._closed and timeout_s > 0:
                 until = time.monotonic() + timeout_s
@@ -82,12 +86,18 @@ class BoundedQueue:
                     self._filled.wait(left)
             taken = list(self._waiting)
             self._waiting.clear()
+            if not taken and self._failure is not None:
+                raise self._failure
         return taken
 
-    def close(self) -> None:
-        """Wake whoever waits: nothing more will come. What is held can still be taken."""
+    def close(self, failure: SourceError | None = None) -> None:
+        """Wake whoever waits: nothing more will come, because of ``failure`` where there was one.
+
+        What is held can still be taken.
+        """
         with self._filled:
             self._closed = True
+            self._failure = self._failure or failure
             self._filled.notify_all()
 
 
