@@ -62,7 +62,7 @@ class CompiledStage:
     """
 
     parameters: ClassVar[tuple[Parameter, ...]] = ()
-    width: ClassVar[int]
+    width: int
     loop: ClassVar[Callable[..., None]]
     learned: int = 0
     conclude: ClassVar[Callable[..., None]] = staticmethod(lambda memory: None)

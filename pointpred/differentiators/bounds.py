@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import msgspec
 import numpy as np
@@ -69,7 +70,8 @@ def measure(differentiator: Differentiator, signal: Signal) -> Errors:
 
 def named(name: str, signal: Signal) -> Differentiator:
     """A differentiator with its defaults, at the resolution of a signal."""
-    return DIFFERENTIATORS[name](cpi=signal.cpi)  # type: ignore[call-arg]
+    kind: Callable[..., Differentiator] = DIFFERENTIATORS[name]
+    return kind(cpi=signal.cpi)
 
 
 def _exact(settling_s: float) -> Errors:

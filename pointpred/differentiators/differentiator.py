@@ -106,5 +106,5 @@ def _numbers(event: PointerEvent) -> bool:
 
 def _record(events: EventColumns, row: int) -> PointerEvent:
     """A row as it stands, with buttons that may be no whole number at all."""
-    t, x, y, dx, dy, buttons = (float(value) for value in events.table[row])
-    return PointerEvent(t, x, y, None if dx != dx else dx, None if dy != dy else dy, buttons)  # type: ignore[arg-type]
+    t, x, y, dx, dy, buttons = events.table[row].tolist()
+    return PointerEvent(t, x, y, None if dx != dx else dx, None if dy != dy else dy, buttons)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from operator import attrgetter
 from typing import Any
 
 import numpy as np
@@ -75,21 +77,20 @@ class Interconnection:
     def state(self, problem: MatrixInequalities, **fixed: Any) -> MatrixInequalities:
         """Demand the theorem of a problem; ``fixed`` gives matrices that are no unknowns of it."""
 
-        def full(v: Any) -> Any:
-            return Completed(v, fixed)
+        def completed(block: Callable[..., FloatArray], *corner: Any) -> Callable[[Any], FloatArray]:
+            return lambda v: block(Completed(v, fixed), *corner)
 
         for name, corner in self.corners.items() if self.plant.time == "continuous" else ():
             problem.above(
                 f"W - sym(F D J), D = diag({name})",
-                lambda v, d=corner: self.sector(full(v), d),  # type: ignore[misc]
+                completed(self.sector, corner),
                 strict=False,
             )
         if self.plant.time == "continuous":
-            return problem.below("the LMI", lambda v: self.continuous(full(v)), strict=False)
+            return problem.below("the LMI", completed(self.continuous), strict=False)
         corners: dict[str, FloatArray | None] = {**self.corners} or {"none": None}
         for name, one in corners.items():
-            demand = lambda v, d=one: self.discrete(full(v), d)  # noqa: E731
-            problem.below(f"the LMI, D = diag({name})", demand)
+            problem.below(f"the LMI, D = diag({name})", completed(self.discrete, one))
         return problem
 
 
@@ -128,7 +129,7 @@ def theorem_3_2_1(
     problem = MatrixInequalities("Theorem 3.2.1", **bounds).positive("P", q).symmetric("Theta", q)
     problem.symmetric("Gamma", p).symmetric("Xi", q).free("U", q, p)
     for name in ("Theta", "Gamma", "Xi"):
-        problem.above(f"{name} > 0", lambda v, n=name: getattr(v, n))  # type: ignore[misc]
+        problem.above(f"{name} > 0", attrgetter(name))
     if F is not None:
         f = matrix("F", F, q, plant.k)
         problem.equal("P S1 - U C1 - F", lambda v: seen.weight(v) - f)

@@ -87,7 +87,7 @@ class InterlacedObserver(CompiledStage):
         flat = np.concatenate([shape, first, a.ravel(), closed.ravel(), gain.ravel(), rows, maps.constants])
         self.steady, self.certificate = steady, certificate
         self._states, self._outputs = q, p
-        self.width = q + maps.outputs  # type: ignore[misc]
+        self.width = q + maps.outputs
         super().__init__(flat, law.states(q, p) + maps.computed)
 
     @classmethod

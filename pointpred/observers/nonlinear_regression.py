@@ -68,7 +68,7 @@ class NonlinearRegressor(CompiledStage):
         if f not in MONOTONE:
             raise ParameterError(f"f must be one of {', '.join(MONOTONE)}, which do not fall, received {f!r}")
         self.count, self.outputs = int(count), int(outputs)
-        self.width = self.count  # type: ignore[misc]
+        self.width = self.count
         shape = np.array([self.count, self.outputs, gain, KNOWN[f].code, max(1.0, KNOWN[f].high)])
         first = np.zeros(self.count) if start is None else starting(self.count, start)
         super().__init__(np.concatenate([shape, first]), law.states(self.count, self.outputs))

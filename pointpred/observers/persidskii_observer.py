@@ -94,7 +94,7 @@ class PersidskiiObserver(CompiledStage):
             np.zeros(q) if start is None else matrix("start", start, 1, q),
         ]
         self.inputs, self.time = kay.shape[1], time
-        self.width = len(out)  # type: ignore[misc]
+        self.width = len(out)
         shape = [q, k, self.inputs, len(out), float(time == "discrete"), step_s, gap_s]
         settings = np.concatenate([np.array(shape, np.float64), *(part.ravel() for part in parts)])
         self._time_at = len(settings)

@@ -78,7 +78,7 @@ class GradientRegressor(CompiledStage):
                 "normalised needs time='discrete': no gain of the continuous law is too large"
             )
         self.count, self.outputs, self.time = int(count), int(outputs), time
-        self.width = self.count  # type: ignore[misc]
+        self.width = self.count
         kind = law.CONTINUOUS if time == "continuous" else law.NORMALISED if normalised else law.DISCRETE
         first = np.zeros(self.count) if start is None else starting(self.count, start)
         shape = np.array([float(self.count), float(self.outputs), kind])

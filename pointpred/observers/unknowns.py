@@ -125,9 +125,9 @@ class Unknowns:
             return np.zeros(self.count), np.eye(self.count)
         constants, slopes = [], []
         for name, block in blocks.items():
-            probed = self._probed(name, lambda at, b=block: np.ravel(b(at)))  # type: ignore[misc]
-            constants.append(probed[0])
-            slopes.append(probed[1].T)
+            constant, slope = self._probed(name, block)
+            constants.append(constant.ravel())
+            slopes.append(slope.reshape(self.count, -1).T)
         matrix, target = np.vstack(slopes), -np.concatenate(constants)
         x0: FloatArray = np.asarray(np.linalg.lstsq(matrix, target, rcond=None)[0], np.float64)
         residual = float(np.abs(matrix @ x0 - target).max())

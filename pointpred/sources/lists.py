@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -41,15 +42,15 @@ class Lists:
         """Report a trial that cannot be read."""
         self.skipped.append(skip)
 
-    def numbers(self, cells: Sequence[object], trial: str, row: int) -> FloatArray | None:
+    def numbers(self, cells: Sequence[Any], trial: str, row: int) -> FloatArray | None:
         """The cells as numbers; where one is none, the trial is reported and the answer is ``None``."""
         for place, cell in enumerate(cells):
             try:
-                float(cell)  # type: ignore[arg-type]
+                float(cell)
             except (TypeError, ValueError, OverflowError):
                 self.skip(Skip(trial, f"sample {place}: {str(cell)[:40]!r} is not a number", row))
                 return None
-        return np.array([float(cell) for cell in cells], np.float64)  # type: ignore[arg-type]
+        return np.array([float(cell) for cell in cells], np.float64)
 
     def add(
         self,
