@@ -30,8 +30,11 @@ from pointpred.training.examples import Examples
 from pointpred.training.fitting import Settings
 from pointpred.training.people import School
 
-CODE = ("training/*", "predictors/kinematic*", "predictors/movement*", "differentiators/*",
-        "scoring/cutting*", "scoring/trials*", "scoring/metrics*")  # fmt: skip
+CODE = (
+    *("training/[!pv]*", "training/people*", "training/variants*"),  # not the page, nor the validation
+    *("predictors/kinematic*", "predictors/movement*", "differentiators/*"),
+    *("scoring/cutting*", "scoring/trials*", "scoring/metrics*"),
+)
 """What the coefficients hang on."""
 SET_OUT, PEOPLE_OUT = " (set left out)", " (people left out)"
 """What is added to a name of the registry where its coefficients did not see what they are judged on."""

@@ -94,13 +94,16 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     (nu + 1) / (nu + r^2) of the residual r in widths, ridge 20; b in 0 .. 1 is the share of that shift that
     has paid so far. Widths: s <- s sqrt((S + 2) / (n + 2)), S the sum of the weighted squared residuals.
     Tempo: log(time left) shifts by its mean residual, shrunk and believed in the same way; its spread stays.
+    Clock: the time left is then mixed with what the median of the last 12 durations leaves, in the one of
+    five shares (0 to 1) that erred least so far.
 
-    Distances: the Student law along, times a density of the last 12 distances, kernels of 2 and 8 %, weights
-    exp(-age / 1.5) and exp(-age / 12). Each of the four, and "nothing is known" (0.8 at first), is believed
-    by how likely it had made the distances that came; 5 % flows back. The median of the product answers.
+    Distances: the Student law along, times a density of the last 12 distances, kernels of 2, 8 and 35 %,
+    weights exp(-age / 1.5) and exp(-age / 12). Each of the six, and "nothing is known" (0.8 at first), is
+    believed by how likely it had made the distances that came; 5 % flows back. The median of the product
+    answers. Bias and distances fade out from 0.2 and 0.5 of the time on, as that clock has it.
 
     Parameters: ``adapt`` 0 or 1 (0: bit for bit `kinematic`), ``distances`` 0 or 1, ``shortest_px``.
-    Memory: 568 floats. Costs about 2 us an event more than ``kinematic``. Raises ParameterError,
+    Memory: 795 floats. Costs about 2 us an event more than ``kinematic``. Raises ParameterError,
     and EventError from ``update``.
 
     Reference: none; docs/adaptation.md. Prior knowledge of repeated distances: Pasqual, Wobbrock 2014.

@@ -1,6 +1,6 @@
 """How far a person has gone lately: the last distances, and how much is to be believed of them.
 
-Four laws of the next distance stand beside "nothing is known of it": narrow and broad kernels around the last
+Six laws of the next distance stand beside "nothing is known of it": kernels of three widths around the last
 distances, with the last few or all of them weighing most. Each finished movement is judged by how likely
 each law had made it, and the laws share the belief accordingly; some of it always flows back.
 """
@@ -17,7 +17,7 @@ from pointpred.compiled import law
 KEPT = 12
 LEAST = 2
 """With fewer distances nothing is said."""
-WIDTHS = (0.02, 0.08)
+WIDTHS = (0.02, 0.08, 0.35)
 """Standard deviations of the kernels, as shares of the distance."""
 AGES = (1.5, 12.0)
 """After so many movements a distance weighs 1 / e."""

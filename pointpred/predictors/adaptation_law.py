@@ -10,17 +10,19 @@ from math import floor, hypot, sqrt
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.predictors import adaptation_clock as clock
 from pointpred.predictors import adaptation_distances as distances
 from pointpred.predictors import adaptation_stages as stages
 
-# What is known of the person, relative to `known`: the stages, then the distances.
+# What is known of the person, relative to `known`: the stages, the distances, the durations.
 DISTANCES = stages.LEARNED
-LEARNED = DISTANCES + distances.LEARNED
+CLOCK = DISTANCES + distances.LEARNED
+LEARNED = CLOCK + clock.LEARNED
 
 # The movement, relative to `at`: whether there is one, its start, its last sample, how many
 # places of the way were kept, samples of different times; the last of these places; a moment of each stage.
 KNOWN, T0, X0, Y0, T, X, Y, LATELY, COUNT, TRACE = 0, 1, 2, 3, 4, 5, 6, 7, 8, 9
-TRACED, APART_S = 32, 0.016
+TRACED, APART_S = 96, 0.005
 """Places kept of the last way, and how far apart in time at least; while it stands none is kept."""
 MOMENTS = TRACE + 3 * TRACED
 STATES = MOMENTS + stages.STATES
@@ -29,6 +31,8 @@ NEAR_PX, NEAR_SHARE = 8.0, 0.03
 
 SAMPLES_LEAST, LEAST_S = 6, 0.08
 """A movement of fewer samples of different times, or shorter, teaches nothing."""
+BIAS_FADE, FADE = 0.2, 0.5
+"""From these shares of the time on the bias and the last distances fade out: what is left is a correction."""
 EARLY = 0.1
 """A stage is taken from so much of a stage's length before its middle on."""
 
@@ -53,12 +57,21 @@ def conclude(memory: FloatArray, known: int, at: int, shortest: float) -> None:
     distance = hypot(x - memory[at + X0], y - memory[at + Y0])
     moved = arrived(memory, at, max(NEAR_PX, NEAR_SHARE * distance))
     teaches = memory[at + KNOWN] == 1.0 and memory[at + COUNT] >= SAMPLES_LEAST
-    if teaches and moved - memory[at + T0] >= LEAST_S and distance >= shortest:
+    duration = moved - memory[at + T0]
+    if teaches and duration >= LEAST_S and distance >= shortest:
+        told = memory[known + CLOCK + clock.HELD] > 0.0
+        if told:
+            clock.forget(memory, known + CLOCK)
         for stage in range(stages.STAGES):
-            moment = at + MOMENTS + stage * stages.MOMENT
+            moment, of = at + MOMENTS + stage * stages.MOMENT, known + stage * stages.WIDTH
             if memory[moment + stages.TAKEN] == 1.0:
-                stages.learn(memory, known + stage * stages.WIDTH, moment, x, y, moved)
+                when = memory[moment + stages.T]
+                if told and when < moved:
+                    said = memory[moment + stages.LEFT] * stages.slowed(memory, of)
+                    clock.judge(memory, known + CLOCK, when - memory[at + T0], said, moved - when, duration)
+                stages.learn(memory, of, moment, x, y, moved)
         distances.remember(memory, known + DISTANCES, distance)
+        clock.remember(memory, known + CLOCK, duration)
     memory[at : at + STATES] = 0.0
 
 
@@ -114,6 +127,12 @@ def take(
 
 
 @law
+def fading(gone: float, since: float) -> float:
+    """1 up to a share of the time, then falling to 0 at the end."""
+    return min((1.0 - gone) / (1.0 - since), 1.0)
+
+
+@law
 def adapted(
     memory: FloatArray,
     known: int,
@@ -143,12 +162,15 @@ def adapted(
         return answer
     total = hypot(reached + along, across)
     shift, widen, broaden, slow = stages.corrected(memory, known, share, total, along)
+    left = clock.mixed(memory, known + CLOCK, since, left * slow)
     new_wide, new_broad = wide * widen, broad * broaden
-    new_along = along + shift
+    gone = since / (since + left)
+    new_along = along + shift * fading(gone, BIAS_FADE)
     if ask == 1.0:
-        new_along, new_wide = distances.drawn(
+        drawn_along, new_wide = distances.drawn(
             memory, known + DISTANCES, reached, new_along, new_wide, new_broad, tail
         )
+        new_along += fading(gone, FADE) * (drawn_along - new_along)
     ratio, moved = new_wide / wide, new_along - along
     wide2, broad2 = new_wide * new_wide, new_broad * new_broad
     cross = (sxy * (ux * ux - uy * uy) + (syy - sxx) * ux * uy) * ratio * broaden
@@ -158,7 +180,7 @@ def adapted(
         wide2 * ux * ux - 2.0 * cross * ux * uy + broad2 * uy * uy,
         (wide2 - broad2) * ux * uy + cross * (ux * ux - uy * uy),
         wide2 * uy * uy + 2.0 * cross * ux * uy + broad2 * ux * ux,
-        left * slow,
+        left,
         phase,
         tail,
         spread,

@@ -25,8 +25,6 @@ FURTHEST = 4.0
 """No single movement is further off than so many widths."""
 TEMPO_MOST, TEMPO_OFF = 0.4, 0.3
 """Nor by more than this logarithm of the time left; and by how much it usually is."""
-FADE = 0.4
-"""From this share on the bias fades out: what is still to come is a rest, not the movement."""
 
 # A stage, relative to its place: the normal equations of the bias, its two coefficients, what believing it
 # was and would have been worth; sums for the widths; the same for the tempo.
@@ -76,6 +74,12 @@ def tempo(memory: FloatArray, at: int) -> float:
 
 
 @law
+def slowed(memory: FloatArray, at: int) -> float:
+    """What a stage multiplies the time left by."""
+    return float(exp(tempo(memory, at) * believed(memory, at, TEMPO_PAID)))
+
+
+@law
 def corrected(
     memory: FloatArray, at: int, share: float, total: float, along: float
 ) -> tuple[float, float, float, float]:
@@ -88,7 +92,6 @@ def corrected(
         wide += weight * widened(memory, a, WIDE)
         broad += weight * widened(memory, a, BROAD)
         slow += weight * tempo(memory, a) * believed(memory, a, TEMPO_PAID)
-    shift *= min((1.0 - share) / (1.0 - FADE), 1.0)
     return shift, exp(wide), exp(broad), exp(slow)
 
 

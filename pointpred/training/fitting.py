@@ -23,7 +23,7 @@ NEAR_SHARE = 0.05
 class Settings(msgspec.Struct, frozen=True):
     """How the network is fitted."""
 
-    hidden: tuple[int, int] = (96, 96)
+    hidden: tuple[int, int] = (128, 128)
     passes: int = 8
     batch: int = 2048
     rate: float = 3e-3
@@ -34,11 +34,9 @@ class Settings(msgspec.Struct, frozen=True):
     time_share: float = 5.0
     varied_time: float = 0.05
     """What a varied movement says about the time left, against one as it was made."""
-    varied_law: float = 0.25
-    varied_point: float = 0.25
-    small: float = 0.5
-    """How much a trial's own error counts in what its errors are shares of, against that of its set."""
-    late: float = 0.3
+    varied_law: float = 0.5
+    """What it says about widths and tail; about the endpoint as much as one as it was made."""
+    late: float = 0.7
     """How much more a moment weighs the nearer the cursor is to the end: the power of that nearness."""
 
 
@@ -79,8 +77,8 @@ def inputs(seen: Floats, mean: FloatArray, scale: FloatArray) -> Floats:
 def truth(given: Examples, settings: Settings) -> Truth:
     """What is to be said for each example, and what it weighs.
 
-    A set's errors count as shares of what ``hold`` errs there, half of a trial's own; sets count by the
-    fourth root of their trials less than by their number.
+    A set's errors count as shares of what ``hold`` errs there; sets count by the fourth root of their
+    trials less than by their number.
     """
     seen, reach = given.features, given.reach
     trials = np.bincount(given.trial, given.weight)
@@ -93,8 +91,6 @@ def truth(given: Examples, settings: Settings) -> Truth:
         mine = np.unique(given.trial[rows])
         share[rows] = len(mine) ** -0.25
         mean_hold[rows] = own[mine].mean()
-    small = settings.small
-    hold = np.maximum(own[given.trial], 1.0) ** small * mean_hold ** (1.0 - small)
     near = own[given.trial] / np.maximum(given.hold(), NEAR_SHARE * own[given.trial])
     moment = given.weight * share
     duration = np.sqrt(np.maximum(whole[given.trial] / np.maximum(trials[given.trial], 1e-9), 0.05))
@@ -111,7 +107,7 @@ def truth(given: Examples, settings: Settings) -> Truth:
         (given.across / reach).astype(np.float32),
         given.left_s.astype(np.float32),
         seen[:, features.NAMES.index("time")],
-        even(moment * near**settings.late * reach / hold * np.where(given.own, 1.0, settings.varied_point)),
+        even(moment * near**settings.late * reach / mean_hold),
         even(moment * np.where(given.own, 1.0, settings.varied_law), settings.law_share),
         even(moment / duration * np.where(given.own, 1.0, settings.varied_time), settings.time_share),
     )

@@ -25,7 +25,7 @@ SETS = {
 }
 """The sets trained on, with their licences."""
 FOLDS = 5
-VARIANTS = 3
+VARIANTS = 6
 """How often each movement is seen otherwise."""
 
 Say = Callable[[str], None]
