@@ -14,6 +14,7 @@ import numpy as np
 
 from benchmarks.adaptation_folds import coefficients, kept, say
 from benchmarks.adaptation_page import FLOOR, PART, PLAIN, WHOLE, Measured, written
+from benchmarks.arguments import words
 from pointpred import Pipeline, build
 from pointpred.columns import FloatArray
 from pointpred.predictors import AdaptiveKinematicPredictor, KinematicPredictor
@@ -69,4 +70,5 @@ def measure(where: Path) -> list[Measured]:
 
 
 if __name__ == "__main__":
+    words(__doc__)
     written(measure(kept(os.environ.get("POINTPRED_FOLDS"))))

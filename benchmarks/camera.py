@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from benchmarks.arguments import words
 from benchmarks.camera_figures import draw
 from benchmarks.camera_tables import costs, designs, residuals
 from benchmarks.markdown import filled, table
@@ -223,4 +224,5 @@ def sensors(truth: Trajectory) -> str:
 
 
 if __name__ == "__main__":
+    words(__doc__)
     main()

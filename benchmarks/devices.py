@@ -12,6 +12,7 @@ import timeit
 from functools import partial
 from pathlib import Path
 
+from benchmarks.arguments import words
 from benchmarks.devices_live import Live, measure
 from benchmarks.markdown import filled, table
 from benchmarks.service import machine
@@ -95,4 +96,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
+    words(__doc__)
     main()

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from benchmarks.arguments import words
 from benchmarks.pages import filled, table
 from pointpred.differentiators import (
     DIFFERENTIATORS,
@@ -213,4 +214,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
+    words(__doc__)
     main()

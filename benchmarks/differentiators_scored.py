@@ -9,6 +9,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from benchmarks.arguments import words
 from benchmarks.markdown import filled, table
 from benchmarks.sets import folder, recordings
 from pointpred import build
@@ -58,4 +59,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
+    words(__doc__)
     main()

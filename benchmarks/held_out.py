@@ -19,6 +19,7 @@ from pathlib import Path
 import msgspec
 
 import pointpred
+from benchmarks.arguments import words
 from pointpred import REGISTRY, build
 from pointpred.pipeline import Pipeline
 from pointpred.predictors import KinematicPredictor, kinematic_coefficients
@@ -155,4 +156,4 @@ def main(arguments: list[str]) -> None:
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    main(words(__doc__, named="folder"))

@@ -8,10 +8,10 @@ what was trained on a set stands in docs/results.md instead, with coefficients t
 from __future__ import annotations
 
 import os
-import sys
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
+from benchmarks.arguments import words
 from benchmarks.held_out import seen, trained
 from benchmarks.ktm_cost import costs
 from benchmarks.markdown import filled, table
@@ -126,4 +126,4 @@ def main(arguments: Sequence[str]) -> None:
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    main(words(__doc__, named="predictor"))

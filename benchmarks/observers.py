@@ -5,11 +5,12 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable
 from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
+
+from benchmarks.arguments import words
 
 FIGURES = Path(__file__).parents[1] / "docs" / "observers" / "figures"
 PARTS = ("observers_1_4", "observers_5_7", "observers_8_9")
@@ -43,4 +44,4 @@ def main(names: list[str]) -> None:
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    main(words(__doc__, named="figure"))

@@ -13,6 +13,7 @@ from time import perf_counter
 
 import numpy as np
 
+from benchmarks.arguments import words
 from benchmarks.markdown import filled, table
 from benchmarks.observers_1_4 import OTHER, SEEN, TRUE, panels
 from pointpred.columns import FloatArray
@@ -177,4 +178,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
+    words(__doc__)
     main()

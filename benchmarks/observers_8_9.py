@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from benchmarks.arguments import words
 from pointpred.observers import (
     InterlacedObserver,
     SeededSignal,
@@ -115,4 +116,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
+    words(__doc__)
     main()

@@ -6,6 +6,7 @@ from time import process_time
 
 import numpy as np
 
+from benchmarks.arguments import words
 from pointpred.observers import (
     Generator,
     Persidskii,
@@ -64,4 +65,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
+    words(__doc__)
     main()

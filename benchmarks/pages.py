@@ -6,7 +6,6 @@ The tests compare each part with the code, except the README's score table: that
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -14,6 +13,7 @@ from typing import Any
 import msgspec
 
 from benchmarks import asyncapi, openapi
+from benchmarks.arguments import words
 from benchmarks.markdown import filled, table
 from benchmarks.results_verdict import recorded
 from pointpred.differentiators import DIFFERENTIATORS
@@ -143,4 +143,4 @@ def main(arguments: list[str]) -> None:
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    main(words(__doc__, named="scores"))

@@ -21,6 +21,7 @@ from pathlib import Path
 
 import numpy as np
 
+from benchmarks.arguments import words
 from benchmarks.markdown import filled
 from benchmarks.naive_kep import NaiveKep
 from pointpred import REGISTRY, EventColumns, Pipeline, build, run
@@ -201,4 +202,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
+    words(__doc__)
     main()

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks import held_out, pages, results_ktm, results_page, results_targets, sets
+from benchmarks.arguments import words
 from benchmarks.held_out import HeldOut
 from benchmarks.results_scores import scored
 from pointpred import REGISTRY
@@ -90,4 +91,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
+    words(__doc__)
     main()

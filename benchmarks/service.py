@@ -22,6 +22,7 @@ from typing import Any
 from urllib.error import HTTPError
 from urllib.request import urlopen
 
+from benchmarks.arguments import words
 from benchmarks.markdown import filled, table
 
 PAGE = Path(__file__).parent.parent / "docs" / "service-cost.md"
@@ -210,4 +211,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
+    words(__doc__)
     main()

@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from benchmarks import simulation_figures
+from benchmarks.arguments import words
 from benchmarks.markdown import table
 from benchmarks.shape import Shape, shapes
 from pointpred import build
@@ -148,4 +149,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
+    words(__doc__)
     main()

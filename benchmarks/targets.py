@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from benchmarks import targets_fit
+from benchmarks.arguments import words
 from benchmarks.held_out import HeldOut, held_out, seen, trained
 from benchmarks.markdown import filled, table
 from pointpred import PointerEvent, Prediction
@@ -172,4 +173,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
+    words(__doc__)
     main()

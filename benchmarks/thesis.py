@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
+from benchmarks.arguments import words
 from benchmarks.markdown import filled, table
 from benchmarks.thesis_figures import write_figures
 from pointpred import Pipeline, build
@@ -189,4 +190,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
+    words(__doc__)
     main()

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from benchmarks.arguments import words
 from benchmarks.transfer_trials import (
     SPEEDS,
     best_polynomial,
@@ -146,4 +147,5 @@ the sigmoid at Vmax = 0.1 m/s and {fast:.2f} at 0.3 m/s.
 """
 
 if __name__ == "__main__":
+    words(__doc__)
     report()

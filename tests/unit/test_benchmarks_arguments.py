@@ -1,0 +1,41 @@
+"""What is written after ``python -m benchmarks.something`` is understood before a page is written over."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+
+from benchmarks.arguments import words
+
+ROOT = Path(__file__).parents[2]
+SERVANTS = {"devices_live", "service_load", "service_server"}
+"""Started by other benchmarks, never by hand."""
+RUN = {
+    path.stem: path.read_text(encoding="utf-8")
+    for path in (ROOT / "benchmarks").glob("*.py")
+    if 'if __name__ == "__main__":' in path.read_text(encoding="utf-8")
+}
+
+
+@pytest.mark.parametrize("name", sorted(RUN.keys() - SERVANTS))
+def test_each_benchmark_reads_its_words_first(name: str) -> None:
+    last = RUN[name].split('if __name__ == "__main__":')[1]
+    assert "words(__doc__" in last or "argparse" in RUN[name]
+
+
+def test_help_and_mistakes_end_before_anything_is_done(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for told, code, where in ((["--help"], 0, "out"), (["rubbish"], 2, "err")):
+        monkeypatch.setattr(sys, "argv", ["benchmark", *told])
+        with pytest.raises(SystemExit) as ended:
+            words("What it measures.")
+        assert ended.value.code == code
+        assert ("What it measures." if code == 0 else "rubbish") in getattr(capsys.readouterr(), where)
+
+
+def test_words_that_are_meant_are_returned(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "argv", ["benchmark", "one", "two"])
+    assert words("What it measures.", named="figure") == ["one", "two"]
