@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-SLOW = (0, -0.2302, -0.4569, -1.797, 0.06434, -0.5986)
+SLOW = (0, -0.2309, -0.4562, -1.795, 0.0548, -0.5723)
 """Of each feature while the cursor stands."""
-FAST = (0.2409, -0.476, -0.3373, -0.707, 0.3501, 0)
+FAST = (0.2613, -0.4768, -0.3267, -0.6986, 0.3639, 0)
 """Of each feature at the peak of the speed; between the two they change in proportion."""
-NONE = (-0.3535, -2.632)
+NONE = (-0.3144, -2.674)
 """Score of *none of them*, standing and at the peak."""
 UNCLAIMED_SLOW = (0, -0.2239, -0.4621, -1.803, 0.06911, -0.6918)
 UNCLAIMED_FAST = (0.0004115, -0.5252, -0.3819, -0.7671, 0.3922, -0.2329)

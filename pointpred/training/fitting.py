@@ -36,7 +36,7 @@ class Settings(msgspec.Struct, frozen=True):
     """What a varied movement says about the time left, against one as it was made."""
     varied_law: float = 0.5
     """What it says about widths and tail; about the endpoint as much as one as it was made."""
-    late: float = 0.7
+    late: float = 0.75
     """How much more a moment weighs the nearer the cursor is to the end: the power of that nearness."""
 
 

@@ -9,11 +9,11 @@ import numpy as np
 from pointpred.columns import EventColumns, FloatArray
 from pointpred.recording import Recording
 
-TEMPO = (0.25, 1.6)
+TEMPO = (0.35, 1.6)
 """Bounds on how much longer a movement is made, even on a logarithmic scale."""
 SIZE = (0.4, 2.5)
 """Bounds on how much larger a movement is made, even on a logarithmic scale."""
-TINY, TINY_SHARE = (0.1, 0.4), 0.12
+TINY, TINY_TEMPO, TINY_SHARE = (0.1, 0.4), (0.25, 1.6), 0.13
 """The same for this share of them: where no flick goes some dozen px every start looks like a long way."""
 RATES_HZ = (60.0, 75.0, 100.0, 125.0, 200.0, 250.0, 500.0, 1000.0)
 ROUGH_SHARE = 0.3
@@ -34,8 +34,8 @@ def varied(recording: Recording, seed: int) -> Recording:
 
 
 def _vary(table: FloatArray, random: np.random.Generator) -> EventColumns:
-    sizes = TINY if random.random() < TINY_SHARE else SIZE
-    tempo, size = (float(np.exp(random.uniform(log(low), log(high)))) for low, high in (TEMPO, sizes))
+    bounds = (TINY_TEMPO, TINY) if random.random() < TINY_SHARE else (TEMPO, SIZE)
+    tempo, size = (float(np.exp(random.uniform(log(low), log(high)))) for low, high in bounds)
     angle, mirror = float(random.uniform(0.0, 2.0 * pi)), 1.0 if random.random() < 0.5 else -1.0
     rate, rough = float(random.choice(RATES_HZ)), bool(random.random() < ROUGH_SHARE)
     table = table[np.append(np.diff(table[:, 0]) > 0.0, True)]  # of events at one time the last counts
