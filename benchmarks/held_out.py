@@ -33,8 +33,8 @@ from pointpred.training.people import School
 
 CODE = (
     *("training/[!pv]*", "training/people*", "training/variants*"),  # not the page, nor the validation
-    *("predictors/kinematic*", "predictors/movement*", "differentiators/*"),
-    *("scoring/cutting*", "scoring/trials*", "scoring/metrics*"),
+    *("predictors/kinematic*", "predictors/m[io]*", "predictors/predictor*", "differentiators/*"),
+    *("scoring/*", "sources/*", "recording*", "columns*", "registry*"),
 )
 """What the coefficients hang on."""
 SET_OUT, PEOPLE_OUT = " (set left out)", " (people left out)"
@@ -104,8 +104,8 @@ def held_out(folder: Path | None) -> HeldOut:
     where = place(folder)
     if not where.is_dir():
         print("fitting coefficients to everybody but one set, and to everybody but a fold of people")
-        settings = dict.fromkeys(THREADS, "1") | {"POINTPRED_RECORDINGS": str(folder)}
-        subprocess.run([sys.executable, "-m", "benchmarks.held_out"], env=os.environ | settings, check=True)
+        env = os.environ | {"POINTPRED_RECORDINGS": str(folder)}
+        subprocess.run([sys.executable, "-m", "benchmarks.held_out"], env=env, check=True)
     files = {path.stem: path for path in where.glob("*.npz")}
     sets = {name.removeprefix("set "): path for name, path in files.items() if name.startswith("set ")}
     folds = [files[name] for name in sorted(files) if name.startswith("fold ")]
@@ -145,6 +145,8 @@ def main(arguments: list[str]) -> None:
     """Fit, into the folder named or into the cache; the folder appears only when it is complete."""
     folder = people.folder()
     where = Path(*arguments) if arguments else place(folder)
+    if where.exists():
+        raise SystemExit(f"{where} is there already: remove it, or name another folder")
     where.parent.mkdir(parents=True, exist_ok=True)
     settings = Settings()
     school = people.school(people.read_sets(folder), settings.seed, lambda what: print(what, flush=True))
@@ -156,4 +158,9 @@ def main(arguments: list[str]) -> None:
 
 
 if __name__ == "__main__":
-    main(words(__doc__, named="folder"))
+    asked = words(__doc__, named="folder", most=1)
+    if any(os.environ.get(name) != "1" for name in THREADS):
+        # Sums in one thread come in one order: the same machine makes the same numbers.
+        os.environ.update(dict.fromkeys(THREADS, "1"))
+        os.execv(sys.executable, [sys.executable, "-m", "benchmarks.held_out", *asked])
+    main(asked)

@@ -126,4 +126,4 @@ def main(arguments: Sequence[str]) -> None:
 
 
 if __name__ == "__main__":
-    main(words(__doc__, named="predictor"))
+    main(words(__doc__, named="predictor", known=list(REGISTRY)))

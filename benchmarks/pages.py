@@ -143,4 +143,4 @@ def main(arguments: list[str]) -> None:
 
 
 if __name__ == "__main__":
-    main(words(__doc__, named="scores"))
+    main(words(__doc__, named="scores", known=["scores"]))

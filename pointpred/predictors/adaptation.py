@@ -5,8 +5,6 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Self
 
-import numpy as np
-
 from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
 from pointpred.errors import ParameterError
@@ -100,7 +98,8 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     Distances: the Student law along, times a density of the last 12 distances, kernels of 2, 8 and 35 %,
     weights exp(-age / 1.5) and exp(-age / 12). Each of the six, and "nothing is known" (0.8 at first), is
     believed by how likely it had made the distances that came; 5 % flows back. The median of the product
-    answers. Bias and distances fade out from 0.2 and 0.5 of the time on, as that clock has it.
+    answers. Bias and distances, with the width they ask for, fade out from 0.2 and 0.5 of the time on, as
+    that clock has it.
 
     Parameters: ``adapt`` 0 or 1 (0: bit for bit `kinematic`), ``distances`` 0 or 1, ``shortest_px``.
     Memory: 795 floats. Costs about 2 us an event more than ``kinematic``. Raises ParameterError,
@@ -124,9 +123,13 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
 
     parameters = (
         Parameter("adapt", "", 0, 1, "1: learn from each finished movement; 0: exactly `kinematic`"),
-        Parameter("distances", "", 0, 1, "1: ask the last distances; 0: only bias, widths and tempo"),
+        Parameter(
+            "distances", "", 0, 1, "1: ask the last distances; 0: only bias, widths, tempo and the clock"
+        ),
         Parameter("shortest_px", "px", 0.0, 1e6, "straight distance of the shortest movement that teaches"),
     )
+    step = staticmethod(step)
+    loop = staticmethod(loop)
     conclude = staticmethod(conclude)
 
     def __init__(self, *, adapt: int = 1, distances: int = 1, shortest_px: float = 10.0) -> None:
@@ -149,15 +152,3 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
         self._known = kinematic_coefficients.sets(coefficients)
         self.learned = adaptation_law.LEARNED if adapt else 0
         Predictor.__init__(self, list(given.values()), LENGTH - SETTINGS - self.learned)
-
-    def advance(self, row: tuple[float, ...]) -> tuple[float, ...]:
-        """``consume``, with the prediction as a row of ``PredictionColumns``."""
-        t, x, y, vx, vy, ax, ay, settled, start, _ = row
-        values = step(self._memory, self._coefficients, t, x, y, vx, vy, ax, ay, settled, start)
-        return self.accepted(row, values)
-
-    def walk(self, begin: BoolArray, rows: FloatArray) -> FloatArray:
-        """Run the law over rows, resetting before each row marked ``begin``; continues from the memory."""
-        out = np.empty((len(rows), self.width))
-        loop(self._memory, self._coefficients, self._first, begin, rows, out)
-        return out

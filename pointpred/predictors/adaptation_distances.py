@@ -33,7 +33,10 @@ ARC = 0.5
 """A direction that is uncertain bends where the distance ends: its mean lies nearer."""
 LOGISTIC = 1.7
 """A logistic law this much narrower resembles a normal one."""
-HALVINGS = 9
+HALVINGS = 10
+"""The median is as fine as a thousandth of the span of what the distances ask for."""
+NEGLIGIBLE = 1e-4
+"""Parts of the product that weigh less than this share are left out."""
 
 # Layout, relative to `at`: how many; the distances in px, the last first; belief in each law and in none;
 # the weight of each distance under each width.
@@ -100,41 +103,39 @@ def drawn(
 
     ``reached``: px from the start to the cursor; ``ahead``: px from there, ``wide`` and ``broad`` the widths
     along and across of a Student law of ``tail`` degrees. The answer is the median of the product of the law
-    with the kernels, each product taken as one normal law, and of the law alone where nothing is known.
+    with each kernel, a normal law each, and of the law alone where nothing is known.
     """
     held = int(memory[at + HELD])
     if held < LEAST:
         return ahead, wide
-    weight, shift, width = np.empty(held + 1), np.empty(held + 1), np.empty(held + 1)
-    total, low, high = memory[at + BELIEF + LAWS], 0.0, 0.0
-    weight[held], shift[held], width[held] = total, 0.0, wide
+    most = held * len(WIDTHS) + 1
+    weight, shift, width = np.empty(most), np.empty(most), np.empty(most)
+    total, low, high, parts = memory[at + BELIEF + LAWS], 0.0, 0.0, 1
+    weight[0], shift[0], width[0] = total, 0.0, wide
     for j in range(held):
         distance = memory[at + DISTANCES + j]
         gap = distance / sqrt(1.0 + ARC * (broad / distance) ** 2) - reached - ahead
-        mass, mean, spread = 0.0, 0.0, 0.0
         for w in range(len(WIDTHS)):
             kernel2 = (WIDTHS[w] * distance) ** 2
             both2 = wide * wide + kernel2
             fits = (1.0 + gap * gap / both2 / tail) ** (-0.5 * (tail + 1.0)) / sqrt(2.0 * np.pi * both2)
             part = memory[at + WEIGHTS + j * len(WIDTHS) + w] * UNKNOWN_LOGS * distance * fits
-            mass += part
-            mean += part * gap * wide * wide / both2
-            spread += part * wide * wide * kernel2 / both2
-        weight[j], shift[j], width[j] = mass, 0.0, wide
-        if mass > 0.0:
-            shift[j], width[j] = mean / mass, sqrt(spread / mass)
-        total += mass
-        low, high = min(low, shift[j]), max(high, shift[j])
+            if part > NEGLIGIBLE * total:
+                weight[parts], shift[parts] = part, gap * wide * wide / both2
+                width[parts] = wide * sqrt(kernel2 / both2)
+                low, high = min(low, shift[parts]), max(high, shift[parts])
+                total += part
+                parts += 1
     for _ in range(HALVINGS):
         middle, below = 0.5 * (low + high), 0.0
-        for j in range(held + 1):
-            off = LOGISTIC * (shift[j] - middle) / max(width[j], 1e-9)
-            below += weight[j] / (1.0 + exp(min(max(off, -50.0), 50.0)))
+        for k in range(parts):
+            off = LOGISTIC * (shift[k] - middle) / width[k]
+            below += weight[k] / (1.0 + exp(min(max(off, -50.0), 50.0)))
         if below < 0.5 * total:
             low = middle
         else:
             high = middle
     middle, around = 0.5 * (low + high), 0.0
-    for j in range(held + 1):
-        around += weight[j] * (width[j] ** 2 + (shift[j] - middle) ** 2)
+    for k in range(parts):
+        around += weight[k] * (width[k] ** 2 + (shift[k] - middle) ** 2)
     return ahead + middle, min(sqrt(around / total), wide)

@@ -58,7 +58,7 @@ def conclude(memory: FloatArray, known: int, at: int, shortest: float) -> None:
     moved = arrived(memory, at, max(NEAR_PX, NEAR_SHARE * distance))
     teaches = memory[at + KNOWN] == 1.0 and memory[at + COUNT] >= SAMPLES_LEAST
     duration = moved - memory[at + T0]
-    if teaches and duration >= LEAST_S and distance >= shortest:
+    if teaches and duration >= LEAST_S and distance > 0.0 and distance >= shortest:
         told = memory[known + CLOCK + clock.HELD] > 0.0
         if told:
             clock.forget(memory, known + CLOCK)
@@ -84,8 +84,10 @@ def follow(
     last = at + TRACE + 3 * ((kept - 1) % TRACED)
     if memory[at + KNOWN] == 0.0 or t > memory[at + T]:
         memory[at + COUNT] += 1.0
-    moved = x != memory[at + X] or y != memory[at + Y]
-    if kept == 0 or (moved and t - memory[last] >= APART_S):
+    moved = x != memory[last + 1] or y != memory[last + 2]
+    if kept > 0 and t == memory[last]:
+        memory[last + 1], memory[last + 2] = x, y
+    elif kept == 0 or (moved and t - memory[last] >= APART_S):
         place = at + TRACE + 3 * (kept % TRACED)
         memory[place], memory[place + 1], memory[place + 2] = t, x, y
         memory[at + LATELY] = kept + 1.0
@@ -109,14 +111,15 @@ def take(
     tail: float,
     left: float,
 ) -> None:
-    """Keep the first moment of a stage; a stage that was leapt over, or is behind, is not taken."""
+    """Keep the first moment of a stage, as its last sample has it; none leapt over, none that is behind."""
     stage = floor(share * stages.STAGES - 0.5 + EARLY)
     if stage < 0 or stage >= stages.STAGES:
         return
-    for later in range(stage, stages.STAGES):
-        if memory[at + MOMENTS + later * stages.MOMENT + stages.TAKEN] == 1.0:
-            return
     moment = at + MOMENTS + stage * stages.MOMENT
+    again = memory[moment + stages.TAKEN] == 1.0 and memory[moment + stages.T] == memory[at + T]
+    for later in range(stage, stages.STAGES):
+        if memory[at + MOMENTS + later * stages.MOMENT + stages.TAKEN] == 1.0 and not again:
+            return
     memory[moment + stages.TAKEN], memory[moment + stages.T] = 1.0, memory[at + T]
     memory[moment + stages.X], memory[moment + stages.Y] = memory[at + X], memory[at + Y]
     memory[moment + stages.UX], memory[moment + stages.UY] = ux, uy
@@ -167,10 +170,12 @@ def adapted(
     gone = since / (since + left)
     new_along = along + shift * fading(gone, BIAS_FADE)
     if ask == 1.0:
-        drawn_along, new_wide = distances.drawn(
+        drawn_along, drawn_wide = distances.drawn(
             memory, known + DISTANCES, reached, new_along, new_wide, new_broad, tail
         )
-        new_along += fading(gone, FADE) * (drawn_along - new_along)
+        still = fading(gone, FADE)
+        new_along += still * (drawn_along - new_along)
+        new_wide *= (drawn_wide / new_wide) ** still
     ratio, moved = new_wide / wide, new_along - along
     wide2, broad2 = new_wide * new_wide, new_broad * new_broad
     cross = (sxy * (ux * ux - uy * uy) + (syy - sxx) * ux * uy) * ratio * broaden

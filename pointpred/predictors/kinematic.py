@@ -113,7 +113,7 @@ class KinematicPredictor(Predictor):
 
     ``covariance`` is the scale matrix and ``tail`` the degrees of freedom. Before the cursor has moved the
     answer is its place, without a region. Always answers. A second motion of the same time replaces the
-    first. Memory: 279 floats; the coefficients are shared. Raises EventError from ``update``.
+    first. Memory: 273 floats; the coefficients are shared. Raises EventError from ``update``.
 
     Reference: none; docs/kinematic.md is the card of the coefficients.
 
@@ -152,13 +152,13 @@ class KinematicPredictor(Predictor):
     def advance(self, row: tuple[float, ...]) -> tuple[float, ...]:
         """``consume``, with the prediction as a row of ``PredictionColumns``."""
         t, x, y, vx, vy, ax, ay, settled, start, _ = row
-        values = step(self._memory, self._coefficients, t, x, y, vx, vy, ax, ay, settled, start)
+        values = type(self).step(self._memory, self._coefficients, t, x, y, vx, vy, ax, ay, settled, start)
         return self.accepted(row, values)
 
     def walk(self, begin: BoolArray, rows: FloatArray) -> FloatArray:
         """Run the law over rows, resetting before each row marked ``begin``; continues from the memory."""
         out = np.empty((len(rows), self.width))
-        loop(self._memory, self._coefficients, self._first, begin, rows, out)
+        type(self).loop(self._memory, self._coefficients, self._first, begin, rows, out)
         return out
 
     def __getstate__(self) -> dict[str, Any]:

@@ -1,7 +1,12 @@
-"""``python -m pointpred.training``: make the coefficients from POINTPRED_RECORDINGS."""
+"""``python -m pointpred.training``: make the coefficients of `kinematic` from POINTPRED_RECORDINGS.
+
+Without a word the package's own file is written anew, which takes minutes; ``validate PAGE`` scores people
+and sets held out instead, and writes the page.
+"""
 
 from __future__ import annotations
 
+import argparse
 import os
 import sys
 import time
@@ -10,7 +15,23 @@ from pathlib import Path
 THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
 
 
-def main() -> None:
+def page_asked() -> Path | None:
+    """The page to validate into, ``None`` to train; ``--help`` and mistakes end here."""
+    parser = argparse.ArgumentParser(
+        "python -m pointpred.training",
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("what", nargs="?", choices=["validate"], help="score people and sets held out")
+    parser.add_argument("page", nargs="?", type=Path, help="file to write what comes of it to")
+    given = parser.parse_args()
+    if given.what and given.page is None:
+        parser.error("validate needs the page to write, as in: validate docs/kinematic.md")
+    page: Path | None = given.page
+    return page
+
+
+def main(page: Path | None) -> None:
     """Train, or cross-validate; progress goes to the error stream."""
     began = time.monotonic()
 
@@ -23,17 +44,19 @@ def main() -> None:
 
     settings = Settings()
     school = people.school(people.read_sets(people.folder()), settings.seed, say)
-    if sys.argv[1:2] == ["validate"]:
-        from pointpred.training import page, validate
-
-        Path(sys.argv[2]).write_text(page.page(validate.validate(school, settings, say)), encoding="utf-8")
-    else:
+    if page is None:
         train.train(school, settings, kinematic_coefficients.OWN, say)
+    else:
+        from pointpred.training import page as writing
+        from pointpred.training import validate
+
+        page.write_text(writing.page(validate.validate(school, settings, say)), encoding="utf-8")
 
 
 if __name__ == "__main__":
+    asked = page_asked()
     if any(os.environ.get(name) != "1" for name in THREADS):
         # Sums in one thread come in one order: the same machine makes the same numbers.
         os.environ.update(dict.fromkeys(THREADS, "1"))
         os.execv(sys.executable, [sys.executable, "-m", "pointpred.training", *sys.argv[1:]])
-    main()
+    main(asked)

@@ -43,7 +43,7 @@ class School(msgspec.Struct, frozen=True):
     """``set user`` to a number."""
 
     def fold(self) -> dict[int, int]:
-        """The fold of each user: dealt in turn, set after set, in an order that a seed fixes."""
+        """The fold of each user: those of all sets dealt in turn, in an order that a seed fixes."""
         order = np.random.default_rng(0).permutation(len(self.users)).tolist()
         return {user: place % FOLDS for place, user in enumerate(order)}
 

@@ -23,7 +23,8 @@ ROUGH_SHARE = 0.3
 def varied(recording: Recording, seed: int) -> Recording:
     """Every trial stretched in time, scaled, turned, mirrored and resampled at random, in whole pixels.
 
-    Trials of fewer than three different times stay as they are. Counts are left out.
+    Of samples of one time the last counts; trials of fewer than three times stay as they are but for that.
+    Counts are left out.
     """
     random = np.random.default_rng(seed)
     paths = []

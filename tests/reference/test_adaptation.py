@@ -10,6 +10,7 @@ from pointpred.predictors import adaptation_distances as distances
 from pointpred.predictors import adaptation_stages as stages
 
 FORGETTING, RIDGE = 0.97, 20.0
+LAWS = [(time, width) for time in (1.5, 12.0) for width in (0.02, 0.08, 0.35)]
 
 
 def remembered(history: list[float]) -> FloatArray:
@@ -30,13 +31,11 @@ def density(history: list[float], time: float, width: float, at: FloatArray) -> 
 
 def beliefs(history: list[float]) -> FloatArray:
     """Bayes' rule, movement after movement; a share of 0.05 starts anew; the last: nothing is known."""
-    first = np.array([0.05, 0.05, 0.05, 0.05, 0.8])
+    first = np.array([0.2 / 6.0] * 6 + [0.8])
     belief = first
     for count in range(2, len(history)):
         at = np.array(history[count : count + 1])
-        likely = [
-            density(history[:count], time, width, at)[0] for time in (1.5, 12.0) for width in (0.02, 0.08)
-        ]
+        likely = [density(history[:count], time, width, at)[0] for time, width in LAWS]
         belief = belief * np.array([*np.maximum(3.0 * np.array(likely), 1e-12), 1.0])
         belief = 0.95 * belief / belief.sum() + 0.05 * first
     return belief
@@ -68,8 +67,8 @@ def test_the_answer_is_the_median_of_the_product(history: list[float], wide: flo
     grid = np.linspace(ahead - 8.0 * wide, ahead + 8.0 * wide, 400_001)
     law = np.exp(-0.5 * ((grid - ahead) / wide) ** 2)
     belief, last = beliefs(history), np.array(history[::-1][:12])
-    prior = np.full(len(grid), belief[4])
-    for place, (time, kernel) in enumerate((t, k) for t in (1.5, 12.0) for k in (0.02, 0.08)):
+    prior = np.full(len(grid), belief[6])
+    for place, (time, kernel) in enumerate(LAWS):
         weight = np.exp(-np.arange(len(last)) / time)
         for part, distance in zip(belief[place] * weight / weight.sum(), last, strict=True):
             bump = np.exp(-0.5 * ((reached + grid - distance) / (kernel * distance)) ** 2)
@@ -146,6 +145,5 @@ def test_between_stages_lie_lines() -> None:
     shares = np.linspace(0.0, 1.0, 200)
     own = [stages.corrected(memory, 0, share, 100.0, 50.0)[0] for share in shares]
     knots = [10.0 * (stage + 1) ** 2 for stage in range(stages.STAGES)]
-    fade = np.interp(shares, [0.4, 1.0], [1.0, 0.0])
-    expected = fade * np.interp(shares, [0.1, 0.3, 0.5, 0.7, 0.9], knots)
+    expected = np.interp(shares, [0.1, 0.3, 0.5, 0.7, 0.9], knots)
     np.testing.assert_allclose(own, expected, rtol=1e-9, atol=1e-9)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -39,3 +40,7 @@ def test_help_and_mistakes_end_before_anything_is_done(
 def test_words_that_are_meant_are_returned(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "argv", ["benchmark", "one", "two"])
     assert words("What it measures.", named="figure") == ["one", "two"]
+    wrongs: list[dict[str, Any]] = [{"most": 1}, {"known": ["one"]}]
+    for wrong in wrongs:
+        with pytest.raises(SystemExit):
+            words("What it measures.", named="figure", **wrong)

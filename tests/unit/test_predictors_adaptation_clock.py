@@ -12,6 +12,9 @@ from pointpred.columns import FloatArray
 from pointpred.predictors import adaptation_clock as clock
 
 LEFT = 6
+SHARES, KEEP, LEAST, KEPT = (0.0, 0.25, 0.5, 0.75, 1.0), 0.97, 0.05, 12
+FIRST = 5.0 * np.array([1.0, 0.92, 0.88, 0.9, 0.97])
+"""As the docstrings have them."""
 
 
 def taught(
@@ -25,13 +28,13 @@ def taught(
     for n, duration in enumerate(durations.tolist()):
         if n:
             clock.forget(memory, 0)
-            median = float(np.median(durations[max(n - clock.KEPT, 0) : n]))
-            of = [0.0] * len(clock.SHARES)
+            median = float(np.median(durations[max(n - KEPT, 0) : n]))
+            of = [0.0] * len(SHARES)
             for since, said in moments(duration):
                 clock.judge(memory, 0, since, said, duration - since, duration)
-                for k, share in enumerate(clock.SHARES):
+                for k, share in enumerate(SHARES):
                     told = (1 - share) * said + share * max(median - since, 0.0)
-                    of[k] += abs(max(told, clock.LEAST * said) - (duration - since)) / duration
+                    of[k] += abs(max(told, LEAST * said) - (duration - since)) / duration
             errors.append(of)
         clock.remember(memory, 0, duration)
     return memory, errors
@@ -47,11 +50,13 @@ def test_the_best_mixture_is_the_one_with_the_least_discounted_error() -> None:
             return [(s * duration, wrong * (1.0 - s) * duration) for s in (0.1, 0.5, 0.9)]
 
         memory, errors = taught(moments, durations)
-        ages = clock.KEEP ** np.arange(len(errors) - 1, -1, -1)
+        ages = KEEP ** np.arange(len(errors) - 1, -1, -1)
         sums = ages @ np.array(errors)
-        sums += clock.FIRST_OF * np.array(clock.FIRST) * sums[0] / ages.sum()
-        assert memory[clock.BEST] == clock.SHARES[int(np.argmin(sums))]
-        assert memory[clock.MEDIAN] == np.median(durations[-clock.KEPT :])
+        np.testing.assert_allclose(memory[clock.ERRORS : clock.ERRORS + 5], sums, rtol=1e-12)
+        assert memory[clock.COUNT] == pytest.approx(ages.sum(), rel=1e-12)
+        sums += FIRST * sums[0] / ages.sum()
+        assert memory[clock.BEST] == SHARES[int(np.argmin(sums))]
+        assert memory[clock.MEDIAN] == np.median(durations[-KEPT:])
 
 
 def test_a_predictor_that_knows_is_left_alone_and_one_that_does_not_is_overruled() -> None:
@@ -63,9 +68,15 @@ def test_a_predictor_that_knows_is_left_alone_and_one_that_does_not_is_overruled
     assert clock.mixed(guesses, 0, 0.2, 1.5) == pytest.approx(0.4, abs=0.05)
 
 
+def test_at_first_half_of_it_is_believed() -> None:
+    """Where all mixtures are as wrong, the belief at first decides; a few movements overrule it."""
+    memory, _ = taught(lambda duration: [(0.2, 0.4)], np.array([0.6, 0.5]))
+    assert memory[clock.BEST] == 0.5
+
+
 def test_some_time_is_always_left() -> None:
     guesses, _ = taught(lambda duration: [(0.4 * duration, 1.8 * duration)], np.full(20, 0.6))
-    assert clock.mixed(guesses, 0, 5.0, 1.5) == pytest.approx(clock.LEAST * 1.5)
+    assert clock.mixed(guesses, 0, 5.0, 1.5) == pytest.approx(0.05 * 1.5)
     assert clock.mixed(np.zeros(clock.LEARNED), 0, 5.0, 1.5) == 1.5
 
 

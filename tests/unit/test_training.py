@@ -17,7 +17,7 @@ from pointpred.predictors import kinematic_net as net
 from pointpred.recording import Recording, Trial
 from pointpred.scoring import prepare
 from pointpred.training import calibrate, fitting, losses, network, people, train
-from pointpred.training.examples import examples
+from pointpred.training.examples import examples, joined
 from pointpred.training.fitting import Settings
 from pointpred.training.variants import varied
 
@@ -198,3 +198,25 @@ def test_users_are_dealt_evenly_into_folds() -> None:
     sizes = np.bincount(list(many.fold().values()))
     assert sizes.tolist() == [5, 5, 5, 4, 4]
     assert build("hold").name == "hold"
+
+
+def test_what_a_moment_weighs() -> None:
+    """By hand: sets by the fourth root, moments near the end more, variants less for widths and time."""
+    given = examples(reaches(4), 0, {"reaches ann": 0, "reaches bob": 1}, 1)
+    moments = len(given.set)
+    other = msgspec.structs.replace(given, set=np.full(moments, 1), own=np.zeros(moments, bool))
+    both = joined([given, other.only(other.trial == 0)])
+    found = fitting.truth(both, Settings())
+    hold, weight, reach = both.hold(), both.weight, both.reach.astype(np.float64)
+    trials = [both.trial == k for k in range(5)]
+    mean = np.array([(weight * hold)[rows].sum() / weight[rows].sum() for rows in trials])
+    of_set = np.where(both.set == 0, mean[:4].mean(), mean[4])
+    share = np.where(both.set == 0, 4.0**-0.25, 1.0)
+    own = mean[both.trial]
+    near = (own / np.maximum(hold, 0.05 * own)) ** 0.75
+    point = weight * share * near * reach / of_set
+    np.testing.assert_allclose(found.point_weight, point / point.mean(), rtol=1e-5)
+    law = weight * share * np.where(both.own, 1.0, 0.5)
+    np.testing.assert_allclose(found.law_weight, 0.2 * law / law.mean(), rtol=1e-5)
+    ratio = found.time_weight / (weight * share)
+    np.testing.assert_allclose(ratio[both.trial == 4] / ratio[both.trial == 0], 0.05, rtol=1e-4)

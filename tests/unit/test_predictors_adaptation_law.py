@@ -1,0 +1,114 @@
+"""What is known of a person laid over an answer, by the formula; what a movement teaches, by the scorer."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pointpred import EventColumns, build, run
+from pointpred.columns import FloatArray
+from pointpred.predictors import adaptation, adaptation_law
+from pointpred.predictors import adaptation_clock as clock
+from pointpred.predictors import adaptation_distances as distances
+from pointpred.predictors import adaptation_stages as stages
+from pointpred.recording import Recording, Trial
+from pointpred.scoring import prepare
+
+AT = adaptation_law.LEARNED
+ALONG, WIDE, REACHED, LEFT = 60.0, 60.0, 200.0, 0.4
+
+
+def person(durations: float, shift: float = 0.0) -> FloatArray:
+    """Somebody who made 400 px eight times; a clock that alone is believed; a bias of so many px."""
+    memory = np.zeros(adaptation_law.LEARNED + adaptation_law.STATES)
+    for _ in range(8):
+        distances.remember(memory, adaptation_law.DISTANCES, 400.0)
+    memory[adaptation_law.CLOCK + clock.HELD] = 8.0
+    memory[adaptation_law.CLOCK + clock.MEDIAN] = durations
+    memory[adaptation_law.CLOCK + clock.BEST] = 1.0
+    for stage in range(stages.STAGES):
+        of = stage * stages.WIDTH
+        memory[of + stages.AHEAD] = shift / ALONG
+        memory[of + stages.BIAS_PAID] = memory[of + stages.BIAS_SIZE] = 1e12
+    return memory
+
+
+def asked(memory: FloatArray, since: float, ask: float) -> tuple[float, float, float]:
+    """Way ahead, its deviation and the time left, adapted, ``since`` after the start."""
+    memory = memory.copy()
+    memory[AT + adaptation_law.KNOWN] = 1.0
+    memory[AT + adaptation_law.T], memory[AT + adaptation_law.X] = since, REACHED
+    answer = (REACHED + ALONG, 0.0, WIDE**2, 0.0, 40.0**2, LEFT, 0.0, 8.0, 0.3)
+    x, y, sxx, _, _, left, *_ = adaptation_law.adapted(memory, 0, AT, ask, answer)
+    assert y == 0.0
+    return x - REACHED, float(np.sqrt(sxx)), left
+
+
+@pytest.mark.parametrize(
+    ("since", "gone"), [(0.1, 0.2), (0.3, 0.6), (0.4, 0.8), (0.5, 0.5 / 0.52), (2.0, 2.0 / 2.02)]
+)
+def test_bias_and_distances_fade_out_by_the_clock(since: float, gone: float) -> None:
+    """From 0.2 and 0.5 of the time on, the width too; at least a twentieth of 0.4 s is left."""
+    memory = person(0.5, shift=12.0)
+    biased = ALONG + 12.0 * min((1.0 - gone) / 0.8, 1.0)
+    along, wide, left = asked(memory, since, 0.0)
+    assert along == pytest.approx(biased, rel=1e-12)
+    assert wide == pytest.approx(WIDE, rel=1e-12)
+    assert left == pytest.approx(max(0.5 - since, 0.02), rel=1e-12)
+    drawn, narrow = distances.drawn(memory, adaptation_law.DISTANCES, REACHED, biased, WIDE, 40.0, 8.0)
+    assert drawn > biased + 50.0
+    assert narrow < 0.8 * WIDE
+    still = min((1.0 - gone) / 0.5, 1.0)
+    along, wide, _ = asked(memory, since, 1.0)
+    assert along == pytest.approx(biased + still * (drawn - biased), rel=1e-9)
+    assert wide == pytest.approx(WIDE * (narrow / WIDE) ** still, rel=1e-9)
+
+
+def learned(path: EventColumns, **settings: float) -> FloatArray:
+    """The memory of a session after one movement."""
+    pipeline = build("kinematic-adaptive", **settings)
+    run(pipeline, path)
+    pipeline.reset()
+    memory: FloatArray = pipeline.predictor.__dict__["_memory"]
+    return memory
+
+
+def duration(memory: FloatArray) -> float:
+    return float(memory[adaptation.PERSON + adaptation_law.CLOCK + clock.DURATIONS])
+
+
+@pytest.mark.parametrize("rate", [60.0, 125.0, 500.0, 1000.0, 8000.0])
+@pytest.mark.parametrize("stop", [False, True], ids=["slows down", "stops dead"])
+def test_the_duration_learned_is_the_scorers(rate: float, stop: bool) -> None:
+    """To within 5 ms or a sample, also where the last way lies between two places that are kept."""
+    t = np.arange(0.0, 2.1, 1.0 / rate)
+    s = np.clip(t / 0.3, 0.0, 1.0)
+    path = EventColumns.of(t, 1500.0 * (s if stop else 10 * s**3 - 15 * s**4 + 6 * s**5), np.zeros(len(t)))
+    (trial,) = prepare(Recording.of("one", [path], [Trial("ann", "1")]), threads=1).trials
+    arrived = trial.onset_s + trial.arrival_s
+    assert duration(learned(path)) == pytest.approx(arrived, abs=max(0.0052, 1.01 / rate))
+
+
+def test_an_event_of_the_same_time_replaces_the_first_in_what_is_learned() -> None:
+    t = np.arange(0.0, 0.9, 0.008)
+    s = np.clip(t / 0.6, 0.0, 1.0)
+    x = 400.0 * (10 * s**3 - 15 * s**4 + 6 * s**5)
+    wrong = np.stack([x + 30.0, x], axis=1).ravel()
+    wrong[0] = 0.0
+    doubled = EventColumns.of(np.repeat(t, 2), wrong, np.zeros(2 * len(t)))
+    once, twice = learned(EventColumns.of(t, x, np.zeros(len(t)))), learned(doubled)
+    assert duration(once) == duration(twice)
+
+
+def test_a_movement_that_ends_where_it_began_teaches_nothing() -> None:
+    t = np.arange(0.0, 1.0, 0.01)
+    there_and_back = EventColumns.of(t, 300.0 * np.sin(np.pi * t / t[-1]).round(6), np.zeros(len(t)))
+    pipeline = build("kinematic-adaptive", shortest_px=0.0)
+    s = np.clip(t / 0.6, 0.0, 1.0)
+    straight = EventColumns.of(t, 300.0 * (10 * s**3 - 15 * s**4 + 6 * s**5), np.zeros(len(t)))
+    for path in [there_and_back] * 4 + [straight] * 3:
+        pipeline.reset()
+        table = run(pipeline, path).table
+    assert np.isfinite(table[-1]).all()
+    memory = learned(there_and_back, shortest_px=0.0)
+    assert not memory[adaptation.PERSON : adaptation.SIGHT].any()
