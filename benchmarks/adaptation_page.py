@@ -11,7 +11,7 @@ import numpy as np
 
 from benchmarks.markdown import filled, table
 from pointpred.columns import FloatArray
-from pointpred.report.style import GREY, MARKERS, PALETTE, canvas, picture
+from pointpred.report.style import GREY, MARKERS, PALETTE, canvas, legend_outside, picture
 from pointpred.scoring import calibration, time_left
 from pointpred.scoring.results import PredictorErrors
 
@@ -118,10 +118,12 @@ def figure(sets: Sequence[Measured]) -> None:
                     xs.append(float(order[rows].mean()) + 1.0)
                     ys.append(ratio(one, WHOLE, PLAIN, low, high))
             colour, marker = PALETTE[place % len(PALETTE)], MARKERS[place % len(MARKERS)]
-            axes.plot(xs, ys, color=colour, marker=marker, markersize=4, label=one.name)
+            dash = "solid" if place < len(PALETTE) else "dotted"
+            axes.plot(xs, ys, color=colour, marker=marker, linestyle=dash, markersize=4, label=one.name)
         axes.axhline(1.0, color=GREY, linewidth=0.8)
         axes.set(xscale="log", xlabel="movement of the person", ylabel="error over that of kinematic")
-        axes.legend()
+        axes.xaxis.set_major_formatter("{x:g}")
+        legend_outside(drawing, axes, columns=4)
         made = picture(drawing, "error over that of kinematic, by movement", "")
     FIGURE.write_text(made.svg, encoding="utf-8")
 
