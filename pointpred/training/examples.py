@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pointpred.columns import FloatArray
+from pointpred.errors import ParameterError
 from pointpred.predictors import kinematic_features, kinematic_sight
 from pointpred.recording import Recording
 from pointpred.registry import build
@@ -52,8 +53,13 @@ class Examples(msgspec.Struct, frozen=True):
 def examples(
     recording: Recording, set_number: int, users: dict[str, int], seed: int, *, own: bool = True
 ) -> Examples:
-    """Examples of one recording; ``users`` numbers the users of all sets, named set and user."""
+    """Examples of one recording; ``users`` numbers the users of all sets, named set and user.
+
+    Raises ParameterError for a recording in which nobody moves.
+    """
     prepared = prepare(recording, threads=1)
+    if not prepared.trials:
+        raise ParameterError(f"{recording.name} must hold a movement to learn from, holds none")
     motions = build("hold").differentiator.run(prepared.events).table
     features = np.zeros((len(motions), kinematic_features.FEATURES))
     frames = np.zeros((len(motions), 3))

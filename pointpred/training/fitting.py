@@ -82,7 +82,7 @@ def truth(given: Examples, settings: Settings) -> Truth:
     """
     seen, reach = given.features, given.reach
     trials = np.bincount(given.trial, given.weight)
-    own = np.bincount(given.trial, given.weight * given.hold()) / np.maximum(trials, 1e-9)
+    mean = np.bincount(given.trial, given.weight * given.hold()) / np.maximum(trials, 1e-9)
     whole = np.bincount(given.trial, given.weight * (given.left_s / np.maximum(1.0 - given.share, 1e-3)))
     share = np.empty(len(reach))
     mean_hold = np.empty(len(reach))
@@ -90,8 +90,8 @@ def truth(given: Examples, settings: Settings) -> Truth:
         rows = given.set == number
         mine = np.unique(given.trial[rows])
         share[rows] = len(mine) ** -0.25
-        mean_hold[rows] = own[mine].mean()
-    near = own[given.trial] / np.maximum(given.hold(), NEAR_SHARE * own[given.trial])
+        mean_hold[rows] = mean[mine].mean()
+    near = mean[given.trial] / np.maximum(given.hold(), NEAR_SHARE * mean[given.trial])
     moment = given.weight * share
     duration = np.sqrt(np.maximum(whole[given.trial] / np.maximum(trials[given.trial], 1e-9), 0.05))
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pickle
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from math import cos, log, sin
 
 import numpy as np
@@ -111,7 +111,7 @@ def test_a_distance_made_again_and_again_is_expected_and_a_new_one_soon_too() ->
 
 @pytest.mark.parametrize("make", [lambda: build(NAME, adapt=0), lambda: Pipeline(
     NAME, build("kinematic").differentiator, AdaptiveKinematicPredictor(adapt=0))])  # fmt: skip
-def test_switched_off_it_is_kinematic_bit_for_bit(make: type[Pipeline]) -> None:
+def test_switched_off_it_is_kinematic_bit_for_bit(make: Callable[[], Pipeline]) -> None:
     off = make()
     assert not off.learns
     movements = [reach(300.0 + 40.0 * k) for k in range(5)]

@@ -9,7 +9,7 @@ import msgspec
 import numpy as np
 import pytest
 
-from pointpred import EventColumns, build
+from pointpred import EventColumns
 from pointpred.errors import ParameterError
 from pointpred.predictors import kinematic_calibration, kinematic_coefficients
 from pointpred.predictors import kinematic_features as features
@@ -197,7 +197,6 @@ def test_users_are_dealt_evenly_into_folds() -> None:
     many = people.School((), (), (), {f"set {number}": number for number in range(23)})
     sizes = np.bincount(list(many.fold().values()))
     assert sizes.tolist() == [5, 5, 5, 4, 4]
-    assert build("hold").name == "hold"
 
 
 def test_what_a_moment_weighs() -> None:
@@ -220,3 +219,10 @@ def test_what_a_moment_weighs() -> None:
     np.testing.assert_allclose(found.law_weight, 0.2 * law / law.mean(), rtol=1e-5)
     ratio = found.time_weight / (weight * share)
     np.testing.assert_allclose(ratio[both.trial == 4] / ratio[both.trial == 0], 0.05, rtol=1e-4)
+
+
+def test_a_recording_in_which_nobody_moves_is_refused() -> None:
+    still = EventColumns.of(np.array([0.0, 0.1, 0.2]), np.zeros(3), np.zeros(3))
+    recording = Recording.of("still", [still], [Trial("ann", "1")])
+    with pytest.raises(ParameterError, match="still must hold a movement to learn from, holds none"):
+        examples(recording, 0, {"still ann": 0}, 1)
