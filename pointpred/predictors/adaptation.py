@@ -102,7 +102,7 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     that clock has it.
 
     Parameters: ``adapt`` 0 or 1 (0: bit for bit `kinematic`), ``distances`` 0 or 1, ``shortest_px``.
-    Memory: 795 floats. Costs about 2 us an event more than ``kinematic``. Raises ParameterError,
+    Memory: 795 floats. Costs 1 to 4 us an event more than ``kinematic``. Raises ParameterError,
     and EventError from ``update``.
 
     Reference: none; docs/adaptation.md. Prior knowledge of repeated distances: Pasqual, Wobbrock 2014.

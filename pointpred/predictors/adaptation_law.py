@@ -34,7 +34,7 @@ SAMPLES_LEAST, LEAST_S = 6, 0.08
 BIAS_FADE, FADE = 0.2, 0.5
 """From these shares of the time on the bias and the last distances fade out: what is left is a correction."""
 EARLY = 0.1
-"""A stage is taken from so much of a stage's length before its middle on."""
+"""A stage is taken from this share of its length before its middle on."""
 
 
 @law

@@ -24,7 +24,7 @@ TEMPO_OF = 10.0
 FURTHEST = 4.0
 """No single movement is further off than so many widths."""
 TEMPO_MOST, TEMPO_OFF = 0.4, 0.3
-"""Nor by more than this logarithm of the time left; and by how much it usually is."""
+"""The largest and the usual error of the logarithm of the time left."""
 
 # A stage, relative to its place: the normal equations of the bias, its two coefficients, what believing it
 # was and would have been worth; sums for the widths; the same for the tempo.

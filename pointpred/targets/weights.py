@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-SLOW = (0, -0.2309, -0.4562, -1.795, 0.0548, -0.5723)
+SLOW = (0, -0.2328, -0.4561, -1.789, 0.05295, -0.5663)
 """Of each feature while the cursor stands."""
-FAST = (0.2613, -0.4768, -0.3267, -0.6986, 0.3639, 0)
+FAST = (0.2747, -0.4731, -0.3258, -0.6721, 0.3524, 0)
 """Of each feature at the peak of the speed; between the two they change in proportion."""
-NONE = (-0.3144, -2.674)
+NONE = (-0.3208, -2.712)
 """Score of *none of them*, standing and at the peak."""
 UNCLAIMED_SLOW = (0, -0.2239, -0.4621, -1.803, 0.06911, -0.6918)
 UNCLAIMED_FAST = (0.0004115, -0.5252, -0.3819, -0.7671, 0.3922, -0.2329)

@@ -91,6 +91,11 @@ def test_predictions_of_two_predictors_are_drawn_while_the_mouse_moves(visitor: 
     visitor.mouse("mouseMoved", *start)
     half = ((start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
     visitor.reach(start, half, 0.25)
+    for _ in range(5):  # a busy machine may draw no frame before the speed peaks: then once more
+        if "ballistic" in visitor.value("seen.phase"):
+            break
+        visitor.reach(half, start, 0.5)
+        visitor.reach(start, half, 0.5)
     assert pixels(visitor, "#live-scene") >= {LIGHT["endpoint"], LIGHT["second"], LIGHT["past"]}
     assert visitor.value("Number(document.querySelector('#live-scene').dataset.drawn)") > 0
     assert {"ballistic"} < set(visitor.value("seen.phase")) <= {"ballistic", "corrective", "still", "–"}
