@@ -217,7 +217,8 @@ export class Connection {
     clearInterval(this.#alive);
     clearTimeout(this.#retry);
     if (this.#openedAt < Infinity) socket?.send(JSON.stringify({ type: "bye" }));
-    socket?.close(1000);
+    if (socket?.readyState === WebSocket.CONNECTING) socket.onopen = () => socket.close(1000); // sooner, a browser complains
+    else socket?.close(1000);
     this.#become("closed");
   }
 

@@ -218,3 +218,17 @@ def test_a_click_during_a_stall_stays_in_its_place(page: Page, listener: Listene
     assert np.array_equal(heard["buttons"], sent.buttons)
     assert (np.diff(heard["t"]) >= 0.0).all()
     assert page.evaluate("heard.error") == []
+
+
+def test_closed_while_it_connects_it_leaves_no_complaint(page: Page, listener: Listener) -> None:
+    """A browser warns of a connection that is closed before it is there; so it is closed once it is."""
+    page.call("Log.enable")
+    page.evaluate(
+        """import("/pointpred.js").then(({ connect }) => {
+          for (let i = 0; i < 20; i++) connect().close();
+          window.last = connect();
+        })"""
+    )
+    soon(lambda: page.evaluate("window.last?.state") == "open", "a later connection is open")
+    entries = [e["params"]["entry"] for e in page.heard if e["method"] == "Log.entryAdded"]
+    assert [one["text"] for one in entries if "WebSocket" in one["text"]] == []
