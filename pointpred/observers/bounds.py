@@ -48,10 +48,10 @@ def eigenvalues(name: str, given: Any) -> FloatArray:
 
 
 def interconnection_bound(
-    P: Any,  # noqa: N803
-    Theta: Any,  # noqa: N803
-    Gamma: Any,  # noqa: N803
-    Xi: Any,  # noqa: N803
+    P: Any,
+    Theta: Any,
+    Gamma: Any,
+    Xi: Any,
     *,
     time: str = "continuous",
     sharp: bool = False,
@@ -78,7 +78,7 @@ def interconnection_bound(
     return ErrorBound(sqrt(p[-1] / p[0]), 0.5 * speed, (noise, noise, drive), ("v", "eps", "w"))
 
 
-def convergence_bound(P: Any, Xi: Any, gamma: float) -> ErrorBound:  # noqa: N803
+def convergence_bound(P: Any, Xi: Any, gamma: float) -> ErrorBound:
     """The bound of Theorem 3.3.1 with the factor sqrt(max P / min Xi) that the print lacks, for delta.
 
     V' <= -e' Xi e + delta' P delta / gamma gives abs(e) <= sqrt(max P / min P) (exp(-min Xi / (2 max P) t)

@@ -53,7 +53,7 @@ class ObserverDesign(msgspec.Struct, frozen=True):
 def design_observer(
     plant: Persidskii,
     generator: Generator,
-    Pi: Any,  # noqa: N803
+    Pi: Any,
     *,
     gain: Any = None,
     decay: float = 0.0,
@@ -121,7 +121,7 @@ def design_observer(
     return ObserverDesign(m, values, margins, bound, plant, seen.g, seen.pi)
 
 
-def require_map(plant: Persidskii, generator: Generator, Pi: FloatArray) -> None:  # noqa: N803
+def require_map(plant: Persidskii, generator: Generator, Pi: FloatArray) -> None:
     """Raise InfeasibleError naming an equality of (3.3), or of Corollary 3.2.1, and its residual."""
     parts = (plant.A0, plant.A1, plant.B, plant.Q, generator.S0, Pi)
     size = max(np.abs(one).max(initial=0.0) for one in parts)

@@ -16,7 +16,7 @@ SINGULAR = 1e-9
 COMPONENTS_MOST = 8
 
 
-def undetectable(A: Any, C: Any, time: str = "continuous") -> list[complex]:  # noqa: N803
+def undetectable(A: Any, C: Any, time: str = "continuous") -> list[complex]:
     """The eigenvalues of modes that neither decay nor show in the output; empty for a detectable pair.
 
     An eigenvalue s with real part >= 0 (modulus >= 1 in discrete time) is one of them if (sI - A; C) loses

@@ -46,13 +46,13 @@ class Generator:
 
     def __init__(
         self,
-        S0: Any,  # noqa: N803
-        S1: Any = None,  # noqa: N803
-        J: Any = None,  # noqa: N803
-        G: Any = None,  # noqa: N803
-        L0: Any = None,  # noqa: N803
-        L1: Any = None,  # noqa: N803
-        E: Any = None,  # noqa: N803
+        S0: Any,
+        S1: Any = None,
+        J: Any = None,
+        G: Any = None,
+        L0: Any = None,
+        L1: Any = None,
+        E: Any = None,
         f: Any = None,
     ) -> None:
         self.S0: FloatArray = matrix("S0", S0, len(matrix("S0", S0)), len(matrix("S0", S0)))

@@ -24,7 +24,7 @@ class Interconnection:
     Raises ParameterError where the generator's own J is not H Pi, or where the slopes are not bounded.
     """
 
-    def __init__(self, plant: Persidskii, generator: Generator, Pi: Any) -> None:  # noqa: N803
+    def __init__(self, plant: Persidskii, generator: Generator, Pi: Any) -> None:
         if plant.varying:
             told = f"{', '.join(plant.varying)} vary: use plant.at"
             raise ParameterError(f"a design needs constant matrices, {told}")
@@ -107,9 +107,9 @@ class Completed:
 def theorem_3_2_1(
     plant: Persidskii,
     generator: Generator,
-    Pi: Any,  # noqa: N803
+    Pi: Any,
     *,
-    F: Any = None,  # noqa: N803
+    F: Any = None,
     **bounds: float,
 ) -> MatrixInequalities:
     """The inequalities of Theorem 3.2.1 for a plant, its generator and their steady-state map.

@@ -43,14 +43,14 @@ class Persidskii:
 
     def __init__(
         self,
-        A0: Any,  # noqa: N803
-        A1: Any,  # noqa: N803
-        H: Any,  # noqa: N803
+        A0: Any,
+        A1: Any,
+        H: Any,
         f: Any,
-        B: Any = None,  # noqa: N803
-        Q: Any = None,  # noqa: N803
-        C0: Any = None,  # noqa: N803
-        C1: Any = None,  # noqa: N803
+        B: Any = None,
+        Q: Any = None,
+        C0: Any = None,
+        C1: Any = None,
         slopes: Any = None,
         time: str = "continuous",
         *,

@@ -51,16 +51,16 @@ class PersidskiiObserver(CompiledStage):
 
     def __init__(
         self,
-        N: ArrayLike,  # noqa: N803
-        L: ArrayLike | None,  # noqa: N803
-        J: ArrayLike | None,  # noqa: N803
-        K: ArrayLike | None,  # noqa: N803
+        N: ArrayLike,
+        L: ArrayLike | None,
+        J: ArrayLike | None,
+        K: ArrayLike | None,
         f: Any,
         *,
-        R0: ArrayLike | None = None,  # noqa: N803
-        R1: ArrayLike | None = None,  # noqa: N803
-        R: ArrayLike | None = None,  # noqa: N803
-        R2: ArrayLike | None = None,  # noqa: N803
+        R0: ArrayLike | None = None,
+        R1: ArrayLike | None = None,
+        R: ArrayLike | None = None,
+        R2: ArrayLike | None = None,
         start: ArrayLike | None = None,
         step_s: float = 1e-2,
         gap_s: float = 1.0,

@@ -26,7 +26,7 @@ class ReducedOrderDesign(msgspec.Struct, frozen=True):
 
 def design_reduced_order(
     plant: Persidskii,
-    Pi: Any = None,  # noqa: N803
+    Pi: Any = None,
     *,
     decay: float = 1.0,
     injection: bool = False,

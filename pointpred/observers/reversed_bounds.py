@@ -10,7 +10,7 @@ import numpy as np
 from pointpred.observers.bounds import ErrorBound, eigenvalues
 
 
-def continuous_bound(P: Any, Xi: Any, gamma: float) -> ErrorBound:  # noqa: N803
+def continuous_bound(P: Any, Xi: Any, gamma: float) -> ErrorBound:
     """The bound of Theorem 3.3.1 with the least generalised eigenvalue c of (Xi, P): never a worse one.
 
     V' <= -c V + delta'P delta / gamma, so that abs(e) <= sqrt(max P / min P) (exp(-c t / 2) abs(e0) +
@@ -24,7 +24,7 @@ def continuous_bound(P: Any, Xi: Any, gamma: float) -> ErrorBound:  # noqa: N803
     return ErrorBound(overshoot, 0.5 * c, (overshoot / sqrt(c * gamma),), ("delta",))
 
 
-def discrete_bound(P: Any, Xi: Any, Gamma: Any, *, sharp: bool = False) -> ErrorBound:  # noqa: N803
+def discrete_bound(P: Any, Xi: Any, Gamma: Any, *, sharp: bool = False) -> ErrorBound:
     """The bound that Theorem 3.3.2 implies and the print leaves out, for delta; the rate is per step.
 
     V(k+1) <= (1 - c) V(k) + max Gamma abs(delta)^2 with c = min Xi / max P, so that abs(e) <= sqrt(max
@@ -40,7 +40,7 @@ def discrete_bound(P: Any, Xi: Any, Gamma: Any, *, sharp: bool = False) -> Error
     return ErrorBound(sqrt(p[-1] / p[0]), rate, (sqrt(gamma[-1] / (c * p[0])),), ("delta",))
 
 
-def _generalised(P: Any, Xi: Any) -> float:  # noqa: N803
+def _generalised(P: Any, Xi: Any) -> float:
     """The least c with Xi >= c P."""
     root = np.linalg.inv(np.linalg.cholesky(np.atleast_2d(np.asarray(P, np.float64))))
     return float(np.linalg.eigvalsh(root @ np.atleast_2d(Xi) @ root.T)[0])

@@ -64,7 +64,7 @@ def theorem_3_3_1(
     slopes: tuple[tuple[float, float], ...] | None,
     gamma: float,
     *,
-    F: Any = None,  # noqa: N803
+    F: Any = None,
     **bounds: float,
 ) -> MatrixInequalities:
     """The inequalities of Theorem 3.3.1 with a constant P, at each of the observer's given matrices.

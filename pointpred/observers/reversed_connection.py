@@ -48,10 +48,10 @@ class InvariantObserver:
     def __init__(
         self,
         plant: Persidskii,
-        Pi: Given,  # noqa: N803
-        Upsilon: Given,  # noqa: N803
+        Pi: Given,
+        Upsilon: Given,
         *,
-        B: Given = None,  # noqa: N803
+        B: Given = None,
         injection: bool = False,
         rates: dict[str, Callable[[float], Any]] | None = None,
         tolerance: float = TOLERANCE,
@@ -169,10 +169,10 @@ class InvariantObserver:
 
 def invariant_observer(
     plant: Persidskii,
-    Pi: Given,  # noqa: N803
-    Upsilon: Given = None,  # noqa: N803
+    Pi: Given,
+    Upsilon: Given = None,
     *,
-    B: Given = None,  # noqa: N803
+    B: Given = None,
     injection: bool = False,
     rates: dict[str, Callable[[float], Any]] | None = None,
     tolerance: float = TOLERANCE,

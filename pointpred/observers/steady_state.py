@@ -37,7 +37,7 @@ class SteadyState(msgspec.Struct, frozen=True):
 def residuals(
     plant: Persidskii,
     generator: Generator,
-    Pi: Any,  # noqa: N803
+    Pi: Any,
     *,
     relaxed: bool = False,
 ) -> dict[str, FloatArray]:

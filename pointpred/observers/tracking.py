@@ -32,7 +32,7 @@ class TrackingCertificate(msgspec.Struct, frozen=True):
 def theorem_3_2_2(
     plant: Persidskii,
     regulator: Generator,
-    Pi: Any,  # noqa: N803
+    Pi: Any,
     **bounds: float,
 ) -> MatrixInequalities:
     """Assumption 3.2.3 with the condition of Theorem 3.2.2: the regulator is ISS with respect to z, w and v.
@@ -72,7 +72,7 @@ def theorem_3_2_2(
 def theorem_3_2_3(
     plant: Persidskii,
     regulator: Generator,
-    Pi: Any,  # noqa: N803
+    Pi: Any,
     sector: SectorBounds | None = None,
     **bounds: float,
 ) -> MatrixInequalities:
@@ -127,7 +127,7 @@ def theorem_3_2_3(
 def certify_tracking(
     plant: Persidskii,
     regulator: Generator,
-    Pi: Any,  # noqa: N803
+    Pi: Any,
     *,
     sector: SectorBounds | None = None,
     solver: str = "CLARABEL",

@@ -37,7 +37,7 @@ class Split(msgspec.Struct, frozen=True):
     outer: FloatArray
 
 
-def split(plant: Persidskii, Pi: Any) -> Split:  # noqa: N803
+def split(plant: Persidskii, Pi: Any) -> Split:
     """The plant with its measured combinations as coordinates; raises ParameterError where it has none.
 
     >>> plant = Persidskii([[0.0, 1.0], [-3.0, -1.0]], None, None, "sin", C0=[1.0, 0.0])
