@@ -26,7 +26,7 @@ from pointpred.predictors import KinematicPredictor, kinematic_coefficients
 from pointpred.recording import Recording
 from pointpred.scoring import resolution
 from pointpred.training import people, train
-from pointpred.training.__main__ import THREADS
+from pointpred.training.__main__ import in_one_thread
 from pointpred.training.examples import Examples
 from pointpred.training.fitting import Settings
 from pointpred.training.people import School
@@ -159,8 +159,5 @@ def main(arguments: list[str]) -> None:
 
 if __name__ == "__main__":
     asked = words(__doc__, named="folder", most=1)
-    if any(os.environ.get(name) != "1" for name in THREADS):
-        # Sums in one thread come in one order: the same machine makes the same numbers.
-        os.environ.update(dict.fromkeys(THREADS, "1"))
-        os.execv(sys.executable, [sys.executable, "-m", "benchmarks.held_out", *asked])
+    in_one_thread("benchmarks.held_out")
     main(asked)

@@ -31,6 +31,13 @@ def page_asked() -> Path | None:
     return page
 
 
+def in_one_thread(module: str) -> None:
+    """Begin anew where sums may run in several threads: in one they come in one order, and repeat."""
+    if any(os.environ.get(name) != "1" for name in THREADS):
+        os.environ.update(dict.fromkeys(THREADS, "1"))
+        os.execv(sys.executable, [sys.executable, "-m", module, *sys.argv[1:]])
+
+
 def main(page: Path | None) -> None:
     """Train, or cross-validate; progress goes to the error stream."""
     began = time.monotonic()
@@ -55,8 +62,5 @@ def main(page: Path | None) -> None:
 
 if __name__ == "__main__":
     asked = page_asked()
-    if any(os.environ.get(name) != "1" for name in THREADS):
-        # Sums in one thread come in one order: the same machine makes the same numbers.
-        os.environ.update(dict.fromkeys(THREADS, "1"))
-        os.execv(sys.executable, [sys.executable, "-m", "pointpred.training", *sys.argv[1:]])
+    in_one_thread("pointpred.training")
     main(asked)
