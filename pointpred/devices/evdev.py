@@ -166,12 +166,15 @@ class EvdevSource:
             self._queue.put(Report(t, frame.dx, frame.dy, frame.buttons, frame.wheel, frame.pan))
 
     def _unplug(self, now: float) -> None:
-        """The device has gone: it presses nothing any more."""
+        """The device has gone: it presses nothing any more.
+
+        Who else is there is asked before anybody hears of it: what comes later is no twin that stayed.
+        """
+        self._twins = self._alike() - {self._real}
         os.close(self._file)
         self.plugged = False
         if self._decoder.buttons:
             self._queue.put(Report(max(now, self._clock.last), 0, 0))
-        self._twins = self._alike() - {self._real}
 
     def _alike(self) -> set[str]:
         """The nodes of devices that cannot be told from this one."""

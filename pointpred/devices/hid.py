@@ -146,10 +146,13 @@ class HidSource:
             self._queue.put(Report(t, dx, dy, self._buttons, wheel, pan))
 
     def _unplug(self) -> None:
-        """The device has gone: it presses nothing any more. Those like it that are still here are others."""
+        """The device has gone: it presses nothing any more. Those like it that are still here are others.
+
+        They are asked for before anybody hears of it: what comes later may be the device itself.
+        """
+        self._others = {device.path for device in self._alike()} - {self.path}
         self._handle.close()
         self.plugged = False
-        self._others = {device.path for device in self._alike()} - {self.path}
         if self._buttons:
             self._buttons = 0
             self._queue.put(Report(time.monotonic(), 0, 0))
