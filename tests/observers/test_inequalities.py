@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from pointpred.errors import (
@@ -35,6 +35,7 @@ def trace(v: Any) -> float:
 
 
 @given(st.integers(1, 5), st.integers(0, 2**32 - 1), st.booleans())
+@example(4, 568621, False)  # the solver stalls before its tight tolerances
 @settings(max_examples=25)
 def test_a_certificate_exists_exactly_where_the_eigenvalues_say_so(n: int, seed: int, stable: bool) -> None:
     a = np.random.default_rng(seed).normal(size=(n, n))

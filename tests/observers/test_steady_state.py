@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
@@ -59,6 +59,7 @@ def test_the_map_satisfies_every_equality(seed: int, feedback: bool, time: str) 
 
 
 @given(st.integers(0, 2**31), st.booleans())
+@example(283, False)  # one of its eigenvalues is 1238 a second
 @settings(max_examples=8)
 def test_the_hyperplane_is_invariant_along_trajectories(seed: int, feedback: bool) -> None:
     plant, generator, _ = matched(seed, feedback=feedback)
@@ -76,8 +77,10 @@ def test_the_hyperplane_is_invariant_along_trajectories(seed: int, feedback: boo
 
     w0 = 0.5 * np.random.default_rng(seed).normal(size=q)
     start = np.concatenate([w0, found.Pi @ w0])
+    quick = min(1.0, 20.0 / np.linalg.norm(plant.A0, 2))  # a quicker plant has a shorter time
+    times = quick * np.array([0.0, 0.3, 0.7])
     for integrator in ("rk4", "scipy"):
-        both = simulate(field, start, [0.0, 0.3, 0.7], integrator=integrator, step_s=1e-2)
+        both = simulate(field, start, times, integrator=integrator, step_s=1e-2 * quick)
         size = max(1.0, float(np.abs(both).max()))
         # What leaves the hyperplane is rounding, and the residual of Pi, enlarged by an unstable plant.
         assert np.abs(both[:, q:] - both[:, :q] @ found.Pi.T).max() < 1e-9 * size * max(
