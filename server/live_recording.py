@@ -14,7 +14,7 @@ from pointpred.events import PHASES, Prediction
 from pointpred.recording import Provenance
 from pointpred.server.messages import Hello
 from pointpred.server.recorder import Recorder, about_of
-from pointpred.server.recorder_files import SessionFiles, prediction_rows, sample_rows
+from pointpred.server.recorder_files import SessionFiles
 from pointpred.sources.appended import LIVE
 
 TOGETHER_S = 0.05
@@ -56,7 +56,6 @@ class LiveRecording:
         self._recorder = Recorder(file.parent)
         self._session = self._recorder.record(FileOf(file, provenance), hello)
         self._waiting: list[Pair] = []
-        _warm()
 
     @property
     def lost(self) -> int:
@@ -90,12 +89,6 @@ class LiveRecording:
             events = EventColumns.of_events(event for event, _ in waiting)
             rows = [_row(event.t, prediction) for event, prediction in waiting]
             self._session.events(events, PredictionColumns(np.array(rows)))
-
-
-def _warm() -> None:
-    """Make rows once: what that loads would hold up the first reports."""
-    sample_rows("", [("", 1)], np.zeros((1, 6)))
-    prediction_rows([("", 1)], [(None, 1)], np.zeros((1, 10)))
 
 
 def _row(t: float, one: Prediction | None) -> tuple[float, ...]:

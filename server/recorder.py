@@ -22,7 +22,7 @@ from pointpred.server.building import cpi_of, dpi_of
 from pointpred.server.logs import place_of
 from pointpred.server.messages import Hello
 from pointpred.server.recorder_batch import Item, rows_of
-from pointpred.server.recorder_files import SessionFiles, Write
+from pointpred.server.recorder_files import SessionFiles, Write, warm_rows
 from pointpred.server.recorder_session import SessionRecorder
 from pointpred.server.recordings import name_of, prepare
 from pointpred.sources.appended import FORMAT
@@ -70,6 +70,7 @@ class Recorder:
         self._stopping = threading.Event()
         if prepare(folder):
             log.warning("others on this machine can look into %s; its files are for its owner only", folder)
+        warm_rows()
         self._thread = threading.Thread(target=self._run, name="recorder", daemon=True)
         self._thread.start()
 
@@ -140,8 +141,11 @@ class Recorder:
             self._marks -= sum(item.starts or item.ends for _, item in items)
 
     def _write_session(self, session: SessionRecorder, items: list[Item]) -> None:
+        count = sum(len(item) for item in items)
         try:
-            if not session.failed:
+            if session.failed:  # they were put aside before it had
+                self._lose(session, count)
+            else:
                 self._open.add(session)
                 for part, rows in rows_of(session.name, items):
                     session.files.append(part, rows)
@@ -149,7 +153,7 @@ class Recorder:
                     session.due = time.monotonic() + SYNC_S
                     self._dirty.append(session)
         except Exception as error:  # the service goes on without this recording, whatever broke
-            self._fail(session, error, sum(len(item) for item in items))
+            self._fail(session, error, count)
         if items[-1].closes:
             self._finish(session)
 
@@ -181,12 +185,17 @@ class Recorder:
         if session.lost:
             log.warning("recording %s: %d events were lost", session.name, session.lost)
 
+    def _lose(self, session: SessionRecorder, count: int) -> None:
+        """Count events that will not be written."""
+        with self._lock:
+            session.lost += count
+            self.lost += count
+
     def _fail(self, session: SessionRecorder, error: Exception, lost: int) -> None:
         """Give up the recording of a session, and say so once; the session itself goes on."""
+        self._lose(session, lost)
         with self._lock:
             session.failed = True
-            session.lost += lost
-            self.lost += lost
             self.failures += 1
         # An operating system's words are of files; another error's might quote an event.
         said = error if isinstance(error, OSError) else place_of(error)

@@ -119,6 +119,12 @@ def prediction_rows(predictors: Words, parameters: Words, table: FloatArray) -> 
     return _csv([*numbers, phases.cast(pa.string()), _spread(predictors), _spread(parameters)])
 
 
+def warm_rows() -> None:
+    """Make rows once: the first ones load a library, for half a second in which nothing would be written."""
+    sample_rows("", [("", 1)], np.zeros((1, 6)))
+    prediction_rows([("", 1)], [(None, 1)], np.zeros((1, 10)))
+
+
 def trial_row(user: str, trial: str, target: tuple[float, float, float] | None, samples: int) -> bytes:
     """One row of the trials file."""
     place = ",".join(repr(value) for value in target) if target else ",,"

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import stat
-import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -18,6 +17,7 @@ from pointpred.server.live_recording import LiveRecording
 from pointpred.server.messages import Device, Hello, Screen
 from pointpred.sources import read
 from tests.devices.live_fakes import FakeMouse, reach
+from tests.server.listener import soon
 
 HELLO = Hello(1, "kinematic", device=Device(cpi=800.0), screen=Screen(dpi=110.0))
 WHERE = "prediction in motor space"
@@ -93,26 +93,22 @@ def test_what_rests_is_not_held_back(file: Path, recording: LiveRecording) -> No
     assert recording.events == 0  # so few wait for more
     recording.take([])
     assert recording.events == session.reports
-    end = time.monotonic() + 10.0
-    while not file.exists() or len(file.read_text().splitlines()) < 2 + session.reports:
-        assert time.monotonic() < end
-        time.sleep(0.02)
+    soon(lambda: file.exists() and len(file.read_text().splitlines()) == 2 + session.reports, "written")
 
 
 def test_a_file_that_is_taken_away_ends_the_recording_and_not_the_session(
     file: Path, recording: LiveRecording, caplog: pytest.LogCaptureFixture
 ) -> None:
     session = follow(recording, 1.0)
-    end = time.monotonic() + 10.0
-    while not file.exists():
-        assert time.monotonic() < end
-        time.sleep(0.02)
+    soon(file.exists, "it is begun")
     file.unlink()
-    while not recording.failed:
-        assert time.monotonic() < end
+
+    def noticed() -> bool:
         session.source.put(reach(2.0 + session.reports, (90.0, 3.0)))  # type: ignore[attr-defined]
         session.advance(0.0)
-        time.sleep(0.05)
+        return recording.failed
+
+    soon(noticed, "it is gone")
     lost = recording.lost
     session.source.put(reach(1e6, (90.0, 3.0)))  # type: ignore[attr-defined]
     assert len(session.advance(0.0)) == 502

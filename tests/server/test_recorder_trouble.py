@@ -19,7 +19,9 @@ from pointpred.server.messages import Goal
 from pointpred.server.recorder import Recorder
 from pointpred.server.recordings import listing
 from pointpred.sources import read
+from tests.server.listener import soon
 from tests.server.recorded import HELLO, Opened, begin, feed, record
+from tests.server.running import PATIENCE_S
 
 BEGUN = datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC)
 
@@ -55,7 +57,7 @@ class FullDisk:
 def test_a_full_disk_ends_the_recording_and_nothing_else(
     opened: Opened, tmp_path: Path, caplog: pytest.LogCaptureFixture
 ) -> None:
-    disk = FullDisk(30_000)
+    disk = FullDisk(5_000)  # less than the first piece: however it falls to the writer, that does not fit
     recorder = opened(write=disk)
     session, source = record(recorder, range(3), marks=True)
     count = int(source.offsets[3])
@@ -73,13 +75,33 @@ def test_a_full_disk_ends_the_recording_and_nothing_else(
     np.testing.assert_array_equal(back.events.table, source.events.table[:kept])
 
 
+def test_events_put_aside_while_the_disk_turns_out_full_are_counted_as_lost(opened: Opened) -> None:
+    entered, held = threading.Event(), threading.Event()
+
+    def full(descriptor: int, data: bytes) -> int:
+        entered.set()
+        held.wait(PATIENCE_S)
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    recorder = opened(write=full)
+    session = begin(recorder)
+    events = sample().rows(0)
+    feed(session, events.rows(0, 100), pieces=1)
+    assert entered.wait(PATIENCE_S)
+    feed(session, events.rows(100, 400), pieces=3)
+    held.set()
+    assert recorder.close()
+    assert recorder.failures == 1
+    assert recorder.lost == session.lost == 400
+    assert recorder.waiting == 0
+
+
 def test_after_a_full_disk_a_new_session_is_recorded_again(opened: Opened, tmp_path: Path) -> None:
     disk = FullDisk(0)
     recorder = opened(write=disk)
     first = begin(recorder, "first")
     feed(first, sample().rows(0))
-    while not recorder.failures:
-        threading.Event().wait(0.01)
+    soon(lambda: recorder.failures, "it has failed")
     disk.room = 1 << 30
     feed(begin(recorder, "second"), sample().rows(1))
     feed(first, sample().rows(1))
@@ -96,7 +118,7 @@ def test_a_slow_disk_costs_events_but_no_memory_and_no_false_trial(opened: Opene
 
     def slow(descriptor: int, data: bytes) -> int:
         entered.set()
-        held.wait(10)
+        held.wait(PATIENCE_S)
         return os.write(descriptor, data)
 
     recorder = opened(write=slow, waiting_most=200)
@@ -104,7 +126,7 @@ def test_a_slow_disk_costs_events_but_no_memory_and_no_false_trial(opened: Opene
     events = sample().rows(0)
     session.trial("start", Goal(1.0, 2.0, 3.0))
     feed(session, events.rows(0, 100), pieces=1)
-    assert entered.wait(10)
+    assert entered.wait(PATIENCE_S)
     feed(session, events.rows(100, 1000), pieces=9)
     assert recorder.waiting == 200
     assert recorder.lost == session.lost == 800
