@@ -70,17 +70,18 @@ class StreamEndpoint:
         if not service.warming:
             return receive
         early = Early(receive)
-        try:
-            if not await early.stays(service.until_warm()):
+        with service.place():
+            try:
+                if not await early.stays(service.until_warm()):
+                    return None
+                if not service.stopping:
+                    return early
+                await send({"type": "websocket.send", "text": encode(Bye(STOPS)).decode()})
+                await send({"type": "websocket.close", "code": 1001, "reason": STOPS})
                 return None
-            if not service.stopping:
-                return early
-            await send({"type": "websocket.send", "text": encode(Bye(STOPS)).decode()})
-            await send({"type": "websocket.close", "code": 1001, "reason": STOPS})
-            return None
-        finally:
-            if service.stopping:
-                early.leave()
+            finally:
+                if service.stopping:
+                    early.leave()
 
     async def _refuse(self, send: Send, code: Code, message: str, close: int) -> None:
         self.service.metrics.turned_away.labels(code).inc()

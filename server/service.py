@@ -5,8 +5,9 @@ from __future__ import annotations
 import asyncio
 import logging
 import secrets
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 
 from pointpred.server.conversation import Conversation
 from pointpred.server.live import LiveFeed
@@ -104,15 +105,19 @@ class Service:
         """Whether compiled code is being warmed."""
         return self._warming is not None and not self._warming.done()
 
-    async def until_warm(self) -> None:
-        """Wait until compiled code is warm, or cannot be."""
-        if self._warming is None:
-            return
+    @contextmanager
+    def place(self) -> Iterator[None]:
+        """Count somebody who waits for warm code, from being admitted to having a session, as one."""
         self._waiting += 1
         try:
-            await asyncio.wait([self._warming])
+            yield
         finally:
             self._waiting -= 1
+
+    async def until_warm(self) -> None:
+        """Wait until compiled code is warm, or cannot be."""
+        if self._warming is not None:
+            await asyncio.wait([self._warming])
 
     def _progress(self, done: int, of: int, name: str) -> bool:
         """Says what is being warmed; whether to go on."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import json
 import subprocess
 import sys
@@ -14,8 +15,11 @@ from websockets.exceptions import ConnectionClosed
 
 from pointpred.registry import REGISTRY
 from pointpred.server import warm as warming
+from pointpred.server.endpoint import StreamEndpoint
+from pointpred.server.service import Service
+from pointpred.server.settings import Settings
 from tests.server.listener import soon
-from tests.server.running import HELLO, running
+from tests.server.running import HELLO, PATIENCE_S, running
 
 Progress = Callable[[int, int, str], bool]
 
@@ -23,6 +27,7 @@ Progress = Callable[[int, int, str], bool]
 @pytest.fixture
 def warm(monkeypatch: pytest.MonkeyPatch) -> Iterator[threading.Event]:
     """Warming takes until this is set."""
+    warming.warm_one("switched")  # here, where nobody waits for the compiler
     done = threading.Event()
 
     def slow(progress: Progress) -> None:
@@ -41,26 +46,26 @@ def test_who_comes_early_is_accepted_and_greeted_when_code_is_warm(warm: threadi
             socket.send(HELLO)
         with pytest.raises(TimeoutError):
             early.recv(0.3)
-        assert "pointpred_sessions 0.0" in get(f"{here.url}/metrics").text
-        assert get(f"{here.url}/readyz").status_code == 503
-        assert get(f"{here.url}/healthz").status_code == 200
+        assert "pointpred_sessions 0.0" in get(f"{here.url}/metrics", timeout=PATIENCE_S).text
+        assert get(f"{here.url}/readyz", timeout=PATIENCE_S).status_code == 503
+        assert get(f"{here.url}/healthz", timeout=PATIENCE_S).status_code == 200
         with here.connect() as third:  # those who wait are counted
-            assert json.loads(third.recv(5))["code"] == "too_many"
+            assert json.loads(third.recv(PATIENCE_S))["code"] == "too_many"
         warm.set()
         for socket in (early, other):
-            assert json.loads(socket.recv(10))["type"] == "welcome"
+            assert json.loads(socket.recv(PATIENCE_S))["type"] == "welcome"
             socket.send('{"type":"events","events":[[1,5,6,null,null,0]]}')
-            assert json.loads(socket.recv(10))["t"] == 1.0
-        soon(lambda: get(f"{here.url}/readyz").status_code == 200, "ready")
+            assert json.loads(socket.recv(PATIENCE_S))["t"] == 1.0
+        soon(lambda: get(f"{here.url}/readyz", timeout=PATIENCE_S).status_code == 200, "ready")
 
 
 def test_who_waits_for_warm_code_hears_that_the_service_stops(warm: threading.Event) -> None:
     with running() as here, here.connect() as early:
         early.send(HELLO)
         here.server.should_exit = True
-        assert json.loads(early.recv(10))["type"] == "bye"
+        assert json.loads(early.recv(PATIENCE_S))["type"] == "bye"
         with pytest.raises(ConnectionClosed) as closed:
-            early.recv(10)
+            early.recv(PATIENCE_S)
         assert closed.value.rcvd is not None
         assert closed.value.rcvd.code == 1001
 
@@ -72,13 +77,41 @@ def test_who_leaves_while_code_is_warmed_leaves_its_place(warm: threading.Event)
                 for text in said:
                     early.send(text)
                 soon(lambda: here.service.full, "it waits")
-            soon(lambda: not here.service.full, "its place is free", 5.0)
+            soon(lambda: not here.service.full, "its place is free")
         with here.connect() as other:
             other.send(HELLO)
             soon(lambda: here.service.full, "it waits")
             warm.set()
-            assert json.loads(other.recv(10))["type"] == "welcome"
-        assert get(f"{here.url}/metrics").status_code == 200
+            assert json.loads(other.recv(PATIENCE_S))["type"] == "welcome"
+        assert get(f"{here.url}/metrics", timeout=PATIENCE_S).status_code == 200
+
+
+def test_no_place_is_free_between_waiting_for_warm_code_and_the_session() -> None:
+    async def talk() -> list[bool]:
+        service = Service(Settings(max_sessions=1))
+        warmed = service._warming = asyncio.get_running_loop().create_future()
+        frames: asyncio.Queue[dict[str, str]] = asyncio.Queue()
+        frames.put_nowait({"type": "websocket.connect"})
+
+        async def send(message: object) -> None:
+            """Nobody hears it."""
+
+        scope = {"type": "websocket", "headers": [], "query_string": b""}
+        task = asyncio.ensure_future(StreamEndpoint(service)(scope, frames.get, send))
+        while not service.full:
+            await asyncio.sleep(0)
+        warmed.set_result(None)
+        full = []
+        while not service._open:
+            await asyncio.sleep(0)
+            full.append(service.full)
+        frames.put_nowait({"type": "websocket.disconnect"})
+        await task
+        return full
+
+    full = asyncio.run(talk())
+    assert len(full) > 1
+    assert all(full)
 
 
 def test_frames_that_came_early_are_answered_in_their_order(warm: threading.Event) -> None:
@@ -88,10 +121,10 @@ def test_frames_that_came_early_are_answered_in_their_order(warm: threading.Even
             early.send(f'{{"type":"events","events":[[{t},5,6,null,null,0]]}}')
         soon(lambda: here.service._waiting == 1, "it waits")
         warm.set()
-        assert json.loads(early.recv(10))["type"] == "welcome"
+        assert json.loads(early.recv(PATIENCE_S))["type"] == "welcome"
         last = -1.0
         while last < 19.0:  # predictions may give way to newer ones
-            answer = json.loads(early.recv(10))
+            answer = json.loads(early.recv(PATIENCE_S))
             assert answer["type"] == "prediction", answer
             assert answer["t"] > last
             last = answer["t"]
@@ -105,7 +138,7 @@ def test_code_that_cannot_be_warmed_is_logged_and_clients_are_served_all_the_sam
 
     monkeypatch.setattr("pointpred.server.service.warm", broken)
     with running() as here, here.greeted():
-        assert get(f"{here.url}/readyz").json() == {"ready": False, "stopping": False}
+        assert get(f"{here.url}/readyz", timeout=PATIENCE_S).json() == {"ready": False, "stopping": False}
     assert "compiled code could not be warmed" in caplog.text
 
 
