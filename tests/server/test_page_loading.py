@@ -1,0 +1,63 @@
+"""The page while it comes: nothing is shown of it before all is there, for what follows would move it."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Iterator
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+
+import pytest
+
+from pointpred.server.app import WEB
+from tests.server import browser, page_browser
+
+pytestmark = browser.needed
+
+HALF = "</header>"
+WHOLE = "</main>"
+PAUSE_S = 0.6
+"""Time enough to draw a half."""
+PAINTED = "performance.getEntriesByName('first-contentful-paint').map(({ startTime }) => startTime)"
+
+
+class Halting(BaseHTTPRequestHandler):
+    """Sends the page in two halves, which says itself when it was whole; its styles, and no program."""
+
+    def do_GET(self) -> None:
+        style = WEB / self.path.removeprefix("/web/")
+        self.send_response(200)
+        self.send_header("Content-Type", "text/css" if style.suffix == ".css" else "text/html")
+        self.end_headers()
+        if style.suffix == ".css":
+            self.wfile.write(style.read_bytes())
+        elif self.path == "/":
+            page = (WEB / "index.html").read_text(encoding="utf-8")
+            first, half, rest = page.partition(HALF)
+            self.wfile.write((first + half).encode())
+            self.wfile.flush()
+            time.sleep(PAUSE_S)
+            told = "<script>window.whole = performance.now()</script>"
+            self.wfile.write(rest.replace(WHOLE, told + WHOLE).encode())
+
+    def log_message(self, *_: object) -> None:
+        """Say nothing of requests."""
+
+
+@pytest.fixture
+def halting() -> Iterator[str]:
+    with ThreadingHTTPServer(("127.0.0.1", 0), Halting) as server:
+        thread = threading.Thread(target=server.serve_forever)
+        thread.start()
+        yield f"http://127.0.0.1:{server.server_port}/"
+        server.shutdown()
+        thread.join()
+
+
+def test_half_of_the_page_is_not_shown(halting: str, tmp_path: Path) -> None:
+    with page_browser.visitor(tmp_path / "profile", (390, 844)) as visitor:
+        visitor.open(halting)
+        [shown] = visitor.wait(f"{PAINTED}.length && {PAINTED}")
+        assert shown > visitor.value("whole")
+        assert visitor.shift() < 0.001
