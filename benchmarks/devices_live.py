@@ -120,6 +120,7 @@ def read(rate_hz: float, number: int, notes: str, predictor: str) -> None:
         session = LiveSession(source, None, pipeline)
         done = np.zeros(number)
         x = y = at = 0
+        wanted = number
         print("ready", flush=True)
         while not (first := session.advance(1.0)):
             pass
@@ -134,7 +135,9 @@ def read(rate_hz: float, number: int, notes: str, predictor: str) -> None:
             for event, _ in pairs:
                 done[at] = now
                 x, y, at = x + int(event.dx or 0), y + int(event.dy or 0), at + 1
-            if at >= number or now > until or (not pairs and Path(notes).exists()):
+            if not pairs and Path(notes).exists():  # the writer has ended; the rest is in its ring
+                wanted = len(np.fromfile(notes))
+            if at >= wanted or now > until:
                 break
             pairs = session.advance()
         share = (time.process_time() - used) / (time.monotonic() - begin)

@@ -8,7 +8,9 @@ from pathlib import Path
 
 import pytest
 
+from pointpred.client import connect
 from tests.architecture.tree import ROOT, module_of, package_files
+from tests.server.running import PATIENCE_S
 
 WITH_EXAMPLES = [path for path in package_files() if ">>> " in path.read_text(encoding="utf-8")]
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
@@ -22,5 +24,9 @@ def test_docstring_examples(path: Path) -> None:
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda path: path.name)
-def test_page_examples(page: Path) -> None:
+def test_page_examples(page: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    # A page's service may have to compile everything before it answers, for longer than a client waits.
+    defaults = connect.__kwdefaults__
+    assert defaults is not None
+    monkeypatch.setitem(defaults, "timeout_s", 2 * PATIENCE_S)
     assert doctest.testfile(str(page), module_relative=False).failed == 0

@@ -18,7 +18,7 @@ from pointpred.datasets import sample
 from pointpred.events import PHASES
 from pointpred.server.messages import Limits
 from pointpred.server.session import Session
-from tests.server.running import Running, running
+from tests.server.running import PATIENCE_S, Running, running
 
 LIMITS = Limits(max_events_per_s=10**9)
 EVENT, PREDICTION = Struct("<dddhhH"), Struct("<dddddddB")
@@ -194,7 +194,7 @@ def test_socket(service: Running, name: str, encoding: str, frame: int, at_once:
         def exchange(frames: list[str | bytes], count: int) -> list[Any]:
             for frame in frames:
                 socket.send(frame)
-            return [socket.recv(10) for _ in range(count)]
+            return [socket.recv(PATIENCE_S) for _ in range(count)]
 
         assert tuple(talking(name, encoding, frame, exchange, at_once)) == told(name)
 

@@ -15,7 +15,7 @@ from pointpred.datasets import sample
 from pointpred.server.session import Session
 from pointpred.targets import Chooser, Target, around
 from tests.contract.test_one_path import LIMITS, binary_frame, hello, resolution, text_frame, trials
-from tests.server.running import Running, running
+from tests.server.running import PATIENCE_S, Running, running
 
 NAMES = ("hold", "kalman", "switched-direction")
 PRECISION = 0.5
@@ -134,11 +134,11 @@ def test_socket(service: Running, name: str, encoding: str) -> None:
         def exchange(frame: str | bytes) -> list[str | bytes]:
             socket.send(frame)
             if isinstance(frame, str) and '"hello"' in frame:
-                return [socket.recv(10)]
+                return [socket.recv(PATIENCE_S)]
             socket.send('{"type":"bad"}')  # answered by an error, after everything else
             answers: list[str | bytes] = []
             while not (answers and '"unknown_type"' in str(answers[-1])):
-                answers.append(socket.recv(10))
+                answers.append(socket.recv(PATIENCE_S))
             return answers[:-1]
 
         assert talking(name, encoding, 32, exchange) == expected(name, encoding)

@@ -20,7 +20,7 @@ from tests.devices.umockdev import Testbed
 
 EVENT = struct.Struct("@llHHi")
 CHILD = "from tests.devices.evdev_mice import child; child()"
-PATIENCE_S = 20.0
+PATIENCE_S = 60.0
 
 InputEvent = tuple[int, int, int, int, int]
 """Seconds, microseconds, type, code, value."""

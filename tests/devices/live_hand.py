@@ -16,23 +16,28 @@ from tests.devices.screens import HEIGHT, WIDTH, Screen
 from tests.devices.umockdev import Testbed
 
 CPI, DPI = 2000.0, 96.0
-PERIOD_S = 0.002
+PERIOD_S = 0.003
 START = WIDTH // 4, HEIGHT // 4
 CHILD = "from tests.devices.live_hand import child; child()"
 
 
 def strokes(peaks: list[float], duration_s: float) -> Iterator[tuple[int, float, float]]:
-    """Where the hand is, in m, and when, in us: minimum-jerk movements there and back for each peak speed."""
+    """Where the hand is, in m, and when, in us: minimum-jerk movements there and back for each peak speed.
+
+    A place every PERIOD_S, never early. On a machine that is held up the places come late, stamped as the
+    kernel stamps whoever reads late: neither the hand's speed nor the number of its places is the machine's.
+    """
+    stamp_us = time.monotonic_ns() // 1000
     for i, peak in enumerate(peaks):
         angle, length = 0.6 * i / len(peaks), peak * duration_s / 1.875
         for back in (False, True):
-            start = time.time_ns() // 1000
-            while (s := ((now := time.time_ns() // 1000) - start) / (1e6 * duration_s)) < 1.2:
-                u = min(s, 1.0)
+            for step in range(round(1.2 * duration_s / PERIOD_S)):
+                u = min(step * PERIOD_S / duration_s, 1.0)
                 share = 10.0 * u**3 - 15.0 * u**4 + 6.0 * u**5
                 way = length * (1.0 - share if back else share)
-                yield now, way * cos(angle), way * sin(angle)
-                time.sleep(PERIOD_S)
+                time.sleep(max(stamp_us / 1e6 - time.monotonic(), 0.0))
+                yield stamp_us, way * cos(angle), way * sin(angle)
+                stamp_us += round(1e6 * PERIOD_S)
 
 
 def work(
@@ -69,11 +74,13 @@ def child() -> None:
 
     import msgspec
 
+    from pointpred.devices import evdev_clock
     from pointpred.devices.cursor_x11 import ScreenCursor
     from pointpred.devices.evdev import EvdevSource
     from pointpred.devices.pairing import Pairing
     from pointpred.transfer import TransferLearner
 
+    evdev_clock._granted = lambda file: True  # as a kernel does: this emulation refuses the monotonic clock
     done = threading.Event()
 
     def answer(said: Any) -> None:
@@ -87,7 +94,9 @@ def child() -> None:
         answer("ready")
         threading.Thread(target=lambda: (sys.stdin.read(), done.set()), daemon=True).start()
         while not done.is_set():
-            for event in pairing.events(source.take(0.05)):
+            if not (reports := source.take(0.05)):
+                continue  # a look now might find the cursor of a report that is only on its way
+            for event in pairing.events(reports):
                 seen, last = seen + bool(event.dx or event.dy), event
                 learner.update(event)
                 answer(seen)

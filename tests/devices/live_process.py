@@ -63,6 +63,20 @@ def until_said(errors: Path, words: str, process: subprocess.Popen[str]) -> None
         time.sleep(0.02)
 
 
+def until_recorded(file: Path, events: int, process: subprocess.Popen[str]) -> None:
+    """Wait until so many events are in a recording: nowhere else shows what has been read of the mouse."""
+    end = time.monotonic() + PATIENCE_S
+    while (written := rows_of(file)) < events:
+        assert process.poll() is None, f"it ended after {written} of {events} events"
+        assert time.monotonic() < end, f"{written} of {events} events"
+        time.sleep(0.02)
+
+
+def rows_of(file: Path) -> int:
+    """How many whole rows a recording has by now, below its two lines of heading."""
+    return max(0, file.read_text().count("\n") - 2) if file.exists() else 0
+
+
 def send(mouse: Plugged, reports: Iterable[Report]) -> int:
     """Send reports of a mouse with two wheels when their times come; returns how many."""
     began, count = time.monotonic(), 0

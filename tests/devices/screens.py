@@ -9,7 +9,9 @@ from types import TracebackType
 from typing import Self
 
 WIDTH, HEIGHT = 1920, 1080
-PATIENCE_S = 20.0
+PATIENCE_S = 60.0
+NOBODYS = ":59000"
+"""A display that is never there; one that has just ended may be, as another test's that got its number."""
 
 
 def missing() -> str | None:

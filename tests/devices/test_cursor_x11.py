@@ -16,7 +16,7 @@ from pointpred.errors import SourceError
 from pointpred.transfer import ConstantGain, SigmoidGain, TransferLearner
 from tests.devices import live_hand
 from tests.devices.evdev_mice import PLAIN, plug, told
-from tests.devices.screens import HEIGHT, WIDTH, Screen, missing
+from tests.devices.screens import HEIGHT, NOBODYS, WIDTH, Screen, missing
 from tests.devices.umockdev import Testbed
 
 SEED, LOOKS = 31, 4
@@ -41,8 +41,8 @@ def test_the_cursor_is_where_xdotool_put_it_until_the_screen_goes(screen: Screen
         screen.stop()
         with pytest.raises(SourceError, match=f"display {screen.name} is gone .* motor space"):
             cursor.position()
-    with pytest.raises(SourceError, match=f"display {screen.name} cannot be opened"):
-        ScreenCursor(screen.name)
+    with pytest.raises(SourceError, match=f"display {NOBODYS} cannot be opened"):
+        ScreenCursor(NOBODYS)
 
 
 def test_without_x11_it_is_said_what_else_there_is(monkeypatch: pytest.MonkeyPatch) -> None:

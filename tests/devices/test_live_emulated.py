@@ -3,16 +3,8 @@
 from __future__ import annotations
 
 import json
-import os
-import pty
-import select
 import signal
-import struct
-import subprocess
-import sys
-import termios
 import time
-from fcntl import ioctl
 from pathlib import Path
 from typing import Any
 
@@ -23,7 +15,7 @@ from pointpred import EventColumns, build, run
 from pointpred.devices.source import Report
 from pointpred.sources import read
 from tests.devices.live_fakes import reach
-from tests.devices.live_process import READING, environment, send, started, until_said
+from tests.devices.live_process import PATIENCE_S, READING, send, started, until_recorded, until_said
 from tests.devices.mice import TWO_WHEELS, Plugged, plug
 from tests.devices.umockdev import Testbed
 
@@ -43,9 +35,9 @@ def test_a_recorded_session_is_scored_as_it_is(
     with started(testbed, errors, *arguments) as process:
         until_said(errors, READING, process)
         sent = sum(send(mouse, reach(0.0, way, rate_hz=500.0)) for way in REACHES)
-        time.sleep(0.5)
+        until_recorded(file, sent, process)
         process.send_signal(signal.SIGTERM)
-        out, _ = process.communicate(timeout=30)
+        out, _ = process.communicate(timeout=PATIENCE_S)
         assert process.returncode == 0, errors.read_text()
     assert f"{sent} reports; 0 lost, 0 unreadable, 0 refused" in out
     assert "motor space" in errors.read_text()
@@ -68,10 +60,9 @@ def test_recorded_predictions_are_those_of_a_batch(testbed: Testbed, mouse: Plug
     arguments = ("--cpi", "800", "--predictor", "switched", "--record", str(file))
     with started(testbed, errors, *arguments) as process:
         until_said(errors, READING, process)
-        send(mouse, reach(0.0, REACHES[0], rate_hz=500.0))
-        time.sleep(0.5)
+        until_recorded(file, send(mouse, reach(0.0, REACHES[0], rate_hz=500.0)), process)
         process.send_signal(signal.SIGINT)
-        process.communicate(timeout=30)
+        process.communicate(timeout=PATIENCE_S)
         assert process.returncode == 0, errors.read_text()
     events = np.genfromtxt(file, delimiter=",", skip_header=2, usecols=range(2, 8))
     told = np.genfromtxt(tmp_path / "session_predictions.csv", delimiter=",", skip_header=1, usecols=range(3))
@@ -84,19 +75,17 @@ def test_a_killed_process_loses_little(testbed: Testbed, mouse: Plugged, tmp_pat
     with started(testbed, errors, "--cpi", "800", "--record", str(file)) as process:
         until_said(errors, READING, process)
         sent = send(mouse, reach(0.0, REACHES[0], rate_hz=500.0))
-        time.sleep(1.5)  # nothing comes: what is held back is written all the same
+        until_recorded(file, sent, process)  # nothing more comes: what is held back is written all the same
         process.kill()
-    rows = file.read_text().splitlines()[2:]
-    assert len(rows) == sent
+    assert len(file.read_text().splitlines()[2:]) == sent
 
 
 def test_the_resolution_is_measured_from_one_move(testbed: Testbed, mouse: Plugged, tmp_path: Path) -> None:
     errors = tmp_path / "errors"
     with started(testbed, errors, "--measure-cpi", "--seconds", "0.5") as process:
         until_said(errors, "Put the mouse against a ruler", process)
-        time.sleep(0.3)
-        send(mouse, (Report(0.002 * i, 15.0, 0.0) for i in range(420)))
-        process.communicate(timeout=60)
+        send(mouse, [Report(0.0, 15.0, 0.0)] * 420)  # at once: a hand held up for a second has ended its move
+        process.communicate(timeout=PATIENCE_S)
     assert process.returncode == 0
     assert "6300 counts over 10 cm: 1600 CPI" in errors.read_text()
     assert "1600 counts per inch" in errors.read_text()
@@ -105,11 +94,12 @@ def test_the_resolution_is_measured_from_one_move(testbed: Testbed, mouse: Plugg
 def test_an_unplugged_mouse_is_waited_for_and_read_on(
     testbed: Testbed, mouse: Plugged, tmp_path: Path
 ) -> None:
-    errors = tmp_path / "errors"
-    with started(testbed, errors, "--cpi", "800", "--seconds", "30") as process:
+    file, errors = tmp_path / "session.csv", tmp_path / "errors"
+    with started(testbed, errors, "--cpi", "800", "--record", str(file)) as process:
         until_said(errors, READING, process)
         sent = send(mouse, reach(0.0, REACHES[0], rate_hz=250.0))
         assert process.stdout is not None
+        until_recorded(file, sent, process)  # what waits in the node is gone with it
         mouse.unplug()
         while not next(process.stdout).startswith("unplugged; "):
             pass
@@ -117,53 +107,10 @@ def test_an_unplugged_mouse_is_waited_for_and_read_on(
         while next(process.stdout).startswith("unplugged; "):
             pass
         sent += send(again, reach(0.0, REACHES[1], rate_hz=250.0))
-        time.sleep(0.3)
+        until_recorded(file, sent, process)
         process.send_signal(signal.SIGTERM)
-        out, _ = process.communicate(timeout=30)
+        out, _ = process.communicate(timeout=PATIENCE_S)
     assert f"{sent} reports; 0 lost" in out
-
-
-def screen_of(testbed: Testbed, *arguments: str) -> tuple[subprocess.Popen[bytes], int]:
-    """``pointpred live`` in a terminal of 100 columns; the descriptor reads what is drawn there."""
-    ours, theirs = pty.openpty()
-    ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 40, 100, 0, 0))
-    words = [sys.executable, "-m", "pointpred", "live", *arguments]
-    surroundings = environment(testbed) | {"TERM": "xterm-256color"}
-    process = subprocess.Popen(words, env=surroundings, stdin=theirs, stdout=theirs, stderr=theirs)
-    os.close(theirs)
-    return process, ours
-
-
-def drawn(screen: int, words: str, patience_s: float = 60.0) -> str:
-    """What is drawn until some words are."""
-    said, end = "", time.monotonic() + patience_s
-    while words not in said:
-        assert time.monotonic() < end, f"waited for {words!r}, saw {said[-3000:]!r}"
-        if select.select([screen], [], [], 0.1)[0]:
-            said += os.read(screen, 65536).decode(errors="replace")
-    return said
-
-
-def test_the_terminal_asks_shows_and_stops(testbed: Testbed, mouse: Plugged) -> None:
-    process, screen = screen_of(testbed, "--predictor", "switched")
-    try:
-        drawn(screen, "Counts per inch of the mouse")
-        os.write(screen, b"fast\n")
-        drawn(screen, "expected a number, m or -")
-        os.write(screen, b"1200\n")
-        first = drawn(screen, "Ctrl-C stops")
-        assert "1200 counts per inch" in first
-        assert "motor space" in first
-        sent = send(mouse, reach(0.0, REACHES[0]))
-        assert "px away" in drawn(screen, "ballistic")
-        assert "0 lost, 0 unreadable, 0 refused" in drawn(screen, "at rest")
-        process.send_signal(signal.SIGINT)
-        drawn(screen, f"{sent} reports; ")
-        assert process.wait(20) == 0
-    finally:
-        process.kill()
-        process.wait()
-        os.close(screen)
 
 
 def test_a_session_without_clicks_is_cut_at_pauses(
@@ -172,11 +119,13 @@ def test_a_session_without_clicks_is_cut_at_pauses(
     file, errors = tmp_path / "session.csv", tmp_path / "errors"
     with started(testbed, errors, "--cpi", "800", "--record", str(file)) as process:
         until_said(errors, READING, process)
+        sent = 0
         for way in REACHES[:2]:
-            send(mouse, reach(0.0, way, rate_hz=250.0)[:-2])
-            time.sleep(0.6)
+            sent += send(mouse, reach(0.0, way, 0.2, rate_hz=250.0)[:-2])
+            until_recorded(file, sent, process)
+            time.sleep(0.6)  # the pause
         process.send_signal(signal.SIGTERM)
-        process.communicate(timeout=30)
+        process.communicate(timeout=PATIENCE_S)
     assert len(read(file).trials) == 2
     left = command("score", file, "--predictors", "switched")
     assert left.code == 0

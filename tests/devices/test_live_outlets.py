@@ -14,16 +14,18 @@ from tests.devices.live_fakes import FakeMouse
 
 
 class LateMouse(FakeMouse):
-    """Reports only once a session has begun: what came before belongs to nothing."""
+    """Reports only once a session has begun: what came before, which is taken first, belongs to nothing."""
 
     def __init__(self, *reports: Report) -> None:
         super().__init__()
         self._late = list(reports)
+        self._begun = False
 
     def take(self, timeout_s: float) -> list[Report]:
-        if timeout_s > 0.0:
+        if self._begun:  # however little time a session has, it looks once more before it ends
             self.put(self._late)
             self._late = []
+        self._begun = True
         return super().take(timeout_s)
 
 

@@ -137,7 +137,7 @@ def test_it_stops_when_it_is_told_to() -> None:
     thread = threading.Thread(target=session.run, args=(stopping,))
     thread.start()
     stopping.set()
-    thread.join(5.0)
+    thread.join(60.0)
     assert not thread.is_alive()
 
 

@@ -7,10 +7,15 @@ from pathlib import Path
 
 import pytest
 
-from tests.devices.live_fakes import reach
+from pointpred.devices.source import Report
 from tests.devices.live_process import PATIENCE_S, READING, send, started, until_said
 from tests.devices.mice import TWO_WHEELS, Plugged, plug
 from tests.devices.umockdev import Testbed
+
+MOVEMENT = [Report(0.0, 100.0, 0.0)] * 25
+"""All at once: a session whose output is full lasts no longer than a second."""
+MOVED = "cursor 300, 0 px"
+"""Where that leads at 800 counts per inch: everything has been read."""
 
 
 @pytest.fixture
@@ -21,9 +26,9 @@ def mouse(testbed: Testbed) -> Plugged:
 def recorded(process: subprocess.Popen[str], errors: Path, mouse: Plugged, file: Path) -> None:
     """A session that ends by itself has recorded everything that was sent."""
     until_said(errors, READING, process)
-    sent = send(mouse, reach(0.0, (300.0, 200.0), 0.1, rate_hz=250.0))
+    sent = send(mouse, MOVEMENT)
     if process.stdout is not None:
-        process.stdout.readline()
+        assert any(MOVED in line for line in process.stdout)
         process.stdout.close()
     process.wait(PATIENCE_S)
     assert len(file.read_text().splitlines()[2:]) == sent

@@ -45,13 +45,14 @@ class Testbed:
     def add(self, description: str, ioctls: dict[str, str] | None = None) -> None:
         """Plug in devices described as by umockdev-record; ``ioctls`` are the answers by node."""
         trouble = c_void_p()
-        self._library.umockdev_testbed_add_from_string(self._bed, description.encode(), byref(trouble))
-        self._check(trouble)
+        # Answers first: whoever opens a node while its answers are only being made ready is aborted.
         for node, answers in (ioctls or {}).items():
             record = Path(self._ioctls.name, node.replace("/", "_"))
             record.write_text(f"@DEV {node}\n{answers}")
             self._library.umockdev_testbed_load_ioctl(self._bed, None, str(record).encode(), byref(trouble))
             self._check(trouble)
+        self._library.umockdev_testbed_add_from_string(self._bed, description.encode(), byref(trouble))
+        self._check(trouble)
 
     def hand(self, node: str) -> int:
         """The descriptor to write what the device at ``node`` sends; the testbed keeps it."""

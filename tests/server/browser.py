@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from pointpred.replaying import Page, open_page
+
 BROWSER = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 QUIET = (
     "--headless",
@@ -22,6 +24,9 @@ QUIET = (
     "--disable-sync",
     "--window-size=1280,720",
 )
+
+PATIENCE_S = 120.0
+"""A browser that many others starve may take long to answer."""
 
 needed = pytest.mark.skipif(BROWSER is None, reason="no chromium on this machine")
 
@@ -43,3 +48,8 @@ def running(profile: Path) -> Iterator[str]:
         finally:
             process.terminate()
             process.stderr.read()
+
+
+def tab(devtools: str, url: str | None = None) -> Page:
+    """A tab of a browser, as ``open_page`` gives it, with the patience of tests."""
+    return open_page(devtools, url, timeout_s=PATIENCE_S)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import http
 import mimetypes
+import socket
 import threading
 import time
 from contextlib import suppress
@@ -38,16 +39,21 @@ class Listener:
         self.frames: list[str | bytes] = []
         self.requests: list[str] = []
         self._open: set[ServerConnection] = set()
+        self._kept = socket.socket()  # so that nobody gets the port between this one's end and its successor
+        self._kept.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        self._kept.bind(("127.0.0.1", port))
+        self.port: int = self._kept.getsockname()[1]
         self._server = serve(
             self._talk,
             "127.0.0.1",
-            port,
+            self.port,
             subprotocols=[Subprotocol(SUBPROTOCOL)],
             process_request=self._page,
             close_timeout=1,
             compression=None,
+            ping_interval=None,  # a session that is busy with compiled code reads no pong
+            max_queue=None,
         )
-        self.port: int = self._server.socket.getsockname()[1]
         self._thread = threading.Thread(target=self._server.serve_forever)
         self._thread.start()
 
@@ -80,6 +86,7 @@ class Listener:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         self.stop()
+        self._kept.close()
 
     def _talk(self, connection: ServerConnection) -> None:
         self._open.add(connection)
@@ -115,7 +122,7 @@ class Listener:
         return Response(http.HTTPStatus.OK, "OK", headers, body)
 
 
-def soon(condition: object, what: str, seconds: float = 40.0) -> None:
+def soon(condition: object, what: str, seconds: float = 300.0) -> None:
     """Wait until something holds."""
     until = time.monotonic() + seconds
     while not condition():  # type: ignore[operator]

@@ -16,7 +16,7 @@ from pointpred.server.live import LiveFeed
 from pointpred.server.live_messages import Attached
 from pointpred.server.service import Service
 from tests.devices.live_fakes import FakeMouse, reach
-from tests.server.running import Running, running
+from tests.server.running import PATIENCE_S, Running, running
 
 ATTACHED = Attached("a made-up mouse", "its own", "motor", "prediction in motor space", "switched", 800.0)
 
@@ -57,7 +57,7 @@ def followed(made: Attachment) -> Iterator[None]:
         yield
     finally:
         stopping.set()
-        thread.join(10.0)
+        thread.join(PATIENCE_S)
         assert not thread.is_alive()
 
 

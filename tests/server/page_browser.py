@@ -5,12 +5,15 @@ from __future__ import annotations
 import subprocess
 import sys
 import time
+import urllib.error
+import urllib.request
+from collections import deque
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from pointpred.replaying import Page, open_page
+from pointpred.replaying import Page
 from tests.server import browser
 
 SHIFTS = """
@@ -21,26 +24,41 @@ new PerformanceObserver((list) => {
       window.shifts.push([entry.value, entry.sources.map(({node}) => node?.id || node?.nodeName).join(" ")]);
 }).observe({ type: "layout-shift", buffered: true });
 """
-PATIENCE_S = 20.0
+PATIENCE_S = 120.0
+WARMING_S = 600.0
 KEYS = {"ArrowRight": 39, "ArrowLeft": 37, "Home": 36, "End": 35, "Tab": 9, "Escape": 27}
 
 
 @contextmanager
 def service() -> Iterator[str]:
-    """A service of its own; yields the address of its page."""
+    """A service of its own, ready to answer; yields the address of its page.
+
+    The page itself waits ten seconds for some answers, and code may take longer to be warm on a busy machine.
+    """
     command = [sys.executable, "-m", "pointpred", "serve", "--port", "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as process:
         assert process.stdout is not None
         try:
-            yield next(line.strip() for line in process.stdout if line.startswith("http"))
+            address = next(line.strip() for line in process.stdout if line.startswith("http"))
+            until(lambda: ready(address), "the service to be ready", WARMING_S)
+            yield address
         finally:
             process.kill()
+
+
+def ready(address: str) -> bool:
+    """Whether a service says that its code is warm."""
+    try:
+        with urllib.request.urlopen(f"{address}readyz") as answer:
+            return bool(answer.status == 200)
+    except urllib.error.HTTPError:
+        return False
 
 
 @contextmanager
 def visitor(profile: Path, size: tuple[int, int] = (1280, 720)) -> Iterator[Visitor]:
     """Somebody with a browser of his own, on an empty page."""
-    with browser.running(profile) as devtools, open_page(devtools) as page:
+    with browser.running(profile) as devtools, browser.tab(devtools) as page:
         yield Visitor(page, size)
 
 
@@ -58,6 +76,7 @@ class Visitor:
 
     def __init__(self, page: Page, size: tuple[int, int]) -> None:
         self.page = page
+        page.heard = deque()  # nothing is forgotten, however many frames a slow machine needs
         for domain in ("Page", "Runtime", "Network", "Log"):
             page.call(f"{domain}.enable")
         page.call("Page.addScriptToEvaluateOnNewDocument", source=SHIFTS)

@@ -18,6 +18,9 @@ from pointpred.server.service import Service
 from pointpred.server.settings import Settings
 
 HELLO = '{"type":"hello","version":1,"predictor":"switched"}'
+PATIENCE_S = 600.0
+"""A service answers hello once its code is warm, which in a fresh clone means compiled: a minute of work,
+and many where others share the processors."""
 
 
 @dataclass
@@ -35,14 +38,15 @@ class Running:
     def connect(self, query: str = "", **options: Any) -> ClientConnection:
         """A WebSocket to the stream."""
         url = f"ws://127.0.0.1:{self.port}/v1/stream{query}"
-        return connect(url, subprotocols=[Subprotocol(SUBPROTOCOL)], compression=None, **options)
+        settings = {"open_timeout": PATIENCE_S, "ping_interval": None, "compression": None, **options}
+        return connect(url, subprotocols=[Subprotocol(SUBPROTOCOL)], **settings)
 
     @contextmanager
     def greeted(self, hello: str = HELLO, **options: Any) -> Iterator[ClientConnection]:
         """A WebSocket whose hello was answered."""
         with self.connect(**options) as socket:
             socket.send(hello)
-            assert '"type":"welcome"' in socket.recv(10)
+            assert '"type":"welcome"' in socket.recv(PATIENCE_S)
             yield socket
 
 
@@ -57,10 +61,10 @@ def running(prepare: Callable[[Service], None] = lambda service: None, **setting
     thread = threading.Thread(target=server.run, args=([opened],))
     thread.start()
     try:
-        assert up.wait(30)
+        assert up.wait(PATIENCE_S)
         yield Running(service, opened.getsockname()[1], server)
     finally:
         server.should_exit = True
-        thread.join(20)
+        thread.join(PATIENCE_S)
         opened.close()
         assert not thread.is_alive()

@@ -6,7 +6,7 @@ import csv
 import json
 from pathlib import Path
 
-from tests.server.running import running
+from tests.server.running import PATIENCE_S, running
 from tests.server.test_assisted import CPI, asking, reach
 from tests.unit.talking import events, hello
 
@@ -16,13 +16,13 @@ def test_a_recording_says_that_the_cursor_was_helped(tmp_path: Path) -> None:
     greeting = json.dumps(asking(strength=0.25))
     with running(record=tmp_path) as service, service.greeted(greeting) as socket:
         socket.send(json.dumps(events(*rows)))
-        cursor = json.loads(socket.recv(10))
-        socket.recv(10)
+        cursor = json.loads(socket.recv(PATIENCE_S))
+        socket.recv(PATIENCE_S)
         socket.send(json.dumps({"type": "configure", "assist": {"strength": 0.0}}))
-        socket.recv(10)
+        socket.recv(PATIENCE_S)
         last = [rows[-1][0] + 0.001, 0.0, 0.0, 3.0, 0.0, 0]
         socket.send(json.dumps(events(last)))
-        socket.recv(10)
+        socket.recv(PATIENCE_S)
     (predictions,) = tmp_path.rglob("*_predictions.csv")
     (samples,) = tmp_path.rglob("*_samples.csv")
     with predictions.open(newline="", encoding="utf-8") as file:
@@ -38,10 +38,10 @@ def test_who_does_not_ask_hears_no_cursor_over_a_real_socket() -> None:
     with running() as service:
         with service.greeted(json.dumps(asking())) as socket:
             socket.send(json.dumps(events(*rows)))
-            assert [json.loads(socket.recv(10))["type"] for _ in range(2)] == ["cursor", "prediction"]
+            assert [json.loads(socket.recv(PATIENCE_S))["type"] for _ in range(2)] == ["cursor", "prediction"]
         plain = json.dumps(hello("switched-direction", device={"cpi": CPI}))
         with service.greeted(plain) as socket:
             socket.send(json.dumps(events(*rows)))
-            assert json.loads(socket.recv(10)).keys() == {
+            assert json.loads(socket.recv(PATIENCE_S)).keys() == {
                 "type", "t", "x", "y", "region", "phase", "remaining_s"
             }  # fmt: skip

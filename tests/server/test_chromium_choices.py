@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from pointpred.replaying import Page, open_page
+from pointpred.replaying import Page
 from tests.server import browser
 from tests.server.listener import Listener, soon
 
@@ -30,7 +30,7 @@ BOTH = """[document.getElementById("box"), "goal"].map((named) => connection.pro
 
 @pytest.fixture
 def page(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
-    with browser.running(tmp_path_factory.mktemp("profile")) as devtools, open_page(devtools) as tab:
+    with browser.running(tmp_path_factory.mktemp("profile")) as devtools, browser.tab(devtools) as tab:
         yield tab
 
 

@@ -10,11 +10,11 @@ from pathlib import Path
 
 import pytest
 
-from pointpred.replaying import Page, open_page
+from pointpred.replaying import Page
 from pointpred.server.app import WEB
 from tests.server import browser
 from tests.server.listener import soon
-from tests.server.running import running
+from tests.server.running import PATIENCE_S, running
 
 pytestmark = browser.needed
 
@@ -69,8 +69,9 @@ def test_another_site_that_is_allowed_uses_the_client(tmp_path: Path, headers: d
         page_elsewhere(**headers) as origin,
         running(allow_origin=(origin,)) as service,
         browser.running(tmp_path / "profile") as devtools,
-        open_page(devtools, origin) as page,
+        browser.tab(devtools, origin) as page,
     ):
+        soon(lambda: service.service.ready, "the service is warm", PATIENCE_S)
         page.evaluate(USE.format(url=service.url))
         settled(page)
         loaded = page.evaluate("performance.getEntriesByType('resource').map(({ name }) => name)")

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from pointpred import EventColumns, build, run
-from pointpred.replaying import Page, open_page
+from pointpred.replaying import Page
 from pointpred.targets import Chooser, Target
 from tests.server import browser
 from tests.server.listener import Listener, soon
@@ -53,7 +53,7 @@ def proposed(events: EventColumns, listener: Listener) -> set[str]:
 
 def test_the_example_prefetches_before_the_cursor_is_there(devtools: str, listener: Listener) -> None:
     """It prefetches what a batch of the same events says that the mouse is heading for."""
-    with open_page(devtools, f"{listener.url}/web/example.html") as page:
+    with browser.tab(devtools, f"{listener.url}/web/example.html") as page:
         place = "(a) => [a.pathname, a.getBoundingClientRect().toJSON()]"
         places = dict(page.evaluate(f"[...document.querySelectorAll('nav a')].map({place})"))
         goal = places["/v1/predictors"]

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from pointpred.replaying import Page, open_page
+from pointpred.replaying import Page
 from pointpred.server.messages import Limits
 from tests.server import browser
 from tests.server.listener import Listener, soon
@@ -27,13 +27,14 @@ def devtools(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
 
 @pytest.fixture
 def listener() -> Iterator[Listener]:
-    with Listener(limits=Limits(max_events_per_s=MOST_PER_S)) as service:
+    limits = Limits(max_events_per_s=MOST_PER_S, idle_s=3600.0)  # targets are not said again to stay
+    with Listener(limits=limits) as service:
         yield service
 
 
 @pytest.fixture
 def page(devtools: str, listener: Listener) -> Iterator[Page]:
-    with open_page(devtools, listener.url) as tab:
+    with browser.tab(devtools, listener.url) as tab:
         yield tab
         tab.call("Page.close")
 

@@ -14,8 +14,8 @@ import numpy as np
 import pytest
 
 from pointpred import EventColumns
-from pointpred.replaying import drive_mouse, open_page
-from tests.server import browser
+from pointpred.replaying import drive_mouse
+from tests.server import browser, page_browser
 from tests.server.listener import soon
 
 pytestmark = browser.needed
@@ -41,7 +41,8 @@ def test_the_service_counts_every_event_of_a_page(url: str, tmp_path: Path) -> N
       window.connection = connect(undefined, { reply: "event" });
       connection.on("prediction", (prediction) => heard.push(prediction.t));
     })"""
-    with browser.running(tmp_path / "profile") as devtools, open_page(devtools, f"{url}healthz") as page:
+    with browser.running(tmp_path / "profile") as devtools, browser.tab(devtools, f"{url}healthz") as page:
+        soon(lambda: page_browser.ready(url), "the service is warm", page_browser.WARMING_S)
         page.evaluate(connect)
         soon(lambda: page.evaluate("connection.state") == "open", "the connection is open")
         i = np.arange(500.0)

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 import pytest
 
-from pointpred.replaying import Page, open_page
+from pointpred.replaying import Page
 from tests.server import browser
 from tests.server.listener import Listener, soon
-from tests.server.running import running
+from tests.server.running import PATIENCE_S, running
 from tests.server.test_chromium_client import CONNECT, connected
 
 pytestmark = browser.needed
@@ -40,7 +40,7 @@ def listener() -> Iterator[Listener]:
 
 @pytest.fixture
 def page(devtools: str, listener: Listener) -> Iterator[Page]:
-    with open_page(devtools, listener.url) as tab:
+    with browser.tab(devtools, listener.url) as tab:
         yield tab
         tab.call("Page.close")
 
@@ -119,7 +119,8 @@ def test_a_listener_may_close_whatever_it_hears(page: Page, listener: Listener, 
 
 
 def test_another_token_is_tried(devtools: str) -> None:
-    with running(token="the right words") as service, open_page(devtools, f"{service.url}/healthz") as page:
+    with running(token="the right words") as service, browser.tab(devtools, f"{service.url}/healthz") as page:
+        soon(lambda: service.service.ready, "the service is warm", PATIENCE_S)
         page.evaluate(CONNECT.replace("OPTIONS", "{ token: 'guess' }"))
         soon(lambda: page.evaluate("connection.state") == "refused", "the token was refused")
         page.evaluate("connection.configure({ token: 'the right words', predictor: 'hold' })")

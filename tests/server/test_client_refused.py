@@ -137,7 +137,7 @@ def test_what_else_is_refused_leaves_events_awaited() -> None:
 
 
 def test_the_call_after_a_refusal_gives_what_comes_after() -> None:
-    with Listener() as listener, connect(listener.url, predictor="hold", timeout_s=2.0) as connection:
+    with Listener() as listener, connect(listener.url, predictor="hold", timeout_s=300.0) as connection:
         connection.send([(1.0, 0, 0)])
         connection.send([(1e12, 0, 0)])
         connection.send([(2.0, 0, 0)])
@@ -154,7 +154,7 @@ def test_the_call_after_a_refusal_gives_what_comes_after() -> None:
 
 def test_the_call_after_a_refusal_for_asyncio() -> None:
     async def talk(url: str) -> None:
-        async with await connect_async(url, predictor="hold", timeout_s=2.0) as connection:
+        async with await connect_async(url, predictor="hold", timeout_s=300.0) as connection:
             await connection.send([(1.0, math.nan, 0)])
             with pytest.raises(ServiceError, match="bad_field"):
                 await connection.columns()

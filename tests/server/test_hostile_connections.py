@@ -6,6 +6,7 @@ import asyncio
 import json
 import logging
 import socket as socket_module
+from contextlib import suppress
 
 import pytest
 from httpx2 import get
@@ -15,7 +16,7 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from pointpred.server.endpoint import StreamEndpoint
 from pointpred.server.service import Service
 from tests.server.listener import soon
-from tests.server.running import Running, running
+from tests.server.running import PATIENCE_S, Running, running
 
 TOKEN = "open sesame"
 
@@ -31,19 +32,22 @@ def test_who_is_turned_away_is_counted() -> None:
             with pytest.raises(InvalidStatus), here.connect("?token=open+sesame", **wrong):
                 pass
         assert refused(here, "unauthorized") == 2.0
-        assert get(f"{here.url}/healthz", headers={"Host": "evil.example"}).status_code == 403
+        assert (
+            get(f"{here.url}/healthz", headers={"Host": "evil.example"}, timeout=PATIENCE_S).status_code
+            == 403
+        )
         assert refused(here, "unauthorized") == 3.0
-        assert get(f"{here.url}/metrics").status_code == 401
+        assert get(f"{here.url}/metrics", timeout=PATIENCE_S).status_code == 401
         assert refused(here, "unauthorized") == 4.0
         with here.connect() as socket:
-            assert json.loads(socket.recv(10))["code"] == "unauthorized"
+            assert json.loads(socket.recv(PATIENCE_S))["code"] == "unauthorized"
             with pytest.raises(ConnectionClosed):
-                socket.recv(10)
+                socket.recv(PATIENCE_S)
         assert refused(here, "unauthorized") == 5.0
         with here.connect("?token=open+sesame"):
             soon(lambda: here.service.full, "one session is open")
             with here.connect("?token=open+sesame") as socket:
-                assert json.loads(socket.recv(10))["code"] == "too_many"
+                assert json.loads(socket.recv(PATIENCE_S))["code"] == "too_many"
         assert refused(here, "too_many") == 1.0
 
 
@@ -58,7 +62,9 @@ def test_who_is_turned_away_is_counted() -> None:
 )
 def test_a_token_comes_after_the_word_bearer_in_any_case(shown: str, admitted: bool) -> None:
     with running(token=TOKEN) as here:
-        status = get(f"{here.url}/metrics", headers={"Authorization": shown.format(TOKEN)}).status_code
+        status = get(
+            f"{here.url}/metrics", headers={"Authorization": shown.format(TOKEN)}, timeout=PATIENCE_S
+        ).status_code
         assert status == (200 if admitted else 401)
 
 
@@ -80,7 +86,7 @@ def test_a_page_is_our_own_by_scheme_and_host(proto: str | None, scheme: str, ad
 
 def test_a_plain_request_of_the_stream_is_told_what_the_path_speaks() -> None:
     with running() as here:
-        answer = get(f"{here.url}/v1/stream")
+        answer = get(f"{here.url}/v1/stream", timeout=PATIENCE_S)
     assert answer.status_code == 426
     assert "WebSocket" in answer.text
     assert answer.headers["Upgrade"] == "websocket"
@@ -107,7 +113,7 @@ def test_a_client_that_leaves_while_the_service_warms_and_stops_is_no_error() ->
 
 def half(here: Running, sent: bytes) -> socket_module.socket:
     opened = socket_module.create_connection(("127.0.0.1", here.port))
-    opened.settimeout(10)
+    opened.settimeout(PATIENCE_S)
     opened.sendall(sent)
     return opened
 
@@ -115,15 +121,29 @@ def half(here: Running, sent: bytes) -> socket_module.socket:
 WHOLE = b"GET /healthz HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"
 
 
-@pytest.mark.parametrize("sent", [b"", b"GET / HTT", WHOLE[:-2], WHOLE + b"GET / HTT"])
+@pytest.mark.parametrize("sent", [b"", b"GET / HTT", WHOLE[:-2]])
 def test_a_connection_without_a_whole_header_is_closed(sent: bytes, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("pointpred.server.patience.HEADER_S", 0.3)
     with running() as here, half(here, sent) as opened:
-        heard = b""
-        while part := opened.recv(4096):
-            heard += part
-        assert (b'"ok"' in heard) == (sent.startswith(WHOLE))
-        assert not here.server.server_state.connections
+        ends(here, opened)
+
+
+def test_a_further_header_that_is_not_whole_closes_after_the_first_answer(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    with running() as here, half(here, WHOLE) as opened:
+        healthy(opened)
+        # Not before: the first answer takes its time, and so may what comes of the first header.
+        monkeypatch.setattr("pointpred.server.patience.HEADER_S", 0.3)
+        opened.sendall(b"GET / HTT")
+        ends(here, opened)
+
+
+def ends(here: Running, opened: socket_module.socket) -> None:
+    """The service closes a connection, and says nothing more."""
+    with suppress(ConnectionResetError):  # what was sent came after the end, where the machine is busy
+        assert not opened.recv(4096)
+    soon(lambda: not here.server.server_state.connections, "it is closed")
 
 
 def test_a_header_without_end_is_refused() -> None:
@@ -146,15 +166,15 @@ def healthy(opened: socket_module.socket) -> None:
 def test_a_request_after_a_pause_and_a_session_outlive_the_wait_for_a_header(
     monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
-    monkeypatch.setattr("pointpred.server.patience.HEADER_S", 0.2)
+    monkeypatch.setattr("pointpred.server.patience.HEADER_S", 2.0)  # a first header may take a while, too
     with running() as here, here.greeted() as socket, half(here, WHOLE) as opened:
         healthy(opened)
         with pytest.raises(TimeoutError):
-            socket.recv(0.5)
+            socket.recv(2.5)
         opened.sendall(WHOLE)
         healthy(opened)
         socket.send('{"type":"events","events":[[1,5,6,null,null,0]]}')
-        assert json.loads(socket.recv(10))["t"] == 1.0
+        assert json.loads(socket.recv(PATIENCE_S))["t"] == 1.0
     assert not [entry for entry in caplog.records if entry.levelno >= logging.WARNING]
 
 

@@ -16,7 +16,7 @@ from pointpred.server.recorder_files import SessionFiles
 from pointpred.server.recordings import delete, listing
 from tests.server.listener import soon
 from tests.server.recorded import begin
-from tests.server.running import running
+from tests.server.running import PATIENCE_S, running
 
 
 def event(t: float) -> str:
@@ -31,7 +31,7 @@ def test_what_is_deleted_while_it_is_made_leaves_nothing_and_is_said(
         with here.greeted() as socket:
             for t in range(3):
                 socket.send(event(float(t)))
-                assert json.loads(socket.recv(10))["t"] == t
+                assert json.loads(socket.recv(PATIENCE_S))["t"] == t
             soon(lambda: len(list(folder.iterdir())) == 2, "samples and predictions are begun")
             (one,) = listing(folder)
             delete(folder, [one.name])
@@ -39,9 +39,9 @@ def test_what_is_deleted_while_it_is_made_leaves_nothing_and_is_said(
             socket.send('{"type":"trial","action":"start"}')
             for t in range(3, 6):
                 socket.send(event(float(t)))
-                assert json.loads(socket.recv(10))["t"] == t
+                assert json.loads(socket.recv(PATIENCE_S))["t"] == t
             socket.send('{"type":"trial","action":"end","target":{"x":5,"y":6,"width":9}}')
-            assert json.loads(socket.recv(10))["type"] == "score"
+            assert json.loads(socket.recv(PATIENCE_S))["type"] == "score"
         soon(lambda: not here.service._open, "the session is over")
     assert not list(folder.iterdir())
     (entry,) = (one for one in caplog.records if one.levelno == logging.ERROR)
@@ -54,13 +54,13 @@ def test_marks_of_trials_that_wait_for_a_slow_disk_are_bounded_and_counted(tmp_p
 
     def slow(descriptor: int, data: bytes) -> int:
         entered.set()
-        held.wait(10)
+        held.wait(PATIENCE_S)
         return os.write(descriptor, data)
 
     recorder = Recorder(tmp_path, waiting_most=50, write=slow)
     session = begin(recorder)
     session.trial("start")
-    assert entered.wait(10)
+    assert entered.wait(PATIENCE_S)
     for _ in range(500):
         session.trial("start")
         session.trial("end")
@@ -80,7 +80,7 @@ def test_an_error_of_no_file_is_told_by_its_place(
     monkeypatch.setattr("pointpred.server.recorder_batch.sample_rows", broken)
     with running(record=tmp_path / "kept") as here, here.greeted() as socket:
         socket.send(event(1.0))
-        assert json.loads(socket.recv(10))["t"] == 1.0
+        assert json.loads(socket.recv(PATIENCE_S))["t"] == 1.0
         soon(lambda: here.service.recorder.failures == 1, "it is noticed")
     assert "ValueError at recorder.py" in caplog.text
     assert "7315.25" not in caplog.text

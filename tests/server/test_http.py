@@ -10,7 +10,7 @@ import signal
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 import numpy as np
@@ -26,7 +26,7 @@ from pointpred.registry import REGISTRY, describe
 from pointpred.scoring import score, summary
 from pointpred.server.settings import Settings
 from pointpred.sources import read, write
-from tests.server.running import HELLO, Running, running
+from tests.server.running import HELLO, PATIENCE_S, Running, running
 
 
 @pytest.fixture(scope="module")
@@ -48,13 +48,13 @@ def recording(tmp_path: Path) -> Path:
 
 
 def test_predictors_are_those_of_the_registry(service: Running) -> None:
-    told = get(f"{service.url}/v1/predictors").json()
+    told = get(f"{service.url}/v1/predictors", timeout=PATIENCE_S).json()
     assert told == {"version": 1, "predictors": [describe(name) for name in REGISTRY]}
 
 
 def test_a_posted_recording_is_scored_as_on_the_command_line(service: Running, recording: Path) -> None:
     answer = post(
-        f"{service.url}/v1/score?predictors=hold,switched", content=recording.read_bytes(), timeout=120
+        f"{service.url}/v1/score?predictors=hold,switched", content=recording.read_bytes(), timeout=PATIENCE_S
     )
     assert answer.status_code == 200
     (told,) = answer.json()["sets"]
@@ -75,7 +75,7 @@ def test_a_posted_recording_is_scored_as_on_the_command_line(service: Running, r
 def test_what_cannot_be_scored_is_answered(
     service: Running, query: str, body: bytes, status: int, words: str
 ) -> None:
-    answer = post(f"{service.url}/v1/score{query}", content=body, timeout=60)
+    answer = post(f"{service.url}/v1/score{query}", content=body, timeout=PATIENCE_S)
     assert answer.status_code == status
     told = answer.json()
     assert told["type"] == "error"
@@ -84,16 +84,21 @@ def test_what_cannot_be_scored_is_answered(
 
 
 def test_too_large_a_recording_is_refused(service: Running) -> None:
-    answer = post(f"{service.url}/v1/score", content=b"0" * (17 * 2**20), timeout=60)
+    answer = post(f"{service.url}/v1/score", content=b"0" * (17 * 2**20), timeout=PATIENCE_S)
     assert (answer.status_code, answer.json()["code"]) == (413, "too_large")
 
 
 def test_pages_ask_for_the_token_but_health_does_not() -> None:
     with running(token="open sesame") as here:
-        assert get(f"{here.url}/").status_code == 401
-        assert get(f"{here.url}/?token=open%20sesame").status_code == 200
-        assert get(f"{here.url}/metrics", headers={"Authorization": "Bearer open sesame"}).status_code == 200
-        assert get(f"{here.url}/healthz").status_code == 200
+        assert get(f"{here.url}/", timeout=PATIENCE_S).status_code == 401
+        assert get(f"{here.url}/?token=open%20sesame", timeout=PATIENCE_S).status_code == 200
+        assert (
+            get(
+                f"{here.url}/metrics", headers={"Authorization": "Bearer open sesame"}, timeout=PATIENCE_S
+            ).status_code
+            == 200
+        )
+        assert get(f"{here.url}/healthz", timeout=PATIENCE_S).status_code == 200
 
 
 def test_a_service_that_others_reach_makes_up_a_token() -> None:
@@ -108,14 +113,18 @@ def test_every_setting_has_a_flag() -> None:
     assert set(inspect.signature(serve).parameters) == set(Settings.model_fields)
 
 
-def started(*arguments: str) -> tuple[subprocess.Popen[str], str]:
+@contextmanager
+def started(*arguments: str) -> Iterator[tuple[subprocess.Popen[str], str]]:
     """``pointpred serve`` in a process of its own, once it has printed its address."""
     command = [sys.executable, "-m", "pointpred", "serve", "--port", "0", *arguments]
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    assert process.stdout is not None
-    address = process.stdout.readline().strip()
-    assert re.fullmatch(r"http://127\.0\.0\.1:\d+/", address), address
-    return process, address
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        try:
+            assert process.stdout is not None
+            address = process.stdout.readline().strip()
+            assert re.fullmatch(r"http://127\.0\.0\.1:\d+/", address), address
+            yield process, address
+        finally:
+            process.kill()
 
 
 def talk(socket: ClientConnection, heard: list[str], then: Callable[[], None]) -> None:
@@ -123,21 +132,22 @@ def talk(socket: ClientConnection, heard: list[str], then: Callable[[], None]) -
     for i in range(100_000):
         with suppress(ConnectionClosed):  # a goodbye may still wait to be heard
             socket.send(f'{{"type":"events","events":[[{i / 1000},{i},7315.25,null,null,0]]}}')
-        heard.append(str(socket.recv(20)))
+        heard.append(str(socket.recv(PATIENCE_S)))
         if i == 200:
             then()
 
 
 @pytest.mark.parametrize("stop", [signal.SIGTERM, signal.SIGINT])
 def test_a_stopped_process_says_bye_in_the_middle_of_traffic(stop: signal.Signals) -> None:
-    process, address = started()
-    with connect(address.replace("http", "ws") + "v1/stream", compression=None) as socket:
-        socket.send(HELLO)
-        socket.recv(20)
-        heard: list[str] = []
-        with pytest.raises(ConnectionClosed) as closed:
-            talk(socket, heard, lambda: process.send_signal(stop))
-    out, err = process.communicate(timeout=20)
+    with started() as (process, address):
+        url = address.replace("http", "ws") + "v1/stream"
+        with connect(url, compression=None, open_timeout=PATIENCE_S) as socket:
+            socket.send(HELLO)
+            socket.recv(PATIENCE_S)
+            heard: list[str] = []
+            with pytest.raises(ConnectionClosed) as closed:
+                talk(socket, heard, lambda: process.send_signal(stop))
+        out, err = process.communicate(timeout=PATIENCE_S)
     assert process.returncode in (0, -stop, 128 + stop)
     assert any('"type":"bye"' in answer for answer in heard)
     assert closed.value.rcvd is not None

@@ -13,6 +13,7 @@ import pytest
 
 from pointpred.errors import SourceError
 from pointpred.server.listening import address, listen
+from tests.server.running import PATIENCE_S
 
 
 @pytest.fixture
@@ -34,7 +35,7 @@ def test_prints_its_address_once_it_answers_and_stops_on_interrupt(service: subp
     with urllib.request.urlopen(f"{url}healthz") as answer:
         assert answer.status == 200
     service.send_signal(signal.SIGINT)
-    rest, complaints = service.communicate(timeout=30)
+    rest, complaints = service.communicate(timeout=PATIENCE_S)
     assert (service.returncode, rest) == (0, "")
     assert "Traceback" not in complaints
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import time
 from contextlib import suppress
+from itertools import count
 from socket import SO_RCVBUF, SOL_SOCKET
 from typing import Any
 
@@ -14,48 +15,51 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Subprotocol
 
+import pointpred.server.talk
 from pointpred.server.live import MOST_WAITING
 from pointpred.server.live_messages import Curve
 from pointpred.server.messages import SUBPROTOCOL
 from pointpred.transfer import TransferLearner
+from tests.server.listener import soon
 from tests.server.live_attached import ATTACHED, Attachment, attached
-from tests.server.running import Running, running
+from tests.server.running import PATIENCE_S, Running, running
 
 
 def look(here: Running, query: str = "", **options: Any) -> ClientConnection:
     url = f"ws://127.0.0.1:{here.port}/v1/live{query}"
-    return connect(url, subprotocols=[Subprotocol(SUBPROTOCOL)], compression=None, **options)
+    settings = {"open_timeout": PATIENCE_S, "compression": None, **options}
+    return connect(url, subprotocols=[Subprotocol(SUBPROTOCOL)], **settings)
 
 
 def hear(socket: ClientConnection, kind: str) -> dict[str, Any]:
     """The next message of a type."""
-    end = time.monotonic() + 10.0
+    end = time.monotonic() + PATIENCE_S
     while time.monotonic() < end:
-        message: dict[str, Any] = json.loads(socket.recv(10))
+        message: dict[str, Any] = json.loads(socket.recv(PATIENCE_S))
         if message["type"] == kind:
             return message
-    raise AssertionError(f"no {kind} within 10 s")
+    raise AssertionError(f"no {kind} within {PATIENCE_S:g} s")
 
 
 def ended(socket: ClientConnection) -> int:
     """The close code with which the service ends a connection."""
     with suppress(ConnectionClosed):
         while True:
-            socket.recv(10)
+            socket.recv(PATIENCE_S)
     assert socket.close_code is not None
     return socket.close_code
 
 
 def test_a_viewer_hears_of_the_device_and_then_its_events_with_the_newest_prediction() -> None:
     with attached() as (here, made), look(here) as socket:
-        first = json.loads(socket.recv(10))
+        first = json.loads(socket.recv(PATIENCE_S))
         assert first == json.loads(json.dumps({"type": "device", **_told(ATTACHED)}))
         assert hear(socket, "status")["reports"] == 0
         events: list[list[float]] = []
         newest = None
         sent = made.move(1.0)
         while len(events) < sent:
-            message = json.loads(socket.recv(10))
+            message = json.loads(socket.recv(PATIENCE_S))
             if message["type"] == "events":
                 events += message["events"]
             elif message["type"] == "prediction":
@@ -81,7 +85,7 @@ def test_where_nothing_is_attached_it_is_404_with_what_to_do_next() -> None:
         told = json.loads(refused.value.response.body or b"")
         assert told["type"] == "error"
         assert "pointpred live --serve" in told["message"]
-        asked = get(f"{here.url}/v1/live").json()
+        asked = get(f"{here.url}/v1/live", timeout=PATIENCE_S).json()
         assert asked["attached"] is None
         assert asked["message"] == told["message"]
         with pytest.raises(InvalidStatus) as foreign:
@@ -91,7 +95,7 @@ def test_where_nothing_is_attached_it_is_404_with_what_to_do_next() -> None:
 
 def test_http_says_what_is_attached() -> None:
     with attached() as (here, _):
-        assert get(f"{here.url}/v1/live").json()["attached"]["name"] == "a made-up mouse"
+        assert get(f"{here.url}/v1/live", timeout=PATIENCE_S).json()["attached"]["name"] == "a made-up mouse"
 
 
 def test_foreign_pages_and_those_without_the_token_see_nothing() -> None:
@@ -100,10 +104,10 @@ def test_foreign_pages_and_those_without_the_token_see_nothing() -> None:
             look(here, "?token=open%20sesame", origin="https://elsewhere.example")
         assert refused.value.response.status_code == 403
         with look(here) as socket:
-            told = json.loads(socket.recv(10))
+            told = json.loads(socket.recv(PATIENCE_S))
             assert (told["type"], told["code"]) == ("error", "unauthorized")
             assert ended(socket) == 1008
-        assert get(f"{here.url}/v1/live").status_code == 401
+        assert get(f"{here.url}/v1/live", timeout=PATIENCE_S).status_code == 401
         with look(here, "?token=open%20sesame") as socket:
             assert hear(socket, "device")
     with running(token="open sesame") as here, look(here) as socket:  # not even whether there is a device
@@ -131,7 +135,11 @@ def test_what_a_viewer_says_is_answered_and_changes_nothing(frame: str | bytes, 
 
 
 @pytest.mark.parametrize(("frame", "count", "code"), [("x" * 70_000, 1, 1009), ("[]", 600, 1008)])
-def test_a_viewer_that_says_too_much_is_sent_away(frame: str, count: int, code: int) -> None:
+def test_a_viewer_that_says_too_much_is_sent_away(
+    frame: str, count: int, code: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # So few that however slowly the machine sends and reads them, it is faster.
+    monkeypatch.setattr("pointpred.server.allowance.MESSAGES_PER_S", 5)
     with attached() as (here, _), look(here) as socket:
         with suppress(ConnectionClosed):
             for _ in range(count):
@@ -154,13 +162,17 @@ def test_viewers_count_as_sessions() -> None:
             assert hear(second, "error")["code"] == "too_many"
 
 
-def test_a_viewer_that_does_not_read_gets_the_newest_and_hears_what_gave_way() -> None:
+def test_a_viewer_that_does_not_read_gets_the_newest_and_hears_what_gave_way(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(pointpred.server.talk, "STUCK_S", PATIENCE_S)
+    moves = count()
     with attached() as (here, made), look(here, max_queue=1) as socket:
         hear(socket, "status")
         socket.socket.setsockopt(SOL_SOCKET, SO_RCVBUF, 2**16)
-        for i in range(150):
-            made.move(float(i))
-            time.sleep(0.01)
+        (viewer,) = here.service._open
+        # However seldom the service has its turn: each time it sends what has come, until no more goes out.
+        soon(lambda: made.move(float(next(moves))) and viewer.outbox.dropped_in_all > 1000, "some gave way")
         told = hear(socket, "error")
         assert (told["code"], told["recoverable"]) == ("slow", True)
         newest = made.session.newest

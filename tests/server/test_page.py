@@ -22,13 +22,19 @@ pytestmark = browser.needed
 
 STATUS = "document.querySelector('#live-card-{} .connection').dataset.state"
 SEEN = """
-window.seen = { phase: [], delay: [] };
-for (const of in seen) {
+window.seen = { phase: [], delay: [], away: false };
+for (const of of ["phase", "delay"]) {
   const shown = document.querySelector(`#view-live [data-of=${of}]`);
   new MutationObserver(() => seen[of].push(shown.textContent)).observe(shown, { childList: true });
 }
+const invitation = document.querySelector("#live-invitation");
+new MutationObserver(() => { seen.away ||= invitation.classList.contains("away"); })
+  .observe(invitation, { attributeFilter: ["class"] });
 """
-"""Keeps every word that two of the numbers show."""
+"""Keeps every word that two of the numbers show, and whether the invitation went."""
+PAUSE = "new Promise((done) => setTimeout(done, 600))"
+"""Longer than the pause that ends a movement, after which the page judges it."""
+VERDICT = "document.querySelector('#live-verdict').textContent"
 LIGHT = {"endpoint": (194, 65, 12), "second": (126, 34, 206), "past": (37, 99, 168), "target": (63, 125, 79)}
 
 
@@ -81,7 +87,7 @@ def test_a_replayed_movement_invites_while_nobody_moves(visitor: Visitor, url: s
     visitor.wait("document.querySelector('#live-scene').dataset.shows === 'demo'")
     assert "Move your mouse here" in visitor.text("#live-invitation")
     visitor.prefer(prefers_reduced_motion="reduce", prefers_color_scheme="light")
-    assert LIGHT["endpoint"] in pixels(visitor, "#live-scene")
+    until(lambda: LIGHT["endpoint"] in pixels(visitor, "#live-scene"), "half of it with its prediction")
 
 
 def test_predictions_of_two_predictors_are_drawn_while_the_mouse_moves(visitor: Visitor, url: str) -> None:
@@ -90,21 +96,36 @@ def test_predictions_of_two_predictors_are_drawn_while_the_mouse_moves(visitor: 
     visitor.value(SEEN)
     visitor.mouse("mouseMoved", *start)
     half = ((start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
-    visitor.reach(start, half, 0.25)
-    for _ in range(5):  # a busy machine may draw no frame before the speed peaks: then once more
-        if "ballistic" in visitor.value("seen.phase"):
-            break
-        visitor.reach(half, start, 0.5)
+
+    def drawn() -> bool:
         visitor.reach(start, half, 0.5)
-    assert pixels(visitor, "#live-scene") >= {LIGHT["endpoint"], LIGHT["second"], LIGHT["past"]}
+        colours = pixels(visitor, "#live-scene")
+        visitor.reach(half, start, 0.5)
+        phases = set(visitor.value("seen.phase"))
+        return colours >= {LIGHT["endpoint"], LIGHT["second"], LIGHT["past"]} and {"ballistic"} < phases
+
+    # a busy machine may draw no frame before the speed peaks, and look when all is over: then once more
+    until(drawn, "both endpoints, the trail and the phases")
     assert visitor.value("Number(document.querySelector('#live-scene').dataset.drawn)") > 0
-    assert {"ballistic"} < set(visitor.value("seen.phase")) <= {"ballistic", "corrective", "still", "–"}
+    assert set(visitor.value("seen.phase")) <= {"ballistic", "corrective", "still", "–"}
     assert any(words.endswith(" ms") for words in visitor.value("seen.delay"))
-    assert visitor.value("document.querySelector('#live-invitation').classList.contains('away')")
-    visitor.reach(half, end, 0.25)
-    visitor.wait("document.querySelector('#live-verdict').textContent.startsWith('Half-way')")
-    assert "kinematic was" in visitor.text("#live-verdict")
-    assert "linear" in visitor.text("#live-verdict")
+    assert visitor.value("seen.away")
+    judged(visitor, half, end, "kinematic was", "linear")
+
+
+def judged(
+    visitor: Visitor, start: tuple[float, float], end: tuple[float, float], *said: str, seconds: float = 0.3
+) -> None:
+    """Move until the page judges a movement in such words: on a busy machine answers may come after that."""
+
+    def found() -> bool:
+        visitor.value(PAUSE)
+        visitor.reach(start, end, seconds)
+        visitor.value(PAUSE)
+        words = visitor.value(VERDICT)
+        return words.startswith("Half-way") and all(part in words for part in said)
+
+    until(found, f"{said} in what is said of a movement")
 
 
 def test_another_predictor_can_be_chosen_live(visitor: Visitor, url: str) -> None:
@@ -114,16 +135,17 @@ def test_another_predictor_can_be_chosen_live(visitor: Visitor, url: str) -> Non
     )
     assert offered == list(REGISTRY)
     visitor.choose("#live-predictor-0", "hold")
-    visitor.reach((left + 30, top + 30), (left + width / 2, top + height / 2), 0.3)
-    visitor.wait("document.querySelector('#live-verdict').textContent.startsWith('Half-way')")
-    assert "hold was" in visitor.text("#live-verdict")
+    judged(visitor, (left + 30, top + 30), (left + width / 2, top + height / 2), "hold was")
 
 
 def sockets(visitor: Visitor) -> int:
     """How many connections the page holds."""
     visitor.value("0")
-    told = [event["method"] for event in visitor.page.heard]
-    return told.count("Network.webSocketCreated") - told.count("Network.webSocketClosed")
+    made, ended = (
+        {event["params"]["requestId"] for event in visitor.page.heard if event["method"] == f"Network.{what}"}
+        for what in ("webSocketCreated", "webSocketClosed")
+    )
+    return len(made - ended)  # the end of one of the page before may be heard as well
 
 
 def test_tabs_take_arrow_keys_and_deep_links(visitor: Visitor, url: str) -> None:
@@ -152,11 +174,16 @@ def test_the_sample_is_replayed_with_two_predictors(visitor: Visitor, url: str) 
     visitor.wait("document.querySelector('#replay-readout').textContent.includes('minimum-jerk')")
     assert f"Movement 1 of {len(sample().trials)}, simulated person" in visitor.text("#replay-readout")
     assert "px from where it ended" in visitor.text("#replay-readout")
-    assert pixels(visitor, "#replay-scene") >= {LIGHT["past"], LIGHT["target"], LIGHT["second"]}
+    wanted = {LIGHT["past"], LIGHT["target"], LIGHT["second"]}
+    until(lambda: pixels(visitor, "#replay-scene") >= wanted, "the movement, its target and the prediction")
     before = visitor.value("Number(document.querySelector('#replay-time').value)")
     visitor.value("document.querySelector('#replay-play').click()")
     visitor.wait(f"Number(document.querySelector('#replay-time').value) > {before} + 200")
-    visitor.value("document.querySelector('#replay-play').click()")
+    visitor.value(
+        "{ const play = document.querySelector('#replay-play');"
+        "if (play.textContent === 'Play') play.click();"  # a busy machine finds it at its end
+        "play.click(); }"
+    )
     assert visitor.text("#replay-play") == "Play"
 
 

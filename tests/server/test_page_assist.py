@@ -12,7 +12,7 @@ from tests.server.page_browser import Visitor
 pytestmark = browser.needed
 
 HEARD = """
-window.told = []; window.answered = [];
+window.told = []; window.answered = []; window.sentAt = null;
 const Plain = WebSocket;
 window.WebSocket = class extends Plain {
   set onmessage(listen) {
@@ -21,16 +21,24 @@ window.WebSocket = class extends Plain {
       listen(event);
     };
   }
-  send(data) { if (typeof data === "string") told.push(JSON.parse(data)); super.send(data); }
+  send(data) {
+    if (typeof data === "string") told.push(JSON.parse(data));
+    else window.sentAt = new DataView(data).getFloat64(data.byteLength - 30, true);
+    super.send(data);
+  }
 };
 """
-"""Keeps what the page tells the service and hears."""
+"""Keeps what the page tells the service and hears, and the time of the newest event."""
 HELD = "document.pointerLockElement?.id === 'assist-scene'"
 CURSOR = "['x', 'y'].map((of) => Number(document.querySelector('#assist-scene').dataset[of]))"
 TARGET = "document.querySelector('#assist-scene').dataset.target.split(',').map(Number)"
 ROWS = "[...document.querySelectorAll('#assist-results tbody tr')]"
 DONE = f"{ROWS}.map((row) => +row.cells[1].textContent)"
 LAST = "answered.findLast(({ type }) => type === 'cursor')"
+FRAMES = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
+SHOWN = f"{CURSOR}[0] === {LAST}.x && {CURSOR}[1] === {LAST}.y"
+ANSWERED = f"{FRAMES}.then(() => {LAST}?.t === sentAt && {SHOWN})"
+"""Whether the page has seen the mouse, and shows where the newest event has brought the cursor."""
 
 
 @pytest.fixture(scope="module")
@@ -80,8 +88,7 @@ def test_lent_movement_moves_the_cursor_of_the_service(visitor: Visitor) -> None
     place = lend(visitor)
     before = visitor.wait(f"{CURSOR}.every(Number.isFinite) && {CURSOR}")
     wander(visitor, place, (-100.0, 40.0))
-    visitor.wait(f"{LAST} && {LAST}.x < {before[0]} - 40")
-    visitor.wait(f"{CURSOR}[0] === {LAST}.x && {CURSOR}[1] === {LAST}.y")
+    visitor.wait(ANSWERED)
     x, y = visitor.value(CURSOR)
     px = 6.0 * 96.0 / 1000.0  # the gain of the form, 96 px and 1000 counts an inch
     assert x - before[0] == pytest.approx(-100.0 * px, abs=4.0)
@@ -101,25 +108,35 @@ def test_escape_gives_the_mouse_back_and_ends_the_session(visitor: Visitor) -> N
     assert visitor.value("told.length") == count
 
 
+def point(visitor: Visitor, place: tuple[float, float], done: int) -> tuple[float, float]:
+    """Go to the target and click; where the mouse is then. With it, so many are done."""
+    for _ in range(40):
+        x, y = visitor.value(CURSOR)
+        goal = visitor.value(TARGET)
+        off = (goal[0] - x, goal[1] - y)
+        if max(map(abs, off)) < 8:
+            break
+        scale = 0.6 / 1.92  # a little less than what is left: help may add half of it
+        place = wander(visitor, place, (off[0] * scale, off[1] * scale))
+        visitor.wait(ANSWERED)
+    visitor.click(*place)
+    visitor.wait(f"{DONE}[0] + {DONE}[1] === {done} && {TARGET}.join() !== '{goal[0]},{goal[1]}'")
+    return place
+
+
 def test_targets_are_clicked_with_help_and_without_it(visitor: Visitor) -> None:
     """Each click asks for the help of the next target; the table tells both kinds apart."""
     visitor.value("document.querySelector('#assist-form [name=gain]').value = 20")
     place = lend(visitor)  # a high gain, so that the mouse stays in the window
     for done in range(1, 5):
-        for _ in range(40):
-            x, y = visitor.value(CURSOR)
-            goal = visitor.value(TARGET)
-            off = (goal[0] - x, goal[1] - y)
-            if max(map(abs, off)) < 8:
-                break
-            scale = 0.6 / 1.92  # a little less than what is left: help may add half of it
-            place = wander(visitor, place, (off[0] * scale, off[1] * scale))
-            visitor.wait(f"{CURSOR}[0] === {LAST}.x && {CURSOR}[1] === {LAST}.y")
-        visitor.click(*place)
-        visitor.wait(f"{DONE}[0] + {DONE}[1] === {done} && {TARGET}.join() !== '{goal[0]},{goal[1]}'")
+        place = point(visitor, place, done)
     assert visitor.value(DONE) == [2, 2]
     asked = visitor.value("told.flatMap(({ assist }) => assist ? [assist.strength] : [])")
     assert [sorted(asked[pair : pair + 2]) for pair in (0, 2)] == [[0, 0.5], [0, 0.5]]
+    for done in range(5, 11):
+        if visitor.value(f"{LAST}.added_px") > 20:
+            break
+        place = point(visitor, place, done)  # a hand that halts on a busy machine is helped less
     assert visitor.value(f"{LAST}.added_px") > 20
 
 
@@ -164,7 +181,7 @@ def test_a_browser_without_pointer_lock_is_told_so(visitor: Visitor, url: str) -
 def test_raw_counts_are_asked_for_and_what_came_is_said(visitor: Visitor) -> None:
     """The browser of the tests has no raw counts; in its place one that says it has."""
     lend(visitor)
-    assert "your system has accelerated" in visitor.text("#assist-said")
+    visitor.wait("document.querySelector('#assist-said').textContent.includes('your system has accelerated')")
     visitor.press("Escape")
     visitor.wait(f"!({HELD})")
     visitor.value("""{ const plain = Element.prototype.requestPointerLock;
@@ -184,6 +201,6 @@ def test_a_service_that_goes_away_gives_the_mouse_back(tmp_path_factory: pytest.
             visitor.wait("!document.querySelector('#assist-take').disabled")
             place = lend(visitor)
             wander(visitor, place, (-60.0, 0.0))
-        visitor.wait(f"!({HELD})")
-        said = "document.querySelector('#assist-said').textContent"
-        assert visitor.value(said) == "Your mouse is yours again: the service does not answer."
+        said = "Your mouse is yours again: the service does not answer."
+        visitor.wait(f"document.querySelector('#assist-said').textContent === {said!r}")
+        assert not visitor.value(HELD)

@@ -70,8 +70,10 @@ class Finished:
 
     def __init__(self, visitor: Visitor, folder: Path) -> None:
         self.clicks = run_blocks(visitor)
-        visitor.wait(f"['done', 'failed'].includes({RESULT})", 60)
+        visitor.wait(f"['done', 'failed'].includes({RESULT})")
         self.state = visitor.value(RESULT)
+        # each movement's score comes by the socket, whenever the service has time for it
+        visitor.wait(f"{every('#circle-rows tr', 'one.dataset.px')}.every((px) => px !== undefined)")
         self.trial_px = [float(px) for px in visitor.value(every("#circle-rows tr", "one.dataset.px"))][::-1]
         self.missed = visitor.value(every("#circle-rows tr", "one.classList.contains('missed')"))[::-1]
         scores = every("#circle-scores tbody tr", "[one.dataset.predictor, one.dataset.px]")

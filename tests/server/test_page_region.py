@@ -17,7 +17,7 @@ import pytest
 from scipy.stats import chi2
 
 from tests.server import browser, page_browser
-from tests.server.page_browser import Visitor
+from tests.server.page_browser import Visitor, until
 
 pytestmark = browser.needed
 
@@ -88,6 +88,27 @@ KEPT = """{
 """Keeps the last picture with an endpoint in it, and the words on its region: both soon go."""
 
 
+FRAMES = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
+
+
+def picture(
+    visitor: Visitor, start: tuple[float, float], end: tuple[float, float], *also: str
+) -> tuple[np.ndarray, np.ndarray]:
+    """The pixels of what is drawn with an endpoint once the pointer is at an end.
+
+    A busy machine may draw nothing before the endpoint has gone: then the pointer moves once more.
+    """
+    there = " && ".join(("kept.picture !== null", *also))
+
+    def drawn() -> str | None:
+        visitor.reach(start, end, 0.2)
+        visitor.value("kept.picture = null")  # on the way the pointer was elsewhere
+        address: str | None = visitor.value(f"{FRAMES}.then(() => {there} ? kept.picture : null)")
+        return address
+
+    return pixels(until(drawn, there))
+
+
 def pixels(address: str) -> tuple[np.ndarray, np.ndarray]:
     """Colours from 0 to 255 and opacities from 0 to 1 in a picture given as an address with its data."""
     from matplotlib.image import imread
@@ -106,9 +127,7 @@ def test_the_region_is_tinted_where_95_per_cent_of_endpoints_lie(
     visitor.value(KEPT)
     visitor.value(f"window.region = {json.dumps([x, y, *covariance])}")
     start, end = (left + 40.0, top + height - 40.0), (left + 140.0, top + height - 40.0)
-    visitor.reach(start, end, 0.2)
-    visitor.wait("kept.picture !== null && kept.said.some((words) => /[0-9]/.test(words))")
-    colour, opacity = pixels(visitor.value("kept.picture"))
+    colour, opacity = picture(visitor, start, end, "kept.said.some((words) => /[0-9]/.test(words))")
 
     sxx, sxy, syy = covariance
     matrix = np.array([[sxx, sxy], [sxy, syy]])
@@ -149,9 +168,7 @@ def test_the_trail_is_drawn_under_the_pointer_and_not_beside_it(visitor: Visitor
     visitor.value(KEPT)
     visitor.value("window.region = [500, 99, 9, 0, 9]")  # on one line with the trail
     end = (left + 140.0, top + 100.0)
-    visitor.reach((end[0] - 100.0, end[1]), end, 0.2)
-    visitor.wait("kept.picture !== null")
-    _, opacity = pixels(visitor.value("kept.picture"))
+    _, opacity = picture(visitor, (end[0] - 100.0, end[1]), end)
     drawn = opacity[: visitor.value(TILE)["y"] - 2, 119:159]
     rows, _ = np.nonzero(drawn > 0.95)
     middle = np.average(np.arange(len(drawn)) + 0.5, weights=np.where(drawn > 0.5, drawn, 0.0).sum(axis=1))
@@ -165,9 +182,7 @@ def test_the_mark_of_an_endpoint_is_seen_on_a_tile_of_its_own_colour(visitor: Vi
     x, y = round(tile["x"] + tile["width"] / 2), round(tile["y"] + tile["height"] / 2)
     visitor.value(KEPT)
     visitor.value(f"[window.region, window.lit] = [[{x}, {y}, 9, 0, 9], {json.dumps(tile['id'])}]")
-    visitor.reach((left + 140.0, top + 100.0), (left + 240.0, top + 100.0), 0.2)
-    visitor.wait("kept.picture !== null")
-    colour, opacity = pixels(visitor.value("kept.picture"))
+    colour, opacity = picture(visitor, (left + 140.0, top + 100.0), (left + 240.0, top + 100.0))
     down, right = np.mgrid[: opacity.shape[0], : opacity.shape[1]] + 0.5
     reach = np.hypot(right - x, down - y)
     below = (down > y + 3.0) & (np.abs(right - x) < 20.0)  # the line to the pointer comes from above

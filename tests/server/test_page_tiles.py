@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from tests.server import browser, page_browser
-from tests.server.page_browser import Visitor
+from tests.server.page_browser import Visitor, until
 from tests.server.test_page_choices import HEARD, ORANGE
 
 pytestmark = browser.needed
@@ -20,7 +20,6 @@ PAINT = """new Promise((done) => requestAnimationFrame(() => requestAnimationFra
   copy.drawImage(canvas, -PLACE_X, -PLACE_Y);
   done([...copy.getImageData(0, 0, 1, 1).data]);
 })))"""
-NEWEST = "JSON.parse(answered.findLast((one) => one.includes('\"prediction\"'))).targets"
 
 
 @pytest.fixture
@@ -37,6 +36,13 @@ def visitor(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
         assert opened.shift() < 0.001
 
 
+ANSWERED = """new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))).then(() => {
+  const newest = (list, kind) => JSON.parse(list.findLast((one) => one.includes(`"${kind}"`)) ?? null);
+  const sent = newest(told, "events");
+  return sent !== null && newest(answered, "prediction")?.t === sent.events.at(-1)[0];
+})"""
+
+
 def tiles(visitor: Visitor) -> list[dict[str, Any]]:
     told = visitor.value("told.findLast((one) => typeof one === 'string' && one.includes('\"targets\"'))")
     found: list[dict[str, Any]] = json.loads(told)["targets"]
@@ -50,29 +56,66 @@ def tint(visitor: Visitor, tile: dict[str, Any]) -> tuple[list[int], float]:
     return colour, opacity / 255
 
 
+SETTLED = """(async () => {
+  const named = (list, kind) => JSON.parse(list.findLast((one) => one.includes(`"${kind}"`)) ?? null);
+  const frames = () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+  const scene = document.querySelector("#live-scene");
+  await frames();
+  const { t, targets } = named(answered, "prediction") ?? {}, drawn = scene.dataset.drawn;
+  await frames();
+  const shares = Object.fromEntries((targets ?? []).map(({ id, p }) => [id, p]));
+  const copy = new OffscreenCanvas(scene.width, scene.height).getContext("2d", { willReadFrequently: true });
+  copy.drawImage(scene, 0, 0);
+  const tints = named(told, "targets").targets.map(({ id, x, y }) =>
+    [id, copy.getImageData(Math.round(x + 10), Math.round(y + 10), 1, 1).data[3] / 255]);
+  const newest = t === named(told, "events")?.events.at(-1)[0];
+  const still = scene.dataset.shows === "pointer" && scene.dataset.drawn === drawn;
+  return newest && still ? { shares, tints: Object.fromEntries(tints) } : null;
+})()"""
+"""Shares and tints, once the newest event is answered, while no endpoint covers a tile."""
+SHOWS = "document.querySelector('#live-scene').dataset.shows"
+
+
 def test_tiles_are_lit_as_strongly_as_the_service_says_that_they_are_likely(visitor: Visitor) -> None:
     left, top, width, height = visitor.corner("#live-scene")
     start, end = (left + 60, top + 60), (left + width / 2, top + height / 2)
     visitor.mouse("mouseMoved", *start)
-    visitor.reach(start, end, 0.4)
-    visitor.wait(f"{NEWEST}?.length === 5")
-    shares = {one["id"]: one["p"] for one in visitor.value(NEWEST)}
-    listed = tiles(visitor)
-    assert shares.keys() == {tile["id"] for tile in listed}
-    for tile in listed:
-        assert tint(visitor, tile)[1] == pytest.approx(shares[tile["id"]], abs=0.02)
+
+    def settled() -> dict[str, Any] | None:
+        if visitor.value(SHOWS) != "pointer":  # at first, and four seconds after the last movement
+            visitor.reach(start, end, 0.4)
+        found: dict[str, Any] | None = visitor.value(SETTLED)
+        return found if found and len(found["shares"]) == 5 else None
+
+    found = until(settled, "shares of every tile")
+    assert found["shares"].keys() == {tile["id"] for tile in tiles(visitor)}
+    assert found["tints"] == pytest.approx(found["shares"], abs=0.02)
 
 
 def test_a_proposed_tile_is_framed_and_what_came_of_it_is_counted(visitor: Visitor) -> None:
     left, top, *_ = visitor.corner("#live-scene")
     one, two = tiles(visitor)[0], tiles(visitor)[4]
-    visitor.mouse("mouseMoved", left + 200, top + 100)
-    visitor.wait("document.querySelector('#live-scene').dataset.shows === 'pointer'")
-    visitor.wait("answered.some((one) => typeof one === 'string' && one.includes('\"prediction\"'))")
     for tile, action in ((two, "propose"), (two, "retract"), (one, "propose")):
         visitor.value(f"say({{ type: 'choice', id: '{tile['id']}', p: 0.75, action: '{action}', t: 0 }})")
-    visitor.wait(f"document.querySelector('#live-scene').dataset.ahead === {one['id']!r}")
-    colour, opacity = tint(visitor, one)
+
+    def framed() -> tuple[list[int], float] | None:
+        if visitor.value(SHOWS) != "pointer":  # at first, and four seconds after the last movement
+            visitor.mouse("mouseMoved", left + 200, top + 100)
+            visitor.mouse("mouseMoved", left + 201, top + 100)
+            visitor.wait(ANSWERED)
+        likely = {
+            "type": "prediction",
+            "t": 0,
+            "x": None,
+            "y": None,
+            "targets": [{"id": one["id"], "p": 0.75}],
+        }
+        visitor.value(f"say({json.dumps(likely)})")
+        found = tint(visitor, one)
+        shown = visitor.value(f"[{SHOWS}, document.querySelector('#live-scene').dataset.ahead]")
+        return found if shown == ["pointer", one["id"]] else None
+
+    colour, opacity = until(framed, "the picture with the proposed tile")
     assert opacity == pytest.approx(0.75, abs=0.02)
     assert colour == pytest.approx(ORANGE, abs=3)
     place = (left + one["x"] + one["width"] / 2, top + one["y"] + one["height"] / 2)

@@ -18,7 +18,7 @@ from httpx2 import get, post
 from websockets.exceptions import ConnectionClosed, InvalidHandshake
 from websockets.sync.client import ClientConnection, connect
 
-from tests.server.running import HELLO
+from tests.server.running import HELLO, PATIENCE_S
 
 TOKEN = "open-sesame-4711"
 SECRETS = ("7315.25", "8264.75", "made-up-name", TOKEN, "open%2Dsesame", "sesame")
@@ -58,8 +58,9 @@ FRAMES: tuple[str | bytes, ...] = (
     '{"type":"trial","action":"end"}',
     HELLO,
 )
+BYE = '{"type":"bye","reason":"at 7315.25 as made-up-name"}'
 LAST: tuple[str | bytes, ...] = (
-    '{"type":"bye","reason":"at 7315.25 as made-up-name"}',
+    BYE,
     '{"type":"reset"}',
     "7315.25," * 9000,
     PACKED * 1025,
@@ -96,18 +97,18 @@ def process(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[tuple[su
 def stream(address: str, token: str = TOKEN) -> ClientConnection:
     found = re.match(r"http(://[^/]+)", address)
     assert found is not None, address
-    return connect(f"ws{found[1]}/v1/stream?token={token}", compression=None)
+    return connect(f"ws{found[1]}/v1/stream?token={token}", compression=None, open_timeout=PATIENCE_S)
 
 
 def talk(address: str, *frames: str | bytes) -> list[str]:
-    """Say all of it in one session, and hear the answers until one takes long."""
+    """Say all of it in one session, and hear the answers until it ends."""
     heard: list[str] = []
-    with stream(address) as socket, suppress(ConnectionClosed, TimeoutError):
+    with stream(address) as socket, suppress(ConnectionClosed):
         socket.send(HELLO)
         for frame in frames:
             socket.send(frame)
         while True:
-            heard.append(str(socket.recv(5 if heard else 60)))  # the first waits for compiled code
+            heard.append(str(socket.recv(PATIENCE_S)))
     return heard
 
 
@@ -116,23 +117,28 @@ def ask(base: str) -> None:
     shown = {"Authorization": f"Bearer {TOKEN}"}
     csv = b"user,trial,t_s,x_px,y_px\nmade-up-name,1,8264.75,7315.25,x\n"
     for body in (b"7315.25", csv, csv[:-3], b"PAR1 7315.25"):
-        assert post(f"{base}/v1/score?token={TOKEN}", content=body, timeout=60).status_code in (200, 422)
-    assert get(f"{base}/v1/samples/made-up-name", headers=shown).status_code == 404
-    assert get(f"{base}/made-up-name?token={TOKEN}&at=7315.25").status_code == 404
-    assert get(f"{base}/?token={TOKEN}x").status_code == 401
-    assert get(f"{base}/?token={TOKEN}", headers={"Host": "made-up-name"}).status_code == 403
-    assert get(f"{base}/metrics?token={TOKEN}").status_code == 200
+        assert post(f"{base}/v1/score?token={TOKEN}", content=body, timeout=PATIENCE_S).status_code in (
+            200,
+            422,
+        )
+    assert get(f"{base}/v1/samples/made-up-name", headers=shown, timeout=PATIENCE_S).status_code == 404
+    assert get(f"{base}/made-up-name?token={TOKEN}&at=7315.25", timeout=PATIENCE_S).status_code == 404
+    assert get(f"{base}/?token={TOKEN}x", timeout=PATIENCE_S).status_code == 401
+    assert (
+        get(f"{base}/?token={TOKEN}", headers={"Host": "made-up-name"}, timeout=PATIENCE_S).status_code == 403
+    )
+    assert get(f"{base}/metrics?token={TOKEN}", timeout=PATIENCE_S).status_code == 200
 
 
 def test_a_real_process_writes_no_movement_and_no_token(process: tuple[subprocess.Popen[str], str]) -> None:
     running, address = process
     base = address.split("/?")[0].rstrip("/")
-    answers = talk(address, *FRAMES)
+    answers = talk(address, *FRAMES, BYE)
     assert sum('"type":"error"' in answer for answer in answers) >= 12
     for frame in LAST:
         talk(address, frame)
     with suppress(InvalidHandshake, ConnectionClosed), stream(address, TOKEN + "x") as socket:
-        socket.recv(5)
+        socket.recv(PATIENCE_S)
     ask(base)
     for raw in RAW:
         with socket_module.create_connection(("127.0.0.1", int(base.rpartition(":")[2]))) as plain:
@@ -140,9 +146,9 @@ def test_a_real_process_writes_no_movement_and_no_token(process: tuple[subproces
             plain.settimeout(2)
             with suppress(OSError):
                 plain.recv(4096)
-    assert get(f"{base}/healthz").status_code == 200
+    assert get(f"{base}/healthz", timeout=PATIENCE_S).status_code == 200
     running.send_signal(signal.SIGTERM)
-    out, err = running.communicate(timeout=20)
+    out, err = running.communicate(timeout=PATIENCE_S)
     for secret in SECRETS:
         assert secret not in err
         assert secret not in out

@@ -5,17 +5,22 @@ from __future__ import annotations
 import asyncio
 import math
 from collections.abc import Iterator
+from functools import partial
 
 import numpy as np
 import pytest
 
-from pointpred import EventColumns, PointerEvent, build, run
-from pointpred.client import ServiceError, connect, connect_async
+from pointpred import EventColumns, PointerEvent, build, client, run
+from pointpred.client import ServiceError
 from pointpred.client.wire import address, pack_events, packable, unpack_predictions
 from pointpred.datasets import sample
 from pointpred.errors import EventError, ParameterError, SourceError
 from pointpred.server.messages import Limits, PredictionMessage, Score
 from tests.server.listener import Listener
+from tests.server.running import PATIENCE_S
+
+connect = partial(client.connect, timeout_s=PATIENCE_S)
+connect_async = partial(client.connect_async, timeout_s=PATIENCE_S)
 
 
 @pytest.fixture(scope="module")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ import numpy as np
 import pytest
 
 from pointpred import EventColumns, PredictionColumns, build, run
+from pointpred.client import connect
 from pointpred.datasets import sample
 from pointpred.errors import ParameterError
 from pointpred.recording import Recording, Trial
@@ -23,12 +25,19 @@ from pointpred.replaying.socket import unlike
 from pointpred.server.session import Session
 from pointpred.sources import recordings as own
 from tests.server.listener import Listener
+from tests.server.running import PATIENCE_S
 
 
 @pytest.fixture(scope="module")
 def listener() -> Iterator[Listener]:
     with Listener() as service:
         yield service
+
+
+@pytest.fixture(autouse=True)
+def patient(monkeypatch: pytest.MonkeyPatch) -> None:
+    """An answer may take long where many share the processors."""
+    monkeypatch.setattr("pointpred.replaying.socket.connect", partial(connect, timeout_s=PATIENCE_S))
 
 
 SAMPLE = sample()

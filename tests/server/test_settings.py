@@ -11,6 +11,7 @@ from pydantic import ValidationError
 
 from pointpred.server.hosts import HostRule
 from pointpred.server.settings import Settings
+from tests.server.running import PATIENCE_S
 
 
 def serve(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
@@ -20,7 +21,7 @@ def serve(*arguments: str, **environment: str) -> subprocess.CompletedProcess[st
         env={**os.environ, **environment},
         capture_output=True,
         text=True,
-        timeout=60,
+        timeout=PATIENCE_S,
         check=False,
     )
 
@@ -116,7 +117,7 @@ def test_a_token_of_ones_own_is_shown_at_request_only(shown: bool) -> None:
     assert process.stdout is not None
     said = process.stdout.readline()
     process.terminate()
-    out, err = process.communicate(timeout=30)
+    out, err = process.communicate(timeout=PATIENCE_S)
     assert (said + out + err).count("open-sesame-9") == shown
     assert said.startswith("http://127.0.0.1:")
 

@@ -16,6 +16,7 @@ import pytest
 
 from pointpred.cli.starting import told
 from pointpred.server.settings import Settings
+from tests.server.running import PATIENCE_S
 
 MAKEFILE = Path(__file__).parents[2] / "Makefile"
 SERVE = [sys.executable, "-m", "pointpred", "serve", "--port", "0"]
@@ -24,7 +25,7 @@ ADDRESS = r"http://127\.0\.0\.1:\d+/"
 
 def stopped(process: subprocess.Popen[str]) -> str:
     process.send_signal(signal.SIGTERM)
-    out, _ = process.communicate(timeout=30)
+    out, _ = process.communicate(timeout=PATIENCE_S)
     return out
 
 
@@ -33,7 +34,7 @@ def seen(*more: str) -> tuple[str, str]:
     here, there = pty.openpty()
     process = subprocess.Popen([*SERVE, *more], stdout=subprocess.PIPE, stderr=there, text=True)
     os.close(there)
-    shown, until = b"", time.monotonic() + 60.0
+    shown, until = b"", time.monotonic() + 2 * PATIENCE_S  # all code may have to be compiled
     try:
         while b"Ready" not in shown or not shown.endswith(b"\n"):
             assert time.monotonic() < until, shown
@@ -76,7 +77,7 @@ def test_elsewhere_entries_are_json_and_the_settings_can_say_otherwise() -> None
             assert lines[-1], lines
     finally:
         process.terminate()
-        out, _ = process.communicate(timeout=30)
+        out, _ = process.communicate(timeout=PATIENCE_S)
     assert re.fullmatch(ADDRESS + r"\n", out)
     entries = [json.loads(line) for line in lines if not line.startswith(("Settings", "Ready"))]
     assert [entry["message"].split(",")[0] for entry in entries][:1] == ["warming hold"]

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import json
 import resource
-import time
 from collections.abc import Iterator
 from contextlib import suppress
 from typing import Any
 
 import pytest
+from httpx2 import get
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection
 
 from pointpred.server.allowance import MESSAGES_PER_S
-from tests.server.running import HELLO, Running, running
+from tests.server.listener import soon
+from tests.server.running import HELLO, PATIENCE_S, Running, running
 
 
 @pytest.fixture(scope="module")
@@ -24,7 +25,7 @@ def service() -> Iterator[Running]:
 
 
 def told(socket: ClientConnection) -> dict[str, Any]:
-    answer: dict[str, Any] = json.loads(socket.recv(10))
+    answer: dict[str, Any] = json.loads(socket.recv(PATIENCE_S))
     return answer
 
 
@@ -102,7 +103,7 @@ def ends(socket: ClientConnection, code: str, close: int) -> None:
     answer = told(socket)
     assert (answer["type"], answer["code"], answer["recoverable"]) == ("error", code, False)
     with pytest.raises(ConnectionClosed) as closed:
-        socket.recv(10)
+        socket.recv(PATIENCE_S)
     assert closed.value.rcvd is not None
     assert closed.value.rcvd.code == close
     assert closed.value.rcvd.reason
@@ -136,7 +137,11 @@ def test_too_many_events_a_second_end_the_session_with_1008() -> None:
         "{oops",
     ],
 )
-def test_a_flood_of_other_messages_ends_the_session_with_1008(service: Running, message: str) -> None:
+def test_a_flood_of_other_messages_ends_the_session_with_1008(
+    service: Running, message: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # Fewer than the slowest machine takes in: it is the sixth message of a second that ends a session.
+    monkeypatch.setattr("pointpred.server.allowance.MESSAGES_PER_S", 5)
     with service.greeted() as other, service.greeted() as socket:
         with suppress(ConnectionClosed):  # it may hear the end before it has said everything
             for _ in range(5 * MESSAGES_PER_S):
@@ -202,9 +207,16 @@ def test_a_service_that_stops_says_bye_and_closes_with_1001() -> None:
         here.server.should_exit = True
         assert told(socket)["type"] == "bye"
         with pytest.raises(ConnectionClosed) as closed:
-            socket.recv(10)
+            socket.recv(PATIENCE_S)
         assert closed.value.rcvd is not None
         assert closed.value.rcvd.code == 1001
+
+
+def dropped(here: Running) -> float:
+    """Predictions that gave way, as the service itself counts them: on the thread that has the sessions."""
+    name = "pointpred_predictions_dropped_total "
+    lines = get(f"{here.url}/metrics", timeout=PATIENCE_S).text.splitlines()
+    return next(float(line.removeprefix(name)) for line in lines if line.startswith(name))
 
 
 def test_a_client_that_does_not_read_leaves_memory_flat_and_others_served() -> None:
@@ -214,7 +226,6 @@ def test_a_client_that_does_not_read_leaves_memory_flat_and_others_served() -> N
         with here.greeted(hello, max_queue=1, close_timeout=0.5) as silent:
             rows = [[0.001 * i, float(i), 1.0, None, None, 0] for i in range(1000)]
             before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-            dropped = 0.0
             for k in range(400):  # 400,000 predictions, about 50 MB of JSON
                 for row in rows:
                     row[0] += 1.0
@@ -224,13 +235,7 @@ def test_a_client_that_does_not_read_leaves_memory_flat_and_others_served() -> N
                     break
                 if k % 50 == 0:
                     good(other, float(k + 1))
-                here.service.settle()
-                dropped = here.service.metrics.dropped._value.get()
-            until = time.monotonic() + 10
-            while not dropped and time.monotonic() < until:
-                here.service.settle()
-                dropped = here.service.metrics.dropped._value.get()
+            soon(lambda: dropped(here) > 0, "what it missed is counted")
             grown = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before
-        assert dropped > 0
         assert grown < 40_000  # kB
         good(other, 1e6)

@@ -11,8 +11,9 @@ from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection
 
 import pointpred.server.trials
+from pointpred.server.warm import warm_one, warm_session
 from tests.server.listener import soon
-from tests.server.running import Running, running
+from tests.server.running import PATIENCE_S, Running, running
 
 START = '{"type":"trial","action":"start"}'
 END = '{"type":"trial","action":"end"}'
@@ -23,7 +24,7 @@ def event(t: float) -> str:
 
 
 def told(socket: ClientConnection) -> dict[str, object]:
-    answer: dict[str, object] = json.loads(socket.recv(10))
+    answer: dict[str, object] = json.loads(socket.recv(PATIENCE_S))
     return answer
 
 
@@ -42,12 +43,15 @@ def held(monkeypatch: pytest.MonkeyPatch) -> Iterator[Held]:
 
     def slow(*arguments: object, **options: object) -> object:
         here.begun.set()
-        assert here.go.wait(20)
+        assert here.go.wait(PATIENCE_S)
         if here.fails:
             raise RuntimeError("at 7315.25")
         return real(*arguments, **options)  # type: ignore[arg-type]
 
+    warm_one("switched")  # here, where nobody waits for the compiler
+    warm_session()
     monkeypatch.setattr("pointpred.server.service.warm", lambda progress: None)  # it scores a trial, too
+    monkeypatch.setattr("pointpred.server.listening.GOODBYE_S", PATIENCE_S)
     monkeypatch.setattr(pointpred.server.trials, "prepare", slow)
     yield here
     here.go.set()
@@ -65,7 +69,7 @@ def test_others_are_served_meanwhile_and_answers_keep_their_order(service: Runni
         for frame in (START, event(1.0), END, event(2.0), '{"type":"targets","targets":[]}'):
             socket.send(frame)
         assert told(socket)["t"] == 1.0
-        assert held.begun.wait(10)
+        assert held.begun.wait(PATIENCE_S)
         for i in range(20):
             other.send(event(float(i)))
             assert told(other)["t"] == i
@@ -79,7 +83,7 @@ def test_a_client_that_leaves_meanwhile_is_let_go(service: Running, held: Held) 
     with service.greeted() as socket:
         for frame in (START, event(1.0), END):
             socket.send(frame)
-        assert held.begun.wait(10)
+        assert held.begun.wait(PATIENCE_S)
     held.go.set()
     soon(lambda: not service.service._open, "the session is over")
     with service.greeted() as other:
@@ -102,11 +106,11 @@ def test_a_service_that_stops_meanwhile_says_the_score_first(service: Running, h
     with service.greeted() as socket:
         for frame in (START, END):
             socket.send(frame)
-        assert held.begun.wait(10)
+        assert held.begun.wait(PATIENCE_S)
         service.server.should_exit = True
         soon(lambda: service.service.stopping, "stopping")
         held.go.set()
         assert [told(socket)["type"] for _ in range(2)] == ["score", "bye"]
         with pytest.raises(ConnectionClosed):
-            socket.recv(10)
+            socket.recv(PATIENCE_S)
         assert socket.close_code == 1001

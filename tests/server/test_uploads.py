@@ -5,7 +5,6 @@ from __future__ import annotations
 import io
 import socket as socket_module
 import threading
-import time
 from collections.abc import Iterator
 from typing import Any
 
@@ -21,7 +20,7 @@ from pointpred.server.scoring_api import score_body
 from pointpred.server.unpacking import MOST_ROWS, MOST_UNPACKED, check_unpacked
 from pointpred.server.uploads import UploadError
 from tests.server.listener import soon
-from tests.server.running import Running, running
+from tests.server.running import PATIENCE_S, Running, running
 
 CSV = b"user,trial,t_s,x_px,y_px\n" + b"".join(
     b"ann,%d,%.2f,%d,0\n" % (trial, i / 100, 7 * i) for trial in range(3) for i in range(60)
@@ -60,7 +59,7 @@ def refused(answer: Response, status: int, code: str) -> str:
 def test_a_small_file_of_many_rows_is_refused_before_it_is_unpacked(service: Running) -> None:
     body = parquet(**columns(MOST_ROWS + 1))
     assert len(body) < 100_000
-    message = refused(post(f"{service.url}/v1/score", content=body, timeout=30), 413, "too_large")
+    message = refused(post(f"{service.url}/v1/score", content=body, timeout=PATIENCE_S), 413, "too_large")
     assert f"{MOST_ROWS} rows" in message
     assert f"{MOST_ROWS + 1}" in message
 
@@ -71,7 +70,7 @@ def test_a_small_file_of_long_words_is_refused_before_it_is_unpacked(
     body = parquet(**columns(300_000, "x" * 1000))
     assert len(body) < 100_000
     monkeypatch.setattr(scoring_api, "read_any", lambda path: pytest.fail("it was unpacked"))
-    message = refused(post(f"{service.url}/v1/score", content=body, timeout=30), 413, "too_large")
+    message = refused(post(f"{service.url}/v1/score", content=body, timeout=PATIENCE_S), 413, "too_large")
     assert f"{MOST_UNPACKED} bytes" in message
 
 
@@ -131,7 +130,7 @@ def test_the_length_is_refused_before_the_body_comes(service: Running) -> None:
         plain.sendall(
             f"POST /v1/score HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: {said}\r\n\r\n".encode()
         )
-        plain.settimeout(10)
+        plain.settimeout(PATIENCE_S)
         assert b" 413 " in plain.recv(4096).split(b"\r\n")[0]
 
 
@@ -143,12 +142,19 @@ def begun(here: Running, sent: bytes = CSV[:50]) -> socket_module.socket:
     return plain
 
 
-def test_a_slow_upload_holds_up_nobody_and_ends_with_408(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_slow_upload_holds_up_nobody(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(uploads, "READ_S", PATIENCE_S)
+    with running() as here, begun(here):
+        soon(lambda: here.service.uploads == 1, "the upload has begun")
+        answer = post(f"{here.url}/v1/score?predictors=hold", content=CSV, timeout=PATIENCE_S)
+        assert answer.status_code == 200
+        assert here.service.uploads >= 1, "scored while the other one was still waited for"
+
+
+def test_a_slow_upload_ends_with_408(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(uploads, "READ_S", 1.0)
     with running() as here, begun(here) as slow:
-        answer = post(f"{here.url}/v1/score?predictors=hold", content=CSV, timeout=60)
-        assert answer.status_code == 200, "scored while the other one was still waited for"
-        slow.settimeout(10)
+        slow.settimeout(PATIENCE_S)
         said = b""
         while more := slow.recv(4096):  # until the connection is closed
             said += more
@@ -162,25 +168,32 @@ def test_an_upload_that_was_given_up_leaves_its_place(monkeypatch: pytest.Monkey
     with running() as here:
         with begun(here):
             soon(lambda: here.service.uploads == 1, "the upload has begun")
-            message = refused(post(f"{here.url}/v1/score", content=CSV), 503, "too_many")
+            message = refused(post(f"{here.url}/v1/score", content=CSV, timeout=PATIENCE_S), 503, "too_many")
             assert "1 " in message
         soon(lambda: here.service.uploads == 0, "its place is free")
-        answer = post(f"{here.url}/v1/score?predictors=hold", content=CSV, timeout=60)
+        answer = post(f"{here.url}/v1/score?predictors=hold", content=CSV, timeout=PATIENCE_S)
         assert answer.status_code == 200
 
 
 def test_sessions_go_on_while_a_recording_is_scored(monkeypatch: pytest.MonkeyPatch) -> None:
-    held = threading.Event()
-    monkeypatch.setattr("pointpred.server.scoring_api.score_body", lambda body, names: held.wait(20) and {})
+    scoring, held = threading.Event(), threading.Event()
+
+    def slow(body: bytes, names: tuple[str, ...]) -> dict[str, Any]:
+        scoring.set()
+        assert held.wait(PATIENCE_S)
+        return {}
+
+    monkeypatch.setattr("pointpred.server.scoring_api.score_body", slow)
     with running() as here, here.greeted() as socket:
-        asking = threading.Thread(target=post, args=(f"{here.url}/v1/score",), kwargs={"content": CSV})
+        options = {"content": CSV, "timeout": PATIENCE_S}
+        asking = threading.Thread(target=post, args=(f"{here.url}/v1/score",), kwargs=options)
         asking.start()
-        time.sleep(0.2)
+        assert scoring.wait(PATIENCE_S)
         socket.send('{"type":"events","events":[[1,5,6,null,null,0]]}')
-        assert '"prediction"' in str(socket.recv(5))
-        assert get(f"{here.url}/healthz").status_code == 200
+        assert '"prediction"' in str(socket.recv(PATIENCE_S))
+        assert get(f"{here.url}/healthz", timeout=PATIENCE_S).status_code == 200
         held.set()
-        asking.join(20)
+        asking.join(PATIENCE_S)
         assert not asking.is_alive()
 
 
