@@ -21,7 +21,7 @@ from pointpred.camera import (
 )
 from pointpred.camera.samples import observed
 from pointpred.errors import InfeasibleError
-from pointpred.observers.unknown_input import UnknownInputObserver
+from pointpred.observers.unknown_input.observer import UnknownInputObserver
 
 FOCAL, RATE_HZ = 800.0, 33.0
 START = {"start_chi": 4.0, "start_eta": -1.6}

@@ -26,7 +26,7 @@ from pointpred.observers import (
     invariant_stage,
     simulate,
 )
-from pointpred.observers.reversed_examples import (
+from pointpred.observers.reduced_order.examples import (
     UNMEASURED,
     fused,
     pushes,

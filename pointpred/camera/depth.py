@@ -10,7 +10,7 @@ from pointpred.camera.camera_stage import LARGEST_PX, SUBSTEP_S, CameraStage, us
 from pointpred.camera.samples import FOCAL, CameraColumns, CameraSample
 from pointpred.columns import BoolArray, Columns, FloatArray
 from pointpred.compiled import law
-from pointpred.observers.unknown_input import UnknownInputObserver
+from pointpred.observers.unknown_input.observer import UnknownInputObserver
 from pointpred.stage import Parameter, check
 
 NONE = float("nan")

@@ -1,49 +1,57 @@
 """Nonlinear observers with certificates that are proved: chapters 3 and 4 of the thesis."""
 
 from pointpred.observers.bounds import ErrorBound, convergence_bound, interconnection_bound
-from pointpred.observers.boxes import Box
-from pointpred.observers.design import ObserverDesign, design_observer
 from pointpred.observers.detectability import undetectable
-from pointpred.observers.excitation import (
-    Excitation,
-    discrete_excitation,
-    linear_independence,
-    persistent_excitation,
+from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities, Solution
+from pointpred.observers.inequalities.printed import check
+from pointpred.observers.interconnected.design import ObserverDesign, design_observer
+from pointpred.observers.interconnected.generator import Generator
+from pointpred.observers.interconnected.interconnection import theorem_3_2_1
+from pointpred.observers.interconnected.persidskii_observer import (
+    PersidskiiObserver,
+    observer_stage,
+    regulator_stage,
 )
-from pointpred.observers.feedback_form import feedback
-from pointpred.observers.feedforward_form import feedforward
-from pointpred.observers.generator import Generator
-from pointpred.observers.interconnection import theorem_3_2_1
-from pointpred.observers.interlaced_certificate import InterlacedCertificate
-from pointpred.observers.interlaced_certificate import certify as certify_interlaced
-from pointpred.observers.interlaced_form import interlaced
-from pointpred.observers.interlaced_observer import InterlacedEstimate, InterlacedObserver
-from pointpred.observers.invariant_stage import invariant_stage
-from pointpred.observers.matrix_inequalities import MatrixInequalities, Solution
-from pointpred.observers.nonlinear_regression import NonlinearRegressor, RegressionMargin, regression_margin
-from pointpred.observers.persidskii import Persidskii
-from pointpred.observers.persidskii_observer import PersidskiiObserver, observer_stage, regulator_stage
-from pointpred.observers.printed import check
-from pointpred.observers.reduced_order import ReducedOrderDesign, design_reduced_order
-from pointpred.observers.regressors import GradientRegressor
-from pointpred.observers.reversed_certificate import Convergence, certify_convergence
-from pointpred.observers.reversed_connection import InvariantObserver, invariant_observer
-from pointpred.observers.sector import SectorBounds, sector_bounds
-from pointpred.observers.simulate import SeededSignal, simulate
-from pointpred.observers.steady_state import SteadyState, residuals, steady_state_map
-from pointpred.observers.takagi_sugeno import TakagiSugeno
-from pointpred.observers.tracking import (
+from pointpred.observers.interconnected.sector import SectorBounds, sector_bounds
+from pointpred.observers.interconnected.steady_state import SteadyState, residuals, steady_state_map
+from pointpred.observers.interconnected.tracking import (
     TrackingCertificate,
     certify_tracking,
     closed_loop,
     theorem_3_2_2,
     theorem_3_2_3,
 )
-from pointpred.observers.triangular import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
-from pointpred.observers.unknown_input import UnknownInputObserver
-from pointpred.observers.unknown_input_certificate import UnknownInputCertificate
-from pointpred.observers.unknown_input_run import UnknownInputEstimate, UnknownInputSample
-from pointpred.observers.unknown_input_system import ParameterVaryingSystem
+from pointpred.observers.persidskii import Persidskii
+from pointpred.observers.reduced_order.design import ReducedOrderDesign, design_reduced_order
+from pointpred.observers.reduced_order.invariant_stage import invariant_stage
+from pointpred.observers.reduced_order.reversed_certificate import Convergence, certify_convergence
+from pointpred.observers.reduced_order.reversed_connection import InvariantObserver, invariant_observer
+from pointpred.observers.regressors.excitation import (
+    Excitation,
+    discrete_excitation,
+    linear_independence,
+    persistent_excitation,
+)
+from pointpred.observers.regressors.gradient import GradientRegressor
+from pointpred.observers.regressors.nonlinear_regression import (
+    NonlinearRegressor,
+    RegressionMargin,
+    regression_margin,
+)
+from pointpred.observers.simulate import SeededSignal, simulate
+from pointpred.observers.triangular.feedback_form import feedback
+from pointpred.observers.triangular.feedforward_form import feedforward
+from pointpred.observers.triangular.interlaced_certificate import InterlacedCertificate
+from pointpred.observers.triangular.interlaced_certificate import certify as certify_interlaced
+from pointpred.observers.triangular.interlaced_form import interlaced
+from pointpred.observers.triangular.interlaced_observer import InterlacedEstimate, InterlacedObserver
+from pointpred.observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
+from pointpred.observers.unknown_input.boxes import Box
+from pointpred.observers.unknown_input.certificate import UnknownInputCertificate
+from pointpred.observers.unknown_input.observer import UnknownInputObserver
+from pointpred.observers.unknown_input.run import UnknownInputEstimate, UnknownInputSample
+from pointpred.observers.unknown_input.system import ParameterVaryingSystem
+from pointpred.observers.unknown_input.takagi_sugeno import TakagiSugeno
 from pointpred.regression import RecursiveLeastSquares
 
 __all__ = [

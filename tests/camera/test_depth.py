@@ -17,7 +17,7 @@ from pointpred.camera import (
     model,
     simulate,
 )
-from pointpred.observers.unknown_input import UnknownInputObserver
+from pointpred.observers.unknown_input.observer import UnknownInputObserver
 
 FOCAL = 800.0
 BOUNDS = {"turn": (-0.02, 0.02), "a_z": (-0.1, 0.1), "w": (-0.07, 0.07), "dw": (-0.2, 0.2)}

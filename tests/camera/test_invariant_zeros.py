@@ -9,7 +9,7 @@ from scipy.linalg import eig
 from pointpred.camera import model
 from pointpred.camera.model import camera_system
 from pointpred.errors import ParameterError
-from pointpred.observers.invariant_zeros import (
+from pointpred.observers.unknown_input.invariant_zeros import (
     decoupling,
     fixed_modes,
     invariant_zeros,

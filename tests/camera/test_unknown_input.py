@@ -7,10 +7,11 @@ import pytest
 
 from pointpred.camera import camera_box, camera_system, printed
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
-from pointpred.observers.boxes import Box
-from pointpred.observers.unknown_input import UnknownInputObserver, zeros_over
-from pointpred.observers.unknown_input_certificate import inequality, verified
-from pointpred.observers.unknown_input_system import ParameterVaryingSystem
+from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred.observers.unknown_input.boxes import Box
+from pointpred.observers.unknown_input.certificate import inequality, verified
+from pointpred.observers.unknown_input.observer import UnknownInputObserver, zeros_over
+from pointpred.observers.unknown_input.system import ParameterVaryingSystem
 
 CAMERA = {"turn": (-0.02, 0.02), "a_z": (-0.1, 0.1), "w": (-0.06, 0.06), "dw": (-0.1, 0.1)}
 
@@ -82,7 +83,7 @@ def test_a_camera_that_may_approach_is_refused_before_any_solver(monkeypatch: py
     def never(*_: object, **__: object) -> None:
         raise AssertionError("a solver was called")
 
-    monkeypatch.setattr("pointpred.observers.matrix_inequalities.MatrixInequalities.solve", never)
+    monkeypatch.setattr(MatrixInequalities, "solve", never)
     box = camera_box((-0.4, 0.01), **CAMERA)
     with pytest.raises(InfeasibleError, match="no sigma above 0 is feasible in this box"):
         UnknownInputObserver.design(camera_system(), box, 1e-6)

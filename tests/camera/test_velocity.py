@@ -27,7 +27,7 @@ from pointpred.camera.samples import observed
 from pointpred.camera.scenario import Trajectory
 from pointpred.camera.unknown_input_filter import UnknownInputFilter, flow
 from pointpred.errors import EventError, EventOrderError, ParameterError
-from pointpred.observers.unknown_input import UnknownInputObserver
+from pointpred.observers.unknown_input.observer import UnknownInputObserver
 
 FOCAL = 800.0
 

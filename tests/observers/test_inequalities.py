@@ -17,9 +17,9 @@ from pointpred.errors import (
     ParameterError,
     UndecidedError,
 )
-from pointpred.observers import matrix_inequalities
-from pointpred.observers.matrix_inequalities import MatrixInequalities
-from pointpred.observers.solver import Affine, Answer, run
+from pointpred.observers.inequalities import matrix_inequalities
+from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred.observers.inequalities.solver import Affine, Answer, run
 
 
 def lyapunov(a: Any, **bounds: float) -> MatrixInequalities:

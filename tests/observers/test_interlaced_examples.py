@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from pointpred.errors import ParameterError
-from pointpred.observers.interlaced_form import interlaced
 from pointpred.observers.simulate import simulate
-from pointpred.observers.triangular import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
+from pointpred.observers.triangular.interlaced_form import interlaced
+from pointpred.observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 
 sp = pytest.importorskip("sympy")
 W1, W2, U = sp.symbols("w1 w2 u")

@@ -16,10 +16,10 @@ from pointpred.errors import (
     EventOrderError,
     ParameterError,
 )
-from pointpred.observers import interlaced_law
-from pointpred.observers.interlaced_form import interlaced
-from pointpred.observers.interlaced_observer import InterlacedObserver, output_matrix
-from pointpred.observers.triangular import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
+from pointpred.observers.triangular import interlaced_law
+from pointpred.observers.triangular.interlaced_form import interlaced
+from pointpred.observers.triangular.interlaced_observer import InterlacedObserver, output_matrix
+from pointpred.observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 
 sp = pytest.importorskip("sympy")
 pytest.importorskip("cvxpy")

@@ -1,0 +1,1 @@
+"""Matrix inequalities: what is asked, the only door to a solver, and the proof of its answer."""

@@ -1,0 +1,144 @@
+"""The inequalities of Theorem 3.2.1, to be solved or to check matrices that somebody prints."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from operator import attrgetter
+from typing import Any
+
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.errors import ParameterError
+from pointpred.observers.detectability import vertices
+from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred.observers.interconnected.generator import Generator
+from pointpred.observers.matrices import matrix
+from pointpred.observers.persidskii import Persidskii
+
+
+class Interconnection:
+    """What an observer of the generator sees: the blocks of Theorem 3.2.1 as functions of P, U, Theta, ...
+
+    ``j`` is J = H Pi and ``output`` C0 Pi; ``corners`` are those of the slopes, none where f does not matter.
+    Raises ParameterError where the generator's own J is not H Pi, or where the slopes are not bounded.
+    """
+
+    def __init__(self, plant: Persidskii, generator: Generator, Pi: Any) -> None:
+        if plant.varying:
+            told = f"{', '.join(plant.varying)} vary: use plant.at"
+            raise ParameterError(f"a design needs constant matrices, {told}")
+        self.plant, self.g = plant, generator.beside(plant)
+        self.pi = matrix("Pi", Pi, plant.n, self.g.q)
+        self.j: FloatArray = plant.H @ self.pi
+        self.output: FloatArray = plant.C0 @ self.pi
+        g = self.g
+        if g.J is not None and g.J.shape == self.j.shape and not np.allclose(g.J, self.j, 1e-6, 1e-6):
+            raise ParameterError(f"J must be H Pi, differs by {np.abs(g.J - self.j).max():.3g}")
+        self.sloped = bool(g.S1.any() or plant.C1.any())
+        self.corners = vertices(plant.slopes) if self.sloped else {}
+
+    def linear(self, v: Any) -> FloatArray:
+        """P S0 - U C0 Pi."""
+        found: FloatArray = v.P @ self.g.S0 - v.U @ self.output
+        return found
+
+    def weight(self, v: Any) -> FloatArray:
+        """F = P S1 - U C1, the weight of f."""
+        found: FloatArray = v.P @ self.g.S1 - v.U @ self.plant.C1
+        return found
+
+    def sector(self, v: Any, corner: FloatArray) -> FloatArray:
+        """W - sym(F D J) at a corner D."""
+        found: FloatArray = v.W - symmetric(self.weight(v) @ corner @ self.j)
+        return found
+
+    def continuous(self, v: Any) -> FloatArray:
+        """The block of the theorem: V' against Theta, Gamma, Gamma and Xi."""
+        upper = symmetric(2.0 * self.linear(v)) + v.Theta + (2.0 * v.W if self.sloped else 0.0)
+        across = np.hstack([-v.P @ self.g.G, -v.U, v.P])
+        return np.block([[upper, across], [across.T, -self._disturbances(v)]])
+
+    def discrete(self, v: Any, corner: FloatArray | None) -> FloatArray:
+        """V(e+) - V(e) against the same, at a corner, by a Schur complement."""
+        inner = self.linear(v) if corner is None else self.linear(v) + self.weight(v) @ corner @ self.j
+        onward = np.hstack([inner, -v.P @ self.g.G, -v.U, v.P])
+        held, q = np.zeros((onward.shape[1], onward.shape[1])), self.g.q
+        held[:q, :q], held[q:, q:] = v.Theta - v.P, -self._disturbances(v)
+        return np.block([[held, onward.T], [onward, -v.P]])
+
+    def _disturbances(self, v: Any) -> FloatArray:
+        p, q = self.plant.p, self.g.q
+        found = np.zeros((2 * p + q, 2 * p + q))
+        found[:p, :p] = found[p : 2 * p, p : 2 * p] = v.Gamma
+        found[2 * p :, 2 * p :] = v.Xi
+        return found
+
+    def state(self, problem: MatrixInequalities, **fixed: Any) -> MatrixInequalities:
+        """Demand the theorem of a problem; ``fixed`` gives matrices that are no unknowns of it."""
+
+        def completed(block: Callable[..., FloatArray], *corner: Any) -> Callable[[Any], FloatArray]:
+            return lambda v: block(Completed(v, fixed), *corner)
+
+        for name, corner in self.corners.items() if self.plant.time == "continuous" else ():
+            problem.above(
+                f"W - sym(F D J), D = diag({name})",
+                completed(self.sector, corner),
+                strict=False,
+            )
+        if self.plant.time == "continuous":
+            return problem.below("the LMI", completed(self.continuous), strict=False)
+        corners: dict[str, FloatArray | None] = {**self.corners} or {"none": None}
+        for name, one in corners.items():
+            problem.below(f"the LMI, D = diag({name})", completed(self.discrete, one))
+        return problem
+
+
+class Completed:
+    """The matrices of a problem, and those that are functions of them."""
+
+    def __init__(self, v: Any, fixed: dict[str, Any]) -> None:
+        self._v, self._fixed = v, fixed
+
+    def __getattr__(self, name: str) -> Any:
+        return self._fixed[name](self._v) if name in self._fixed else getattr(self._v, name)
+
+
+def theorem_3_2_1(
+    plant: Persidskii,
+    generator: Generator,
+    Pi: Any,
+    *,
+    F: Any = None,
+    **bounds: float,
+) -> MatrixInequalities:
+    """The inequalities of Theorem 3.2.1 for a plant, its generator and their steady-state map.
+
+    Unknowns: P, Theta, Gamma, Xi, U, and W where f matters. F = P S1 - U C1 is no unknown of its own; where
+    it is given, the equality is demanded. e'F(f(Jw) - f(Jz)) <= e'We holds exactly if W >= sym(F D J) for
+    each corner D of the slopes. For discrete time, of which the thesis has no such theorem, V(e+) - V(e)
+    stands where V' stands, at each corner.
+
+    >>> plant = Persidskii([[-1.0]], None, None, "sin", B=[1.0], C0=[1.0])
+    >>> theorem = theorem_3_2_1(plant, Generator([[0.0]], L0=[1.0]), [[1.0]])
+    >>> theorem.check({"P": 1.0, "Theta": 1.0, "Gamma": 9.0, "Xi": 4.0, "U": 2.0})["the LMI"] > 0.0
+    True
+    """
+    seen = Interconnection(plant, generator, Pi)
+    q, p = seen.g.q, plant.p
+    problem = MatrixInequalities("Theorem 3.2.1", **bounds).positive("P", q).symmetric("Theta", q)
+    problem.symmetric("Gamma", p).symmetric("Xi", q).free("U", q, p)
+    for name in ("Theta", "Gamma", "Xi"):
+        problem.above(f"{name} > 0", attrgetter(name))
+    if F is not None:
+        f = matrix("F", F, q, plant.k)
+        problem.equal("P S1 - U C1 - F", lambda v: seen.weight(v) - f)
+    if seen.sloped and plant.time == "continuous":
+        problem.symmetric("W", q)
+    return seen.state(problem)
+
+
+def symmetric(square: FloatArray) -> FloatArray:
+    """The symmetric part."""
+    found: FloatArray = 0.5 * (square + square.T)
+    return found

@@ -1,0 +1,210 @@
+"""The steady-state map x = Pi w of a plant and its generator: Proposition 3.2.1 and Corollary 3.2.1."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
+from pointpred.observers.interconnected.generator import Generator
+from pointpred.observers.interconnected.riccati import invariant_graphs, refined
+from pointpred.observers.matrices import matrix, moments, share
+from pointpred.observers.persidskii import Persidskii
+
+TOLERANCE = 1e-9
+
+
+class SteadyState(msgspec.Struct, frozen=True):
+    """A steady-state map: ``Pi`` (n, q), ``J`` = H Pi, the largest ``residuals`` by equality.
+
+    Where Pi is not unique, ``nullity`` directions leave every equality satisfied (to first order where it is
+    a Riccati equation) and ``basis`` holds them, shape (nullity, n, q). ``others`` are the further isolated
+    solutions of a Riccati equation; Pi is the one from which the plant's error decays fastest.
+    """
+
+    Pi: FloatArray
+    J: FloatArray
+    residuals: dict[str, float]
+    nullity: int
+    basis: FloatArray
+    others: tuple[FloatArray, ...] = ()
+
+
+def residuals(
+    plant: Persidskii,
+    generator: Generator,
+    Pi: Any,
+    *,
+    relaxed: bool = False,
+) -> dict[str, FloatArray]:
+    """What is left of each equality for a given Pi: of (3.3) and J = H Pi, or of Corollary 3.2.1.
+
+    >>> plant = Persidskii([[-1.0]], None, None, "sin", B=[1.0])
+    >>> generator = Generator([[0.0]], L0=[2.0])
+    >>> {name: one.tolist() for name, one in residuals(plant, generator, [[2.0]]).items()}
+    {'A0 Pi - Pi G C0 Pi - Pi S0 + B L0': [[0.0]]}
+    """
+    g = generator.beside(plant)
+    pi = matrix("Pi", Pi, plant.n, g.q)
+    linear, nonlinear = plant.A0 @ pi - pi @ g.G @ plant.C0 @ pi - pi @ g.S0 + plant.B @ g.L0, {}
+    if relaxed:
+        nonlinear = {
+            "A1 - Pi G C1": plant.A1 - pi @ g.G @ plant.C1,
+            "B L1 - Pi S1": plant.B @ g.L1 - pi @ g.S1,
+        }
+    else:
+        whole = plant.A1 + plant.B @ g.L1 - pi @ (g.S1 + g.G @ plant.C1)
+        nonlinear = {"A1 + B L1 - Pi (S1 + G C1)": whole}
+        if generator.J is not None:
+            nonlinear["H Pi - J"] = plant.H @ pi - matrix("J", generator.J, plant.r, g.q)
+    left = {"A0 Pi - Pi G C0 Pi - Pi S0 + B L0": linear, **nonlinear, "Q - Pi E": plant.Q - pi @ g.E}
+    return {name: one for name, one in left.items() if one.size}
+
+
+def steady_state_map(
+    plant: Persidskii,
+    generator: Generator,
+    *,
+    relaxed: bool = False,
+    times: Sequence[float] | None = None,
+    tolerance: float = TOLERANCE,
+) -> SteadyState:
+    """Pi such that x = Pi w is a solution of plant and generator without disturbances.
+
+    Assumes nothing of stability: whether x is attracted by Pi w is another question. For a plant whose
+    matrices vary, a constant Pi is sought that satisfies the equalities at each of ``times``, to be given
+    then. With G C0 = 0 everything is linear and the least residual decides; otherwise the first equality
+    is a Riccati equation, whose isolated solutions are found as graphs of invariant subspaces of
+    ((S0, G C0), (B L0, A0)).
+
+    (A0 - Pi G C0) Pi - Pi S0 + B L0 = 0, A1 + B L1 - Pi (S1 + G C1) = 0, Q = Pi E, J = H Pi;
+    ``relaxed``: A1 = Pi G C1 and B L1 = Pi S1 instead of the second, and nothing about J.
+
+    Parameters: ``tolerance`` of a residual, (0, 1), relative to the largest entry of A0, A1, B L0, B L1, Q,
+    S0 and G C0 (of H and J too where J is given), for matrices that were rounded in print; ``times`` in s
+    (indices in discrete time). Raises InfeasibleError naming the equality that cannot hold and its residual,
+    ParameterError, UndecidedError where a Riccati equation has no isolated solution that satisfies the rest.
+
+    Reference: Khalin 2022, Proposition 3.2.1, Corollary 3.2.1; Lancaster and Rodman 1995, chapter 7.
+
+    >>> plant = Persidskii([[-1.0]], None, None, "sin", B=[1.0])
+    >>> steady_state_map(plant, Generator([[0.0]], L0=[2.0])).Pi.tolist()
+    [[2.0]]
+    >>> steady_state_map(plant, Generator([[-1.0]], L0=[2.0]))  # doctest: +ELLIPSIS
+    Traceback (most recent call last):
+    pointpred.errors.InfeasibleError: A0 Pi - Pi G C0 Pi - Pi S0 + B L0 = 0 cannot hold: ... residual is 2
+    """
+    tolerance = share("tolerance", tolerance)
+    if generator.f is not None and not relaxed:
+        raise ParameterError(
+            "a generator with an f of its own needs relaxed=True, as J = H Pi says nothing then"
+        )
+    varying = f"the plant ({', '.join(plant.varying)})" if plant.varying else ""
+    plants = [plant.at(t) for t in moments(varying, times, "to hold")]
+    g = generator.beside(plants[0])
+
+    def left(pi: FloatArray) -> dict[str, list[FloatArray]]:
+        found = [residuals(one, generator, pi, relaxed=relaxed) for one in plants]
+        return {name: [one[name] for one in found] for name in found[0]}
+
+    def stacked(numbers: FloatArray) -> FloatArray:
+        parts = left(numbers.reshape(plant.n, g.q)).values()
+        return np.concatenate([one.ravel() for part in parts for one in part])
+
+    held = () if relaxed or generator.J is None else (plants[0].H, generator.J)
+    size = max(
+        np.abs(one).max(initial=0.0)
+        for now in plants
+        for one in (now.A0, now.A1, now.B @ g.L0, now.B @ g.L1, now.Q, g.S0, g.G @ now.C0, *held)
+    )
+    limit = tolerance * (float(size) or 1.0)
+    linear = not any((g.G @ one.C0).any() for one in plants)
+    if linear:
+        slope = _jacobian(stacked, np.zeros(plant.n * g.q))
+        candidates = [_least(stacked, slope)]
+    else:
+        started = invariant_graphs(plants[0].A0, g.S0, plants[0].B @ g.L0, g.G @ plants[0].C0)
+        candidates = [refined(stacked, one.ravel()) for one in [*started, np.zeros((plant.n, g.q))]]
+    solved = [one for one in candidates if np.abs(stacked(one)).max(initial=0.0) <= limit]
+    if not solved:
+        _refuse(left, candidates, (plant.n, g.q), limit, linear=linear)
+    distinct = _distinct([one.reshape(plant.n, g.q) for one in solved])
+    distinct.sort(key=lambda pi: _abscissa(plants[0].A0 - pi @ g.G @ plants[0].C0, plant.time))
+    pi = distinct[0]
+    basis = _null(slope if linear else _jacobian(stacked, pi.ravel())).reshape(-1, plant.n, g.q)
+    worst = {name: _largest(parts) for name, parts in left(pi).items()}
+    return SteadyState(pi, plants[0].H @ pi, worst, len(basis), basis, tuple(distinct[1:]))
+
+
+def _least(stacked: Any, slope: FloatArray) -> FloatArray:
+    """The least-squares solution of linear equalities, of least norm."""
+    left = stacked(np.zeros(slope.shape[1]))
+    found: FloatArray = np.asarray(np.linalg.lstsq(slope, -left, rcond=None)[0], np.float64)
+    return found
+
+
+def _jacobian(stacked: Any, numbers: FloatArray) -> FloatArray:
+    """The derivative; central differences are exact for equalities of second degree."""
+    steps = np.eye(len(numbers))
+    columns = [0.5 * (stacked(numbers + step) - stacked(numbers - step)) for step in steps]
+    return np.array(columns).T
+
+
+def _null(jacobian: FloatArray) -> FloatArray:
+    _, sizes, rows = np.linalg.svd(jacobian, full_matrices=len(jacobian) < jacobian.shape[1])
+    rank = int((sizes > 1e-9 * sizes.max(initial=0.0)).sum())
+    basis: FloatArray = np.asarray(rows[rank:], np.float64)
+    return basis
+
+
+def _abscissa(a: FloatArray, time: str) -> float:
+    eigenvalues = np.linalg.eigvals(a)
+    return float(np.abs(eigenvalues).max() if time == "discrete" else eigenvalues.real.max())
+
+
+def _distinct(found: list[FloatArray]) -> list[FloatArray]:
+    kept: list[FloatArray] = []
+    for one in found:
+        if all(np.abs(one - other).max() > 1e-6 * max(1.0, np.abs(one).max()) for other in kept):
+            kept.append(one)
+    return kept
+
+
+def _refuse(
+    left: Any, candidates: list[FloatArray], shape: tuple[int, int], limit: float, *, linear: bool
+) -> None:
+    if linear:
+        _name_first(left, candidates[0], shape, limit)
+    worst = min(
+        ({name: _largest(parts) for name, parts in left(one.reshape(shape)).items()} for one in candidates),
+        key=lambda found: max(found.values()),
+    )
+    name = max(worst, key=lambda one: worst[one])
+    raise UndecidedError(
+        f"no solution of the Riccati equation was found that satisfies the other equalities: {name} keeps a "
+        f"residual of {worst[name]:.6g}"
+    )
+
+
+def _name_first(left: Any, zero: FloatArray, shape: tuple[int, int], limit: float) -> None:
+    """Raise InfeasibleError for the first equality that cannot hold beside those before it."""
+    names = list(left(zero.reshape(shape)))
+    for count in range(1, len(names) + 1):
+
+        def some(numbers: FloatArray, kept: list[str] = names[:count]) -> FloatArray:
+            found = left(numbers.reshape(shape))
+            return np.concatenate([one.ravel() for name in kept for one in found[name]])
+
+        residual = float(np.abs(some(_least(some, _jacobian(some, np.zeros_like(zero))))).max())
+        if residual > limit or count == len(names):
+            beside = f" beside {', '.join(names[: count - 1])}" if count > 1 else ""
+            told = f"{names[count - 1]} = 0 cannot hold{beside}"
+            raise InfeasibleError(f"{told}: the least residual is {residual:.6g}")
+
+
+def _largest(parts: list[FloatArray]) -> float:
+    return max(float(np.abs(one).max()) for one in parts)

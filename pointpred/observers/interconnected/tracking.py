@@ -1,0 +1,190 @@
+"""Tracking control: assumptions 3.2.3 to 3.2.6, theorems 3.2.2 and 3.2.3, for a regulator and its plant."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
+from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities, Solution
+from pointpred.observers.interconnected.generator import Fitted, Generator
+from pointpred.observers.interconnected.sector import SectorBounds, sector_bounds
+from pointpred.observers.interconnected.steady_state import TOLERANCE, residuals
+from pointpred.observers.matrices import matrix, share
+from pointpred.observers.persidskii import Persidskii
+
+
+class TrackingCertificate(msgspec.Struct, frozen=True):
+    """Both theorems: the ``regulator`` is ISS (3.2.2) and so is the ``error`` z = x - Pi w (3.2.3).
+
+    Local where the slopes hold on a ``domain`` only: abs(Jw), abs(Hz) and abs(Jw + Hz) must stay below it.
+    """
+
+    regulator: Solution
+    error: Solution
+    margins: dict[str, float]
+    domain: float
+
+
+def theorem_3_2_2(
+    plant: Persidskii,
+    regulator: Generator,
+    Pi: Any,
+    **bounds: float,
+) -> MatrixInequalities:
+    """Assumption 3.2.3 with the condition of Theorem 3.2.2: the regulator is ISS with respect to z, w and v.
+
+    Unknowns: P, Gamma > 0, Xi >= 0, diagonal Omega, Lambda >= 0; S = S0 + G C0 Pi, S~ = S1 + G C1. The
+    condition Xi + mu J' Omega J > 0 holds for some mu exactly if it holds for mu = 1, as both terms are
+    positive semidefinite; so it is an inequality like the others.
+
+    Assumes strict inequalities: where J S~ = 0 the block of f(Jw) is zero and no strict one can hold.
+    """
+    g = regulator.beside(plant)
+    pi = matrix("Pi", Pi, plant.n, g.q)
+    j, k, q = plant.H @ pi, plant.k, g.q
+    s, tilde = g.S0 + g.G @ plant.C0 @ pi, g.S1 + g.G @ plant.C1
+    problem = MatrixInequalities("Assumption 3.2.3", **bounds).positive("P", q).symmetric("Gamma", q)
+    problem.symmetric("Xi", q).diagonal("Omega", k).diagonal("Lambda", k)
+
+    def block(v: Any) -> FloatArray:
+        upper = s.T @ v.P + v.P @ s + v.Xi
+        across = v.P @ tilde + s.T @ j.T @ v.Lambda + j.T @ v.Omega
+        middle = tilde.T @ j.T @ v.Lambda + v.Lambda @ j @ tilde
+        lift, none = j.T @ v.Lambda, np.zeros((q, q))
+        return np.block(
+            [
+                [upper, across, v.P, v.P],
+                [across.T, middle, lift.T, lift.T],
+                [v.P, lift, -v.Gamma, none],
+                [v.P, lift, none, -v.Gamma],
+            ]
+        )
+
+    problem.below("Phi", block, strict=False).above("Gamma > 0", lambda v: v.Gamma)
+    problem.above("Xi", lambda v: v.Xi, strict=False)
+    return problem.above("Xi + J' Omega J", lambda v: v.Xi + j.T @ v.Omega @ j)
+
+
+def theorem_3_2_3(
+    plant: Persidskii,
+    regulator: Generator,
+    Pi: Any,
+    sector: SectorBounds | None = None,
+    **bounds: float,
+) -> MatrixInequalities:
+    """Assumption 3.2.6 with the conditions of Theorem 3.2.3: z = x - Pi w is ISS with respect to d, w and v.
+
+    Unknowns: P, Gamma > 0, Xi >= 0, diagonal Lambda, Omega1, Omega2, Upsilon >= 0, gamma1, gamma2 > 0;
+    A~0 = A0 - Pi G C0, A~1 = A1 - Pi G C1. As above mu = 1 decides about mu.
+    """
+    g = regulator.beside(plant)
+    pi = matrix("Pi", Pi, plant.n, g.q)
+    h, n, k = plant.H, plant.n, plant.k
+    a0, a1 = plant.A0 - pi @ g.G @ plant.C0, plant.A1 - pi @ g.G @ plant.C1
+    bound = sector_bounds(plant) if sector is None else sector
+    problem = MatrixInequalities("Assumption 3.2.6", **bounds).positive("P", n).symmetric("Gamma", n)
+    problem.symmetric("Xi", n).number("gamma1").number("gamma2")
+    for name in ("Lambda", "Omega1", "Omega2", "Upsilon"):
+        problem.diagonal(name, k)
+
+    def block(v: Any) -> FloatArray:
+        first = a0.T @ h.T @ v.Lambda + h.T @ v.Omega1
+        second = v.P @ a1 + h.T @ v.Omega2
+        third = v.Lambda @ h @ a1 + v.Upsilon
+        lift, none = v.Lambda @ h, np.zeros((k, n))
+        return np.block(
+            [
+                [a0.T @ v.P + v.P @ a0 + v.Xi, first, second, v.P],
+                [first.T, -v.gamma1 * np.eye(k), third, lift],
+                [second.T, third.T, -v.gamma2 * np.eye(k), none],
+                [v.P, lift.T, none.T, -v.Gamma],
+            ]
+        )
+
+    def r1(v: Any) -> FloatArray:
+        found: FloatArray = v.Xi - v.gamma1 * bound.Sigma1 - v.gamma2 * bound.Psi1
+        return found
+
+    def r2(v: Any) -> FloatArray:
+        found: FloatArray = v.Omega1 - v.gamma1 * bound.Sigma2 - v.gamma2 * bound.Psi2
+        return found
+
+    def r3(v: Any) -> FloatArray:
+        found: FloatArray = v.Omega2 - v.gamma1 * bound.Sigma3
+        return found
+
+    problem.below("Phi", block, strict=False).above("Gamma > 0", lambda v: v.Gamma)
+    for name, left in (("Xi", lambda v: v.Xi), ("R1", r1), ("R2", r2), ("R3", r3)):
+        problem.above(name, left, strict=False)
+    problem.above("R4", lambda v: v.Upsilon - v.gamma1 * bound.Sigma4, strict=False)
+    return problem.above("R1 + H'(R2 + R3) H", lambda v: r1(v) + h.T @ (r2(v) + r3(v)) @ h)
+
+
+def certify_tracking(
+    plant: Persidskii,
+    regulator: Generator,
+    Pi: Any,
+    *,
+    sector: SectorBounds | None = None,
+    solver: str = "CLARABEL",
+    tolerance: float = TOLERANCE,
+    **bounds: float,
+) -> TrackingCertificate:
+    """Corollary 3.2.2: the plant follows Pi w under regulator (3.8), locally where slopes hold locally.
+
+    Assumes that x = Pi w is what one wants to follow; that it is a solution is checked (Assumption 3.2.1).
+
+    Parameters: ``sector`` the constants of Assumption 3.2.4, those of the slopes unless given; ``tolerance``
+    of the equalities, relative; ``margin`` and ``kappa`` as for ``MatrixInequalities``.
+    Raises InfeasibleError naming an equality with its residual, or the assumption that no choice satisfies;
+    UndecidedError, CertificateError and ParameterError as for ``MatrixInequalities``.
+
+    Reference: Khalin 2022, section 3.2.3.
+
+    >>> plant = Persidskii([[-1.0]], [-1.0], [1.0], "tanh", [1.0], None, [1.0])
+    >>> regulator = Generator([[-3.0]], [-2.0], None, [2.0], [0.0], [-1.0])
+    >>> certificate = certify_tracking(plant, regulator, [[1.0]])
+    >>> min(certificate.margins.values()) > 0.0
+    True
+    """
+    tolerance = share("tolerance", tolerance)
+    scale = max(1.0, *(float(np.abs(one).max(initial=0.0)) for one in (plant.A0, plant.A1, regulator.S0)))
+    for name, left in residuals(plant, regulator, Pi).items():
+        worst = float(np.abs(left).max())
+        if worst > tolerance * scale:
+            raise InfeasibleError(f"Assumption 3.2.1: {name} = 0 fails, its residual is {worst:.6g}")
+    found: list[Solution] = []
+    failed: list[Exception] = []
+    for problem in (
+        theorem_3_2_2(plant, regulator, Pi, **bounds),
+        theorem_3_2_3(plant, regulator, Pi, sector, **bounds),
+    ):
+        try:
+            found.append(problem.solve(solver=solver))
+        except (InfeasibleError, UndecidedError, CertificateError) as failure:
+            failed.append(failure)
+    if failed:
+        raise type(failed[0])("; ".join(str(one) for one in failed)) from failed[0]
+    first, second = found
+    margins = {f"3.2.3: {name}": margin for name, margin in first.margins.items()}
+    margins |= {f"3.2.6: {name}": margin for name, margin in second.margins.items()}
+    return TrackingCertificate(first, second, margins, plant.domain)
+
+
+def closed_loop(plant: Persidskii, regulator: Generator, t: float, both: Any, **signals: Any) -> FloatArray:
+    """The derivative of (x, w) under the regulator; ``rho``, ``v``, ``d`` and ``w`` are signals at t."""
+    g: Fitted = regulator.beside(plant)
+    x, w = np.asarray(both[: plant.n], np.float64), np.asarray(both[plant.n :], np.float64)
+    if g.J is None:
+        raise ParameterError("a regulator needs J: give it, or take it from the steady-state map, J = H Pi")
+    nonlinear = plant.f(g.J @ w)
+    rho = signals.get("rho")
+    dx = plant.field(t, x, g.L0 @ w + g.L1 @ nonlinear, rho, signals.get("d"))
+    dw = g.S0 @ w + g.S1 @ nonlinear + g.G @ plant.output(t, x, signals.get("v"))
+    if rho is not None:
+        dw = dw + g.E @ np.atleast_1d(rho)
+    return np.concatenate([dx, dw if signals.get("w") is None else dw + signals["w"]])

@@ -1,0 +1,77 @@
+"""Reduced-order observers: Upsilon chosen by the inequality of the theorem that certifies it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.observers.detectability import require_detectable, vertices
+from pointpred.observers.matrices import positive
+from pointpred.observers.persidskii import Persidskii
+from pointpred.observers.reduced_order.reversed_certificate import Convergence, certify_convergence
+from pointpred.observers.reduced_order.reversed_connection import InvariantObserver, invariant_observer
+from pointpred.observers.reduced_order.upsilon import Choice, allowed, split
+
+
+class ReducedOrderDesign(msgspec.Struct, frozen=True):
+    """A reduced-order observer, the Upsilon that was chosen, and the certificate of the observer as it is."""
+
+    observer: InvariantObserver
+    Upsilon: FloatArray
+    certificate: Convergence
+
+
+def design_reduced_order(
+    plant: Persidskii,
+    Pi: Any = None,
+    *,
+    decay: float = 1.0,
+    injection: bool = False,
+    solver: str = "CLARABEL",
+    **bounds: float,
+) -> ReducedOrderDesign:
+    """The reduced-order observer whose Upsilon the inequality chooses, with its certificate.
+
+    Assumes y = C0 x and constant matrices. Without ``injection`` the equality J Z = H leaves only Upsilon =
+    U0 + N K, N the null space of H restricted to what is not measured, and P is sought block-diagonal
+    there, which is more than is needed: infeasible then says that no such P exists. With ``injection``
+    f sees the measured output, every Upsilon is allowed, and in continuous time nothing is lost.
+
+    Continuous: S0'P + P S0 + 2 sym(P S1 D J) + 2 a P < 0 at each corner D of the slopes, a = 1.5
+    ``decay``, linear in P and P Upsilon; of all Upsilon one with small Upsilon'P Upsilon. The
+    certificate is then sought anew.
+
+    Parameters: ``Pi`` (n - p, n), a basis of what is not measured unless given; ``decay`` of the error
+    in 1/s (per step in discrete time), > 0. Raises InfeasibleError naming the mode that never shows,
+    or the equality, or from the solver; UndecidedError; ParameterError.
+
+    Reference: Khalin 2022, section 3.3.3, (3.33)-(3.40), Theorems 3.3.1 and 3.3.2.
+
+    >>> plant = Persidskii([[0.0, 1.0], [0.0, 0.5]], None, None, "sin", C0=[1.0, 0.0])
+    >>> design = design_reduced_order(plant, [[0.0, 1.0]], decay=2.0)
+    >>> bool(design.observer.at(0.0).S0[0, 0] < -2.0)
+    True
+    """
+    decay = positive("decay", decay)
+    pi = _unmeasured(plant) if Pi is None else Pi
+    parts = split(plant, pi)
+    sloped = bool(parts.driven.any() or parts.shown.any())
+    corners = vertices(plant.slopes) if sloped else {"": np.zeros((plant.k, plant.r))}
+    for name, corner in corners.items():
+        a = parts.drift + parts.driven @ corner @ parts.inner
+        c = parts.seen + parts.shown @ corner @ parts.inner
+        require_detectable(a, c, plant.time, f"the unmeasured part{f' at D = diag({name})' if name else ''}")
+    base, free = allowed(parts, sloped and not injection)
+    choice = Choice(plant, parts, corners, base, free, decay, solver, bounds)
+    upsilon = choice.made() if free.shape[1] else base
+    observer = invariant_observer(plant, pi, upsilon, injection=injection)
+    certificate = certify_convergence(observer, decay=decay, times=None, solver=solver, **bounds)
+    return ReducedOrderDesign(observer, upsilon, certificate)
+
+
+def _unmeasured(plant: Persidskii) -> FloatArray:
+    """An orthonormal basis of what the output does not see."""
+    return np.asarray(np.linalg.svd(plant.C0)[2][plant.p :], np.float64)

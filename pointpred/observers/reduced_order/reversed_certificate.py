@@ -1,0 +1,248 @@
+"""Certificates of the reversed connection: Theorems 3.3.1 and 3.3.2, for a given observer."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import expm1, log, sqrt
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.errors import CertificateError, InfeasibleError, ParameterError
+from pointpred.observers.bounds import ErrorBound
+from pointpred.observers.detectability import vertices
+from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred.observers.inequalities.unknowns import Block
+from pointpred.observers.matrices import matrix, moments, positive
+from pointpred.observers.persidskii import Persidskii
+from pointpred.observers.reduced_order.reversed_bounds import continuous_bound, discrete_bound
+from pointpred.observers.reduced_order.reversed_connection import Connection, InvariantObserver
+
+SHARES = (0.6, 0.4, 0.2, 0.05)
+"""Shares of the slowest corner's decay that are tried where none is demanded."""
+
+
+class Convergence(msgspec.Struct, frozen=True):
+    """A certificate that the invariant solution attracts the observer's state.
+
+    ``values`` of P, Xi and the theorem's other matrices, the ``margins`` of each inequality recomputed from
+    them, and the ``bound`` of the error for a disturbance delta of the observer's equation. The certificate
+    holds while the arguments of f stay within ``domain``; ``J`` takes the error to them.
+    """
+
+    theorem: str
+    values: dict[str, Any]
+    margins: dict[str, float]
+    bound: ErrorBound
+    J: FloatArray
+    domain: float
+
+    def region(self, reach: float) -> tuple[float, float]:
+        """Where the certificate holds, if abs(H x) stays within ``reach`` on the true trajectory.
+
+        Returns the level c of the ellipsoid e'Pe <= c that keeps the observer's arguments within the
+        domain, and the radius of the largest ball of initial errors in it; infinite where the domain
+        is. Raises CertificateError where the trajectory itself leaves the domain.
+        """
+        if np.isinf(self.domain) or not self.J.any():
+            return np.inf, np.inf
+        room = self.domain - reach
+        if room <= 0.0:
+            raise CertificateError(
+                f"the trajectory reaches {reach:g}, the slopes hold within {self.domain:g} only"
+            )
+        p = np.asarray(self.values["P"])
+        spread = float(np.einsum("ij,jk,ik->i", self.J, np.linalg.inv(p), self.J).max())
+        level = room**2 / spread
+        return level, sqrt(level / float(np.linalg.eigvalsh(p).max()))
+
+
+def theorem_3_3_1(
+    connections: list[Connection],
+    slopes: tuple[tuple[float, float], ...] | None,
+    gamma: float,
+    *,
+    F: Any = None,
+    **bounds: float,
+) -> MatrixInequalities:
+    """The inequalities of Theorem 3.3.1 with a constant P, at each of the observer's given matrices.
+
+    Unknowns: P, Xi, and W where f matters. F = P S1; where it is given, the equality is demanded.
+    e'F(f(Jw) - f(Jz)) <= e'We holds exactly if W >= sym(F D J) at each corner D of the slopes.
+    """
+    q = len(connections[0].S0)
+    problem = MatrixInequalities("Theorem 3.3.1", **bounds).positive("P", q).symmetric("Xi", q)
+    problem.above("Xi > 0", lambda v: v.Xi)
+    sloped = any(one.S1.any() for one in connections)
+    if sloped:
+        problem.symmetric("W", q)
+    for i, one in enumerate(connections):
+        mark = f" at {i}" if len(connections) > 1 else ""
+        if F is not None:
+            problem.equal(f"P S1 - F{mark}", _product(one, matrix("F", F, q, one.S1.shape[1])))
+        for name, corner in (vertices(slopes) if sloped else {}).items():
+            problem.above(f"W - sym(F D J), D = diag({name}){mark}", _sector(one, corner), strict=False)
+        problem.below(f"the inequality{mark}", _dissipation(one, gamma, sloped))
+    return problem
+
+
+def theorem_3_3_2(
+    connections: list[Connection], lipschitz: list[float], **bounds: float
+) -> MatrixInequalities:
+    """The inequalities of Theorem 3.3.2 with a constant P; ``lipschitz`` is its gamma for each.
+
+    Unknowns: P, Xi, Gamma, alpha; the last row and column are q wide, as Gamma is q x q.
+    """
+    q = len(connections[0].S0)
+    problem = MatrixInequalities("Theorem 3.3.2", **bounds).positive("P", q).symmetric("Xi", q)
+    problem.symmetric("Gamma", q).number("alpha").above("Xi > 0", lambda v: v.Xi)
+
+    for i, (one, constant) in enumerate(zip(connections, lipschitz, strict=True)):
+        mark = f" at {i}" if len(connections) > 1 else ""
+        problem.below(f"the LMI{mark}", _next(one, constant), strict=False)
+    return problem
+
+
+def certify_convergence(
+    observer: InvariantObserver,
+    *,
+    decay: float | None = None,
+    gamma: float | None = None,
+    times: Sequence[float] | None = None,
+    solver: str = "CLARABEL",
+    **bounds: float,
+) -> Convergence:
+    """A certificate that w = Pi x + Upsilon y attracts the observer's state, recomputed from its matrices.
+
+    Assumes one P for all times; where matrices vary, ``times`` must be given and are all that is
+    certified: what lies between is not. Theorem 3.3.2 knows the nonlinearity by its Lipschitz constant
+    only: a steep f is refused although it may help. Of all P the one of least condition is taken (in
+    discrete time, with a small Gamma).
+
+    Parameters: ``decay`` of the error in 1/s (per step in discrete time), > 0, by Xi >= 2 decay P; a
+    share of what the slowest corner has where it is not given; ``gamma`` of Theorem 3.3.1 in 1/s, > 0,
+    ``decay`` unless given. ``margin``, ``kappa`` as for ``MatrixInequalities``.
+    Raises InfeasibleError naming the eigenvalue where S0 + S1 D J is unstable at a corner D of the
+    slopes, before any solver runs; InfeasibleError, UndecidedError, CertificateError from the solver.
+
+    Reference: Khalin 2022, Theorems 3.3.1 and 3.3.2, the bounds corrected.
+
+    >>> from pointpred.observers import Persidskii, invariant_observer
+    >>> plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], None, None, "sin", C0=[1.0, 0.0])
+    >>> found = certify_convergence(invariant_observer(plant, [[0.0, 1.0]], [[-3.0]]), decay=2.0)
+    >>> min(found.margins.values()) > 0.0, found.bound(1.0, 1.0) < 0.14
+    (True, True)
+    >>> certify_convergence(invariant_observer(plant, [[0.0, 1.0]], [[2.0]]))
+    Traceback (most recent call last):
+    pointpred.errors.InfeasibleError: Theorem 3.3.1: S0 + S1 D J has the eigenvalue 1, must lie left of 0
+    """
+    for name, given in (("decay", decay), ("gamma", gamma)):
+        if given is not None:
+            positive(name, given)
+    varying = "the observer" if observer.varying else ""
+    connections = [observer.at(t) for t in moments(varying, times, "certified")]
+    slowest = max(_slowest(one, observer.plant) for one in connections)
+    tried = [share * -slowest for share in SHARES] if decay is None else [decay]
+    for rate in tried:
+        problem = _problem(connections, observer.plant, rate, gamma or rate, bounds)
+        try:
+            solution = problem.solve(minimise=_size, solver=solver)
+        except InfeasibleError:
+            if rate == tried[-1]:
+                raise
+            continue
+        break
+    values = {name: one for name, one in solution.values.items() if name not in ("bound", "noise")}
+    if observer.plant.time == "discrete":
+        bound = discrete_bound(values["P"], values["Xi"], values["Gamma"], sharp=True)
+    else:
+        values["gamma"] = gamma or rate
+        bound = continuous_bound(values["P"], values["Xi"], values["gamma"])
+    theorem = "3.3.2" if observer.plant.time == "discrete" else "3.3.1"
+    domain = observer.plant.domain if any(one.S1.any() for one in connections) else np.inf
+    return Convergence(theorem, values, solution.margins, bound, connections[0].J, domain)
+
+
+def lipschitz_constant(plant: Persidskii, j: FloatArray) -> float:
+    """The gamma of Theorem 3.3.2: abs(f(Jw) - f(Jz)) <= gamma abs(w - z), from the slopes."""
+    if plant.slopes is None or not np.isfinite(np.array(plant.slopes)).all():
+        raise ParameterError(f"a certificate needs bounded slopes, received {plant.slopes}")
+    steepest = np.abs(np.array(plant.slopes).reshape(-1, 2)).max(axis=1, initial=0.0)
+    return float(np.linalg.norm(steepest[:, None] * j, 2)) if j.size else 0.0
+
+
+def symmetric(square: FloatArray) -> FloatArray:
+    """The symmetric part."""
+    return 0.5 * (square + square.T)
+
+
+def _size(v: Any) -> float:
+    """What is minimised: the largest eigenvalues of P and, in discrete time, of Gamma."""
+    return float(v.bound + getattr(v, "noise", 0.0))
+
+
+def _product(one: Connection, f: FloatArray) -> Block:
+    return lambda v: v.P @ one.S1 - f
+
+
+def _sector(one: Connection, corner: FloatArray) -> Block:
+    return lambda v: v.W - symmetric(v.P @ one.S1 @ corner @ one.J)
+
+
+def _dissipation(one: Connection, gamma: float, sloped: bool) -> Block:
+    return lambda v: symmetric(2.0 * v.P @ one.S0) + v.Xi + gamma * v.P + (2.0 * v.W if sloped else 0.0)
+
+
+def _next(one: Connection, lipschitz: float) -> Block:
+    """V(k+1) - V(k) + e'Xi e - delta'Gamma delta, with what the Lipschitz constant adds."""
+    q, k = one.S1.shape
+    onward = np.hstack([one.S0, one.S1, -np.eye(q)])
+
+    def block(v: Any) -> FloatArray:
+        held = np.zeros((2 * q + k, 2 * q + k))
+        held[:q, :q] = v.Xi - v.P + v.alpha * lipschitz**2 * np.eye(q)
+        held[q : q + k, q : q + k] = -v.alpha * np.eye(k)
+        held[q + k :, q + k :] = -v.Gamma
+        return np.asarray(held + onward.T @ v.P @ onward)
+
+    return block
+
+
+def _problem(
+    connections: list[Connection], plant: Persidskii, decay: float, gamma: float, bounds: dict[str, float]
+) -> MatrixInequalities:
+    """The theorem's inequalities with the decay demanded, and what is to be small."""
+    identity = np.eye(len(connections[0].S0))
+    if plant.time == "discrete":
+        problem = theorem_3_3_2(
+            connections, [lipschitz_constant(plant, one.J) for one in connections], **bounds
+        )
+        problem.number("noise").above("noise - Gamma", lambda v: v.noise * identity - v.Gamma, strict=False)
+        share = -expm1(-2.0 * decay)
+    else:
+        problem, share = theorem_3_3_1(connections, plant.slopes, gamma, **bounds), 2.0 * decay
+    problem.number("bound").above("bound - P", lambda v: v.bound * identity - v.P, strict=False)
+    return problem.above("Xi for the decay", lambda v: v.Xi - share * v.P, strict=False)
+
+
+def _slowest(one: Connection, plant: Persidskii) -> float:
+    """The largest real part (log modulus) at a corner of the slopes; raises where it is not negative."""
+    corners = vertices(plant.slopes) if one.S1.any() else {"": np.zeros((one.S1.shape[1], len(one.J)))}
+    discrete, slowest = plant.time == "discrete", -np.inf
+    for name, corner in corners.items():
+        for value in np.linalg.eigvals(one.S0 + one.S1 @ corner @ one.J).astype(np.complex128):
+            place = log(max(abs(value), 1e-300)) if discrete else float(value.real)
+            if place >= 0.0:
+                shown = f"{value.real:.6g}" if value.imag == 0.0 else f"{value.real:.6g}{value.imag:+.6g}j"
+                where, which = (
+                    "within the unit circle" if discrete else "left of 0",
+                    f" at D = diag({name})" if name else "",
+                )
+                theorem = "3.3.2" if discrete else "3.3.1"
+                raise InfeasibleError(
+                    f"Theorem {theorem}: S0 + S1 D J has the eigenvalue {shown}{which}, must lie {where}"
+                )
+            slowest = max(slowest, place)
+    return slowest

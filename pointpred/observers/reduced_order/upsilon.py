@@ -1,0 +1,205 @@
+"""The choice of Upsilon: which ones the equalities allow, and one of them by the theorem's inequality."""
+
+from __future__ import annotations
+
+from math import exp
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
+from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred.observers.inequalities.unknowns import Block
+from pointpred.observers.matrices import matrix
+from pointpred.observers.persidskii import Persidskii
+from pointpred.observers.reduced_order.reversed_certificate import lipschitz_constant, symmetric
+
+SLACK = 1e3
+"""What the slack is counted from: unknown numbers are not negative."""
+TURNS_MOST = 30
+"""How often P and Upsilon are improved in turns before the search gives up."""
+
+
+class Split(msgspec.Struct, frozen=True):
+    """The plant in the coordinates (Pi x, y): what the observer's matrices are made of, affine in Upsilon.
+
+    S0 = ``drift`` + Upsilon ``seen``, S1 = ``driven`` + Upsilon ``shown``, J = ``inner``, and R =
+    ``outer`` - J Upsilon.
+    """
+
+    drift: FloatArray
+    seen: FloatArray
+    driven: FloatArray
+    shown: FloatArray
+    inner: FloatArray
+    outer: FloatArray
+
+
+def split(plant: Persidskii, Pi: Any) -> Split:
+    """The plant with its measured combinations as coordinates; raises ParameterError where it has none.
+
+    >>> plant = Persidskii([[0.0, 1.0], [-3.0, -1.0]], None, None, "sin", C0=[1.0, 0.0])
+    >>> one = split(plant, [[0.0, 1.0]])
+    >>> one.drift.tolist(), one.seen.tolist()
+    ([[-1.0]], [[1.0]])
+    """
+    if plant.varying:
+        raise ParameterError(f"a design needs constant matrices; {', '.join(plant.varying)} vary")
+    if plant.C1.any():
+        raise ParameterError("a reduced-order design needs y = C0 x, received C1 other than 0")
+    q = plant.n - plant.p
+    if q < 1:
+        raise ParameterError(f"all {plant.n} states are measured by {plant.p} outputs: nothing to observe")
+    pi = matrix("Pi", Pi, q, plant.n)
+    both = np.vstack([pi, plant.C0])
+    least = float(np.linalg.svd(both, compute_uv=False)[-1])
+    if least <= 1e-9 * float(np.linalg.norm(both, 2)):
+        raise ParameterError(
+            f"the rows of Pi and C0 must be independent, their least singular value is {least:.3g}"
+        )
+    inverse = np.linalg.inv(both)
+    hidden, measured = inverse[:, :q], inverse[:, q:]
+    return Split(
+        pi @ plant.A0 @ hidden,
+        plant.C0 @ plant.A0 @ hidden,
+        pi @ plant.A1,
+        plant.C0 @ plant.A1,
+        plant.H @ hidden,
+        plant.H @ measured,
+    )
+
+
+def allowed(parts: Split, tied: bool) -> tuple[FloatArray, FloatArray]:
+    """U0 and N of the Upsilon = U0 + N K that leave J Z = H true; every Upsilon where nothing ties."""
+    q, p = len(parts.drift), len(parts.seen)
+    if not tied:
+        return np.zeros((q, p)), np.eye(q)
+    base = np.asarray(np.linalg.lstsq(parts.inner, parts.outer, rcond=None)[0])
+    residual = float(np.abs(parts.inner @ base - parts.outer).max(initial=0.0))
+    if residual > 1e-9 * max(1.0, float(np.abs(parts.outer).max(initial=0.0))):
+        raise InfeasibleError(
+            f"J (Pi + Upsilon C0) - H = 0 cannot hold for any Upsilon: its residual is {residual:.3g}; "
+            "injection=True lets the output into f"
+        )
+    _, singular, rows = np.linalg.svd(parts.inner)
+    rank = int((singular > 1e-9 * max(1.0, float(singular.max(initial=0.0)))).sum())
+    return base, np.asarray(rows[rank:].T, np.float64)
+
+
+class Choice(msgspec.Struct, frozen=True):
+    """The search for Upsilon = ``base`` + ``free`` K such that one P proves the decay at every corner.
+
+    With V an orthonormal complement of N = ``free``, every P > 0 is V P1 V' + T P2 T' with T = N + V
+    X', and P Upsilon = P U0 + T (P2 K): linear in P1, P2 and P2 K once X is given. Where N is square
+    there is no X and nothing is lost; otherwise X and K are improved in turns, each turn by the solver.
+    """
+
+    plant: Persidskii
+    parts: Split
+    corners: dict[str, FloatArray]
+    base: FloatArray
+    free: FloatArray
+    decay: float
+    solver: str
+    bounds: dict[str, float]
+
+    def made(self) -> FloatArray:
+        """An Upsilon whose output injection is small among those that reach the decay."""
+        tilt = self.free
+        rest = np.linalg.svd(self.free.T)[2][self.free.shape[1] :].T
+        if rest.shape[1]:
+            tilt = self._tilted(rest)
+        problem = self._problem(tilt, rest, slack=False).number("size")
+        problem.above(
+            "size - K2' P2^-1 K2",
+            lambda v: np.block([[v.size * np.eye(self.plant.p), v.K2.T], [v.K2, v.P2]]),
+            strict=False,
+        )
+        return self._upsilon(problem.solve(minimise=lambda v: v.size, solver=self.solver).values)
+
+    def _tilted(self, rest: FloatArray) -> FloatArray:
+        """A T for which the inequality can be satisfied, found by turns."""
+        tilt, slack = self.free, np.inf
+        for _ in range(TURNS_MOST):
+            problem = self._problem(tilt, rest, slack=True)
+            values = problem.solve(minimise=lambda v: v.slack, solver=self.solver).values
+            slack = values["slack"] - SLACK
+            if slack < -2.0 * problem.margin:
+                return tilt
+            upsilon = self._upsilon(values)
+            values = self._analysis(upsilon).solve(minimise=lambda v: v.slack, solver=self.solver).values
+            inner = self.free.T @ values["P"] @ self.free
+            tilt = self.free + rest @ np.linalg.solve(inner, self.free.T @ values["P"] @ rest).T
+        raise UndecidedError(
+            f"no Upsilon with a decay of {self.decay:g} was found in {TURNS_MOST} turns, the inequality "
+            f"still lacks {slack:.3g}; that proves nothing: try a smaller decay or injection=True"
+        )
+
+    def _upsilon(self, values: dict[str, Any]) -> FloatArray:
+        return np.asarray(self.base + self.free @ np.linalg.solve(values["P2"], values["K2"]))
+
+    def _problem(self, tilt: FloatArray, rest: FloatArray, *, slack: bool) -> MatrixInequalities:
+        """For a given T: unknown are P1, P2 and K2 = P2 K."""
+        width, other = tilt.shape[1], rest.shape[1]
+        problem = MatrixInequalities("choice of Upsilon", **self.bounds).positive("P2", width)
+        if other:
+            problem.positive("P1", other)
+        problem.free("K2", width, self.plant.p)
+
+        def p(v: Any) -> FloatArray:
+            whole = tilt @ v.P2 @ tilt.T
+            return np.asarray(whole + rest @ v.P1 @ rest.T if other else whole)
+
+        def closed(v: Any, first: FloatArray, second: FloatArray) -> FloatArray:
+            return np.asarray(p(v) @ (first + self.base @ second) + tilt @ v.K2 @ second)
+
+        return self._inequalities(problem, p, closed, slack)
+
+    def _analysis(self, upsilon: FloatArray) -> MatrixInequalities:
+        """For a given Upsilon: unknown is the whole P."""
+        problem = MatrixInequalities("analysis", **self.bounds).positive("P", len(upsilon))
+
+        def closed(v: Any, first: FloatArray, second: FloatArray) -> FloatArray:
+            return np.asarray(v.P @ (first + upsilon @ second))
+
+        return self._inequalities(problem, lambda v: v.P, closed, True)
+
+    def _inequalities(
+        self, problem: MatrixInequalities, p: Any, closed: Any, slack: bool
+    ) -> MatrixInequalities:
+        """S0'P + P S0 + 2 sym(P S1 D J) + 3 decay P < slack I, or the LMI of Theorem 3.3.2 without delta."""
+        parts = self.parts
+        if slack:
+            problem.number("slack")
+
+        def spare(v: Any) -> float:
+            return float(v.slack) - SLACK if slack else 0.0
+
+        if self.plant.time == "continuous":
+            for name, corner in self.corners.items():
+                slope = corner @ parts.inner
+                a, c = parts.drift + parts.driven @ slope, parts.seen + parts.shown @ slope
+                problem.below(f"the inequality, D = diag({name})", self._dissipation(p, closed, spare, a, c))
+            return problem
+        q, k = len(parts.drift), self.plant.k
+        constant, keep = lipschitz_constant(self.plant, parts.inner), exp(-3.0 * self.decay)
+        problem.number("alpha")
+
+        def block(v: Any) -> FloatArray:
+            held = np.zeros((q + k, q + k))
+            held[:q, :q] = v.alpha * constant**2 * np.eye(q) - keep * p(v)
+            held[q:, q:] = -v.alpha * np.eye(k)
+            onward = np.hstack([closed(v, parts.drift, parts.seen), closed(v, parts.driven, parts.shown)])
+            whole = np.block([[held, onward.T], [onward, -p(v)]])
+            return np.asarray(whole - spare(v) * np.eye(len(whole)))
+
+        return problem.below("the LMI", block)
+
+    def _dissipation(self, p: Any, closed: Any, spare: Any, a: FloatArray, c: FloatArray) -> Block:
+        def block(v: Any) -> FloatArray:
+            onward = 2.0 * symmetric(closed(v, a, c)) + 3.0 * self.decay * p(v)
+            return np.asarray(onward - spare(v) * np.eye(len(a)))
+
+        return block

@@ -1,0 +1,1 @@
+"""Regressors and their excitation: gradient and nonlinear (section 3.3)."""

@@ -1,0 +1,1 @@
+"""Triangular systems: steady states as polynomials, and the interlaced observer (chapter 4)."""

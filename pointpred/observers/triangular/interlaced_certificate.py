@@ -1,0 +1,105 @@
+"""Theorem 4.4.1: a gain for the observer of an interlaced system, its certificate and the corrected bound."""
+
+from __future__ import annotations
+
+from math import exp, sqrt
+from typing import Any
+
+import msgspec
+import numpy as np
+from numpy.typing import ArrayLike
+
+from pointpred.columns import FloatArray
+from pointpred.differentiators.sampling import is_number
+from pointpred.errors import ParameterError
+from pointpred.observers.detectability import require_detectable
+from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred.observers.matrices import matrix
+
+
+class InterlacedCertificate(msgspec.Struct, frozen=True):
+    """P, Q, Gamma and U of the theorem with margins recomputed from them, L = P^-1 U, and what they prove.
+
+    |e(t)| <= overshoot exp(-rate t) |e(0)| + noise_gain sup|y - C w| for e = w - w_hat, with
+    rate = lambda_min(P^-1 Q) / 2 in 1/s, overshoot = sqrt(lambda_max(P) / lambda_min(P)) and
+    noise_gain = sqrt(lambda_max(Gamma) / (2 rate lambda_min(P))). The error of y holds the noise and what the
+    plant has not yet converged to its steady state.
+
+    The print has the first root upside down and leaves out lambda_min(Q) under the second; with
+    lambda_min(Q) / lambda_max(P), which is no larger, in place of 2 rate, its bound is true as well.
+    """
+
+    P: Any
+    Q: Any
+    Gamma: Any
+    U: Any
+    L: Any
+    margins: dict[str, float]
+    rate: float
+    overshoot: float
+    noise_gain: float
+
+    def bound(self, t: float, start: float, noise: float) -> float:
+        """The largest error of w at ``t`` s, from its ``start`` and the largest error of y, ``noise``."""
+        return self.overshoot * exp(-self.rate * t) * start + self.noise_gain * noise
+
+
+def inequalities(a: ArrayLike, c: ArrayLike) -> MatrixInequalities:
+    """Theorem 4.4.1 as a problem in P, Q, Gamma and U, with strict inequalities; ``check`` audits a print."""
+    system = matrix("A", a)
+    q = len(system)
+    output = matrix("C", c, None, q)
+    p = len(output)
+
+    def block(v: Any) -> FloatArray:
+        corner = v.P @ system - v.U @ output
+        return np.block([[corner + corner.T + v.Q, -v.U], [-v.U.T, -v.Gamma]])
+
+    problem = MatrixInequalities("Theorem 4.4.1").positive("P", q)
+    problem.symmetric("Q", q).symmetric("Gamma", p).free("U", q, p)
+    problem.above("Q", lambda v: v.Q).above("Gamma", lambda v: v.Gamma)
+    return problem.below("the matrix of (4.16)", block)
+
+
+def certify(
+    a: ArrayLike, c: ArrayLike, *, rate: float = 0.5, gain: ArrayLike | None = None
+) -> InterlacedCertificate:
+    """Find a gain and a certificate for it, or a certificate for a gain that is given.
+
+    Of all that decay at ``rate`` the one with the least trace of P and Gamma is taken: little overshoot,
+    little noise. Says nothing about the plant: that it converges to its steady state is assumption 4.4.2.
+
+    Parameters: ``a`` of the generator; ``c`` with h(rho, pi) = C w; ``rate`` in 1/s, above 0; ``gain`` L.
+    Raises ParameterError, InfeasibleError (before any solver runs for an eigenvalue that y does not show),
+    UndecidedError and CertificateError. Reference: Khalin 2022, Theorem 4.4.1.
+
+    >>> found = certify([[0.0, 1.0], [-1.0, 0.0]], [[1.0, 0.0]], rate=0.25)
+    >>> found.L.round(2).tolist(), round(found.rate, 3), round(found.overshoot, 2)
+    ([[1.0], [0.25]], 0.25, 1.28)
+    """
+    system = matrix("A", a)
+    output = matrix("C", c, None, len(system))
+    if not is_number(rate) or not 0.0 < rate < np.inf:
+        raise ParameterError(f"rate must be a positive number of 1/s, received {rate!r}")
+    require_detectable(system, output, "continuous", "(A, C)")
+    problem = inequalities(system, output).above("Q - 2 rate P", lambda v: v.Q - 2.0 * rate * v.P)
+    if gain is not None:
+        given = matrix("gain", gain, len(system), len(output))
+        problem.equal("U = P L", lambda v: v.U - v.P @ given)
+    solution = problem.solve(minimise=lambda v: np.trace(v.P) + np.trace(v.Gamma))
+    return certificate(solution.values, solution.margins)
+
+
+def certificate(values: dict[str, Any], margins: dict[str, float]) -> InterlacedCertificate:
+    """What matrices that passed the audit prove."""
+    p, gamma = np.linalg.eigvalsh(values["P"]), np.linalg.eigvalsh(values["Gamma"])
+    root = np.linalg.inv(np.linalg.cholesky(values["P"]))
+    rate = 0.5 * float(np.linalg.eigvalsh(root @ values["Q"] @ root.T)[0])
+    return InterlacedCertificate(
+        **{name: values[name] for name in ("P", "Q", "Gamma", "U")},
+        L=np.linalg.solve(values["P"], values["U"]),
+        margins=margins,
+        rate=rate,
+        overshoot=sqrt(p[-1] / p[0]),
+        noise_gain=sqrt(gamma[-1] / (2.0 * rate * p[0])),
+    )

@@ -1,0 +1,138 @@
+"""A proof that an expression vanishes nowhere in a region, or a place where it does.
+
+Interval arithmetic encloses every value over a box. A box whose enclosure holds zero is halved; where that
+does not end, nothing is claimed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from math import inf
+from typing import Any
+
+from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
+from pointpred.observers.triangular.polynomials import symbolic
+from pointpred.observers.triangular.system import vanishes
+
+Region = Sequence[tuple[float, float]] | None
+"""Bounds of each state of the generator; ``None`` is the whole space."""
+
+BOXES_MOST = 4000
+"""Boxes looked at before the answer is that none was found."""
+SEARCHED = 10.0
+"""Half the side of the box about the origin that is searched for a zero in the whole space."""
+HALVINGS = 200
+SMALL = 1e-9
+
+
+def prove_nonzero(name: str, expression: Any, over: Sequence[Any], region: Region) -> None:
+    """Return where the expression vanishes nowhere in the region.
+
+    Raises InfeasibleError naming a place where it vanishes or has no value, UndecidedError where neither
+    could be shown, ParameterError for parameters without value. A constant of parameters is taken as generic.
+
+    >>> import sympy as sp
+    >>> w = sp.Symbol("w")
+    >>> prove_nonzero("g", 1 + w**2, [w], None)
+    >>> prove_nonzero("g", 2 - w**2, [w], [(0.0, 2.0)])
+    Traceback (most recent call last):
+    pointpred.errors.InfeasibleError: g vanishes at w = 1.41421
+    """
+    if vanishes(expression)[0]:
+        raise InfeasibleError(f"{name} vanishes everywhere")
+    real = {w: symbolic().Symbol(w.name, real=True) for w in over}
+    if expression.subs(real).is_nonzero or not expression.free_symbols & {*over}:
+        return
+    if foreign := expression.free_symbols - {*over}:
+        raise ParameterError(f"{name} = {expression} needs values for {sorted(map(str, foreign))}")
+    from mpmath import iv  # type: ignore[import-untyped]
+
+    enclose = symbolic().lambdify(over, expression, modules=[_functions(iv), "mpmath"])
+    value = symbolic().lambdify(over, expression, modules="math")
+    if region is None and _excludes_zero(enclose, [iv.mpf(["-inf", "inf"]) for _ in over]):
+        return
+    whole = _box(over, [(-SEARCHED, SEARCHED)] * len(over) if region is None else region)
+    centre = _middle(whole)
+    sign, boxes = _at(value, centre) or 0.0, [whole]
+    for _ in range(BOXES_MOST):
+        if not boxes:
+            break
+        box = boxes.pop(0)
+        if _excludes_zero(enclose, [iv.mpf(list(side)) for side in box]):
+            continue
+        middle = _middle(box)
+        here = _at(value, middle)
+        if here is None or here == 0.0:
+            what = "has no value" if here is None else "vanishes"
+            raise InfeasibleError(f"{name} {what} at {_shown(over, middle)}")
+        if here * sign < 0.0:
+            raise InfeasibleError(_crossing(name, value, over, centre, middle))
+        boxes += _halves(box)
+    if boxes or region is None:
+        wanted = "region" if region is None else "smaller region"
+        raise UndecidedError(
+            f"{name} = {expression} was neither shown to vanish nowhere nor found to vanish in {BOXES_MOST} "
+            f"boxes; give a {wanted} of the generator"
+        )
+
+
+def _functions(iv: Any) -> dict[str, Any]:
+    """What a printed expression calls, on intervals; constants become intervals as well."""
+    return {name: getattr(iv, name) for name in ("mpf", "sin", "cos", "tan", "exp", "log", "sqrt")}
+
+
+def _excludes_zero(enclose: Callable[..., Any], box: Sequence[Any]) -> bool:
+    """Whether an enclosure keeps clear of zero by more than the rounding of the constants."""
+    try:
+        found = enclose(*box)
+    except (ValueError, TypeError, NotImplementedError, ZeroDivisionError):
+        return False  # no enclosure: the box is halved, in the end nothing is claimed
+    low, high = float(found.a), float(found.b)
+    return low > SMALL or high < -SMALL
+
+
+def _box(over: Sequence[Any], region: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
+    if len(region) != len(over) or any(not -inf < low <= high < inf for low, high in region):
+        raise ParameterError(f"region needs {len(over)} pairs (low, high), received {region!r}")
+    return [(float(low), float(high)) for low, high in region]
+
+
+def _middle(box: Sequence[tuple[float, float]]) -> list[float]:
+    return [0.5 * (low + high) for low, high in box]
+
+
+def _halves(box: list[tuple[float, float]]) -> list[list[tuple[float, float]]]:
+    """The two halves across the longest side."""
+    longest = max(range(len(box)), key=lambda i: box[i][1] - box[i][0])
+    low, high = box[longest]
+    middle = 0.5 * (low + high)
+    return [[*box[:longest], side, *box[longest + 1 :]] for side in ((low, middle), (middle, high))]
+
+
+def _at(value: Callable[..., Any], place: Sequence[float]) -> float | None:
+    try:
+        return float(value(*place))
+    except (ValueError, ZeroDivisionError, OverflowError):
+        return None
+
+
+def _crossing(
+    name: str, value: Callable[..., Any], over: Sequence[Any], start: list[float], end: list[float]
+) -> str:
+    """What lies between two places of opposite sign: a zero, or a place without value."""
+    sign = _at(value, start) or 0.0
+    for _ in range(HALVINGS):
+        middle = [0.5 * (a + b) for a, b in zip(start, end, strict=True)]
+        here = _at(value, middle)
+        if here is None:
+            return f"{name} has no value at {_shown(over, middle)}"
+        if here * sign > 0.0:
+            start = middle
+        else:
+            end = middle
+    small = abs(_at(value, end) or 0.0) < SMALL
+    return f"{name} {'vanishes' if small else 'has no value'} at {_shown(over, end)}"
+
+
+def _shown(over: Sequence[Any], place: Sequence[float]) -> str:
+    return ", ".join(f"{w} = {x:.6g}" for w, x in zip(over, place, strict=True))

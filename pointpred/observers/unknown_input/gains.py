@@ -1,0 +1,107 @@
+"""Gains of an unknown input observer: one small problem for a solver, the rest in closed form."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.errors import InfeasibleError, UndecidedError
+from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred.observers.unknown_input.invariant_zeros import kernel
+
+KAPPA = 1e6
+"""Largest condition of P that is looked for."""
+MODEST = 0.01
+"""What the trace of P counts beside gamma: without it P, and with it the gains, grow for nothing."""
+ROOM = 1.001
+"""gamma is taken this much above the least one, which would hold with equality."""
+
+
+def lyapunov(gammas: FloatArray, ts: FloatArray, c: FloatArray, sigma: float) -> tuple[FloatArray, float]:
+    """P and gamma with F = gamma I: (27c) where no gain acts, that is on the kernel of C.
+
+    The gains drop out (elimination lemma). Where C T = 0, the outputs' part of P drops out as well and is set
+    to the unit; vertices that differ only in what a gain can undo are one inequality. P lies between I and
+    1e6 I: the certificate does not change with its scale.
+
+    Raises UndecidedError where no such P is found although the zeros would allow one.
+    """
+    blind = kernel(c)
+    decoupled = float(np.abs(c @ ts).max()) == 0.0
+    frame = blind if decoupled else np.eye(c.shape[1])
+    rest = np.linalg.pinv(c) @ c if decoupled else np.zeros((c.shape[1], c.shape[1]))
+    # T' enters by its columns of the outputs only, which the kernel of C does not see.
+    cases = np.unique(np.concatenate([gammas @ blind, _root(ts)], axis=2), axis=0)
+
+    def problem(name: str) -> MatrixInequalities:
+        made = MatrixInequalities(f"unknown input observer, {name}", kappa=KAPPA)
+        return made.positive("P", frame.shape[1])
+
+    def corner(case: FloatArray, v: Any) -> FloatArray:
+        moved = case[:, : blind.shape[1]] + 0.5 * sigma * blind
+        half: FloatArray = blind.T @ (rest + frame @ v.P @ frame.T) @ moved
+        return half + half.T
+
+    def whole(case: FloatArray, v: Any) -> FloatArray:
+        side = blind.T @ (rest + frame @ v.P @ frame.T) @ case[:, blind.shape[1] :]
+        return np.block([[corner(case, v), side], [side.T, -v.gamma * np.eye(side.shape[1])]])
+
+    best, any_p = problem("least gamma").number("gamma"), problem("decay")
+    for i, case in enumerate(cases):
+        best.below(f"(27c), case {i}", partial(whole, case))
+        any_p.below(f"decay, case {i}", partial(corner, case))
+    try:
+        values = best.solve(minimise=lambda v: v.gamma + MODEST * np.trace(v.P)).values
+    except (InfeasibleError, UndecidedError):  # gamma may have to be larger than a solver can handle
+        try:
+            values = any_p.solve().values
+        except InfeasibleError as none:
+            raise UndecidedError(
+                f"the invariant zeros allow sigma = {sigma:g}, but too closely for a P of condition "
+                f"{KAPPA:g}: choose a smaller sigma or a smaller box ({none})"
+            ) from none
+    p = rest + frame @ values["P"] @ frame.T
+    return p, ROOM * least_gamma(gammas, ts, c, p, sigma)
+
+
+def _root(ts: FloatArray) -> FloatArray:
+    """R with R R' = T T' for each T, as few columns as T has rows that differ from zero."""
+    found = np.array([np.asarray(np.linalg.qr(t.T, mode="r")).T for t in ts])
+    used = np.abs(found).max(axis=(0, 1)) > 0.0
+    return found[:, :, used]
+
+
+def least_gamma(gammas: FloatArray, ts: FloatArray, c: FloatArray, p: FloatArray, sigma: float) -> float:
+    """The least gamma for which P satisfies (27c) on the kernel of C at every vertex."""
+    blind, least = kernel(c), 0.0
+    for gamma_i, t_i in zip(gammas, ts, strict=True):
+        half = blind.T @ p @ (gamma_i + 0.5 * sigma * np.eye(len(p))) @ blind
+        side = blind.T @ p @ t_i
+        least = max(least, float(np.linalg.eigvalsh(side.T @ np.linalg.solve(-(half + half.T), side))[-1]))
+    return least
+
+
+def gain(
+    gamma_i: FloatArray,
+    t_i: FloatArray,
+    c: FloatArray,
+    p: FloatArray,
+    gamma: float,
+    sigma: float,
+    output_rate: float,
+) -> FloatArray:
+    """W = P K at one vertex: it cancels what couples the outputs with the rest, and lets them fade.
+
+    In the basis (C^+, ker C) the Schur complement of (27c) becomes diag(-2 rho P_11, what P was solved for).
+    """
+    basis = np.hstack([np.linalg.pinv(c), kernel(c)])
+    seen = c.shape[0]
+    whole = gamma_i.T @ p + p @ gamma_i + sigma * p + p @ t_i @ t_i.T @ p / gamma
+    turned = basis.T @ whole @ basis
+    own = (basis.T @ p @ basis)[:seen, :seen]
+    w1 = 0.5 * turned[:seen, :seen] + output_rate * own
+    found: FloatArray = np.linalg.solve(basis.T, np.vstack([w1, turned[seen:, :seen]]))
+    return found

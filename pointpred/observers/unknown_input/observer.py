@@ -1,0 +1,185 @@
+"""Unknown input observers for parameter-varying systems: designed with a certificate, or refused."""
+
+from __future__ import annotations
+
+from math import isfinite
+from typing import Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pointpred.columns import FloatArray
+from pointpred.differentiators.sampling import is_number
+from pointpred.errors import InfeasibleError, ParameterError
+from pointpred.observers.unknown_input.boxes import Box
+from pointpred.observers.unknown_input.certificate import (
+    UnknownInputCertificate,
+    largest_sigma,
+    verified,
+)
+from pointpred.observers.unknown_input.gains import gain, lyapunov
+from pointpred.observers.unknown_input.invariant_zeros import fixed_modes, kernel
+from pointpred.observers.unknown_input.run import (
+    RunningUnknownInputObserver,
+    UnknownInputEstimate,
+    UnknownInputSample,
+)
+from pointpred.observers.unknown_input.system import ParameterVaryingSystem, Point
+from pointpred.observers.unknown_input.takagi_sugeno import TakagiSugeno
+
+
+class UnknownInputObserver:
+    """Estimates the state of a system some of whose inputs nobody measures.
+
+    Assumes that the scheduling variables stay in the box. It gives up every output direction that an unknown
+    input reaches; what is left without an output, the invariant zeros, follows the model alone, at its own
+    pace. With as many outputs as unknown inputs that is everything: no measurement corrects the estimate.
+
+    z' = N z + T b + L y, x_hat = z - E y, E = -F (C F)^+, T = I + E C, N = T A + T' - K C, L = K - N E.
+    Then e = T x - z obeys e' = N e + T delta, delta = (A(p) - A(p_hat)) x: Theorem 1 with - W C in (27c).
+
+    Made by ``design``; ``start`` and ``update`` run it. Memory: a gain a vertex, and one sample. Raises
+    ParameterError for shapes, ranks and points without sense; InfeasibleError where a zero reaches -sigma/2,
+    before any solver runs, with the largest feasible sigma; UndecidedError where no solver could tell;
+    CertificateError where recomputed eigenvalues fail.
+
+    Reference: Benyoucef et al. 2021, equations (16) to (27), (44), corrected as docs/equations.md says.
+
+    >>> system = ParameterVaryingSystem(
+    ...     lambda p: np.array([[0.0, 1.0], [0.0, p["k"]]]), lambda p: np.array([[1.0], [0.0]]), np.eye(1, 2)
+    ... )
+    >>> observer = UnknownInputObserver.design(system, Box({"k": (-3.0, -1.0)}), sigma=1.0)
+    >>> observer.certificate.largest_sigma, observer.certificate.margin > 0.0
+    (2.0, True)
+    >>> UnknownInputObserver.design(system, Box({"k": (-3.0, 0.5)}), sigma=1.0)
+    Traceback (most recent call last):
+    pointpred.errors.InfeasibleError: the invariant zero 0.5 1/s at {'k': 0.5} must lie below -sigma/2 = \
+-0.5 1/s: no sigma above 0 is feasible in this box
+    """
+
+    def __init__(
+        self,
+        system: ParameterVaryingSystem,
+        box: Box,
+        certificate: UnknownInputCertificate,
+        gains: TakagiSugeno,
+    ) -> None:
+        self.system, self.box, self.certificate, self.gains = system, box, certificate, gains
+        self._blind = kernel(system.c)
+        self._running: RunningUnknownInputObserver | None = None
+
+    @classmethod
+    def design(
+        cls, system: ParameterVaryingSystem, box: Box, sigma: float, *, output_rate: float = 5.0
+    ) -> Self:
+        """An observer whose error fades at least as exp(-sigma t / 2), with the proof.
+
+        ``sigma`` 1/s, positive; ``output_rate`` 1/s, how fast errors of the outputs themselves fade.
+        """
+        for name, value in (("sigma", sigma), ("output_rate", output_rate)):
+            if not (is_number(value) and isfinite(value) and value > 0.0):
+                raise ParameterError(f"{name} must be positive and finite, received {value!r}")
+        system.checked(box)
+        zeros = zeros_over(system, box)
+        refuse(box, zeros, sigma)
+        gammas = TakagiSugeno.of(system.gamma, box, "Gamma = T A + T'").matrices
+        ts = TakagiSugeno.of(system.t, box, "T").matrices
+        p, gamma = lyapunov(gammas, ts, system.c, sigma)
+        force = gamma * np.eye(len(p))
+        ws = np.array(
+            [gain(one, t, system.c, p, gamma, sigma, output_rate) for one, t in zip(gammas, ts, strict=True)]
+        )
+        certificate = verified(gammas, ts, system.c, p, ws, force, sigma, zeros)
+        return cls(system, box, certificate, TakagiSugeno(box, np.linalg.solve(p, ws)))
+
+    def start(self, estimate: FloatArray) -> None:
+        """Forget every sample and begin at an estimate; its outputs give way to the first sample's."""
+        self._running = RunningUnknownInputObserver(self, estimate)
+
+    def update(self, sample: UnknownInputSample, /) -> UnknownInputEstimate:
+        """Consume one sample after ``start``; a refused one changes nothing."""
+        if self._running is None:
+            raise ParameterError("an estimate to start with is needed: call start(estimate) first")
+        return self._running.update(sample)
+
+    def rate(self, z: FloatArray, y: FloatArray, point: Point, known: FloatArray) -> FloatArray:
+        """The rate of z in the full form; ``known`` is b(y, u).
+
+        Outside the box the gains are those of its nearest point, and nothing is proved.
+        """
+        k, e = self.gains.at(self.box.nearest(point)), self.system.e(point)
+        n = self.system.gamma(point) - k @ self.system.c
+        rate: FloatArray = n @ z + self.system.t(point) @ known + (k - n @ e) @ y
+        return rate
+
+    def estimate(self, z: FloatArray, y: FloatArray, point: Point) -> FloatArray:
+        """x_hat = z - E y."""
+        found: FloatArray = z - self.system.e(point) @ y
+        return found
+
+    def begin(self, estimate: FloatArray, point: Point) -> FloatArray:
+        """The z that stands for an estimate: T x_hat."""
+        z: FloatArray = self.system.t(point) @ estimate
+        return z
+
+    @property
+    def reducible(self) -> bool:
+        """Whether C T = 0: with as many outputs as unknown inputs the rest needs no gain."""
+        middle = self.box.named(self.box.vertices[0])
+        return bool(self.system.f(middle).shape[1] == self.system.c.shape[0])
+
+    def reduce(self, z: FloatArray) -> FloatArray:
+        """The coordinates of the reduced form: those of z in the kernel of C."""
+        if not self.reducible:
+            inputs = self.system.f(self.box.named(self.box.vertices[0])).shape[1]
+            raise ParameterError(
+                f"the reduced form needs as many outputs as unknown inputs, received "
+                f"{self.system.c.shape[0]} outputs and {inputs} inputs"
+            )
+        reduced: FloatArray = self._blind.T @ z
+        return reduced
+
+    def expand(self, reduced: FloatArray) -> FloatArray:
+        """The z that has the coordinates of the reduced form."""
+        z: FloatArray = self._blind @ reduced
+        return z
+
+    def reduced_rate(self, reduced: FloatArray, y: FloatArray, point: Point, known: FloatArray) -> FloatArray:
+        """The rate of the reduced form, which needs no gain and holds outside the box as well.
+
+        Equal to the full form that began with C x_hat = y: C z = 0 stays true, so K never acts.
+        """
+        estimate = self.expand(reduced) - self.system.e(point) @ y
+        return self.reduce(self.system.gamma(point) @ estimate + self.system.t(point) @ known)
+
+
+def zeros_over(system: ParameterVaryingSystem, box: Box) -> NDArray[np.complex128]:
+    """The invariant zeros at each vertex, one row a vertex; no solver is needed for it."""
+    points = [box.named(vertex) for vertex in box.vertices]
+    rows = [fixed_modes(system.ta(p), system.c) for p in points]
+    widest = max(len(row) for row in rows)
+    if any(len(row) != widest for row in rows):
+        raise ParameterError(
+            f"the number of invariant zeros must not change over the box, it lies between "
+            f"{min(len(row) for row in rows)} and {widest}"
+        )
+    return np.array(rows).reshape(len(rows), widest)
+
+
+def refuse(box: Box, zeros: NDArray[np.complex128], sigma: float) -> None:
+    """Raise InfeasibleError where a zero reaches -sigma/2, with the largest sigma."""
+    most = largest_sigma(zeros)
+    if sigma < most:
+        return
+    vertex = int(zeros.real.max(axis=1).argmax())
+    zero = zeros[vertex][zeros[vertex].real.argmax()]
+    said = f"{zero.real:.6g}" if zero.imag == 0.0 else f"{zero:.6g}"
+    end = (
+        f"the largest feasible sigma is below {most:.6g} 1/s"
+        if most > 0.0
+        else "no sigma above 0 is feasible in this box"
+    )
+    raise InfeasibleError(
+        f"the invariant zero {said} 1/s at {box.named(box.vertices[vertex])} must lie below "
+        f"-sigma/2 = {-0.5 * sigma:g} 1/s: {end}"
+    )

@@ -1,0 +1,134 @@
+"""Parameter-varying systems with unknown inputs, and what decouples an observer from those inputs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.errors import ParameterError
+from pointpred.observers.matrices import matrix
+from pointpred.observers.unknown_input.boxes import Box
+from pointpred.observers.unknown_input.invariant_zeros import decoupling
+from pointpred.observers.unknown_input.takagi_sugeno import Scheduled, TakagiSugeno
+
+Point = Mapping[str, float]
+
+
+class ParameterVaryingSystem:
+    """x' = A(p) x + b(y, u) + F(p) d, y = C x, with d unknown and p scheduled.
+
+    Assumes that F depends on measured variables only, and that the rate of each variable it depends on is a
+    scheduling variable as well: T changes with F, and the observer needs its rate.
+
+    E = -F (C F)^+, T = I + E C, so that T F = 0; Gamma = T A + T'. With rank(C F) = rank(F) the unknown
+    input does not enter e = T x - z at all.
+
+    Parameters: ``a``, ``f`` functions of a point, n x n and n x m; ``c`` p x n; ``rates`` names the variable
+    that is the rate of another; ``decoupled`` T A as a function of a point, where it takes fewer variables
+    than A itself does.
+    Raises ParameterError for shapes that do not fit.
+
+    Reference: Benyoucef et al. 2021, equations (15), (16), (22), with the signs of (17), (18).
+
+    >>> system = ParameterVaryingSystem(
+    ...     lambda p: np.array([[-1.0, 1.0], [0.0, p["k"]]]),
+    ...     lambda p: np.array([[1.0], [2.0]]),
+    ...     np.array([[1.0, 0.0]]),
+    ... )
+    >>> system.t({"k": -3.0}).tolist()
+    [[0.0, 0.0], [-2.0, 1.0]]
+    """
+
+    def __init__(
+        self,
+        a: Scheduled,
+        f: Scheduled,
+        c: FloatArray,
+        *,
+        rates: Mapping[str, str] | None = None,
+        decoupled: Scheduled | None = None,
+    ) -> None:
+        self._a, self._f, self._decoupled = a, f, decoupled
+        self.c = _shaped("C", c, (None, None))
+        self.rates = dict(rates or {})
+
+    def a(self, point: Point) -> FloatArray:
+        """A at a point, n x n."""
+        return _shaped("A", self._a(point), (self.c.shape[1], self.c.shape[1]))
+
+    def f(self, point: Point) -> FloatArray:
+        """F at a point, n x m."""
+        return _shaped("F", self._f(point), (self.c.shape[1], None))
+
+    def e(self, point: Point) -> FloatArray:
+        """E = -F (C F)^+, n x p."""
+        f = self.f(point)
+        found: FloatArray = -f @ np.linalg.pinv(self.c @ f)
+        return found
+
+    def t(self, point: Point) -> FloatArray:
+        """T = I + E C; raises ParameterError naming the ranks where T F = 0 cannot be had."""
+        return decoupling(self.f(point), self.c)
+
+    def e_rate(self, point: Point) -> FloatArray:
+        """dE/dt where F moves with the rates of its variables; exact for F affine in each of them."""
+        f = self.f(point)
+        moving: FloatArray = np.zeros_like(f)
+        for name, rate in self.rates.items():
+            slope = self.f({**point, name: point[name] + 1.0}) - f
+            moving = np.asarray(moving + slope * point[rate], np.float64)
+        seen, seen_rate = self.c @ f, self.c @ moving
+        inverse = np.asarray(np.linalg.pinv(seen), np.float64)
+        square = np.linalg.inv(seen.T @ seen)
+        inverse_rate = -inverse @ seen_rate @ inverse
+        inverse_rate += square @ seen_rate.T @ (np.eye(len(seen)) - seen @ inverse)
+        rate_of_e: FloatArray = -(moving @ inverse + f @ inverse_rate)
+        return rate_of_e
+
+    def ta(self, point: Point) -> FloatArray:
+        """T A at a point."""
+        if self._decoupled is not None:
+            return _shaped("T A", self._decoupled(point), (self.c.shape[1], self.c.shape[1]))
+        found: FloatArray = self.t(point) @ self.a(point)
+        return found
+
+    def gamma(self, point: Point) -> FloatArray:
+        """Gamma = T A + T', what the error would do without a gain."""
+        found: FloatArray = self.ta(point) + self.e_rate(point) @ self.c
+        return found
+
+    def checked(self, box: Box) -> None:
+        """Raise ParameterError where the system and a box of its variables do not fit together."""
+        for name, rate in self.rates.items():
+            for one in (name, rate):
+                if one not in box.names:
+                    raise ParameterError(f"the box needs the axis {one}, received {', '.join(box.names)}")
+        for vertex in box.vertices:
+            point = box.named(vertex)
+            try:
+                self.t(point)
+                self.ta(point)
+            except KeyError as missing:
+                raise ParameterError(
+                    f"the system needs the variable {missing}, the box has {', '.join(box.names)}"
+                ) from missing
+            except ParameterError as wrong:
+                raise ParameterError(f"{wrong}; at the vertex {point}") from wrong
+        forces = TakagiSugeno.of(self.f, box, "F")
+        for name, (low, high) in box.bounds.items():
+            point = box.named(box.vertices[0])
+            moved = forces.at({**point, name: high}) - forces.at({**point, name: low})
+            if name not in self.rates and np.abs(moved).max() > 0.0:
+                raise ParameterError(f"F varies with {name}: its rate must be a scheduling variable too")
+
+
+def _shaped(name: str, given: Any, shape: tuple[int | None, int | None]) -> FloatArray:
+    found = matrix(name, given) if np.ndim(given) == 2 else np.zeros(np.shape(given))
+    if found.ndim != 2 or any(one not in (None, has) for one, has in zip(shape, found.shape, strict=True)):
+        rows, columns = shape
+        wanted = f"({rows or 'outputs'}, {columns or ('inputs' if rows else 'states')})"
+        raise ParameterError(f"{name} has shape {found.shape}, needs {wanted}")
+    return found
