@@ -2,27 +2,29 @@
 
 from __future__ import annotations
 
-from pointpred.server.assisted_messages import Assist, Cursor
-from pointpred.server.messages import (
+from pointpred.server.protocol.assisted import Assist, Cursor
+from pointpred.server.protocol.client_messages import (
     Bye,
-    Choice,
     Configure,
     Device,
-    ErrorMessage,
     Events,
     Goal,
     Hello,
+    Reset,
+    Screen,
+    Target,
+    Targets,
+    TrialMark,
+)
+from pointpred.server.protocol.server_messages import (
+    Choice,
+    ErrorMessage,
     Likely,
     Limits,
     PredictionMessage,
     Region,
-    Reset,
     Score,
-    Screen,
-    Target,
-    Targets,
     TargetsTaken,
-    TrialMark,
     Welcome,
 )
 

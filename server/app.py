@@ -25,7 +25,7 @@ from pointpred.server.hosts import HostGuard, HostRule
 from pointpred.server.http_answers import SAFE, answer, fail, harden, miss, refuse, turn_down
 from pointpred.server.live_endpoint import NO_DEVICE, LiveEndpoint
 from pointpred.server.service import Service
-from pointpred.server.uploads import UploadError, received
+from pointpred.server.uploads.uploads import UploadError, received
 
 SCRIPT = "text/javascript"
 WEB = Path(__file__).with_name("web")
@@ -153,7 +153,7 @@ def _live(request: Request) -> Response:
 
 async def _score(request: Request, predictors: str = "") -> Response:
     """The scores of a recording: the body is a CSV or Parquet file of samples; nothing is kept."""
-    from pointpred.server.scoring_api import score_body
+    from pointpred.server.uploads.scoring import score_body
 
     service: Service = request.app.state.service
     names = _names(predictors)

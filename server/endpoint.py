@@ -11,13 +11,14 @@ from urllib.parse import parse_qs
 
 from uvicorn.protocols.utils import ClientDisconnected
 
-from pointpred.server.conversation import FAILED
-from pointpred.server.early import Early
+from pointpred.server.connections.early import Early
+from pointpred.server.connections.talk import LAST_S, Receive, Send, Talk
 from pointpred.server.hosts import admits_origin, header
 from pointpred.server.logs import place_of
-from pointpred.server.messages import SUBPROTOCOL, Bye, Code, ErrorMessage, encode
+from pointpred.server.protocol.client_messages import SUBPROTOCOL, Bye
+from pointpred.server.protocol.server_messages import Code, ErrorMessage, encode
 from pointpred.server.service import Service
-from pointpred.server.talk import LAST_S, Receive, Send, Talk
+from pointpred.server.sessions.conversation import FAILED
 
 log = logging.getLogger("pointpred.service")
 

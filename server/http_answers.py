@@ -10,7 +10,7 @@ from starlette.exceptions import HTTPException
 
 from pointpred.server.endpoint import SHOW_TOKEN, shows_token
 from pointpred.server.hosts import admits_origin
-from pointpred.server.uploads import UploadError
+from pointpred.server.uploads.uploads import UploadError
 
 SAFE = {
     "Content-Security-Policy": "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; "

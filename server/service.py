@@ -9,18 +9,18 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 
-from pointpred.server.conversation import Conversation
-from pointpred.server.live import LiveFeed
-from pointpred.server.live_viewer import Viewer
+from pointpred.server.connections.talk import Talk
+from pointpred.server.live.feed import LiveFeed
+from pointpred.server.live.viewer import Viewer
 from pointpred.server.logs import place_of
-from pointpred.server.messages import Hello
 from pointpred.server.metrics import Counted, Metrics
-from pointpred.server.recorder import Recorder
-from pointpred.server.session import Session
+from pointpred.server.protocol.client_messages import Hello
+from pointpred.server.recorder.recorder import Recorder
+from pointpred.server.sessions.conversation import Conversation
+from pointpred.server.sessions.session import Session
+from pointpred.server.sessions.watch import Watch
 from pointpred.server.settings import Settings
-from pointpred.server.talk import Talk
 from pointpred.server.warm import warm
-from pointpred.server.watch import Watch
 
 log = logging.getLogger("pointpred.service")
 

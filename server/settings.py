@@ -13,7 +13,7 @@ from pydantic import BeforeValidator, Field, field_validator
 from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 
 from pointpred.server.hosts import is_address
-from pointpred.server.messages import Limits
+from pointpred.server.protocol.server_messages import Limits
 
 
 def _parts(value: Any) -> Any:

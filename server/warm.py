@@ -23,8 +23,8 @@ from pointpred.differentiators import HomogeneousDifferentiator
 from pointpred.events import PointerEvent
 from pointpred.pipeline import run
 from pointpred.registry import REGISTRY, build
-from pointpred.server.records import EVENT
-from pointpred.server.session import Session
+from pointpred.server.protocol.records import EVENT
+from pointpred.server.sessions.session import Session
 from pointpred.server.settings import Settings
 from pointpred.targets import Chooser, around
 

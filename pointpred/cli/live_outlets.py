@@ -18,9 +18,9 @@ from pointpred.errors import ParameterError, SourceError
 
 if TYPE_CHECKING:
     from pointpred.devices.sessions import LiveSession
-    from pointpred.server.live import LiveFeed
-    from pointpred.server.live_messages import Curve
-    from pointpred.server.live_recording import LiveRecording
+    from pointpred.server.live.feed import LiveFeed
+    from pointpred.server.protocol.live import Curve
+    from pointpred.server.recorder.live import LiveRecording
     from pointpred.transfer import GainCurve
 
 
@@ -160,14 +160,14 @@ class Outlets:
 
 def curve_message(words: str, curve: GainCurve | None = None) -> Curve:
     """What viewers hear of the transfer function."""
-    from pointpred.server.live_messages import Curve
+    from pointpred.server.protocol.live import Curve
 
     return Curve(words, curve)
 
 
 def _recording(session: LiveSession, wanted: Wanted) -> LiveRecording:
-    from pointpred.server.live_recording import LiveRecording
-    from pointpred.server.messages import Device, Hello, Screen
+    from pointpred.server.protocol.client_messages import Device, Hello, Screen
+    from pointpred.server.recorder.live import LiveRecording
 
     assert wanted.record is not None
     hello = Hello(1, wanted.predictor, device=Device(cpi=wanted.cpi), screen=Screen(dpi=wanted.dpi))
@@ -177,8 +177,8 @@ def _recording(session: LiveSession, wanted: Wanted) -> LiveRecording:
 
 
 def _feed(session: LiveSession, wanted: Wanted) -> LiveFeed:
-    from pointpred.server.live import LiveFeed
-    from pointpred.server.live_messages import Attached
+    from pointpred.server.live.feed import LiveFeed
+    from pointpred.server.protocol.live import Attached
 
     source = session.source
     about = Attached(

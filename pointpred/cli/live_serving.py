@@ -11,7 +11,7 @@ import typer
 from pointpred.cli.serve import PORT, TRIES, settings_of
 
 if TYPE_CHECKING:
-    from pointpred.server.live import LiveFeed
+    from pointpred.server.live.feed import LiveFeed
 
 
 class Serving:
@@ -19,7 +19,7 @@ class Serving:
 
     def __init__(self, feed: LiveFeed, host: str | None, port: int | None) -> None:
         from pointpred.server.hosts import HostRule
-        from pointpred.server.listening import address, listen, make_server
+        from pointpred.server.listening.listening import address, listen, make_server
         from pointpred.server.service import Service
 
         given = {name: value for name, value in (("host", host), ("port", port)) if value is not None}

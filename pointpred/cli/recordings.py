@@ -11,7 +11,7 @@ from pointpred.cli.screen import counted, remarks, results, write_json
 from pointpred.errors import ParameterError
 
 if TYPE_CHECKING:
-    from pointpred.server.recordings import Recorded
+    from pointpred.server.recorder.recordings import Recorded
 
 app = typer.Typer(no_args_is_help=True, help="Sessions that 'pointpred serve --record FOLDER' has kept.")
 
@@ -36,7 +36,7 @@ def list_recordings(
 
       pointpred recordings list --folder kept --json | jq '.recordings[].name'
     """
-    from pointpred.server.recordings import listing
+    from pointpred.server.recorder.recordings import listing
 
     found = listing(_chosen(folder))
     if as_json:
@@ -67,7 +67,7 @@ def delete_recordings(
 
       pointpred recordings delete --all --folder kept
     """
-    from pointpred.server.recordings import delete, listing
+    from pointpred.server.recorder.recordings import delete, listing
 
     chosen = _chosen(folder)
     if everything == bool(names):

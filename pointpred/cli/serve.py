@@ -61,8 +61,8 @@ def serve(
     """
     given = {name: value for name, value in locals().items() if value not in (None, [])}
     from pointpred.server.hosts import HostRule
-    from pointpred.server.listening import address, listen
-    from pointpred.server.listening import serve as answer
+    from pointpred.server.listening.listening import address, listen
+    from pointpred.server.listening.listening import serve as answer
     from pointpred.server.logs import set_up
     from pointpred.server.service import Service
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections import deque
 
 from pointpred.columns import FloatArray
-from pointpred.server.decoding import check_numbers
-from pointpred.server.messages import ErrorMessage
-from pointpred.server.refusals import RefusedError
+from pointpred.server.protocol.decoding import check_numbers
+from pointpred.server.protocol.refusals import RefusedError
+from pointpred.server.protocol.server_messages import ErrorMessage
 
 NEVER = float("-inf")
 

@@ -22,27 +22,29 @@ from pointpred.client.wire import (
 from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.errors import ParameterError, PointpredError
 from pointpred.events import PointerEvent
-from pointpred.server.answers import message as message_of
-from pointpred.server.assisted_messages import Cursor
-from pointpred.server.messages import (
+from pointpred.server.protocol.assisted import Cursor
+from pointpred.server.protocol.client_messages import (
     VERSION,
-    Choice,
     ClientMessage,
     Configure,
     Encoding,
-    ErrorMessage,
     Goal,
     Hello,
-    Likely,
-    PredictionMessage,
     Reply,
     Reset,
-    ServerMessage,
     Target,
     Targets,
     TrialMark,
+)
+from pointpred.server.protocol.server_messages import (
+    Choice,
+    ErrorMessage,
+    Likely,
+    PredictionMessage,
+    ServerMessage,
     Welcome,
 )
+from pointpred.server.sessions.answers import message as message_of
 
 _decode = msgspec.json.Decoder(ServerMessage).decode
 

@@ -11,10 +11,11 @@ import numpy as np
 from pointpred.columns import EventColumns, FloatArray, PredictionColumns
 from pointpred.errors import EventError, ParameterError
 from pointpred.events import PHASES, PointerEvent
-from pointpred.server.messages import Encoding, Limits, PredictionMessage
-from pointpred.server.messages import encode as encode
-from pointpred.server.records import EVENT, NO_COUNTS, PREDICTION
-from pointpred.server.records import NONE as NAN
+from pointpred.server.protocol.client_messages import Encoding
+from pointpred.server.protocol.records import EVENT, NO_COUNTS, PREDICTION
+from pointpred.server.protocol.records import NONE as NAN
+from pointpred.server.protocol.server_messages import Limits, PredictionMessage
+from pointpred.server.protocol.server_messages import encode as encode
 
 Frame = str | bytes
 Row = Sequence[float | None]

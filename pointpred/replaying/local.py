@@ -10,8 +10,8 @@ from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
 from pointpred.registry import build
 from pointpred.scoring import prepare, replay
-from pointpred.server.messages import Score
-from pointpred.server.trials import score_of as score_of
+from pointpred.server.protocol.server_messages import Score
+from pointpred.server.sessions.trials import score_of as score_of
 
 
 def local_scores(

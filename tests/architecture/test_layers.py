@@ -86,3 +86,17 @@ def test_modules_have_an_order() -> None:
         deeper = {name for name in reached if any(n.startswith(f"{name}.") for n in reached)}
         graph[module] = reached - deeper
     assert list(TopologicalSorter(graph).static_order())
+
+
+@pytest.mark.parametrize("layer", ["observers", "server"])
+def test_rooms_of_a_layer_have_an_order(layer: str) -> None:
+    """What holds between layers holds between the rooms of a large one, too; its door stands apart."""
+    graph: dict[str, set[str]] = {}
+    for path in FILES:
+        parts = module_of(path).split(".")
+        if parts[1:2] == [layer] and len(parts) > 2:
+            reached = {
+                name.split(".")[2] for name in imports_of(path) if name.startswith(f"pointpred.{layer}.")
+            }
+            graph.setdefault(parts[2], set()).update(reached - {parts[2]})
+    assert list(TopologicalSorter(graph).static_order())

@@ -19,10 +19,12 @@ from benchmarks.asyncapi import document, keys_of
 from benchmarks.asyncapi_examples import EVENT_ROWS
 from benchmarks.asyncapi_live import EXAMPLES
 from benchmarks.pages import ROOT
-from pointpred.server.decoding import decode_text, table_of_bytes
-from pointpred.server.live_messages import live_schemas
-from pointpred.server.messages import KNOWN, ClientMessage, Code, ServerMessage, schemas
-from pointpred.server.records import EVENT, PREDICTION
+from pointpred.server.protocol.client_messages import KNOWN, ClientMessage
+from pointpred.server.protocol.decoding import decode_text, table_of_bytes
+from pointpred.server.protocol.live import live_schemas
+from pointpred.server.protocol.records import EVENT, PREDICTION
+from pointpred.server.protocol.schemas import schemas
+from pointpred.server.protocol.server_messages import Code, ServerMessage
 
 DOCUMENT: dict[str, Any] = yaml.safe_load((ROOT / "docs/asyncapi.yaml").read_text(encoding="utf-8"))
 CHANNEL = DOCUMENT["channels"]["stream"]

@@ -16,8 +16,8 @@ from pointpred import REGISTRY, EventColumns, PredictionColumns, build, run
 from pointpred.columns import FloatArray
 from pointpred.datasets import sample
 from pointpred.events import PHASES
-from pointpred.server.messages import Limits
-from pointpred.server.session import Session
+from pointpred.server.protocol.server_messages import Limits
+from pointpred.server.sessions.session import Session
 from tests.server.running import PATIENCE_S, Running, running
 
 LIMITS = Limits(max_events_per_s=10**9)

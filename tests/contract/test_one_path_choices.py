@@ -12,7 +12,7 @@ import pytest
 
 from pointpred import PointerEvent, Prediction, build, run
 from pointpred.datasets import sample
-from pointpred.server.session import Session
+from pointpred.server.sessions.session import Session
 from pointpred.targets import Chooser, Target, around
 from tests.contract.test_one_path import LIMITS, binary_frame, hello, resolution, text_frame, trials
 from tests.server.running import PATIENCE_S, Running, running

@@ -11,8 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pointpred import REGISTRY
-from pointpred.server.messages import ErrorMessage, Limits, Score, ServerMessage
-from pointpred.server.session import Session
+from pointpred.server.protocol.server_messages import ErrorMessage, Limits, Score, ServerMessage
+from pointpred.server.sessions.session import Session
 from tests.unit.talking import NO_COUNTS, PREDICTION, events, hello, packed
 
 CODES = {1000, 1001, 1008, 1009, 1011, 1013}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from pointpred.server.recorder import Recorder
+from pointpred.server.recorder.recorder import Recorder
 from tests.server.running import PATIENCE_S
 
 

@@ -21,8 +21,9 @@ from websockets.sync.server import ServerConnection, serve
 from websockets.typing import Subprotocol
 
 from pointpred.server.http_answers import SAFE
-from pointpred.server.messages import SUBPROTOCOL, Limits
-from pointpred.server.session import Session
+from pointpred.server.protocol.client_messages import SUBPROTOCOL
+from pointpred.server.protocol.server_messages import Limits
+from pointpred.server.sessions.session import Session
 
 WEB = Path(__file__).parents[2] / "server" / "web"
 RECORD = np.dtype(

@@ -10,9 +10,9 @@ from pointpred import build, run
 from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.datasets import sample
 from pointpred.recording import Recording
-from pointpred.server.messages import Device, Goal, Hello, Screen
-from pointpred.server.recorder import Recorder
-from pointpred.server.recorder_session import SessionRecorder
+from pointpred.server.protocol.client_messages import Device, Goal, Hello, Screen
+from pointpred.server.recorder.recorder import Recorder
+from pointpred.server.recorder.session import SessionRecorder
 
 HELLO = Hello(1, "switched", device=Device(cpi=800.0), screen=Screen(dpi=110.0))
 Opened = Callable[..., Recorder]

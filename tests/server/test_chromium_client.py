@@ -11,7 +11,7 @@ import pytest
 
 from pointpred.columns import EventColumns
 from pointpred.replaying import Page, drive_mouse
-from pointpred.server.messages import Limits
+from pointpred.server.protocol.server_messages import Limits
 from tests.server import browser
 from tests.server.listener import Listener, soon
 

@@ -15,8 +15,8 @@ from hypothesis import strategies as st
 from pointpred.client import ServiceError, connect, connect_async
 from pointpred.client.dialogue import Dialogue
 from pointpred.client.wire import encode
-from pointpred.server.messages import Limits, Welcome
-from pointpred.server.session import Session
+from pointpred.server.protocol.server_messages import Limits, Welcome
+from pointpred.server.sessions.session import Session
 from tests.server.listener import Listener
 
 Rows = Sequence[tuple[float, float, float]]

@@ -123,7 +123,7 @@ WHOLE = b"GET /healthz HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"
 
 @pytest.mark.parametrize("sent", [b"", b"GET / HTT", WHOLE[:-2]])
 def test_a_connection_without_a_whole_header_is_closed(sent: bytes, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("pointpred.server.patience.HEADER_S", 0.3)
+    monkeypatch.setattr("pointpred.server.listening.patience.HEADER_S", 0.3)
     with running() as here, half(here, sent) as opened:
         ends(here, opened)
 
@@ -134,7 +134,7 @@ def test_a_further_header_that_is_not_whole_closes_after_the_first_answer(
     with running() as here, half(here, WHOLE) as opened:
         healthy(opened)
         # Not before: the first answer takes its time, and so may what comes of the first header.
-        monkeypatch.setattr("pointpred.server.patience.HEADER_S", 0.3)
+        monkeypatch.setattr("pointpred.server.listening.patience.HEADER_S", 0.3)
         opened.sendall(b"GET / HTT")
         ends(here, opened)
 
@@ -166,7 +166,9 @@ def healthy(opened: socket_module.socket) -> None:
 def test_a_request_after_a_pause_and_a_session_outlive_the_wait_for_a_header(
     monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
-    monkeypatch.setattr("pointpred.server.patience.HEADER_S", 2.0)  # a first header may take a while, too
+    monkeypatch.setattr(
+        "pointpred.server.listening.patience.HEADER_S", 2.0
+    )  # a first header may take a while, too
     with running() as here, here.greeted() as socket, half(here, WHOLE) as opened:
         healthy(opened)
         with pytest.raises(TimeoutError):
@@ -181,7 +183,7 @@ def test_a_request_after_a_pause_and_a_session_outlive_the_wait_for_a_header(
 def test_an_upload_that_never_ends_is_cut_when_the_service_stops_and_said_in_one_line(
     monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
-    monkeypatch.setattr("pointpred.server.listening.STOP_S", 1)
+    monkeypatch.setattr("pointpred.server.listening.listening.STOP_S", 1)
     head = b"POST /v1/score HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 9000\r\n\r\nuser"
     with running() as here:
         opened = half(here, head)

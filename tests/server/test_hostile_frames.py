@@ -12,7 +12,7 @@ from websockets.exceptions import ConnectionClosed
 from websockets.frames import Frame, Opcode
 from websockets.sync.client import ClientConnection
 
-import pointpred.server.cutting
+import pointpred.server.listening.cutting
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, running
 
@@ -59,7 +59,9 @@ GROWN = raw(Opcode.BINARY, b"\0" * 2**19, fin=False) + raw(Opcode.CONT, b"\0" * 
 def test_is_told_why_and_closed_while_others_go_on(
     frames: bytes, code: str, close: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(pointpred.server.cutting, "LINGER_S", PATIENCE_S)  # nobody is cut for being slow
+    monkeypatch.setattr(
+        pointpred.server.listening.cutting, "LINGER_S", PATIENCE_S
+    )  # nobody is cut for being slow
     with running() as here, here.greeted() as other:
         with here.greeted() as socket:
             socket.send(event(1.0))
@@ -94,8 +96,8 @@ def test_a_message_in_some_pieces_and_pings_between_them_are_answered() -> None:
 
 
 def test_pings_of_a_client_that_does_not_read_leave_the_memory_flat(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(pointpred.server.cutting, "CONTROLS_PER_S", 10**9)
-    monkeypatch.setattr(pointpred.server.cutting, "PIECE_BYTES", 131)  # as if each had come alone
+    monkeypatch.setattr(pointpred.server.listening.cutting, "CONTROLS_PER_S", 10**9)
+    monkeypatch.setattr(pointpred.server.listening.cutting, "PIECE_BYTES", 131)  # as if each had come alone
     with running() as here, socket_module.socket() as mute:
         mute.setsockopt(socket_module.SOL_SOCKET, socket_module.SO_RCVBUF, 4096)
         mute.connect(("127.0.0.1", here.port))

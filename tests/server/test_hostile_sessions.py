@@ -9,7 +9,7 @@ from functools import partial
 import pytest
 from websockets.sync.client import ClientConnection
 
-import pointpred.server.talk
+import pointpred.server.connections.talk
 from tests.server.listener import RECORD, soon
 from tests.server.running import HELLO, PATIENCE_S, running
 
@@ -37,7 +37,9 @@ def packed(first: int, count: int) -> bytes:
 def test_a_burst_within_every_limit_is_answered_however_many_predictions_give_way(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(pointpred.server.talk, "STUCK_S", PATIENCE_S)  # it reads only when all is taken in
+    monkeypatch.setattr(
+        pointpred.server.connections.talk, "STUCK_S", PATIENCE_S
+    )  # it reads only when all is taken in
     with running(max_events_per_s=10**6) as here, here.greeted(PACKED, max_queue=1) as socket:
         for frame in range(60):
             socket.send(packed(1024 * frame, 1024))

@@ -15,10 +15,10 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Subprotocol
 
-import pointpred.server.talk
-from pointpred.server.live import MOST_WAITING
-from pointpred.server.live_messages import Curve
-from pointpred.server.messages import SUBPROTOCOL
+import pointpred.server.connections.talk
+from pointpred.server.live.feed import MOST_WAITING
+from pointpred.server.protocol.client_messages import SUBPROTOCOL
+from pointpred.server.protocol.live import Curve
 from pointpred.transfer import TransferLearner
 from tests.server.listener import soon
 from tests.server.live_attached import ATTACHED, Attachment, attached
@@ -139,7 +139,7 @@ def test_a_viewer_that_says_too_much_is_sent_away(
     frame: str, count: int, code: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     # So few that however slowly the machine sends and reads them, it is faster.
-    monkeypatch.setattr("pointpred.server.allowance.MESSAGES_PER_S", 5)
+    monkeypatch.setattr("pointpred.server.sessions.allowance.MESSAGES_PER_S", 5)
     with attached() as (here, _), look(here) as socket:
         with suppress(ConnectionClosed):
             for _ in range(count):
@@ -165,7 +165,7 @@ def test_viewers_count_as_sessions() -> None:
 def test_a_viewer_that_does_not_read_gets_the_newest_and_hears_what_gave_way(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(pointpred.server.talk, "STUCK_S", PATIENCE_S)
+    monkeypatch.setattr(pointpred.server.connections.talk, "STUCK_S", PATIENCE_S)
     moves = count()
     with attached() as (here, made), look(here, max_queue=1) as socket:
         hear(socket, "status")

@@ -5,16 +5,11 @@ from __future__ import annotations
 import base64
 import io
 from collections.abc import Iterator
-from pathlib import Path
 
-import numpy as np
 import pytest
 
-from pointpred import build, run
 from pointpred.datasets import sample
-from pointpred.recording import Recording
 from pointpred.registry import REGISTRY
-from pointpred.sources import write
 from tests.server import browser, page_browser
 from tests.server.page_browser import Visitor, until
 
@@ -185,49 +180,6 @@ def test_the_sample_is_replayed_with_two_predictors(visitor: Visitor, url: str) 
         "play.click(); }"
     )
     assert visitor.text("#replay-play") == "Play"
-
-
-def test_an_opened_file_gets_the_predictions_and_scores_of_the_command(
-    visitor: Visitor, url: str, tmp_path: Path
-) -> None:
-    whole = sample()
-    parts = [whole.rows(i) for i in (3, 4, 5)]
-    own = Recording.of("study", parts, [whole.trials[i] for i in (3, 4, 5)], provenance=whole.provenance)
-    files = write(own, tmp_path / "study_samples.csv")
-    visitor.open(f"{url}#replay")
-    visitor.wait("!document.querySelector('#replay-play').disabled")
-    visitor.page.call("DOM.enable")
-    root = visitor.page.call("DOM.getDocument")["root"]["nodeId"]
-    node = visitor.page.call("DOM.querySelector", nodeId=root, selector="#replay-file")["nodeId"]
-    visitor.page.call("DOM.setFileInputFiles", nodeId=node, files=[str(file) for file in files])
-    visitor.wait("document.querySelector('#replay-readout').textContent.includes('Movement 1 of 3')")
-    predicted = visitor.value(
-        "import('/web/replay-stream.js').then(async ({ predictionsAlong }) => {"
-        "const { readFiles } = await import('/web/replay-file.js');"
-        "const { movements, dpi, cpi } = await readFiles([...document.querySelector('#replay-file').files]);"
-        "return predictionsAlong(movements[1].rows, 'switched', { dpi, cpi }); })"
-    )
-    said = own.provenance
-    expected = run(build("switched", cpi=said.cpi, dpi=said.dpi), parts[1])
-    for axis, column in (("x", expected.x), ("y", expected.y)):
-        assert np.array_equal(np.array(predicted[axis], dtype=float), column, equal_nan=True)
-    visitor.wait("document.querySelector('#replay-scored').textContent.startsWith('3 movements scored')")
-    visitor.wait("document.querySelectorAll('#replay-scores tbody tr[data-px]').length > 1")
-
-
-def test_a_file_that_is_no_recording_is_refused_with_the_reason(
-    visitor: Visitor, url: str, tmp_path: Path
-) -> None:
-    file = tmp_path / "shopping.csv"
-    file.write_text("what,price\nmilk,1\n")
-    visitor.open(f"{url}#replay")
-    visitor.wait("!document.querySelector('#replay-play').disabled")
-    root = visitor.page.call("DOM.getDocument")["root"]["nodeId"]
-    node = visitor.page.call("DOM.querySelector", nodeId=root, selector="#replay-file")["nodeId"]
-    visitor.page.call("DOM.setFileInputFiles", nodeId=node, files=[str(file)])
-    visitor.wait("document.querySelector('#replay-source').textContent.includes('shopping.csv')")
-    assert "no table of samples" in visitor.text("#replay-source")
-    assert "Movement 1 of" in visitor.text("#replay-readout")
 
 
 @pytest.mark.parametrize("view", ["live", "circle", "replay"])

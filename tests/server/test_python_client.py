@@ -15,7 +15,7 @@ from pointpred.client import ServiceError
 from pointpred.client.wire import address, pack_events, packable, unpack_predictions
 from pointpred.datasets import sample
 from pointpred.errors import EventError, ParameterError, SourceError
-from pointpred.server.messages import Limits, PredictionMessage, Score
+from pointpred.server.protocol.server_messages import Limits, PredictionMessage, Score
 from tests.server.listener import Listener
 from tests.server.running import PATIENCE_S
 

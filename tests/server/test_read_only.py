@@ -15,8 +15,8 @@ from httpx2 import get, post
 
 from pointpred.datasets import sample
 from pointpred.errors import RecordingError
-from pointpred.server.scoring_api import score_body
 from pointpred.server.service import Service
+from pointpred.server.uploads.scoring import score_body
 from pointpred.sources import write
 from tests.server.running import PATIENCE_S, running
 

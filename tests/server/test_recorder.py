@@ -15,9 +15,9 @@ from pointpred.columns import EventColumns
 from pointpred.datasets import sample
 from pointpred.recording import Recording
 from pointpred.scoring import score
-from pointpred.server.messages import Hello
-from pointpred.server.recorder import Recorder
-from pointpred.server.recordings import listing
+from pointpred.server.protocol.client_messages import Hello
+from pointpred.server.recorder.recorder import Recorder
+from pointpred.server.recorder.recordings import listing
 from pointpred.sources import read, read_any
 from tests.server.recorded import Opened, begin, feed, record
 

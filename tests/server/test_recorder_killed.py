@@ -21,8 +21,8 @@ import pytest
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 
-from pointpred.server.recordings import listing
-from pointpred.server.records import EVENT
+from pointpred.server.protocol.records import EVENT
+from pointpred.server.recorder.recordings import listing
 from pointpred.sources import read
 from tests.server.running import PATIENCE_S
 

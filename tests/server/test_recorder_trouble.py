@@ -15,9 +15,9 @@ import pytest
 
 from pointpred.datasets import sample
 from pointpred.errors import SourceError
-from pointpred.server.messages import Goal
-from pointpred.server.recorder import Recorder
-from pointpred.server.recordings import listing
+from pointpred.server.protocol.client_messages import Goal
+from pointpred.server.recorder.recorder import Recorder
+from pointpred.server.recorder.recordings import listing
 from pointpred.sources import read
 from tests.server.listener import soon
 from tests.server.recorded import HELLO, Opened, begin, feed, record

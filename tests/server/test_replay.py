@@ -22,7 +22,7 @@ from pointpred.replaying import replay_to
 from pointpred.replaying.choosing import chosen
 from pointpred.replaying.pacing import due
 from pointpred.replaying.socket import unlike
-from pointpred.server.session import Session
+from pointpred.server.sessions.session import Session
 from pointpred.sources import recordings as own
 from tests.server.listener import Listener
 from tests.server.running import PATIENCE_S

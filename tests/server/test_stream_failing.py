@@ -14,14 +14,14 @@ import pytest
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection
 
-import pointpred.server.cutting
-import pointpred.server.talk
-from pointpred.server import listening
-from pointpred.server.conversation import Close
+import pointpred.server.connections.talk
+import pointpred.server.listening.cutting
+from pointpred.server.connections.talk import Talk
+from pointpred.server.listening import listening
 from pointpred.server.logs import JsonLines, PlainLines
-from pointpred.server.messages import Limits
-from pointpred.server.session import Session
-from pointpred.server.talk import Talk
+from pointpred.server.protocol.server_messages import Limits
+from pointpred.server.sessions.conversation import Close
+from pointpred.server.sessions.session import Session
 from tests.server.hurried import HurriedLoop
 from tests.server.listener import soon
 from tests.server.running import HELLO, PATIENCE_S, Running, running
@@ -85,9 +85,9 @@ def test_what_breaks_in_a_session_ends_that_session_only(
 
 def test_a_client_that_never_reads_again_is_told_and_then_cut(monkeypatch: pytest.MonkeyPatch) -> None:
     """Its session ends as too slow, and its connection with it, although it stays open on its side."""
-    monkeypatch.setattr(pointpred.server.talk, "STUCK_S", 1.0)
-    monkeypatch.setattr(pointpred.server.talk, "LAST_S", 1.0)
-    monkeypatch.setattr(pointpred.server.cutting, "LINGER_S", 0.5)
+    monkeypatch.setattr(pointpred.server.connections.talk, "STUCK_S", 1.0)
+    monkeypatch.setattr(pointpred.server.connections.talk, "LAST_S", 1.0)
+    monkeypatch.setattr(pointpred.server.listening.cutting, "LINGER_S", 0.5)
     with running(max_events_per_s=10**8) as here:
         with here.greeted(EACH, max_queue=1, close_timeout=0.1) as silent:
             with suppress(ConnectionClosed):  # it may be cut before it has said everything
@@ -104,9 +104,9 @@ def test_a_client_that_reads_slowly_goes_on_and_one_that_does_not_is_given_up(
     monkeypatch: pytest.MonkeyPatch, each_s: float, close: int | None
 ) -> None:
     """Something always waits to be sent, far longer than a client may be stuck."""
-    monkeypatch.setattr(pointpred.server.talk, "TICK_S", 0.1)
-    monkeypatch.setattr(pointpred.server.talk, "STUCK_S", 0.5)
-    monkeypatch.setattr(pointpred.server.talk, "LAST_S", 0.3)
+    monkeypatch.setattr(pointpred.server.connections.talk, "TICK_S", 0.1)
+    monkeypatch.setattr(pointpred.server.connections.talk, "STUCK_S", 0.5)
+    monkeypatch.setattr(pointpred.server.connections.talk, "LAST_S", 0.3)
 
     async def talk() -> Close | None:
         session = Session("here", Limits(max_events_per_s=10**6), asyncio.get_running_loop().time())
@@ -186,7 +186,7 @@ def test_text_that_is_not_utf8_ends_that_connection_only() -> None:
 
 
 def test_a_client_without_hello_is_sent_away_with_1008(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("pointpred.server.conversation.HELLO_S", 0.5)
+    monkeypatch.setattr("pointpred.server.sessions.conversation.HELLO_S", 0.5)
     with running() as here, here.connect() as socket:
         answer = told(socket)
         assert (answer["code"], answer["recoverable"]) == ("idle", False)
@@ -214,7 +214,7 @@ def test_a_goodbye_is_heard_by_a_client_that_is_slow_to_hear_it_and_still_sends(
     """Closing at once would reset the connection, and what was said last would be lost."""
     assert listening.GOODBYE_S > 1.5  # the second that follows, and some
     monkeypatch.setattr(listening, "GOODBYE_S", PATIENCE_S)  # that second may last longer on a busy machine
-    monkeypatch.setattr(pointpred.server.cutting, "LINGER_S", PATIENCE_S)
+    monkeypatch.setattr(pointpred.server.listening.cutting, "LINGER_S", PATIENCE_S)
     with running() as here, socket_module.create_connection(("127.0.0.1", here.port)) as plain:
         key = "AAAAAAAAAAAAAAAAAAAAAA=="
         plain.sendall(

@@ -10,7 +10,7 @@ import pytest
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection
 
-import pointpred.server.trials
+import pointpred.server.sessions.trials
 from pointpred.server.warm import warm_one, warm_session
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, Running, running
@@ -39,7 +39,7 @@ class Held:
 
 @pytest.fixture
 def held(monkeypatch: pytest.MonkeyPatch) -> Iterator[Held]:
-    here, real = Held(), pointpred.server.trials.prepare
+    here, real = Held(), pointpred.server.sessions.trials.prepare
 
     def slow(*arguments: object, **options: object) -> object:
         here.begun.set()
@@ -51,8 +51,8 @@ def held(monkeypatch: pytest.MonkeyPatch) -> Iterator[Held]:
     warm_one("switched")  # here, where nobody waits for the compiler
     warm_session()
     monkeypatch.setattr("pointpred.server.service.warm", lambda progress: None)  # it scores a trial, too
-    monkeypatch.setattr("pointpred.server.listening.GOODBYE_S", PATIENCE_S)
-    monkeypatch.setattr(pointpred.server.trials, "prepare", slow)
+    monkeypatch.setattr("pointpred.server.listening.listening.GOODBYE_S", PATIENCE_S)
+    monkeypatch.setattr(pointpred.server.sessions.trials, "prepare", slow)
     yield here
     here.go.set()
 

@@ -15,10 +15,11 @@ import pytest
 from httpx2 import Response, get, post
 
 from pointpred.errors import RecordingError
-from pointpred.server import scoring_api, unpacking, uploads
-from pointpred.server.scoring_api import score_body
-from pointpred.server.unpacking import MOST_ROWS, MOST_UNPACKED, check_unpacked
-from pointpred.server.uploads import UploadError
+from pointpred.server.uploads import scoring as scoring_api
+from pointpred.server.uploads import unpacking, uploads
+from pointpred.server.uploads.scoring import score_body
+from pointpred.server.uploads.unpacking import MOST_ROWS, MOST_UNPACKED, check_unpacked
+from pointpred.server.uploads.uploads import UploadError
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, Running, running
 
@@ -183,7 +184,7 @@ def test_sessions_go_on_while_a_recording_is_scored(monkeypatch: pytest.MonkeyPa
         assert held.wait(PATIENCE_S)
         return {}
 
-    monkeypatch.setattr("pointpred.server.scoring_api.score_body", slow)
+    monkeypatch.setattr("pointpred.server.uploads.scoring.score_body", slow)
     with running() as here, here.greeted() as socket:
         options = {"content": CSV, "timeout": PATIENCE_S}
         asking = threading.Thread(target=post, args=(f"{here.url}/v1/score",), kwargs=options)

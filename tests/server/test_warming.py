@@ -171,7 +171,7 @@ def test_the_helper_is_a_program_that_warms_every_predictor_from_the_last_on() -
     spied = (
         "import pointpred.registry as known, runpy; build = known.build\n"
         "known.build = lambda name, **all: print(name) or build(name, **all)\n"
-        "import pointpred.server.session\n"
+        "import pointpred.server.sessions.session\n"
         "runpy.run_module('pointpred.server.warm', run_name='__main__')"
     )
     helper = subprocess.Popen(

@@ -7,8 +7,8 @@ from collections.abc import Iterable
 from struct import Struct
 from typing import Any
 
-from pointpred.server.messages import Limits
-from pointpred.server.session import Session
+from pointpred.server.protocol.server_messages import Limits
+from pointpred.server.sessions.session import Session
 
 EVENT = Struct("<dddhhH")
 PREDICTION = Struct("<dddddddB")

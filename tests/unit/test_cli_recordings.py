@@ -12,8 +12,8 @@ from pointpred import build, run
 from pointpred.cli import recordings as module
 from pointpred.columns import EventColumns
 from pointpred.datasets import sample
-from pointpred.server.messages import Goal, Hello
-from pointpred.server.recorder import Recorder
+from pointpred.server.protocol.client_messages import Goal, Hello
+from pointpred.server.recorder.recorder import Recorder
 
 
 @pytest.fixture

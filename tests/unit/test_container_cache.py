@@ -23,9 +23,9 @@ kept = compiled()
 assert len(kept) > 20, kept
 
 from pointpred.registry import REGISTRY
-from pointpred.server.scoring_api import score_body
-from pointpred.server.session import Session
-from pointpred.server.messages import Limits
+from pointpred.server.uploads.scoring import score_body
+from pointpred.server.sessions.session import Session
+from pointpred.server.protocol.server_messages import Limits
 from pointpred.server.warm import warm
 from tests.unit.talking import events, packed
 

@@ -7,8 +7,8 @@ from typing import Any
 
 import pytest
 
-from pointpred.server import choices as deciding
-from pointpred.server.choices import LIKELIEST
+from pointpred.server.sessions import choices as deciding
+from pointpred.server.sessions.choices import LIKELIEST
 from tests.unit.talking import Talk, events, hello, packed
 
 PLACES = {"left": (-520.0, -20.0), "right": (380.0, -20.0), "up": (-20.0, -520.0)}

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pointpred.server.decoding import check_numbers, decode_text
-from pointpred.server.refusals import RefusedError
+from pointpred.server.protocol.decoding import check_numbers, decode_text
+from pointpred.server.protocol.refusals import RefusedError
 
 NOW_S = 1.7e9
 

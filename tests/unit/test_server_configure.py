@@ -9,7 +9,7 @@ import pytest
 from pointpred import REGISTRY, PointerEvent, build
 from pointpred.differentiators import DIFFERENTIATORS, sampling
 from pointpred.registry import parameters
-from pointpred.server.messages import schemas
+from pointpred.server.protocol.schemas import schemas
 from tests.unit.talking import Talk, events, hello
 
 ROWS = [[0.01 * i, 1.0 * i * i, 0.5 * i * i, 4 * i, 2 * i, 0] for i in range(100)]

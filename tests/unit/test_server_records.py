@@ -8,8 +8,8 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pointpred.server.answers import text_of
-from pointpred.server.records import EVENT, PREDICTION, pack, pack_one, unpack, unpack_one
+from pointpred.server.protocol.records import EVENT, PREDICTION, pack, pack_one, unpack, unpack_one
+from pointpred.server.sessions.answers import text_of
 from tests.unit import talking
 
 real = st.floats(allow_nan=True, allow_infinity=True)

@@ -6,8 +6,8 @@ from typing import Any
 import pytest
 
 from pointpred import REGISTRY
-from pointpred.server.conversation import HELLO_S
-from pointpred.server.messages import Limits
+from pointpred.server.protocol.server_messages import Limits
+from pointpred.server.sessions.conversation import HELLO_S
 from tests.unit.talking import EVENT, PREDICTION, Talk, events, hello, packed
 
 ROW = [0.5, 3.0, 4.0, None, None, 0]

@@ -1,0 +1,1 @@
+"""uvicorn, with bounds on what a client may do below the messages."""

@@ -1,0 +1,140 @@
+"""Open a port, serve the application on it, and say so once the page can be opened."""
+
+from __future__ import annotations
+
+import asyncio
+import errno
+import logging
+import socket
+import time
+from collections.abc import Callable
+
+import uvicorn
+
+from pointpred.errors import SourceError
+from pointpred.server.app import create_app
+from pointpred.server.hosts import WILDCARDS, HostRule
+from pointpred.server.listening.cutting import CuttingProtocol
+from pointpred.server.listening.garbage import spare
+from pointpred.server.listening.patience import PatientProtocol
+from pointpred.server.service import Service
+
+FRAME_BYTES = 2**20
+"""The framework's own limit lies above every limit of ours, so that our error goes out first."""
+UNREAD_BYTES = 2**16
+"""What the kernel may hold unread for a client: more would be predictions long out of date."""
+GOODBYE_S = 2.0
+"""Seconds that clients get to answer a goodbye: closing before would reset the connection, unheard."""
+STOP_S = 3
+"""Seconds that requests under way get to finish when the service stops."""
+CUT_S = 1.0
+"""Seconds in which requests that are cut have ended."""
+
+log = logging.getLogger("pointpred.service")
+
+
+def listen(host: str, port: int, tries: int = 1) -> socket.socket:
+    """A listening socket on the first free port of ``port``, ``port + 1``, ...; raises SourceError."""
+    for candidate in range(port, port + tries):
+        try:
+            return _bind(host, candidate)
+        except OSError as error:
+            if error.errno != errno.EADDRINUSE:
+                raise SourceError(f"cannot listen on {host} port {candidate}: {error.strerror}") from error
+        except UnicodeError as error:
+            raise SourceError(f"cannot listen on {host!r}: no name of a host") from error
+    ports = f"port {port} is" if tries == 1 else f"ports {port} to {port + tries - 1} are"
+    raise SourceError(f"{ports} in use on {host}; choose another with --port, or --port 0 for any free one")
+
+
+def _bind(host: str, port: int) -> socket.socket:
+    family, kind, protocol, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
+    opened = socket.socket(family, kind, protocol)
+    try:
+        opened.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        opened.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, UNREAD_BYTES)  # connections inherit it
+        opened.bind(address)
+        opened.listen(socket.SOMAXCONN)
+    except OSError:
+        opened.close()
+        raise
+    return opened
+
+
+def address(host: str, opened: socket.socket) -> str:
+    """The URL to open in a browser on this machine."""
+    name = "127.0.0.1" if host in WILDCARDS else host
+    return f"http://{f'[{name}]' if ':' in name else name}:{opened.getsockname()[1]}/"
+
+
+class _Cuts(logging.Filter):
+    """What uvicorn says of requests that it cuts, at length and as an error: counted here, and said once."""
+
+    requests = 0
+
+    def filter(self, record: logging.LogRecord) -> bool:
+        """Whether an entry is about something else."""
+        if str(record.msg).startswith("Cancel %s running task") and isinstance(record.args, tuple):
+            self.requests = int(str(record.args[0]))
+            return False
+        return record.exc_info is None or not isinstance(record.exc_info[1], asyncio.CancelledError)
+
+
+class _Server(uvicorn.Server):
+    """uvicorn that says when it has begun to answer, and tells sessions when it is asked to stop."""
+
+    announce: Callable[[], None]
+    service: Service
+
+    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+        await super().startup(sockets)
+        if self.started:
+            self.announce()
+
+    async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
+        self.service.stop()
+        until = time.monotonic() + GOODBYE_S
+        while self._talking() and time.monotonic() < until:
+            await asyncio.sleep(0.01)
+        cuts = _Cuts()
+        library = logging.getLogger("uvicorn.error")
+        library.addFilter(cuts)
+        try:
+            await super().shutdown(sockets)
+            if cut := list(self.server_state.tasks):
+                await asyncio.wait(cut, timeout=CUT_S)
+        finally:
+            library.removeFilter(cuts)
+        if cuts.requests:
+            log.warning("%d requests were cut: they had not ended %d s after the stop", cuts.requests, STOP_S)
+
+    def _talking(self) -> bool:
+        """Whether a WebSocket is still open."""
+        return any(isinstance(one, CuttingProtocol) for one in self.server_state.connections)
+
+
+def make_server(hosts: HostRule, service: Service, announce: Callable[[], None]) -> _Server:
+    """The web server, ready to run on a listening socket."""
+    config = uvicorn.Config(
+        create_app(hosts, service),
+        log_config=None,
+        log_level="warning",
+        access_log=False,
+        http=PatientProtocol,  # httptools, and an end for requests that never come
+        ws=CuttingProtocol,  # websockets-sansio, and an end for clients that do not read
+        ws_max_size=FRAME_BYTES,
+        ws_per_message_deflate=False,
+        server_header=False,
+        timeout_graceful_shutdown=STOP_S,
+    )
+    server = _Server(config)
+    server.announce, server.service = announce, service
+    return server
+
+
+def serve(opened: socket.socket, hosts: HostRule, service: Service, announce: Callable[[], None]) -> None:
+    """Answer on a listening socket until interrupted; ``announce`` is called when the page can be opened."""
+    server = make_server(hosts, service, announce)
+    spare()
+    with opened:
+        server.run([opened])

@@ -1,0 +1,1 @@
+"""The attached device: its feed and those who look on."""

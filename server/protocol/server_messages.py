@@ -1,0 +1,129 @@
+"""What a client hears in ``pointpred.v1``."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import msgspec
+from msgspec import UNSET, Struct, UnsetType
+
+from pointpred.server.protocol.assisted import Cursor
+from pointpred.server.protocol.client_messages import Bye
+
+Code = Literal[
+    "bad_json",
+    "bad_field",
+    "unknown_type",
+    "unknown_predictor",
+    "out_of_order",
+    "out_of_place",
+    "too_large",
+    "too_fast",
+    "too_many",
+    "idle",
+    "slow",
+    "unauthorized",
+    "stopping",
+    "internal",
+]
+
+
+class Limits(Struct, frozen=True):
+    """What a session may do."""
+
+    max_frame_bytes: int = 65536
+    max_events_per_frame: int = 1024
+    max_events_per_s: int = 20000
+    max_targets: int = 1000
+    max_sessions: int = 64
+    idle_s: float = 60.0
+
+
+class Welcome(Struct, tag="welcome"):
+    """The answer to ``hello``."""
+
+    version: int
+    session: str
+    predictor: str
+    limits: Limits
+
+
+class Region(Struct):
+    """Covariance of the endpoint, px^2."""
+
+    sxx: float
+    sxy: float
+    syy: float
+
+
+class Likely(Struct):
+    """How likely a target is: its share of one, with the other targets and none of them."""
+
+    id: str
+    p: float
+
+
+class PredictionMessage(Struct, tag="prediction"):
+    """Where the movement will end as seen at ``t``; null fields where nothing is justified.
+
+    ``targets``: the likeliest five, best first; absent from a session without targets.
+    """
+
+    t: float
+    x: float | None = None
+    y: float | None = None
+    region: Region | None = None
+    phase: Literal["still", "ballistic", "corrective"] | None = None
+    remaining_s: float | None = None
+    targets: list[Likely] | UnsetType = UNSET
+
+
+class Choice(Struct, tag="choice"):
+    """A target is proposed, or no longer; ``p`` is its share at ``t``, the time of the event that decided."""
+
+    id: str
+    p: float
+    action: Literal["propose", "retract"]
+    t: float | None = None
+
+
+class TargetsTaken(Struct, tag="targets"):
+    """The set of targets now holds so many."""
+
+    count: int
+
+
+class Score(Struct, tag="score"):
+    """How good the predictions of the trial were, px; ``skill`` is 1 - error / error of no prediction.
+
+    With targets, and the trial's own known: ``fired`` proposals; ``hit``, whether one of the trial's target
+    stood when the cursor entered it, ``lead_s`` after it was made; ``wasted`` proposals of other targets.
+    """
+
+    events: int
+    time_averaged_px: float | None = None
+    hold_px: float | None = None
+    skill: float | None = None
+    by_time: dict[str, float] = {}
+    by_path: dict[str, float] = {}
+    reason: str | None = None
+    """Why there is no score, where there is none."""
+    fired: int | None = None
+    hit: bool | None = None
+    wasted: int | None = None
+    lead_s: float | None = None
+
+
+class ErrorMessage(Struct, tag="error"):
+    """What was wrong, where, and whether the session goes on."""
+
+    code: Code
+    message: str
+    path: str | None = None
+    recoverable: bool = True
+
+
+ServerMessage = Welcome | PredictionMessage | Cursor | Choice | TargetsTaken | Score | ErrorMessage | Bye
+
+# Laws that run as plain Python answer in numpy's floats.
+encode = msgspec.json.Encoder(enc_hook=float).encode

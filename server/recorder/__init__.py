@@ -1,0 +1,1 @@
+"""Sessions kept on disk when asked: written beside the traffic, listed and deleted."""

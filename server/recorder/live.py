@@ -1,0 +1,101 @@
+"""An attached device's session into one file: written as the service's recorder writes, and as safe."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from datetime import UTC, datetime
+from pathlib import Path
+
+import numpy as np
+
+from pointpred.columns import EventColumns, PredictionColumns
+from pointpred.devices.sessions import Pair
+from pointpred.events import PHASES, Prediction
+from pointpred.recording import Provenance
+from pointpred.server.protocol.client_messages import Hello
+from pointpred.server.recorder.files import SessionFiles
+from pointpred.server.recorder.recorder import Recorder, about_of
+from pointpred.sources.appended import LIVE
+
+TOGETHER_S = 0.05
+"""Events of so much time go to the recorder together."""
+MOST = 1024
+NONE = float("nan")
+
+
+class FileOf(SessionFiles):
+    """The files of one recording whose samples are where the user said."""
+
+    def __init__(self, file: Path, origin: Provenance) -> None:
+        name = file.stem.removesuffix("_samples") or file.stem
+        super().__init__(file.parent, name, about_of(origin, datetime.now(UTC)))
+        self._file = file
+
+    def path_of(self, part: str) -> Path:
+        """The file itself for the samples, one beside it for every other part."""
+        return self._file if part == "samples" else self._file.with_name(f"{self.name}_{part}.csv")
+
+
+class LiveRecording:
+    """Takes what a session makes and has it written by the recorder's thread; a ``Watcher``.
+
+    Assumes that one thread calls it. Raises SourceError where the folder cannot be written.
+    """
+
+    def __init__(self, file: Path, hello: Hello, origin: str, clock: str) -> None:
+        device, screen = hello.device, hello.screen
+        provenance = Provenance(
+            LIVE,
+            origin=origin,
+            clock=clock,
+            dpi=screen.dpi if screen else 96.0,
+            cpi=device.cpi if device else None,
+        )
+        self.file = file
+        self.events = 0
+        self._recorder = Recorder(file.parent)
+        self._session = self._recorder.record(FileOf(file, provenance), hello)
+        self._waiting: list[Pair] = []
+
+    @property
+    def lost(self) -> int:
+        """Events that are not in the file."""
+        return self._session.lost
+
+    @property
+    def failed(self) -> bool:
+        """Whether writing has ended with an error, which the log tells."""
+        return self._session.failed
+
+    def take(self, pairs: Sequence[Pair]) -> None:
+        """Record; an empty sequence sees that nothing is held back."""
+        waiting = self._waiting
+        waiting.extend(pairs)
+        if waiting and (
+            not pairs or len(waiting) >= MOST or waiting[-1][0].t - waiting[0][0].t >= TOGETHER_S
+        ):
+            self._flush()
+
+    def close(self) -> bool:
+        """Write what waits; False where that took too long or failed."""
+        self._flush()
+        self._session.close()
+        return self._recorder.close() and not self.failed
+
+    def _flush(self) -> None:
+        waiting, self._waiting = self._waiting, []
+        if waiting:
+            self.events += len(waiting)
+            events = EventColumns.of_events(event for event, _ in waiting)
+            rows = [_row(event.t, prediction) for event, prediction in waiting]
+            self._session.events(events, PredictionColumns(np.array(rows)))
+
+
+def _row(t: float, one: Prediction | None) -> tuple[float, ...]:
+    """A prediction as ``PredictionColumns`` have it."""
+    if one is None:
+        return (t, *(NONE,) * 9)
+    covariance = one.covariance or (NONE, NONE, NONE)
+    rest = (one.remaining_s, one.tail, one.remaining_spread)
+    left, tail, spread = (NONE if value is None else value for value in rest)
+    return (t, one.x, one.y, *covariance, left, float(PHASES.index(one.phase)), tail, spread)

@@ -1,0 +1,165 @@
+"""Sessions whose cursor the service moves: counts in, the assisted cursor and predictions out."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import hypot
+
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.errors import EventError
+from pointpred.events import LARGEST
+from pointpred.server.protocol.assisted import Assist, Cursor
+from pointpred.server.protocol.client_messages import Configure, Hello
+from pointpred.server.protocol.decoding import check_numbers
+from pointpred.server.protocol.refusals import RefusedError
+from pointpred.server.protocol.server_messages import ErrorMessage, Likely, encode
+from pointpred.server.sessions.building import cpi_of, dpi_of
+from pointpred.server.sessions.outbox import Frame, Outbox
+from pointpred.server.sessions.stream import Stream
+from pointpred.server.sessions.watch import Watch
+from pointpred.transfer import ConstantGain, GuardedTransfer, SigmoidGain
+from pointpred.transfer.assisted_guarded import UNGUIDED
+
+
+def stream_of(hello: Hello) -> Stream:
+    """The stream that a client asks for; raises RefusedError."""
+    return Stream(hello) if hello.assist is None else AssistedStream(hello, hello.assist)
+
+
+class AssistedStream(Stream):
+    """Counts move the cursor, and the pipeline is told where it then is.
+
+    The first event of the session says where the cursor stands before it; positions in later ones are not
+    looked at, so answers that are still on their way do no harm. A reset leaves the cursor where it is.
+    """
+
+    def __init__(self, hello: Hello, assist: Assist, watch: Watch | None = None) -> None:
+        """Raises RefusedError as ``Stream`` does, and where the device's counts per inch are not said."""
+        super().__init__(hello, watch)
+        self.transfer = _transfer(hello, assist)
+        self.place: tuple[float, float] | None = None
+        """The cursor, px; ``None`` before the first event."""
+        self.added_px = 0.0
+        self._guidance: tuple[float, ...] = ()  # the newest endpoint and its covariance
+
+    def feed(self, table: FloatArray, outbox: Outbox) -> tuple[ErrorMessage | None, int]:
+        """As ``Stream.feed``, one event after another: the prediction after each guides the next."""
+        check_numbers(table)
+        silent = np.isnan(table[:, 3])
+        if silent.any():
+            where = f"$.events[{int(silent.argmax())}][3]"
+            raise RefusedError("bad_field", "assistance needs counts: dx and dy must be numbers", where)
+        error, kept = self._without_late(table)
+        if len(kept):
+            kept, predictions = self._moved(kept)
+            self._keep(kept, predictions)
+            self._answer(kept, predictions, outbox)
+        return error, len(table) - len(kept)
+
+    def feed_one(self, row: Sequence[float], outbox: Outbox) -> bool:
+        """As ``Stream.feed_one``: the one event of most frames, without a table."""
+        if self.place is None or self.watch or self._trial.running or self.choices:
+            return False
+        kept, before = self.transfer.remembered(), (self.place, self.added_px)
+        t, _, _, dx, dy, buttons = row
+        prediction: tuple[float, ...] | None = None
+        try:
+            place = self._step(t, *self.place, dx, dy)
+            prediction = None if place is None else self.pipeline.advance(t, *place, dx, dy, buttons)
+        finally:
+            if prediction is None:
+                self.transfer.recall(kept)
+                self.place, self.added_px = before
+        if prediction is None:
+            return False
+        self._guide(prediction)
+        self.events += 1
+        self._last_t = t
+        outbox.predict([self._cursor(t), self._frame(prediction)], 1)
+        return True
+
+    def configure(self, message: Configure) -> None:
+        """As ``Stream.configure``; ``assist`` replaces what was asked for, raises RefusedError."""
+        transfer = None if message.assist is None else _transfer(self.hello, message.assist)
+        super().configure(message)
+        if transfer is not None:
+            self.transfer = transfer
+
+    def _check_assist(self, message: Configure) -> None:
+        """It may be changed here."""
+
+    def _forget(self) -> None:
+        super()._forget()
+        self.transfer.reset()
+        self._guidance = ()
+
+    def _moved(self, table: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """The events with the cursor's places, and their predictions; raises EventError, nothing changed."""
+        stages = (self.transfer, self.pipeline.differentiator, self.pipeline.predictor)
+        kept = [stage.remembered() for stage in stages]
+        before = self.place, self.added_px, self._guidance
+        moved, predictions = table.copy(), np.empty((len(table), 10))
+        try:
+            for i, (t, x, y, dx, dy, buttons) in enumerate(table.tolist()):
+                place = self._step(t, x, y, dx, dy)
+                answer = None if place is None else self.pipeline.advance(t, *place, dx, dy, buttons)
+                if place is None or answer is None:
+                    raise EventError(f"t = {t!r} s with counts {dx!r}, {dy!r} cannot be used")
+                moved[i, 1:3], predictions[i] = place, answer
+                self._guide(answer)
+        except EventError:
+            for stage, memory in zip(stages, kept, strict=True):
+                stage.recall(memory)
+            self.place, self.added_px, self._guidance = before
+            raise
+        return moved, predictions
+
+    def _step(self, t: float, x: float, y: float, dx: float, dy: float) -> tuple[float, float] | None:
+        """Where one report brings the cursor, within the screen; ``None`` where it is refused."""
+        x, y = self.place or (x, y)
+        told = UNGUIDED
+        if self._guidance:
+            to_x, to_y, sxx, sxy, syy = self._guidance
+            if abs(to_x - x) <= LARGEST and abs(to_y - y) <= LARGEST:
+                told = (to_x - x, to_y - y, sxx, sxy, syy)
+        accepted, px, py, added_x, added_y = self.transfer.advance(t, dx, dy, told)
+        if accepted != accepted:
+            return None
+        self.added_px += hypot(added_x, added_y)
+        screen = self.hello.screen
+        width, height = (screen.width_px, screen.height_px) if screen else (None, None)
+        self.place = _within(x + px, width), _within(y + py, height)
+        return self.place
+
+    def _guide(self, prediction: tuple[float, ...]) -> None:
+        """The newest prediction guides the next report."""
+        self._guidance = prediction[1:6] if prediction[1] == prediction[1] else ()
+
+    def _cursor(self, t: float) -> str:
+        assert self.place is not None
+        return encode(Cursor(t, *self.place, self.added_px)).decode()
+
+    def _frames(
+        self, predictions: FloatArray, likely: list[list[Likely]] | None = None
+    ) -> tuple[list[Frame], int]:
+        """Where the cursor is now goes before the predictions, as text in either encoding."""
+        found, count = super()._frames(predictions, likely)
+        return [self._cursor(float(predictions[-1, 0])), *found], count
+
+
+def _transfer(hello: Hello, assist: Assist) -> GuardedTransfer:
+    cpi = cpi_of(hello)
+    if cpi is None:
+        words = "assistance needs the counts per inch of the device"
+        raise RefusedError("bad_field", words, "$.device.cpi")
+    function = ConstantGain(assist.gain) if assist.function == "constant" else SigmoidGain()
+    return GuardedTransfer(function, cpi=cpi, dpi=dpi_of(hello), rho=assist.rho, strength=assist.strength)
+
+
+def _within(place: float, size: float | None) -> float:
+    """A coordinate on a screen of a size; without one, within what a pipeline takes."""
+    if size is None:
+        return min(max(place, -LARGEST), LARGEST)
+    return min(max(place, 0.0), max(size - 1.0, 0.0))

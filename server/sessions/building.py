@@ -1,0 +1,83 @@
+"""A pipeline as a client asked for it; what is wrong with the wish, and where it says so."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from typing import Any
+
+from pointpred.errors import ParameterError
+from pointpred.pipeline import Pipeline
+from pointpred.registry import REGISTRY, build, parameters
+from pointpred.server.protocol.client_messages import Hello, Setting
+from pointpred.server.protocol.refusals import RefusedError
+from pointpred.stage import defaults
+
+DPI = 96.0
+ELSEWHERE = {"cpi": "device.cpi", "dpi": "screen.dpi", "name": "predictor"}
+"""What ``build`` takes besides parameters, and where a client says it."""
+SUBSTEPS_MOST = 200
+"""Sub-steps that one event may take in a session: some 15 us, where an event without any takes one."""
+
+
+def cpi_of(hello: Hello) -> float | None:
+    """Counts per inch of the client's device; ``None`` where it does not say."""
+    return hello.device.cpi if hello.device else None
+
+
+def dpi_of(hello: Hello) -> float:
+    """Pixels per inch of the client's screen."""
+    return hello.screen.dpi if hello.screen else DPI
+
+
+def pipeline_of(hello: Hello) -> Pipeline:
+    """Raises RefusedError, naming what is known, for an unknown predictor or a wrong parameter."""
+    if hello.predictor not in REGISTRY:
+        words = f"unknown predictor {hello.predictor!r}; known: {', '.join(REGISTRY)}"
+        raise RefusedError("unknown_predictor", words, "$.predictor")
+    for name, place in ELSEWHERE.items():
+        if name in hello.parameters:
+            raise RefusedError("bad_field", f"{name} is said as {place}", f"$.parameters.{name}")
+    try:
+        settings = {name: _whole(value) for name, value in hello.parameters.items()}
+        pipeline = build(hello.predictor, cpi=cpi_of(hello), dpi=dpi_of(hello), **settings)
+        _check_substeps(pipeline, settings)
+        return pipeline
+    except ParameterError as error:
+        raise RefusedError("bad_field", str(error), _place(str(error), hello)) from None
+    except (TypeError, ValueError) as error:
+        given = list(hello.parameters)
+        path = f"$.parameters.{given[0]}" if len(given) == 1 else "$.parameters"
+        raise RefusedError("bad_field", f"a parameter is of a wrong type: {error}", path) from None
+
+
+def _check_substeps(pipeline: Pipeline, settings: Mapping[str, Any]) -> None:
+    """Whoever predicts offline may wait for an event; here every session would wait with this one."""
+    usual = defaults(type(pipeline.differentiator))
+    if "step_s" not in usual:
+        return
+    known = {name: value for name, (_, value) in parameters(pipeline.name).items()}
+    gap_s, step_s = (float({**usual, **known, **settings}[name]) for name in ("gap_s", "step_s"))
+    if gap_s > SUBSTEPS_MOST * step_s:
+        words = f"step_s must be at least gap_s / {SUBSTEPS_MOST} = {gap_s / SUBSTEPS_MOST:g} s in a session"
+        raise ParameterError(f"{words}, received step_s = {step_s!r} s with gap_s = {gap_s!r} s")
+
+
+def _whole(value: Setting) -> Setting:
+    """JSON does not tell 4.0 from 4; a parameter that counts wants the latter, the others take both."""
+    return int(value) if isinstance(value, float) and value.is_integer() else value
+
+
+def _place(words: str, hello: Hello) -> str:
+    """The path of the parameter that an error speaks of first."""
+    found = {name: _mentioned(name, words) for name in hello.parameters}
+    named = [name for name, at in found.items() if at >= 0]
+    return f"$.parameters.{min(named, key=found.__getitem__)}" if named else "$.parameters"
+
+
+def _mentioned(name: str, words: str) -> int:
+    """Where words mention a parameter, -1 where they do not: quoted where it is unknown, else as a word."""
+    if (quoted := words.find(repr(name))) >= 0:
+        return quoted
+    found = re.search(rf"\b{re.escape(name)}\b", words)
+    return found.start() if found else -1

@@ -1,0 +1,116 @@
+"""What a session still has to say: bounded, and predictions give way to newer ones.
+
+A client that reads slowly gets the newest prediction and is told how many it missed. However many gave way
+says nothing of whether it reads, for one frame may hold a thousand: only time does, which the connection
+keeps.
+"""
+
+from __future__ import annotations
+
+from pointpred.server.protocol.server_messages import Choice, ErrorMessage, encode
+
+Frame = str | bytes
+MOST_CHOICES = 64
+"""Choices that wait to be read; where there are more, what they come to."""
+
+
+class Outbox:
+    """Frames in the order in which they are to be sent; not safe for threads."""
+
+    def __init__(self, *, most_notes: int = 1024) -> None:
+        self.most_notes = most_notes
+        self.dropped = 0
+        """Predictions replaced by newer ones since the client last read."""
+        self.dropped_in_all = 0
+        self.predicted = 0
+        """Predictions in all, those that gave way included."""
+        self._notes: list[Frame | Choice] = []
+        self._newest: list[Frame] = []
+        self._count = 0
+        self._after = 0  # how many notes were there before the newest prediction
+        self._choices = 0  # how many of the notes are choices
+        self._dropped_choices = 0
+        self._told: str | None = None  # the target whose proposal the client was told last, and no end of it
+
+    def say(self, frame: Frame) -> None:
+        """Add a frame that must not be lost."""
+        self._notes.append(frame)
+
+    def choose(self, choice: Choice) -> None:
+        """Add a proposal or its end; of many, what they come to is not lost."""
+        self._notes.append(choice)
+        self._choices += 1
+        if self._choices > MOST_CHOICES:
+            self._shorten()
+
+    def predict(self, frames: list[Frame], count: int) -> None:
+        """Add the answer to the newest events, ``count`` predictions; unsent older ones give way."""
+        self.dropped += self._count
+        self.dropped_in_all += self._count
+        self.predicted += count
+        self._newest, self._count, self._after = frames, count, len(self._notes)
+
+    @property
+    def full(self) -> bool:
+        """Whether more waits to be said than a client may leave unread."""
+        return len(self._notes) > self.most_notes
+
+    @property
+    def waiting(self) -> int:
+        """Predictions that are still to be sent."""
+        return self._count
+
+    def __bool__(self) -> bool:
+        return bool(self._notes or self._newest)
+
+    def take(self) -> list[Frame]:
+        """Everything to send now, in the order in which it was said."""
+        newest, self._newest, self._count = self._newest, [], 0
+        if not self._notes and not self.dropped:
+            return newest
+        if self.dropped or self._dropped_choices:
+            newest = [encode(ErrorMessage("slow", self._loss())).decode(), *newest]
+            self.dropped = self._dropped_choices = 0
+        notes, self._notes = self._notes, []
+        if self._choices:
+            self._told = standing(self._told, notes)
+            self._choices = 0
+        before, after = (
+            [_frame(note) for note in part] for part in (notes[: self._after], notes[self._after :])
+        )
+        return [*before, *newest, *after]
+
+    def _loss(self) -> str:
+        lost = [f"{self.dropped} predictions"] if self.dropped else []
+        lost += [f"{self._dropped_choices} choices"] if self._dropped_choices else []
+        return f"{' and '.join(lost)} gave way to newer ones because they were not read in time"
+
+    def _shorten(self) -> None:
+        """Leave of the choices that wait the end of what the client was told, and what is proposed now."""
+        stands = standing(self._told, self._notes)
+        ends: Choice | None = None
+        begins: Choice | None = None
+        for note in self._notes:
+            if isinstance(note, Choice) and stands != self._told:
+                ends = note if note.id == self._told and note.action == "retract" else ends
+                begins = note if note.id == stands and note.action == "propose" else begins
+        kept: list[Frame | Choice] = [note for note in self._notes if not isinstance(note, Choice)]
+        self._after -= sum(isinstance(note, Choice) for note in self._notes[: self._after])
+        left = [one for one in (ends, begins) if one is not None]
+        self._dropped_choices += self._choices - len(left)
+        self._notes, self._choices = [*kept, *left], len(left)
+
+
+def standing(told: str | None, notes: list[Frame | Choice]) -> str | None:
+    """The target that is proposed after these notes, where ``told`` was before them."""
+    for note in notes:
+        if isinstance(note, Choice):
+            if note.action == "propose":
+                told = note.id
+            elif note.id == told:
+                told = None
+    return told
+
+
+def _frame(note: Frame | Choice) -> Frame:
+    return encode(note).decode() if isinstance(note, Choice) else note

@@ -1,0 +1,1 @@
+"""Recordings that are sent to be scored: bounded, unpacked, spooled."""

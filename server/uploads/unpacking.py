@@ -1,0 +1,88 @@
+"""How large a recording is once it is unpacked, found out before it is."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pointpred.errors import RecordingError
+from pointpred.server.uploads.uploads import UploadError
+
+PARQUET = b"PAR1"
+MOST_ROWS = 500_000
+"""At 1000 events a second more than eight minutes of movement alone."""
+MOST_COLUMNS = 32
+MOST_UNPACKED = 2**27
+"""Bytes; reading needs a few times as many."""
+
+
+def check_unpacked(body: bytes) -> None:
+    """Raise UploadError where the rows of a file, or what it holds, take more than is allowed.
+
+    Raises RecordingError for a Parquet file that is damaged or holds what no recording holds. A file that
+    lies about the size of its pages is not found out.
+    """
+    if body.startswith(PARQUET):
+        _check_parquet(body)
+    else:
+        check_most("rows", max(body.count(b"\n"), body.count(b"\r")), MOST_ROWS + 1)
+
+
+def _check_parquet(body: bytes) -> None:
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    from pointpred.sources.tables import UNREADABLE
+
+    try:
+        about = pq.read_metadata(pa.BufferReader(body))
+        check_most("rows", about.num_rows, MOST_ROWS)
+        check_most("columns", about.num_columns, MOST_COLUMNS)
+        groups = [about.row_group(i) for i in range(about.num_row_groups)]
+        size = sum(group.total_byte_size for group in groups)
+        check_most("bytes", max(size, 8 * about.num_rows * about.num_columns), MOST_UNPACKED)
+        words = _words(about.schema.to_arrow_schema())
+        if words:
+            with pq.ParquetFile(pa.BufferReader(body), read_dictionary=words) as file:
+                size += sum(_spelled_out(column) for column in file.read(columns=words).columns)
+            check_most("bytes", size, MOST_UNPACKED)
+    except RecordingError:
+        raise
+    except UNREADABLE as error:
+        raise RecordingError(f"the recording: {' '.join(str(error).split())}") from None
+
+
+def _words(schema: Any) -> list[str]:
+    """The columns of words; raises RecordingError for what is neither words nor numbers."""
+    import pyarrow as pa
+
+    from pointpred.sources.tables import PLAIN
+
+    found = []
+    for field in schema:
+        kind = field.type.value_type if pa.types.is_dictionary(field.type) else field.type
+        if not any(fits(kind) for fits in PLAIN):
+            raise RecordingError(
+                f"the recording: column {field.name!r} holds {kind}, expected words or numbers"
+            )
+        if pa.types.is_string(kind) or pa.types.is_large_string(kind):
+            found.append(field.name)
+    return found
+
+
+def _spelled_out(column: Any) -> int:
+    """The most bytes that a column takes with every word written where it occurs."""
+    import pyarrow.compute as pc
+
+    size = 0
+    for chunk in column.chunks:
+        words = chunk.dictionary if hasattr(chunk, "dictionary") else chunk
+        longest = max((int(n or 0) for n in pc.binary_length(words).to_pylist()), default=0)
+        size += len(chunk) * (4 + longest)
+    return size
+
+
+def check_most(what: str, count: int, most: int) -> None:
+    """Raise UploadError for a recording that is to be scored with ``pointpred score``."""
+    if count > most:
+        words = f"a recording scored here holds at most {most} {what}, received {count}"
+        raise UploadError("too_large", f"{words}; 'pointpred score' takes larger ones", 413)
