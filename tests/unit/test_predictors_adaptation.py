@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import pickle
+import re
 from collections.abc import Callable, Iterable
 from math import cos, log, sin
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -20,6 +22,11 @@ from pointpred.scoring.replay import replay
 
 X, Y, SXX, SXY, SYY, LEFT, PHASE, TAIL, SPREAD = range(1, 10)
 NAME = "kinematic-adaptive"
+PAGE = Path(__file__).parents[2] / "docs" / "adaptation.md"
+SUDDEN = (
+    r"is predicted with (.*?) of the error.* fourth with (.*?), .* sixth with (.*?); .* ended with (.*?)\. "
+)
+"""What the page says of a sudden change."""
 
 
 def reach(px: float, duration: float = 0.7, angle: float = 0.3, rate: float = 125.0) -> EventColumns:
@@ -107,6 +114,9 @@ def test_a_distance_made_again_and_again_is_expected_and_a_new_one_soon_too() ->
     assert max(ratios[4:8]) < 0.5
     assert max(ratios) < 1.7  # the price of a sudden change
     assert max(ratios[13:]) < 0.5
+    told = re.search(SUDDEN, " ".join(PAGE.read_text(encoding="utf-8").split()))
+    assert told is not None
+    assert [f"{ratios[i]:.2f}" for i in (8, 11, 13, 7)] == list(told.groups())
 
 
 @pytest.mark.parametrize("make", [lambda: build(NAME, adapt=0), lambda: Pipeline(
