@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 from scipy import integrate, linalg
 
 from pointpred.errors import EventError, EventOrderError, ParameterError
-from pointpred.observers import GradientRegressor, gradient_law
+from pointpred.observers import GradientRegressor
+from pointpred.observers.regressors import gradient_law
 from pointpred.regression import gradient
 
 SEEDS = st.integers(0, 2**32 - 1)

@@ -10,7 +10,8 @@ import pytest
 from scipy import integrate, linalg
 
 from pointpred.errors import EventError, EventOrderError, ParameterError, UndecidedError
-from pointpred.observers import GradientRegressor, NonlinearRegressor, nonlinear_law, regression_margin
+from pointpred.observers import GradientRegressor, NonlinearRegressor, regression_margin
+from pointpred.observers.regressors import nonlinear_law
 
 TRUTH = np.array([3.0, 5.0])
 

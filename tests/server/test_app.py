@@ -33,7 +33,8 @@ class References(HTMLParser):
         self.found: list[str] = []
 
     def handle_starttag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
-        self.found += [value for name, value in attributes if name in ("src", "href") and value]
+        named = [value for name, value in attributes if name in ("src", "href") and value]
+        self.found += [value for value in named if not value.startswith("#")]  # a part of the page itself
 
 
 def test_page_loads_only_what_lies_beside_it(client: TestClient) -> None:
