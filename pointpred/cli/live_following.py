@@ -17,6 +17,9 @@ if TYPE_CHECKING:
 SWITCH_S = 0.0005
 """How long a thread may hold the interpreter while a report waits: a view takes milliseconds to draw."""
 
+LOOK_S = 0.5
+"""How often a main thread that waits looks for signals: one that another thread was handed wakes nobody."""
+
 
 class Following:
     """Drives a session until it is told to stop, or until something breaks, which ``stop`` then raises."""
@@ -73,6 +76,12 @@ class Viewing:
             self.error = error
         finally:
             self._stopping.set()
+
+
+def until(stopping: threading.Event) -> None:
+    """Wait for the end, as the main thread, in which Python's own handlers of signals run."""
+    while not stopping.wait(LOOK_S):
+        pass
 
 
 @contextmanager

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
-from pointpred.cli.live_following import Following, Viewing, attentive
+from pointpred.cli.live_following import Following, Viewing, attentive, until
 from pointpred.cli.live_learning import Learning, learning_of
 from pointpred.cli.live_log import ViewLog
 from pointpred.cli.live_serving import Serving
@@ -75,7 +75,7 @@ class Outlets:
             view = Viewing(partial(show, self.session, heading, stopping, screen, self._viewed), stopping)
             try:
                 if serving is None:
-                    stopping.wait()
+                    until(stopping)
                 else:
                     serving.run(stopping, said=self._log is None)
             except KeyboardInterrupt:

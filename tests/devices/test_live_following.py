@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 import threading
 
 import pytest
@@ -44,3 +46,26 @@ def test_a_view_that_breaks_ends_the_session(error: BaseException) -> None:
     view = Viewing(show, stopping)
     view.join()
     assert (view.error, stopping.is_set()) == (error, True)
+
+
+HANDED_ELSEWHERE = """
+import signal, threading
+from pointpred.cli.live_following import attentive, until
+
+stopping, waiting = threading.Event(), threading.Event()
+other = threading.Thread(target=waiting.wait, daemon=True)
+other.start()
+with attentive(stopping):
+    threading.Timer(0.2, signal.pthread_kill, (other.ident, signal.SIGTERM)).start()
+    until(stopping)
+print("ended in order")
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="threads have no signals of their own there")
+def test_a_signal_that_another_thread_is_handed_ends_it() -> None:
+    """The system may hand a signal to any thread, and the main thread, which waits, is not woken by it."""
+    ended = subprocess.run(
+        [sys.executable, "-c", HANDED_ELSEWHERE], capture_output=True, text=True, timeout=60, check=False
+    )
+    assert (ended.returncode, ended.stdout) == (0, "ended in order\n"), ended.stderr
