@@ -71,12 +71,18 @@ class Page:
     def go(self, url: str) -> None:
         """Open an address and wait until it has loaded."""
         self.call("Page.enable")
+        self.call("Page.setLifecycleEventsEnabled", enabled=True)
         self.heard.clear()
         answer = self.call("Page.navigate", url=url)
         if answer.get("errorText"):
             raise SourceError(f"the page cannot open {url}: {answer['errorText']}")
-        while not any(event["method"] == "Page.loadEventFired" for event in self.heard):
+        while not self._loaded(answer.get("loaderId")):
             self._hear()
+
+    def _loaded(self, loader: str | None) -> bool:
+        """Whether this document has: the one before may say so late. A part of a page has nothing to load."""
+        told = (event["params"] for event in self.heard if event["method"] == "Page.lifecycleEvent")
+        return loader is None or any((one["name"], one["loaderId"]) == ("load", loader) for one in told)
 
     def close(self) -> None:
         """Let go of the tab; it stays open."""

@@ -63,6 +63,17 @@ def test_a_path_is_followed_with_its_presses(page: Page) -> None:
     assert [one[4] for one in seen(page) if one[0] == "click"] == [0]
 
 
+def test_the_end_of_loading_is_that_of_the_page_asked_for(page: Page) -> None:
+    late = {"method": "Page.lifecycleEvent", "params": {"name": "load", "loaderId": "of the page before"}}
+    page.heard.append(late)
+    assert not page._loaded("of this one")
+    here = page.evaluate("location.href")
+    page.go(here)
+    assert page.evaluate("[document.readyState, window.seen]") == ["complete", None]
+    page.go(f"{here}#part")  # nothing is loaded anew
+    assert page.evaluate("location.hash") == "#part"
+
+
 def test_the_recorded_pace_is_kept(page: Page) -> None:
     t = np.linspace(0.0, 0.5, 251)
     path = EventColumns.of(t, 100 + 100 * t, 100 + 0 * t)
