@@ -145,7 +145,7 @@ class Outlets:
     def _recorded(self, recording: LiveRecording) -> str:
         """What has been recorded; there is no file before there is an event."""
         if recording.events:
-            said = f"{counted(recording.events, 'event')} in {recording.file}"
+            said = f"{counted(recording.events - recording.lost, 'event')} in {recording.file}"
         else:
             came = self.session.reports or self.session.source.unreadable
             said = "nothing recorded" if came else "nothing moved, nothing recorded"

@@ -9,8 +9,9 @@ from typing import Any
 
 Message = MutableMapping[str, Any]
 
-MOST = 4
-"""Frames taken in meanwhile: a client waits for the answer to its hello, and what more it sends can wait."""
+MOST = 4096
+MOST_BYTES = 1 << 20
+"""Frames taken in meanwhile, and their size: only who listens notices that a client leaves. More has to wait."""
 
 
 class Early:
@@ -19,21 +20,24 @@ class Early:
     def __init__(self, receive: Callable[[], Awaitable[Message]]) -> None:
         self._receive = receive
         self._heard: deque[Message] = deque()
+        self._bytes = 0
         self._coming: asyncio.Future[Message] | None = None
 
     async def stays(self, until: Coroutine[Any, Any, None]) -> bool:
         """Whether the client is still there at the end of ``until``, which is given up where it is not."""
         waiting = asyncio.ensure_future(until)
         try:
-            while not waiting.done() and len(self._heard) < MOST:
+            while not waiting.done() and len(self._heard) < MOST and self._bytes < MOST_BYTES:
                 coming = self._coming = self._coming or asyncio.ensure_future(self._receive())
                 both: set[asyncio.Future[Any]] = {waiting, coming}
                 await asyncio.wait(both, return_when=asyncio.FIRST_COMPLETED)
                 if coming.done():
                     self._coming = None
-                    self._heard.append(coming.result())
-                    if self._heard[-1]["type"] == "websocket.disconnect":
+                    message = coming.result()
+                    if message["type"] == "websocket.disconnect":
                         return False
+                    self._heard.append(message)
+                    self._bytes += len(message.get("text") or message.get("bytes") or "")
             await waiting
             return True
         finally:

@@ -42,21 +42,27 @@ class SessionFiles:
         self.folder = folder
         self.name = name
         self.about = about
+        self.rows = 0
+        """Whole rows that stand in the files."""
         self._write = write
         self._opened: dict[str, int] = {}
         self._dirty: set[str] = set()
 
     def append(self, part: str, rows: bytes) -> None:
         """Append rows to one of the files; the file begins with its header."""
+        head = b""
         if part not in self._opened:
             self._check_kept()
-            rows = self._head(part) + rows
+            head = self._head(part)
             self._opened[part] = os.open(self.path_of(part), FLAGS, 0o600)
             self._sync_folder()
         self._dirty.add(part)
-        left = memoryview(rows)
-        while left:
-            left = left[self._write(self._opened[part], bytes(left)) :]
+        whole, left = head + rows, memoryview(head + rows)
+        try:
+            while left:
+                left = left[self._write(self._opened[part], bytes(left)) :]
+        finally:
+            self.rows += whole.count(b"\n", len(head), max(len(head), len(whole) - len(left)))
 
     def path_of(self, part: str) -> Path:
         """Where a part is written."""

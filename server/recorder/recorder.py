@@ -53,7 +53,7 @@ class Recorder:
     ) -> None:
         self.folder = folder
         self.lost = 0
-        """Events, and marks of trials, of all sessions that were not recorded."""
+        """Events, and ends of trials, of all sessions that stand in no file."""
         self.failures = 0
         """Sessions whose recording stopped because of an error."""
         self.waiting = 0
@@ -94,9 +94,10 @@ class Recorder:
         count, mark = len(item), item.starts or item.ends
         with self._lock:
             full = self.waiting + count > self._most or (mark and self._marks >= self._most)
-            if (count and (session.failed or self._stopping.is_set())) or (full and not item.closes):
-                session.lost += max(count, 1)
-                self.lost += max(count, 1)
+            over = session.failed or self._stopping.is_set()
+            if ((count or mark) and over) or (full and not item.closes):
+                session.lost += count + item.ends
+                self.lost += count + item.ends
                 return
             self._marks += mark
             first = not self._items
@@ -141,19 +142,20 @@ class Recorder:
             self._marks -= sum(item.starts or item.ends for _, item in items)
 
     def _write_session(self, session: SessionRecorder, items: list[Item]) -> None:
-        count = sum(len(item) for item in items)
+        left = {"samples": sum(len(item) for item in items), "trials": sum(item.ends for item in items)}
+        before = session.files.rows
         try:
-            if session.failed:  # they were put aside before it had
-                self._lose(session, count)
-            else:
+            if not session.failed:
                 self._open.add(session)
                 for part, rows in rows_of(session.name, items):
                     session.files.append(part, rows)
+                    before, left[part] = session.files.rows, 0
                 if not session.due:
                     session.due = time.monotonic() + SYNC_S
                     self._dirty.append(session)
         except Exception as error:  # the service goes on without this recording, whatever broke
-            self._fail(session, error, count)
+            self._fail(session, error)
+        self._lose(session, max(0, sum(left.values()) - (session.files.rows - before)))
         if items[-1].closes:
             self._finish(session)
 
@@ -169,7 +171,7 @@ class Recorder:
             try:
                 session.files.sync()
             except OSError as error:
-                self._fail(session, error, 0)
+                self._fail(session, error)
 
     def _finish(self, session: SessionRecorder) -> None:
         """Close the files of a session that has ended; all of it is then on the disk."""
@@ -180,20 +182,19 @@ class Recorder:
                 session.files.sync()
             session.files.close()
         except OSError as error:
-            self._fail(session, error, 0)
+            self._fail(session, error)
         self._open.discard(session)
         if session.lost:
-            log.warning("recording %s: %d events were lost", session.name, session.lost)
+            log.warning("recording %s: %d events and ends of trials were lost", session.name, session.lost)
 
     def _lose(self, session: SessionRecorder, count: int) -> None:
-        """Count events that will not be written."""
+        """Count what stands in no file."""
         with self._lock:
             session.lost += count
             self.lost += count
 
-    def _fail(self, session: SessionRecorder, error: Exception, lost: int) -> None:
+    def _fail(self, session: SessionRecorder, error: Exception) -> None:
         """Give up the recording of a session, and say so once; the session itself goes on."""
-        self._lose(session, lost)
         with self._lock:
             session.failed = True
             self.failures += 1

@@ -65,14 +65,44 @@ def test_a_full_disk_ends_the_recording_and_nothing_else(
     assert recorder.close()
     assert session.failed
     assert recorder.failures == 1
-    assert recorder.lost == session.lost == count + len(source.rows(0))
     said = [entry for entry in caplog.records if entry.levelno == logging.ERROR]
     assert len(said) == 1
     assert "No space left on device" in said[0].getMessage()
     back = read(tmp_path / "kept" / f"{session.name}_samples.csv")
     assert back.notes[0].startswith(f"{session.name}_samples.csv: the last line is cut")
     kept = sum(len(back.rows(i)) for i in range(len(back.trials)))
+    ends = 3  # of trials
+    assert recorder.lost == session.lost == count + ends + len(source.rows(0)) - kept
     np.testing.assert_array_equal(back.events.table, source.events.table[:kept])
+
+
+def test_events_whose_predictions_alone_found_no_room_are_not_lost(opened: Opened, tmp_path: Path) -> None:
+    def full(descriptor: int, data: bytes) -> int:
+        if b"phase" in data:  # the header of the predictions
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        return os.write(descriptor, data)
+
+    recorder = opened(write=full)
+    session = begin(recorder)
+    feed(session, sample().rows(0), pieces=1)
+    assert recorder.close()
+    assert (recorder.failures, recorder.lost, session.lost) == (1, 0, 0)
+    (back,) = listing(tmp_path / "kept")
+    assert back.events == len(sample().rows(0))
+
+
+def test_ends_of_trials_after_a_failure_or_the_end_are_lost(opened: Opened) -> None:
+    recorder = opened(write=FullDisk(0))
+    session = begin(recorder)
+    feed(session, sample().rows(0), pieces=1)
+    soon(lambda: recorder.failures, "it has failed")
+    soon(lambda: recorder.lost == len(sample().rows(0)), "and is counted")
+    session.trial("start")
+    session.trial("end")
+    assert recorder.close()
+    session.trial("start")
+    session.trial("end")
+    assert recorder.lost == session.lost == len(sample().rows(0)) + 2
 
 
 def test_events_put_aside_while_the_disk_turns_out_full_are_counted_as_lost(opened: Opened) -> None:

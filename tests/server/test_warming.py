@@ -72,7 +72,7 @@ def test_who_waits_for_warm_code_hears_that_the_service_stops(warm: threading.Ev
 
 def test_who_leaves_while_code_is_warmed_leaves_its_place(warm: threading.Event) -> None:
     with running(max_sessions=1) as here:
-        for said in ([], [HELLO]):
+        for said in ([], [HELLO], [HELLO] + 100 * ['{"type":"reset"}']):
             with here.connect() as early:
                 for text in said:
                     early.send(text)

@@ -126,8 +126,8 @@ def _solved(cvxpy: Any, whole: Any, solver: str) -> str:
     """
     import warnings
 
-    failed = ""
-    for digits in (TIGHT.get(solver, {}), dict.fromkeys(TIGHT.get(solver, {}), LOOSER)):
+    failed, tight = "", TIGHT.get(solver, {})
+    for digits in (tight, dict.fromkeys(tight, LOOSER))[: 2 if tight else 1]:
         try:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")
