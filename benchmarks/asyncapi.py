@@ -14,7 +14,7 @@ from benchmarks import asyncapi_words as words
 from benchmarks.asyncapi_live import live_channel, live_messages, live_operations
 from pointpred.events import PHASES
 from pointpred.server.protocol.client_messages import SUBPROTOCOL, ClientMessage
-from pointpred.server.protocol.live import live_schemas
+from pointpred.server.protocol.live_messages import live_schemas
 from pointpred.server.protocol.records import EVENT, NO_COUNTS, PREDICTION, pack
 from pointpred.server.protocol.schemas import schemas
 from pointpred.server.protocol.server_messages import ServerMessage

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pointpred.server.protocol.assisted import Assist, Cursor
+from pointpred.server.protocol.assisted_messages import Assist, Cursor
 from pointpred.server.protocol.client_messages import (
     Bye,
     Configure,

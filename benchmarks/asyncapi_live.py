@@ -8,7 +8,7 @@ import msgspec
 
 from pointpred.server.live_endpoint import NO_DEVICE
 from pointpred.server.protocol.client_messages import SUBPROTOCOL
-from pointpred.server.protocol.live import Attached, Curve, Status
+from pointpred.server.protocol.live_messages import Attached, Curve, Status
 from pointpred.transfer import GainCurve
 from pointpred.transfer.curve import Comparison
 

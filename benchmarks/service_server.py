@@ -9,8 +9,8 @@ from __future__ import annotations
 from starlette.routing import WebSocketRoute
 
 from pointpred.server.endpoint import StreamEndpoint
+from pointpred.server.garbage import spare
 from pointpred.server.hosts import HostRule
-from pointpred.server.listening.garbage import spare
 from pointpred.server.listening.listening import listen, make_server
 from pointpred.server.service import Service
 from pointpred.server.sessions.session import Session

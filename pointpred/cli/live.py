@@ -85,7 +85,7 @@ def live(
         cpi = moving.cpi
     _warm(predictor)
     from pointpred.devices.sessions import LiveSession
-    from pointpred.server.listening.garbage import spare
+    from pointpred.server.garbage import spare
 
     with ExitStack() as until_done:
         source = until_done.enter_context(live_device.choose(device))

@@ -19,8 +19,8 @@ from pointpred.errors import ParameterError, SourceError
 if TYPE_CHECKING:
     from pointpred.devices.sessions import LiveSession
     from pointpred.server.live.feed import LiveFeed
-    from pointpred.server.protocol.live import Curve
-    from pointpred.server.recorder.live import LiveRecording
+    from pointpred.server.protocol.live_messages import Curve
+    from pointpred.server.recorder.live_recording import LiveRecording
     from pointpred.transfer import GainCurve
 
 
@@ -67,13 +67,14 @@ class Outlets:
         elif serving is not None:
             set_up(None)
         with attentive(stopping):
+            view = None
             self._following.start(self.wanted.seconds)
-            self._learn()
-            if not screen.is_terminal:
-                for name, words in heading:
-                    remarks().print(f"{name}: {words}", markup=False)
-            view = Viewing(partial(show, self.session, heading, stopping, screen, self._viewed), stopping)
             try:
+                self._learn()
+                if not screen.is_terminal:
+                    for name, words in heading:
+                        remarks().print(f"{name}: {words}", markup=False)
+                view = Viewing(partial(show, self.session, heading, stopping, screen, self._viewed), stopping)
                 if serving is None:
                     until(stopping)
                 else:
@@ -82,9 +83,10 @@ class Outlets:
                 stopping.set()
             finally:
                 stopping.set()
-                view.join()
-                self._end(unheard=view.error is not None)
-            if view.error is not None:
+                if view is not None:
+                    view.join()
+                self._end(unheard=view is not None and view.error is not None)
+            if view is not None and view.error is not None:
                 raise view.error
 
     def _learn(self) -> None:
@@ -160,14 +162,14 @@ class Outlets:
 
 def curve_message(words: str, curve: GainCurve | None = None) -> Curve:
     """What viewers hear of the transfer function."""
-    from pointpred.server.protocol.live import Curve
+    from pointpred.server.protocol.live_messages import Curve
 
     return Curve(words, curve)
 
 
 def _recording(session: LiveSession, wanted: Wanted) -> LiveRecording:
     from pointpred.server.protocol.client_messages import Device, Hello, Screen
-    from pointpred.server.recorder.live import LiveRecording
+    from pointpred.server.recorder.live_recording import LiveRecording
 
     assert wanted.record is not None
     hello = Hello(1, wanted.predictor, device=Device(cpi=wanted.cpi), screen=Screen(dpi=wanted.dpi))
@@ -178,7 +180,7 @@ def _recording(session: LiveSession, wanted: Wanted) -> LiveRecording:
 
 def _feed(session: LiveSession, wanted: Wanted) -> LiveFeed:
     from pointpred.server.live.feed import LiveFeed
-    from pointpred.server.protocol.live import Attached
+    from pointpred.server.protocol.live_messages import Attached
 
     source = session.source
     about = Attached(

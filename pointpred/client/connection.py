@@ -19,7 +19,7 @@ from pointpred.client.wire import Row, address, authorization, encode
 from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.errors import SourceError
 from pointpred.events import PointerEvent
-from pointpred.server.protocol.assisted import Cursor
+from pointpred.server.protocol.assisted_messages import Cursor
 from pointpred.server.protocol.client_messages import SUBPROTOCOL, Bye, Goal, Target
 from pointpred.server.protocol.server_messages import (
     Choice,

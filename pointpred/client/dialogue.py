@@ -22,7 +22,7 @@ from pointpred.client.wire import (
 from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.errors import ParameterError, PointpredError
 from pointpred.events import PointerEvent
-from pointpred.server.protocol.assisted import Cursor
+from pointpred.server.protocol.assisted_messages import Cursor
 from pointpred.server.protocol.client_messages import (
     VERSION,
     ClientMessage,

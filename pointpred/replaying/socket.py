@@ -21,7 +21,7 @@ from pointpred.replaying.local import local_scores
 from pointpred.replaying.pacing import due
 from pointpred.server.protocol.client_messages import Goal
 from pointpred.server.protocol.server_messages import Score
-from pointpred.server.sessions.rate import Rate
+from pointpred.server.rate import Rate
 
 Progress = Callable[[str, int, int], None]
 SHARE = 0.9

@@ -1,1 +1,1 @@
-"""From a socket into a session and back, and how a conversation ends."""
+"""From a socket into a session and back; a client that comes before code is warm."""

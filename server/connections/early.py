@@ -11,7 +11,7 @@ Message = MutableMapping[str, Any]
 
 MOST = 4096
 MOST_BYTES = 1 << 20
-"""Frames taken in meanwhile, and their size: only who listens notices that a client leaves. More has to wait."""
+"""Frames taken in meanwhile, and their size: who does not listen does not notice that a client leaves."""
 
 
 class Early:

@@ -14,7 +14,7 @@ from websockets.frames import Frame, Opcode
 from websockets.protocol import State
 
 from pointpred.server.protocol.server_messages import Code, ErrorMessage, encode
-from pointpred.server.sessions.rate import Rate
+from pointpred.server.rate import Rate
 
 LINGER_S = 5.0
 """A client may read its last frames and say goodbye for so long."""

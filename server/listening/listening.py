@@ -13,9 +13,9 @@ import uvicorn
 
 from pointpred.errors import SourceError
 from pointpred.server.app import create_app
+from pointpred.server.garbage import spare
 from pointpred.server.hosts import WILDCARDS, HostRule
 from pointpred.server.listening.cutting import CuttingProtocol
-from pointpred.server.listening.garbage import spare
 from pointpred.server.listening.patience import PatientProtocol
 from pointpred.server.service import Service
 

@@ -12,7 +12,7 @@ from pointpred.devices.sessions import LiveState, Pair
 from pointpred.events import PointerEvent, Prediction
 from pointpred.server.live.viewer import Viewer
 from pointpred.server.protocol.client_messages import Events
-from pointpred.server.protocol.live import Attached, Curve, Status
+from pointpred.server.protocol.live_messages import Attached, Curve, Status
 from pointpred.server.protocol.server_messages import PredictionMessage, Region, encode
 from pointpred.server.sessions.outbox import Frame
 

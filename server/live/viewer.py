@@ -6,7 +6,7 @@ from typing import Protocol
 
 from pointpred.server.protocol.client_messages import Bye
 from pointpred.server.protocol.decoding import decode_text
-from pointpred.server.protocol.live import Attached, Curve, Status
+from pointpred.server.protocol.live_messages import Attached, Curve, Status
 from pointpred.server.protocol.refusals import RefusedError
 from pointpred.server.protocol.server_messages import Limits, encode
 from pointpred.server.sessions.allowance import Allowance

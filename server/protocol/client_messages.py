@@ -6,7 +6,7 @@ from typing import Literal
 
 from msgspec import Struct
 
-from pointpred.server.protocol.assisted import Assist
+from pointpred.server.protocol.assisted_messages import Assist
 from pointpred.server.protocol.fields import (
     Bounded,
     Buttons,

@@ -7,7 +7,7 @@ from typing import Literal
 import msgspec
 from msgspec import UNSET, Struct, UnsetType
 
-from pointpred.server.protocol.assisted import Cursor
+from pointpred.server.protocol.assisted_messages import Cursor
 from pointpred.server.protocol.client_messages import Bye
 
 Code = Literal[

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pointpred.server.protocol.client_messages import Target
 from pointpred.server.protocol.refusals import RefusedError
 from pointpred.server.protocol.server_messages import Limits
-from pointpred.server.sessions.rate import Rate
+from pointpred.server.rate import Rate
 
 MESSAGES_PER_S = 500
 """Messages other than events, a second: a display's refreshing twice over, and some."""

@@ -10,7 +10,7 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.errors import EventError
 from pointpred.events import LARGEST
-from pointpred.server.protocol.assisted import Assist, Cursor
+from pointpred.server.protocol.assisted_messages import Assist, Cursor
 from pointpred.server.protocol.client_messages import Configure, Hello
 from pointpred.server.protocol.decoding import check_numbers
 from pointpred.server.protocol.refusals import RefusedError

@@ -1,1 +1,1 @@
-"""Recordings that are sent to be scored: bounded, unpacked, spooled."""
+"""Recordings that are sent to be scored: their size bounded before they are unpacked, spooled, scored."""

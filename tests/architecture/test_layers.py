@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.architecture.tree import imports_of, module_of, package_files
+from tests.architecture.tree import ROOT, imports_of, module_of, package_files
 
 GROUND = {"errors", "compiled", "events", "columns", "recording", "stage"}
 MATHS = GROUND | {"regression", "differentiators", "transfer"}
@@ -100,3 +100,13 @@ def test_rooms_of_a_layer_have_an_order(layer: str) -> None:
             }
             graph.setdefault(parts[2], set()).update(reached - {parts[2]})
     assert list(TopologicalSorter(graph).static_order())
+
+
+def test_the_page_tells_of_every_room() -> None:
+    page = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+    rooms = {path.parent.name for path in FILES} - {"pointpred"}
+    assert [room for room in sorted(rooms) if f"  {room}/ " not in page and f"\n{room}/ " not in page] == []
+    order = page[page.index("From the bottom up") : page.index("## The contract")]
+    assert [
+        layer for layer in MAY_IMPORT if layer not in order and layer not in ("pointpred", "__main__")
+    ] == []

@@ -21,7 +21,7 @@ from benchmarks.asyncapi_live import EXAMPLES
 from benchmarks.pages import ROOT
 from pointpred.server.protocol.client_messages import KNOWN, ClientMessage
 from pointpred.server.protocol.decoding import decode_text, table_of_bytes
-from pointpred.server.protocol.live import live_schemas
+from pointpred.server.protocol.live_messages import live_schemas
 from pointpred.server.protocol.records import EVENT, PREDICTION
 from pointpred.server.protocol.schemas import schemas
 from pointpred.server.protocol.server_messages import Code, ServerMessage

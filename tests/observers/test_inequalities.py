@@ -102,6 +102,11 @@ def test_multipliers_that_prove_nothing_leave_it_undecided(monkeypatch: pytest.M
         lyapunov(np.eye(2)).solve()
 
 
+def test_a_solver_that_is_not_there_is_named_with_those_that_are() -> None:
+    with pytest.raises(ParameterError, match="'NOSUCH' is not installed; there are .*CLARABEL"):
+        lyapunov(np.array([[-1.0]])).solve(solver="NOSUCH")
+
+
 @given(st.integers(0, 2**32 - 1))
 @settings(max_examples=20)
 def test_the_bound_of_the_margin_holds_for_every_choice(seed: int) -> None:

@@ -14,7 +14,7 @@ from pointpred import build
 from pointpred.devices.paths import MotorPath
 from pointpred.devices.sessions import LiveSession
 from pointpred.server.protocol.client_messages import Device, Hello, Screen
-from pointpred.server.recorder.live import LiveRecording
+from pointpred.server.recorder.live_recording import LiveRecording
 from pointpred.sources import read
 from tests.devices.live_fakes import FakeMouse, reach
 from tests.server.listener import soon

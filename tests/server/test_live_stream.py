@@ -18,7 +18,7 @@ from websockets.typing import Subprotocol
 import pointpred.server.connections.talk
 from pointpred.server.live.feed import MOST_WAITING
 from pointpred.server.protocol.client_messages import SUBPROTOCOL
-from pointpred.server.protocol.live import Curve
+from pointpred.server.protocol.live_messages import Curve
 from pointpred.transfer import TransferLearner
 from tests.server.listener import soon
 from tests.server.live_attached import ATTACHED, Attachment, attached

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from pointpred import PointerEvent
-from pointpred.server.protocol.live import Curve
+from pointpred.server.protocol.live_messages import Curve
 from pointpred.transfer import ConstantGain, PixelTransfer, TransferLearner
 from tests.devices.live_fakes import reach
 from tests.server import browser, page_browser

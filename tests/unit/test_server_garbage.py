@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import gc
 
-from pointpred.server.listening.garbage import YOUNGEST, spare
+from pointpred.server.garbage import YOUNGEST, spare
 
 
 def test_what_is_loaded_is_not_looked_at_again() -> None:

@@ -7,8 +7,8 @@ from typing import Any
 
 import pytest
 
+from pointpred.server.rate import Rate
 from pointpred.server.sessions.allowance import MESSAGES_PER_S
-from pointpred.server.sessions.rate import Rate
 from tests.unit.talking import Talk, events, hello, packed
 
 ROW = [0.5, 3.0, 4.0, None, None, 0]

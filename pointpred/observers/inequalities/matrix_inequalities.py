@@ -42,7 +42,7 @@ class MatrixInequalities:
 
     Parameters: ``margin`` relative to s, (0, 1e-2]; ``kappa`` the largest eigenvalue and entry, [10, 1e8].
     Returns a ``Solution`` from ``solve``. Raises ParameterError, InfeasibleError, UndecidedError and
-    CertificateError; MissingExtraError where the solver is not installed.
+    CertificateError; MissingExtraError where the extra is not installed.
 
     Reference: Boyd, El Ghaoui, Feron, Balakrishnan 1994, chapter 2; Boyd, Vandenberghe 2004, section 5.9.
 

@@ -8,7 +8,7 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.errors import MissingExtraError
+from pointpred.errors import MissingExtraError, ParameterError
 
 CAP = 1e-2
 """The margin beyond which more is not asked for."""
@@ -55,7 +55,7 @@ def scaled(constant: FloatArray, slopes: FloatArray) -> tuple[Block, float]:
 
 def run(problem: Affine, *, solver: str, margin: float | None) -> Answer:
     """Minimise the objective at the given margin, or find the largest margin where it is ``None``."""
-    cvxpy = _library()
+    cvxpy = _library(solver)
     y, t = cvxpy.Variable(problem.basis.shape[1]), cvxpy.Variable()
     x = problem.x0 + problem.basis @ y
     needed = t if margin is None else margin
@@ -139,7 +139,7 @@ def _solved(cvxpy: Any, whole: Any, solver: str) -> str:
     return failed
 
 
-def _library() -> Any:
+def _library(solver: str) -> Any:
     try:
         import clarabel  # noqa: F401
         import cvxpy
@@ -147,4 +147,6 @@ def _library() -> Any:
         raise MissingExtraError(
             "designing an observer needs a solver: pip install 'pointpred[observers]'"
         ) from missing
+    if solver not in (there := cvxpy.installed_solvers()):
+        raise ParameterError(f"solver {solver!r} is not installed; there are {', '.join(there)}")
     return cvxpy
