@@ -103,7 +103,7 @@ def test_multipliers_that_prove_nothing_leave_it_undecided(monkeypatch: pytest.M
 
 
 def test_a_solver_that_is_not_there_is_named_with_those_that_are() -> None:
-    with pytest.raises(ParameterError, match="'NOSUCH' is not installed; there are .*CLARABEL"):
+    with pytest.raises(ParameterError, match=r"'NOSUCH' is not installed; there are .*CLARABEL"):
         lyapunov(np.array([[-1.0]])).solve(solver="NOSUCH")
 
 

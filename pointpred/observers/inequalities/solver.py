@@ -147,6 +147,7 @@ def _library(solver: str) -> Any:
         raise MissingExtraError(
             "designing an observer needs a solver: pip install 'pointpred[observers]'"
         ) from missing
-    if solver not in (there := cvxpy.installed_solvers()):
+    library: Any = cvxpy
+    if solver not in (there := library.installed_solvers()):
         raise ParameterError(f"solver {solver!r} is not installed; there are {', '.join(there)}")
-    return cvxpy
+    return library
