@@ -15,6 +15,7 @@ from pointpred.cli.camera import app as camera
 from pointpred.cli.datasets import app as datasets
 from pointpred.cli.devices import app as devices
 from pointpred.cli.doctor import doctor
+from pointpred.cli.help_text import teach
 from pointpred.cli.live import live
 from pointpred.cli.predictors import predictors
 from pointpred.cli.recordings import app as recordings
@@ -42,6 +43,7 @@ app.add_typer(camera, name="camera")
 app.add_typer(datasets, name="datasets")
 app.add_typer(devices, name="devices")
 app.add_typer(recordings, name="recordings")
+teach(app)
 
 
 def _version(wanted: bool) -> None:
