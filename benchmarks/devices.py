@@ -1,12 +1,11 @@
 """What live devices cost: ``python -m benchmarks.devices`` prints tables and writes docs/devices-cost.md.
 
-``--realtime`` runs the mouse and its reader before everything else on the machine, for one that others use.
+``realtime`` after it runs the mouse and its reader before everything else, on a machine that others use.
 """
 
 from __future__ import annotations
 
 import os
-import sys
 import time
 import timeit
 from functools import partial
@@ -21,6 +20,7 @@ from tests.devices.mice import ENCODERS
 from tests.devices.umockdev import missing
 
 PAGE = Path(__file__).parent.parent / "docs" / "devices-cost.md"
+REALTIME = "realtime"
 ROUNDS, CALLS = 15, 20_000
 RUNS = ((1000.0, 20.0), (8000.0, 60.0))
 """Reports a second, and for how many seconds."""
@@ -83,8 +83,8 @@ LIVE = (
 )
 
 
-def main() -> None:
-    realtime = "--realtime" in sys.argv[1:]
+def main(wanted: list[str]) -> None:
+    realtime = wanted == [REALTIME]
     told = machine()
     if realtime:
         told += "; the mouse and its reader ran before everything else (SCHED_RR), the decoder did not"
@@ -96,5 +96,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    words(__doc__)
-    main()
+    main(words(__doc__, named=REALTIME, known=[REALTIME], most=1))

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
+from benchmarks import per_event
 from benchmarks.arguments import words
 
 ROOT = Path(__file__).parents[2]
@@ -24,6 +26,7 @@ RUN = {
 def test_each_benchmark_reads_its_words_first(name: str) -> None:
     last = RUN[name].split('if __name__ == "__main__":')[1]
     assert "words(__doc__" in last or "argparse.ArgumentParser(" in RUN[name]
+    assert "sys.argv" not in RUN[name].replace("main(sys.argv[1:])", ""), "words that are read refuse others"
 
 
 def test_help_and_mistakes_end_before_anything_is_done(
@@ -35,6 +38,24 @@ def test_help_and_mistakes_end_before_anything_is_done(
             words("What it measures.")
         assert ended.value.code == code
         assert ("What it measures." if code == 0 else "rubbish") in getattr(capsys.readouterr(), where)
+
+
+def test_a_benchmark_understands_what_it_tells_itself(monkeypatch: pytest.MonkeyPatch) -> None:
+    """``per_event`` measures plain Python in a process of its own."""
+    told: list[str] = []
+
+    def run(command: list[str], **_: object) -> SimpleNamespace:
+        told.extend(command[command.index("benchmarks.per_event") :])
+        return SimpleNamespace(stdout='{"hold": {"streaming": 1.0}}')
+
+    monkeypatch.setattr("benchmarks.per_event.subprocess.run", run)
+    assert per_event.measure_plain() == {"hold": {"streaming": 1.0}}
+    monkeypatch.setattr(per_event, "measure", lambda plain: {"plain": plain})
+    monkeypatch.setattr(sys, "argv", told)
+    said: list[str] = []
+    monkeypatch.setattr("builtins.print", said.append)
+    exec(RUN["per_event"].split('if __name__ == "__main__":')[1].strip(), vars(per_event).copy())
+    assert said == ['{"plain": true}']
 
 
 def test_words_that_are_meant_are_returned(monkeypatch: pytest.MonkeyPatch) -> None:
