@@ -15,7 +15,8 @@ from tests.server import browser, page_browser
 
 pytestmark = browser.needed
 
-HALF = "</header>"
+HALVES = ("</header>", '<div class="side">', "</dl>", "</section>")
+"""Where the page may stop for a while: before its views, within the first, after it."""
 WHOLE = "</main>"
 PAUSE_S = 0.6
 """Time enough to draw a half."""
@@ -32,9 +33,9 @@ class Halting(BaseHTTPRequestHandler):
         self.end_headers()
         if style.suffix == ".css":
             self.wfile.write(style.read_bytes())
-        elif self.path == "/":
+        elif self.path[1:].isdigit():
             page = (WEB / "index.html").read_text(encoding="utf-8")
-            first, half, rest = page.partition(HALF)
+            first, half, rest = page.partition(HALVES[int(self.path[1:])])
             self.wfile.write((first + half).encode())
             self.wfile.flush()
             time.sleep(PAUSE_S)
@@ -55,9 +56,10 @@ def halting() -> Iterator[str]:
         thread.join()
 
 
-def test_half_of_the_page_is_not_shown(halting: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize("half", range(len(HALVES)))
+def test_half_of_the_page_is_not_shown(halting: str, tmp_path: Path, half: int) -> None:
     with page_browser.visitor(tmp_path / "profile", (390, 844)) as visitor:
-        visitor.open(halting)
+        visitor.open(f"{halting}{half}")
         [shown] = visitor.wait(f"{PAINTED}.length && {PAINTED}")
         assert shown > visitor.value("whole")
         assert visitor.shift() < 0.001
