@@ -141,7 +141,6 @@ def _solved(cvxpy: Any, whole: Any, solver: str) -> str:
 
 def _library(solver: str) -> Any:
     try:
-        import clarabel  # noqa: F401
         import cvxpy
     except ImportError as missing:
         raise MissingExtraError(

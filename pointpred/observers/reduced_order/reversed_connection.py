@@ -31,7 +31,7 @@ class Connection(msgspec.Struct, frozen=True):
     S1: FloatArray
     J: FloatArray
     B: FloatArray
-    O: FloatArray  # noqa: E741
+    O: FloatArray
     R: FloatArray
     residuals: dict[str, float]
     unique: bool

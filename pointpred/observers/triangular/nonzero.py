@@ -45,7 +45,7 @@ def prove_nonzero(name: str, expression: Any, over: Sequence[Any], region: Regio
         return
     if foreign := expression.free_symbols - {*over}:
         raise ParameterError(f"{name} = {expression} needs values for {sorted(map(str, foreign))}")
-    from mpmath import iv  # type: ignore[import-untyped]
+    from mpmath import iv
 
     enclose = symbolic().lambdify(over, expression, modules=[_functions(iv), "mpmath"])
     value = symbolic().lambdify(over, expression, modules="math")
