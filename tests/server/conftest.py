@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import pytest
 
 from pointpred.server.recorder.recorder import Recorder
+from tests.server import page_browser
+from tests.server.page_browser import Visitor
 from tests.server.running import PATIENCE_S
 
 
@@ -13,3 +17,17 @@ def patient_recorders(monkeypatch: pytest.MonkeyPatch) -> None:
     """What a recorder holds is written to the end, however long a busy disk takes."""
     close = Recorder.close
     monkeypatch.setattr(Recorder, "close", lambda self, timeout_s=PATIENCE_S: close(self, timeout_s))
+
+
+@pytest.fixture(scope="module")
+def url() -> Iterator[str]:
+    """The page's address at a service of this module's own, ready to answer."""
+    with page_browser.service() as address:
+        yield address
+
+
+@pytest.fixture(scope="module")
+def one(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
+    """Somebody with a browser of this module's own."""
+    with page_browser.visitor(tmp_path_factory.mktemp("profile")) as opened:
+        yield opened

@@ -10,7 +10,7 @@ import pytest
 
 from pointpred.datasets import sample
 from pointpred.registry import REGISTRY
-from tests.server import browser, page_browser
+from tests.server import browser
 from tests.server.page_browser import Visitor, until
 
 pytestmark = browser.needed
@@ -31,18 +31,6 @@ PAUSE = "new Promise((done) => setTimeout(done, 600))"
 """Longer than the pause that ends a movement, after which the page judges it."""
 VERDICT = "document.querySelector('#live-verdict').textContent"
 LIGHT = {"endpoint": (194, 65, 12), "second": (126, 34, 206), "past": (37, 99, 168), "target": (63, 125, 79)}
-
-
-@pytest.fixture(scope="module")
-def url() -> Iterator[str]:
-    with page_browser.service() as address:
-        yield address
-
-
-@pytest.fixture(scope="module")
-def one(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
-    with page_browser.visitor(tmp_path_factory.mktemp("profile")) as opened:
-        yield opened
 
 
 @pytest.fixture

@@ -56,12 +56,6 @@ def test_words_have_contrast_aa_and_marks_three_to_one(theme: str) -> None:
 
 
 @pytest.fixture(scope="module")
-def url() -> Iterator[str]:
-    with page_browser.service() as address:
-        yield address
-
-
-@pytest.fixture(scope="module")
 def visitor(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
     with page_browser.visitor(tmp_path_factory.mktemp("profile")) as opened:
         yield opened

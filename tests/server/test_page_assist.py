@@ -42,12 +42,6 @@ ANSWERED = f"{FRAMES}.then(() => {LAST}?.t === sentAt && {SHOWN})"
 
 
 @pytest.fixture(scope="module")
-def url() -> Iterator[str]:
-    with page_browser.service() as address:
-        yield address
-
-
-@pytest.fixture(scope="module")
 def one(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
     with page_browser.visitor(tmp_path_factory.mktemp("profile")) as opened:
         opened.page.call("Page.addScriptToEvaluateOnNewDocument", source=HEARD)

@@ -11,7 +11,7 @@ import pytest
 from pointpred.datasets import sample
 from pointpred.recording import Recording
 from pointpred.sources import write
-from tests.server import browser, page_browser
+from tests.server import browser
 from tests.server.page_browser import Visitor
 
 pytestmark = browser.needed
@@ -25,18 +25,6 @@ LEAVE = """{
 }"""
 """What a browser sends when what is dragged leaves its window, or is given up."""
 OVER = "document.querySelector('#replay-drop').classList.contains('over')"
-
-
-@pytest.fixture(scope="module")
-def url() -> Iterator[str]:
-    with page_browser.service() as address:
-        yield address
-
-
-@pytest.fixture(scope="module")
-def one(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
-    with page_browser.visitor(tmp_path_factory.mktemp("profile")) as opened:
-        yield opened
 
 
 @pytest.fixture

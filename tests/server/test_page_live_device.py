@@ -34,12 +34,6 @@ SAID = "document.querySelector('#device-said').textContent"
 
 
 @pytest.fixture(scope="module")
-def one(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
-    with page_browser.visitor(tmp_path_factory.mktemp("profile")) as opened:
-        yield opened
-
-
-@pytest.fixture(scope="module")
 def service() -> Iterator[tuple[Running, Attachment]]:
     with attached() as (here, made), followed(made):
         until(lambda: here.service.ready, "the service to be warm", PATIENCE_S)

@@ -12,22 +12,10 @@ from pointpred import build, run
 from pointpred.datasets import sample
 from pointpred.recording import Recording
 from pointpred.sources import write
-from tests.server import browser, page_browser
+from tests.server import browser
 from tests.server.page_browser import Visitor
 
 pytestmark = browser.needed
-
-
-@pytest.fixture(scope="module")
-def url() -> Iterator[str]:
-    with page_browser.service() as address:
-        yield address
-
-
-@pytest.fixture(scope="module")
-def one(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
-    with page_browser.visitor(tmp_path_factory.mktemp("profile")) as opened:
-        yield opened
 
 
 @pytest.fixture

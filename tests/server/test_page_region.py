@@ -46,12 +46,6 @@ ROUND, ALONG, ACROSS = (900.0, 0.0, 900.0), (2500.0, 1300.0, 1600.0), (400.0, -3
 
 
 @pytest.fixture(scope="module")
-def url() -> Iterator[str]:
-    with page_browser.service() as address:
-        yield address
-
-
-@pytest.fixture(scope="module")
 def one(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
     with page_browser.visitor(tmp_path_factory.mktemp("profile")) as opened:
         opened.page.call("Page.addScriptToEvaluateOnNewDocument", source=WRITTEN)

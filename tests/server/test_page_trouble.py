@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from pointpred.datasets import sample
-from tests.server import browser, page_browser
+from tests.server import browser
 from tests.server.page_browser import Visitor, until
 
 pytestmark = browser.needed
@@ -23,18 +23,6 @@ const plain = window.setTimeout;
 window.setTimeout = (act, ms = 0) => (ms < 10_000 ? plain(act, ms) : 0);
 """
 """A service that can be reached and never answers, and a page that waits for it as long as a test takes."""
-
-
-@pytest.fixture(scope="module")
-def url() -> Iterator[str]:
-    with page_browser.service() as address:
-        yield address
-
-
-@pytest.fixture(scope="module")
-def one(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
-    with page_browser.visitor(tmp_path_factory.mktemp("profile")) as opened:
-        yield opened
 
 
 @pytest.fixture
