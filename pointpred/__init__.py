@@ -3,11 +3,12 @@
 from pointpred.columns import EventColumns, MotionColumns, PredictionColumns
 from pointpred.events import Motion, PointerEvent, Prediction
 from pointpred.pipeline import Pipeline, run
-from pointpred.registry import REGISTRY, build
+from pointpred.registry import RECOMMENDED, REGISTRY, build
 
 __version__ = "0.1.0"
 
 __all__ = [
+    "RECOMMENDED",
     "REGISTRY",
     "EventColumns",
     "Motion",

@@ -44,6 +44,9 @@ GAINS = {"gain_lambda": 48.0, "gain_xi": 1.6, "alpha": 0.0}
 PRINTED = {"gain_lambda": 5.0, "gain_xi": 2.0, "alpha": -0.2, "threshold": 0.2, "bound": 0.1}
 """The thesis's values; its delay and rate of regression are not printed: the class's defaults stand in."""
 
+RECOMMENDED = "kinematic-adaptive"
+"""The name for a live person: the page, both clients, the command line and assistance begin with it."""
+
 TUNED_SWITCHED = {"threshold": 0.08, "bound": 1.0, "delay_s": 0.011, "gamma": 6.5e7}
 
 REGISTRY: dict[str, Entry] = {
