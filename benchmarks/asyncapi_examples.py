@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pointpred.registry import RECOMMENDED
 from pointpred.server.protocol.assisted_messages import Assist, Cursor
 from pointpred.server.protocol.client_messages import (
     Bye,
@@ -30,7 +31,7 @@ from pointpred.server.protocol.server_messages import (
 
 HELLO = Hello(
     1,
-    "switched",
+    RECOMMENDED,
     device=Device(cpi=800.0, rate_hz=1000.0),
     screen=Screen(width_px=1920.0, height_px=1080.0, dpi=96.0),
     reply="frame",
@@ -40,7 +41,7 @@ CLIENT = (
     (
         HELLO,
         Hello(1, "hold", reply="event", encoding="binary"),
-        Hello(1, "switched-direction", device=Device(cpi=800.0), assist=Assist(0.4, 6.0, "constant", 3.0)),
+        Hello(1, RECOMMENDED, device=Device(cpi=800.0), assist=Assist(0.4, 6.0, "constant", 3.0)),
     ),
     (Events([(0.5, 640.0, 360.0, None, None, 0), (0.508, 643.0, 359.0, 4.0, -1.0, 0)]),),
     (Targets([Target("save", 900.0, 20.0, 80.0, 24.0, weight=2.0)]), Targets([])),
@@ -56,7 +57,7 @@ CLIENT = (
 """A tuple a message, in the order of ``ClientMessage``."""
 
 SERVER = (
-    (Welcome(1, "k3x9Qw", "switched", Limits()),),
+    (Welcome(1, "k3x9Qw", RECOMMENDED, Limits()),),
     (
         PredictionMessage(0.508, 871.5, 251.0, Region(220.5, -12.0, 180.25), "ballistic", 0.35),
         PredictionMessage(0.5),

@@ -6,6 +6,7 @@ from typing import Any
 
 import msgspec
 
+from pointpred.registry import RECOMMENDED
 from pointpred.server.live_endpoint import NO_DEVICE
 from pointpred.server.protocol.client_messages import SUBPROTOCOL
 from pointpred.server.protocol.live_messages import Attached, Curve, Status
@@ -41,8 +42,8 @@ CURVE = GainCurve(
 )
 EXAMPLES = {
     "device": (
-        Attached("Some mouse", "the kernel's stamps", "screen", "the cursor", "kinematic", 800.0, 110.0),
-        Attached("Some mouse", "at the read", "motor", "prediction in motor space", "switched"),
+        Attached("Some mouse", "the kernel's stamps", "screen", "the cursor", RECOMMENDED, 800.0, 110.0),
+        Attached("Some mouse", "at the read", "motor", "prediction in motor space", RECOMMENDED),
     ),
     "status": (Status(True, 61250, 998.0, 2, 1, 3, 4, 5e-05, 0.00038), Status(False, 0, 0.0)),
     "transfer": (Curve(CURVE.words, CURVE), Curve("nothing learnt yet: move the mouse")),

@@ -16,6 +16,7 @@ from benchmarks import asyncapi, openapi
 from benchmarks.arguments import words
 from benchmarks.markdown import filled, table
 from benchmarks.results_verdict import recorded
+from benchmarks.which import which
 from pointpred.differentiators import DIFFERENTIATORS
 from pointpred.registry import GAINS, REGISTRY, describe
 from pointpred.registry import parameters as values_of
@@ -103,6 +104,7 @@ def _shown(default: object) -> str:
 
 PARTS: dict[str, dict[str, Callable[[], str]]] = {
     "docs/predictors.md": {
+        "which": lambda: which(ROOT / "docs"),
         "predictors": predictors,
         "parameters": parameters,
         "gains": gains,

@@ -125,8 +125,12 @@ def cautious(people: Sequence[Json]) -> list[str]:
     ]
 
 
-def recorded(page: Path) -> str:
-    """The README's warning about simulated people, from the first table of docs/results.md."""
+def recorded_shares(page: Path) -> tuple[Shares, list[str]]:
+    """The first table of docs/results.md: shares of hold's error on the recorded sets, and who has learned.
+
+    What has learned stands there by its scores on sets that it did not see. Raises ParameterError where the
+    page holds no recorded set.
+    """
     first = page.read_text(encoding="utf-8").partition(f"\n{OVERVIEW}\n")[2].partition("\n## ")[0]
     lines = [line for line in first.splitlines() if line.startswith("| ")] or ["", ""]
     head, _, *rows = [[cell.strip(" `") for cell in line.strip("| ").split("|")] for line in lines]
@@ -138,17 +142,23 @@ def recorded(page: Path) -> str:
     }
     if not columns or not shares:
         raise ParameterError(f"{page.name} holds no recorded set; run `make results` with recordings")
+    return shares, [row[0].removesuffix(SET_OUT) for row in rows if row[0].endswith(SET_OUT)]
+
+
+def recorded(page: Path) -> str:
+    """The README's warning about simulated people, from the first table of docs/results.md."""
+    shares, learners = recorded_shares(page)
     low, high = spread(shares)
     worse = sum(max(values) > 1.0 for values in shares.values())
-    learners = [row[0].removesuffix(SET_OUT) for row in rows if row[0].endswith(SET_OUT)]
     without = "".join(
         f" `{name}`, fitted without the set, has {min(shares[name]):.2f} to {max(shares[name]):.2f}."
         for name in learners
         if name in shares
     )
+    sets = len(next(iter(shares.values())))
     return (
         "These people are simulated and easier to predict. "
-        f"On {counted(len(columns), 'recorded set')} the best predictors have {low:.2f} to {high:.2f} of "
+        f"On {counted(sets, 'recorded set')} the best predictors have {low:.2f} to {high:.2f} of "
         f"hold's error, and {worse} of {len(shares)} predictors do worse than no prediction on at least one."
         f"{without} All numbers: [docs/results.md](docs/results.md)."
     )

@@ -17,7 +17,7 @@ from starlette.routing import Route, WebSocketRoute
 
 import pointpred
 from pointpred.errors import ParameterError, RecordingError
-from pointpred.registry import REGISTRY, describe
+from pointpred.registry import RECOMMENDED, REGISTRY, describe
 from pointpred.server import samples
 from pointpred.server.described import METRICS, NOT_READY, UPLOAD, Health, Readiness, holds, refusals
 from pointpred.server.endpoint import StreamEndpoint
@@ -129,8 +129,10 @@ def _client() -> FileResponse:
 
 
 def _predictors() -> Response:
-    """Every predictor with its parameters, units, bounds and reference."""
-    return answer({"version": 1, "predictors": [describe(name) for name in REGISTRY]})
+    """Every predictor with its parameters, units, bounds and reference, and the recommended one."""
+    return answer(
+        {"version": 1, "recommended": RECOMMENDED, "predictors": [describe(name) for name in REGISTRY]}
+    )
 
 
 def _samples() -> Response:
@@ -138,7 +140,7 @@ def _samples() -> Response:
     return answer(samples.listing())
 
 
-def _sample(name: str, predictors: str = "switched,hold") -> Response:
+def _sample(name: str, predictors: str = f"{RECOMMENDED},hold") -> Response:
     """One trial with the predictions of the predictors named, separated by commas."""
     return answer(samples.trial(name, _names(predictors)))
 

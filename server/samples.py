@@ -12,10 +12,7 @@ from pointpred.datasets import sample
 from pointpred.errors import ParameterError
 from pointpred.pipeline import run
 from pointpred.recording import Recording
-from pointpred.registry import REGISTRY, build
-
-PREFERRED = "switched"
-"""The predictor the page shows first."""
+from pointpred.registry import RECOMMENDED, REGISTRY, build
 
 
 @cache
@@ -37,7 +34,7 @@ def listing() -> dict[str, Any]:
         "version": 1,
         "recording": recording.name,
         "simulated": True,
-        "preferred": PREFERRED if PREFERRED in REGISTRY else next(iter(REGISTRY)),
+        "preferred": RECOMMENDED,
         "predictors": shown,
         "samples": [
             {"name": name, "user": recording.trials[i].user, "events": len(recording.rows(i))}

@@ -22,7 +22,7 @@ from pointpred.compiled import awaits_compiling
 from pointpred.differentiators import HomogeneousDifferentiator
 from pointpred.events import PointerEvent
 from pointpred.pipeline import run
-from pointpred.registry import REGISTRY, build
+from pointpred.registry import RECOMMENDED, REGISTRY, build
 from pointpred.server.protocol.records import EVENT
 from pointpred.server.sessions.session import Session
 from pointpred.server.settings import Settings
@@ -69,7 +69,7 @@ def warm_one(name: str) -> None:
 
 def warm_session() -> None:
     """What clients ask for beside a prediction: a scored trial, targets, packed frames, a helped cursor."""
-    hello: dict[str, Any] = {"type": "hello", "version": 1, "predictor": "switched", "device": {"cpi": 1000}}
+    hello: dict[str, Any] = {"type": "hello", "version": 1, "predictor": RECOMMENDED, "device": {"cpi": 1000}}
     packed: list[Frame] = [bytes(EVENT.itemsize), bytes(2 * EVENT.itemsize)]
     events: list[Frame] = [{"type": "events", "events": [reach(i) for i in range(60)]}]
     trial: list[Frame] = [

@@ -14,10 +14,8 @@ from pointpred.cli.live_outlets import Outlets, Wanted
 from pointpred.cli.screen import check_target
 from pointpred.errors import ParameterError
 from pointpred.events import CPI, DPI, PointerEvent
-from pointpred.registry import build
+from pointpred.registry import RECOMMENDED, build
 from pointpred.transfer import ConstantGain, PixelTransfer, TransferLearner, named_transfer
-
-PREDICTOR = "kinematic"
 
 
 def live(
@@ -27,7 +25,7 @@ def live(
             metavar="PATH", help="/dev/hidraw2, /dev/input/event5; not given: the first that opens."
         ),
     ] = None,
-    predictor: Annotated[str, typer.Option(help="A name from 'pointpred predictors'.")] = PREDICTOR,
+    predictor: Annotated[str, typer.Option(help="A name from 'pointpred predictors'.")] = RECOMMENDED,
     cpi: Annotated[
         float | None, typer.Option(min=CPI[0], max=CPI[1], help="Counts per inch of the mouse; on its box.")
     ] = None,

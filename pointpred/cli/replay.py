@@ -12,6 +12,7 @@ from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Unit, reading
 from pointpred.cli.replay_tables import described, plain, print_played
 from pointpred.cli.screen import check_target, remarks, write_json
 from pointpred.errors import ParameterError, RecordingError
+from pointpred.registry import RECOMMENDED
 
 if TYPE_CHECKING:
     from pointpred.recording import Recording
@@ -42,7 +43,7 @@ def replay(
         float, typer.Option(help="Multiplies every position first.", rich_help_panel=PAGE)
     ] = 1.0,
     speed: Annotated[str, typer.Option(help="1 as recorded, 2 twice as fast, max without waiting.")] = "1",
-    predictor: Annotated[str, typer.Option(help="Name of a predictor.")] = "switched",
+    predictor: Annotated[str, typer.Option(help="A name from 'pointpred predictors'.")] = RECOMMENDED,
     trial: Annotated[
         list[str] | None, typer.Option(help="USER-TRIAL or its place from 1; repeatable; none: all.")
     ] = None,

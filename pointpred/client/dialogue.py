@@ -22,6 +22,7 @@ from pointpred.client.wire import (
 from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.errors import ParameterError, PointpredError
 from pointpred.events import PointerEvent
+from pointpred.registry import RECOMMENDED
 from pointpred.server.protocol.assisted_messages import Cursor
 from pointpred.server.protocol.client_messages import (
     VERSION,
@@ -71,7 +72,7 @@ class Dialogue:
 
     def __init__(
         self,
-        predictor: str = "switched",
+        predictor: str = RECOMMENDED,
         parameters: dict[str, Any] | None = None,
         device: dict[str, float] | None = None,
         screen: dict[str, float] | None = None,

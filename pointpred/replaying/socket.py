@@ -15,7 +15,7 @@ from pointpred.client.wire import packable
 from pointpred.columns import EventColumns, FloatArray, PredictionColumns
 from pointpred.pipeline import Pipeline, run
 from pointpred.recording import Recording, Skip
-from pointpred.registry import build
+from pointpred.registry import RECOMMENDED, build
 from pointpred.replaying.choosing import chosen, unplayable
 from pointpred.replaying.local import local_scores
 from pointpred.replaying.pacing import due
@@ -69,7 +69,7 @@ def replay_to(
     url: str,
     recording: Recording,
     *,
-    predictor: str = "switched",
+    predictor: str = RECOMMENDED,
     speed: float = 1.0,
     trials: Sequence[str] = (),
     cpi: float | None = None,

@@ -6,6 +6,7 @@ from typing import Literal
 
 from msgspec import Struct
 
+from pointpred.registry import RECOMMENDED
 from pointpred.server.protocol.assisted_messages import Assist
 from pointpred.server.protocol.fields import (
     Bounded,
@@ -53,7 +54,7 @@ class Hello(Struct, tag="hello", forbid_unknown_fields=True):
     """First message of a session: which predictor, on what device and screen, and how to answer."""
 
     version: int
-    predictor: str
+    predictor: str = RECOMMENDED
     parameters: dict[str, Setting] = {}
     device: Device | None = None
     screen: Screen | None = None

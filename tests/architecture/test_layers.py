@@ -36,7 +36,7 @@ MAY_IMPORT = {
     "datasets": PIPELINE | {"simulation", "sources"},
     "training": PIPELINE | {"scoring", "sources"},
     "server": PIPELINE | {"targets", "simulation", "scoring", "sources", "datasets", "devices", "pointpred"},
-    "client": {"errors", "events", "columns", "server"},
+    "client": {"errors", "events", "columns", "registry", "server"},
     "replaying": PIPELINE | {"scoring", "server", "client"},
     "cli": PIPELINE
     | {

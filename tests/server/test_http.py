@@ -22,7 +22,7 @@ from websockets.sync.client import ClientConnection, connect
 from pointpred.cli.serve import serve
 from pointpred.columns import EventColumns
 from pointpred.recording import Recording, Trial
-from pointpred.registry import REGISTRY, describe
+from pointpred.registry import RECOMMENDED, REGISTRY, describe
 from pointpred.scoring import score, summary
 from pointpred.server.settings import Settings
 from pointpred.sources import read, write
@@ -49,7 +49,8 @@ def recording(tmp_path: Path) -> Path:
 
 def test_predictors_are_those_of_the_registry(service: Running) -> None:
     told = get(f"{service.url}/v1/predictors", timeout=PATIENCE_S).json()
-    assert told == {"version": 1, "predictors": [describe(name) for name in REGISTRY]}
+    listed = [describe(name) for name in REGISTRY]
+    assert told == {"version": 1, "recommended": RECOMMENDED, "predictors": listed}
 
 
 def test_a_posted_recording_is_scored_as_on_the_command_line(service: Running, recording: Path) -> None:
