@@ -65,8 +65,9 @@ SERVER = (
     ),
     (Cursor(0.508, 652.0, 356.0, 4.0),),
     (
-        Choice("save", 0.8125, "propose", 0.508),
+        Choice("save", 0.8125, "propose", 0.508, "predicted"),
         Choice("save", 0.25, "retract", 0.75),
+        Choice("print", 0.375, "propose", 0.758, "entered"),
     ),
     (TargetsTaken(1),),
     (

@@ -129,7 +129,7 @@ class AsyncConnection:
 
     @property
     def proposed(self) -> str | None:
-        """The target that is proposed, as far as it was heard."""
+        """The newest of the targets that are proposed, as far as it was heard."""
         return self.dialogue.proposed
 
     @property

@@ -91,12 +91,11 @@ class Dialogue:
         """Remarks of the service that break nothing: predictions that gave way to newer ones. The newest."""
         self.noticed = 0
         """How many there were in all."""
-        self.proposed: str | None = None
-        """The target that the service proposes, as far as it was heard."""
         self.cursor: Cursor | None = None
         """Where the service has put the cursor, in a session that asked for assistance."""
         self._rows: deque[tuple[list[float], list[Likely] | msgspec.UnsetType]] = deque()
         self._choices: deque[Choice] = deque(maxlen=KEPT_CHOICES)
+        self._proposed: list[str] = []
         self._awaited = Awaited()
 
     def events(self, events: EventColumns | Iterable[PointerEvent | Row]) -> Iterator[Frame]:
@@ -147,7 +146,9 @@ class Dialogue:
             return None
         if isinstance(message, Choice):
             self._choices.append(message)
-            self.proposed = message.id if message.action == "propose" else None
+            self._proposed = [id for id in self._proposed if id != message.id]
+            if message.action == "propose":
+                self._proposed.append(message.id)
             return None
         if isinstance(message, Cursor):
             self.cursor = message
@@ -167,6 +168,11 @@ class Dialogue:
     def _predicted(self, row: list[float], likely: list[Likely] | msgspec.UnsetType = msgspec.UNSET) -> None:
         self._rows.append((row, likely))
         self._awaited.predicted(row[0])
+
+    @property
+    def proposed(self) -> str | None:
+        """The newest of the targets that the service proposes, as far as it was heard."""
+        return self._proposed[-1] if self._proposed else None
 
     @property
     def answered(self) -> bool:

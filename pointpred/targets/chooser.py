@@ -13,27 +13,39 @@ from pointpred.errors import EventError, EventOrderError
 from pointpred.events import PointerEvent, Prediction
 from pointpred.stage import Parameter, check
 from pointpred.targets import cursor, decision, posterior
-from pointpred.targets.choosing import ENTERED, OUTSIDE, step, walk
+from pointpred.targets.choosing import ENTERED, INSIDE, OUTSIDE, step, walk
 from pointpred.targets.given import refuse, usable, write
 from pointpred.targets.ledger import Ledger, Movement
 from pointpred.targets.rectangles import Target, table
 
+Reason = Literal["predicted", "entered"]
+
 
 class Choice(NamedTuple):
-    """A change of mind: the target, its share at that moment, and what to do with it."""
+    """A change of mind: the target, its share at that moment, what to do with it, and why it is proposed.
+
+    ``reason``: *predicted*, the movement heads for it; *entered*, the cursor has gone into it and no
+    prediction had said so before; ``None`` where it is retracted.
+    """
 
     id: Hashable
     p: float
     action: Literal["propose", "retract"]
+    reason: Reason | None = None
 
 
 class Chooser:
     """Which rectangle the cursor is heading for, and whether that is sure enough to say so.
 
+    At most two targets are proposed at a time: the one that is predicted, and the one that the cursor is in
+    if that is another. A target therefore has its choice when the cursor enters it at the latest. Of targets
+    that overlap, the smallest counts as entered, of equal ones the last. A proposal ends when the prediction
+    drops it, when the cursor leaves it, and when the button comes up.
+
     Parameters: ``precision`` is the share of proposals that shall be right; ``elsewhere`` the share of
     movements that go to none of the targets, before anything is seen; ``least_lead_s`` s, a target that the
-    cursor enters sooner is not proposed; ``least_way_px`` px, how far the cursor must be from where its
-    movement started before anything is proposed: nearer, nobody can say that a movement has begun. Memory:
+    cursor enters sooner is not predicted; ``least_way_px`` px, how far the cursor must be from where its
+    movement started before anything is predicted: nearer, nobody can say that a movement has begun. Memory:
     15 floats of the cursor, 10 of the last prediction, 7 a target, the ledger. Raises ParameterError, and
     EventError or EventOrderError from ``update`` and ``follow``; nothing is then changed.
 
@@ -44,15 +56,15 @@ class Chooser:
     >>> for i in range(30):
     ...     event = PointerEvent(i / 100, 400.0 * (i / 60) ** 2 * (3 - 2 * i / 60), 0.0)
     ...     for choice in chooser.update(pipeline.update(event), event):
-    ...         print(choice.id, choice.action)
-    right propose
+    ...         print(choice.id, choice.action, choice.reason)
+    right propose predicted
     """
 
     parameters = (
         Parameter("precision", "", 0.01, 0.999, "share of proposals that shall be right"),
         Parameter("elsewhere", "", 1e-6, 0.999999, "share of movements that go to none of the targets"),
-        Parameter("least_lead_s", "s", 0.0, 10.0, "what the cursor enters sooner is not proposed"),
-        Parameter("least_way_px", "px", 0.0, 1000.0, "nothing is proposed nearer to the movement's start"),
+        Parameter("least_lead_s", "s", 0.0, 10.0, "what the cursor enters sooner is not predicted"),
+        Parameter("least_way_px", "px", 0.0, 1000.0, "nothing is predicted nearer to the movement's start"),
     )
 
     def __init__(
@@ -72,7 +84,8 @@ class Chooser:
         self._settings = np.array(given, dtype=np.float64)
         self._coefficients = usable(coefficients)
         self._memory = np.zeros(cursor.STATES)
-        self._standing = decision.NOBODY
+        self._standing = self._over = decision.NOBODY
+        self._inside = np.zeros(0)
         self._ids: tuple[Hashable, ...] = ()
         self.ledger = Ledger()
         self.replace(targets)
@@ -98,24 +111,33 @@ class Chooser:
 
         Raises ParameterError for too many, or for one out of bounds; the old ones are then kept.
         """
-        rows, standing = table(targets), self.standing
+        rows, standing, over = table(targets), self.standing, self.entered
+        where = {self._ids[i]: INSIDE if value == ENTERED else value for i, value in enumerate(self._inside)}
         self._table, self._ids = rows, tuple(target.id for target in targets)
         self._shares = np.zeros(len(rows) + 1)
         self._shares[-1] = 1.0
-        self._inside = np.full(len(rows), OUTSIDE)
-        self._standing = decision.NOBODY
-        if standing is None:
-            return ()
-        if standing in self._ids:
-            self._standing = self._ids.index(standing)
-            return ()
-        self.ledger.retract(self._memory[cursor.T], standing)
-        return (Choice(standing, 0.0, "retract"),)
+        self._inside = np.array([where.get(id, OUTSIDE) for id in self._ids])
+        self._standing, self._over = self._place(standing), self._place(over)
+        if standing is not None and self._standing == decision.NOBODY:
+            self.ledger.retract(self._memory[cursor.T], standing)
+        return tuple(
+            Choice(id, 0.0, "retract")
+            for id, place in ((standing, self._standing), (over, self._over))
+            if id is not None and place == decision.NOBODY
+        )
+
+    def _place(self, id: Hashable | None) -> int:
+        return self._ids.index(id) if id is not None and id in self._ids else decision.NOBODY
 
     @property
     def standing(self) -> Hashable | None:
-        """The target that is proposed now."""
+        """The target that is predicted now."""
         return None if self._standing == decision.NOBODY else self._ids[self._standing]
+
+    @property
+    def entered(self) -> Hashable | None:
+        """The target that is proposed because the cursor is in it, while it is not the predicted one."""
+        return None if self._over == decision.NOBODY else self._ids[self._over]
 
     @property
     def shares(self) -> FloatArray:
@@ -141,9 +163,10 @@ class Chooser:
         return float(shares[0])
 
     def update(self, prediction: Prediction | None, event: PointerEvent) -> tuple[Choice, ...]:
-        """Take an event and the prediction made at it; what has changed, at most two choices.
+        """Take an event and the prediction made at it; what has changed, ends of proposals first.
 
-        Raises EventError for an event that is not finite, EventOrderError for one before the last.
+        At most four choices. Raises EventError for an event that is not finite, EventOrderError for one
+        before the last.
         """
         t, x, y = float(event.t), float(event.x), float(event.y)
         if not cursor.usable(t, x, y):
@@ -154,7 +177,7 @@ class Chooser:
         write(self._answer, prediction)
         pressed = float(event.buttons & 1)
         released = memory[cursor.PRESSED] > pressed
-        chosen, entered = step(
+        chosen, over, entered = step(
             memory,
             self._table,
             t,
@@ -168,9 +191,9 @@ class Chooser:
             self._inside,
             self._shares,
         )
-        if chosen == self._standing and not entered:
+        if chosen == self._standing and over == self._over and not entered:
             return ()
-        return self._note(t, chosen, entered, released)
+        return self._note(t, chosen, over, entered, released)
 
     def follow(
         self, events: FloatArray, answers: FloatArray, *, most: int = 5, last: int | None = None
@@ -186,7 +209,7 @@ class Chooser:
         changes: list[tuple[float, Choice]] = []
         before = int(self._memory[cursor.PRESSED])
         while taken < count:
-            taken, chosen, entered = walk(
+            taken, chosen, over, entered = walk(
                 self._memory,
                 self._table,
                 events,
@@ -195,15 +218,16 @@ class Chooser:
                 self._coefficients,
                 self._settings,
                 self._standing,
+                self._over,
                 self._inside,
                 self._shares,
                 told,
             )
             t = float(events[taken - 1, 0])
-            if chosen != self._standing or entered:
+            if chosen != self._standing or over != self._over or entered:
                 down = before if taken == 1 else int(events[taken - 2, 5]) & 1
                 released = down > int(events[taken - 1, 5]) & 1
-                changes += [(t, choice) for choice in self._note(t, chosen, entered, released)]
+                changes += [(t, choice) for choice in self._note(t, chosen, over, entered, released)]
         if count:
             self._answer[:] = answers[-1]
         return changes, [self._named(row) for row in told.tolist()]
@@ -221,7 +245,8 @@ class Chooser:
     def reset(self) -> None:
         """Forget every event and the proposal; targets, parameters and the ledger's counts stay."""
         self._memory = np.zeros(cursor.STATES)
-        self._standing, self._answer[:] = decision.NOBODY, nan
+        self._standing = self._over = decision.NOBODY
+        self._answer[:] = nan
         self._shares[:] = 0.0
         self._shares[-1] = 1.0
         self._inside[:] = OUTSIDE
@@ -232,19 +257,28 @@ class Chooser:
         most = len(row) // 2
         return [(self._ids[int(place)], p) for place, p in zip(row[:most], row[most:], strict=True)]
 
-    def _note(self, t: float, chosen: int, entered: int, released: bool) -> tuple[Choice, ...]:
-        """Tell the ledger which targets the cursor has just gone into, and pass to the chosen proposal."""
+    def _note(self, t: float, chosen: int, over: int, entered: int, released: bool) -> tuple[Choice, ...]:
+        """Tell the ledger what has happened, and pass to what is proposed now; ends come first."""
         if entered:
             for i in np.flatnonzero(self._inside == ENTERED).tolist():
                 self.ledger.enter(t, self._ids[i])
         before, self._standing = self._standing, chosen
-        if chosen == before:
-            return ()
+        before_over, self._over = self._over, over
         changed: list[Choice] = []
-        if before != decision.NOBODY:
+        if before not in (chosen, decision.NOBODY):
             (self.ledger.end if released else self.ledger.retract)(t, self._ids[before])
-            changed.append(Choice(self._ids[before], float(self._shares[before]), "retract"))
-        if chosen != decision.NOBODY:
+            changed.append(self._choice(before, "retract"))
+        if before_over not in (over, decision.NOBODY):
+            changed.append(self._choice(before_over, "retract"))
+        if chosen not in (before, decision.NOBODY):
             self.ledger.propose(t, self._ids[chosen])
-            changed.append(Choice(self._ids[chosen], float(self._shares[chosen]), "propose"))
+            changed.append(self._choice(chosen, "propose", "predicted"))
+        if over not in (before_over, decision.NOBODY):
+            self.ledger.propose_entered()
+            changed.append(self._choice(over, "propose", "entered"))
         return tuple(changed)
+
+    def _choice(
+        self, place: int, action: Literal["propose", "retract"], reason: Reason | None = None
+    ) -> Choice:
+        return Choice(self._ids[place], float(self._shares[place]), action, reason)

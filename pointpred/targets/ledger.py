@@ -27,12 +27,15 @@ class Movement(msgspec.Struct, frozen=True):
     lead_entry_s: float | None
     """From the proposal until the cursor first entered the target."""
     lead_click_s: float | None
+    entered: int = 0
+    """Targets proposed because the cursor had gone into them: no predictions, and in none of the above."""
 
 
 class Ledger:
     """Counts proposals over movements.
 
-    A proposal is *right* when it names the target of its movement. Movements without a known target count
+    Proposals are predictions; what is proposed because the cursor has entered it is counted apart. A
+    proposal is *right* when it names the target of its movement. Movements without a known target count
     their proposals as wasted. Memory: the counts, the movement that goes on, and the leads of the latest
     1000 movements.
 
@@ -47,6 +50,7 @@ class Ledger:
 
     def __init__(self) -> None:
         self.movements = self.proposed = self.right = self.hits = self.wasted = self.retracted = 0
+        self.entered = 0
         self._leads: deque[tuple[float, float]] = deque(maxlen=LATEST)
         self._forget()
 
@@ -55,12 +59,16 @@ class Ledger:
         self._standing: tuple[Hashable, float] | None = None
         self._ended: tuple[float, Hashable, float] | None = None
         self._entered: dict[Hashable, tuple[float, float | None]] = {}
-        self._retracted = 0
+        self._retracted = self._at_entry = 0
 
     def propose(self, t: float, id: Hashable) -> None:
         """Note a proposal; it takes the place of one that stands."""
         _remember(self._made, id, self._made.get(id, 0) + 1)
         self._standing = (id, t)
+
+    def propose_entered(self) -> None:
+        """Note that a target was proposed because the cursor had gone into it."""
+        self._at_entry += 1
 
     def retract(self, t: float, id: Hashable) -> None:
         """Note that the proposal that stands was withdrawn; where it does not stand, nothing is noted."""
@@ -98,8 +106,9 @@ class Ledger:
         leads = None if since is None else (entered - since, t - since)
         if leads is not None:
             self._leads.append(leads)
+        entry_s, click_s = leads or (None, None)
         done = Movement(
-            proposed, leads is not None, proposed - right, self._retracted, *(leads or (None, None))
+            proposed, leads is not None, proposed - right, self._retracted, entry_s, click_s, self._at_entry
         )
         self.movements += 1
         self.proposed += proposed
@@ -107,6 +116,7 @@ class Ledger:
         self.hits += done.hit
         self.wasted += done.wasted
         self.retracted += done.retracted
+        self.entered += done.entered
         self._forget()
         return done
 
@@ -139,6 +149,7 @@ class Ledger:
             "hit": self.hits,
             "wasted": self.wasted,
             "retracted": self.retracted,
+            "entered": self.entered,
             "precision": self.precision,
             "coverage": self.coverage,
             "proposals_a_movement": self.proposals_a_movement,

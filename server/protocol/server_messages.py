@@ -79,12 +79,17 @@ class PredictionMessage(Struct, tag="prediction"):
 
 
 class Choice(Struct, tag="choice"):
-    """A target is proposed, or no longer; ``p`` is its share at ``t``, the time of the event that decided."""
+    """A target is proposed, or no longer; ``p`` is its share at ``t``, the time of the event that decided.
+
+    ``reason``: why it is proposed. *predicted*: the movement heads for it; *entered*: the cursor has gone
+    into it, and it was not predicted before. At most one target of each reason is proposed at a time.
+    """
 
     id: str
     p: float
     action: Literal["propose", "retract"]
     t: float | None = None
+    reason: Literal["predicted", "entered"] | None = None
 
 
 class TargetsTaken(Struct, tag="targets"):

@@ -60,8 +60,8 @@ class Choices:
 
     def reset(self) -> None:
         """Forget every event; what is proposed is retracted."""
-        if (standing := self._chooser.standing) is not None:
-            self.say([(self._last_t, Change(standing, 0.0, "retract"))])
+        proposed = (self._chooser.standing, self._chooser.entered)
+        self.say([(self._last_t, Change(id, 0.0, "retract")) for id in proposed if id is not None])
         self._chooser.reset()
         self._last_t = None
 
@@ -81,8 +81,8 @@ class Choices:
 
     def say(self, changes: Sequence[tuple[float | None, Change]]) -> None:
         """What has changed, to the client."""
-        for t, (id, p, action) in changes:
-            self._outbox.choose(Choice(str(id), p, action, t))
+        for t, (id, p, action, reason) in changes:
+            self._outbox.choose(Choice(str(id), p, action, t, reason))
 
     def account(self, goal: Goal | None) -> dict[str, Any]:
         """Close the movement; what a score says of its proposals, nothing where the goal is unknown."""

@@ -30,7 +30,7 @@ class Outbox:
         self._after = 0  # how many notes were there before the newest prediction
         self._choices = 0  # how many of the notes are choices
         self._dropped_choices = 0
-        self._told: str | None = None  # the target whose proposal the client was told last, and no end of it
+        self._told: frozenset[str] = frozenset()  # targets whose proposal the client was told, and no end
 
     def say(self, frame: Frame) -> None:
         """Add a frame that must not be lost."""
@@ -88,27 +88,25 @@ class Outbox:
     def _shorten(self) -> None:
         """Leave of the choices that wait the end of what the client was told, and what is proposed now."""
         stands = standing(self._told, self._notes)
-        ends: Choice | None = None
-        begins: Choice | None = None
+        ends: dict[str, Choice] = {}
+        begins: dict[str, Choice] = {}
         for note in self._notes:
-            if isinstance(note, Choice) and stands != self._told:
-                ends = note if note.id == self._told and note.action == "retract" else ends
-                begins = note if note.id == stands and note.action == "propose" else begins
+            if isinstance(note, Choice) and note.action == "retract" and note.id in self._told - stands:
+                ends[note.id] = note
+            elif isinstance(note, Choice) and note.action == "propose" and note.id in stands - self._told:
+                begins[note.id] = note
         kept: list[Frame | Choice] = [note for note in self._notes if not isinstance(note, Choice)]
         self._after -= sum(isinstance(note, Choice) for note in self._notes[: self._after])
-        left = [one for one in (ends, begins) if one is not None]
+        left = [*ends.values(), *begins.values()]
         self._dropped_choices += self._choices - len(left)
         self._notes, self._choices = [*kept, *left], len(left)
 
 
-def standing(told: str | None, notes: list[Frame | Choice]) -> str | None:
-    """The target that is proposed after these notes, where ``told`` was before them."""
+def standing(told: frozenset[str], notes: list[Frame | Choice]) -> frozenset[str]:
+    """The targets that are proposed after these notes, where ``told`` were before them."""
     for note in notes:
         if isinstance(note, Choice):
-            if note.action == "propose":
-                told = note.id
-            elif note.id == told:
-                told = None
+            told = told | {note.id} if note.action == "propose" else told - {note.id}
     return told
 
 

@@ -13,10 +13,11 @@ export class CircleChoices {
   }
 
   /** @param {import("/pointpred.js").Choice} choice */
-  take({ id, p, action }) {
-    if (this.shares[id] === undefined) return;
+  take({ id, p, action, reason }) {
+    if (this.shares[id] === undefined || reason === "entered") return; // the ring is for predictions
     this.shares[id] = action === "propose" ? p : 0;
-    this.proposed = action === "propose" ? Number(id) : null;
+    if (action === "propose") this.proposed = Number(id);
+    else if (this.proposed === Number(id)) this.proposed = null;
   }
 
   /** @param {import("/pointpred.js").Prediction} prediction */

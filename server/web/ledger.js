@@ -9,8 +9,10 @@ export class Ledger {
   #leads = []; #made = []; #standing = null; #entered = new Map();
 
   /** @param {import("/pointpred.js").Choice} choice */
-  take({ id, action, t }) {
-    this.#standing = action === "propose" ? { id, t } : null;
+  take({ id, action, t, reason }) {
+    if (reason === "entered") return; // no prediction
+    if (action === "propose") this.#standing = { id, t };
+    else if (this.#standing?.id === id) this.#standing = null;
     if (action === "propose") this.#made.push(id);
   }
 

@@ -37,7 +37,9 @@ export class Tiles {
 
   /** @param {import("/pointpred.js").Choice} choice */
   chosen(choice) {
-    this.proposed = choice.action === "propose" ? choice.id : null;
+    if (choice.reason === "entered") return; // the frame is for predictions
+    if (choice.action === "propose") this.proposed = choice.id;
+    else if (this.proposed === choice.id) this.proposed = null;
     this.shares[choice.id] = choice.p;
     this.ledger.take(choice);
   }

@@ -22,7 +22,8 @@
  *   justified now; targets: the likeliest five, with encoding "json"; element: the observed one
  * @typedef {{type: "cursor", t: number, x: number, y: number, added_px: number}} Cursor where the service has moved the
  *   cursor, px, and how much of that was help since the session began
- * @typedef {{type: "choice", id: string, p: number, action: "propose"|"retract", t: number|null, element?: Element}} Choice
+ * @typedef {{type: "choice", id: string, p: number, action: "propose"|"retract", t: number|null,
+ *   reason: "predicted"|"entered"|null, element?: Element}} Choice reason: why it is proposed; null where it is retracted
  * @typedef {{type: "error", code: string, message: string, path: string|null, recoverable: boolean}} Fault
  * @typedef {{type: "welcome", version: number, session: string, predictor: string, limits: Limits}} Welcome
  * @typedef {{max_frame_bytes: number, max_events_per_frame: number, max_events_per_s: number, max_targets: number,
@@ -79,10 +80,9 @@ export class Connection {
   /** The newest `welcome`. @type {Welcome|null} */ welcome = null;
   /** Newest time from sending events to receiving their prediction, ms. @type {number|null} */ delayMs = null;
   /** Events sent to the service. */ sent = 0;
-  /** The id of the target that is proposed now. @type {string|null} */ proposed = null;
   #url; #options; #wishes; #socket = null; #listeners = new Map(NAMES.map((name) => [name, new Set()]));
   #waiting; #unanswered = []; #tries = 0; #openedAt = 0; #saidAt = 0; #retry; #why = "";
-  #told = NO_TARGETS; #over = 0; #count = 0; #likely = []; #pointer = null; #targets; #stop = new AbortController(); #alive;
+  #told = NO_TARGETS; #over = 0; #count = 0; #likely = []; #proposals = []; #pointer = null; #targets; #stop = new AbortController(); #alive;
 
   /** Use `connect`. @param {string|URL|undefined} url @param {Options} options */
   constructor(url, options) {
@@ -102,6 +102,11 @@ export class Connection {
     window.addEventListener("online", () => this.state === "waiting" && this.#open(), { signal });
     this.#alive = setInterval(() => this.#keepAlive(), 1000);
     this.#open();
+  }
+
+  /** The id of the target that was proposed last and still is. @returns {string|null} */
+  get proposed() {
+    return this.#proposals.at(-1)?.id ?? null;
   }
 
   /** Events that gave way because there was no connection for too long, or a slow one. @returns {number} */
@@ -242,7 +247,7 @@ export class Connection {
     this.#socket = null;
     this.#unanswered = [];
     this.#wishes.lost();
-    if (this.proposed !== null) this.#chosen({ type: "choice", id: this.proposed, p: 0, action: "retract", t: null });
+    for (const { id } of [...this.#proposals]) this.#chosen({ type: "choice", id, p: 0, action: "retract", t: null, reason: null });
     this.#likely = [];
     if (this.#why === "unauthorized" || this.#why === "hello") return this.#become("refused");
     if (this.#why === "idle" && this.#waiting.length === 0) return this.#become("idle");
@@ -266,8 +271,9 @@ export class Connection {
 
   #chosen(choice) {
     const named = this.#named(choice);
-    this.proposed = choice.action === "propose" ? choice.id : null;
-    if (this.#wishes.encoding === "binary") this.#likely = this.proposed === null ? [] : [named];
+    this.#proposals = this.#proposals.filter(({ id }) => id !== choice.id);
+    if (choice.action === "propose") this.#proposals.push(named);
+    if (this.#wishes.encoding === "binary") this.#likely = this.#proposals;
     this.#emit("choice", named);
   }
 

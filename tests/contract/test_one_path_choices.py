@@ -20,7 +20,7 @@ from tests.server.running import PATIENCE_S, Running, running
 NAMES = ("hold", "kalman", "switched-direction")
 PRECISION = 0.5
 Said = tuple[list[tuple[Any, ...]], list[list[tuple[str, float]]]]
-"""Choices as (t, id, p, action), and after each event the likeliest targets."""
+"""Choices as (t, id, p, action, reason), and after each event the likeliest targets."""
 
 
 @cache
@@ -38,8 +38,8 @@ def followed(pairs: Callable[[int], Iterable[tuple[PointerEvent, Prediction | No
         for event, prediction in pairs(trial):
             choices += [(event.t, *change) for change in chooser.update(prediction, event)]
             shares.append([(str(id), p) for id, p in chooser.likeliest()])
-        if chooser.standing is not None:
-            choices.append((event.t, chooser.standing, 0.0, "retract"))
+        proposed = [id for id in (chooser.standing, chooser.entered) if id is not None]
+        choices += [(event.t, id, 0.0, "retract", None) for id in proposed]
         chooser.reset()
         yield choices, shares
 
@@ -92,7 +92,8 @@ def talking(name: str, encoding: str, frame: int, exchange: Exchange) -> tuple[S
         frames: list[str | bytes] = [form(rows.table[i : i + frame]) for i in range(0, len(rows), frame)]
         answers = [answer for one in (*frames, '{"type":"reset"}') for answer in exchange(one)]
         said = [json.loads(answer) for answer in answers if isinstance(answer, str)]
-        choices = [(m["t"], m["id"], m["p"], m["action"]) for m in said if m["type"] == "choice"]
+        fields = ("t", "id", "p", "action", "reason")
+        choices = [tuple(m[field] for field in fields) for m in said if m["type"] == "choice"]
         told = [m["targets"] for m in said if m["type"] == "prediction"]
         found.append((choices, [[(one["id"], one["p"]) for one in each] for each in told]))
     return tuple(found)
@@ -149,4 +150,6 @@ def test_the_reference_proposes_and_retracts_and_predictors_differ() -> None:
     for name in NAMES:
         actions = [choice[3] for choices, _ in in_a_batch(name) for choice in choices]
         assert {*actions} == {"propose", "retract"}
+        reasons = {choice[4] for choices, _ in in_a_batch(name) for choice in choices}
+        assert reasons == {"predicted", "entered", None}
     assert len({str(in_a_batch(name)) for name in NAMES}) == len(NAMES)

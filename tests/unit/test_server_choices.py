@@ -60,6 +60,7 @@ def test_a_movement_towards_a_target_proposes_it(encoding: str) -> None:
     assert [one["action"] for one in told] == ["propose", "retract"] * (len(told) // 2) + ["propose"]
     assert told[-1]["id"] == "right"
     assert all(0.6 <= one["p"] <= 1.0 for one in told if one["action"] == "propose")
+    assert {(one["action"], one["reason"]) for one in told} <= {("propose", "predicted"), ("retract", None)}
     assert [one["t"] for one in told] == sorted(one["t"] for one in told)
     assert told[-1]["t"] <= 0.4
 
@@ -83,7 +84,8 @@ def test_of_many_targets_only_the_likeliest_are_told() -> None:
     talk = talk_of()
     many = [{"id": str(i), "x": 50.0 * i, "y": 0.0, "width": 40.0, "height": 40.0} for i in range(30)]
     talk.say({"type": "targets", "targets": many})
-    (answer,) = talk.say(events(reach()[0]))
+    entered, answer = talk.say(events(reach()[0]))  # the cursor begins in the first target
+    assert (entered["id"], entered["reason"]) == ("0", "entered")
     assert len(answer["targets"]) == LIKELIEST == 5
 
 
@@ -115,7 +117,8 @@ def test_what_ends_a_movement_or_takes_a_target_away_retracts(end: dict[str, Any
     assert choices(move(talk, reach(end=0.4)))[-1] == ("propose", "right")
     answers = talk.say(end)
     (retract,) = (one for one in answers if one["type"] == "choice")
-    assert retract == {"type": "choice", "id": "right", "p": 0.0, "action": "retract", "t": 0.4}
+    ended = {"type": "choice", "id": "right", "p": 0.0, "action": "retract", "t": 0.4, "reason": None}
+    assert retract == ended
     assert choices(talk.say(end)) == []
 
 
@@ -125,6 +128,17 @@ def test_a_release_of_the_button_retracts() -> None:
     assert choices(move(talk, rows))[-1] == ("propose", "right")
     pressed, released = ((rows[-1][0] + dt, *rows[-1][1:5], b) for dt, b in ((0.02, 1), (0.1, 0)))
     assert choices(move(talk, [pressed, released])) == [("retract", "right")]
+
+
+@pytest.mark.parametrize("end", [{"type": "reset"}, targets("left")], ids=["reset", "targets"])
+def test_what_is_entered_without_a_prediction_is_proposed_and_retracted(end: dict[str, Any]) -> None:
+    talk = talk_of(precision=0.999)
+    inside = (0.0, 400.0, 0.0, None, None, 0)
+    (choice, _) = talk.say(events(inside))
+    assert (choice["action"], choice["id"], choice["reason"]) == ("propose", "right", "entered")
+    assert choices(talk.say(events((0.1, *inside[1:])))) == []
+    assert choices(talk.say(end)) == [("retract", "right")]
+    assert choices(talk.say(end)) == []
 
 
 def test_what_does_not_concern_the_proposal_keeps_it() -> None:
@@ -241,7 +255,8 @@ def test_an_event_counts_more_where_there_are_many_targets() -> None:
     many = [{"id": str(i), "x": 5.0 * i, "y": 0.0, "width": 4.0, "height": 4.0} for i in range(128)]
     talk = Talk(max_events_per_s=30)
     talk.say({"type": "targets", "targets": many})
-    assert len(talk.say(events(*reach(end=0.09)))) == 1  # ten events count as thirty
+    answers = talk.say(events(*reach(end=0.09)))  # ten events count as thirty
+    assert [one["type"] for one in answers if one["type"] != "choice"] == ["prediction"]
     error, *_ = talk.say(events(reach(begin=0.1)[0]))
     assert (error["code"], talk.closed) == ("too_fast", 1008)
     assert "at most 10 events a second" in error["message"]

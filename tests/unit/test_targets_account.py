@@ -121,3 +121,16 @@ def test_what_a_release_ended_leads_only_a_movement_that_is_closed_there() -> No
         ledger.propose(0.2, "a")
         ledger.end(0.4, "a")
         assert ledger.finish(closed, "a").hit == hit
+
+
+def test_what_is_entered_is_counted_apart_and_is_no_hit() -> None:
+    """The account of predictions stays what it was: the scorer knows nothing of entries."""
+    chooser = Chooser(PLACES, precision=0.999)
+    right, events, _ = movements(0.0)[0]
+    for event in events:
+        chooser.update(None, event)
+    account = chooser.finish(right)
+    assert (account.proposed, account.hit, account.wasted, account.lead_entry_s) == (0, False, 0, None)
+    assert account.entered == 2  # the one it set out from, and the one it went to
+    told = chooser.ledger.summary()
+    assert (told["entered"], told["proposed"], told["hit"], told["precision"]) == (2, 0, 0, None)
