@@ -8,6 +8,7 @@ from pointpred.columns import BoolArray, EventColumns, FloatArray, PredictionCol
 from pointpred.compiled import law
 from pointpred.differentiators import Differentiator
 from pointpred.events import PointerEvent, Prediction
+from pointpred.person import person_of
 from pointpred.predictors import Predictor
 from pointpred.predictors.predictor import PHASE
 
@@ -80,13 +81,22 @@ class Pipeline:
         """Whether finished movements change what is said of the next: then only a new person starts fresh."""
         return bool(getattr(self.predictor, "learned", 0))
 
+    @property
+    def person(self) -> str:
+        """What finished movements taught of the person, for ``build(name, person=...)``: printable ASCII.
+
+        At most 4096 characters; "" while nobody is known, and always where nothing is learned or can be
+        saved (`ktm`). The movement that goes on is not in it: ``reset`` finishes it.
+        """
+        return person_of(self.predictor)
+
     def reset(self) -> None:
         """Forget every event: the next one starts a movement. What is known of the person stays."""
         self.differentiator.reset()
         self.predictor.reset()
 
     def fresh(self) -> Self:
-        """Return a pipeline with the same parameters and no memory."""
+        """Return a pipeline with the same parameters and no memory, which knows nobody."""
         return type(self)(self.name, self.differentiator.fresh(), self.predictor.fresh())
 
 

@@ -9,6 +9,7 @@ import msgspec
 
 from pointpred.differentiators import DIFFERENTIATORS
 from pointpred.errors import ParameterError
+from pointpred.person import restore
 from pointpred.pipeline import Pipeline
 from pointpred.predictors import (
     AdaptiveKinematicPredictor,
@@ -170,15 +171,21 @@ def describe(name: str) -> dict[str, Any]:
     }
 
 
-def build(name: str, *, cpi: float | None = None, dpi: float = 96.0, **parameters: Any) -> Pipeline:
+def build(
+    name: str, *, cpi: float | None = None, dpi: float = 96.0, person: str = "", **parameters: Any
+) -> Pipeline:
     """Return a fresh pipeline for a name of the registry.
 
     ``cpi``: counts per inch of the device; with it motor motion comes from the events' counts, without it
     from the cursor and ``dpi`` (px per inch). Other parameters go to the predictor or the differentiator
-    that has them; ``differentiator`` names another differentiator. Raises ParameterError.
+    that has them; ``differentiator`` names another differentiator. ``person``: what ``Pipeline.person`` of
+    the same predictor was, to go on with what is known of that person; "" knows nobody. Raises
+    ParameterError.
 
     >>> build("hold").name
     'hold'
+    >>> build("kinematic-adaptive").person  # nobody has moved yet
+    ''
     """
     entry = _entry(name)
     chosen = parameters.pop("differentiator", entry.differentiator)
@@ -193,7 +200,9 @@ def build(name: str, *, cpi: float | None = None, dpi: float = 96.0, **parameter
     settings = {k: v for k, v in (GAINS | entry.preset).items() if k in known} | parameters
     predictor, differentiator = ({k: settings[k] for k in names if k in settings} for names in own)
     differentiator |= {"cpi": cpi, "dpi": dpi}
-    return Pipeline(name, stages[1](**differentiator), stages[0](**predictor))
+    made = stages[0](**predictor)
+    restore(made, person)
+    return Pipeline(name, stages[1](**differentiator), made)
 
 
 def _entry(name: str) -> Entry:

@@ -49,6 +49,17 @@ class Parameter(msgspec.Struct, frozen=True):
     meaning: str
 
 
+class Slot(msgspec.Struct, frozen=True):
+    """A run of numbers that a stage knows of its person: their name, how many, the closed bounds of each."""
+
+    name: str
+    count: int
+    low: float
+    high: float
+    whole: bool = False
+    """Whether each is a whole number, such as how many of something are held."""
+
+
 class CompiledStage:
     """What all stages share whose law is compiled: the flat memory, reset, fresh, and the walk over rows.
 
@@ -59,6 +70,10 @@ class CompiledStage:
     ``learned`` floats, all zero while it knows nothing. ``reset`` and a row marked ``begin`` forget the
     movement only, after ``conclude(memory)`` has taken from it what is worth keeping; its loop calls the same
     law before it forgets. ``fresh`` knows nobody.
+
+    What it knows can be saved as a string (``pointpred.person``) where ``slots`` names the ``learned`` floats
+    in their order. Within the bounds of the slots, and where ``doubt`` has no objection, no memory makes the
+    law fail or answer NaN.
     """
 
     parameters: ClassVar[tuple[Parameter, ...]] = ()
@@ -66,6 +81,9 @@ class CompiledStage:
     loop: ClassVar[Callable[..., None]]
     learned: int = 0
     conclude: ClassVar[Callable[..., None]] = staticmethod(lambda memory: None)
+    slots: ClassVar[tuple[Slot, ...]] = ()
+    doubt: ClassVar[Callable[..., str]] = staticmethod(lambda known: "")
+    """What is wrong with learned floats that are each within their bounds, in words; empty for nothing."""
 
     def __init__(self, settings: list[float] | FloatArray, states: int) -> None:
         """Lay out the memory: ``settings`` first, ``learned`` zeros, then ``states`` zeros."""
@@ -85,6 +103,11 @@ class CompiledStage:
         twin = copy.copy(self)
         twin._memory[self._first - self.learned :] = 0.0
         return twin
+
+    @property
+    def known(self) -> FloatArray:
+        """What finished movements taught: a view of the learned floats."""
+        return self._memory[self._first - self.learned : self._first]
 
     def remembered(self) -> bytes:
         """The memory as it is now, to be given back to ``recall``."""

@@ -131,6 +131,8 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     step = staticmethod(step)
     loop = staticmethod(loop)
     conclude = staticmethod(conclude)
+    slots = adaptation_law.SLOTS
+    doubt = staticmethod(adaptation_law.doubt)
 
     def __init__(self, *, adapt: int = 1, distances: int = 1, shortest_px: float = 10.0) -> None:
         self._prepare(kinematic_coefficients.OWN, adapt, distances, shortest_px)

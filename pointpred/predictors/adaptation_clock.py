@@ -10,6 +10,8 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.events import LATEST_S
+from pointpred.stage import Slot
 
 KEPT = 12
 SHARES = (0.0, 0.25, 0.5, 0.75, 1.0)
@@ -31,6 +33,16 @@ ERRORS = MEDIAN + 1
 COUNT = ERRORS + len(SHARES)
 BEST = COUNT + 1
 LEARNED = BEST + 1
+
+SLOTS = (
+    Slot("durations held", 1, 0.0, KEPT, whole=True),
+    Slot("durations", KEPT, 0.0, 4.0 * LATEST_S),
+    Slot("median", 1, 0.0, 4.0 * LATEST_S),
+    Slot("errors", len(SHARES), 0.0, 1e30),
+    Slot("movements", 1, 0.0, 1.001 / (1.0 - KEEP)),
+    Slot("clock's share", 1, 0.0, 1.0),
+)
+"""What is known of a person's durations, in the order of the layout."""
 
 
 @law

@@ -13,6 +13,8 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.events import LARGEST
+from pointpred.stage import Slot
 
 KEPT = 12
 LEAST = 2
@@ -44,6 +46,26 @@ HELD, DISTANCES = 0, 1
 BELIEF = DISTANCES + KEPT
 WEIGHTS = BELIEF + LAWS + 1
 LEARNED = WEIGHTS + KEPT * len(WIDTHS)
+
+SHORTEST_PX = 1e-6
+"""A shorter distance is none, whatever is set: its logarithm is taken."""
+SLOTS = (
+    Slot("distances held", 1, 0.0, KEPT, whole=True),
+    Slot("distances", KEPT, 0.0, 4.0 * LARGEST),
+    Slot("belief", LAWS + 1, 0.0, 1.0),
+    Slot("weights", KEPT * len(WIDTHS), 0.0, 1.0),
+)
+"""What is known of a person's distances, in the order of the layout."""
+
+
+def doubt(known: FloatArray) -> str:
+    """What is wrong with numbers that are within the bounds of their slots; empty for nothing."""
+    held = int(known[HELD])
+    if held and not known[DISTANCES : DISTANCES + held].min() >= SHORTEST_PX:
+        return f"distances: each of the {held} that are held must be at least {SHORTEST_PX:g} px"
+    if held and not known[BELIEF + LAWS] >= (least := FORGET * UNKNOWN_SHARE):
+        return f"belief: that nothing is known must be at least {least:g}, is {known[BELIEF + LAWS]:g}"
+    return ""
 
 
 @law

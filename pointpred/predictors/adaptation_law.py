@@ -18,6 +18,7 @@ from pointpred.predictors import adaptation_stages as stages
 DISTANCES = stages.LEARNED
 CLOCK = DISTANCES + distances.LEARNED
 LEARNED = CLOCK + clock.LEARNED
+SLOTS = (*stages.SLOTS, *distances.SLOTS, *clock.SLOTS)
 
 # The movement, relative to `at`: whether there is one, its start, its last sample, how many
 # places of the way were kept, samples of different times; the last of these places; a moment of each stage.
@@ -35,6 +36,11 @@ BIAS_FADE, FADE = 0.2, 0.5
 """From these shares of the time on the bias and the last distances fade out: what is left is a correction."""
 EARLY = 0.1
 """A stage is taken from this share of its length before its middle on."""
+
+
+def doubt(known: FloatArray) -> str:
+    """What is wrong with numbers that are within the bounds of ``SLOTS``; empty for nothing."""
+    return distances.doubt(known[DISTANCES:CLOCK])
 
 
 @law
@@ -58,7 +64,7 @@ def conclude(memory: FloatArray, known: int, at: int, shortest: float) -> None:
     moved = arrived(memory, at, max(NEAR_PX, NEAR_SHARE * distance))
     teaches = memory[at + KNOWN] == 1.0 and memory[at + COUNT] >= SAMPLES_LEAST
     duration = moved - memory[at + T0]
-    if teaches and duration >= LEAST_S and distance > 0.0 and distance >= shortest:
+    if teaches and duration >= LEAST_S and distance >= max(shortest, distances.SHORTEST_PX):
         told = memory[known + CLOCK + clock.HELD] > 0.0
         if told:
             clock.forget(memory, known + CLOCK)

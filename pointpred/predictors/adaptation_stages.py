@@ -9,6 +9,7 @@ from math import exp, floor, log, sqrt
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.stage import Slot
 
 STAGES = 5
 KEEP = 0.97
@@ -33,6 +34,32 @@ COUNT, WIDE, BROAD = 9, 10, 11
 TEMPO, TIMED, TEMPO_PAID, TEMPO_SIZE = 12, 13, 14, 15
 WIDTH = 16
 LEARNED = STAGES * WIDTH
+
+LARGEST = 1e30
+"""Sums of squares reach no further: coordinates and widths are bounded."""
+MOST_SHARE = 1e3
+"""The bias is no more than so many times the whole way and the way ahead."""
+MOVEMENTS = 1.001 / (1.0 - KEEP)
+"""What a sum comes to that takes in 1 with each movement, for ever; rounding included."""
+MOST_TEMPO = TEMPO_MOST * MOVEMENTS
+MOST_TEMPO_PAID = max(MOST_TEMPO / TEMPO_OF, 1.0) ** 2 / TEMPO_OFF**2 * MOVEMENTS
+_STAGE = (
+    Slot("normal equations, diagonal", 1, 0.0, LARGEST),
+    Slot("normal equations, side", 1, -LARGEST, LARGEST),
+    Slot("normal equations, diagonal", 1, 0.0, LARGEST),
+    Slot("right side", 2, -LARGEST, LARGEST),
+    Slot("bias", 2, -MOST_SHARE, MOST_SHARE),
+    Slot("bias paid", 1, -(FURTHEST**2) * MOVEMENTS, FURTHEST**2 * MOVEMENTS),
+    Slot("bias size", 1, 0.0, FURTHEST**2 * MOVEMENTS),
+    Slot("movements", 1, 0.0, MOVEMENTS),
+    Slot("squares of the widths", 2, 0.0, LARGEST),
+    Slot("tempo", 1, -MOST_TEMPO, MOST_TEMPO),
+    Slot("movements timed", 1, 0.0, MOVEMENTS),
+    Slot("tempo paid", 1, -MOST_TEMPO_PAID, MOST_TEMPO_PAID),
+    Slot("tempo size", 1, 0.0, MOST_TEMPO_PAID),
+)
+SLOTS = _STAGE * STAGES
+"""What is known of a person at each stage, in the order of the layout."""
 
 # A moment of the movement at a stage, relative to its place: whether there is one; time, place, direction;
 # the way ahead along and across, the widths, the tail, the time left, as predicted; px from the start.
@@ -105,9 +132,11 @@ def bounded(value: float, most: float) -> float:
 def solve(memory: FloatArray, at: int) -> None:
     """The coefficients of the bias from the normal equations."""
     g00, g01, g11 = memory[at + G00] + RIDGE, memory[at + G01], memory[at + G11] + RIDGE
-    determinant = g00 * g11 - g01 * g01
-    memory[at + TOTAL] = (g11 * memory[at + R0] - g01 * memory[at + R1]) / determinant
-    memory[at + AHEAD] = (g00 * memory[at + R1] - g01 * memory[at + R0]) / determinant
+    determinant = max(g00 * g11 - g01 * g01, RIDGE * RIDGE)  # never less, but for rounding
+    by_total = (g11 * memory[at + R0] - g01 * memory[at + R1]) / determinant
+    by_ahead = (g00 * memory[at + R1] - g01 * memory[at + R0]) / determinant
+    memory[at + TOTAL] = bounded(by_total, MOST_SHARE)
+    memory[at + AHEAD] = bounded(by_ahead, MOST_SHARE)
 
 
 @law

@@ -9,7 +9,7 @@ import pytest
 
 from tests.architecture.tree import ROOT, imports_of, module_of, package_files
 
-GROUND = {"errors", "compiled", "events", "columns", "recording", "stage"}
+GROUND = {"errors", "compiled", "events", "columns", "recording", "stage", "person"}
 MATHS = GROUND | {"regression", "differentiators", "transfer"}
 PIPELINE = MATHS | {"predictors", "pipeline", "registry"}
 MAY_IMPORT = {
@@ -19,6 +19,7 @@ MAY_IMPORT = {
     "columns": {"errors", "events"},
     "recording": {"errors", "events", "columns"},
     "stage": {"errors", "compiled", "events", "columns"},
+    "person": {"errors", "columns", "stage"},
     "regression": GROUND,
     "differentiators": GROUND | {"regression"},
     "transfer": GROUND | {"regression"},

@@ -1,0 +1,107 @@
+"""What a stage knows of its person as a short string, and back.
+
+The string is ``1.`` and base64url of: 8 bytes that name the layout, the learned float64 (little-endian,
+exact), 8 bytes of blake2b over all before them. The layout's name is a digest of the names, counts and bounds
+of the stage's ``slots``: where one of them changes, strings of the old layout are refused instead of misread.
+"""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import hashlib
+
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.errors import ParameterError
+from pointpred.stage import CompiledStage, Slot
+
+LARGEST = 4096
+"""Characters of a person, at most."""
+VERSION = "1."
+"""Of the string; what the numbers mean is the layout's."""
+DIGEST = 8
+
+
+def person_of(stage: CompiledStage) -> str:
+    """What finished movements taught ``stage``; "" where it knows nobody, or nothing that can be saved."""
+    if not portable(stage) or not stage.known.any():
+        return ""
+    return packed(stage.slots, stage.known)
+
+
+def restore(stage: CompiledStage, person: str) -> None:
+    """Let a stage that remembers nothing know a person; "" leaves it as it is.
+
+    Raises ParameterError for a string that is none, is damaged, is of another layout, or holds a number that
+    no movement teaches; the stage is then unchanged.
+    """
+    if not isinstance(person, str):
+        raise ParameterError(f"person must be a string made by a pipeline, received {type(person).__name__}")
+    if not person:
+        return
+    if not portable(stage):
+        raise ParameterError(
+            f"person must be '' for a predictor that saves nothing of a person, "
+            f"received {len(person)} characters"
+        )
+    known = unpacked(stage.slots, person)
+    if objection := _bounds(stage.slots, known) or type(stage).doubt(known):
+        raise ParameterError(f"person holds what no movement teaches: {objection}")
+    stage.known[:] = known
+
+
+def portable(stage: CompiledStage) -> bool:
+    """Whether what a stage learns can be saved."""
+    return bool(stage.slots) and stage.learned > 0
+
+
+def packed(slots: tuple[Slot, ...], known: FloatArray) -> str:
+    """Learned floats as a string."""
+    body = _layout(slots) + known.astype("<f8").tobytes()
+    return VERSION + base64.urlsafe_b64encode(body + _digest(body)).decode().rstrip("=")
+
+
+def unpacked(slots: tuple[Slot, ...], person: str) -> FloatArray:
+    """The learned floats of a string, not yet compared with their bounds; raises ParameterError."""
+    if len(person) > LARGEST:
+        raise ParameterError(f"person may have {LARGEST} characters, received {len(person)}")
+    written = person.removeprefix(VERSION)
+    if written == person:
+        raise ParameterError(f"person must begin with {VERSION!r}, as pipelines write it")
+    try:
+        body = base64.b64decode(written + "=" * (-len(written) % 4), b"-_", validate=True)
+    except (binascii.Error, ValueError):
+        raise ParameterError("person must be base64url after its version, as pipelines write it") from None
+    count = sum(slot.count for slot in slots)
+    if len(body) >= 2 * DIGEST and body[:DIGEST] != _layout(slots):
+        raise ParameterError("person was saved by another predictor or by another version of this one")
+    whole = len(body) == 8 * count + 2 * DIGEST and _digest(body[:-DIGEST]) == body[-DIGEST:]
+    known = np.frombuffer(body[DIGEST:-DIGEST], "<f8").astype(np.float64) if whole else np.empty(0)
+    if not known.any() or packed(slots, known) != person:
+        raise ParameterError("person is damaged: it must be the whole string, as a pipeline wrote it")
+    return known
+
+
+def _layout(slots: tuple[Slot, ...]) -> bytes:
+    """The name of a layout."""
+    return _digest(repr(slots).encode())
+
+
+def _digest(body: bytes) -> bytes:
+    return hashlib.blake2b(body, digest_size=DIGEST).digest()
+
+
+def _bounds(slots: tuple[Slot, ...], known: FloatArray) -> str:
+    """The first number that is not within the bounds of its slot, in words; empty where there is none."""
+    at = 0
+    for slot in slots:
+        values = known[at : at + slot.count]
+        outside = ~((values >= slot.low) & (values <= slot.high))
+        if outside.any():
+            return f"{slot.name} must lie in [{slot.low:g}, {slot.high:g}], is {values[outside][0]:g}"
+        if slot.whole and (values != np.floor(values)).any():
+            return f"{slot.name} must be whole, is {values[0]:g}"
+        at += slot.count
+    return ""

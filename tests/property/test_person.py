@@ -1,0 +1,79 @@
+"""No accepted person makes a prediction fail, and what comes of one is accepted again."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+
+import numpy as np
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+
+from pointpred import EventColumns, build, run
+from pointpred import person as persons
+from pointpred.columns import FloatArray
+from pointpred.errors import ParameterError
+from pointpred.predictors import AdaptiveKinematicPredictor
+from pointpred.predictors import adaptation_distances as distances
+from pointpred.predictors import adaptation_law as law
+from pointpred.stage import Slot
+
+NAME = "kinematic-adaptive"
+SLOTS = AdaptiveKinematicPredictor.slots
+
+
+def number(slot: Slot) -> st.SearchStrategy[float]:
+    """Any number within the bounds of a slot; often a bound, nothing, or a plausible one."""
+    plain = st.floats(slot.low, slot.high, allow_nan=False)
+    if slot.whole:
+        plain = st.integers(int(slot.low), int(slot.high)).map(float)
+    usual = [slot.low, 0.0, 1e-6, 0.04, 0.5, 3.0, 12.0, 300.0, slot.high]
+    if slot.whole:
+        usual = [value for value in usual if value == int(value)]
+    return st.sampled_from([value for value in usual if slot.low <= value <= slot.high]) | plain
+
+
+def consistent(numbers: tuple[float, ...]) -> FloatArray:
+    """The numbers, with as much as ``doubt`` asks for: the distances held, and some doubt in them."""
+    known = np.array(numbers)
+    at = law.DISTANCES + distances.DISTANCES
+    known[at : at + distances.KEPT] = np.maximum(known[at : at + distances.KEPT], distances.SHORTEST_PX)
+    unknown = law.DISTANCES + distances.BELIEF + distances.LAWS
+    known[unknown] = max(known[unknown], distances.FORGET * distances.UNKNOWN_SHARE)
+    return known
+
+
+KNOWN = st.tuples(*(number(slot) for slot in SLOTS for _ in range(slot.count))).map(consistent)
+MOVES = st.lists(
+    st.tuples(st.floats(0.0, 3000.0), st.floats(-2000.0, 2000.0), st.floats(0.05, 3.0)),
+    min_size=2,
+    max_size=5,
+)
+
+
+def way(x: float, y: float, seconds: float) -> EventColumns:
+    t = np.arange(0.0, seconds + 0.1, 0.02)
+    share = np.minimum(t / seconds, 1.0)
+    done = 10 * share**3 - 15 * share**4 + 6 * share**5
+    return EventColumns.of(t, x * done, y * done)
+
+
+@settings(max_examples=300)
+@given(KNOWN, MOVES)
+@example(np.array([slot.high for slot in SLOTS for _ in range(slot.count)]), [(500.0, 0.0, 0.5)] * 3)
+def test_an_accepted_person_never_breaks_the_law(
+    known: FloatArray, moves: list[tuple[float, float, float]]
+) -> None:
+    pipeline = build(NAME, person=persons.packed(SLOTS, known))
+    for one in moves:
+        table = run(pipeline, way(*one)).table
+        plain = run(build("kinematic"), way(*one)).table
+        assert np.array_equal(np.isnan(table), np.isnan(plain))  # it answers where `kinematic` does
+        assert np.isfinite(table[~np.isnan(plain)]).all()
+        pipeline.reset()
+        assert build(NAME, person=pipeline.person).person == pipeline.person
+
+
+@given(st.text(max_size=60) | st.text(alphabet="AB1.-_=\n", max_size=3000))
+def test_text_is_refused_or_nobody(text: str) -> None:
+    with suppress(ParameterError):
+        assert build(NAME, person=text).person == text == ""
