@@ -28,7 +28,6 @@ REPLIES = {
     "trial": ["score", "choice"],
     "configure": ["welcome", "choice"],
     "reset": ["choice"],
-    "person": ["knownPerson", "choice"],
     "bye": [],
 }
 
@@ -98,7 +97,6 @@ _Dumper.add_representer(str, _text)
 def keys_of(union: Any) -> list[tuple[str, type[msgspec.Struct]]]:
     """A key for each message of a union: its type on the wire, where that is not taken."""
     keys = {"PredictionMessage": "prediction", "TargetsTaken": "targetsTaken", "TrialMark": "trial"}
-    keys |= {"KnownPerson": "knownPerson"}
     named = {"ErrorMessage": "error"} | keys
     return [(named.get(kind.__name__, kind.__name__.lower()), kind) for kind in get_args(union)]
 
@@ -124,7 +122,7 @@ def _messages() -> dict[str, Any]:
     messages["binaryPredictions"] = _binary(
         words.PREDICTIONS.format(phases=phases),
         [(name, "<f8") for name in ("t", "x", "y", "sxx", "sxy", "syy", "remaining_s")]
-        + [("phase", PREDICTION["phase"].str)],
+        + [("phase", PREDICTION["phase"].str), ("tail", PREDICTION["tail"].str)],
         pack(rows),
     )
     return messages

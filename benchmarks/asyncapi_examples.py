@@ -11,7 +11,6 @@ from pointpred.server.protocol.client_messages import (
     Events,
     Goal,
     Hello,
-    Person,
     Reset,
     Screen,
     Target,
@@ -21,7 +20,6 @@ from pointpred.server.protocol.client_messages import (
 from pointpred.server.protocol.server_messages import (
     Choice,
     ErrorMessage,
-    KnownPerson,
     Likely,
     Limits,
     PredictionMessage,
@@ -31,9 +29,7 @@ from pointpred.server.protocol.server_messages import (
     Welcome,
 )
 
-PERSON = "1.AvcZJo2qP2MdoSQMBXCMPw"
-"""How a person begins; a whole one has some 1,700 characters and changes with the law."""
-
+NONE = float("nan")
 HELLO = Hello(
     1,
     RECOMMENDED,
@@ -47,7 +43,6 @@ CLIENT = (
         HELLO,
         Hello(1, "hold", reply="event", encoding="binary"),
         Hello(1, RECOMMENDED, device=Device(cpi=800.0), assist=Assist(0.4, 6.0, "constant", 3.0)),
-        Hello(1, RECOMMENDED, person=PERSON),
     ),
     (Events([(0.5, 640.0, 360.0, None, None, 0), (0.508, 643.0, 359.0, 4.0, -1.0, 0)]),),
     (Targets([Target("save", 900.0, 20.0, 80.0, 24.0, weight=2.0)]), Targets([])),
@@ -58,7 +53,6 @@ CLIENT = (
         Configure(assist=Assist(0.25, function="sigmoid")),
     ),
     (Reset(),),
-    (Person(), Person(PERSON), Person("")),
     (Bye("done"),),
 )
 """A tuple a message, in the order of ``ClientMessage``."""
@@ -66,7 +60,7 @@ CLIENT = (
 SERVER = (
     (Welcome(1, "k3x9Qw", RECOMMENDED, Limits()),),
     (
-        PredictionMessage(0.508, 871.5, 251.0, Region(220.5, -12.0, 180.25), "ballistic", 0.35),
+        PredictionMessage(0.508, 871.5, 251.0, Region(220.5, -12.0, 180.25, 4.5), "ballistic", 0.35),
         PredictionMessage(0.5),
         PredictionMessage(0.508, 871.5, 251.0, None, "ballistic", 0.35, [Likely("save", 0.8125)]),
     ),
@@ -77,7 +71,6 @@ SERVER = (
         Choice("print", 0.375, "propose", 0.758, "entered"),
     ),
     (TargetsTaken(1),),
-    (KnownPerson(PERSON), KnownPerson("")),
     (
         Score(
             182, 41.5, 120.25, 0.655, {"0.5": 60.0}, {"0.5": 72.5}, None, 1, hit=True, wasted=0, lead_s=0.31
@@ -94,6 +87,6 @@ SERVER = (
 """A tuple a message, in the order of ``ServerMessage``."""
 
 EVENT_ROWS = [(0.5, 640.0, 360.0, -32768, -32768, 0), (0.508, 643.0, 359.0, 4, -1, 1)]
-PREDICTION_ROW = (0.508, 871.5, 251.0, 220.5, -12.0, 180.25, 0.35, 1.0)
+PREDICTION_ROW = (0.508, 871.5, 251.0, 220.5, -12.0, 180.25, 0.35, 1.0, 4.5, NONE)
 """A row of ``PredictionColumns``."""
-NO_PREDICTION_ROW = (0.5, *(float("nan"),) * 6, 0.0)
+NO_PREDICTION_ROW = (0.5, *(NONE,) * 6, 0.0, NONE, NONE)

@@ -56,5 +56,5 @@ EVENTS = (
 PREDICTIONS = (
     "Predictions as packed little-endian records without padding, one for the newest event or, with "
     "`reply: event`, one for each. NaN where a field is null; all NaN but t, and phase 0, where there is "
-    "no prediction. Phases: {phases}."
+    "no prediction. Phases: {phases}. A region with tail NaN is that of a normal law."
 )

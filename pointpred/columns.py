@@ -6,20 +6,26 @@ A table is what compiled loops walk over; the named properties are views into it
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import Any, ClassVar, Self
+from operator import index
+from typing import Any, ClassVar, Generic, Self, TypeVar, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pointpred.errors import EventError
 from pointpred.events import PHASES, Motion, PointerEvent, Prediction
+from pointpred.regions import Region, probability, region_of
 
 FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
+Record = TypeVar("Record")
 
 
-class Columns:
-    """A table of shape (rows, fields) with a name for each column."""
+class Columns(Generic[Record]):
+    """A table of shape (rows, fields) with a name for each column.
+
+    Iterating gives the rows as records, an integer index one of them, a slice the columns of some rows.
+    """
 
     names: ClassVar[tuple[str, ...]] = ()
 
@@ -34,6 +40,28 @@ class Columns:
     def __len__(self) -> int:
         return len(self.table)
 
+    def __iter__(self) -> Iterator[Record]:
+        return map(self._record, self.table.tolist())
+
+    @overload
+    def __getitem__(self, place: slice) -> Self: ...
+
+    @overload
+    def __getitem__(self, place: int) -> Record: ...
+
+    def __getitem__(self, place: int | slice) -> Record | Self:
+        if isinstance(place, slice):
+            return self._rows(place)
+        return self._record(self.table[index(place)].tolist())
+
+    def _record(self, row: list[float]) -> Record:
+        """A row as a record."""
+        raise NotImplementedError
+
+    def _rows(self, some: slice) -> Self:
+        """Some rows as columns."""
+        return type(self)(self.table[some])
+
     def __getattr__(self, name: str) -> FloatArray:
         if name in type(self).names:
             column: FloatArray = self.table[:, type(self).names.index(name)]
@@ -44,7 +72,7 @@ class Columns:
         return type(self), (self.table,)
 
 
-class EventColumns(Columns):
+class EventColumns(Columns[PointerEvent]):
     """Pointer events as columns, with ``begin`` marking the rows before which a stage is reset."""
 
     names = ("t", "x", "y", "dx", "dy", "buttons")
@@ -99,37 +127,66 @@ class EventColumns(Columns):
 
     def events(self) -> Iterator[PointerEvent]:
         """The rows as records."""
-        for t, x, y, dx, dy, buttons in self.table.tolist():
-            yield PointerEvent(t, x, y, dx if dx == dx else None, dy if dy == dy else None, int(buttons))
+        return iter(self)
 
     def rows(self, start: int, stop: int) -> Self:
         """The rows from ``start`` up to ``stop``."""
-        return type(self)(self.table[start:stop], self.begin[start:stop])
+        return self[start:stop]
+
+    def _record(self, row: list[float]) -> PointerEvent:
+        t, x, y, dx, dy, buttons = row
+        return PointerEvent(t, x, y, dx if dx == dx else None, dy if dy == dy else None, int(buttons))
+
+    def _rows(self, some: slice) -> Self:
+        return type(self)(self.table[some], self.begin[some])
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.table, self.begin)
 
 
-class MotionColumns(Columns):
+class MotionColumns(Columns[Motion]):
     """Motions as columns."""
 
     names = ("t", "x", "y", "vx", "vy", "ax", "ay", "settled", "start", "counts")
 
     def motions(self) -> Iterator[Motion]:
         """The rows as records."""
-        for t, x, y, vx, vy, ax, ay, settled, start, counts in self.table.tolist():
-            yield Motion(t, x, y, vx, vy, ax, ay, bool(settled), bool(start), bool(counts))
+        return iter(self)
+
+    def _record(self, row: list[float]) -> Motion:
+        t, x, y, vx, vy, ax, ay, settled, start, counts = row
+        return Motion(t, x, y, vx, vy, ax, ay, bool(settled), bool(start), bool(counts))
 
 
-class PredictionColumns(Columns):
+class RegionColumns(Columns[Region | None]):
+    """Regions as columns, in the units of ``Region``; a row without a region is NaN."""
+
+    names = ("x", "y", "major", "minor", "angle")
+
+    def _record(self, row: list[float]) -> Region | None:
+        return Region(*row) if row[0] == row[0] else None
+
+
+class PredictionColumns(Columns[Prediction | None]):
     """Predictions as columns; a row without a prediction is NaN but for ``t`` and the phase."""
 
     names = ("t", "x", "y", "sxx", "sxy", "syy", "remaining_s", "phase", "tail", "remaining_spread")
 
     def predictions(self) -> Iterator[Prediction | None]:
         """The rows as records, ``None`` where nothing was justified."""
-        for row in self.table.tolist():
-            yield prediction_of(row[0], tuple(row[1:]))
+        return iter(self)
+
+    def region(self, level: float) -> RegionColumns:
+        """``Prediction.region`` of each row; raises ParameterError for a level outside (0, 1)."""
+        level = probability(level)
+        claimed = self.table[:, [1, 2, 3, 4, 5, 8]].tolist()
+        regions = [region_of(level, *row) for row in claimed]
+        none = (float("nan"),) * len(RegionColumns.names)
+        rows = [none if one is None else (one.x, one.y, one.major, one.minor, one.angle) for one in regions]
+        return RegionColumns(np.array(rows, dtype=np.float64).reshape(-1, len(RegionColumns.names)))
+
+    def _record(self, row: list[float]) -> Prediction | None:
+        return prediction_of(row[0], tuple(row[1:]))
 
 
 def _numbers(values: ArrayLike, name: str) -> FloatArray:

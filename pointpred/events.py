@@ -10,6 +10,8 @@ from typing import Literal
 
 import msgspec
 
+from pointpred.regions import Region, probability, region_of
+
 Phase = Literal["still", "ballistic", "corrective"]
 PHASES: tuple[Phase, ...] = ("still", "ballistic", "corrective")
 """Phases in the order of their codes in columns and binary frames."""
@@ -18,6 +20,8 @@ LATEST_S = 1e11
 """Bound on the magnitude of a time: seconds of any clock fit, milliseconds since 1970 are a mistaken unit."""
 LARGEST = 1e9
 """Bound on the magnitude of positions (px), counts and buttons: beyond it arithmetic means nothing."""
+NORMAL = float("nan")
+"""The tail of a normal law in columns, frames and laws; records say ``None``."""
 CPI, DPI = (1.0, 1e6), (1.0, 1e5)
 """Bounds on the counts per inch of a device and the pixels per inch of a screen."""
 ROUNDING_S = 1e-6
@@ -62,17 +66,48 @@ class Motion(msgspec.Struct, frozen=True):
 class Prediction(msgspec.Struct, frozen=True):
     """Where a movement will end: ``x y`` px, seen from time ``t`` s.
 
-    ``covariance`` = (sxx, sxy, syy) px^2 or ``None`` where the predictor claims no region; ``phase`` of the
-    movement at ``t``; ``remaining_s`` until arrival, or ``None``. ``tail``: degrees of freedom of the
-    bivariate Student law whose scale matrix ``covariance`` then is; ``None``: the law is normal.
+    ``scale`` = (sxx, sxy, syy) px^2, the scale matrix of the endpoint's law, or ``None`` where the predictor
+    claims no region. ``tail``: degrees of freedom of that law, a bivariate Student law; ``None``: the law is
+    normal, and ``scale`` its covariance. ``phase`` of the movement at ``t``. ``remaining_s`` until arrival,
+    or ``None``.
     ``remaining_spread``: standard deviation of the logarithm of the remaining time; ``None``: not claimed.
     """
 
     t: float
     x: float
     y: float
-    covariance: tuple[float, float, float] | None
+    scale: tuple[float, float, float] | None
     phase: Phase
     remaining_s: float | None
     tail: float | None = None
     remaining_spread: float | None = None
+
+    @property
+    def covariance(self) -> tuple[float, float, float] | None:
+        """(sxx, sxy, syy) px^2 of the endpoint, or ``None`` where no region is claimed.
+
+        That of a Student law is ``scale`` tail / (tail - 2); with a tail up to 2 it has none.
+        """
+        if self.scale is None or self.tail is None:
+            return self.scale
+        if not self.tail > 2.0:
+            return None
+        wider = 1.0 / (1.0 - 2.0 / self.tail)
+        sxx, sxy, syy = self.scale
+        return wider * sxx, wider * sxy, wider * syy
+
+    def region(self, level: float) -> Region | None:
+        """The ellipse that holds the endpoint with probability ``level``, as the prediction claims.
+
+        ``None`` where no region is claimed or the scale matrix has no inside. Raises ParameterError for a
+        level outside (0, 1).
+
+        >>> prediction = Prediction(0.0, 300.0, 200.0, (400.0, 0.0, 100.0), "ballistic", None)
+        >>> region = prediction.region(0.5)
+        >>> round(region.major, 3), round(region.minor, 3), region.angle
+        (23.548, 11.774, 0.0)
+        """
+        level = probability(level)
+        if self.scale is None:
+            return None
+        return region_of(level, self.x, self.y, *self.scale, NORMAL if self.tail is None else self.tail)

@@ -62,11 +62,20 @@ def trial(name: str, predictors: tuple[str, ...]) -> dict[str, Any]:
     }
 
 
-def _predict(predictor: str, recording: Recording, number: int) -> dict[str, list[float]]:
-    """Predictions after each event; NaN, which JSON shows as null, where nothing was justified."""
+def _predict(predictor: str, recording: Recording, number: int) -> dict[str, Any]:
+    """Predictions after each event; NaN, which JSON shows as null, where nothing was justified.
+
+    ``region``: the numbers of a region as columns; ``None`` where none is claimed at any event.
+    """
     said = recording.provenance
     predicted = run(build(predictor, cpi=said.cpi, dpi=said.dpi), recording.rows(number))
-    return {"x": _column(predicted.x, 2), "y": _column(predicted.y, 2)}
+    scale = {name: _significant(getattr(predicted, name)) for name in ("sxx", "sxy", "syy", "tail")}
+    claimed = bool(np.isfinite(predicted.sxx).any())
+    return {
+        "x": _column(predicted.x, 2),
+        "y": _column(predicted.y, 2),
+        "region": scale if claimed else None,
+    }
 
 
 def _target(x: float, y: float, width: float) -> dict[str, float] | None:
@@ -76,3 +85,8 @@ def _target(x: float, y: float, width: float) -> dict[str, float] | None:
 def _column(values: FloatArray, digits: int) -> list[float]:
     rounded: list[float] = np.round(values, digits).tolist()
     return rounded
+
+
+def _significant(values: FloatArray) -> list[float]:
+    """Matrices need the same digits at every size: a thin one is lost to rounding."""
+    return [float(f"{value:.9g}") for value in values.tolist()]

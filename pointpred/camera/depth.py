@@ -168,10 +168,14 @@ class Depth(msgspec.Struct, frozen=True):
     image: bool
 
 
-class DepthColumns(Columns):
+class DepthColumns(Columns[Depth]):
     """Depths as columns."""
 
     names = ("t", "chi", "eta", "zero", "detectable", "certified", "image")
+
+    def _record(self, row: list[float]) -> Depth:
+        t, chi, eta, zero, detectable, certified, image = row
+        return Depth(t, chi, eta, zero, bool(detectable), bool(certified), bool(image))
 
 
 class DepthObserver(CameraStage):

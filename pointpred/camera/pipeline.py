@@ -33,7 +33,7 @@ class CameraEstimate(msgspec.Struct, frozen=True):
     peer: PointEstimate | None
 
 
-class CameraTable(Columns):
+class CameraTable(Columns[tuple[float, ...]]):
     """Estimates as columns, NaN where nothing is known; what begins with ``peer_`` is the filter's."""
 
     names = (
@@ -53,6 +53,9 @@ class CameraTable(Columns):
         "peer_vz",
         "peer_depth_spread",
     )
+
+    def _record(self, row: list[float]) -> tuple[float, ...]:
+        return tuple(row)
 
 
 class CameraPipeline:

@@ -40,17 +40,18 @@ class CameraSample(msgspec.Struct, frozen=True):
     az: float
 
 
-class CameraColumns(Columns):
+class CameraColumns(Columns[CameraSample]):
     """Camera samples as columns; x and y are NaN where there is no image."""
 
     names = ("t", "x", "y", "wx", "wy", "wz", "ax", "ay", "az")
 
     def samples(self) -> list[CameraSample]:
         """The rows as records."""
-        return [
-            CameraSample(t, x if x == x else None, y if y == y else None, *rest)
-            for t, x, y, *rest in self.table.tolist()
-        ]
+        return list(self)
+
+    def _record(self, row: list[float]) -> CameraSample:
+        t, x, y, *rest = row
+        return CameraSample(t, x if x == x else None, y if y == y else None, *rest)
 
 
 class Noise(msgspec.Struct, frozen=True):

@@ -113,14 +113,15 @@ def unpack_predictions(frame: bytes) -> list[list[float]]:
     table = np.full((len(packed), len(PredictionColumns.names)), NAN)
     table[:, :7] = packed["numbers"]
     table[:, 7] = np.where(np.isnan(table[:, 1]), NAN, packed["phase"])
+    table[:, 8] = packed["tail"]
     rows: list[list[float]] = table.tolist()
     return rows
 
 
 def row_of(message: PredictionMessage) -> list[float]:
     """A row as in PredictionColumns from a message."""
-    region = message.region
-    covariance = (NAN, NAN, NAN) if region is None else (region.sxx, region.sxy, region.syy)
+    scale = message.scale
+    claimed = (NAN, NAN, NAN) if scale is None else (scale.sxx, scale.sxy, scale.syy)
     phase = NAN if message.phase is None else float(PHASES.index(message.phase))
-    numbers = (message.x, message.y, *covariance, message.remaining_s)
-    return [message.t, *(NAN if value is None else value for value in numbers), phase, NAN, NAN]
+    numbers = (message.x, message.y, *claimed, message.remaining_s, phase, scale.tail if scale else None)
+    return [message.t, *(NAN if value is None else value for value in numbers), NAN]

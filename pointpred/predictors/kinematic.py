@@ -111,7 +111,7 @@ class KinematicPredictor(Predictor):
     Student law around it; and the time left as a multiple of the time passed, with the standard deviation
     of its logarithm. Widths, tail and spread are corrected by a table learned on people held out.
 
-    ``covariance`` is the scale matrix and ``tail`` the degrees of freedom. Before the cursor has moved the
+    ``scale`` is the scale matrix and ``tail`` the degrees of freedom. Before the cursor has moved the
     answer is its place, without a region. Always answers. A second motion of the same time replaces the
     first. Memory: 273 floats; the coefficients are shared. Raises EventError from ``update``.
 
@@ -123,7 +123,7 @@ class KinematicPredictor(Predictor):
     ...     s = i / 60
     ...     way = 400 * (10 * s**3 - 15 * s**4 + 6 * s**5)
     ...     prediction = pipeline.update(PointerEvent(i / 100, way, 0.0))
-    >>> bool(prediction.x > way + 50), prediction.covariance is not None
+    >>> bool(prediction.x > way + 50), prediction.scale is not None
     (True, True)
     """
 

@@ -163,8 +163,9 @@ def unlike(heard: PredictionColumns, batch: PredictionColumns) -> int:
 
 
 def _told(table: FloatArray) -> FloatArray:
-    """What goes over the wire: no tails and spreads; nothing but its time where there is no prediction."""
-    told = table[:, :8].copy()
+    """What goes over the wire: no spread, no tail without a region; of no prediction, its time."""
+    told = table[:, :9].copy()
+    told[np.isnan(told[:, 3]), 8] = np.nan
     told[np.isnan(told[:, 1]), 1:] = np.nan
     return told
 

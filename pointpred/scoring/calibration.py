@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from math import erf, exp, log, pi, sqrt
+from math import erf, exp, pi, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.regions import reach as plain_reach
 from pointpred.scoring import student
 from pointpred.scoring.metrics import WEIGHT_S
 from pointpred.scoring.moments import moments
@@ -20,6 +21,9 @@ LEVELS = (0.5, 0.8, 0.95)
 # region of each of LEVELS; continuous ranked probability score in px.
 CLAIMED, INSIDE, RANKED = 0, 1, 4
 WIDTH = 5
+
+reach = law(plain_reach)
+"""How far the region of a level goes, compiled."""
 
 
 @law
@@ -39,14 +43,6 @@ def surprise(dx: float, dy: float, sxx: float, sxy: float, syy: float) -> float:
     if not (sxx > 0.0 and syy > 0.0 and determinant > 0.0):
         return -1.0
     return (syy * dx * dx - 2.0 * sxy * dx * dy + sxx * dy * dy) / determinant
-
-
-@law
-def reach(level: float, tail: float) -> float:
-    """Squared Mahalanobis distance up to which the region of a level goes; ``tail`` NaN: a normal law."""
-    if tail != tail:
-        return -2.0 * log(1.0 - level)
-    return tail * (exp(-2.0 / tail * log(1.0 - level)) - 1.0)
 
 
 @law

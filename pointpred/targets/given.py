@@ -19,7 +19,7 @@ def write(row: FloatArray, prediction: Prediction | None) -> None:
     if prediction is None:
         row[:] = nan
         return
-    sxx, sxy, syy = prediction.covariance or (nan, nan, nan)
+    sxx, sxy, syy = prediction.scale or (nan, nan, nan)
     left, tail = prediction.remaining_s, prediction.tail
     row[1:9] = (
         prediction.x,

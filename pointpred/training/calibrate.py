@@ -9,9 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pointpred.columns import FloatArray
+from pointpred.compiled import law
 from pointpred.predictors import kinematic_calibration as table_law
 from pointpred.predictors import kinematic_features as features
 from pointpred.predictors import kinematic_net as net
+from pointpred.scoring.calibration import reach
 from pointpred.training import losses
 from pointpred.training.examples import Examples
 from pointpred.training.fitting import Fitted, Settings, truth
@@ -89,9 +91,13 @@ def factors(table: FloatArray, share: FloatArray, which: int) -> FloatArray:
     return found
 
 
+@law
 def reaches(level: float, tail: FloatArray) -> FloatArray:
-    """Squared Mahalanobis distance up to which a Student law's region of a level goes."""
-    return tail * ((1.0 - level) ** (-2.0 / tail) - 1.0)
+    """Squared Mahalanobis distance up to which a Student law's region of a level goes, for many tails."""
+    far = np.empty_like(tail)
+    for i in range(len(tail)):
+        far[i] = reach(level, tail[i])
+    return far
 
 
 def calibrated(known: Held, seed: int = 0) -> FloatArray:

@@ -149,8 +149,8 @@ class GuardedTransfer(CompiledStage):
 def guidance(
     prediction: Prediction | None, cursor: tuple[float, float]
 ) -> tuple[float, float, float, float, float]:
-    """A prediction as the law wants it: the way to it from the cursor, and its covariance."""
+    """A prediction as the law wants it: the way to it from the cursor, and its scale matrix."""
     if prediction is None:
         return UNGUIDED
-    covariance = prediction.covariance or (NONE, NONE, NONE)
-    return prediction.x - cursor[0], prediction.y - cursor[1], *covariance
+    scale = prediction.scale or (NONE, NONE, NONE)
+    return prediction.x - cursor[0], prediction.y - cursor[1], *scale

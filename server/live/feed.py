@@ -43,11 +43,6 @@ class LiveFeed:
         self._loop: asyncio.AbstractEventLoop | None = None
         self._sent_at = float("-inf")
 
-    @property
-    def watched(self) -> bool:
-        """Whether somebody looks on."""
-        return bool(self._viewers)
-
     def begin(self, loop: asyncio.AbstractEventLoop) -> None:
         """From now on viewers can be told."""
         self._loop = loop
@@ -130,5 +125,5 @@ def _row(event: PointerEvent) -> tuple[float, float, float, float | None, float 
 def _message(t: float, one: Prediction | None) -> PredictionMessage:
     if one is None:
         return PredictionMessage(t)
-    region = Region(*one.covariance) if one.covariance else None
+    region = Region(*one.scale, one.tail) if one.scale else None
     return PredictionMessage(one.t, one.x, one.y, region, one.phase, one.remaining_s)

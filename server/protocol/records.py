@@ -1,4 +1,4 @@
-"""Packed records of binary frames: an event takes 30 bytes, a prediction 57, little-endian, no padding."""
+"""Packed records of binary frames: an event takes 30 bytes, a prediction 65, little-endian, no padding."""
 
 from __future__ import annotations
 
@@ -13,14 +13,15 @@ from pointpred.compiled import law
 
 EVENT = np.dtype([("t", "<f8"), ("x", "<f8"), ("y", "<f8"), ("dx", "<i2"), ("dy", "<i2"), ("buttons", "<u2")])
 """A packed event; ``NO_COUNTS`` in dx or dy means no counts."""
-PREDICTION = np.dtype([("numbers", "<f8", (7,)), ("phase", "u1")])
-"""A packed prediction: t, x, y, sxx, sxy, syy, remaining_s, NaN where null; then the phase's code."""
+PREDICTION = np.dtype([("numbers", "<f8", (7,)), ("phase", "u1"), ("tail", "<f8")])
+"""A packed prediction: t, x, y, sxx, sxy, syy, remaining_s, NaN where null; the phase's code; tail, NaN where
+the region's law is normal or there is no region."""
 NO_COUNTS = -32768
 
 NONE = float("nan")
 RecordArray = NDArray[np.void]
 _one_event = Struct("<dddhhH")
-_one_prediction = Struct("<dddddddB")
+_one_prediction = Struct("<dddddddBd")
 
 
 @law
@@ -61,12 +62,13 @@ def pack(table: FloatArray) -> bytes:
     packed["numbers"] = table[:, :7]
     packed["phase"] = np.where(none, 0.0, table[:, 7])
     packed["numbers"][none, 1:] = NONE
+    packed["tail"] = np.where(none | np.isnan(table[:, 3]), NONE, table[:, 8])
     return packed.tobytes()
 
 
 def pack_one(row: Sequence[float]) -> bytes:
     """One row of ``PredictionColumns`` as a record."""
-    t, x, y, sxx, sxy, syy, remaining_s, phase, _, _ = row
+    t, x, y, sxx, sxy, syy, remaining_s, phase, tail, _ = row
     if x != x:
-        return _one_prediction.pack(t, NONE, NONE, NONE, NONE, NONE, NONE, 0)
-    return _one_prediction.pack(t, x, y, sxx, sxy, syy, remaining_s, int(phase))
+        return _one_prediction.pack(t, NONE, NONE, NONE, NONE, NONE, NONE, 0, NONE)
+    return _one_prediction.pack(t, x, y, sxx, sxy, syy, remaining_s, int(phase), tail if sxx == sxx else NONE)

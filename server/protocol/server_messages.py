@@ -5,8 +5,11 @@ from __future__ import annotations
 from typing import Literal
 
 import msgspec
-from msgspec import UNSET, Struct, UnsetType
+from msgspec import UNSET, Struct, UnsetType, field
 
+from pointpred.events import NORMAL
+from pointpred.regions import Region as Ellipse
+from pointpred.regions import probability, region_of
 from pointpred.server.protocol.assisted_messages import Cursor
 from pointpred.server.protocol.client_messages import Bye
 
@@ -49,11 +52,15 @@ class Welcome(Struct, tag="welcome"):
 
 
 class Region(Struct):
-    """Covariance of the endpoint, px^2."""
+    """The law of the endpoint: scale matrix, px^2, and the degrees of freedom of a bivariate Student law.
+
+    ``tail`` null: the law is normal and the matrix is its covariance.
+    """
 
     sxx: float
     sxy: float
     syy: float
+    tail: float | None = None
 
 
 class Likely(Struct):
@@ -72,10 +79,18 @@ class PredictionMessage(Struct, tag="prediction"):
     t: float
     x: float | None = None
     y: float | None = None
-    region: Region | None = None
+    scale: Region | None = field(default=None, name="region")
     phase: Literal["still", "ballistic", "corrective"] | None = None
     remaining_s: float | None = None
     targets: list[Likely] | UnsetType = UNSET
+
+    def region(self, level: float) -> Ellipse | None:
+        """The ellipse of this law that holds the endpoint with a probability, as ``Prediction.region``."""
+        level = probability(level)
+        if self.scale is None or self.x is None or self.y is None:
+            return None
+        scale, tail = self.scale, NORMAL if self.scale.tail is None else self.scale.tail
+        return region_of(level, self.x, self.y, scale.sxx, scale.sxy, scale.syy, tail)
 
 
 class Choice(Struct, tag="choice"):
@@ -96,12 +111,6 @@ class TargetsTaken(Struct, tag="targets"):
     """The set of targets now holds so many."""
 
     count: int
-
-
-class KnownPerson(Struct, tag="person"):
-    """What finished movements taught of the person, for ``hello`` of another session; "" for nobody."""
-
-    person: str
 
 
 class Score(Struct, tag="score"):
@@ -134,9 +143,7 @@ class ErrorMessage(Struct, tag="error"):
     recoverable: bool = True
 
 
-ServerMessage = (
-    Welcome | PredictionMessage | Cursor | Choice | TargetsTaken | KnownPerson | Score | ErrorMessage | Bye
-)
+ServerMessage = Welcome | PredictionMessage | Cursor | Choice | TargetsTaken | Score | ErrorMessage | Bye
 
 # Laws that run as plain Python answer in numpy's floats.
 encode = msgspec.json.Encoder(enc_hook=float).encode

@@ -18,7 +18,7 @@ from pointpred.events import PHASES
 from pointpred.sources.appended import SAMPLES, TRIALS
 from pointpred.sources.tables import MARK
 
-PREDICTED = ("t_s", "x_px", "y_px", "sxx_px2", "sxy_px2", "syy_px2", "remaining_s", "phase")
+PREDICTED = ("t_s", "x_px", "y_px", "sxx_px2", "sxy_px2", "syy_px2", "remaining_s", "phase", "tail")
 COLUMNS = {
     "samples": SAMPLES,
     "trials": TRIALS,
@@ -121,8 +121,8 @@ def prediction_rows(predictors: Words, parameters: Words, table: FloatArray) -> 
     phases = pa.DictionaryArray.from_arrays(
         pa.array(np.nan_to_num(codes).astype(np.int8), mask=np.isnan(codes)), pa.array(PHASES)
     )
-    numbers = [_numbers(column) for column in table[:, :7].T]
-    return _csv([*numbers, phases.cast(pa.string()), _spread(predictors), _spread(parameters)])
+    *numbers, tail = (_numbers(table[:, column]) for column in (*range(7), 8))
+    return _csv([*numbers, phases.cast(pa.string()), tail, _spread(predictors), _spread(parameters)])
 
 
 def warm_rows() -> None:

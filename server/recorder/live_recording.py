@@ -42,7 +42,7 @@ class LiveRecording:
     Assumes that one thread calls it. Raises SourceError where the folder cannot be written.
     """
 
-    def __init__(self, file: Path, hello: Hello, origin: str, clock: str, *, simulated: bool = False) -> None:
+    def __init__(self, file: Path, hello: Hello, origin: str, clock: str) -> None:
         device, screen = hello.device, hello.screen
         provenance = Provenance(
             LIVE,
@@ -50,7 +50,6 @@ class LiveRecording:
             clock=clock,
             dpi=screen.dpi if screen else 96.0,
             cpi=device.cpi if device else None,
-            simulated=simulated,
         )
         self.file = file
         self.events = 0
@@ -96,7 +95,7 @@ def _row(t: float, one: Prediction | None) -> tuple[float, ...]:
     """A prediction as ``PredictionColumns`` have it."""
     if one is None:
         return (t, *(NONE,) * 9)
-    covariance = one.covariance or (NONE, NONE, NONE)
+    scale = one.scale or (NONE, NONE, NONE)
     rest = (one.remaining_s, one.tail, one.remaining_spread)
     left, tail, spread = (NONE if value is None else value for value in rest)
-    return (t, one.x, one.y, *covariance, left, float(PHASES.index(one.phase)), tail, spread)
+    return (t, one.x, one.y, *scale, left, float(PHASES.index(one.phase)), tail, spread)

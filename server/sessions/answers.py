@@ -43,14 +43,14 @@ def text_of(row: Sequence[float], likely: list[Likely] | UnsetType = UNSET) -> s
 
 def message(row: Sequence[float], likely: list[Likely] | UnsetType = UNSET) -> PredictionMessage:
     """A row of predictions as a message, with the likeliest targets where there are any."""
-    t, x, y, sxx, sxy, syy, remaining_s, phase = row[:8]
+    t, x, y, sxx, sxy, syy, remaining_s, phase, tail, _ = row
     if x != x:
         return PredictionMessage(t, targets=likely)
     return PredictionMessage(
         t,
         x,
         y,
-        Region(sxx, sxy, syy) if sxx == sxx else None,
+        Region(sxx, sxy, syy, tail if tail == tail else None) if sxx == sxx else None,
         PHASES[int(phase)],
         remaining_s if remaining_s == remaining_s else None,
         likely,

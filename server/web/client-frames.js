@@ -1,7 +1,7 @@
 // The frames of the browser client: events into messages within the service's limits, packed predictions into objects.
 
 const EVENT_BYTES = 30;
-const PREDICTION_BYTES = 57;
+const PREDICTION_BYTES = 65;
 const NO_COUNTS = -32768;
 const GRID = 64; // parts of a px: the browser's own layout knows no finer ones
 const BYTES = new TextEncoder();
@@ -91,9 +91,9 @@ export function* decode(buffer) {
   const view = new DataView(buffer);
   for (let at = 0; at + PREDICTION_BYTES <= buffer.byteLength; at += PREDICTION_BYTES) {
     const [t, x, y, sxx, sxy, syy, remaining] = Array.from({ length: 7 }, (_, k) => view.getFloat64(at + 8 * k, true));
-    const there = !Number.isNaN(x);
+    const tail = view.getFloat64(at + 57, true), there = !Number.isNaN(x);
     yield { type: "prediction", t, x: there ? x : null, y: there ? y : null,
-      region: Number.isNaN(sxx) ? null : { sxx, sxy, syy },
+      region: Number.isNaN(sxx) ? null : { sxx, sxy, syy, tail: Number.isNaN(tail) ? null : tail },
       phase: there ? PHASES[view.getUint8(at + 56)] : null,
       remaining_s: Number.isNaN(remaining) ? null : remaining };
   }

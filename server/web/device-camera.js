@@ -32,8 +32,9 @@ export class Camera {
     if (prediction === null || prediction.x === null) return null;
     const [x, y] = this.place([prediction.x, prediction.y]);
     const square = this.scale ** 2;
-    const region = prediction.region && Object.fromEntries(Object.entries(prediction.region).map(([name, value]) => [name, square * value]));
-    return { ...prediction, x, y, region };
+    if (prediction.region === null) return { ...prediction, x, y };
+    const { sxx, sxy, syy, tail } = prediction.region;
+    return { ...prediction, x, y, region: { sxx: square * sxx, sxy: square * sxy, syy: square * syy, tail } };
   }
 }
 

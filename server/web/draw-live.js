@@ -1,8 +1,9 @@
 // The live picture: the trail, the predicted endpoints and their regions, or the replayed movement that invites.
 
 import { MARKS, disc, ellipse, inks, line, prepare, tile } from "./draw.js";
-import { ellipseOf, inside } from "./geometry.js";
+import { inside } from "./geometry.js";
 import { placed } from "./live-demo.js";
+import { regionOf } from "/pointpred.js";
 
 const TRAIL_S = 1.2;
 
@@ -24,7 +25,8 @@ function drawTrail(pen, trail, now, ink) {
 /** Where the endpoint is likely to lie, where that is said: below everything else. */
 function drawRegion(pen, which, prediction, ink) {
   const { colour, dash } = MARKS[which];
-  if (prediction.region) ellipse(pen, [prediction.x, prediction.y], ellipseOf(prediction.region), ink[colour], dash);
+  const region = regionOf(prediction, 0.95);
+  if (region) ellipse(pen, region, ink[colour], dash);
 }
 
 /** A predicted endpoint: the mark, and a dashed line to it. */

@@ -111,10 +111,10 @@ export const MARKS = [
   { shape: diamond, colour: "second", dash: [1, 5] },
 ];
 
-/** An ellipse with half axes `a` and `b` turned by `angle`, its inside tinted. */
-export function ellipse(pen, [x, y], { a, b, angle }, colour, dash = []) {
+/** A region (of `regionOf`), its inside tinted. */
+export function ellipse(pen, { x, y, major, minor, angle }, colour, dash = []) {
   pen.beginPath();
-  pen.ellipse(x, y, a, b, angle, 0, 2 * Math.PI);
+  pen.ellipse(x, y, major, minor, angle, 0, 2 * Math.PI);
   pen.save();
   pen.globalAlpha = 0.12;
   finish(pen, colour, true, 0);

@@ -1,21 +1,4 @@
-// Geometry without a screen: regions, circles of targets, distances along an axis.
-
-/**
- * The ellipse that holds the endpoint with a given probability: half axes in px, angle in radians.
- * A normal distribution in the plane has its share p inside the radius sqrt(-2 ln(1 - p)).
- * @param {{sxx: number, sxy: number, syy: number}} region covariance, px^2
- * @param {number} share probability, in (0, 1)
- */
-export function ellipseOf({ sxx, sxy, syy }, share = 0.95) {
-  const middle = (sxx + syy) / 2;
-  const root = Math.hypot((sxx - syy) / 2, sxy);
-  const scale = Math.sqrt(-2 * Math.log(1 - share));
-  return {
-    a: scale * Math.sqrt(Math.max(0, middle + root)),
-    b: scale * Math.sqrt(Math.max(0, middle - root)),
-    angle: 0.5 * Math.atan2(2 * sxy, sxx - syy),
-  };
-}
+// Geometry without a screen: circles of targets, distances along an axis.
 
 /** The radius of a circle on which targets taken in turn are `distance` apart (an odd number of them). */
 export const radiusFor = (distance, count) => distance / (2 * Math.cos(Math.PI / (2 * count)));

@@ -1,8 +1,8 @@
 // What the live view says about one predictor: its choice, its connection, phase, time left and region.
 
 import { number, write } from "./elements.js";
-import { ellipseOf } from "./geometry.js";
 import { Track, words } from "./track.js";
+import { regionOf } from "/pointpred.js";
 
 /** One predictor's card; `track` is null while none is chosen or the view is closed. */
 export class LiveCard {
@@ -45,13 +45,13 @@ export class LiveCard {
     const now = this.fresh(fresh);
     write(this.#of.phase, now?.phase ?? "–");
     write(this.#of.left, now?.remaining_s == null ? "–" : number(now.remaining_s, 2, "s"));
-    write(this.#of.region, now?.region ? this.#size(now.region) : now?.x == null ? "–" : "not given");
+    write(this.#of.region, now?.region ? this.#size(now) : now?.x == null ? "–" : "not given");
     this.#of.region.title = now?.x != null && !now.region ? `not given by ${this.track.predictor}` : "";
   }
 
-  #size(region) {
-    const { a, b } = ellipseOf(region);
-    return `${number(2 * a)} × ${number(2 * b)} px`;
+  #size(prediction) {
+    const region = regionOf(prediction, 0.95);
+    return region === null ? "–" : `${number(2 * region.major)} × ${number(2 * region.minor)} px`;
   }
 
   #choose() {

@@ -17,9 +17,10 @@
  * @typedef {"connecting"|"open"|"waiting"|"idle"|"refused"|"closed"} State `waiting`: will try again; `idle`: the
  *   service let a silent session go, the next event opens another; `refused`: waits for configure(); `closed`: for good
  * @typedef {{type: "prediction", t: number, x: number|null, y: number|null,
- *   region: {sxx: number, sxy: number, syy: number}|null, phase: "still"|"ballistic"|"corrective"|null,
+ *   region: {sxx: number, sxy: number, syy: number, tail: number|null}|null, phase: "still"|"ballistic"|"corrective"|null,
  *   remaining_s: number|null, targets?: {id: string, p: number, element?: Element}[]}} Prediction null: nothing is
  *   justified now; targets: the likeliest five, with encoding "json"; element: the observed one
+ * @typedef {{x: number, y: number, major: number, minor: number, angle: number}} Ellipse centre and half axes, px; radians
  * @typedef {{type: "cursor", t: number, x: number, y: number, added_px: number}} Cursor where the service has moved the
  *   cursor, px, and how much of that was help since the session began
  * @typedef {{type: "choice", id: string, p: number, action: "propose"|"retract", t: number|null,
@@ -55,6 +56,8 @@ import { PointerStream } from "/web/client-pointer.js";
 import { Queue } from "/web/client-queue.js";
 import { TargetWatch } from "/web/client-targets.js";
 import { Wishes } from "/web/client-wishes.js";
+
+export { regionOf } from "/web/client-regions.js";
 
 const SUBPROTOCOL = "pointpred.v1";
 const NO_TARGETS = targetsFrame([]).text;

@@ -9,14 +9,15 @@ import pytest
 
 from tests.architecture.tree import ROOT, imports_of, module_of, package_files
 
-GROUND = {"errors", "compiled", "events", "columns", "recording", "stage", "person"}
+GROUND = {"errors", "compiled", "regions", "events", "columns", "recording", "stage", "person"}
 MATHS = GROUND | {"regression", "differentiators", "transfer"}
 PIPELINE = MATHS | {"predictors", "pipeline", "registry"}
 MAY_IMPORT = {
     "errors": set(),
     "compiled": set(),
-    "events": {"errors"},
-    "columns": {"errors", "events"},
+    "regions": {"errors"},
+    "events": {"errors", "regions"},
+    "columns": {"errors", "regions", "events"},
     "recording": {"errors", "events", "columns"},
     "stage": {"errors", "compiled", "events", "columns"},
     "person": {"errors", "columns", "stage"},
@@ -55,7 +56,7 @@ MAY_IMPORT = {
         "replaying",
         "pointpred",
     },
-    "pointpred": {"columns", "events", "pipeline", "registry"},
+    "pointpred": {"columns", "events", "pipeline", "regions", "registry"},
     "__main__": {"cli"},
 }
 """What each layer may import beside itself; ``pointpred`` is the package's own ``__init__``."""

@@ -56,15 +56,15 @@ def packed(predictions: PredictionColumns) -> bytes:
 
 
 def heard(rows: list[tuple[float, ...]]) -> bytes:
-    """``packed`` for what the wire carries: no tail, no spread."""
-    return packed(PredictionColumns(np.array([(*row, NAN, NAN) for row in rows])))
+    """``packed`` for what the wire carries: no spread."""
+    return packed(PredictionColumns(np.array([(*row, NAN) for row in rows])))
 
 
 @cache
 def told(name: str) -> tuple[bytes, ...]:
     """The reference without what the wire does not carry."""
     tables = [np.frombuffer(rows).reshape(-1, len(PredictionColumns.names)) for rows in whole(name)]
-    return tuple(heard([tuple(row) for row in table[:, :8]]) for table in tables)
+    return tuple(heard([tuple(row) for row in table[:, :9]]) for table in tables)
 
 
 def one_by_one(name: str) -> Iterator[bytes]:
@@ -79,7 +79,7 @@ def one_by_one(name: str) -> Iterator[bytes]:
             if p is None:
                 found.append((event.t, *none, *none, NAN, NAN, NAN))
                 continue
-            region, rest = p.covariance or none, NAN if p.remaining_s is None else p.remaining_s
+            region, rest = p.scale or none, NAN if p.remaining_s is None else p.remaining_s
             claims = (NAN if claim is None else claim for claim in (p.tail, p.remaining_spread))
             found.append((p.t, p.x, p.y, *region, rest, float(PHASES.index(p.phase)), *claims))
         yield packed(PredictionColumns(np.array(found)))
@@ -124,7 +124,8 @@ def row_of(answer: str | bytes) -> list[tuple[float, ...]]:
     region = said["region"] or {}
     numbers = [said["t"], said["x"], said["y"], *(region.get(k) for k in ("sxx", "sxy", "syy"))]
     phase = 0.0 if said["phase"] is None else float(PHASES.index(said["phase"]))
-    return [(*(NAN if n is None else n for n in (*numbers, said["remaining_s"])), phase)]
+    tail = NAN if region.get("tail") is None else region["tail"]
+    return [(*(NAN if n is None else n for n in (*numbers, said["remaining_s"])), phase, tail)]
 
 
 Exchange = Callable[[list[str | bytes], int], list[Any]]

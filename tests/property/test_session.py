@@ -116,11 +116,12 @@ def test_any_frames_are_answered_or_end_the_session(
 
 def same(one: Any, packed_row: tuple[float, ...]) -> bool:
     """Whether a JSON prediction says what a packed one says, bit for bit."""
-    region = one.region
-    numbers = [one.t, one.x, one.y, *((region.sxx, region.sxy, region.syy) if region else (None,) * 3)]
-    wanted = [*numbers, one.remaining_s]
+    scale = one.scale
+    place = [one.t, one.x, one.y, *((scale.sxx, scale.sxy, scale.syy) if scale else (None,) * 3)]
+    wanted = [*place, one.remaining_s, scale.tail if scale else None]
     phase = ("still", "ballistic", "corrective")[int(packed_row[7])]
-    alike = all(w == p or (w is None and isnan(p)) for w, p in zip(wanted, packed_row[:7], strict=True))
+    numbers = (*packed_row[:7], packed_row[8])
+    alike = all(w == p or (w is None and isnan(p)) for w, p in zip(wanted, numbers, strict=True))
     return alike and (one.phase in (phase, None))
 
 

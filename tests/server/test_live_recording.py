@@ -75,10 +75,11 @@ def test_every_field_of_a_prediction_is_kept(file: Path, recording: LiveRecordin
         if one is None:
             assert {row["x_px"], row["phase"], row["remaining_s"]} == {""}
             continue
-        told += one.covariance is not None and one.remaining_s is not None
+        told += one.scale is not None and one.remaining_s is not None
         assert (float(row["x_px"]), float(row["y_px"]), row["phase"]) == (one.x, one.y, one.phase)
         spread = [row[name] for name in ("sxx_px2", "sxy_px2", "syy_px2")]
-        assert [float(value) for value in spread if value] == list(one.covariance or ())
+        assert [float(value) for value in spread if value] == list(one.scale or ())
+        assert row["tail"] == ("" if one.tail is None else repr(one.tail))
         assert (
             row["remaining_s"] == ""
             if one.remaining_s is None

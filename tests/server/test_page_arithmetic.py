@@ -8,10 +8,11 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import msgspec
 import numpy as np
 import pytest
-from scipy.stats import chi2
 
+from pointpred import Prediction
 from pointpred.simulation.circle import positions
 from pointpred.sources import read
 from tests.server import browser, page_browser
@@ -44,22 +45,35 @@ def test_an_even_number_of_targets_is_refused(visitor: Visitor) -> None:
     assert said == "the number of targets must be odd and at least 3, received 12"
 
 
-@pytest.mark.parametrize("share", [0.5, 0.8, 0.95])
-@pytest.mark.parametrize(
-    "covariance", [(400.0, 120.0, 90.0), (9.0, 0.0, 25.0), (1.0, -0.9, 1.0), (4.0, 6.0, 9.0)]
-)
-def test_regions_hold_their_share(
-    visitor: Visitor, covariance: tuple[float, float, float], share: float
+@pytest.mark.parametrize("tail", [None, 0.6, 1.4, 30.0, 1e-3, 1e15, 1e200])
+@pytest.mark.parametrize("scale", [(400.0, 120.0, 90.0), (9.0, 0.0, 25.0), (1.0, -0.9, 1.0), (9.0, 0.0, 9.0)])
+def test_regions_are_those_of_the_package(
+    visitor: Visitor, scale: tuple[float, float, float], tail: float | None
 ) -> None:
-    sxx, sxy, syy = covariance
-    region = {"sxx": sxx, "sxy": sxy, "syy": syy}
-    found = call(visitor, "geometry", "m.ellipseOf(r, p)", r=region, p=share)
-    matrix = np.array([[sxx, sxy], [sxy, syy]])
-    values, vectors = np.linalg.eigh(matrix)
-    scale = math.sqrt(chi2.ppf(share, 2))
-    assert [found["b"], found["a"]] == pytest.approx((scale * np.sqrt(values)).tolist())
-    along = np.array([math.cos(found["angle"]), math.sin(found["angle"])])
-    assert abs(along @ vectors[:, 1]) == pytest.approx(1.0)
+    """``tests/unit/test_regions.py`` holds the package's own against the laws."""
+    sxx, sxy, syy = scale
+    shown = {"x": 3.5, "y": -4.0, "region": {"sxx": sxx, "sxy": sxy, "syy": syy, "tail": tail}}
+    levels = [1e-9, 0.5, 0.8, 0.95]
+    drawn = call(visitor, "client-regions", "levels.map((p) => m.regionOf(r, p))", r=shown, levels=levels)
+    for level, found in zip(levels, drawn, strict=True):
+        wanted = Prediction(0.0, 3.5, -4.0, scale, "ballistic", None, tail).region(level)
+        assert found == pytest.approx(msgspec.to_builtins(wanted), rel=1e-12, abs=1e-15)
+
+
+@pytest.mark.parametrize(
+    "shown",
+    [None, {"x": None, "y": None, "region": None}, {"x": 1, "y": 2, "region": None},
+     {"x": 1, "y": 2, "region": {"sxx": 4, "sxy": 6, "syy": 9, "tail": None}},
+     {"x": 1, "y": 2, "region": {"sxx": 4, "sxy": 0, "syy": 9, "tail": 0}}],
+)  # fmt: skip
+def test_no_region_is_drawn_where_none_is_claimed(visitor: Visitor, shown: Any) -> None:
+    assert call(visitor, "client-regions", "m.regionOf(r, 0.5)", r=shown) is None
+
+
+@pytest.mark.parametrize("level", [0, 1, -0.5, 2, None])
+def test_a_region_of_no_possible_level_is_refused(visitor: Visitor, level: float | None) -> None:
+    attempt = "{ try { m.regionOf(null, p) } catch (e) { return e instanceof RangeError } }"
+    assert call(visitor, "client-regions", attempt, p=level) is True
 
 
 @pytest.mark.parametrize("values", [[3.0, 1.0, 2.0], [4.0, 1.0, 2.0, 10.0], [7.0]])

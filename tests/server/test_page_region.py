@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from scipy.stats import chi2
+from scipy.stats import chi2, f
 
 from tests.server import browser, page_browser
 from tests.server.page_browser import Visitor, until
@@ -32,7 +32,7 @@ window.WebSocket = class extends Plain {
       if (message.type !== "prediction") return listen(event);
       const [x, y, sxx, sxy, syy] = region;
       const targets = lit === null ? [] : [{ id: lit, p: 1 }];
-      const data = JSON.stringify({ ...message, x, y, region: { sxx, sxy, syy }, targets });
+      const data = JSON.stringify({ ...message, x, y, region: { sxx, sxy, syy, tail: null }, targets });
       listen(new MessageEvent("message", { data }));
     };
   }
@@ -150,10 +150,12 @@ def test_the_region_is_tinted_where_95_per_cent_of_endpoints_lie(
 
 
 def test_the_factors_in_the_document_are_those_of_the_distribution() -> None:
-    rows = re.findall(r"^\| (\d+) % \| ([\d.]+) \|", DOCUMENT.read_text(encoding="utf-8"), re.MULTILINE)
+    rows = re.findall(r"^\| (\d+) % \| (\d.+\d) \|$", DOCUMENT.read_text(encoding="utf-8"), re.MULTILINE)
     assert [share for share, _ in rows] == ["50", "80", "95"]
-    for share, factor in rows:
-        assert float(factor) == pytest.approx(np.sqrt(chi2.ppf(float(share) / 100, 2)), abs=5e-5)
+    for share, factors in rows:
+        level = float(share) / 100
+        wanted = [chi2.ppf(level, 2), *(2.0 * f.ppf(level, 2, tail) for tail in (4, 2, 1))]
+        assert [float(one) for one in factors.split(" | ")] == pytest.approx(np.sqrt(wanted), abs=5e-5)
 
 
 def test_the_trail_is_drawn_under_the_pointer_and_not_beside_it(visitor: Visitor) -> None:

@@ -11,7 +11,7 @@ from pointpred.server.protocol.server_messages import Limits
 from pointpred.server.sessions.session import Session
 
 EVENT = Struct("<dddhhH")
-PREDICTION = Struct("<dddddddB")
+PREDICTION = Struct("<dddddddBd")
 NO_COUNTS = -32768
 GOOD = [1e6, 1.0, 2.0, None, None, 0]
 """An event that comes later than all others of the tests."""

@@ -111,7 +111,7 @@ def test_neither_region_nor_arrival_is_claimed() -> None:
     for i in range(20):
         prediction = predictor.update(at(i / 100.0, 3.0 * i))
         assert prediction is not None
-        assert prediction.covariance is None
+        assert prediction.scale is None
         assert prediction.remaining_s is None
 
 

@@ -91,10 +91,10 @@ def test_the_first_answer_is_the_place_without_a_region() -> None:
     predictor = KinematicPredictor()
     first = predictor.update(Motion(0.0, 5.0, 7.0, 0.0, 0.0, 0.0, 0.0, True, start=True))
     assert first is not None
-    assert (first.x, first.y, first.covariance, first.tail) == (5.0, 7.0, None, None)
+    assert (first.x, first.y, first.scale, first.tail) == (5.0, 7.0, None, None)
     second = predictor.update(Motion(0.01, 6.0, 7.0, 0.02, 0.0, 1.0, 0.0, True))
     assert second is not None
-    assert second.covariance is not None
+    assert second.scale is not None
     assert second.tail is not None
     assert second.tail > 1.0
     assert second.remaining_s is not None

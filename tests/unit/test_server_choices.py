@@ -77,7 +77,7 @@ def test_predictions_in_json_carry_the_likeliest_and_packed_ones_do_not() -> Non
     assert answers[-1]["targets"][0]["id"] == "right"
     binary = talk_of("binary")
     frames = [one for row in reach(end=0.05) for one in binary.say(packed(row)) if isinstance(one, bytes)]
-    assert [len(one) for one in frames] == [57] * 6
+    assert [len(one) for one in frames] == [65] * 6
 
 
 def test_of_many_targets_only_the_likeliest_are_told() -> None:

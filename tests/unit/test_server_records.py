@@ -43,9 +43,9 @@ def test_predictions_are_packed_as_struct_says(rows: list[tuple[float, ...]]) ->
     table = np.array(rows, np.float64).reshape(-1, 10)
     nothing = [math.nan] * 6
     wanted = b"".join(
-        talking.PREDICTION.pack(row[0], *nothing, 0)
+        talking.PREDICTION.pack(row[0], *nothing, 0, math.nan)
         if math.isnan(row[1])
-        else talking.PREDICTION.pack(*row[:7], int(row[7]))
+        else talking.PREDICTION.pack(*row[:7], int(row[7]), math.nan if math.isnan(row[3]) else row[8])
         for row in table.tolist()
     )
     assert pack(table) == wanted
@@ -53,8 +53,8 @@ def test_predictions_are_packed_as_struct_says(rows: list[tuple[float, ...]]) ->
 
 
 def test_the_records_have_the_sizes_of_the_contract() -> None:
-    assert (EVENT.itemsize, PREDICTION.itemsize) == (30, 57)
-    assert (talking.EVENT.size, talking.PREDICTION.size) == (30, 57)
+    assert (EVENT.itemsize, PREDICTION.itemsize) == (30, 65)
+    assert (talking.EVENT.size, talking.PREDICTION.size) == (30, 65)
 
 
 def test_numbers_of_laws_that_run_as_plain_python_are_said_in_json() -> None:

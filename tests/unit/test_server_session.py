@@ -63,9 +63,9 @@ def test_reply_event_answers_every_event() -> None:
 def test_binary_predictions_are_packed_and_every_other_message_stays_text() -> None:
     talk = Talk(greet=hello(encoding="binary"))
     (answer,) = talk.say(packed(ROW))
-    t, x, y, *nothing, phase = PREDICTION.unpack(answer)
+    t, x, y, *nothing, phase, tail = PREDICTION.unpack(answer)
     assert (t, x, y, phase) == (0.5, 3.0, 4.0, 0)
-    assert all(math.isnan(value) for value in nothing)
+    assert all(math.isnan(value) for value in (*nothing, tail))
     (answer,) = talk.say({"type": "targets", "targets": []})
     assert answer == {"type": "targets", "count": 0}
 
@@ -87,8 +87,8 @@ def test_no_prediction_is_all_null_but_t() -> None:
     assert Talk(greet=greet).say(events(first)) == [{"type": "prediction", "t": 0.0, **nothing}]
     for frame in (packed(first), packed(first, second)):
         (answer,) = Talk(greet={**greet, "encoding": "binary"}).say(frame)
-        _, *numbers, phase = PREDICTION.unpack(answer)
-        assert all(math.isnan(value) for value in numbers)
+        _, *numbers, phase, tail = PREDICTION.unpack(answer)
+        assert all(math.isnan(value) for value in (*numbers, tail))
         assert phase == 0
 
 
@@ -211,4 +211,4 @@ def test_limits_are_those_of_the_session() -> None:
 
 
 def test_the_packed_records_have_the_sizes_of_the_contract() -> None:
-    assert (EVENT.size, PREDICTION.size) == (30, 57)
+    assert (EVENT.size, PREDICTION.size) == (30, 65)

@@ -44,8 +44,8 @@ def both(prediction: Prediction) -> list[float]:
     return [float(share) for share in one.shares]
 
 
-def said(x: float, y: float, covariance: Any, tail: float | None) -> Prediction:
-    return Prediction(0.0, x, y, covariance, "ballistic", 0.2, tail)
+def said(x: float, y: float, scale: Any, tail: float | None) -> Prediction:
+    return Prediction(0.0, x, y, scale, "ballistic", 0.2, tail)
 
 
 @pytest.mark.parametrize("point", [(1e300, 0.0), (0.0, -inf), (inf, inf), (nan, 0.0), (0.0, nan), (2e9, 0.0)])

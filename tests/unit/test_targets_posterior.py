@@ -108,7 +108,7 @@ def test_moving_the_screen_and_the_clock_changes_nothing() -> None:
     places = [around(i, 60.0 * i, -25.0 * i, 40.0) for i in range(8)]
     far = [Target(t.id, t.x + 4096.0, t.y - 512.0, t.width, t.height) for t in places]
     events = [PointerEvent(e.t + 64.0, e.x + 4096.0, e.y - 512.0) for e in reach()]
-    moved = Prediction(64.0, LAW.x + 4096.0, LAW.y - 512.0, LAW.covariance, "ballistic", 0.2, 5.0)
+    moved = Prediction(64.0, LAW.x + 4096.0, LAW.y - 512.0, LAW.scale, "ballistic", 0.2, 5.0)
     shares = after(Chooser(places), reach(), LAW)
     assert after(Chooser(far), events, moved) == pytest.approx(shares, abs=1e-9)
 

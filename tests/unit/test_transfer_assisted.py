@@ -41,7 +41,7 @@ def played(
     out = []
     for i, (dx, dy, told) in enumerate(reports):
         guess = None if told is None else prediction(told[0], told[1], told[2])
-        off = (nan,) * 5 if guess is None else (guess.x - x, guess.y - y, *(guess.covariance or (nan,) * 3))
+        off = (nan,) * 5 if guess is None else (guess.x - x, guess.y - y, *(guess.scale or (nan,) * 3))
         _, moved_x, moved_y, added_x, added_y = stage.advance(i * H, float(dx), float(dy), off)
         x, y = x + moved_x, y + moved_y
         out.append((moved_x, moved_y, added_x, added_y))

@@ -1,0 +1,72 @@
+"""The region of a prediction: the ellipse that holds the endpoint with a given probability.
+
+``reach`` is the only place that knows how far such a region goes; ``server/web/client-regions.js`` is the
+same law for browsers.
+"""
+
+from __future__ import annotations
+
+from math import atan2, expm1, hypot, inf, isfinite, log1p, nan, sqrt
+
+import msgspec
+
+from pointpred.errors import ParameterError
+
+NEARLY_NORMAL = 1e16
+"""From so many degrees of freedom on, no float tells a Student law from a normal one."""
+LARGEST_LOG = 700.0
+"""Regions grow no further than this logarithm: exp(700) is about as large as floats get."""
+
+
+class Region(msgspec.Struct, frozen=True):
+    """An ellipse on the screen: centre ``x y`` and half axes ``major >= minor`` in px.
+
+    ``angle`` is that of the major axis, in radians from x towards y, which grows downwards; it lies within
+    (-pi / 2, pi / 2].
+    """
+
+    x: float
+    y: float
+    major: float
+    minor: float
+    angle: float
+
+
+def reach(level: float, tail: float) -> float:
+    """Squared Mahalanobis distance up to which the region of a level in (0, 1) goes.
+
+    Normal law (``tail`` NaN or infinite): -2 ln(1 - level). Bivariate Student law of ``tail`` degrees of
+    freedom: tail ((1 - level)^(-2 / tail) - 1). NaN where ``tail`` is not positive: there is no such law.
+    """
+    normal = -2.0 * log1p(-level)
+    if not tail < NEARLY_NORMAL:
+        return normal
+    if tail <= 0.0:
+        return nan
+    return tail * expm1(min(normal / tail, LARGEST_LOG))
+
+
+def region_of(
+    level: float, x: float, y: float, sxx: float, sxy: float, syy: float, tail: float = nan
+) -> Region | None:
+    """The region of a level around (x, y) px, from the scale matrix in px^2 and the tail (NaN: normal).
+
+    ``None`` where a number is missing (NaN) or the matrix has no inside. The smaller eigenvalue is the
+    determinant over the larger one: a difference would lose the breadth of a thin region to rounding.
+    """
+    determinant = sxx * syy - sxy * sxy
+    far = reach(level, tail)
+    if not (
+        isfinite(x) and isfinite(y) and sxx > 0.0 and syy > 0.0 and 0.0 < determinant < inf and far > 0.0
+    ):
+        return None
+    larger = 0.5 * (sxx + syy) + hypot(0.5 * (sxx - syy), sxy)
+    major, minor = sqrt(far * larger), sqrt(far * determinant / larger)
+    return Region(x, y, major, min(minor, major), 0.5 * atan2(2.0 * sxy, sxx - syy))
+
+
+def probability(level: object) -> float:
+    """A level as a float; raises ParameterError unless it is a number in (0, 1)."""
+    if isinstance(level, bool) or not isinstance(level, int | float) or not 0.0 < level < 1.0:
+        raise ParameterError(f"level must be a probability in (0, 1), received {level!r}")
+    return float(level)
