@@ -46,7 +46,7 @@ def ratio_intervals(
 
     Every draw takes as many people as there are, with replacement, each with all trials, and the same people
     for all columns. The bounds are the (1 - level) / 2 and (1 + level) / 2 quantiles; NaN where a draw's
-    denominator is 0.
+    denominator is 0, and where there is only one person with one trial: every draw would be the same.
 
     Reference: Efron and Tibshirani 1993, chapter 13 (percentile interval).
 
@@ -60,9 +60,9 @@ def ratio_intervals(
     if len(names) == 1:
         resampled, unit = "trials", np.arange(len(above))
     units, width = (int(unit.max()) + 1 if len(unit) else 0), above.shape[1]
-    if units == 0:
+    if units < 2:
         nothing = np.full(width, np.nan)
-        return Intervals(nothing, nothing.copy(), resampled, 0)
+        return Intervals(nothing, nothing.copy(), resampled, units)
     sums = _sums(np.hstack([above, below]), unit)
     generator = np.random.default_rng(seed)
     totals = np.empty((draws, sums.shape[1]))

@@ -2,9 +2,9 @@
 
 /** What is to be said of the counts that a browser gives. */
 export const KINDS = {
-  raw: "Counts come raw: your system's own acceleration is off.",
-  adjusted: "This browser gives only movement that your system has accelerated: our function works on top of that.",
-  unknown: "This browser does not say whether your system's acceleration is off.",
+  raw: "Raw counts: your system's pointer acceleration is off.",
+  adjusted: "This browser gives only accelerated movement: the gain works on top of your system's acceleration.",
+  unknown: "This browser does not say whether your system's pointer acceleration is off.",
 };
 
 /** Whether this browser can lend its mouse at all. */

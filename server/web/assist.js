@@ -5,10 +5,9 @@ import { KINDS, Lock, lendable } from "./assist-lock.js";
 import { Task } from "./assist-task.js";
 import { onRepaint } from "./draw.js";
 import { fill, offer, part, write } from "./elements.js";
-import { predictors } from "./service.js";
+import { PREFERRED, predictors } from "./service.js";
 import { Track, words } from "./track.js";
 
-const PREFERRED = "switched-direction"; // the one that helps most in simulation
 const HELPING_MS = 60;
 const SHOWN_MS = 500;
 const BOUNDS = { cpi: "Counts per inch", gain: "Gain" };
@@ -51,7 +50,7 @@ async function start(event) {
     kind = await lock.take();
     if (lock.held) tell();
   } catch (error) {
-    write(said, `The browser does not lend the mouse: ${error.message}`);
+    write(said, `The browser did not let this page capture the mouse: ${error.message}`);
   }
 }
 
@@ -79,7 +78,7 @@ function next() {
 
 function tell() {
   invitation.classList.toggle("away", lock.held);
-  if (lock.held) write(said, `Click the filled target, and each next one. ${KINDS[kind]} Escape gives the mouse back.`);
+  if (lock.held) write(said, `Click the filled target, and each one after it. ${KINDS[kind]} Escape releases the mouse.`);
   fill(results, task.table);
 }
 
@@ -122,7 +121,7 @@ function state(now) {
 
 /** Nobody keeps a mouse whose cursor nobody moves. */
 function leave(reason) {
-  why = `Your mouse is yours again: ${reason}.`;
+  why = `The mouse was released: ${reason}.`;
   lock.give();
 }
 
@@ -130,7 +129,7 @@ function given() {
   track?.close();
   track = null;
   tell();
-  write(said, why || `Given back. ${task.done.length ? "Lend it again to go on; the numbers stay." : "Nothing was clicked."}`);
+  write(said, why || `The mouse was released. ${task.done.length ? "Capture it again to go on; the table is kept." : "No target was clicked."}`);
   draw();
 }
 
@@ -139,7 +138,7 @@ export async function open() {
   fill(results, task.table);
   draw();
   if (!lendable()) {
-    write(said, "This browser cannot lend its mouse to a page (it has no pointer lock), so nothing here can move the cursor.");
+    write(said, "This browser cannot capture the mouse (it has no pointer lock), so this view does not work in it.");
     return;
   }
   const listing = await predictors();
@@ -152,7 +151,13 @@ export function close() {
   lock.give();
 }
 
+function showStrength() {
+  const percent = form.elements.strength.valueAsNumber;
+  write(part("assist-strength"), percent ? `up to ${percent} % faster` : "none");
+}
+
 form.addEventListener("submit", start);
+form.elements.strength.addEventListener("input", showStrength);
 part("assist-forget").addEventListener("click", () => {
   task = new Task();
   fill(results, task.table);

@@ -2,11 +2,10 @@
 
 import { recording } from "./circle-recording.js";
 import { statistics } from "./circle-statistics.js";
-import { fill, number, part, percent, write } from "./elements.js";
-import { clearPlot, legend, plotErrors } from "./plots.js";
-import { expectScores, linesOf, scoreTable, sentence, setOf } from "./scores.js";
-import { score } from "./service.js";
+import { fill, number, part, percent } from "./elements.js";
+import { Results } from "./results.js";
 
+const results = new Results("circle");
 let addresses = [];
 
 function tiles(found) {
@@ -72,33 +71,12 @@ export function showResult(trials, names) {
   showScores(files.samples.text, names);
 }
 
-let asked = 0; // the newest wish for scores: what comes late for an older run is not shown
-
 async function showScores(csv, names) {
-  const mine = ++asked;
-  const [result, said, again] = ["circle-result", "circle-scored", "circle-again"].map(part);
+  const [result, again] = ["circle-result", "circle-again"].map(part);
   result.dataset.state = "scoring";
   again.disabled = true;
-  expectScores(part("circle-scores"), names);
-  legend(part("circle-legend"), names);
-  write(said, "The service scores every predictor on these movements…");
-  try {
-    const set = setOf(await score(csv));
-    if (mine !== asked) return;
-    scoreTable(part("circle-scores"), set);
-    legend(part("circle-legend"), set.predictors.map(({ name }) => name));
-    for (const [id, measure] of [["circle-by-path", "by_path"], ["circle-by-time", "by_time"]]) {
-      const { shares, lines } = linesOf(set, measure);
-      plotErrors(part(id), shares, lines);
-    }
-    write(said, sentence(set));
-    result.dataset.state = "done";
-  } catch (error) {
-    if (mine !== asked) return;
-    expectScores(part("circle-scores"), names, "–");
-    for (const id of ["circle-by-path", "circle-by-time"]) clearPlot(part(id));
-    write(said, `Not scored: ${error.message}. The recording can be saved all the same.`);
-    again.disabled = false;
-    result.dataset.state = "failed";
-  }
+  const state = await results.score(csv, names, " You can still save the recording.");
+  if (state === "late") return;
+  again.disabled = state === "done";
+  result.dataset.state = state;
 }

@@ -17,7 +17,7 @@ export class CircleRows {
   add({ block, number: which, start, end, hit }, expected) {
     const row = this.#body.insertRow(0);
     row.classList.toggle("missed", !hit);
-    const words = [`${block}.${which}`, number(end[0] - start[0], 2, "s"), "…", "…", "…"];
+    const words = [`${block}.${which}`, number(end[0] - start[0], 2), "…", "…", "…"];
     for (const word of words) row.insertCell().textContent = word;
     if (expected) this.#pending.push(row);
     else this.#without(row);

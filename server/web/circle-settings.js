@@ -28,6 +28,17 @@ export function suit(form, canvas) {
   distance.value = String(Math.min(Number(distance.defaultValue), Math.max(50, 10 * Math.floor(most / 10))));
 }
 
+/** How far the centres of neighbours on the circle are apart, for targets taken in turn a distance of 1 apart. */
+const besides = (targets) => 2 * Math.sin(Math.PI / (2 * targets));
+
+/** What to say where targets overlap, with the settings at which they would not; empty where they do not. */
+export function overlap({ targets, distance, width }) {
+  const apart = distance * besides(targets);
+  if (width <= apart) return "";
+  return `Targets overlap: they are ${width} px wide, and neighbours are ${Math.floor(apart)} px apart. `
+    + `Use a width of at most ${Math.floor(apart)} px, a distance of at least ${Math.ceil(width / besides(targets))} px, or fewer targets.`;
+}
+
 /** Marks a field that cannot be run with, and ties the reason to it. */
 function mark(field, wrong) {
   field.setAttribute("aria-invalid", String(wrong));

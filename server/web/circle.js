@@ -3,7 +3,7 @@
 import { showResult } from "./circle-results.js";
 import { CircleChoices } from "./circle-choices.js";
 import { CircleRows } from "./circle-rows.js";
-import { fits, readSettings, suit } from "./circle-settings.js";
+import { fits, overlap, readSettings, suit } from "./circle-settings.js";
 import { CircleTask } from "./circle-task.js";
 import { onRepaint } from "./draw.js";
 import { drawCircle } from "./draw-circle.js";
@@ -15,6 +15,8 @@ import { PREFERRED, predictors } from "./service.js";
 import { Track, words } from "./track.js";
 
 const FRESH_MS = 500;
+const READY = ["open", "idle"]; // states of a connection in which a run can start: a sleeping one wakes
+const DOWN = "Start is off: the service does not answer. Is it still running? The page tries again by itself.";
 
 const [canvas, form, startButton, stopButton] = ["circle-scene", "circle-form", "circle-start", "circle-stop"].map(part);
 const [said, status, progress] = ["circle-said", "circle-connection", "circle-progress"].map(part);
@@ -24,6 +26,7 @@ const choices = new CircleChoices();
 let active = false;
 let drawing = false;
 let offered = false;
+let news = part("circle-said").textContent; // what is said of the run
 let edited = false; // whether the distance is the person's own
 let marked = false; // whether the service knows where the movement that goes on began
 let names = []; // of every predictor
@@ -57,19 +60,28 @@ function selected(row) {
   if (task.done) finish();
 }
 
+/** Says how the run stands; while none goes on and the service is down, says that instead. */
+function announce(words = news) {
+  news = words;
+  const idle = task === null || task.done;
+  write(said, idle && ["waiting", "refused"].includes(status.dataset.state) ? DOWN : news);
+}
+
 function tell() {
   const misses = task.trials.filter(({ hit }) => !hit).length;
   progress.max = task.total;
   progress.value = task.trials.length;
   const counted = `${task.trials.length} of ${task.total} movements, ${misses} missed`;
-  if (task.done) write(said, `Done: ${counted}. The result stands below.`);
-  else if (!task.running) write(said, `Block ${task.block} of ${task.settings.blocks}: click the filled target to begin. ${counted}.`);
-  else write(said, `Block ${task.block} of ${task.settings.blocks}: ${counted}.`);
+  if (task.done) announce(`Done: ${counted}. The result is below.`);
+  else if (!task.running) announce(`Block ${task.block} of ${task.settings.blocks}: click the filled target to begin. ${counted}.`);
+  else announce(`Block ${task.block} of ${task.settings.blocks}: ${counted}.`);
 }
 
 function stateOf(state) {
   status.dataset.state = state;
   write(status, words(state) + (track?.fault && state !== "open" ? ` ${track.fault}` : ""));
+  startButton.disabled = !READY.includes(state);
+  announce();
   if (state === "open") return;
   marked = false; // a session opened again knows of no movement
   rows.lose();
@@ -92,7 +104,7 @@ function connectWith(predictor) {
 function start() {
   const { settings, problem, field } = readSettings(form, canvas);
   if (problem) {
-    write(said, problem);
+    announce(problem);
     field.focus();
     return;
   }
@@ -122,7 +134,7 @@ function stop(why = "") {
   const trials = task.trials;
   task = null;
   running(false);
-  write(said, (trials.length ? `Stopped after ${count(trials.length, "movement")}.` : "Stopped.") + why);
+  announce((trials.length ? `Stopped after ${count(trials.length, "movement")}.` : "Stopped.") + why);
   if (trials.length > 1) showResult(trials, names);
 }
 
@@ -134,7 +146,8 @@ function finish() {
 function frame() {
   drawing = active;
   if (!active) return;
-  const { settings } = readSettings(form, canvas);
+  const { settings, problem } = readSettings(form, canvas);
+  write(part("circle-warning"), problem ? "" : overlap(settings));
   const shown = task ?? { places: circle(settings.distance, settings.centre, settings.targets), settings };
   const going = task !== null && !task.done;
   const told = form.elements.shown.checked;
@@ -169,7 +182,7 @@ export async function open() {
   if (!offered) offer(part("circle-predictor"), listing.predictors, PREFERRED);
   offered = true;
   names = listing.predictors.map(({ name }) => name);
-  startButton.disabled = false;
+  announce();
   if (active) connectWith(form.elements.predictor.value);
 }
 
@@ -178,7 +191,7 @@ export function close() {
   if (task !== null && !task.done) {
     task = null;
     running(false);
-    write(said, "The run was given up when another view was opened.");
+    announce("The run was cancelled because another view was opened.");
   }
   active = false;
   track?.close();

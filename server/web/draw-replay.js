@@ -1,10 +1,9 @@
-// Two pictures of one recorded movement: the scene on the screen, and the errors against time.
+// The scene of one recorded movement: where it went, and what was predicted at a moment of it.
 
 import { MARKS, disc, inks, line, prepare } from "./draw.js";
 import { inside } from "./geometry.js";
 
 const MARGIN_PX = 22;
-const FOOT_PX = 22;
 
 /**
  * @typedef {{t: number[], x: number[], y: number[], target: {x: number, y: number, width: number} | null}} Movement
@@ -63,35 +62,4 @@ export function drawScene(canvas, movement, columns, i) {
     line(pen, [trail[i], point], ink[colour], 1.5, dash);
     shape(pen, point, 8, ink[colour], false, 2.5);
   });
-}
-
-/** The errors of the predictions and of no prediction against time, with a line at event `i`. */
-export function drawErrors(canvas, movement, columns, i) {
-  const { pen, width, height } = prepare(canvas);
-  const ink = inks();
-  const end = movement.t[movement.t.length - 1] || 1;
-  const errors = (column) => movement.t.map((_, k) => errorAt(movement, column, k));
-  const floor = errors(movement);
-  const own = columns.map((column) => (column === null ? [] : errors(column)));
-  const usual = Math.max(1, bounds(floor)[1]);
-  const most = Math.min(1.5 * usual, Math.max(1.05 * usual, ...own.map((values) => bounds(values)[1]))); // what is far off leaves the picture
-  const foot = height - FOOT_PX;
-  const at = (k, value) => [
-    MARGIN_PX + (movement.t[k] / end) * (width - 2 * MARGIN_PX),
-    foot - (Math.min(value, most) / most) * (foot - 20),
-  ];
-  line(pen, [[MARGIN_PX, foot], [width - MARGIN_PX, foot]], ink.line, 1);
-  line(pen, floor.map((value, k) => at(k, value)), ink.none, 2);
-  own.forEach((values, which) => {
-    const { colour } = MARKS[which];
-    line(pen, values.flatMap((value, k) => (value === null ? [] : [at(k, value)])), ink[colour], 2, which ? [6, 4] : []);
-  });
-  line(pen, [[at(i, 0)[0], 20], [at(i, 0)[0], foot]], ink.past, 1);
-  pen.fillStyle = ink.quiet;
-  pen.font = "12px system-ui, sans-serif";
-  pen.textAlign = "left";
-  pen.fillText(`error, px (full height ${most.toFixed(0)})`, MARGIN_PX, 14);
-  pen.fillText("0", MARGIN_PX, height - 6);
-  pen.textAlign = "right";
-  pen.fillText(`${end.toFixed(2)} s`, width - MARGIN_PX, height - 6);
 }

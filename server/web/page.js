@@ -4,6 +4,7 @@
 import * as assist from "./assist.js";
 import * as circle from "./circle.js";
 import { part } from "./elements.js";
+import { explainWords } from "./glossary.js";
 import * as live from "./live.js";
 import * as replay from "./replay.js";
 import { refuseFiles } from "./replay-drop.js";
@@ -30,6 +31,8 @@ async function open(view) {
     setTimeout(() => shown === view && open(view), RETRY_MS);
   }
 }
+
+explainWords();
 
 tabs(part("tabs"), (view, before) => {
   shown = view;

@@ -1,11 +1,12 @@
 // The replay view: a recorded movement with a slider over its time, and what was predicted along it.
 
 import { onRepaint, prepare } from "./draw.js";
-import { drawErrors, drawScene, errorAt } from "./draw-replay.js";
+import { drawErrors } from "./draw-errors.js";
+import { drawScene, errorAt } from "./draw-replay.js";
 import { number as written, offer, part, write } from "./elements.js";
 import { acceptFiles } from "./replay-drop.js";
 import { Player } from "./replay-player.js";
-import { showScores } from "./replay-scores.js";
+import { Results } from "./results.js";
 import { embedded, opened } from "./replay-source.js";
 import { PREFERRED, predictors } from "./service.js";
 
@@ -13,6 +14,7 @@ const [scene, errors, previous, next] = ["scene", "errors", "previous", "next"].
 const [list, readout, said, file, back, again] = ["trials", "readout", "source", "file", "sample", "again"].map((id) => part(`replay-${id}`));
 const choices = [0, 1].map((which) => part(`replay-predictor-${which}`));
 const player = new Player(part("replay-play"), part("replay-time"), draw);
+const results = new Results("replay");
 
 let source = null;
 let movement = null;
@@ -72,7 +74,7 @@ function draw() {
   const i = event();
   const own = columns();
   drawScene(scene, movement, own, i);
-  drawErrors(errors, movement, own, i);
+  drawErrors(errors, movement, own, Math.min(player.ms / 1000, movement.t[movement.t.length - 1]));
   scene.dataset.event = String(i);
   if (!player.playing) write(readout, sentence(i, own));
 }
@@ -121,8 +123,7 @@ async function openFiles(files) {
   write(said, "Reading…");
   try {
     if (!(await take(opened(files)))) return;
-    const { csv } = source;
-    await showScores(csv, [...choices[0].options].map(({ value }) => value), () => source.csv === csv);
+    await results.score(source.csv, [...choices[0].options].map(({ value }) => value));
   } catch (error) {
     write(said, `Not opened: ${error.message}.${source === null ? "" : ` What was open before stays: ${source.title}.`}`);
   }

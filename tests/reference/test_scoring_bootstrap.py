@@ -114,3 +114,11 @@ def test_nothing_to_draw_and_nothing_to_divide_by_give_no_interval() -> None:
     assert np.isnan(empty.low).all()
     zero = ratio_intervals(np.ones((3, 1)), np.zeros((3, 1)), ["a", "b", "c"])
     assert np.isnan(zero.high).all()
+
+
+def test_one_trial_has_no_interval() -> None:
+    alone = ratio_intervals(np.array([[3.0]]), np.array([[4.0]]), ["ann"])
+    assert np.isnan([alone.low, alone.high]).all()
+    assert alone.units == 1
+    two = ratio_intervals(np.array([[3.0], [1.0]]), np.array([[4.0], [4.0]]), ["ann", "ann"])
+    assert two.low < two.high

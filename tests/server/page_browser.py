@@ -30,12 +30,12 @@ KEYS = {"ArrowRight": 39, "ArrowLeft": 37, "Home": 36, "End": 35, "Tab": 9, "Esc
 
 
 @contextmanager
-def service() -> Iterator[str]:
-    """A service of its own, ready to answer; yields the address of its page.
+def service(port: int = 0) -> Iterator[str]:
+    """A service of its own, ready to answer, at a free port unless one is given; yields its page's address.
 
     The page itself waits ten seconds for some answers, and code may take longer to be warm on a busy machine.
     """
-    command = [sys.executable, "-m", "pointpred", "serve", "--port", "0"]
+    command = [sys.executable, "-m", "pointpred", "serve", "--port", str(port)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as process:
         assert process.stdout is not None
         try:
