@@ -28,6 +28,7 @@ REPLIES = {
     "trial": ["score", "choice"],
     "configure": ["welcome", "choice"],
     "reset": ["choice"],
+    "person": ["knownPerson", "choice"],
     "bye": [],
 }
 
@@ -97,6 +98,7 @@ _Dumper.add_representer(str, _text)
 def keys_of(union: Any) -> list[tuple[str, type[msgspec.Struct]]]:
     """A key for each message of a union: its type on the wire, where that is not taken."""
     keys = {"PredictionMessage": "prediction", "TargetsTaken": "targetsTaken", "TrialMark": "trial"}
+    keys |= {"KnownPerson": "knownPerson"}
     named = {"ErrorMessage": "error"} | keys
     return [(named.get(kind.__name__, kind.__name__.lower()), kind) for kind in get_args(union)]
 

@@ -11,6 +11,7 @@ from pointpred.server.protocol.client_messages import (
     Events,
     Goal,
     Hello,
+    Person,
     Reset,
     Screen,
     Target,
@@ -20,6 +21,7 @@ from pointpred.server.protocol.client_messages import (
 from pointpred.server.protocol.server_messages import (
     Choice,
     ErrorMessage,
+    KnownPerson,
     Likely,
     Limits,
     PredictionMessage,
@@ -28,6 +30,9 @@ from pointpred.server.protocol.server_messages import (
     TargetsTaken,
     Welcome,
 )
+
+PERSON = "1.AvcZJo2qP2MdoSQMBXCMPw"
+"""How a person begins; a whole one has some 1,700 characters and changes with the law."""
 
 NONE = float("nan")
 HELLO = Hello(
@@ -43,6 +48,7 @@ CLIENT = (
         HELLO,
         Hello(1, "hold", reply="event", encoding="binary"),
         Hello(1, RECOMMENDED, device=Device(cpi=800.0), assist=Assist(0.4, 6.0, "constant", 3.0)),
+        Hello(1, RECOMMENDED, person=PERSON),
     ),
     (Events([(0.5, 640.0, 360.0, None, None, 0), (0.508, 643.0, 359.0, 4.0, -1.0, 0)]),),
     (Targets([Target("save", 900.0, 20.0, 80.0, 24.0, weight=2.0)]), Targets([])),
@@ -53,6 +59,7 @@ CLIENT = (
         Configure(assist=Assist(0.25, function="sigmoid")),
     ),
     (Reset(),),
+    (Person(), Person(PERSON), Person("")),
     (Bye("done"),),
 )
 """A tuple a message, in the order of ``ClientMessage``."""
@@ -71,6 +78,7 @@ SERVER = (
         Choice("print", 0.375, "propose", 0.758, "entered"),
     ),
     (TargetsTaken(1),),
+    (KnownPerson(PERSON), KnownPerson("")),
     (
         Score(
             182, 41.5, 120.25, 0.655, {"0.5": 60.0}, {"0.5": 72.5}, None, 1, hit=True, wasted=0, lead_s=0.31

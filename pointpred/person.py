@@ -10,6 +10,7 @@ from __future__ import annotations
 import base64
 import binascii
 import hashlib
+from functools import cache
 
 import numpy as np
 
@@ -84,6 +85,7 @@ def unpacked(slots: tuple[Slot, ...], person: str) -> FloatArray:
     return known
 
 
+@cache
 def _layout(slots: tuple[Slot, ...]) -> bytes:
     """The name of a layout."""
     return _digest(repr(slots).encode())

@@ -7,15 +7,26 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
+from msgspec.structs import replace
 
 from pointpred.cli import live_device
 from pointpred.cli.live_device import Where
 from pointpred.cli.live_outlets import Outlets, Wanted
+from pointpred.cli.live_replay import Asked, end_with, replay_of
+from pointpred.cli.playing import SPEED, TRIAL
+from pointpred.cli.reading import Cut, PauseS, Screen, Unit
 from pointpred.cli.screen import check_target
 from pointpred.errors import ParameterError
 from pointpred.events import CPI, DPI, PointerEvent
 from pointpred.registry import RECOMMENDED, build
 from pointpred.transfer import ConstantGain, PixelTransfer, TransferLearner, named_transfer
+
+REPLAY = "Without a device"
+DPI_USUAL = 96.0
+ONLY_DEVICE = {"device", "measure_cpi", "transfer", "display"}
+"""Options that mean nothing where a recording is played."""
+ONLY_REPLAY = {"trial", "speed", "cut", "pause_s", "unit", "screen"}
+"""Options that mean nothing without one."""
 
 
 def live(
@@ -33,7 +44,9 @@ def live(
         bool, typer.Option("--measure-cpi", help="Measure them first, from one move along a ruler.")
     ] = False,
     distance_cm: Annotated[float, typer.Option(min=1.0, max=100.0, help="How long that move is.")] = 10.0,
-    dpi: Annotated[float, typer.Option(min=DPI[0], max=DPI[1], help="Pixels per inch of the screen.")] = 96.0,
+    dpi: Annotated[
+        float | None, typer.Option(min=DPI[0], max=DPI[1], help="Pixels per inch of the screen (96).")
+    ] = None,
     cursor: Annotated[
         Where, typer.Option(help="Where the cursor is known from; motor: predict in the hand's own space.")
     ] = "auto",
@@ -56,12 +69,26 @@ def live(
     ] = False,
     host: Annotated[str | None, typer.Option(help="With --serve: address to listen on.")] = None,
     port: Annotated[int | None, typer.Option(min=0, max=65535, help="With --serve: port.")] = None,
-    seconds: Annotated[float | None, typer.Option(min=0.0, help="Stop by itself after so long.")] = None,
+    seconds: Annotated[float | None, typer.Option(min=0.0, help="Stop after this many seconds.")] = None,
+    replay: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE",
+            help="Play this recording instead of reading a mouse; 'sample': the embedded one.",
+            rich_help_panel=REPLAY,
+        ),
+    ] = None,
+    trial: Annotated[list[str] | None, typer.Option(help=TRIAL, rich_help_panel=REPLAY)] = None,
+    speed: Annotated[str | None, typer.Option(help=f"{SPEED} Not given: 1.", rich_help_panel=REPLAY)] = None,
+    cut: Cut = None,
+    pause_s: PauseS = None,
+    unit: Unit = None,
+    screen: Screen = None,
 ) -> None:
     """Predict where the mouse attached to this machine is heading, while it moves.
 
     In a terminal the numbers stand still and change; elsewhere a line a second is written. Ctrl-C stops.
-    Which devices there are: 'pointpred devices list'.
+    Which devices there are: 'pointpred devices list'. Without one, --replay plays a recording in its place.
 
     Try:
 
@@ -70,7 +97,10 @@ def live(
       pointpred live --cpi 800 --record session.csv --seconds 60; pointpred score session.csv
 
       pointpred live --cpi 800 --serve
+
+      pointpred live --replay sample --serve
     """
+    given = {name for name, value in locals().items() if value not in (None, False)}
     if record is not None:
         _check_new("--record", record)
         _check_new("--record", _predictions_beside(record))
@@ -78,6 +108,15 @@ def live(
         _check_new("--save-transfer", save_transfer)
     if not serve and (host is not None or port is not None):
         raise ParameterError("--host and --port need --serve")
+    wanted = Wanted(predictor, cpi, DPI_USUAL, record, save_transfer, serve, host, port, seconds)
+    if replay is not None:
+        _check_replay(given, cursor)
+        asked = Asked(replay, tuple(trial or ()), speed, cut, pause_s, unit, screen, cpi, dpi)
+        _play(asked, wanted)
+        return
+    if alone := sorted(given & ONLY_REPLAY):
+        raise ParameterError(f"{_flag(alone[0])} needs --replay")
+    dpi = DPI_USUAL if dpi is None else dpi
     moving = named_transfer(transfer) if transfer else None
     if moving is not None and cpi is None and not measure_cpi:
         cpi = moving.cpi
@@ -91,8 +130,35 @@ def live(
         path, close = live_device.path_of(cursor, moving.function if moving else None, known, dpi, display)
         until_done.callback(close)
         session = LiveSession(source, path, build(predictor, cpi=known, dpi=dpi))
-        wanted = Wanted(predictor, known, dpi, record, save_transfer, serve, host, port, seconds)
-        outlets = Outlets(session, wanted)
+        outlets = Outlets(session, replace(wanted, cpi=known, dpi=dpi))
+        spare()
+        outlets.follow()
+
+
+def _check_replay(given: set[str], cursor: Where) -> None:
+    """Raise ParameterError where an option of a device is given with --replay."""
+    device = sorted(given & ONLY_DEVICE) + (["cursor"] if cursor != "auto" else [])
+    if device:
+        raise ParameterError(f"{_flag(device[0])} is for a mouse, and --replay plays a recording; drop one")
+
+
+def _flag(name: str) -> str:
+    return f"--{name.replace('_', '-')}"
+
+
+def _play(asked: Asked, wanted: Wanted) -> None:
+    """Play a recording as the session of a device."""
+    replay = replay_of(asked)
+    _warm(wanted.predictor)
+    from pointpred.devices.played import PlayedPipeline
+    from pointpred.devices.sessions import LiveSession
+    from pointpred.server.garbage import spare
+
+    wanted = replace(wanted, cpi=replay.cpi, dpi=replay.dpi, simulated=replay.simulated)
+    pipeline = PlayedPipeline(build(wanted.predictor, cpi=wanted.cpi, dpi=wanted.dpi))
+    with replay.source as source:
+        outlets = Outlets(LiveSession(source, replay.path, pipeline), wanted)
+        end_with(outlets, source)
         spare()
         outlets.follow()
 

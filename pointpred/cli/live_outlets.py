@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,8 +13,9 @@ from pointpred.cli.live_following import Following, Viewing, attentive, until
 from pointpred.cli.live_learning import Learning, learning_of
 from pointpred.cli.live_log import ViewLog
 from pointpred.cli.live_serving import Serving
-from pointpred.cli.live_view import ending, show
+from pointpred.cli.live_view import DASH, ending, show
 from pointpred.cli.screen import counted, remarks, results
+from pointpred.devices.played import PlayedSource
 from pointpred.errors import ParameterError, SourceError
 
 if TYPE_CHECKING:
@@ -22,6 +24,9 @@ if TYPE_CHECKING:
     from pointpred.server.protocol.live_messages import Curve
     from pointpred.server.recorder.live_recording import LiveRecording
     from pointpred.transfer import GainCurve
+
+
+PAGE_FIRST = "; begins when the page is opened"
 
 
 class Wanted(msgspec.Struct, frozen=True):
@@ -36,6 +41,7 @@ class Wanted(msgspec.Struct, frozen=True):
     host: str | None = None
     port: int | None = None
     seconds: float | None = None
+    simulated: bool = False
 
 
 class Outlets:
@@ -54,6 +60,11 @@ class Outlets:
             raise ParameterError(f"nothing to save in {wanted.save_transfer}: {self.learning}")
         self._log = ViewLog() if results().is_terminal else None
         self._following = Following(session, self.feed.fail if self.feed else _to_nobody)
+
+    @property
+    def stopping(self) -> threading.Event:
+        """Set it to end the session."""
+        return self._following.stopping
 
     def follow(self) -> None:
         """Drive the session until something or somebody ends it; raises what ended it."""
@@ -127,8 +138,10 @@ class Outlets:
         source, cpi = self.session.source, self.wanted.cpi
         fineness = "counts per inch unknown" if cpi is None else f"{cpi:.0f} counts per inch"
         page = [("page", self.serving.address)] if self.serving else []
+        played = source.told if isinstance(source, PlayedSource) else ""
         return [
             *page,
+            *([("plays", played + (PAGE_FIRST if page else ""))] if played else []),
             ("device", f"{source.name} ({source.path}), {fineness}"),
             ("clock", source.clock),
             ("positions", self.session.words),
@@ -157,7 +170,9 @@ class Outlets:
     def _viewed(self) -> list[tuple[str, str]]:
         """The further rows of the view."""
         log = [("service", self._log.newest or "starting")] if self._log and self.serving else []
-        return [*self._more(), *log]
+        source = self.session.source
+        trial = [("trial", source.playing or DASH)] if isinstance(source, PlayedSource) else []
+        return [*trial, *self._more(), *log]
 
 
 def curve_message(words: str, curve: GainCurve | None = None) -> Curve:
@@ -173,7 +188,9 @@ def _recording(session: LiveSession, wanted: Wanted) -> LiveRecording:
 
     assert wanted.record is not None
     hello = Hello(1, wanted.predictor, device=Device(cpi=wanted.cpi), screen=Screen(dpi=wanted.dpi))
-    made = LiveRecording(wanted.record, hello, session.words, session.source.clock)
+    made = LiveRecording(
+        wanted.record, hello, session.words, session.source.clock, simulated=wanted.simulated
+    )
     session.watchers.append(made.take)
     return made
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from pointpred.cli.playing import SPEED, TRIAL, complain, one_recording, speed_of
 from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Unit, reading
 from pointpred.cli.replay_tables import described, plain, print_played
 from pointpred.cli.screen import check_target, remarks, write_json
@@ -42,11 +43,9 @@ def replay(
     scale: Annotated[
         float, typer.Option(help="Multiplies every position first.", rich_help_panel=PAGE)
     ] = 1.0,
-    speed: Annotated[str, typer.Option(help="1 as recorded, 2 twice as fast, max without waiting.")] = "1",
+    speed: Annotated[str, typer.Option(help=SPEED)] = "1",
     predictor: Annotated[str, typer.Option(help="A name from 'pointpred predictors'.")] = RECOMMENDED,
-    trial: Annotated[
-        list[str] | None, typer.Option(help="USER-TRIAL or its place from 1; repeatable; none: all.")
-    ] = None,
+    trial: Annotated[list[str] | None, typer.Option(help=TRIAL)] = None,
     json: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Write every number as JSON; - for stdout.")
     ] = None,
@@ -72,10 +71,10 @@ def replay(
     """
     if (to is None) == (devtools is None):
         raise ParameterError("say either --to URL of a service or --devtools URL of a browser")
-    pace, shift = _speed(speed), _pair(offset)
+    pace, shift = speed_of(speed), _pair(offset)
     check_target(json)
     told = reading(cut, pause_s, unit, screen, cpi, dpi)
-    recording = _one(file, told)
+    recording = one_recording(file, told)
     names = trial or []
     if devtools is not None:
         answer = _drive(devtools, url, recording, names, speed=pace, offset=shift, scale=scale)
@@ -118,7 +117,7 @@ def _send(
             token=token,
             progress=progress,
         )
-    _complain(played.skipped)
+    complain(played.skipped)
     if not quiet:
         print_played(played)
     return described(played)
@@ -134,7 +133,7 @@ def _drive(
     places = chosen(recording, names)
     skips = {k: skip for k in places if (skip := unplayable(recording, k)) is not None}
     skipped = (*(() if names else recording.skipped), *skips.values())
-    _complain(skipped)
+    complain(skipped)
     done = []
     with open_page(devtools, url) as page:
         for k in places:
@@ -153,36 +152,6 @@ def _drive(
         "trials": done,
         "skipped": [plain(s) for s in skipped],
     }
-
-
-def _complain(skips: tuple[Any, ...]) -> None:
-    for skip in skips:
-        remarks().print(f"left out: {skip.user}-{skip.trial} {skip.reason}", style="red", markup=False)
-
-
-def _one(file: Path | None, told: Any) -> Recording:
-    """The recording to play; the embedded sample where none is named."""
-    if file is None:
-        from pointpred.datasets import sample
-
-        remarks().print("No recording given: playing the embedded sample of simulated people.")
-        return sample()
-    from pointpred.sources import read_any
-
-    found = list(read_any(file, told))
-    if len(found) != 1:
-        raise RecordingError(f"{file} holds {len(found)} recordings, one is played at a time")
-    return found[0]
-
-
-def _speed(text: str) -> float:
-    try:
-        value = math.inf if text == "max" else float(text)
-    except ValueError:
-        value = math.nan
-    if not value > 0.0:
-        raise ParameterError(f"speed must be a positive number or 'max', received {text!r}")
-    return value
 
 
 def _pair(text: str) -> tuple[float, float]:

@@ -22,6 +22,7 @@ from pointpred.server.protocol.assisted_messages import Cursor
 from pointpred.server.protocol.client_messages import SUBPROTOCOL, Bye, Goal, Target
 from pointpred.server.protocol.server_messages import (
     Choice,
+    KnownPerson,
     Limits,
     PredictionMessage,
     Score,
@@ -153,6 +154,15 @@ class AsyncConnection:
         answer = await self._await(Welcome)
         self.dialogue.configured(**changes)
         return answer
+
+    async def person(self, known: str | None = None) -> str:
+        """What finished movements taught of the person, for ``person=`` of another session; "" for nobody.
+
+        ``known``, where it is given, replaces it, and the session begins anew; "" forgets the person. The
+        movement that goes on is not in it: ``reset`` finishes it.
+        """
+        await self._say(self.dialogue.person(known))
+        return (await self._await(KnownPerson)).person
 
     async def reset(self) -> None:
         """Forget every event: the next one starts a movement."""

@@ -23,6 +23,7 @@ from pointpred.server.protocol.assisted_messages import Cursor
 from pointpred.server.protocol.client_messages import SUBPROTOCOL, Bye, Goal, Target
 from pointpred.server.protocol.server_messages import (
     Choice,
+    KnownPerson,
     Limits,
     PredictionMessage,
     Score,
@@ -39,9 +40,9 @@ def connect(url: str, *, token: str | None = None, timeout_s: float = 10.0, **he
     """Open a session; use it as a context manager.
 
     ``url``: of the service or of its stream, http or ws. ``hello``: ``predictor``, ``parameters``,
-    ``device``, ``screen``, ``reply``, ``encoding`` as in the protocol; binary unless told otherwise. No
-    answer for ``timeout_s`` is an error. Raises SourceError where nobody answers, ServiceError where the
-    service refuses, ParameterError where a field does not fit.
+    ``device``, ``screen``, ``reply``, ``encoding``, ``person`` as in the protocol; binary unless told
+    otherwise. No answer for ``timeout_s`` is an error. Raises SourceError where nobody answers, ServiceError
+    where the service refuses, ParameterError where a field does not fit.
     """
     dialogue = Dialogue(**hello)
     where = address(url)
@@ -161,6 +162,15 @@ class Connection:
         answer = self._await(Welcome)
         self.dialogue.configured(**changes)
         return answer
+
+    def person(self, known: str | None = None) -> str:
+        """What finished movements taught of the person, for ``person=`` of another session; "" for nobody.
+
+        ``known``, where it is given, replaces it, and the session begins anew; "" forgets the person. The
+        movement that goes on is not in it: ``reset`` finishes it.
+        """
+        self._say(self.dialogue.person(known))
+        return self._await(KnownPerson).person
 
     def reset(self) -> None:
         """Forget every event: the next one starts a movement."""

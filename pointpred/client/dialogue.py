@@ -31,6 +31,7 @@ from pointpred.server.protocol.client_messages import (
     Encoding,
     Goal,
     Hello,
+    Person,
     Reply,
     Reset,
     Target,
@@ -128,6 +129,13 @@ class Dialogue:
             self.hello.reply = changes["reply"]
         if {"predictor", "parameters"} & changes.keys():
             self._awaited.restart()
+
+    def person(self, known: str | None) -> Frame:
+        """Asks for what is known of the person, or begins anew knowing ``known``."""
+        frame = self._text(_fit(Person, {"type": "person", "person": known}))
+        if known is not None:
+            self._awaited.restart()
+        return frame
 
     def reset(self) -> Frame:
         """Forget every event."""

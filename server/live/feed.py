@@ -43,6 +43,11 @@ class LiveFeed:
         self._loop: asyncio.AbstractEventLoop | None = None
         self._sent_at = float("-inf")
 
+    @property
+    def watched(self) -> bool:
+        """Whether somebody looks on."""
+        return bool(self._viewers)
+
     def begin(self, loop: asyncio.AbstractEventLoop) -> None:
         """From now on viewers can be told."""
         self._loop = loop

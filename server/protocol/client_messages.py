@@ -14,6 +14,7 @@ from pointpred.server.protocol.fields import (
     Cpi,
     Dpi,
     Extent,
+    Known,
     Moment,
     Name,
     Positive,
@@ -51,7 +52,10 @@ class Screen(Struct, forbid_unknown_fields=True):
 
 
 class Hello(Struct, tag="hello", forbid_unknown_fields=True):
-    """First message of a session: which predictor, on what device and screen, and how to answer."""
+    """First message of a session: which predictor, on what device and screen, and how to answer.
+
+    ``person``: what another session said that it knows of the person; "" knows nobody.
+    """
 
     version: int
     predictor: str = RECOMMENDED
@@ -61,6 +65,7 @@ class Hello(Struct, tag="hello", forbid_unknown_fields=True):
     reply: Reply = "frame"
     encoding: Encoding = "json"
     assist: Assist | None = None
+    person: Known = ""
 
 
 class Events(Struct, tag="events", forbid_unknown_fields=True):
@@ -118,12 +123,18 @@ class Reset(Struct, tag="reset", forbid_unknown_fields=True):
     """Forget every event: the next one starts a movement."""
 
 
+class Person(Struct, tag="person", forbid_unknown_fields=True):
+    """Asks what finished movements taught of the person; with ``person``, begins anew knowing that."""
+
+    person: Known | None = None
+
+
 class Bye(Struct, tag="bye", forbid_unknown_fields=True):
     """The end of a session; the server says why."""
 
     reason: str = ""
 
 
-ClientMessage = Hello | Events | Targets | TrialMark | Configure | Reset | Bye
-KNOWN = ("hello", "events", "targets", "trial", "configure", "reset", "bye")
+ClientMessage = Hello | Events | Targets | TrialMark | Configure | Reset | Person | Bye
+KNOWN = ("hello", "events", "targets", "trial", "configure", "reset", "person", "bye")
 """What a client may say."""

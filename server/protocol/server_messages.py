@@ -113,6 +113,12 @@ class TargetsTaken(Struct, tag="targets"):
     count: int
 
 
+class KnownPerson(Struct, tag="person"):
+    """What finished movements taught of the person, for ``hello`` of another session; "" for nobody."""
+
+    person: str
+
+
 class Score(Struct, tag="score"):
     """How good the predictions of the trial were, px; ``skill`` is 1 - error / error of no prediction.
 
@@ -143,7 +149,9 @@ class ErrorMessage(Struct, tag="error"):
     recoverable: bool = True
 
 
-ServerMessage = Welcome | PredictionMessage | Cursor | Choice | TargetsTaken | Score | ErrorMessage | Bye
+ServerMessage = (
+    Welcome | PredictionMessage | Cursor | Choice | TargetsTaken | KnownPerson | Score | ErrorMessage | Bye
+)
 
 # Laws that run as plain Python answer in numpy's floats.
 encode = msgspec.json.Encoder(enc_hook=float).encode

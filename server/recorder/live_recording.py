@@ -42,7 +42,7 @@ class LiveRecording:
     Assumes that one thread calls it. Raises SourceError where the folder cannot be written.
     """
 
-    def __init__(self, file: Path, hello: Hello, origin: str, clock: str) -> None:
+    def __init__(self, file: Path, hello: Hello, origin: str, clock: str, *, simulated: bool = False) -> None:
         device, screen = hello.device, hello.screen
         provenance = Provenance(
             LIVE,
@@ -50,6 +50,7 @@ class LiveRecording:
             clock=clock,
             dpi=screen.dpi if screen else 96.0,
             cpi=device.cpi if device else None,
+            simulated=simulated,
         )
         self.file = file
         self.events = 0

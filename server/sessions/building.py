@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from pointpred.errors import ParameterError
+from pointpred.person import restore
 from pointpred.pipeline import Pipeline
 from pointpred.registry import REGISTRY, build, parameters
 from pointpred.server.protocol.client_messages import Hello, Setting
@@ -14,7 +15,7 @@ from pointpred.server.protocol.refusals import RefusedError
 from pointpred.stage import defaults
 
 DPI = 96.0
-ELSEWHERE = {"cpi": "device.cpi", "dpi": "screen.dpi", "name": "predictor"}
+ELSEWHERE = {"cpi": "device.cpi", "dpi": "screen.dpi", "name": "predictor", "person": "person"}
 """What ``build`` takes besides parameters, and where a client says it."""
 SUBSTEPS_MOST = 200
 """Sub-steps that one event may take in a session: some 15 us, where an event without any takes one."""
@@ -31,7 +32,11 @@ def dpi_of(hello: Hello) -> float:
 
 
 def pipeline_of(hello: Hello) -> Pipeline:
-    """Raises RefusedError, naming what is known, for an unknown predictor or a wrong parameter."""
+    """A fresh pipeline that knows the person the client named.
+
+    Raises RefusedError, naming what is known, for an unknown predictor, a wrong parameter or a person that
+    the predictor cannot take.
+    """
     if hello.predictor not in REGISTRY:
         words = f"unknown predictor {hello.predictor!r}; known: {', '.join(REGISTRY)}"
         raise RefusedError("unknown_predictor", words, "$.predictor")
@@ -39,16 +44,20 @@ def pipeline_of(hello: Hello) -> Pipeline:
         if name in hello.parameters:
             raise RefusedError("bad_field", f"{name} is said as {place}", f"$.parameters.{name}")
     try:
-        settings = {name: _whole(value) for name, value in hello.parameters.items()}
+        settings: dict[str, Any] = {name: _whole(value) for name, value in hello.parameters.items()}
         pipeline = build(hello.predictor, cpi=cpi_of(hello), dpi=dpi_of(hello), **settings)
         _check_substeps(pipeline, settings)
-        return pipeline
     except ParameterError as error:
         raise RefusedError("bad_field", str(error), _place(str(error), hello)) from None
     except (TypeError, ValueError) as error:
         given = list(hello.parameters)
         path = f"$.parameters.{given[0]}" if len(given) == 1 else "$.parameters"
         raise RefusedError("bad_field", f"a parameter is of a wrong type: {error}", path) from None
+    try:
+        restore(pipeline.predictor, hello.person)
+    except ParameterError as error:
+        raise RefusedError("bad_field", str(error), "$.person") from None
+    return pipeline
 
 
 def _check_substeps(pipeline: Pipeline, settings: Mapping[str, Any]) -> None:

@@ -18,6 +18,7 @@ from pointpred.server.protocol.client_messages import (
     EventRow,
     Events,
     Hello,
+    Person,
     Reset,
     Targets,
     TrialMark,
@@ -25,7 +26,7 @@ from pointpred.server.protocol.client_messages import (
 from pointpred.server.protocol.decoding import decode_text, row_of, table_of_bytes, table_of_rows
 from pointpred.server.protocol.records import EVENT, unpack_one
 from pointpred.server.protocol.refusals import RefusedError, short
-from pointpred.server.protocol.server_messages import ErrorMessage, Limits, TargetsTaken, Welcome
+from pointpred.server.protocol.server_messages import ErrorMessage, KnownPerson, Limits, TargetsTaken, Welcome
 from pointpred.server.sessions.allowance import TARGETS_AN_EVENT, Allowance
 from pointpred.server.sessions.assisted import stream_of
 from pointpred.server.sessions.conversation import SLOW, Conversation
@@ -154,6 +155,8 @@ class Session(Conversation):
             self._welcome(stream)
         elif isinstance(message, Reset):
             stream.reset()
+        elif isinstance(message, Person):
+            self.say(KnownPerson(stream.person(message.person)))
 
     def _greet(self, hello: Hello, now: float) -> None:
         if self.stream is not None:

@@ -9,6 +9,7 @@ import numpy as np
 from msgspec import structs
 
 from pointpred.columns import EventColumns, FloatArray, PredictionColumns
+from pointpred.person import portable, restore
 from pointpred.pipeline import run
 from pointpred.server.protocol.client_messages import Configure, Goal, Hello, Target
 from pointpred.server.protocol.decoding import check_numbers
@@ -33,8 +34,8 @@ class Stream:
 
     def __init__(self, hello: Hello, watch: Watch | None = None) -> None:
         """Raises RefusedError for an unknown predictor or a wrong parameter."""
-        self.hello = hello
         self.pipeline = pipeline_of(hello)
+        self.hello = structs.replace(hello, person="")  # the pipeline knows it, and learns on
         self.precision: float | None = None
         """The precision a client wishes proposals to have."""
         self.choices: Choices | None = None
@@ -112,8 +113,9 @@ class Stream:
     def configure(self, message: Configure) -> None:
         """Another predictor or other parameters begin without memory; raises RefusedError, nothing changed.
 
-        Parameters add to those said before, but another predictor begins with its own. A running trial goes
-        on, and is scored with the predictor it ends with.
+        Parameters add to those said before, but another predictor begins with its own. What is known of the
+        person stays while the predictor has the same name and learns. A running trial goes on, and is scored
+        with the predictor it ends with.
         """
         self._check_assist(message)
         another = message.predictor is not None
@@ -126,7 +128,10 @@ class Stream:
             assist=message.assist or self.hello.assist,
         )
         if another or message.parameters:
-            self.pipeline = pipeline_of(hello)
+            pipeline = pipeline_of(hello)
+            if pipeline.name == self.pipeline.name and portable(pipeline.predictor):
+                restore(pipeline.predictor, self.pipeline.person)
+            self.pipeline = pipeline
             self._forget()
         self.hello = hello
         if message.precision is not None:
@@ -146,6 +151,16 @@ class Stream:
         """Forget every event: the next one starts a movement."""
         self.pipeline.reset()
         self._forget()
+
+    def person(self, known: str | None) -> str:
+        """What is known of the person; of ``known``, where it is given, the session begins anew knowing that.
+
+        Raises RefusedError for what the predictor cannot take, nothing changed.
+        """
+        if known is not None:
+            self.pipeline = pipeline_of(structs.replace(self.hello, person=known))
+            self._forget()
+        return self.pipeline.person
 
     def start_trial(self, goal: Goal | None) -> None:
         """A movement starts at the next event; its events are kept until the trial ends."""

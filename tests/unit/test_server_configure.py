@@ -184,8 +184,8 @@ def test_configure_counts_on() -> None:
 
 def test_the_schemas_name_every_message() -> None:
     roots, components = schemas()
-    assert len(roots["client"]["anyOf"]) == 7
-    assert len(roots["server"]["anyOf"]) == 8
+    assert len(roots["client"]["anyOf"]) == 8
+    assert len(roots["server"]["anyOf"]) == 9
     assert components["Screen"]["properties"]["dpi"] == {
         "type": "number",
         "minimum": 1.0,
