@@ -19,11 +19,12 @@ import pointpred
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.registry import RECOMMENDED, REGISTRY, describe
 from pointpred.server import samples
-from pointpred.server.described import METRICS, NOT_READY, UPLOAD, Health, Readiness, holds, refusals
+from pointpred.server.described import METRICS, NOT_READY, UPLOAD, Health, Origin, Readiness, holds, refusals
 from pointpred.server.endpoint import StreamEndpoint
-from pointpred.server.hosts import HostGuard, HostRule
+from pointpred.server.hosts import HostGuard, HostRule, admits_origin, header
 from pointpred.server.http_answers import SAFE, answer, fail, harden, miss, refuse, turn_down
 from pointpred.server.live_endpoint import NO_DEVICE, LiveEndpoint
+from pointpred.server.origins import OriginAnswer, advice
 from pointpred.server.service import Service
 from pointpred.server.uploads.uploads import UploadError, received
 
@@ -60,6 +61,7 @@ def create_app(hosts: HostRule | None = None, service: Service | None = None) ->
     _add_read(
         app, "/pointpred.js", _client, responses=OPEN | holds("text/javascript"), response_class=Response
     )
+    _add_read(app, "/v1/origin", _origin, responses=OPEN, response_model=Origin)
     _add_read(app, "/v1/predictors", _predictors, responses=GUARDED)
     _add_read(app, "/v1/samples", _samples, responses=GUARDED)
     _add_read(app, "/v1/samples/{name}", _sample, responses=refusals(401, 403, 404, 422))
@@ -126,6 +128,14 @@ def _page() -> FileResponse:
 def _client() -> FileResponse:
     """The browser client, an ES module."""
     return FileResponse(WEB / "pointpred.js", media_type=SCRIPT)
+
+
+def _origin(request: Request) -> Response:
+    """Whether the page that asks may connect: a browser hides from it why a WebSocket was refused."""
+    service: Service = request.app.state.service
+    origin = header(request.scope, b"origin")
+    allowed = admits_origin(request.scope, service.settings.allow_origin)
+    return answer(OriginAnswer(origin, allowed, None if allowed else advice(origin)))
 
 
 def _predictors() -> Response:

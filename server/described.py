@@ -26,6 +26,14 @@ class Readiness(BaseModel):
     stopping: bool
 
 
+class Origin(BaseModel):
+    """Whether the page that asks may connect."""
+
+    origin: str | None = Field(description="As the request's Origin header has it.")
+    allowed: bool
+    message: str | None = Field(description="The flag that would allow it; null where it is allowed.")
+
+
 class Health(BaseModel):
     """The process answers."""
 

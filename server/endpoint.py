@@ -51,7 +51,7 @@ class StreamEndpoint:
         """Whether a session may begin; who is refused is told, and counted."""
         service = self.service
         if not admits_origin(scope, service.settings.allow_origin):
-            service.metrics.turned_away.labels("unauthorized").inc()
+            service.refuse_origin(header(scope, b"origin"))
             await send({"type": "websocket.close", "code": 1008})  # before accept: HTTP 403
             return False
         offered = SUBPROTOCOL if SUBPROTOCOL in scope.get("subprotocols", ()) else None

@@ -9,7 +9,8 @@ from fastapi import Request, Response
 from starlette.exceptions import HTTPException
 
 from pointpred.server.endpoint import SHOW_TOKEN, shows_token
-from pointpred.server.hosts import admits_origin
+from pointpred.server.hosts import admits_origin, header
+from pointpred.server.origins import advice
 from pointpred.server.uploads.uploads import UploadError
 
 SAFE = {
@@ -25,10 +26,10 @@ SAFE = {
 isolated, which lets the browser stamp events to 5 us instead of 100."""
 
 SHARED = {"Access-Control-Allow-Origin": "*", "Cross-Origin-Resource-Policy": "cross-origin"}
-"""Any page may load the client and its parts; whether its origin may connect is another matter."""
-CLIENT = ("/pointpred.js", "/web/client-")
+"""Any page may load the client and its parts, and ask whether its origin may connect."""
+CLIENT = ("/pointpred.js", "/web/client-", "/v1/origin")
 READ = ["GET", "HEAD"]
-OPEN = ("/healthz", "/readyz", "/web/", "/pointpred.js")
+OPEN = ("/healthz", "/readyz", "/web/", "/pointpred.js", "/v1/origin")
 """Paths that need no token: they hold nothing of anybody."""
 
 
@@ -45,12 +46,14 @@ def error_answer(code: str, message: str, status: int) -> Response:
 
 async def harden(request: Request, forward: Any) -> Response:
     """Ask for the token, and posts for their origin; add the headers."""
-    settings = request.app.state.service.settings
-    token, allowed = settings.token, settings.allow_origin
+    service = request.app.state.service
+    token, allowed = service.settings.token, service.settings.allow_origin
     if not request.url.path.startswith(OPEN) and not shows_token(request.scope, token):
         response = _turn_away(request, SHOW_TOKEN, 401)
     elif request.method not in READ and not admits_origin(request.scope, allowed):
-        response = _turn_away(request, "pages of this origin may not use this service", 403)
+        origin = header(request.scope, b"origin")
+        service.refuse_origin(origin)
+        response = error_answer("unauthorized", advice(origin), 403)
     else:
         response = await forward(request)
     response.headers.update(SAFE | SHARED if request.url.path.startswith(CLIENT) else SAFE)

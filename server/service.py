@@ -14,6 +14,7 @@ from pointpred.server.live.feed import LiveFeed
 from pointpred.server.live.viewer import Viewer
 from pointpred.server.logs import place_of
 from pointpred.server.metrics import Counted, Metrics
+from pointpred.server.origins import RefusedOrigins
 from pointpred.server.protocol.client_messages import Hello
 from pointpred.server.recorder.recorder import Recorder
 from pointpred.server.sessions.conversation import Conversation
@@ -24,6 +25,9 @@ from pointpred.server.warm import warm
 
 log = logging.getLogger("pointpred.service")
 
+LOST = 1006
+"""How the counters name the end of a session whose connection was lost: a tab was closed, a process ended."""
+
 
 class Service:
     """Opens sessions, knows those that are open, and stops them."""
@@ -32,6 +36,7 @@ class Service:
         self.settings = (settings or Settings()).guarded()
         self.metrics = Metrics()
         self.recorder = Recorder(self.settings.record) if self.settings.record else None
+        self.origins = RefusedOrigins()
         self.stopping = False
         self.ready = False
         """Whether compiled code is warm."""
@@ -82,9 +87,18 @@ class Service:
         talk, counted = self._open.pop(session)
         self.metrics.settle(session, _frames(talk), counted)
         self.metrics.sessions.set(len(self._open))
-        code = session.close.code if session.close else 1006
+        code = session.close.code if session.close else LOST
         self.metrics.ended.labels(str(code)).inc()
-        log.info("session closed", extra={"session": session.name, "code": code, "events": counted.events})
+        about = {"session": session.name, "events": counted.events}
+        if code == LOST:
+            log.info("session closed: the client went away", extra=about)
+        else:
+            log.info("session closed", extra={**about, "code": code})
+
+    def refuse_origin(self, origin: str | None) -> None:
+        """A page of another site was turned away: counted, and logged once an origin."""
+        self.metrics.turned_away.labels("unauthorized").inc()
+        self.origins.note(origin)
 
     def settle(self) -> None:
         """Bring the counters up to date with the open sessions and the recorder."""

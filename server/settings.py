@@ -7,12 +7,12 @@ import secrets
 from ipaddress import ip_address
 from pathlib import Path
 from typing import Annotated, Any, Literal
-from urllib.parse import urlsplit
 
 from pydantic import BeforeValidator, Field, field_validator
 from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 
 from pointpred.server.hosts import is_address
+from pointpred.server.origins import well_formed
 from pointpred.server.protocol.server_messages import Limits
 
 
@@ -81,8 +81,7 @@ class Settings(BaseSettings):
     def _origins(cls, origins: tuple[str, ...]) -> tuple[str, ...]:
         """Origins as browsers write them: another spelling would never be met."""
         for origin in origins:
-            parts = urlsplit(origin)
-            if parts.scheme not in ("http", "https") or origin != f"{parts.scheme}://{parts.netloc}".lower():
+            if not well_formed(origin):
                 raise ValueError(f"an origin reads like https://lab.example:8000, received {origin!r}")
         return origins
 
