@@ -9,9 +9,14 @@ export class Wishes {
     this.#hello = hello;
   }
 
-  /** How a session begins: what held last. */
-  get hello() {
-    return JSON.stringify(this.#hello);
+  /** How a session begins: what held last, and what else is to be said. @param {object} more @returns {string} */
+  hello(more) {
+    return JSON.stringify({ ...this.#hello, ...more });
+  }
+
+  /** What predicts, as far as it is known. @returns {string} */
+  get predictor() {
+    return this.#hello.predictor;
   }
 
   /** @returns {"binary"|"json"} */

@@ -33,7 +33,8 @@
  *   by_time: Object<string, number>, by_path: Object<string, number>, reason: string|null,
  *   fired: number|null, hit: boolean|null, wasted: number|null, lead_s: number|null}} Score
  * @typedef {{prediction: Prediction, cursor: Cursor, choice: Choice, error: Fault, state: State, welcome: Welcome, score: Score,
- *   targets: {type: "targets", count: number}, bye: {type: "bye", reason: string}}} Messages by the name to listen for
+ *   person: PersonKnown, targets: {type: "targets", count: number}, bye: {type: "bye", reason: string}}} Messages by the name to listen for
+ * @typedef {{type: "person", person: string}} PersonKnown what finished movements taught of the person, "" for nobody
  * @typedef {Object} Options
  * @property {string} [predictor] a name of the registry; "switched" unless given
  * @property {Object<string, number|string|boolean>} [parameters] of the predictor or its differentiator
@@ -43,6 +44,7 @@
  * @property {"binary"|"json"} [encoding] of events and predictions
  * @property {{strength?: number, rho?: number, function?: "constant"|"sigmoid", gain?: number}} [assist] the service moves
  *   the cursor by the counts of events, helped towards the predicted endpoint; needs `device.cpi` and counts
+ * @property {string} [person] what a session knew of the person; nobody unless given
  * @property {string} [token] where the service asks for one
  * @property {EventTarget} [element] whose pointer events are streamed; the window unless given
  * @property {boolean} [pointer] false: only what `send` is given
@@ -52,6 +54,7 @@
  */
 
 import { decode, frames, row, targetsFrame } from "/web/client-frames.js";
+import { Person } from "/web/client-person.js";
 import { PointerStream } from "/web/client-pointer.js";
 import { Queue } from "/web/client-queue.js";
 import { TargetWatch } from "/web/client-targets.js";
@@ -65,7 +68,7 @@ const MOST_BUFFERED = 2 ** 20; // bytes the browser may hold back before events 
 const FIRST_WAIT_MS = 250;
 const LONGEST_WAIT_MS = 8000;
 const STEADY_MS = 2000; // a connection that held so long starts the waits anew
-const NAMES = ["prediction", "cursor", "choice", "error", "state", "welcome", "score", "targets", "bye"];
+const NAMES = ["prediction", "cursor", "choice", "error", "state", "welcome", "score", "person", "targets", "bye"];
 
 /**
  * Opens a connection and keeps it open.
@@ -85,7 +88,8 @@ export class Connection {
   /** Events sent to the service. */ sent = 0;
   #url; #options; #wishes; #socket = null; #listeners = new Map(NAMES.map((name) => [name, new Set()]));
   #waiting; #unanswered = []; #tries = 0; #openedAt = 0; #saidAt = 0; #retry; #why = "";
-  #told = NO_TARGETS; #over = 0; #count = 0; #likely = []; #proposals = []; #pointer = null; #targets; #stop = new AbortController(); #alive;
+  #told = NO_TARGETS; #over = 0; #count = 0; #likely = []; #proposals = []; #pointer = null; #targets; #person;
+  #stop = new AbortController(); #alive;
 
   /** Use `connect`. @param {string|URL|undefined} url @param {Options} options */
   constructor(url, options) {
@@ -97,6 +101,9 @@ export class Connection {
     const screen = { width_px: window.screen?.width || undefined, height_px: window.screen?.height || undefined,
       ...this.#options.screen };
     this.#wishes = new Wishes({ type: "hello", version: 1, predictor, parameters, device, screen, reply, encoding, assist });
+    this.#person = new Person(this.#options.person ?? "", predictor, {
+      say: (message) => this.#transmit(JSON.stringify(message)),
+      changed: (person) => this.#emit("person", { type: "person", person }) });
     const { element, pointer, coordinates, targets } = this.#options;
     const onScreen = coordinates === "screen", { signal } = this.#stop;
     if (pointer) this.#pointer = new PointerStream(element, { onScreen, passed: (rows) => this.#pass(rows), signal });
@@ -209,6 +216,22 @@ export class Connection {
     this.#transmit(JSON.stringify({ type: "configure", ...changes }));
   }
 
+  /**
+   * Asks what finished movements taught of the person: a short string for `person` of another connection, "" for nobody.
+   * Without a session it is what the client heard last. With `known` the session begins anew knowing that; "" forgets
+   * the person. The movement that goes on is not in it: `reset()` finishes it.
+   * @param {string} [known] @returns {Promise<string>} rejects where the service does not take `known`
+   */
+  async person(known) {
+    this.#pointer?.flush();
+    if (this.#speaks) {
+      if (known !== undefined) this.#unanswered = [];
+      return this.#person.ask(known);
+    }
+    if (known !== undefined) this.#person.hold(known, this.#wishes.predictor);
+    return this.#person.known;
+  }
+
   /** Forgets every event: the next one starts a movement. */
   reset() {
     this.#unanswered = [];
@@ -227,6 +250,7 @@ export class Connection {
     if (this.#openedAt < Infinity) socket?.send(JSON.stringify({ type: "bye" }));
     if (socket?.readyState === WebSocket.CONNECTING) socket.onopen = () => socket.close(1000); // sooner, a browser complains
     else socket?.close(1000);
+    this.#person.lost();
     this.#become("closed");
   }
 
@@ -239,7 +263,7 @@ export class Connection {
     const socket = new WebSocket(address(this.#url, this.#options.token), SUBPROTOCOL);
     socket.binaryType = "arraybuffer";
     const mine = (act) => (event) => socket === this.#socket && act(event);
-    socket.onopen = mine(() => socket.send(this.#wishes.hello));
+    socket.onopen = mine(() => socket.send(this.#wishes.hello(this.#person.hello(this.#wishes.predictor))));
     socket.onmessage = mine(({ data }) => this.#receive(data));
     socket.onclose = mine(() => this.#lost());
     this.#socket = socket;
@@ -250,6 +274,7 @@ export class Connection {
     this.#socket = null;
     this.#unanswered = [];
     this.#wishes.lost();
+    this.#person.lost();
     for (const { id } of [...this.#proposals]) this.#chosen({ type: "choice", id, p: 0, action: "retract", t: null, reason: null });
     this.#likely = [];
     if (this.#why === "unauthorized" || this.#why === "hello") return this.#become("refused");
@@ -267,6 +292,7 @@ export class Connection {
     const message = JSON.parse(data);
     if (message.type === "prediction") return this.#predicted({ region: null, phase: null, remaining_s: null, ...message });
     if (message.type === "choice") return this.#chosen(message);
+    if (message.type === "person") return this.#person.heard(message.person, this.welcome.predictor);
     if (message.type === "welcome") this.#greeted(message);
     if (message.type === "error") this.#refused(message);
     if (this.#listeners.has(message.type)) this.#emit(message.type, message);
@@ -299,6 +325,7 @@ export class Connection {
     if (this.state === "open") return this.#wishes.granted();
     this.#openedAt = performance.now();
     for (const changes of this.#wishes.late) this.#ask(changes);
+    this.#person.greeted();
     this.#told = NO_TARGETS;
     this.#sendTargets();
     if (this.#socket === null) return; // closed by who heard of an error
@@ -309,8 +336,9 @@ export class Connection {
     this.#become("open");
   }
 
-  #refused({ code, path }) {
+  #refused({ code, path, message }) {
     this.#why = code;
+    if (path === "$.person") return this.#forget(message);
     if (this.state === "connecting" && (code === "unknown_predictor" || code === "bad_field")) {
       this.#why = "hello";
       const socket = this.#socket;
@@ -319,6 +347,15 @@ export class Connection {
     } else if (code === "unknown_predictor" || /^\$\.(predictor|parameters|reply|precision|assist)/.test(path ?? "")) {
       this.#wishes.refused();
     }
+  }
+
+  /** The service does not take the person: a session begins without, one that is open knows whom it knew. */
+  #forget(message) {
+    if (this.state !== "connecting") return this.#person.refused(message);
+    const socket = this.#socket;
+    this.#person.hold("");
+    this.#lost();
+    socket.close(1000);
   }
 
   #sendRows(rows) {
@@ -354,6 +391,7 @@ export class Connection {
 
   /** A page that is looked at keeps its session; a hidden one lets it go and opens another with the next event. */
   #keepAlive() {
+    if (this.#speaks) this.#person.refresh(this.sent);
     if (this.state !== "open" || document.hidden) return;
     if (performance.now() - this.#saidAt < (1000 * this.welcome.limits.idle_s) / 3) return;
     this.#sendTargets(true);
