@@ -148,17 +148,14 @@ def recorded_shares(page: Path) -> tuple[Shares, list[str]]:
 def recorded(page: Path) -> str:
     """The README's warning about simulated people, from the first table of docs/results.md."""
     shares, learners = recorded_shares(page)
-    low, high = spread(shares)
     worse = sum(max(values) > 1.0 for values in shares.values())
-    without = "".join(
-        f" `{name}`, fitted without the set, has {min(shares[name]):.2f} to {max(shares[name]):.2f}."
-        for name in learners
-        if name in shares
+    fitted = " and ".join(
+        f"`{name}` {min(shares[name]):.2f} to {max(shares[name]):.2f}" for name in learners if name in shares
     )
-    sets = len(next(iter(shares.values())))
+    sets = counted(len(next(iter(shares.values()))), "recorded set")
+    learned = f"fitted without the set, {fitted} of hold's error, " if fitted else ""
     return (
-        "These people are simulated and easier to predict. "
-        f"On {counted(sets, 'recorded set')} the best predictors have {low:.2f} to {high:.2f} of "
-        f"hold's error, and {worse} of {len(shares)} predictors do worse than no prediction on at least one."
-        f"{without} All numbers: [docs/results.md](docs/results.md)."
+        f"These people are simulated and easier to predict. Real people, {sets}: {learned}"
+        f"and {worse} of {len(shares)} predictors do worse than no prediction on at least one set "
+        "([all numbers](docs/results.md))."
     )

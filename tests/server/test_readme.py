@@ -1,0 +1,102 @@
+"""The README's page of one's own, in a real browser: served as the README says, its cards light up."""
+
+from __future__ import annotations
+
+import re
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.architecture.tree import ROOT
+from tests.server import browser
+from tests.server.listener import soon
+from tests.server.running import PATIENCE_S, running
+
+pytestmark = browser.needed
+
+USUAL = "http://127.0.0.1:8765"
+WATCH = """() => {
+  window.lit = [];
+  const told = ({ target }) => target.classList.contains("ahead") && lit.push(target.textContent);
+  const watch = new MutationObserver((all) => all.forEach(told));
+  watch.observe(document.body, { attributes: true, subtree: true });
+  return [...document.querySelectorAll(".card")].map((card) => card.getBoundingClientRect().toJSON());
+}"""
+
+
+def blocks(language: str) -> list[str]:
+    """The README's blocks of code in a language."""
+    page = (ROOT / "README.md").read_text(encoding="utf-8")
+    return re.findall(rf"```{language}\n(.*?)```", page, flags=re.DOTALL)
+
+
+class Quiet(SimpleHTTPRequestHandler):
+    """Says nothing of requests."""
+
+    def log_message(self, *_: Any) -> None:
+        pass
+
+
+@contextmanager
+def served(folder: Path) -> Iterator[str]:
+    """The files of a folder, as ``python3 -m http.server`` serves them; yields their origin."""
+    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(folder)))
+    thread = threading.Thread(target=server.serve_forever)
+    thread.start()
+    try:
+        yield f"http://127.0.0.1:{server.server_port}"
+    finally:
+        server.shutdown()
+        server.server_close()
+        thread.join()
+
+
+@pytest.mark.parametrize("goal", [1, 3])
+def test_a_card_lights_up_when_the_mouse_is_heading_for_it(tmp_path: Path, goal: int) -> None:
+    (page_text,) = blocks("html")
+    assert USUAL in page_text
+    (tmp_path / "site").mkdir()
+    with (
+        served(tmp_path / "site") as origin,
+        running(allow_origin=(origin,)) as service,
+        browser.running(tmp_path / "profile") as devtools,
+    ):
+        soon(lambda: service.service.ready, "the service is warm", PATIENCE_S)
+        (tmp_path / "site/cards.html").write_text(page_text.replace(USUAL, service.url))
+        with browser.tab(devtools, f"{origin}/cards.html") as page:
+            places = page.evaluate(f"({WATCH})()")
+            assert len(places) == 4
+            sessions = service.service.metrics.text
+            soon(lambda: "pointpred_sessions 1.0" in sessions().decode(), "the page's session")
+            x, y = (places[goal][a] + places[goal][b] / 2 for a, b in (("x", "width"), ("y", "height")))
+            s = np.linspace(0.0, 1.0, 60)
+            way = 10 * s**3 - 15 * s**4 + 6 * s**5
+            began = time.time()
+            for share, step in zip(way.tolist(), s.tolist(), strict=True):
+                page.call(
+                    "Input.dispatchMouseEvent",
+                    type="mouseMoved",
+                    x=x - 150 * (1 - share),
+                    y=y + 400 * (1 - share),
+                    timestamp=began + step,
+                )
+            soon(lambda: page.evaluate("lit.length") > 0, "a card lights up")
+            names = ("One", "Two", "Three", "Four")
+            soon(lambda: names[goal] in page.evaluate("lit"), f"{names[goal]} lights up")
+            page.call("Page.close")
+
+
+def test_the_commands_allow_the_origin_that_serves_the_page() -> None:
+    commands = next(block for block in blocks("sh") if "http.server" in block)
+    port = re.search(r"http\.server (\d+) --bind (\S+)", commands)
+    assert port is not None
+    assert f"--allow-origin http://{port[2]}:{port[1]}" in commands
+    assert f"--port {USUAL.rpartition(':')[2]} " in commands
