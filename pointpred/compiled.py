@@ -32,6 +32,9 @@ COMPILED = os.environ.get("POINTPRED_COMPILED", "1") != "0"
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
+OPTIONS = {"nogil": True, "error_model": "numpy", "no_cfunc_wrapper": True}
+"""The last: laws are called from Python and from laws, never by the entrance from C that numba makes too."""
+
 _fingerprints: dict[int, str] = {}
 
 
@@ -50,7 +53,7 @@ def law(function: Function) -> Function:
     elsewhere, config.CACHE_DIR = config.CACHE_DIR, str(folder / fingerprint) if folder else ""
     sealed = folder is not None and _sealed(folder)
     try:
-        compiled = numba.njit(cache=folder is not None and not sealed, nogil=True, error_model="numpy")(plain)
+        compiled = numba.njit(cache=folder is not None and not sealed, **OPTIONS)(plain)
         if sealed:
             _only_read(compiled, plain)
         if folder is not None:

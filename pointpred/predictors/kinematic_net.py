@@ -58,10 +58,12 @@ def layer(coefficients: FloatArray, at: int, inputs: FloatArray, sums: FloatArra
     """Weighted sums of the inputs; returns where the next layer's weights stand.
 
     Inputs one after another, so that compiled and plain runs add in the same order.
+    The offsets are copied one by one: a slice would compile the words of its error.
     """
     width = len(sums)
     offset = at + len(inputs) * width
-    sums[:] = coefficients[offset : offset + width]
+    for j in range(width):
+        sums[j] = coefficients[offset + j]
     for i in range(len(inputs)):
         value, weights = inputs[i], coefficients[at + i * width : at + (i + 1) * width]
         for j in range(width):

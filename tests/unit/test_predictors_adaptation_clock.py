@@ -106,3 +106,12 @@ def test_a_person_who_is_fast_or_slow_is_timed_better_than_by_what_holds_for_any
                 errors[name].append(float(np.abs(said - (arrival - events.t))[moving].mean()))
     assert np.mean(errors["kinematic-adaptive"]) < 0.5 * np.mean(errors["kinematic"])
     assert np.mean(errors["kinematic-adaptive"]) < 0.12 * tempo
+
+
+@pytest.mark.parametrize("count", range(1, KEPT + 1))
+def test_the_median_is_numpys_to_the_bit(count: int) -> None:
+    random = np.random.default_rng(count)
+    for kinds in (2, 100):  # with many equal values, and with hardly any
+        for _ in range(50):
+            values = random.integers(0, kinds, count + 3) / 7.0
+            assert clock.middle(values, 3, count) == np.median(values[3:])
