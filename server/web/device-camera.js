@@ -27,14 +27,12 @@ export class Camera {
     return [(x - this.#middle[0]) * this.scale + this.width / 2, (y - this.#middle[1]) * this.scale + this.height / 2];
   }
 
-  /** A prediction as it stands in the picture, its region with it. */
-  view(prediction) {
-    if (prediction === null || prediction.x === null) return null;
+  /** What is drawn of a prediction as it stands in the picture. @param {import("./draw-live.js").Mark} mark */
+  view({ prediction, regions, opacity }) {
     const [x, y] = this.place([prediction.x, prediction.y]);
-    const square = this.scale ** 2;
-    if (prediction.region === null) return { ...prediction, x, y };
-    const { sxx, sxy, syy, tail } = prediction.region;
-    return { ...prediction, x, y, region: { sxx: square * sxx, sxy: square * sxy, syy: square * syy, tail } };
+    const scaled = (one) => ({ x, y, major: this.scale * one.major, minor: this.scale * one.minor, angle: one.angle });
+    const seen = regions && { inner: scaled(regions.inner), outer: scaled(regions.outer) };
+    return { prediction: { ...prediction, x, y }, regions: seen, opacity };
   }
 }
 

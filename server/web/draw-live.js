@@ -1,13 +1,18 @@
-// The live picture: the trail, the predicted endpoints and their regions, or the replayed movement that invites.
+// The live picture: tiles, the trail, the predicted endpoints and their regions.
 
-import { MARKS, disc, ellipse, inks, line, prepare, tile } from "./draw.js";
+import { MARKS, disc, inks, line, prepare, tile } from "./draw.js";
 import { inside } from "./geometry.js";
-import { placed } from "./live-demo.js";
-import { regionOf } from "/pointpred.js";
+import { drawRegions } from "./regions.js";
 
 const TRAIL_S = 1.2;
 
-function drawTrail(pen, trail, now, ink) {
+/**
+ * @typedef {{prediction: object, regions: import("./regions.js").Regions|null, opacity: number}} Mark a prediction as it is
+ *   drawn now: its endpoint in px of the picture
+ * @typedef {{list: object[], shares: Object<string, number>, proposed: string|null}} Tiles
+ */
+
+export function drawTrail(pen, trail, now, colour) {
   const points = trail.filter(([t]) => now - t < TRAIL_S);
   pen.save();
   pen.lineCap = "butt"; // round ends would show where pieces overlap
@@ -15,25 +20,16 @@ function drawTrail(pen, trail, now, ink) {
     const [t, x, y] = points[i];
     if (t - points[i - 1][0] > 0.3) continue;
     pen.globalAlpha = Math.max(0.08, 1 - (now - t) / TRAIL_S);
-    line(pen, [points[i - 1].slice(1), [x, y]], ink.past, 3);
+    line(pen, [points[i - 1].slice(1), [x, y]], colour, 3);
   }
   pen.restore();
   const last = trail[trail.length - 1];
-  if (last !== undefined) disc(pen, last.slice(1), 5, ink.past, true);
+  if (last !== undefined) disc(pen, last.slice(1), 5, colour, true);
 }
 
-/** Where the endpoint is likely to lie, where that is said: below everything else. */
-function drawRegion(pen, which, prediction, ink) {
-  const { colour, dash } = MARKS[which];
-  const region = regionOf(prediction, 0.95);
-  if (region) ellipse(pen, region, ink[colour], dash);
-}
-
-/** A predicted endpoint: the mark, and a dashed line to it. */
-function drawEndpoint(pen, which, from, prediction, width, height, ink) {
+/** A predicted endpoint: the mark at a place, and a dashed line to it. */
+export function drawEndpoint(pen, which, from, place, ink) {
   const { shape, colour, dash } = MARKS[which];
-  const point = [prediction.x, prediction.y];
-  const place = inside(point, width, height, 11);
   if (from !== undefined) line(pen, [from, place], ink[colour], 1.5, dash);
   shape(pen, place, 9, ink.panel, false, 6); // a rim: a tile in the mark's own colour may lie below
   shape(pen, place, 9, ink[colour], false, 3);
@@ -41,50 +37,30 @@ function drawEndpoint(pen, which, from, prediction, width, height, ink) {
 }
 
 /**
- * The pointer's own movement.
- * @param {number[][]} trail [t s, x, y] @param {(object|null)[]} predictions one for each predictor @param {number} now s
- * @param {import("./live-tiles.js").Tiles} tiles
- * @returns {number} endpoints drawn
+ * A movement, and what is predicted of it.
+ * @param {number[][]} trail [t s, x, y] @param {(Mark|null)[]} marks one for each predictor @param {number} now s
+ * @param {Tiles} tiles @param {"past"|"none"} colour of the trail @returns {number} endpoints drawn
  */
-export function drawLive(canvas, trail, predictions, now, tiles) {
+export function drawLive(canvas, trail, marks, now, tiles, colour = "past") {
   const { pen, width, height } = prepare(canvas);
   const ink = inks();
   for (const one of tiles.list) tile(pen, one, ink.endpoint, ink.none, tiles.shares[one.id] ?? 0, one.id === tiles.proposed);
-  const said = predictions.map((prediction, which) => ({ prediction, which })).filter(({ prediction }) => prediction !== null && prediction.x !== null);
-  for (const { prediction, which } of said) drawRegion(pen, which, prediction, ink);
-  drawTrail(pen, trail, now, ink);
+  const shown = marks.flatMap((mark, which) => (mark === null ? [] : [{ ...mark, which }]));
+  for (const { which, regions, opacity } of shown) {
+    if (regions !== null) drawRegions(pen, regions, ink[MARKS[which].colour], MARKS[which].outline, width, height, opacity);
+  }
+  drawTrail(pen, trail, now, ink[colour]);
   const from = trail[trail.length - 1]?.slice(1);
-  for (const { prediction, which } of said) drawEndpoint(pen, which, from, prediction, width, height, ink);
-  return said.length;
+  pen.save();
+  for (const { which, prediction, opacity } of shown) {
+    pen.globalAlpha = opacity;
+    drawEndpoint(pen, which, from, inside([prediction.x, prediction.y], width, height, 11), ink);
+  }
+  pen.restore();
+  return shown.length;
 }
 
-function caption(pen, words, [x, y], width, colour) {
-  pen.font = "14px system-ui, sans-serif";
-  const room = pen.measureText(words).width;
-  pen.fillStyle = colour;
-  pen.fillText(words, x + 22 + room < width ? x + 22 : x - 22 - room, y + 5);
-}
-
-/** A replayed movement up to an event, with its target. */
-export function drawDemo(canvas, { movement, event }) {
-  const { pen, width, height } = prepare(canvas);
-  const ink = inks();
-  const place = placed(movement, width, height);
-  const points = movement.x.map((x, i) => place([x, movement.y[i]]));
-  const end = points[points.length - 1];
-  disc(pen, end, 15, ink.target);
-  caption(pen, "where it will end", [end[0], end[1] + 14], width, ink.quiet);
-  line(pen, points.slice(0, event + 1), ink.none, 3);
-  disc(pen, points[event], 5, ink.none, true);
-  const { x, y } = movement.predicted;
-  if (x[event] === null) return;
-  const [px, py] = place([x[event], y[event]]);
-  drawEndpoint(pen, 0, points[event], { x: px, y: py }, width, height, ink);
-  caption(pen, "predicted", inside([px, py - 14], width, height, 20), width, ink.endpoint);
-}
-
-/** Nothing to show but an empty picture. */
+/** An empty picture. */
 export function drawNothing(canvas) {
   prepare(canvas);
 }
-

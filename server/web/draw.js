@@ -107,19 +107,6 @@ export function diamond(pen, [x, y], radius, colour, filled = false, width = 2) 
 
 /** The marks of the first and the second predictor: they differ in shape as in colour. */
 export const MARKS = [
-  { shape: disc, colour: "endpoint", dash: [4, 5] },
-  { shape: diamond, colour: "second", dash: [1, 5] },
+  { shape: disc, colour: "endpoint", dash: [4, 5], outline: [] },
+  { shape: diamond, colour: "second", dash: [1, 5], outline: [6, 4] },
 ];
-
-/** A region (of `regionOf`), its inside tinted. */
-export function ellipse(pen, { x, y, major, minor, angle }, colour, dash = []) {
-  pen.beginPath();
-  pen.ellipse(x, y, major, minor, angle, 0, 2 * Math.PI);
-  pen.save();
-  pen.globalAlpha = 0.12;
-  finish(pen, colour, true, 0);
-  pen.restore();
-  pen.setLineDash(dash);
-  finish(pen, colour, false, 1.5);
-  pen.setLineDash([]);
-}

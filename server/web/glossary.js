@@ -1,6 +1,7 @@
 // The field's words, explained where they stand: a part of the page names the words that it uses.
 
 const WORDS = {
+  phase: ["phase", "still: the pointer rests; ballistic or corrective: the part of the movement it is in"],
   ballistic: ["ballistic", "the first, fast part of a movement, aimed but not yet corrected by eye"],
   corrective: ["corrective", "the slow part near the target, in which the hand corrects its aim"],
   error: ["error", "distance from the predicted endpoint to where the movement ended, averaged over the time of the movement"],
@@ -9,12 +10,20 @@ const WORDS = {
   skill: ["skill", "1 − error / hold: 1 is perfect, 0 no better than no prediction, below 0 worse"],
   interval: ["95 % interval", "the range of error / hold that other movements or people like these would give. One movement has none"],
   answered: ["answered", "share of the pointer's events for which the predictor gave an endpoint"],
+  left: ["time left", "predicted time until the movement ends"],
+  region: ["region", "where the endpoint lies with a given probability, as the predictor claims it: 50 % for the tinted ellipse, 80 % for the thin one. Its size is length × breadth of the tinted one. Some predictors give none"],
+  proposed: ["tile proposed", "the service is sure enough that you are heading for this tile: a program could now load what it opens"],
+  known: ["known within 40 px", "from then until you arrived, every predicted endpoint lay within 40 px of where you stopped"],
+  arrived: ["arrived", "from then on the pointer stayed within 8 px of where it stopped (3 % of the distance, if that is more)"],
+  delay: ["delay", "time from sending an event to receiving its prediction, median of the last second"],
+  drem: ["DREM", "dynamic regressor extension and mixing: the estimator that switched uses in the corrective phase"],
+  differentiator: ["differentiator", "computes speed and acceleration from positions"],
   ktm: ["ktm", "kinematic template matching: compares the movement with earlier ones of the same session"],
   kep: ["kep", "kinematic endpoint prediction: extends a curve of speed over distance to where the speed is zero"],
 };
 
-function entry(name) {
-  const [term, meaning] = WORDS[name].map((text, i) => {
+function entry(words) {
+  const [term, meaning] = words.map((text, i) => {
     const element = document.createElement(i === 0 ? "dt" : "dd");
     element.textContent = text;
     return element;
@@ -30,7 +39,12 @@ export function explainWords() {
     const summary = document.createElement("summary");
     summary.textContent = "What these words mean";
     const list = document.createElement("dl");
-    list.append(...details.dataset.words.split(" ").map(entry));
+    list.append(...details.dataset.words.split(" ").map((name) => entry(WORDS[name])));
     details.replaceChildren(summary, list);
   }
+}
+
+/** Adds predictors to such a list, each with what it does. @param {HTMLElement} details @param {{name: string, title: string}[]} predictors */
+export function explainPredictors(details, predictors) {
+  details.querySelector("dl").append(...predictors.map(({ name, title }) => entry([name, title])));
 }

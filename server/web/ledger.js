@@ -21,13 +21,17 @@ export class Ledger {
     if (!this.#entered.has(id)) this.#entered.set(id, this.#standing?.id === id ? t - this.#standing.t : null);
   }
 
-  /** The movement ended with a click. @param {string|null} id of the target; null: on none of them */
+  /**
+   * The movement ended with a click. @param {string|null} id of the target; null: on none of them
+   * @returns {number|null} by how much the target was proposed before the pointer was there, s; null where it was not
+   */
   finish(id) {
+    const lead = this.#entered.get(id) ?? null;
     if (id !== null) {
-      const lead = this.#entered.get(id) ?? null;
       this.add({ fired: this.#made.length, hit: lead !== null, wasted: this.#made.filter((one) => one !== id).length, lead_s: lead });
     }
     [this.#made, this.#entered] = [[], new Map()];
+    return lead;
   }
 
   /** Adds a movement that the service itself counted. @param {{fired?: number|null, hit?: boolean|null, wasted?: number|null, lead_s?: number|null}} score */

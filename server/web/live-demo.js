@@ -1,65 +1,89 @@
-// A movement of the embedded sample, replayed where nobody moves: what the page would show.
+// What the live view shows while nobody moves: a simulated movement, predicted by this service as yours will be.
 
-import { read } from "./service.js";
+import { askForTakes } from "./demo-takes.js";
+import { Movement } from "./live-movement.js";
 
-const REST_MS = 900;
-const MOST = 6;
+const REST_S = 1.2;
+const RETRY_MS = 2000;
 
-/** Places a movement inside a picture: one scale for both axes. */
-export function placed(movement, width, height) {
-  const [xs, ys] = [movement.x, movement.y];
-  const [left, right, top, bottom] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
-  const scale = Math.min((0.56 * width) / Math.max(1, right - left), (0.5 * height) / Math.max(1, bottom - top), 1.6);
-  return ([x, y]) => [width / 2 + scale * (x - (left + right) / 2), 0.56 * height + scale * (y - (top + bottom) / 2)];
-}
+/**
+ * @typedef {{take: import("./demo-takes.js").Take, event: number, passed: number}} Moment of a take: after which event, and
+ *   the time since it began, s
+ */
 
-/** The sample's movements, one after another, as they stand at any time. */
+/** Simulated movements, one after another, as they stand at any time; asked for anew where something about them changes. */
 export class Demo {
-  #movements = []; #began = null; #at = 0;
+  #takes = []; #about = ""; #stop = null; #began = null; #at = 0; #failed = -Infinity;
 
-  constructor(predictor) {
-    this.#load(predictor).catch(() => {}); // the page invites without a picture, and asks again when it is opened
+  /**
+   * Asks for the movements unless they are there. @param {number} now ms
+   * @param {{predictor: string, parameters: object, tiles: object[], width: number, height: number}} about
+   */
+  ask(now, about) {
+    const text = JSON.stringify(about);
+    if (text === this.#about || now - this.#failed < RETRY_MS) return;
+    this.forget();
+    this.#about = text;
+    const stop = (this.#stop = new AbortController());
+    const mine = (act) => (given) => this.#stop === stop && act(given);
+    askForTakes(about, mine((take) => this.#takes.push(take)), stop.signal).catch(mine(() => {
+      this.#failed = performance.now(); // the page invites without a picture, and asks again
+      if (this.#takes.length === 0) this.#about = "";
+    }));
   }
 
-  /** Whether there is something to show. */
-  get loaded() {
-    return this.#movements.length > 0;
+  /** Lets its connection go; what is there stays. */
+  close() {
+    this.#stop?.abort();
+    if (this.#takes.length === 0) this.#about = "";
+    this.#stop = null;
   }
 
-  /** Begins again with the next movement. */
+  /** Nothing is there any more. */
+  forget() {
+    this.close();
+    [this.#takes, this.#about, this.#began, this.#at] = [[], "", null, 0];
+  }
+
+  /** Begins the movement again when it is next shown. */
   restart() {
     this.#began = null;
   }
 
-  /**
-   * @param {number} now ms @param {boolean} still half of a movement, without motion
-   * @returns {{movement: object, event: number} | null} up to which event the movement is to be shown
-   */
+  /** @param {number} now ms @param {boolean} still the middle of a movement, without motion @returns {Moment|null} */
   at(now, still) {
-    if (!this.loaded) return null;
-    const movement = this.#movements[this.#at % this.#movements.length];
-    const last = movement.t[movement.t.length - 1];
-    if (still) return { movement, event: this.#event(movement, last / 2) };
+    if (this.#takes.length === 0) return null;
+    const take = this.#takes[still ? 0 : this.#at % this.#takes.length];
+    if (still) return momentOf(take, middle(take));
     this.#began ??= now;
     const passed = (now - this.#began) / 1000;
-    if (passed > last + REST_MS / 1000) {
-      this.#began = now;
-      this.#at += 1;
+    if (passed > last(take.rows)[0] + REST_S) {
+      [this.#began, this.#at] = [now, this.#at + 1];
       return this.at(now, still);
     }
-    return { movement, event: this.#event(movement, passed) };
+    const after = take.rows.findIndex(([t]) => t > passed);
+    return { take, event: after < 0 ? take.rows.length - 1 : Math.max(0, after - 1), passed };
   }
+}
 
-  #event(movement, passed) {
-    const after = movement.t.findIndex((t) => t > passed);
-    return after < 0 ? movement.t.length - 1 : Math.max(0, after - 1);
-  }
+const last = (list) => list[list.length - 1];
+const momentOf = (take, event) => ({ take, event, passed: take.rows[event][0] });
 
-  async #load(predictor) {
-    const { samples } = await read("/v1/samples");
-    for (const { name } of samples.slice(0, MOST)) {
-      const movement = await read(`/v1/samples/${encodeURIComponent(name)}?predictors=${encodeURIComponent(predictor)}`);
-      this.#movements.push({ ...movement, predicted: movement.predictions[predictor] });
-    }
-  }
+/** The event in the middle of the way, or the next one at which a tile is proposed. */
+function middle({ rows, proposals }) {
+  const [, endX, endY] = last(rows), left = rows.map(([, x, y]) => Math.hypot(x - endX, y - endY));
+  const half = left.findIndex((way) => way < left[0] / 2);
+  const proposed = proposals.findIndex((id, i) => i >= half && id !== null);
+  return proposed < 0 || left[proposed] < 0.15 * left[0] ? half : proposed;
+}
+
+/** How early the end of a take was known, and by how much its tile was proposed before the pointer was there, s. */
+export function outcome({ rows, answers, proposals, tile }, predictor, tiles) {
+  const movement = new Movement(), offset = answers[0].t - rows[0][0];
+  movement.move(rows);
+  for (const answer of answers) movement.predicted(0, { ...answer, t: answer.t - offset }, predictor);
+  const { x, y, width, height } = tiles.find(({ id }) => id === tile);
+  const entry = rows.findIndex(([, px, py]) => px >= x && px <= x + width && py >= y && py <= y + height);
+  const standing = proposals.slice(0, entry).findLastIndex((id) => id !== tile) + 1;
+  return { verdict: movement.verdict(), tile: { lead_s: standing < entry ? rows[entry][0] - rows[standing][0] : null } };
 }

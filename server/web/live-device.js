@@ -6,12 +6,12 @@ import { calm } from "./draw.js";
 import { drawLive, drawNothing } from "./draw-live.js";
 import { number, part, percent, write } from "./elements.js";
 import { GainCurve } from "./gain-curve.js";
+import { markOf, opacityAfter, sizeOf } from "./live-card.js";
+import { CalmRegions } from "./regions.js";
 
 const TRAIL_S = 2;
 const THIN_S = 0.004; // a trail needs no more points than that, however fast the device is
 const MOST_POINTS = 2000;
-const FRESH_MS = 200;
-const SHOWN_MS = 1500;
 const NUMBERS_MS = 120;
 const NO_TILES = { list: [], shares: {}, proposed: null };
 const LOSSES = { lost: "lost", unreadable: "unreadable", refused: "refused", resynchronised: "gaps in the kernel" };
@@ -29,13 +29,14 @@ let drawing = false; // one loop, however often it is opened
 let device = null;
 let trail = [];
 let newest = null; // [prediction, ms]
+let regions = new CalmRegions(); // in px of the device's plane
 let offset = 0; // s from the page's clock to the device's
 let tellAt = 0;
 
 const told = {
   device: (message) => {
     device = message;
-    [trail, newest, camera] = [[], null, new Camera()];
+    [trail, newest, camera, regions] = [[], null, new Camera(), new CalmRegions()];
     write(part("device-name"), message.name);
     write(part("device-words"), `${sentence(message.words)} Predictor: ${message.predictor}. ${resolution(message.cpi)} Times: ${message.clock}.`);
     say("Attached.");
@@ -67,7 +68,7 @@ const told = {
   },
   error: (message) => say(sentence(message.message)),
   bye: ({ reason }) => say(`The service has closed the connection: ${reason}.`),
-  state: (state) => state === "waiting" && say("Not connected: trying again…"),
+  state: (state) => state === "waiting" && say("The service does not answer. Trying again…"),
 };
 
 const sentence = (words) => `${words.charAt(0).toUpperCase()}${words.slice(1)}.`;
@@ -88,27 +89,34 @@ function frame(now) {
   if (!drawing) return;
   const seconds = performance.now() / 1000 + offset;
   trail = trail.slice(Math.max(0, trail.findIndex(([t]) => t > seconds - TRAIL_S)));
-  if (newest !== null && now - newest[1] > SHOWN_MS) newest = null;
-  if (trail.length > 0) show(seconds);
+  const shown = mark(now);
+  if (trail.length > 0) show(seconds, shown);
   else drawNothing(canvas);
-  if (now > tellAt) tell(now);
+  canvas.dataset.regions = JSON.stringify([shown && { ...shown.regions, opacity: shown.opacity }]);
+  of.region.dataset.px = shown?.regions ? `${2 * shown.regions.inner.major} ${2 * shown.regions.inner.minor}` : "";
+  write(of.region, shown === null ? "–" : sizeOf(shown, canvas, camera.scale));
+  if (now > tellAt) tell(now, shown);
   requestAnimationFrame(frame);
 }
 
-function show(seconds) {
-  const prediction = newest?.[0] ?? null;
+/** What is to be drawn of the newest prediction, in px of the device's plane. */
+function mark(now) {
+  const lives = newest !== null && stream.state === "open";
+  return markOf(lives ? newest[0] : null, regions, now, lives ? opacityAfter(performance.now() - newest[1]) : 0);
+}
+
+function show(seconds, shown) {
   const points = trail.map(([, x, y]) => [x, y]);
-  camera.follow(prediction === null || prediction.x === null ? points : [...points, [prediction.x, prediction.y]], canvas.clientWidth, canvas.clientHeight);
+  camera.follow(shown === null ? points : [...points, [shown.prediction.x, shown.prediction.y]], canvas.clientWidth, canvas.clientHeight);
   const placed = trail.map(([t, x, y]) => [t, ...camera.place([x, y])]);
-  const drawn = drawLive(canvas, placed, [camera.view(prediction)], seconds, NO_TILES);
+  const drawn = drawLive(canvas, placed, [shown && camera.view(shown)], seconds, NO_TILES);
   canvas.dataset.drawn = Number(canvas.dataset.drawn ?? 0) + drawn;
 }
 
-function tell(now) {
+function tell(now, shown) {
   tellAt = now + (calm() ? 5 : 1) * NUMBERS_MS;
-  const fresh = newest !== null && now - newest[1] < FRESH_MS ? newest[0] : null;
-  write(of.phase, fresh?.phase ?? "–");
-  write(of.left, number(fresh?.remaining_s, 2, "s"));
+  write(of.phase, shown?.prediction.phase ?? "–");
+  write(of.left, number(shown?.prediction.remaining_s, 2, "s"));
 }
 
 /** Looks for a device, and shows it while the view is open. */

@@ -1,13 +1,23 @@
-// The last movement of the pointer, and how good the predictions were along it; without a screen.
+// The last movement of the pointer, and how early its end was known on the way; without a screen.
 
 const PAUSE_S = 0.3;
 const STILL_S = 0.1;
-const LEAST_PX = 60;
+const LEAST_PX = 100;
 const MOST_ROWS = 20000;
 
-/** Gathers one movement at a time: a pause of 0.3 s separates two. */
+/** Within how many px of the end a prediction counts as knowing it. */
+export const NEAR_PX = 40;
+
+/**
+ * @typedef {{distance: number, arrival: number, reached: number, spoke: Knowledge[]}} Verdict px; s: when the pointer
+ *   arrived, and when it was itself within 40 px for good
+ * @typedef {{name: string, known: number|null, lead_s: number|null}} Knowledge of a predictor: since when it was within
+ *   40 px, s; by how much that was before the arrival, 0 where the pointer was there as early, null where it said nothing
+ */
+
+/** Gathers one movement at a time: a pause of 0.3 s, or a press, separates two. */
 export class Movement {
-  #rows = []; #said = [];
+  #rows = []; #answers = []; #end = Infinity;
 
   /** @param {number[][]} rows events [t, x, y, ...] in the order of their times */
   move(rows) {
@@ -20,32 +30,48 @@ export class Movement {
 
   /** @param {number} which place @param {{t: number, x: number|null, y: number|null}} prediction @param {string} name whose it is */
   predicted(which, prediction, name) {
-    (this.#said[which] ??= []).push([prediction.t, prediction.x, prediction.y, name]);
-    if (this.#said[which].length > MOST_ROWS) this.#said[which].shift();
+    (this.#answers[which] ??= []).push([prediction.t, prediction.x, prediction.y, name]);
+    if (this.#answers[which].length > MOST_ROWS) this.#answers[which].shift();
   }
 
-  /** Forgets the movement. */
+  /** A press ends the movement; what comes later is another one's. @param {number} t s */
+  press(t) {
+    this.#end = Math.min(this.#end, t);
+  }
+
+  /** Forgets the movement; keeps what came after a press. */
   clear() {
-    this.#rows = [];
-    this.#said = [];
+    this.#rows = this.#rows.filter(([t]) => t > this.#end);
+    this.#answers = this.#answers.map((answers) => answers.filter(([t]) => t > this.#end));
+    this.#end = Infinity;
   }
 
-  /**
-   * What was predicted when half of the time had passed, judged by where the movement ended; null for a mere twitch.
-   * @returns {{distance: number, hold: number, errors: (number|null)[], names: (string|undefined)[]} | null} px, and whose
-   */
+  /** How early the end was known; null for a mere twitch. @returns {Verdict|null} */
   verdict() {
-    if (this.#rows.length < 5) return null;
-    const [began, fromX, fromY] = this.#rows[0];
-    const [ended, x, y] = this.#rows[this.#rows.length - 1];
-    const distance = Math.hypot(x - fromX, y - fromY);
+    const rows = this.#rows.filter(([t]) => t <= this.#end);
+    if (rows.length < 5) return null;
+    const [first, end] = [rows[0], rows[rows.length - 1]];
+    const distance = away(first, end);
     if (distance < LEAST_PX) return null;
-    const half = (began + ended) / 2;
-    const away = (row) => (row === undefined || row[1] === null ? null : Math.hypot(row[1] - x, row[2] - y));
-    const then = (rows) => rows?.findLast(([t]) => t >= began && t <= half);
-    return { distance, hold: away(then(this.#rows)), errors: this.#said.map((rows) => away(then(rows))),
-      names: this.#said.map((rows) => then(rows)?.[3]) };
+    const arrival = since(rows, end, Math.max(8, 0.03 * distance));
+    const reached = since(rows, end, NEAR_PX);
+    const spoke = this.#answers.map((answers) => {
+      const within = answers.filter(([t]) => t >= first[0] && t <= arrival);
+      const name = within[within.length - 1]?.[3];
+      if (!within.some(([, x]) => x !== null)) return { name, known: null, lead_s: null };
+      const known = since(within.filter((one) => one[3] === name), end, NEAR_PX);
+      return { name, known, lead_s: known !== null && known < reached ? arrival - known : 0 };
+    });
+    return { distance, arrival, reached, spoke };
   }
+}
+
+const away = ([, x, y], [, endX, endY]) => (x === null ? Infinity : Math.hypot(x - endX, y - endY));
+
+/** The time of the first row from which on all lie so near to a point; null where the last one does not. */
+function since(rows, point, px) {
+  const after = rows.findLastIndex((row) => away(row, point) > px) + 1;
+  return rows[after]?.[0] ?? null;
 }
 
 /**

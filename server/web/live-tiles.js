@@ -58,9 +58,11 @@ export class Tiles {
     }
   }
 
-  /** A press ends a movement. @param {number[]} row */
+  /** A press ends a movement. @param {number[]} row @returns {{lead_s: number|null}|null} what is known of the tile under it */
   press([, x, y]) {
-    this.ledger.finish(this.at(x, y));
+    const id = this.at(x, y);
+    const lead = this.ledger.finish(id);
+    return id === null ? null : { lead_s: lead };
   }
 
   /** Nothing is known any more. */

@@ -13,18 +13,31 @@ import { tabs } from "./tabs.js";
 const VIEWS = { live, circle, replay, assist };
 const SAID_IN = { live: "live-verdict", circle: "circle-said", replay: "replay-source", assist: "assist-said" };
 const RETRY_MS = 2000;
+const NOT_WORKING = "Not working:";
 
 let shown = null;
 
+const before = new Map(); // what stood where a view complains now
+
 function complain(view, error) {
-  part(SAID_IN[view]).textContent = `Not working: ${error.message}. Is the service still running? Trying again.`;
+  const place = part(SAID_IN[view]);
+  if (!before.has(view)) before.set(view, place.textContent);
+  place.textContent = `${NOT_WORKING} ${error.message}. Is the service still running? Trying again.`;
+}
+
+/** A view works again: its complaint gives way to what stood there. */
+function works(view) {
+  const place = part(SAID_IN[view]);
+  if (before.has(view) && place.textContent.startsWith(NOT_WORKING)) place.textContent = before.get(view);
+  before.delete(view);
 }
 
 /** Opens a view, again and again until the service answers or another one is chosen. */
 async function open(view) {
   try {
     await VIEWS[view].open();
-    if (shown !== view) VIEWS[view].close();
+    if (shown === view) works(view);
+    else VIEWS[view].close();
   } catch (error) {
     if (shown !== view) return;
     complain(view, error);

@@ -1,7 +1,7 @@
 // What the service answers over HTTP.
 
-/** The predictor shown first. */
-export const PREFERRED = "kinematic";
+/** The predictor shown first, unless the service recommends another. */
+export const PREFERRED = "kinematic-adaptive";
 
 /** The token in the page's own address, where the service asks for one: the address that it printed has it. */
 export const token = new URLSearchParams(window.location.search).get("token") ?? undefined;
@@ -21,9 +21,9 @@ export async function read(address, options = {}) {
 
 let listed = null;
 
-/** The predictors the service has: name, title, whether preferred; asked once, again after a failure. */
+/** The predictors the service has, and which it recommends; asked once, again after a failure. */
 export function predictors() {
-  listed ??= read("/v1/predictors").catch((error) => {
+  listed ??= read("/v1/predictors").then((listing) => ({ recommended: PREFERRED, ...listing })).catch((error) => {
     listed = null;
     throw error;
   });

@@ -31,12 +31,12 @@ export class Strip {
     const grid = { stroke: () => inks().line, width: 1 };
     const font = "12px system-ui, sans-serif";
     const x = { stroke: quiet, grid, ticks: grid, font, values: (_, marks) => marks.map((mark) => (mark === 0 ? "now" : `${mark} s`)), incrs: [1], size: 26 };
-    const y = { stroke: quiet, grid, ticks: grid, font, size: 52, space: 28 };
+    const y = { stroke: quiet, grid, ticks: grid, font, size: 62, space: 28 };
     const options = {
       ...this.#size(),
       legend: { show: false },
       cursor: { show: false },
-      padding: [8, 20, 0, 0],
+      padding: [10, 20, 0, 0],
       scales: { x: { time: false, range: () => [-WINDOW_S, 0] }, y: { range: () => [0, this.#top()] } },
       axes: [x, y],
       series: [{}, { stroke: () => inks().past, width: 2, points: { show: false } }],
@@ -85,19 +85,20 @@ export class Strip {
     for (const [phase, from, to] of stretches(this.#samples.map(([at, , phase]) => [at, phase]))) {
       const begin = plot.valToPos((from - this.#now) / 1000, "x", true);
       const end = plot.valToPos((to - this.#now) / 1000, "x", true);
-      pen.fillStyle = pen.strokeStyle = inks()[phase];
-      pen.globalAlpha = 0.14;
-      pen.fillRect(begin, top, end - begin, height);
-      pen.globalAlpha = 1;
-      if (phase === "ballistic") pen.fillRect(begin, top, end - begin, bar);
-      else hatch(pen, begin, end, top, bar);
+      drawPhase(pen, phase, begin, end, top, height, bar);
     }
     pen.restore();
-    pen.fillStyle = inks().quiet;
-    pen.textAlign = "left";
-    pen.font = `${12 * (window.devicePixelRatio || 1)}px system-ui, sans-serif`;
-    pen.fillText("speed, px/s", left + bar, top + 3 * bar);
   }
+}
+
+/** A stretch of a phase: tinted, under a bar that is solid where it is ballistic and hatched where it is corrective. */
+export function drawPhase(pen, phase, begin, end, top, height, bar) {
+  pen.fillStyle = pen.strokeStyle = inks()[phase];
+  pen.globalAlpha = 0.14;
+  pen.fillRect(begin, top, end - begin, height);
+  pen.globalAlpha = 1;
+  if (phase === "ballistic") pen.fillRect(begin, top, end - begin, bar);
+  else hatch(pen, begin, end, top, bar);
 }
 
 function hatch(pen, begin, end, top, bar) {

@@ -7,9 +7,9 @@ import { connect } from "/pointpred.js";
 const WORDS = {
   connecting: "Connecting…",
   open: "Connected.",
-  waiting: "Not connected: trying again…",
-  idle: "Asleep: wakes when you move.",
-  refused: "Refused by the service.",
+  waiting: "The service does not answer. Trying again…",
+  idle: "Paused. Move to connect again.",
+  refused: "The service refused the connection.",
   closed: "Not connected.",
 };
 
@@ -69,6 +69,11 @@ export class Track {
     this.predictor = predictor;
     this.latest = null;
     this.connection.configure({ predictor });
+  }
+
+  /** Goes on with these parameters, and the others as they are usually. @param {Object<string, number>} parameters */
+  configure(predictor, parameters) {
+    this.connection.configure({ predictor, parameters });
   }
 
   close() {

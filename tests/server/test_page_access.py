@@ -153,8 +153,7 @@ def test_the_page_says_when_the_service_is_gone(visitor: Visitor) -> None:
         visitor.wait("document.querySelector('#live-card-0 .connection').dataset.state === 'open'")
     status = "document.querySelector('#live-card-0 .connection')"
     visitor.wait(  # asked at once: it goes on trying
-        f"{status}.dataset.state === 'waiting'"
-        f" && {status}.textContent.startsWith('Not connected: trying again')"
+        f"{status}.dataset.state === 'waiting' && {status}.textContent.includes('does not answer')"
     )
 
 

@@ -196,23 +196,6 @@ def test_quoted_cells(visitor: Visitor) -> None:
     ]
 
 
-def test_the_verdict_judges_half_of_the_time_by_where_the_movement_ended(visitor: Visitor) -> None:
-    rows = [[0.01 * i, 2.0 * i, 0.0] for i in range(101)]
-    judge = """(() => {
-      const movement = new m.Movement();
-      movement.move([[-5, 900, 900]]);
-      movement.move(rows);
-      movement.predicted(0, { t: -5, x: 0, y: 0 }, 'then');
-      movement.predicted(0, { t: 0.4, x: 260, y: 80 }, 'then');
-      movement.predicted(0, { t: 0.6, x: 200, y: 0 }, 'later');
-      movement.predicted(1, { t: 0.3, x: null, y: null }, 'other');
-      return movement.verdict();
-    })()"""
-    found = call(visitor, "live-movement", judge, rows=rows)
-    assert found.pop("names") == ["then", "other"]
-    assert found == {"distance": 200.0, "hold": pytest.approx(100.0), "errors": [pytest.approx(100.0), None]}
-
-
 @pytest.mark.parametrize("rate_hz", [60, 125, 1000])
 def test_a_constant_speed_is_shown_whatever_the_rate(visitor: Visitor, rate_hz: int) -> None:
     trail = [[i / rate_hz, 300.0 * i / rate_hz, 400.0 * i / rate_hz] for i in range(rate_hz)]

@@ -15,11 +15,12 @@ from tests.server.page_browser import Visitor
 pytestmark = browser.needed
 
 HEARD = """
-window.told = []; window.answered = [];
+window.told = []; window.answered = []; window.listeners = [];
+window.say = (message) => listeners.forEach((listen) => listen({ data: JSON.stringify(message) }));
 const Plain = WebSocket;
 window.WebSocket = class extends Plain {
   set onmessage(listen) {
-    window.say = (message) => listen({ data: JSON.stringify(message) });
+    listeners.push(listen);
     super.onmessage = (event) => { answered.push(event.data); listen(event); };
   }
   send(data) { told.push(data); super.send(data); }

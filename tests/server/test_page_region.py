@@ -1,6 +1,6 @@
-"""The region of a prediction as the page draws it, held against the distances of a normal distribution.
+"""The regions of a prediction as the page draws them, held against the distribution that is claimed.
 
-No predictor of today claims a region, so the answers are given theirs on their way into the page.
+The answers are given a region of the test's own on their way into the page.
 """
 
 from __future__ import annotations
@@ -8,9 +8,9 @@ from __future__ import annotations
 import base64
 import io
 import json
-import re
+import math
 from collections.abc import Iterator
-from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -21,28 +21,33 @@ from tests.server.page_browser import Visitor, until
 
 pytestmark = browser.needed
 
-DOCUMENT = Path(__file__).parents[2] / "docs" / "page.md"
 WRITTEN = """
-window.region = window.lit = null;
+window.region = window.lit = null; window.sockets = [];
 const Plain = WebSocket;
 window.WebSocket = class extends Plain {
   set onmessage(listen) {
+    sockets.push(this);
     super.onmessage = (event) => {
       const message = region === null ? {} : JSON.parse(event.data);
       if (message.type !== "prediction") return listen(event);
-      const [x, y, sxx, sxy, syy] = region;
+      const [x, y, sxx, sxy, syy, tail] = region;
       const targets = lit === null ? [] : [{ id: lit, p: 1 }];
-      const data = JSON.stringify({ ...message, x, y, region: { sxx, sxy, syy, tail: null }, targets });
+      const phase = "ballistic";
+      const data = JSON.stringify({ ...message, x, y, region: { sxx, sxy, syy, tail }, targets, phase });
       listen(new MessageEvent("message", { data }));
     };
   }
 };
 """
-"""Writes x, y, sxx, sxy, syy into every prediction once a region is set, and which tile is sure."""
+"""Writes x, y, sxx, sxy, syy, tail into every prediction once a region is set, and which tile is sure."""
 ORANGE = np.array([194, 65, 12])
 """The first predictor's colour, in the light theme."""
+FILL = 0.16
 CONNECTED = "document.querySelector('#live-card-0 .connection').dataset.state === 'open'"
-ROUND, ALONG, ACROSS = (900.0, 0.0, 900.0), (2500.0, 1300.0, 1600.0), (400.0, -300.0, 2500.0)
+MARKS = "JSON.parse(document.querySelector('#live-scene').dataset.regions ?? '[]')"
+NUMBER = "document.querySelector('#live-card-0 [data-of=region]')"
+CLAIMS = [(900.0, 0.0, 900.0, None), (2500.0, 1300.0, 1600.0, 5.0), (400.0, -300.0, 900.0, 0.9)]
+"""Scale matrices with their degrees of freedom; none for a normal law."""
 
 
 @pytest.fixture(scope="module")
@@ -70,37 +75,38 @@ TILE = """import("/web/live-tiles.js").then(({ row }) => {
 KEPT = """{
   const canvas = document.querySelector("#live-scene");
   const region = document.querySelector("#live-card-0 [data-of=region]");
-  window.kept = { picture: null, said: [], cut: false };
+  window.kept = { picture: null, marks: null, px: null, said: [], cut: false };
   new MutationObserver(([{ oldValue }]) => {
-    if (canvas.dataset.drawn !== oldValue) kept.picture = canvas.toDataURL();
+    if (canvas.dataset.drawn === oldValue) return;
+    const marks = JSON.parse(canvas.dataset.regions);
+    const { px } = region.dataset;
+    if (marks[0]?.opacity === 1) Object.assign(kept, { picture: canvas.toDataURL(), marks, px });
   }).observe(canvas, { attributeFilter: ["data-drawn"], attributeOldValue: true });
   new MutationObserver(() => {
     kept.said.push(region.textContent);
     kept.cut ||= region.scrollWidth > region.clientWidth;
   }).observe(region, { childList: true });
 }"""
-"""Keeps the last picture with an endpoint in it, and the words on its region: both soon go."""
-
-
+"""Keeps the last picture with an endpoint that does not fade, and the words on its region: both soon go."""
 FRAMES = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
 
 
-def picture(
-    visitor: Visitor, start: tuple[float, float], end: tuple[float, float], *also: str
-) -> tuple[np.ndarray, np.ndarray]:
-    """The pixels of what is drawn with an endpoint once the pointer is at an end.
+def picture(visitor: Visitor, start: tuple[float, float], end: tuple[float, float]) -> dict[str, Any]:
+    """What is kept of the page once the pointer is at an end.
 
     A busy machine may draw nothing before the endpoint has gone: then the pointer moves once more.
     """
-    there = " && ".join(("kept.picture !== null", *also))
 
-    def drawn() -> str | None:
+    def drawn() -> dict[str, Any] | None:
         visitor.reach(start, end, 0.2)
         visitor.value("kept.picture = null")  # on the way the pointer was elsewhere
-        address: str | None = visitor.value(f"{FRAMES}.then(() => {there} ? kept.picture : null)")
-        return address
+        visitor.mouse("mouseMoved", end[0] + 1.0, end[1])
+        visitor.mouse("mouseMoved", *end)
+        found: dict[str, Any] | None = visitor.value(f"{FRAMES}.then(() => kept.picture && kept)")
+        return found
 
-    return pixels(until(drawn, there))
+    found: dict[str, Any] = until(drawn, "a picture with an endpoint")
+    return found
 
 
 def pixels(address: str) -> tuple[np.ndarray, np.ndarray]:
@@ -111,60 +117,180 @@ def pixels(address: str) -> tuple[np.ndarray, np.ndarray]:
     return picture[..., :3] * 255, picture[..., 3]
 
 
-@pytest.mark.parametrize("covariance", [ROUND, ALONG, ACROSS])
-def test_the_region_is_tinted_where_95_per_cent_of_endpoints_lie(
-    visitor: Visitor, covariance: tuple[float, float, float]
-) -> None:
-    """Every pixel by its Mahalanobis distance, whose square has a chi-squared distribution of two degrees."""
-    left, top, width, height = visitor.corner("#live-scene")
-    x, y = round(0.6 * width), round(0.45 * height)
-    visitor.value(KEPT)
-    visitor.value(f"window.region = {json.dumps([x, y, *covariance])}")
-    start, end = (left + 40.0, top + height - 40.0), (left + 140.0, top + height - 40.0)
-    colour, opacity = picture(visitor, start, end, "kept.said.some((words) => /[0-9]/.test(words))")
+def radius(level: float, tail: float | None) -> float:
+    """Mahalanobis distance within which a share of a normal or Student law of two dimensions lies."""
+    return float(np.sqrt(chi2.ppf(level, 2) if tail is None else 2.0 * f.ppf(level, 2, tail)))
 
-    sxx, sxy, syy = covariance
+
+@pytest.mark.parametrize("claim", CLAIMS)
+def test_half_of_the_endpoints_lie_in_the_tinted_region_and_four_fifths_in_the_outline(
+    visitor: Visitor, claim: tuple[float, float, float, float | None]
+) -> None:
+    """Every pixel by its Mahalanobis distance, held against the quantiles of the claimed law."""
+    left, top, width, height = visitor.corner("#live-scene")
+    x, y = round(0.6 * width), round(0.4 * height)
+    visitor.value(KEPT)
+    visitor.value(f"window.region = {json.dumps([x, y, *claim])}")
+    start, end = (left + 40.0, top + height - 90.0), (left + 140.0, top + height - 90.0)
+    kept = picture(visitor, start, end)
+    colour, opacity = pixels(kept["picture"])
+
+    sxx, sxy, syy, tail = claim
     matrix = np.array([[sxx, sxy], [sxy, syy]])
+    half, most = radius(0.5, tail), radius(0.8, tail)
     down, right = np.mgrid[: opacity.shape[0], : opacity.shape[1]] + 0.5
     off = np.stack([right - x, down - y], axis=-1)
-    radius = np.sqrt(np.einsum("...i,ij,...j", off, np.linalg.inv(matrix), off))
-    edge = np.sqrt(chi2.ppf(0.95, 2))
+    reached = np.sqrt(np.einsum("...i,ij,...j", off, np.linalg.inv(matrix), off))
     to_cursor = np.array([end[0] - left - 1 - x, end[1] - top - 1 - y])
     beside = np.abs(off @ [to_cursor[1], -to_cursor[0]]) / np.hypot(*to_cursor)
-    clear = (np.hypot(off[..., 0], off[..., 1]) > 16.0) & (beside > 5.0)  # of the mark, and of the line to it
-    near = (np.abs(off[..., 0]) < 200) & (np.abs(off[..., 1]) < 160) & clear
-    inside, outside = near & (radius < 0.95 * edge), near & (radius > 1.05 * edge)
-    assert inside.sum() > 5000
-    assert np.abs(opacity[inside] - 0.12).max() < 0.005
-    assert np.abs(colour[inside] - ORANGE).max() < 5.0  # eight bits at so low an opacity
+    clear = (np.hypot(off[..., 0], off[..., 1]) > 16.0) & (beside > 6.0)  # of the mark, and of the line to it
+    near = (np.abs(off[..., 0]) < 260) & (np.abs(off[..., 1]) < 150) & clear
+    apart = 3.0 / math.sqrt(np.linalg.eigvalsh(matrix)[0])  # no outline is that broad
+    tinted = near & (reached < half - apart)
+    between = near & (reached > half + apart) & (reached < most - apart)
+    outside = near & (reached > most + apart)
+    assert min(tinted.sum(), between.sum()) > 1000
+    assert np.abs(opacity[tinted] - FILL).max() < 0.005
+    assert np.abs(colour[tinted] - ORANGE).max() < 5.0  # eight bits at so low an opacity
+    assert (opacity[between] == 0.0).all()
     assert (opacity[outside] == 0.0).all()
-    around = near & (np.abs(radius / edge - 1.0) < 0.02)
-    outline = near & (opacity > 0.7)
-    assert (outline & around).sum() > 0.1 * around.sum()
-    assert not (outline & ~around).any()
-    assert np.abs(colour[outline] - ORANGE).max() < 5.0
+    for edge in (half, most):
+        around = near & (np.abs(reached - edge) < apart / 3)
+        assert (opacity[around] > 0.3).mean() > 0.3, "an outline"
 
-    breadth, length = 2.0 * edge * np.sqrt(np.linalg.eigvalsh(matrix))
-    assert set(visitor.value("kept.said")) <= {f"{length:.0f} × {breadth:.0f} px", "–"}
-    assert not visitor.value("kept.cut")
+    lengths = 2.0 * half * np.sqrt(np.linalg.eigvalsh(matrix))[::-1]
+    assert [float(px) for px in kept["px"].split()] == pytest.approx(lengths.tolist())
+    inner = kept["marks"][0]["inner"]
+    assert [2 * inner["major"], 2 * inner["minor"]] == pytest.approx(lengths.tolist())
+    rounded = " × ".join(f"{float(f'{length:.2g}'):.0f}" for length in lengths)
+    assert set(kept["said"]) <= {rounded, "–"}
+    assert not kept["cut"]
 
 
-def test_the_factors_in_the_document_are_those_of_the_distribution() -> None:
-    rows = re.findall(r"^\| (\d+) % \| (\d.+\d) \|$", DOCUMENT.read_text(encoding="utf-8"), re.MULTILINE)
-    assert [share for share, _ in rows] == ["50", "80", "95"]
-    for share, factors in rows:
-        level = float(share) / 100
-        wanted = [chi2.ppf(level, 2), *(2.0 * f.ppf(level, 2, tail) for tail in (4, 2, 1))]
-        assert [float(one) for one in factors.split(" | ")] == pytest.approx(np.sqrt(wanted), abs=5e-5)
+def test_a_region_beyond_the_picture_tints_nothing_and_its_number_says_no_more(visitor: Visitor) -> None:
+    left, top, width, height = visitor.corner("#live-scene")
+    visitor.value(KEPT)
+    visitor.value(f"window.region = {json.dumps([width / 2, height / 2, 4e6, 0.0, 4e6, 1.0])}")
+    kept = picture(visitor, (left + 40.0, top + 140.0), (left + 140.0, top + 140.0))
+    _, opacity = pixels(kept["picture"])
+    empty = opacity[200 : round(height) - 80, 10:90]
+    assert (empty == 0.0).all()
+    [said] = set(kept["said"]) - {"–"}
+    assert said.startswith("over ")
+    assert float(said.split()[1]) <= math.hypot(width, height)
+
+
+SIZES = [3736.0, 6030.0, 876.0, 596.0, 1497.0, 2441.0]
+"""Lengths that the page once drew within 0.3 s."""
+FOLLOWED = """import("/web/regions.js").then(({ CalmRegions, regionsOf }) => {
+  const calm = new CalmRegions();
+  const region = (square) => ({ sxx: square, sxy: 0.2 * square, syy: 0.5 * square, tail: 3 });
+  const claim = (px) => ({ x: 1, y: 2, region: region(px * px) });
+  const drawn = SIZES.flatMap((px, i) => [0, 16, 32].map((ms) => calm.follow(claim(px), 48 * i + ms).inner));
+  for (let ms = 300; ms <= 1300; ms += 16) calm.follow(claim(100), ms);
+  const late = calm.follow(claim(100), 1316);
+  return { drawn, late, wanted: regionsOf(claim(100)), none: calm.follow(null, 1320) };
+})"""
+
+
+def test_a_region_glides_and_never_flashes(visitor: Visitor) -> None:
+    found = visitor.value(FOLLOWED.replace("SIZES", json.dumps(SIZES)))
+    for axis in ("major", "minor"):
+        steps = np.diff(np.log([one[axis] for one in found["drawn"]]))
+        assert np.abs(steps).max() < 0.1, "a tenth of its size in a frame at most"
+        assert np.abs(steps).max() > 0.01, "it follows"
+    for level in ("inner", "outer"):
+        assert found["late"][level] == pytest.approx(found["wanted"][level], rel=1e-2)
+    assert found["none"] is None
+
+
+def test_a_region_turns_the_short_way(visitor: Visitor) -> None:
+    angles = visitor.value(
+        """import("/web/regions.js").then(({ CalmRegions }) => {
+          const calm = new CalmRegions();
+          const claim = (turn) => {
+            const [c, s] = [Math.cos(turn), Math.sin(turn)];
+            const [sxx, sxy, syy] = [900 * c * c + 100 * s * s, 800 * s * c, 900 * s * s + 100 * c * c];
+            return { x: 0, y: 0, region: { sxx, sxy, syy, tail: null } };
+          };
+          calm.follow(claim(1.5), 0);
+          return [16, 32, 48, 64].map((ms) => calm.follow(claim(1.7), ms).inner.angle);
+        })"""
+    )
+    turned = np.mod(angles, math.pi)
+    assert ((turned > 1.5) & (turned < 1.7)).all()
+
+
+GONE = f"{MARKS}[0] === null"
+
+
+def test_nothing_of_a_prediction_stays_at_rest(visitor: Visitor) -> None:
+    left, top, width, _ = visitor.corner("#live-scene")
+    visitor.value(KEPT)
+    visitor.value(f"window.region = {json.dumps([width / 2, 150, 900, 0, 900, None])}")
+    picture(visitor, (left + 40.0, top + 100.0), (left + 140.0, top + 100.0))
+    visitor.wait(GONE)
+    assert visitor.value("document.querySelector('#live-scene').dataset.shows") == "pointer"
+    shown = visitor.value(f"{FRAMES}.then(() => document.querySelector('#live-scene').toDataURL())")
+    colour, opacity = pixels(shown)
+    marked = (opacity > 0.05) & (np.abs(colour - ORANGE).max(axis=-1) < 20)
+    assert not marked.any()
+    assert visitor.value(f"{NUMBER}.textContent") == "–"
+    assert visitor.value(f"{NUMBER}.dataset.px") == ""
+
+
+def test_it_fades_within_a_fifth_of_a_second_and_a_resting_pointer_has_none(visitor: Visitor) -> None:
+    shown = visitor.value(
+        """import("/web/live-card.js").then(async ({ markOf, opacityAfter }) => {
+          const { CalmRegions } = await import("/web/regions.js");
+          const one = (phase) => ({ x: 1, y: 2, phase, region: { sxx: 4, sxy: 0, syy: 4, tail: null } });
+          const mark = (phase, ms) => markOf(one(phase), new CalmRegions(), 0, opacityAfter(ms)) !== null;
+          const seen = [["ballistic", 0], ["corrective", 199], ["ballistic", 200], ["still", 0]];
+          return [...seen.map(([phase, ms]) => mark(phase, ms)), opacityAfter(100)];
+        })"""
+    )
+    assert shown == [True, True, False, False, 1]
+
+
+def test_nothing_of_a_prediction_stays_when_the_connection_is_lost(visitor: Visitor) -> None:
+    """The socket is closed and the picture looked at while the last answer is still fresh."""
+    left, top, width, _ = visitor.corner("#live-scene")
+    tile = visitor.value(TILE)["id"]
+    visitor.value(
+        f"[window.region, window.lit] = [{json.dumps([width / 2, 150, 900, 0, 900, None])}, {tile!r}]"
+    )
+    visitor.value(
+        """{
+          const scene = document.querySelector("#live-scene");
+          window.lost = null;
+          new MutationObserver(() => {
+            if (lost !== null || JSON.parse(scene.dataset.regions)[0]?.opacity !== 1) return;
+            sockets.forEach((socket) => { socket.onclose?.(); });
+            const look = (done) => done([scene.dataset.regions, scene.toDataURL()]);
+            lost = new Promise((done) => requestAnimationFrame(() => setTimeout(() => look(done))));
+          }).observe(scene, { attributeFilter: ["data-drawn"] });
+        }"""
+    )
+
+    def lost() -> bool:
+        visitor.reach((left + 40.0, top + 100.0), (left + 140.0, top + 100.0), 0.2)
+        return bool(visitor.value("lost !== null"))
+
+    until(lost, "an endpoint to be drawn")
+    marks, shown = visitor.value("lost")
+    assert json.loads(marks)[0] is None
+    colour, opacity = pixels(shown)
+    assert not ((opacity > 0.05) & (np.abs(colour - ORANGE).max(axis=-1) < 20)).any(), "no mark, no lit tile"
+    visitor.wait(CONNECTED)
 
 
 def test_the_trail_is_drawn_under_the_pointer_and_not_beside_it(visitor: Visitor) -> None:
     """The picture has a border, within which it is drawn; tiles are left out."""
     left, top, *_ = visitor.corner("#live-scene")
     visitor.value(KEPT)
-    visitor.value("window.region = [500, 99, 9, 0, 9]")  # on one line with the trail
+    visitor.value("window.region = [500, 99, 9, 0, 9, null]")  # on one line with the trail
     end = (left + 140.0, top + 100.0)
-    _, opacity = picture(visitor, (end[0] - 100.0, end[1]), end)
+    _, opacity = pixels(picture(visitor, (end[0] - 100.0, end[1]), end)["picture"])
     drawn = opacity[: visitor.value(TILE)["y"] - 2, 119:159]
     rows, _ = np.nonzero(drawn > 0.95)
     middle = np.average(np.arange(len(drawn)) + 0.5, weights=np.where(drawn > 0.5, drawn, 0.0).sum(axis=1))
@@ -177,8 +303,9 @@ def test_the_mark_of_an_endpoint_is_seen_on_a_tile_of_its_own_colour(visitor: Vi
     tile = visitor.value(TILE)
     x, y = round(tile["x"] + tile["width"] / 2), round(tile["y"] + tile["height"] / 2)
     visitor.value(KEPT)
-    visitor.value(f"[window.region, window.lit] = [[{x}, {y}, 9, 0, 9], {json.dumps(tile['id'])}]")
-    colour, opacity = picture(visitor, (left + 140.0, top + 100.0), (left + 240.0, top + 100.0))
+    visitor.value(f"[window.region, window.lit] = [[{x}, {y}, 9, 0, 9, null], {json.dumps(tile['id'])}]")
+    kept = picture(visitor, (left + 140.0, top + 100.0), (left + 240.0, top + 100.0))
+    colour, opacity = pixels(kept["picture"])
     down, right = np.mgrid[: opacity.shape[0], : opacity.shape[1]] + 0.5
     reach = np.hypot(right - x, down - y)
     below = (down > y + 3.0) & (np.abs(right - x) < 20.0)  # the line to the pointer comes from above

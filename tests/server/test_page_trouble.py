@@ -10,7 +10,7 @@ import pytest
 
 from pointpred.datasets import sample
 from tests.server import browser
-from tests.server.page_browser import Visitor, until
+from tests.server.page_browser import Visitor
 
 pytestmark = browser.needed
 
@@ -76,24 +76,6 @@ def test_a_view_first_opened_without_the_service_works_once_it_is_back(visitor: 
     visitor.wait(f"document.querySelector('{SAID}').textContent.startsWith('Not working: ')")
     refuse(visitor)
     visitor.wait("!document.querySelector('#circle-start').disabled")
-
-
-def test_the_sentence_names_whose_prediction_it_judges(visitor: Visitor, url: str) -> None:
-    visitor.open(f"{url}#live")
-    visitor.wait("document.querySelector('#live-card-0 .connection').dataset.state === 'open'")
-    visitor.wait("document.querySelector('#live-predictor-0').options.length > 1")
-    left, top, width, height = visitor.corner("#live-scene")
-
-    def judged() -> bool:  # on a busy machine answers may come when the page has judged: then once more
-        visitor.choose("#live-predictor-0", "kinematic")
-        visitor.reach((left + 30, top + 30), (left + width / 2, top + height / 2), 0.4)
-        visitor.choose("#live-predictor-0", "hold")
-        visitor.value("new Promise((done) => setTimeout(done, 600))")  # a pause ends a movement
-        return "kinematic was" in visitor.text("#live-verdict")
-
-    until(judged, "a movement judged by the predictor that was chosen while it went on")
-    assert visitor.text("#live-verdict").startswith("Half-way")
-    assert "hold" not in visitor.text("#live-verdict")
 
 
 def test_a_file_that_stalls_leaves_what_is_shown(visitor: Visitor, url: str) -> None:
