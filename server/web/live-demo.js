@@ -45,8 +45,9 @@ export class Demo {
     [this.#takes, this.#about, this.#began, this.#at] = [[], "", null, 0];
   }
 
-  /** Begins the movement again when it is next shown. */
-  restart() {
+  /** Somebody moves: nothing more is asked for, and the movement begins again when it is next shown. */
+  pause() {
+    this.close();
     this.#began = null;
   }
 

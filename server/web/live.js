@@ -99,7 +99,7 @@ function offerTiles() {
 
 /** The pointer's own movement. */
 function showPointer(now) {
-  demo.restart();
+  demo.pause();
   if (own !== null) write(verdict, own);
   own = null;
   const seconds = performance.now() / 1000, marks = cards.map((card) => card.mark(now));

@@ -17,19 +17,19 @@ const NOT_WORKING = "Not working:";
 
 let shown = null;
 
-const before = new Map(); // what stood where a view complains now
+const replaced = new Map(); // what stood where a view complains now
 
 function complain(view, error) {
   const place = part(SAID_IN[view]);
-  if (!before.has(view)) before.set(view, place.textContent);
+  if (!replaced.has(view)) replaced.set(view, place.textContent);
   place.textContent = `${NOT_WORKING} ${error.message}. Is the service still running? Trying again.`;
 }
 
 /** A view works again: its complaint gives way to what stood there. */
 function works(view) {
   const place = part(SAID_IN[view]);
-  if (before.has(view) && place.textContent.startsWith(NOT_WORKING)) place.textContent = before.get(view);
-  before.delete(view);
+  if (replaced.has(view) && place.textContent.startsWith(NOT_WORKING)) place.textContent = replaced.get(view);
+  replaced.delete(view);
 }
 
 /** Opens a view, again and again until the service answers or another one is chosen. */
