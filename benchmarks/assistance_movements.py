@@ -113,13 +113,22 @@ def scripted(
     return play
 
 
-def looped(pipeline: Pipeline, strength: float, habit: float) -> Play:
-    """A real predictor in the loop."""
+def looped(pattern: Pipeline, strength: float, habit: float, practice: int = 0) -> Play:
+    """A real predictor in the loop, a fresh one for each person.
+
+    ``practice``: movements of each person, with help, that the predictor hears before those that count.
+    """
     guard = Guard(strength=strength)
+    known: dict[Person, Pipeline] = {}
 
     def play(person: Person, aim: Aim, generator: np.random.Generator) -> Movement:
+        if person not in known:
+            known[person] = pattern.fresh()
+            for k in range(practice):
+                before = np.random.default_rng([SEED, len(known), k, 1])
+                move_guarded(person, SETUP, aimed(k, 1), before, guard, known[person], habit=habit)
         generator.integers(2)  # so that chance is the same as for a script
-        return move_guarded(person, SETUP, aim, generator, guard, pipeline, habit=habit)
+        return move_guarded(person, SETUP, aim, generator, guard, known[person], habit=habit)
 
     return play
 
