@@ -24,14 +24,20 @@ def versions_table() -> str:
     return table("Versions", ("package", "version"), rows, words=True)
 
 
-def page(title: str, names: Sequence[str], body: str) -> str:
-    """One HTML document without a single request; set i of ``names`` has the anchor ``set-i`` in ``body``."""
-    contents = [(f"set-{i}", name) for i, name in enumerate(names)]
-    contents += [("protocol", "How it was measured"), ("versions", "Versions")]
+def page(title: str, contents: Sequence[tuple[str, str]], body: str) -> str:
+    """One HTML document without a single request.
+
+    ``contents``: name and conclusion of each set, where there are several; set i has the anchor ``set-i`` in
+    ``body``.
+    """
+    entries = "".join(
+        f'<li><a href="#set-{i}">{text(name)}</a>: {text(words, 1000)}</li>'
+        for i, (name, words) in enumerate(contents)
+    )
     template = files("pointpred.report").joinpath("report.html").read_text(encoding="utf-8")
     return Template(template).substitute(
         title=text(title),
-        contents="".join(f'<li><a href="#{anchor}">{text(name)}</a></li>' for anchor, name in contents),
+        contents=f'<nav aria-label="Sets"><ul>{entries}</ul></nav>' if entries else "",
         body=body,
         versions=versions_table(),
     )

@@ -13,12 +13,14 @@ from pointpred.registry import build
 from pointpred.report.boxes import boxes
 from pointpred.report.choice import compared, highlighted, pair
 from pointpred.report.claims import inside_curves, time_left_bars
+from pointpred.report.conclusion import conclusion, ranked
 from pointpred.report.figures import clean_against_all, cost, curves, group_curves, skill_bars
 from pointpred.report.page import page
 from pointpred.report.statistics import mae_table, statistics_html
-from pointpred.report.style import HOLD
+from pointpred.report.style import HOLD, Picture
 from pointpred.report.tables import (
     groups_table,
+    section,
     series_table,
     skipped_table,
     summary_table,
@@ -35,6 +37,7 @@ from pointpred.scoring.trials import prepare, resolution
 Json = dict[str, Any]
 
 MOST_BOXES = 4
+LONGEST_SENTENCE = 1000
 GROUPS = (
     "with_submovements", "without_submovements", "experienced_people", "novice_people", "clean_trials"
 )  # fmt: skip
@@ -60,7 +63,7 @@ def write_report(
     """
     if not scores:
         raise ParameterError("a report needs at least one scored set, received none")
-    described = [summary(score) for score in scores]
+    described = [ranked(summary(score)) for score in scores]
     best = {one["name"]: (*highlighted(one), HOLD)[0] for one in described}
     known = {score.name: score for score in scores}
     drawings = {}
@@ -76,33 +79,63 @@ def write_report(
         for place, (score, one) in enumerate(zip(scores, described, strict=True))
     ]
     title = "Endpoint prediction: scores" + (" (simulated)" if all(s.simulated for s in scores) else "")
-    Path(path).write_text(page(title, [score.name for score in scores], "\n".join(body)), encoding="utf-8")
+    contents = [(one["name"], conclusion(one)) for one in described] if len(described) > 1 else []
+    Path(path).write_text(page(title, contents, "\n".join(body)), encoding="utf-8")
 
 
 def _set_html(place: int, score: SetScore, described: Json, drawings: Sequence[Drawing] | None) -> str:
-    """One set: what was scored, summary, figures, statistics, worst trials."""
+    """One set: what it shows in a sentence, a chart and a table; all the rest in parts that are closed."""
+    anchor = f"set-{place}"
     tag = ' <span class="tag">simulated people</span>' if score.simulated else ""
-    parts = [f'<h2 id="set-{place}">{text(score.name)}{tag}</h2>', _what(described)]
+    head = f'<h2 id="{anchor}">{text(score.name)}{tag}</h2>'
+    scored = section(f"{anchor}-scored", "What was scored", _what(described))
     if not score.trials:
-        return "".join([*parts, "<p>No trial could be scored.</p>"])
+        return f"{head}<p>No trial could be scored.</p>{scored}"
     shown = highlighted(described)
-    drawn = [skill_bars(described), *_curves(described, shown), cost(described)]
-    if "clean_trials" in described["groups"]:
-        drawn.append(clean_against_all(described))
-    claims = (inside_curves(described, "calibration"), inside_curves(described, "time_left"))
-    drawn += [one for one in (*claims, time_left_bars(described)) if one is not None]
-    parts += [
-        "<h3>Summary</h3>",
-        summary_table(described),
-        "".join(f"<p>{text(note, 200)}</p>" for note in footnotes(described)),
-        series_table(described, "by_time"),
-        series_table(described, "by_path"),
-        groups_table(described) if described["groups"] else "",
-        f'<h3>Error and cost</h3><div class="figures">{"".join(one.html() for one in drawn)}</div>',
-        _single_axis(score, described, shown),
-        _worst(score, (*shown, HOLD)[0], drawings),
-    ]
-    return "".join(parts)
+    notes = "".join(f"<small>{text(note, 200)}</small>" for note in footnotes(described))
+    front = f"{skill_bars(described).html()}<div>{summary_table(described)}{notes}</div>"
+    parts = {
+        "Error along the movement": _along(described, shown),
+        "Groups of trials": _groups(described),
+        "Regions and time left": _figures(_claims(described)),
+        "Cost": _figures([cost(described)]),
+        "Single axis": _single_axis(score, described, shown),
+        "Statistics": _statistics(score),
+        "Worst trials": _worst(score, (*shown, HOLD)[0], drawings),
+    }
+    return "".join(
+        [
+            head,
+            f'<p class="conclusion">{text(conclusion(described), LONGEST_SENTENCE)}</p>',
+            f'<div class="front">{front}</div>',
+            *(section(f"{anchor}-{i}", title, body) for i, (title, body) in enumerate(parts.items())),
+            scored,
+        ]
+    )
+
+
+def _figures(drawn: Sequence[Picture | None]) -> str:
+    """Figures side by side, where there are any."""
+    shown = "".join(one.html() for one in drawn if one is not None)
+    return f'<div class="figures">{shown}</div>' if shown else ""
+
+
+def _along(described: Json, shown: Sequence[str]) -> str:
+    """Errors against time and path: curves, then the numbers."""
+    tables = series_table(described, "by_time") + series_table(described, "by_path")
+    return _figures(_curves(described, shown)) + tables
+
+
+def _groups(described: Json) -> str:
+    if not described["groups"]:
+        return ""
+    clean = [clean_against_all(described)] if "clean_trials" in described["groups"] else []
+    return _figures(clean) + groups_table(described)
+
+
+def _claims(described: Json) -> list[Picture | None]:
+    inside = [inside_curves(described, kind) for kind in ("calibration", "time_left")]
+    return [*inside, time_left_bars(described)]
 
 
 def _what(described: Json) -> str:
@@ -110,7 +143,6 @@ def _what(described: Json) -> str:
     failed = [(p["name"], skip) for p in described["predictors"] for skip in p["failed"]]
     notes = "".join(f"<li>{text(note, 400)}</li>" for note in described["notes"])
     parts = [
-        "<h3>What was scored</h3>",
         f"<p>Trials: {described['trials']}; people: {described['users']}; events: {described['events']}; "
         f"predictors: {len(described['predictors'])}.</p>",
         f"<ul>{notes}</ul>" if notes else "",
@@ -123,13 +155,13 @@ def _what(described: Json) -> str:
     return "".join(parts)
 
 
-def _curves(described: Json, shown: Sequence[str]) -> list[Any]:
+def _curves(described: Json, shown: Sequence[str]) -> list[Picture]:
     kinds = (("by_time", "of_hold"), ("by_time", "px"), ("by_path", "of_hold"), ("by_path", "px"))
     return [curves(described, shown, kind, quantity) for kind, quantity in kinds]
 
 
 def _single_axis(score: SetScore, described: Json, shown: Sequence[str]) -> str:
-    """The thesis's protocol: curve, groups, box plots, analysis of variance."""
+    """The thesis's protocol: curve, groups, box plots."""
     known = {predictor.name: predictor for predictor in score.predictors}
     chosen = list(dict.fromkeys((*pair(list(known)), *shown)))[: MOST_BOXES - 1]
     boxed = [axis_profile(known[name]) for name in (*chosen, HOLD)]
@@ -140,32 +172,29 @@ def _single_axis(score: SetScore, described: Json, shown: Sequence[str]) -> str:
     groups = [key for key in GROUPS if key in described["groups"]]
     if groups:
         drawn.append(group_curves(described, shown, groups))
-    profiles = [axis_profile(predictor) for predictor in score.predictors]
-    models = compared(score)
+    order = [predictor["name"] for predictor in described["predictors"]]
     below = "below it with outliers replaced by the quartile bound"
     caption = f"{score.name}: single-axis MAE in {score.unit}, {below}"
-    return (
-        f'<h3>Single axis</h3><div class="figures">{"".join(one.html() for one in drawn)}</div>'
-        + mae_table(caption, profiles)
-        + "<h3>Statistics</h3>"
-        + statistics_html(
-            score.name,
-            axis_anova(score, models),
-            [p for p in profiles if p.name in models],
-            thesis=models == pair(list(known)),
-        )
-    )
+    return _figures(drawn) + mae_table(caption, [axis_profile(known[name]) for name in order])
+
+
+def _statistics(score: SetScore) -> str:
+    """The analysis of variance of the single-axis error."""
+    models = compared(score)
+    profiles = [axis_profile(predictor) for predictor in score.predictors if predictor.name in models]
+    thesis = models == pair([predictor.name for predictor in score.predictors])
+    return statistics_html(score.name, axis_anova(score, models), profiles, thesis=thesis)
 
 
 def _worst(score: SetScore, name: str, drawings: Sequence[Drawing] | None) -> str:
     """The worst trials of one predictor, drawn where the recording is at hand."""
     if drawings is None:
-        return "<h3>Worst trials</h3><p>Not drawn: the recording was not given to the report.</p>"
+        return "<p>Not drawn: the recording was not given to the report.</p>"
     rows = [_worst_row(i, drawing) for i, drawing in enumerate(drawings)]
     unit = f"[{score.unit}]"
     head = ("panel", "user", "trial", f"distance {unit}", "time [s]", f"error {unit}", "answered")
-    figure = draw_worst(score.name, name, drawings, simulated=score.simulated, unit=score.unit).html()
-    return f'<h3>Worst trials</h3><div class="figures">{figure}</div>' + table(
+    figure = draw_worst(score.name, name, drawings, simulated=score.simulated, unit=score.unit)
+    return _figures([figure]) + table(
         f"{score.name}: trials with the largest time-averaged error of {name}", head, rows
     )
 

@@ -62,29 +62,37 @@ def cell(measure: Json, unit: str) -> str:
     return f"{number(measure['of_hold'])}<small>{number(measure['px'], 1)} {unit}</small>"
 
 
+def section(anchor: str, title: str, body: str) -> str:
+    """A part of a set that is closed at first; a link to its anchor opens it. Nothing where it is empty."""
+    return (
+        f'<details><summary><h3>{title}</h3></summary><div id="{anchor}">{body}</div></details>'
+        if body
+        else ""
+    )
+
+
 def summary_table(described: Json) -> str:
-    """Time-averaged error with interval, clean trials, coverage and cost, a row a predictor."""
-    rows = []
-    for predictor in described["predictors"]:
-        averaged = predictor["time_averaged"]
-        bounds = averaged["interval"]
-        clean = predictor["groups"].get("clean_trials", {}).get("time_averaged")
-        rows.append(
-            (
-                text(predictor["name"]),
-                number(averaged["of_hold"]),
-                "–" if bounds is None else f"{bounds[0]:.2f} to {bounds[1]:.2f}",
-                number(averaged["px"], 1),
-                number(averaged["skill"]),
-                "–" if clean is None else number(clean["of_hold"]),
-                "–" if predictor["coverage"] is None else f"{predictor['coverage']:.0%}",
-                number(predictor["us_per_event"]),
-                str(len(predictor["failed"])),
-            )
-        )
-    head = ("predictor", "share of hold", "95% interval", described["unit"], "skill", "clean trials",
-            "answered", "µs per event", "failed")  # fmt: skip
-    return table(f"{described['name']}: time-averaged error", head, rows, marked=_reference(described))
+    """Time-averaged error with interval, coverage and cost, a row a predictor; failures, if any."""
+    failures = any(predictor["failed"] for predictor in described["predictors"])
+    rows = [_summary_row(predictor, failures) for predictor in described["predictors"]]
+    head = ("predictor", f"error, {described['unit']}", "error/hold", "95% interval", "answered", "µs/event")
+    caption = f"{described['name']}: time-averaged error, the lowest first; hold is no prediction"
+    return table(caption, (*head, *["failed"] * failures), rows, marked=_reference(described))
+
+
+def _summary_row(predictor: Json, failures: bool) -> tuple[str, ...]:
+    """Hold has no interval: it is what the others are compared with."""
+    averaged = predictor["time_averaged"]
+    bounds = None if predictor["name"] == HOLD else averaged["interval"]
+    return (
+        text(predictor["name"]) + ("<small>fitted to this set</small>" if predictor["seen"] else ""),
+        number(averaged["px"], 1),
+        number(averaged["of_hold"]),
+        "–" if bounds is None else f"{bounds[0]:.2f} to {bounds[1]:.2f}",
+        "–" if predictor["coverage"] is None else f"{predictor['coverage']:.0%}",
+        number(predictor["us_per_event"]),
+        *[str(len(predictor["failed"]))] * failures,
+    )
 
 
 def series_table(described: Json, kind: str) -> str:
