@@ -106,6 +106,11 @@ def held_out(folder: Path | None) -> HeldOut:
         print("fitting coefficients to everybody but one set, and to everybody but a fold of people")
         env = os.environ | {"POINTPRED_RECORDINGS": str(folder)}
         subprocess.run([sys.executable, "-m", "benchmarks.held_out"], env=env, check=True)
+    return stored(where)
+
+
+def stored(where: Path) -> HeldOut:
+    """The coefficients that a folder holds."""
     files = {path.stem: path for path in where.glob("*.npz")}
     sets = {name.removeprefix("set "): path for name, path in files.items() if name.startswith("set ")}
     folds = [files[name] for name in sorted(files) if name.startswith("fold ")]
