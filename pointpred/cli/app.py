@@ -24,6 +24,7 @@ from pointpred.cli.score import score
 from pointpred.cli.screen import plain
 from pointpred.cli.serve import serve
 from pointpred.cli.transform import convert, simulate
+from pointpred.cli.wrong_values import bad_value
 from pointpred.errors import ParameterError, PointpredError
 
 DONE, NOTHING, WRONG_USE, INTERRUPTED = 0, 1, 2, 130
@@ -107,7 +108,15 @@ def _sentence(error: Exception) -> str:
         command = context.command_path if context is not None else "pointpred"
         if not error.format_message():  # the help stands there already
             return ""
-        return f"{error.format_message().rstrip('.')}. See '{command} --help'."
+        return f"{_said(error).rstrip('.')}. See '{command} --help'."
     if isinstance(error, OSError) and error.strerror:
         return f"{error.strerror}: {error.filename}" if error.filename else error.strerror
     return str(error)
+
+
+def _said(error: typer.TyperException) -> str:
+    """An error of the command line; of an option's value, in our words."""
+    options = getattr(getattr(error, "param", None), "opts", None)
+    if type(error) is typer.BadParameter and options:
+        return bad_value(error, options[0], error.message)
+    return error.format_message()

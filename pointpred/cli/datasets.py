@@ -9,10 +9,12 @@ import msgspec
 import typer
 from rich.table import Table
 
-from pointpred.cli.screen import remarks, results, write_json
+from pointpred.cli.screen import WIDE, remarks, results, write_json
 
 BOUNDLESS = 1000
 """Columns of the list where nobody looks at it: no address is cut."""
+
+BY_HAND = "by hand, address below"
 
 app = typer.Typer(no_args_is_help=True, help="Public recordings: which exist, and how to get them.")
 
@@ -36,15 +38,22 @@ def list_sets(
         write_json({"version": 1, "sets": msgspec.to_builtins(sets)}, Path("-"))
         return
     table = Table(box=None, pad_edge=False)
-    for column in ("name", "people", "trials", "sampling", "licence", "to get it"):
-        table.add_column(column, no_wrap=column == "name", overflow="fold")
-    for one in sets:
-        way = f"pointpred datasets fetch {one.name}" if one.fetchable else one.page
-        table.add_row(one.name, _count(one.users), _count(one.trials), one.sampling, one.licence, way)
     screen = results()
     if not screen.is_terminal:  # a line a set, however long, for whoever cuts it up
         screen.width = BOUNDLESS
+    wide = screen.width >= WIDE
+    by_hand = [one for one in sets if not one.fetchable]
+    for column in ("name", "people", "trials", *(("sampling", "licence") if wide else ()), "to get it"):
+        table.add_column(column, no_wrap=column == "name", overflow="fold")
+    for one in sets:
+        way = f"pointpred datasets fetch {one.name}" if one.fetchable else one.page if wide else BY_HAND
+        more = (one.sampling, one.licence) if wide else ()
+        table.add_row(one.name, _count(one.users), _count(one.trials), *more, way)
     screen.print(table, markup=False)
+    for one in () if wide else by_hand:
+        screen.print(f"{one.name}: {one.page}", markup=False, soft_wrap=True)
+    if not wide:
+        screen.print("Sampling and licences: a wider terminal, or --json.", style="dim")
 
 
 @app.command("fetch")

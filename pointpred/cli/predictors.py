@@ -8,8 +8,8 @@ from typing import Annotated, Any
 import typer
 from rich.table import Table
 
-from pointpred.cli.screen import results, write_json
-from pointpred.registry import REGISTRY, build, describe
+from pointpred.cli.screen import NARROW, results, write_json
+from pointpred.registry import RECOMMENDED, REGISTRY, build, describe
 
 
 def predictors(
@@ -38,13 +38,15 @@ def predictors(
 
 
 def _print_all(described: list[dict[str, Any]]) -> None:
+    wide = results().width >= NARROW
     table = Table(box=None, pad_edge=False)
-    for column in ("name", "what it does", "differentiator", "reference"):
+    for column in ("name", "what it does", *(("differentiator", "reference") if wide else ())):
         table.add_column(column, no_wrap=column == "name")
     for one in described:
-        table.add_row(one["name"], one["title"], one["differentiator"], one["reference"])
+        more = (one["differentiator"], one["reference"]) if wide else ()
+        table.add_row(one["name"], one["title"], *more)
     results().print(table)
-    results().print("\nParameters of one:  pointpred predictors NAME")
+    results().print(f"\nFor a live person: {RECOMMENDED}. Parameters of one: pointpred predictors NAME")
 
 
 def _print_one(one: dict[str, Any]) -> None:
@@ -52,10 +54,13 @@ def _print_one(one: dict[str, Any]) -> None:
     screen.print(f"{one['name']}: {one['title']} ({one['reference']})")
     screen.print(f"differentiator: {one['differentiator']}\n")
     table = Table(box=None, pad_edge=False)
-    for column in ("parameter", "of", "unit", "bounds", "default", "meaning"):
-        table.add_column(column, no_wrap=column == "parameter")
+    wide = screen.width >= NARROW
+    for column in ("parameter", *(("of", "unit") if wide else ()), "bounds", "default", "meaning"):
+        table.add_column(column, no_wrap=column != "meaning")
     for p in one["parameters"]:
+        unit = p["unit"] or "-"
+        last = p["meaning"] if wide or unit == "-" else f"{p['meaning']} ({unit})"
         bounds = f"[{p['low']:g}, {p['high']:g}]"
-        table.add_row(p["name"], p["of"], p["unit"] or "-", bounds, str(p["default"]), p["meaning"])
+        table.add_row(p["name"], *((p["of"], unit) if wide else ()), bounds, f"{p['default']}", last)
     screen.print(table, markup=False)
     screen.print(f"\nIn Python:  build({one['name']!r}, parameter=value)", markup=False)

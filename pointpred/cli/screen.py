@@ -17,6 +17,9 @@ WIDE = 160
 """Columns of a table that goes to a file or a pipe, where no terminal says how wide it is."""
 
 
+NARROW = 120
+"""A terminal with fewer columns shows fewer of a table's: none wraps at 80."""
+
 CONTROLS = {code: f"\\x{code:02x}" for code in (*range(32), *range(127, 160)) if chr(code) not in "\n\t"}
 """Characters that steer a terminal, and what is shown in their place: names of files may hold them."""
 

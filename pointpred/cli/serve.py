@@ -9,6 +9,7 @@ import typer
 
 from pointpred.cli.screen import remarks
 from pointpred.cli.starting import Starting
+from pointpred.cli.wrong_values import refused
 from pointpred.errors import ParameterError
 
 PORT = 8765
@@ -21,7 +22,9 @@ def serve(
     port: Annotated[
         int | None,
         typer.Option(
-            min=0, max=65535, help=f"Port; 0 takes any free one. Not given: the first free from {PORT}."
+            min=0,
+            max=65535,
+            help=f"Port to listen on; 0 takes any free one. Not given: the first free one from {PORT}.",
         ),
     ] = None,
     allow_host: Annotated[
@@ -49,7 +52,8 @@ def serve(
 ) -> None:
     """Serve the live page and the WebSocket; prints the address once the page can be opened.
 
-    Every flag is also read from the environment: POINTPRED_PORT, POINTPRED_TOKEN, ...
+    Every option can also be set in the environment: POINTPRED_PORT, POINTPRED_TOKEN, ... Another port:
+    pointpred serve --port 9000, or POINTPRED_PORT=9000 make run.
 
     Try:
 
@@ -71,7 +75,7 @@ def serve(
     wanted = settings.port
     opened = listen(settings.host, PORT if wanted is None else wanted, TRIES if wanted is None else 1)
     if wanted is None and opened.getsockname()[1] != PORT:
-        remarks().print(f"port {PORT} is in use; taking the next free one")
+        remarks().print(f"port {PORT} is in use; taking the next free one. --port N chooses another")
     service = Service(settings)
 
     starting = Starting(service, address(settings.host, opened))
@@ -92,8 +96,6 @@ def settings_of(given: dict[str, Any]) -> Any:
     except ValidationError as error:
         first = error.errors()[0]
         name = "_".join(str(part) for part in first["loc"]) or "settings"
-        received = "" if name == "token" else f", received {first['input']!r}"
-        said = f"{name}: {first['msg']}{received}"
         raise ParameterError(
-            f"{said} (flag --{name.replace('_', '-')} or POINTPRED_{name.upper()})"
+            f"{refused(name, first)} (flag --{name.replace('_', '-')} or POINTPRED_{name.upper()})"
         ) from None

@@ -8,20 +8,19 @@ from typing import Any
 
 from rich.table import Table
 
-from pointpred.cli.screen import counted, remarks, results
+from pointpred.cli.screen import NARROW, counted, remarks, results
 from pointpred.scoring import HEADINGS, footnotes, rows
 
-NARROW = 120
-"""A terminal with fewer columns shows fewer of the table's."""
-IN_NARROW = (
-    "predictor",
-    "share of hold's error",
-    "95 % interval",
-    "time 50 %",
-    "time 90 %",
-    "path 75 %",
-    "answers",
-)
+IN_NARROW = {
+    "predictor": "predictor",
+    "share of hold's error": "error",
+    "95 % interval": "95 % interval",
+    "time 30 %": "time 30 %",
+    "time 50 %": "50 %",
+    "time 70 %": "70 %",
+    "answers": "answers",
+}
+"""What a narrow terminal shows, and what it is called there."""
 REASONS_SHOWN = 5
 
 
@@ -54,10 +53,10 @@ def title(one: dict[str, Any]) -> str:
 
 def _table(one: dict[str, Any]) -> Table:
     table = Table(box=None, pad_edge=False)
-    width = results().width
-    shown = [i for i, heading in enumerate(HEADINGS) if width >= NARROW or heading in IN_NARROW]
+    names = {heading: heading for heading in HEADINGS} if results().width >= NARROW else IN_NARROW
+    shown = [i for i, heading in enumerate(HEADINGS) if heading in names]
     for i in shown:
-        table.add_column(HEADINGS[i], justify="left" if i == 0 else "right", no_wrap=i == 0)
+        table.add_column(names[HEADINGS[i]], justify="left" if i == 0 else "right", no_wrap=True)
     for row in rows(one):
         table.add_row(*(row[i] for i in shown))
     return table

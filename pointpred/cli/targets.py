@@ -17,11 +17,11 @@ SHOWN = ("0.2", "0.3", "0.4", "0.5", "0.6", "0.7", "0.8", "0.9")
 HEADINGS = ("predictor", *(f"{float(time):.0%}" for time in SHOWN))
 DECIDED = (
     "predictor",
-    "precision",
+    "right",
     "before entry",
     "lead to entry",
     "lead to click",
-    "proposals",
+    "proposed",
     "retracted",
 )
 
@@ -55,9 +55,10 @@ def print_targets(sets: list[dict[str, Any]]) -> None:
         results().print(_table(DECIDED, [_decided(predictor) for predictor in one["predictors"]]))
     if sets:
         results().print(
-            "Above: movements whose likeliest target is the right one, by share of the time.\n"
-            f"Below, the dial at {DIAL}: proposals that are right; movements with a right one before the "
-            "cursor enters;\nmedian leads; proposals and retractions a movement.",
+            "First table: movements whose likeliest target is the right one, by share of the time.\n"
+            f"Second table, precision set to {DIAL}: share of proposals that are right; share of movements "
+            "with a right one before the cursor enters; median times from the proposal to entry and click; "
+            "proposals and retractions per movement.",
             style="dim",
         )
 

@@ -35,11 +35,12 @@ def footnotes(described: Json) -> list[str]:
 
 def rows(described: Json) -> list[tuple[str, ...]]:
     """The table of a set from its ``summary``: a row of text a predictor, a cell for each of HEADINGS."""
-    return [_row(predictor) for predictor in described["predictors"]]
+    several = described["trials"] > 1  # one trial drawn again and again is no interval
+    return [_row(predictor, several) for predictor in described["predictors"]]
 
 
-def _row(predictor: Json) -> tuple[str, ...]:
-    interval = predictor["time_averaged"]["interval"]
+def _row(predictor: Json, several: bool) -> tuple[str, ...]:
+    interval = predictor["time_averaged"]["interval"] if several else None
     clean = predictor["groups"].get("clean_trials", {}).get("time_averaged", {})
     chosen: Sequence[Json] = [
         *(predictor["by_time"][fraction] for fraction in ("0.3", "0.5", "0.7", "0.9")),

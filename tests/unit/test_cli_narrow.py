@@ -1,0 +1,113 @@
+"""What a terminal of 80 columns shows: a row of a table is a line, and nothing is cut."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from pointpred.cli import screen, tables
+from pointpred.columns import EventColumns
+from pointpred.datasets import listing
+from pointpred.recording import Recording, Trial
+from pointpred.registry import REGISTRY
+from pointpred.scoring import HEADINGS, rows, score, summary
+from pointpred.sources import write
+
+COLUMNS = 80
+
+
+@pytest.fixture
+def terminal(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Results go to a terminal of 80 columns, wherever they really go."""
+
+    def narrow() -> screen.Console:
+        return screen.Screen(width=COLUMNS, highlight=False, force_terminal=True, color_system=None)
+
+    for name, module in list(sys.modules.items()):
+        if name.startswith("pointpred.cli.") and hasattr(module, "results"):
+            monkeypatch.setattr(module, "results", narrow)
+
+
+def recording(trials: int) -> Recording:
+    t = [0.0, 0.1, 0.2, 0.3]
+    parts = [EventColumns.of(t=t, x=[0.0, 1.0, 60.0, 101.0 + i], y=[0.0] * 4) for i in range(trials)]
+    return Recording.of("walk", parts, [Trial("ann", str(i)) for i in range(trials)])
+
+
+def lines_of(text: str) -> list[str]:
+    lines = text.splitlines()
+    assert max(map(len, lines)) <= COLUMNS
+    assert "…" not in text
+    return lines
+
+
+@pytest.mark.usefixtures("terminal")
+def test_scores_have_a_line_each(capsys: pytest.CaptureFixture[str]) -> None:
+    described = summary(score([recording(3)], list(REGISTRY))[0])
+    tables.print_sets([described])
+    lines = lines_of(capsys.readouterr().out)
+    first = next(i for i, line in enumerate(lines) if line.startswith("predictor "))
+    table = lines[first + 1 : first + 1 + len(REGISTRY)]
+    assert [line.split()[0] for line in table] == list(REGISTRY)
+    assert all(line.split()[-1].endswith("%") for line in table)
+
+
+@pytest.mark.usefixtures("terminal")
+def test_datasets_have_a_line_each_and_how_to_get_them(command: Any) -> None:
+    lines = lines_of(command("datasets", "list").out.replace(listing()[8].page, ""))
+    for one in listing():
+        (row,) = (line for line in lines if line.split()[0] == one.name)
+        assert (f"fetch {one.name}" in row) == one.fetchable
+        assert one.fetchable or any(line.startswith(f"{one.name}:") for line in lines)
+
+
+@pytest.mark.usefixtures("terminal")
+@pytest.mark.parametrize("words", [["predictors"], ["predictors", "switched"]])
+def test_predictors_fit(command: Any, words: list[str]) -> None:
+    assert lines_of(command(*words).out)
+
+
+@pytest.mark.usefixtures("terminal")
+def test_choices_of_targets_fit(command: Any, tmp_path: Path) -> None:
+    from pointpred.datasets import sample
+
+    whole = sample()
+    some = Recording.of("some", [whole.rows(k) for k in range(13)], whole.trials[:13])
+    file = write(some, tmp_path / "some_samples.csv")[0]
+    left = command("score", file, "--targets", "--predictors", "hold")
+    assert left.code == 0
+    lines = lines_of(left.out)
+    assert sum(line.startswith("nearest to the cursor ") for line in lines) == 2 * sum(
+        line.startswith("some: ") for line in lines
+    )
+
+
+def test_one_trial_has_no_interval() -> None:
+    place = HEADINGS.index("95 % interval")
+    for trials, wanted in ((1, False), (2, True)):
+        cells = [row[place] for row in rows(summary(score([recording(trials)], ["hold", "linear"])[0]))]
+        assert [cell != "-" for cell in cells] == [wanted, wanted]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["score", "--threads", "0"], ["--threads", "at least 1", "'0'"]),
+        (["score", "--threads", "many"], ["--threads", "whole number", "'many'"]),
+        (["live", "--seconds", "x"], ["--seconds", "a number", "'x'"]),
+        (["live", "--cursor", "there"], ["--cursor", "'there'", "'motor'"]),
+        (["serve", "--max-sessions", "0"], ["max_sessions", "at least 1", "POINTPRED_MAX_SESSIONS"]),
+        (["serve", "--log-format", "xml"], ["log_format", "'json' or 'text'", "'xml'"]),
+        (["convert"], ["source"]),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, list) else "",
+)
+def test_a_wrong_value_is_answered_in_our_words(command: Any, arguments: list[str], said: list[str]) -> None:
+    left = command(*arguments)
+    assert left.code == 2
+    assert [word for word in said if word not in left.err] == []
+    assert "Input should" not in left.err
+    assert "error" not in left.err.lower()
