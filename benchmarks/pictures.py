@@ -17,6 +17,7 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -27,11 +28,17 @@ from pointpred.replaying import Page, open_page
 
 SIZES = {1440: 900, 1024: 768, 390: 844}
 THEMES = ("light", "dark")
-MOMENTS = ("demo", "moving", "rest")
+VIEWS = ("live", "details", "circle", "replay", "assist")
 RATE_HZ = 125.0
 READY_S = 600.0
 SHOWS = "document.querySelector('#live-scene').dataset.shows"
 CONNECTED = "document.querySelector('#live-card-0 .connection').dataset.state === 'open'"
+GOAL = """(() => {
+  const scene = document.querySelector('#circle-scene'), { left, top } = scene.getBoundingClientRect();
+  if (!scene.dataset.target) return null;
+  const { x, y } = JSON.parse(scene.dataset.target);
+  return { x: left + x, y: top + y };
+})()"""
 TILE = """import('/web/live-tiles.js').then(({ row }) => {
   const { clientWidth, clientHeight } = document.querySelector('#live-scene');
   const { x, y, width, height } = row(clientWidth, clientHeight)[3];
@@ -132,7 +139,7 @@ class Photographer:
 
     def take(self, shot: Shot, *, full: bool = False) -> None:
         """Take one picture."""
-        told = {"format": "webp", "quality": 70, "captureBeyondViewport": full}
+        told = {"format": "webp", "quality": 45, "captureBeyondViewport": full}
         data = self.page.call("Page.captureScreenshot", **told)["data"]
         (self.out / shot.name).write_bytes(base64.b64decode(data))
 
@@ -174,7 +181,62 @@ class Photographer:
         self.take(Shot("live", "moving", width, theme))
         hand.join()
         time.sleep(0.6)
-        self.take(Shot("live", "rest", width, theme))
+        if theme == "light":
+            self.take(Shot("live", "rest", width, theme))
+
+    def circle(self, width: int, theme: str, *, result: bool) -> None:
+        """The circle before a run; ``result``: and its result, after a block of five targets."""
+        self.open("circle", width, theme)
+        wait_for(self.page, "!document.querySelector('#circle-start').disabled", READY_S)
+        time.sleep(0.5)
+        self.take(Shot("circle", "start", width, theme))
+        if not result:
+            return
+        for name, value in (("targets", 5), ("blocks", 1)):
+            self.page.evaluate(f"document.querySelector('[name={name}]').value = {value}")
+        self.page.evaluate("document.querySelector('#circle-start').click()")
+        place = (300.0, 300.0)
+        for _ in range(6):
+            wait_for(self.page, GOAL)
+            x, y = self.page.evaluate(f"(({{ x, y }}) => [x, y])({GOAL})")
+            rows = movement(place, (x, y))
+            self.move(rows[rows[:, 0] < 1.2])
+            for kind in ("mouseMoved", "mousePressed", "mouseReleased"):
+                about = {"button": "left", "clickCount": 1} if kind != "mouseMoved" else {}
+                self.page.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, **about)
+            place = (x, y)
+        wait_for(self.page, "document.querySelector('#circle-result').dataset.state === 'done'")
+        self.page.evaluate("document.querySelector('#circle-result').scrollIntoView()")
+        time.sleep(0.5)
+        self.take(Shot("circle", "result", width, theme))
+
+    def replay(self, width: int, theme: str) -> None:
+        """The replay view, half of the way along a movement of the sample."""
+        self.open("replay", width, theme)
+        wait_for(self.page, "!document.querySelector('#replay-play').disabled", READY_S)
+        time.sleep(0.5)
+        self.take(Shot("replay", "middle", width, theme))
+
+    def assist(self, width: int, theme: str) -> None:
+        """The assist view, which needs a mouse of its own to show more."""
+        self.open("assist", width, theme)
+        wait_for(self.page, "!document.querySelector('#assist-predictor').disabled", READY_S)
+        self.take(Shot("assist", "start", width, theme))
+
+    def details(self, width: int, theme: str) -> None:
+        """What is below the live picture: parameters, words and the attached device."""
+        self.open("live", width, theme, still=True)
+        wait_for(self.page, CONNECTED, READY_S)
+        wait_for(self.page, "document.querySelector('#live-predictor-0').options.length > 1")
+        self.page.evaluate(
+            "{ const one = document.querySelector('#live-predictor-0'); one.value = 'switched';"
+            "one.dispatchEvent(new Event('change'));"
+            "document.querySelectorAll('#view-live > details').forEach((one) => { one.open = true; });"
+            "(document.querySelector('#live-parameters-0') ?? document.querySelector('#live-device'))"
+            ".scrollIntoView(); }"
+        )
+        time.sleep(0.5)
+        self.take(Shot("live", "details", width, theme))
 
 
 def main() -> None:
@@ -184,15 +246,18 @@ def main() -> None:
     )
     parser.add_argument("--out", type=Path, required=True, help="folder for the pictures")
     parser.add_argument("--address", help="of a service that runs; one is started unless given")
+    parser.add_argument("--views", nargs="+", default=list(VIEWS), choices=VIEWS)
     parser.add_argument("--widths", type=int, nargs="+", default=list(SIZES), choices=list(SIZES))
     parser.add_argument("--themes", nargs="+", default=list(THEMES), choices=THEMES)
     told = parser.parse_args()
     told.out.mkdir(parents=True, exist_ok=True)
     with nullcontext(told.address) if told.address else service() as address, browser() as devtools:
         one = Photographer(devtools, address, told.out)
-        for width in told.widths:
-            for theme in told.themes:
-                one.live(width, theme)
+        for view, width, theme in product(told.views, told.widths, told.themes):
+            if view == "circle":
+                one.circle(width, theme, result=width == 1440 and theme == "light")
+            else:
+                getattr(one, view)(width, theme)
 
 
 if __name__ == "__main__":

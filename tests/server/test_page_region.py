@@ -9,7 +9,9 @@ import base64
 import io
 import json
 import math
+import re
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -20,6 +22,8 @@ from tests.server import browser, page_browser
 from tests.server.page_browser import Visitor, until
 
 pytestmark = browser.needed
+
+DOCUMENT = Path(__file__).parents[2] / "docs" / "page.md"
 
 WRITTEN = """
 window.region = window.lit = null; window.sockets = [];
@@ -282,6 +286,14 @@ def test_nothing_of_a_prediction_stays_when_the_connection_is_lost(visitor: Visi
     colour, opacity = pixels(shown)
     assert not ((opacity > 0.05) & (np.abs(colour - ORANGE).max(axis=-1) < 20)).any(), "no mark, no lit tile"
     visitor.wait(CONNECTED)
+
+
+def test_the_factors_in_the_document_are_those_of_the_distribution() -> None:
+    rows = re.findall(r"^\| (\d+) % \| (\d.+\d) \|$", DOCUMENT.read_text(encoding="utf-8"), re.MULTILINE)
+    assert [share for share, _ in rows] == ["50", "80", "95"]
+    for share, factors in rows:
+        wanted = [radius(float(share) / 100, tail) for tail in (None, 4, 2, 1)]
+        assert [float(one) for one in factors.split(" | ")] == pytest.approx(wanted, abs=5e-5)
 
 
 def test_the_trail_is_drawn_under_the_pointer_and_not_beside_it(visitor: Visitor) -> None:
