@@ -29,9 +29,9 @@ def pipelines(recording: Recording, path: Path) -> list[Pipeline]:
     settings = resolution(recording, None, None)
     floor = build(FLOOR, **settings)
     predictors = {
-        PLAIN: KinematicPredictor.of(path),
-        WHOLE: AdaptiveKinematicPredictor.of(path),
-        PART: AdaptiveKinematicPredictor.of(path, distances=0),
+        PLAIN: KinematicPredictor(coefficients=path),
+        WHOLE: AdaptiveKinematicPredictor(coefficients=path),
+        PART: AdaptiveKinematicPredictor(distances=0, coefficients=path),
     }
     made = [Pipeline(name, floor.differentiator.fresh(), one) for name, one in predictors.items()]
     return [floor, *made]

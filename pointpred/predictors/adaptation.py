@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Self
 
 from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
 from pointpred.errors import ParameterError
-from pointpred.predictors import adaptation_law, kinematic, kinematic_coefficients, movement
+from pointpred.predictors import adaptation_law, kinematic, movement
 from pointpred.predictors import kinematic_sight as sight
 from pointpred.predictors.kinematic import KinematicPredictor
 from pointpred.predictors.predictor import Predictor
@@ -101,7 +100,8 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     answers. Bias and distances, with the width they ask for, fade out from 0.2 and 0.5 of the time on, as
     that clock has it.
 
-    Parameters: ``adapt`` 0 or 1 (0: bit for bit `kinematic`), ``distances`` 0 or 1, ``shortest_px``.
+    Parameters: ``adapt`` 0 or 1 (0: bit for bit `kinematic`), ``distances`` 0 or 1, ``shortest_px``;
+    ``coefficients`` as for `kinematic`.
     Memory: 795 floats. Costs 1 to 4 us an event more than ``kinematic``. Raises ParameterError,
     and EventError from ``update``.
 
@@ -134,23 +134,19 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     slots = adaptation_law.SLOTS
     doubt = staticmethod(adaptation_law.doubt)
 
-    def __init__(self, *, adapt: int = 1, distances: int = 1, shortest_px: float = 10.0) -> None:
-        self._prepare(kinematic_coefficients.OWN, adapt, distances, shortest_px)
-
-    @classmethod
-    def of(cls, coefficients: Path, *, adapt: int = 1, distances: int = 1, shortest_px: float = 10.0) -> Self:
-        """The same predictor with the coefficients of another file; raises ParameterError."""
-        made = cls.__new__(cls)
-        made._prepare(coefficients, adapt, distances, shortest_px)
-        return made
-
-    def _prepare(self, coefficients: Path, adapt: int, distances: int, shortest_px: float) -> None:
+    def __init__(
+        self,
+        *,
+        adapt: int = 1,
+        distances: int = 1,
+        shortest_px: float = 10.0,
+        coefficients: Path | str | None = None,
+    ) -> None:
         given = {"adapt": adapt, "distances": distances, "shortest_px": shortest_px}
         check(self.parameters, given)
         for name in ("adapt", "distances"):
             if given[name] != int(given[name]):
                 raise ParameterError(f"{name} must be 0 or 1, received {given[name]!r}")
-        self._source, self._coefficients = coefficients, kinematic_coefficients.read(coefficients)
-        self._known = kinematic_coefficients.sets(coefficients)
+        self._use(coefficients)
         self.learned = adaptation_law.LEARNED if adapt else 0
         Predictor.__init__(self, list(given.values()), LENGTH - SETTINGS - self.learned)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import exp
 from pathlib import Path
-from typing import Any, Self
+from typing import Any
 
 import numpy as np
 
@@ -113,7 +113,10 @@ class KinematicPredictor(Predictor):
 
     ``scale`` is the scale matrix and ``tail`` the degrees of freedom. Before the cursor has moved the
     answer is its place, without a region. Always answers. A second motion of the same time replaces the
-    first. Memory: 273 floats; the coefficients are shared. Raises EventError from ``update``.
+    first. Memory: 273 floats; the coefficients are shared.
+
+    ``coefficients``: the file of others, as ``pointpred train`` writes it. Raises ParameterError for a file
+    that cannot be used, and EventError from ``update``.
 
     Reference: none; docs/kinematic.md is the card of the coefficients.
 
@@ -130,20 +133,16 @@ class KinematicPredictor(Predictor):
     step = staticmethod(step)
     loop = staticmethod(loop)
 
-    def __init__(self) -> None:
-        self._source = kinematic_coefficients.OWN
-        self._coefficients = kinematic_coefficients.read(self._source)
-        self._known = kinematic_coefficients.sets(self._source)
+    def __init__(self, *, coefficients: Path | str | None = None) -> None:
+        self._use(coefficients)
         super().__init__([], sight.STATES)
 
-    @classmethod
-    def of(cls, coefficients: Path) -> Self:
-        """The same predictor with the coefficients of another file; raises ParameterError."""
-        made = cls.__new__(cls)
-        made._source, made._coefficients = coefficients, kinematic_coefficients.read(coefficients)
-        made._known = kinematic_coefficients.sets(coefficients)  # the file may be gone when it is asked for
-        Predictor.__init__(made, [], sight.STATES)
-        return made
+    def _use(self, coefficients: Path | str | None) -> None:
+        """The coefficients of a file, those of the package for ``None``; raises ParameterError."""
+        source = kinematic_coefficients.OWN if coefficients is None else coefficients
+        self._coefficients = kinematic_coefficients.read(source)
+        self._source = Path(source)
+        self._known = kinematic_coefficients.sets(source)  # the file may be gone when it is asked for
 
     def saw(self, name: str) -> bool:
         """Whether the coefficients were fitted to people of the set of this name."""

@@ -54,14 +54,22 @@ def write(
     table: FloatArray,
     card: dict[str, Any],
 ) -> None:
-    """Write coefficients and their card; the same numbers make a file of the same ``digest``."""
+    """Write coefficients and their card; the same numbers make a file of the same ``digest``.
+
+    The file is there whole or not at all: an interrupted write leaves what was there before.
+    """
     arrays: dict[str, Any] = {"version": np.int64(VERSION), "mean": mean, "scale": scale, "table": table}
     for number, (weights, offset) in enumerate(layers):
         arrays[f"weights{number}"] = np.asarray(weights, np.float32)
         arrays[f"offset{number}"] = np.asarray(offset, np.float32)
     arrays["card"] = np.frombuffer(json.dumps(card, sort_keys=True).encode(), np.uint8)
-    with path.open("wb") as file:
-        np.savez(file, **arrays)
+    beside = path.with_name(f"{path.name}.part")
+    try:
+        with beside.open("wb") as file:
+            np.savez(file, **arrays)
+        beside.replace(path)
+    finally:
+        beside.unlink(missing_ok=True)
 
 
 def read(path: Path | str) -> FloatArray:

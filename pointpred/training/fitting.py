@@ -113,15 +113,28 @@ def truth(given: Examples, settings: Settings) -> Truth:
     )
 
 
-def fit(
-    given: Examples, settings: Settings, progress: Callable[[int, int, float], None] | None = None
-) -> Fitted:
-    """Fit a network; the same examples and settings give the same network on the same machine."""
-    random = np.random.default_rng(settings.seed)
+def _beginning(given: Examples, settings: Settings, random: np.random.Generator) -> Fitted:
+    """A network that knows nothing, with its inputs brought to the mean and spread of the examples."""
     turned = unmirrored(given.features)
     mean, scale = turned.mean(axis=0, dtype=np.float64), 1.0 / (turned.std(axis=0, dtype=np.float64) + 1e-6)
+    return Fitted(mean, scale, network.made((features.FEATURES, *settings.hidden, net.OUTPUTS), random))
+
+
+def fit(
+    given: Examples,
+    settings: Settings,
+    progress: Callable[[int, int, float], None] | None = None,
+    start: Fitted | None = None,
+) -> Fitted:
+    """Fit a network; the same examples and settings give the same network on the same machine.
+
+    ``start``: a network to go on from, with its own sizes and inputs; ``None`` begins with one at random.
+    """
+    random = np.random.default_rng(settings.seed)
+    begun = _beginning(given, settings, random) if start is None else start
+    mean, scale = begun.mean, begun.scale
     ready, wanted = inputs(given.features, mean, scale), truth(given, settings)
-    layers = network.made((features.FEATURES, *settings.hidden, net.OUTPUTS), random)
+    layers = [(weights.copy(), offset.copy()) for weights, offset in begun.layers]
     adam = network.Adam(layers, settings.decay)
     batches = max(len(ready) // settings.batch, 1)
     steps, step = settings.passes * batches, 0

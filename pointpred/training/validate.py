@@ -45,7 +45,7 @@ def pipeline_of(fitted: Fitted, table: FloatArray) -> Pipeline:
     with tempfile.TemporaryDirectory() as where:
         path = Path(where) / "coefficients.npz"
         save(path, fitted, table, {})
-        predictor = KinematicPredictor.of(path)
+        predictor = KinematicPredictor(coefficients=path)
     return Pipeline("kinematic", build("hold").differentiator, predictor)
 
 

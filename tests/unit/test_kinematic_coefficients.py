@@ -134,4 +134,4 @@ def test_the_digest_is_of_the_numbers_and_not_of_their_packing(tmp_path: Path) -
 def test_a_card_that_is_none_is_refused_with_the_file_named(tmp_path: Path, card: bytes) -> None:
     path = wrong(tmp_path / "odd.npz", card=np.frombuffer(card, np.uint8))
     with pytest.raises(ParameterError, match="odd"):
-        KinematicPredictor.of(path)
+        KinematicPredictor(coefficients=path)

@@ -132,7 +132,7 @@ def other_file(path: Path, **changed: object) -> Path:
 def test_other_coefficients_say_other_things(tmp_path: Path) -> None:
     with np.load(kinematic_coefficients.OWN) as own:
         path = other_file(tmp_path / "other.npz", offset2=own["offset2"] + np.float32(0.5))
-    given = Pipeline("kinematic", build("hold").differentiator, KinematicPredictor.of(path))
+    given = Pipeline("kinematic", build("hold").differentiator, KinematicPredictor(coefficients=path))
     assert not np.allclose(run(given, reach()).table[5:, X], table(reach())[5:, X])
     assert pickle.loads(pickle.dumps(given)).predictor.__dict__["_source"] == path
 
@@ -150,14 +150,14 @@ def test_a_file_that_does_not_fit_is_refused(
     tmp_path: Path, changed: dict[str, object], message: str
 ) -> None:
     with pytest.raises(ParameterError, match=message):
-        KinematicPredictor.of(other_file(tmp_path / "bad.npz", **changed))
+        KinematicPredictor(coefficients=other_file(tmp_path / "bad.npz", **changed))
 
 
 def test_a_file_that_is_none_is_refused(tmp_path: Path) -> None:
     (tmp_path / "text.npz").write_text("no archive")
     for name in ("text.npz", "missing.npz"):
         with pytest.raises(ParameterError, match="coefficients must be a file of version 1"):
-            KinematicPredictor.of(tmp_path / name)
+            KinematicPredictor(coefficients=tmp_path / name)
 
 
 def test_the_card_says_what_the_file_is() -> None:

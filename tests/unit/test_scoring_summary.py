@@ -171,10 +171,10 @@ def test_other_coefficients_saw_what_their_own_card_says(tmp_path: Path) -> None
     np.savez(tmp_path / "other.npz", **held)
     held["card"] = np.frombuffer(b"{}", np.uint8)
     np.savez(tmp_path / "nameless.npz", **held)
-    other = KinematicPredictor.of(tmp_path / "other.npz")
+    other = KinematicPredictor(coefficients=tmp_path / "other.npz")
     (tmp_path / "other.npz").unlink()
     assert (other.saw("elsewhere"), other.saw("kh2017")) == (True, False)
-    assert not KinematicPredictor.of(tmp_path / "nameless.npz").saw("kh2017")
+    assert not KinematicPredictor(coefficients=tmp_path / "nameless.npz").saw("kh2017")
 
 
 def test_a_footnote_names_who_has_learned_from_the_set() -> None:
