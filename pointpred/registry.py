@@ -147,6 +147,11 @@ def parameters(name: str) -> dict[str, tuple[Parameter, Any]]:
     return found
 
 
+def takes(name: str, parameter: str) -> bool:
+    """Whether the predictor of a name has a parameter; raises ParameterError for an unknown name."""
+    return parameter in settable(_entry(name).predictor)
+
+
 def describe(name: str) -> dict[str, Any]:
     """A predictor as the JSON, the terminal and the docs show it."""
     entry = REGISTRY[name]

@@ -138,10 +138,16 @@ def _origin(request: Request) -> Response:
     return answer(OriginAnswer(origin, allowed, None if allowed else advice(origin)))
 
 
-def _predictors() -> Response:
+def _predictors(request: Request) -> Response:
     """Every predictor with its parameters, units, bounds and reference, and the recommended one."""
+    service: Service = request.app.state.service
     return answer(
-        {"version": 1, "recommended": RECOMMENDED, "predictors": [describe(name) for name in REGISTRY]}
+        {
+            "version": 1,
+            "recommended": RECOMMENDED,
+            "coefficients": sorted(service.settings.coefficients),
+            "predictors": [describe(name) for name in REGISTRY],
+        }
     )
 
 

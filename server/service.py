@@ -63,7 +63,8 @@ class Service:
 
     def open(self, now: float) -> Session:
         """A session without a name that means anything."""
-        session = Session(secrets.token_hex(8), self.settings.limits, now, self._watch)
+        settings = self.settings
+        session = Session(secrets.token_hex(8), settings.limits, now, self._watch, settings.coefficients)
         self._opened(session)
         return session
 

@@ -11,6 +11,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Field, field_validator
 from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 
+from pointpred.predictors import kinematic_coefficients
 from pointpred.server.hosts import is_address
 from pointpred.server.origins import well_formed
 from pointpred.server.protocol.server_messages import Limits
@@ -22,6 +23,7 @@ def _parts(value: Any) -> Any:
 
 
 NAME = re.compile(r"[A-Za-z0-9_-]+(\.[A-Za-z0-9_-]+)*")
+FILE_NAME = re.compile(r"[A-Za-z0-9_-]{1,64}")
 Words = Annotated[tuple[str, ...], NoDecode, BeforeValidator(_parts)]
 
 
@@ -49,6 +51,10 @@ class Settings(BaseSettings):
     )
     record: Path | None = Field(
         default=None, description="Folder for recordings of sessions; not given: none is made."
+    )
+    coefficients: dict[str, Path] = Field(
+        default={},
+        description="Files of 'pointpred train' by the names that clients may ask for: me=/path/me.npz.",
     )
     log_format: Literal["json", "text"] | None = Field(
         default=None,
@@ -84,6 +90,17 @@ class Settings(BaseSettings):
             if not well_formed(origin):
                 raise ValueError(f"an origin reads like https://lab.example:8000, received {origin!r}")
         return origins
+
+    @field_validator("coefficients")
+    @classmethod
+    def _coefficients(cls, files: dict[str, Path]) -> dict[str, Path]:
+        """Each file is read now: a wrong one is an error at the start, not in a session."""
+        for name, file in files.items():
+            if not FILE_NAME.fullmatch(name):
+                raise ValueError(f"a name of coefficients has 1 to 64 of A-Z a-z 0-9 _ -; received {name!r}")
+            kinematic_coefficients.read(file)
+            kinematic_coefficients.sets(file)
+        return {name: file.absolute() for name, file in files.items()}
 
     @property
     def limits(self) -> Limits:

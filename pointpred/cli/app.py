@@ -23,6 +23,7 @@ from pointpred.cli.replay import replay
 from pointpred.cli.score import score
 from pointpred.cli.screen import plain
 from pointpred.cli.serve import serve
+from pointpred.cli.train import train
 from pointpred.cli.transform import convert, simulate
 from pointpred.cli.wrong_values import bad_value
 from pointpred.errors import ParameterError, PointpredError
@@ -38,7 +39,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-for command in (score, simulate, convert, predictors, serve, replay, live, doctor):
+for command in (score, train, simulate, convert, predictors, serve, replay, live, doctor):
     app.command()(command)
 app.add_typer(camera, name="camera")
 app.add_typer(datasets, name="datasets")

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import msgspec
 import typer
 
+from pointpred.cli.coefficients import Coefficients, with_coefficients
 from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Unit, reading
 from pointpred.cli.screen import check_targets, remarks, write_json
 from pointpred.errors import ParameterError, PointpredError, RecordingError
@@ -43,6 +44,7 @@ def score(
         int | None, typer.Option(min=1, max=1024, help="Threads; not given: one for each processor.")
     ] = None,
     seed: Annotated[int, typer.Option(min=0, help="Seed of the resampling behind the intervals.")] = 0,
+    coefficients: Coefficients = None,
     cut: Cut = None,
     pause_s: PauseS = None,
     unit: Unit = None,
@@ -67,9 +69,11 @@ def score(
     names = chosen(predictors)
     check_targets({"--json": json, "--report": report}, files or ())
     told = reading(cut, pause_s, unit, screen, cpi, dpi)
+    own = with_coefficients(names, coefficients)
     unread: Unread = {}
     if targets:
-        _score_targets(files, told, names, json, report, threads=threads, seed=seed, cpi=cpi, dpi=dpi)
+        settings = {"threads": threads, "seed": seed, "cpi": cpi, "dpi": dpi, "parameters": own}
+        _score_targets(files, told, names, json, report, **settings)
         return
     from pointpred.cli.progress import following
     from pointpred.scoring import score as run
@@ -85,6 +89,7 @@ def score(
             cpi=cpi,
             dpi=dpi,
             seed=seed,
+            parameters=own,
             failed=lambda recording, error: _left_out(unread, recording.name, error),
         )
     if report is not None and scored:
@@ -185,6 +190,11 @@ def _read(files: list[Path], told: Reading, unread: Unread | None) -> Iterator[R
         except (PointpredError, OSError) as error:
             if unread is not None:
                 _left_out(unread, str(file), error)
+
+
+def read_all(files: list[Path], told: Reading) -> list[Recording]:
+    """The recordings of files, each with a name of its own; complains where a file cannot be read."""
+    return list(_read(files, told, {}))
 
 
 def _left_out(unread: Unread, name: str, error: Exception) -> None:

@@ -40,6 +40,12 @@ def serve(
     record: Annotated[
         Path | None, typer.Option(metavar="FOLDER", help="Record every session there; off by default.")
     ] = None,
+    coefficients: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME=FILE", help="Coefficients of 'pointpred train' that clients may name; repeatable."
+        ),
+    ] = None,
     log_format: Annotated[
         str | None, typer.Option(help="json or text; not given: text in a terminal, json elsewhere.")
     ] = None,
@@ -70,6 +76,8 @@ def serve(
     from pointpred.server.logs import set_up
     from pointpred.server.service import Service
 
+    if coefficients:
+        given["coefficients"] = named_files(coefficients)
     settings = settings_of(given)
     set_up(settings.log_format)
     wanted = settings.port
@@ -83,6 +91,17 @@ def serve(
         answer(opened, HostRule(settings.host, settings.allow_host), service, starting.announce)
     except KeyboardInterrupt:
         remarks().print("stopped")
+
+
+def named_files(given: list[str]) -> dict[str, Path]:
+    """The files of ``NAME=FILE``, each name once; raises ParameterError."""
+    found: dict[str, Path] = {}
+    for one in given:
+        name, equals, file = one.partition("=")
+        if not (name and equals and file) or name in found:
+            raise ParameterError(f"--coefficients needs NAME=FILE with a name of its own, received {one!r}")
+        found[name] = Path(file)
+    return found
 
 
 def settings_of(given: dict[str, Any]) -> Any:

@@ -8,6 +8,7 @@ import json
 import zipfile
 import zlib
 from functools import lru_cache
+from itertools import pairwise
 from math import prod
 from pathlib import Path
 from typing import Any
@@ -165,6 +166,19 @@ def _check(name: str, values: Any, shape: tuple[int, ...], most: float) -> None:
             f"{name} must hold finite numbers of shape {shape} and magnitude up to {most:g}, "
             f"has {values.dtype} of {values.shape}"
         )
+
+
+def network(path: Path | str = OWN) -> tuple[FloatArray, FloatArray, list[tuple[FloatArray, FloatArray]]]:
+    """Means and scales of the inputs, and the layers of a file's network; raises ParameterError."""
+    flat = read(path)
+    sizes = (features.FEATURES, int(flat[net.FIRST]), int(flat[net.SECOND]), net.OUTPUTS)
+    mean, scale = flat[net.HEAD :][: sizes[0]], flat[net.HEAD + sizes[0] :][: sizes[0]]
+    layers, at = [], net.HEAD + 2 * sizes[0]
+    for rows, width in pairwise(sizes):
+        offset = at + rows * width
+        layers.append((flat[at:offset].reshape(rows, width), flat[offset : offset + width]))
+        at = offset + width
+    return mean, scale, layers
 
 
 def card(path: Path = OWN) -> dict[str, Any]:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any
 
 import msgspec
 
@@ -50,15 +51,16 @@ def score(
     dpi: float | None = None,
     seed: int = 0,
     failed: Callable[[Recording, Exception], None] | None = None,
+    parameters: Mapping[str, Mapping[str, Any]] | None = None,
 ) -> list[SetScore]:
     """Score predictors on recordings, each recording on its own: distances differ, errors are never pooled.
 
     ``predictors``: names of the registry, or pipelines as patterns; ``hold`` is always scored and first.
-    ``cpi`` and ``dpi`` (counts and px per inch) replace what a recording says of itself. ``threads``: one
-    a processor unless given. ``seed`` fixes the resampling behind the intervals. Raises ParameterError for
-    an unknown name or a name given twice, and for a ``cpi`` or ``dpi`` out of bounds. Recordings may come one
-    by one from a generator; one that cannot be scored is told to ``failed`` and the others are scored, or its
-    error is raised where nobody listens.
+    ``parameters``: what ``build`` is given for a name. ``cpi`` and ``dpi`` (counts and px per inch) replace
+    what a recording says of itself. ``threads``: one a processor unless given. ``seed`` fixes the resampling
+    behind the intervals. Raises ParameterError for an unknown name or a name given twice, and for a ``cpi``
+    or ``dpi`` out of bounds. Recordings may come one by one from a generator; one that cannot be scored is
+    told to ``failed`` and the others are scored, or its error is raised where nobody listens.
 
     >>> from pointpred.columns import EventColumns
     >>> from pointpred.recording import Trial
@@ -72,13 +74,14 @@ def score(
         if given.count(name) > 1:
             raise ParameterError(f"each predictor at most once, received {name!r} {given.count(name)} times")
     chosen = {FLOOR: FLOOR} | dict(zip(given, predictors, strict=True))
+    known = parameters or {}
     for predictor in chosen.values():
         if isinstance(predictor, str):
-            build(predictor, cpi=cpi, dpi=96.0 if dpi is None else dpi)
+            build(predictor, cpi=cpi, dpi=96.0 if dpi is None else dpi, **known.get(predictor, {}))
     scores = []
     for recording in recordings:
         try:
-            scores.append(_score(recording, chosen, threads, progress, cpi, dpi, seed))
+            scores.append(_score(recording, chosen, known, threads, progress, cpi, dpi, seed))
         except Exception as error:
             if failed is None:
                 raise
@@ -89,6 +92,7 @@ def score(
 def _score(
     recording: Recording,
     chosen: dict[str, str | Pipeline],
+    known: Mapping[str, Mapping[str, Any]],
     threads: int | None,
     progress: Progress | None,
     cpi: float | None,
@@ -98,7 +102,9 @@ def _score(
     """Score one recording."""
     settings = resolution(recording, cpi, dpi)
     counted = recording.provenance.unit == "counts"
-    pipelines = [p if isinstance(p, Pipeline) else build(p, **settings) for p in chosen.values()]
+    pipelines = [
+        p if isinstance(p, Pipeline) else build(p, **settings, **known.get(p, {})) for p in chosen.values()
+    ]
     prepared = prepare(recording, **settings, threads=threads)
     total, done = len(prepared.events) * len(pipelines), 0
 

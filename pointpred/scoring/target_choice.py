@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import Any
 
@@ -64,15 +64,15 @@ def score_targets(
     elsewhere: float = 0.02,
     least_lead_s: float = 0.05,
     least_way_px: float = 3.0,
+    parameters: Mapping[str, Mapping[str, Any]] | None = None,
 ) -> list[TargetSet]:
     """Score the choices of predictors among the targets of a recording, and the nearest to the cursor.
 
     One result for each kind of layout that the recording's trials have.
 
-    ``predictors``: names of the registry, or pipelines as patterns, as for ``score``; the laws are
-    those of ``Chooser``. The baseline's shares hang on the
-    distance from the cursor to each target alone, with coefficients of their own. Raises what a pipeline
-    raises.
+    ``predictors`` and ``parameters``: as for ``score``; the laws are those of ``Chooser``. The baseline's
+    shares hang on the distance from the cursor to each target alone, with coefficients of their own. Raises
+    what a pipeline raises.
     """
     settings = resolution(recording, cpi, dpi)
     prepared = prepare(recording, **settings, threads=threads)
@@ -84,7 +84,9 @@ def score_targets(
             pipeline = (
                 given
                 if isinstance(given, Pipeline)
-                else build("hold" if name == NEAREST else name, **settings)
+                else build(
+                    "hold" if name == NEAREST else name, **settings, **(parameters or {}).get(name, {})
+                )
             )
             chosen = nearest if name == NEAREST else coefficients
             least = (least_lead_s, least_way_px)

@@ -1,7 +1,7 @@
 """``python -m pointpred.training``: make the coefficients of `kinematic` from POINTPRED_RECORDINGS.
 
 Without a word the package's own file is written anew, which takes minutes; ``validate PAGE`` scores people
-and sets held out instead, and writes the page.
+and sets held out instead, and writes the page. Coefficients of one's own: ``pointpred train``.
 """
 
 from __future__ import annotations
@@ -11,6 +11,8 @@ import os
 import sys
 import time
 from pathlib import Path
+
+from pointpred.errors import PointpredError
 
 THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
 
@@ -63,4 +65,7 @@ def main(page: Path | None) -> None:
 if __name__ == "__main__":
     asked = page_asked()
     in_one_thread("pointpred.training")
-    main(asked)
+    try:
+        main(asked)
+    except PointpredError as error:
+        sys.exit(f"python -m pointpred.training: {error}")

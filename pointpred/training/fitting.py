@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
 from pointpred.columns import FloatArray
+from pointpred.predictors import kinematic_coefficients
 from pointpred.predictors import kinematic_features as features
 from pointpred.predictors import kinematic_net as net
 from pointpred.training import network
@@ -51,6 +53,12 @@ class Fitted(msgspec.Struct, frozen=True):
         """The network's outputs for rows of features."""
         said, _ = network.forward(self.layers, inputs(seen, self.mean, self.scale))
         return said
+
+
+def of_file(path: Path | str = kinematic_coefficients.OWN) -> Fitted:
+    """The network of a file, such as that of the package; raises ParameterError."""
+    mean, scale, layers = kinematic_coefficients.network(path)
+    return Fitted(mean, scale, [(w.astype(np.float32), b.astype(np.float32)) for w, b in layers])
 
 
 def sides(seen: Floats) -> Floats:

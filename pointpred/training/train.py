@@ -19,14 +19,20 @@ Nets = list[tuple[set[int], Fitted]]
 """Users held out, and the network fitted to the others."""
 
 
-def taught(school: School, without_users: set[int], without_set: int | None, settings: Settings) -> Fitted:
-    """A network fitted to everybody but some users or a set."""
+def taught(
+    school: School,
+    without_users: set[int],
+    without_set: int | None,
+    settings: Settings,
+    start: Fitted | None = None,
+) -> Fitted:
+    """A network fitted to everybody but some users or a set; ``start``: a network to go on from."""
     parts = [
         part.only(~np.isin(part.user, list(without_users)))
         for part in (*school.own, *school.varied)
         if without_set is None or int(part.set[0]) != without_set
     ]
-    return fit(joined([part for part in parts if len(part.reach)]), settings)
+    return fit(joined([part for part in parts if len(part.reach)]), settings, start=start)
 
 
 def held_out(school: School, fitted: Fitted, users: set[int], settings: Settings) -> Held | None:
@@ -36,7 +42,7 @@ def held_out(school: School, fitted: Fitted, users: set[int], settings: Settings
     return calibrate.held(fitted, joined(parts), settings) if parts else None
 
 
-def folds(school: School, settings: Settings, say: Say) -> Nets:
+def folds(school: School, settings: Settings, say: Say, start: Fitted | None = None) -> Nets:
     """A network for each fold of users, fitted to the other folds."""
     of = school.fold()
     found = []
@@ -44,7 +50,7 @@ def folds(school: School, settings: Settings, say: Say) -> Nets:
         users = {user for user, fold in of.items() if fold == number}
         if not users or len(users) == len(of):
             continue
-        found.append((users, taught(school, users, None, settings)))
+        found.append((users, taught(school, users, None, settings, start)))
         say(f"fold {number + 1} of {FOLDS}: {len(users)} users held out")
     return found
 
@@ -57,7 +63,9 @@ def table_of(school: School, nets: Nets, settings: Settings) -> FloatArray:
 
 
 def save(path: Path, fitted: Fitted, table: FloatArray, card: dict[str, Any]) -> None:
-    """Write a network and its calibration."""
+    """Write a network and its calibration; one that has hardly learned may ask for factors without bound."""
+    most = kinematic_coefficients.LARGEST_LOG
+    table = np.clip(table, -most, most)
     kinematic_coefficients.write(path, fitted.mean, fitted.scale, fitted.layers, table, card)
 
 

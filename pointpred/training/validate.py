@@ -56,7 +56,7 @@ def validate(school: School, settings: Settings, say: Say, nets: Nets | None = N
     of the other sets. ``nets``: those of ``folds`` where they are known already.
     """
     nets = folds(school, settings, say) if nets is None else nets
-    known = [_known(school, fitted, users, settings) for users, fitted in nets]
+    known = [known_by_set(school, fitted, users, settings) for users, fitted in nets]
     tables = []
     for place in range(len(nets)):
         others = [one for k, row in enumerate(known) if k != place for one in row.values()]
@@ -86,7 +86,7 @@ def ratio(score: SetScore) -> float:
     return float(own.time_averaged.mean() / hold.time_averaged.mean())
 
 
-def _known(school: School, fitted: Fitted, users: set[int], settings: Settings) -> dict[int, Held]:
+def known_by_set(school: School, fitted: Fitted, users: set[int], settings: Settings) -> dict[int, Held]:
     """What a network claims of the people it did not know, set by set."""
     found = {}
     for number, part in enumerate(school.own):
@@ -96,7 +96,7 @@ def _known(school: School, fitted: Fitted, users: set[int], settings: Settings) 
     return found
 
 
-def _of_users(recording: Recording, names: list[str]) -> Recording:
+def of_users(recording: Recording, names: list[str]) -> Recording:
     """The trials of some people, named set and user."""
     chosen = [k for k, trial in enumerate(recording.trials) if f"{recording.name} {trial.user}" in names]
     return Recording.of(
@@ -111,7 +111,7 @@ def _judged(
     own = school.own[number]
     mine = own.only(np.isin(own.user, list(users)))
     names = [name for name, user in school.users.items() if user in users]
-    part = _of_users(school.recordings[number], names)
+    part = of_users(school.recordings[number], names)
     (scored,) = score([part], [pipeline_of(fitted, table)])
     whole = own.left_s / np.maximum(1.0 - own.share, 1e-6)
     _, first = np.unique(own.trial, return_index=True)

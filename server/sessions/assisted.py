@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from math import hypot
+from pathlib import Path
 
 import numpy as np
 
@@ -15,7 +16,7 @@ from pointpred.server.protocol.client_messages import Configure, Hello
 from pointpred.server.protocol.decoding import check_numbers
 from pointpred.server.protocol.refusals import RefusedError
 from pointpred.server.protocol.server_messages import ErrorMessage, Likely, encode
-from pointpred.server.sessions.building import cpi_of, dpi_of
+from pointpred.server.sessions.building import NO_COEFFICIENTS, cpi_of, dpi_of
 from pointpred.server.sessions.outbox import Frame, Outbox
 from pointpred.server.sessions.stream import Stream
 from pointpred.server.sessions.watch import Watch
@@ -23,9 +24,11 @@ from pointpred.transfer import ConstantGain, GuardedTransfer, SigmoidGain
 from pointpred.transfer.assisted_guarded import UNGUIDED
 
 
-def stream_of(hello: Hello) -> Stream:
+def stream_of(hello: Hello, coefficients: Mapping[str, Path] = NO_COEFFICIENTS) -> Stream:
     """The stream that a client asks for; raises RefusedError."""
-    return Stream(hello) if hello.assist is None else AssistedStream(hello, hello.assist)
+    if hello.assist is None:
+        return Stream(hello, coefficients=coefficients)
+    return AssistedStream(hello, hello.assist, coefficients=coefficients)
 
 
 class AssistedStream(Stream):
@@ -35,9 +38,15 @@ class AssistedStream(Stream):
     looked at, so answers that are still on their way do no harm. A reset leaves the cursor where it is.
     """
 
-    def __init__(self, hello: Hello, assist: Assist, watch: Watch | None = None) -> None:
+    def __init__(
+        self,
+        hello: Hello,
+        assist: Assist,
+        watch: Watch | None = None,
+        coefficients: Mapping[str, Path] = NO_COEFFICIENTS,
+    ) -> None:
         """Raises RefusedError as ``Stream`` does, and where the device's counts per inch are not said."""
-        super().__init__(hello, watch)
+        super().__init__(hello, watch, coefficients)
         self.transfer = _transfer(hello, assist)
         self.place: tuple[float, float] | None = None
         """The cursor, px; ``None`` before the first event."""

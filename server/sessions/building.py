@@ -4,17 +4,21 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 from pointpred.errors import ParameterError
 from pointpred.person import restore
 from pointpred.pipeline import Pipeline
-from pointpred.registry import REGISTRY, build, parameters
+from pointpred.predictors import kinematic_coefficients
+from pointpred.registry import REGISTRY, build, parameters, takes
 from pointpred.server.protocol.client_messages import Hello, Setting
 from pointpred.server.protocol.refusals import RefusedError
 from pointpred.stage import defaults
 
 DPI = 96.0
+COEFFICIENTS = "coefficients"
+NO_COEFFICIENTS: Mapping[str, Path] = {}
 ELSEWHERE = {"cpi": "device.cpi", "dpi": "screen.dpi", "name": "predictor", "person": "person"}
 """What ``build`` takes besides parameters, and where a client says it."""
 SUBSTEPS_MOST = 200
@@ -31,8 +35,10 @@ def dpi_of(hello: Hello) -> float:
     return hello.screen.dpi if hello.screen else DPI
 
 
-def pipeline_of(hello: Hello) -> Pipeline:
+def pipeline_of(hello: Hello, coefficients: Mapping[str, Path] = NO_COEFFICIENTS) -> Pipeline:
     """A fresh pipeline that knows the person the client named.
+
+    ``coefficients``: the files that a client may ask for by name; it never names a path.
 
     Raises RefusedError, naming what is known, for an unknown predictor, a wrong parameter or a person that
     the predictor cannot take.
@@ -45,6 +51,8 @@ def pipeline_of(hello: Hello) -> Pipeline:
             raise RefusedError("bad_field", f"{name} is said as {place}", f"$.parameters.{name}")
     try:
         settings: dict[str, Any] = {name: _whole(value) for name, value in hello.parameters.items()}
+        if COEFFICIENTS in settings and takes(hello.predictor, COEFFICIENTS):
+            settings[COEFFICIENTS] = _file_of(settings[COEFFICIENTS], coefficients)
         pipeline = build(hello.predictor, cpi=cpi_of(hello), dpi=dpi_of(hello), **settings)
         _check_substeps(pipeline, settings)
     except ParameterError as error:
@@ -58,6 +66,20 @@ def pipeline_of(hello: Hello) -> Pipeline:
     except ParameterError as error:
         raise RefusedError("bad_field", str(error), "$.person") from None
     return pipeline
+
+
+def _file_of(name: Setting, coefficients: Mapping[str, Path]) -> Path:
+    """The file of coefficients that the service calls by a name; raises RefusedError, which names no path."""
+    path = f"$.parameters.{COEFFICIENTS}"
+    if not isinstance(name, str) or name not in coefficients:
+        known = ", ".join(sorted(coefficients)) or "none; the service names them when it is started"
+        raise RefusedError("bad_field", f"unknown coefficients {name!r}; known: {known}", path)
+    try:
+        kinematic_coefficients.read(coefficients[name])
+    except ParameterError:
+        words = f"the coefficients {name!r} cannot be read any more; ask who runs the service"
+        raise RefusedError("bad_field", words, path) from None
+    return coefficients[name]
 
 
 def _check_substeps(pipeline: Pipeline, settings: Mapping[str, Any]) -> None:

@@ -6,7 +6,8 @@ clock. Nothing a client sends may raise: what is wrong is answered.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from pathlib import Path
 
 from pointpred.columns import FloatArray
 from pointpred.errors import EventError
@@ -29,6 +30,7 @@ from pointpred.server.protocol.refusals import RefusedError, short
 from pointpred.server.protocol.server_messages import ErrorMessage, KnownPerson, Limits, TargetsTaken, Welcome
 from pointpred.server.sessions.allowance import TARGETS_AN_EVENT, Allowance
 from pointpred.server.sessions.assisted import stream_of
+from pointpred.server.sessions.building import NO_COEFFICIENTS
 from pointpred.server.sessions.conversation import SLOW, Conversation
 from pointpred.server.sessions.stream import Stream
 from pointpred.server.sessions.watch import Watch
@@ -41,7 +43,7 @@ class Session(Conversation):
 
     What takes long is not done here: ``work`` is what the caller runs, where it likes, before the next frame,
     and gives what came of it to ``finish``. ``watch`` opens, at the client's hello, what is told of the
-    session's events, such as a recording.
+    session's events, such as a recording. ``coefficients``: the files that the client may ask for by name.
     """
 
     def __init__(
@@ -50,11 +52,13 @@ class Session(Conversation):
         limits: Limits,
         now: float,
         watch: Callable[[str, Hello], Watch | None] | None = None,
+        coefficients: Mapping[str, Path] = NO_COEFFICIENTS,
     ) -> None:
         super().__init__(name, limits, now)
         self.targets = Targets([])
         self._allowance = Allowance(limits, now)
         self._watch = watch
+        self._coefficients = coefficients
 
     def receive(self, frame: str | bytes, now: float) -> None:
         """Take in one frame; answers are in the outbox, and ``close`` is set when the connection ends."""
@@ -165,7 +169,7 @@ class Session(Conversation):
             raise RefusedError(
                 "bad_field", f"version must be {VERSION}, received {hello.version}", "$.version"
             )
-        self.stream = stream_of(hello)
+        self.stream = stream_of(hello, self._coefficients)
         self.stream.watch = self._watch(self.name, hello) if self._watch else None
         self.state, self.heard = "greeted", now
         self._welcome(self.stream)

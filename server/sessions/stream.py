@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
+from pathlib import Path
 
 import numpy as np
 from msgspec import structs
@@ -16,7 +17,7 @@ from pointpred.server.protocol.decoding import check_numbers
 from pointpred.server.protocol.refusals import RefusedError
 from pointpred.server.protocol.server_messages import ErrorMessage, Likely
 from pointpred.server.sessions import answers
-from pointpred.server.sessions.building import cpi_of, dpi_of, pipeline_of
+from pointpred.server.sessions.building import NO_COEFFICIENTS, cpi_of, dpi_of, pipeline_of
 from pointpred.server.sessions.choices import Choices, Taken
 from pointpred.server.sessions.outbox import Frame, Outbox
 from pointpred.server.sessions.trials import Scoring, TrialKeeper, with_account
@@ -32,9 +33,18 @@ NOWHERE = np.zeros(100_000, np.bool_)
 class Stream:
     """A pipeline as a client asked for it, and the trial it marks."""
 
-    def __init__(self, hello: Hello, watch: Watch | None = None) -> None:
-        """Raises RefusedError for an unknown predictor or a wrong parameter."""
-        self.pipeline = pipeline_of(hello)
+    def __init__(
+        self,
+        hello: Hello,
+        watch: Watch | None = None,
+        coefficients: Mapping[str, Path] = NO_COEFFICIENTS,
+    ) -> None:
+        """Raises RefusedError for an unknown predictor, a wrong parameter or a person that cannot be taken.
+
+        ``coefficients``: the files that the client may ask for by name.
+        """
+        self._build = partial(pipeline_of, coefficients=coefficients)
+        self.pipeline = self._build(hello)
         self.hello = structs.replace(hello, person="")  # the pipeline knows it, and learns on
         self.precision: float | None = None
         """The precision a client wishes proposals to have."""
@@ -128,7 +138,7 @@ class Stream:
             assist=message.assist or self.hello.assist,
         )
         if another or message.parameters:
-            pipeline = pipeline_of(hello)
+            pipeline = self._build(hello)
             if pipeline.name == self.pipeline.name and portable(pipeline.predictor):
                 restore(pipeline.predictor, self.pipeline.person)
             self.pipeline = pipeline
@@ -158,7 +168,7 @@ class Stream:
         Raises RefusedError for what the predictor cannot take, nothing changed.
         """
         if known is not None:
-            self.pipeline = pipeline_of(structs.replace(self.hello, person=known))
+            self.pipeline = self._build(structs.replace(self.hello, person=known))
             self._forget()
         return self.pipeline.person
 

@@ -47,6 +47,7 @@ MAY_IMPORT = {
         "scoring",
         "report",
         "sources",
+        "training",
         "datasets",
         "devices",
         "observers",

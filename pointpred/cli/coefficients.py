@@ -1,0 +1,34 @@
+"""Coefficients of one's own on the command line: ``--coefficients FILE``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from pointpred.errors import ParameterError
+from pointpred.registry import REGISTRY, build, takes
+
+PARAMETER = "coefficients"
+
+Coefficients = Annotated[
+    Path | None,
+    typer.Option(metavar="FILE", help="Coefficients for 'kinematic' names, made by 'pointpred train'."),
+]
+
+
+def with_coefficients(names: list[str], file: Path | None) -> dict[str, dict[str, Any]]:
+    """What ``build`` is given for each of the names that take coefficients.
+
+    Raises ParameterError for a file that cannot be used, and where none of the names takes one.
+    """
+    if file is None:
+        return {}
+    taking = [name for name in names if takes(name, PARAMETER)]
+    if not taking:
+        known = ", ".join(name for name in REGISTRY if takes(name, PARAMETER))
+        raise ParameterError(f"--coefficients needs one of {known}, received {', '.join(names)}")
+    for name in taking:
+        build(name, coefficients=file)
+    return {name: {PARAMETER: file} for name in taking}

@@ -1,0 +1,137 @@
+"""``pointpred train``: coefficients of `kinematic` fitted to one's own recordings."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+from rich.table import Table
+
+from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Unit, reading
+from pointpred.cli.score import read_all
+from pointpred.cli.screen import check_targets, counted, plain, results, write_json
+from pointpred.errors import ParameterError, RecordingError
+
+if TYPE_CHECKING:
+    from pointpred.training.own import HeldOut, Trained
+
+HEADINGS = ("recording", "movements", "hold", "shipped", "yours", "yours / shipped (95 %)")
+VERDICT = {
+    1: "Your coefficients are better than the shipped ones on movements that they were not fitted to.",
+    0: "Your coefficients are not clearly better than the shipped ones on movements that they were not "
+    "fitted to:\nthe interval holds 1, or recordings disagree. More recordings would tell.",
+    -1: "Your coefficients are worse than the shipped ones on movements that they were not fitted to: "
+    "keep the shipped ones.",
+}
+
+
+def train(
+    files: Annotated[
+        list[Path], typer.Argument(exists=True, help="Recordings, as 'pointpred score' reads them.")
+    ],
+    out: Annotated[Path, typer.Option(metavar="FILE", help="The file to write, such as me.npz.")],
+    from_scratch: Annotated[
+        bool,
+        typer.Option("--from-scratch", help="Do not start from the shipped coefficients; needs much data."),
+    ] = False,
+    seed: Annotated[int, typer.Option(min=0, help="Seed of everything that is drawn.")] = 1,
+    json: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Write the scores as JSON; - for stdout.")
+    ] = None,
+    cut: Cut = None,
+    pause_s: PauseS = None,
+    unit: Unit = None,
+    screen: Screen = None,
+    cpi: Cpi = None,
+    dpi: Dpi = None,
+) -> None:
+    """Fit the coefficients of 'kinematic' to your own recordings, and score them beside the shipped ones.
+
+    Scores are of movements that were held out: other people's, or other movements where there is one person.
+    The file is for --coefficients and build("kinematic", coefficients=...).
+
+    Try:
+
+      pointpred train session.csv --out me.npz
+
+      pointpred score other.csv --predictors kinematic --coefficients me.npz
+    """
+    check_targets({"--out": out, "--json": json}, files)
+    if str(out) == "-" or out.suffix != ".npz":
+        raise ParameterError(f"--out must name a file that ends in .npz, received {out}")
+    told = reading(cut, pause_s, unit, screen, cpi, dpi)
+    from pointpred.cli.progress import following
+    from pointpred.training.own import train_own
+
+    recordings = [one for one in read_all(files, told) if one.trials]
+    if not recordings:
+        raise RecordingError("no recording to learn from could be read; the reasons stand above")
+    with following() as advance:
+        trained = train_own(
+            recordings,
+            out,
+            seed=seed,
+            from_scratch=from_scratch,
+            progress=advance or (lambda what, done, total: None),
+        )
+    if json is not None:
+        write_json({"version": 1, "out": str(out), **described(trained)}, json)
+    if json is None or str(json) != "-":
+        _print(trained, out)
+
+
+def described(trained: Trained) -> dict[str, Any]:
+    """The scores as JSON has them: means of time-averaged errors, px."""
+    return {
+        "movements": trained.movements,
+        "people": trained.people,
+        "held_out": "people" if trained.by_person else "movements",
+        "better": trained.better,
+        "sets": [
+            {
+                "name": one.name,
+                "movements": len(one.hold),
+                "hold_px": float(one.hold.mean()),
+                "shipped_px": float(one.shipped.mean()),
+                "own_px": float(one.own.mean()),
+                "ratio": one.ratio[0],
+                "low": _number(one.ratio[1]),
+                "high": _number(one.ratio[2]),
+                "shipped_saw_it": one.seen,
+            }
+            for one in trained.held_out
+        ],
+    }
+
+
+def _print(trained: Trained, out: Path) -> None:
+    screen, how = (
+        results(),
+        "people held out" if trained.by_person else "movements of one person held out, in order",
+    )
+    screen.print(f"{counted(trained.movements, 'movement')}; {how}", style="bold", markup=False)
+    table = Table(box=None, pad_edge=False)
+    for i, heading in enumerate(HEADINGS):
+        table.add_column(heading, justify="left" if i == 0 else "right", no_wrap=i == 0)
+    for one in trained.held_out:
+        table.add_row(plain(one.name), *_row(one))
+    screen.print(table)
+    screen.print(
+        "Time-averaged error, px, of movements that were held out; hold predicts nothing.", style="dim"
+    )
+    screen.print(VERDICT[trained.better], markup=False)
+    if seen := [one.name for one in trained.held_out if one.seen]:
+        words = f"The shipped coefficients were fitted to {', '.join(seen)}: their error there is too small."
+        screen.print(words, style="red", markup=False)
+    screen.print(f"written: {out}", markup=False, soft_wrap=True)
+
+
+def _row(one: HeldOut) -> tuple[str, ...]:
+    ratio, low, high = one.ratio
+    means = (f"{errors.mean():.1f}" for errors in (one.hold, one.shipped, one.own))
+    return str(len(one.hold)), *means, f"{ratio:.3f} ({low:.3f}-{high:.3f})"
+
+
+def _number(value: float) -> float | None:
+    return value if value == value else None

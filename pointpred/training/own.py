@@ -1,0 +1,169 @@
+"""Coefficients fitted to somebody's own recordings, and what they are worth on movements they do not know.
+
+Training goes on from the package's network unless told otherwise. People are held out in folds; where there
+is one person, movements are, in stretches of their order.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import msgspec
+import numpy as np
+
+import pointpred
+from pointpred.columns import FloatArray
+from pointpred.errors import ParameterError, RecordingError
+from pointpred.pipeline import Pipeline
+from pointpred.predictors import kinematic_coefficients
+from pointpred.recording import Recording
+from pointpred.scoring import score
+from pointpred.scoring.bootstrap import ratio_intervals
+from pointpred.training import calibrate
+from pointpred.training.fitting import Settings, of_file
+from pointpred.training.people import FOLDS, VARIANTS, School, school
+from pointpred.training.train import Nets, card_of, folds, save, table_of, taught
+from pointpred.training.validate import known_by_set, of_users, pipeline_of
+
+GENTLE = Settings(passes=4, batch=512, rate=3e-4)
+"""How the package's network is fitted further to few movements: more would be learnt by heart."""
+FIRM = Settings(passes=12, batch=512, rate=1e-3)
+"""How it is fitted further to more."""
+MOVEMENTS_LEAST, MOVEMENTS_FIRM = 50, 100
+"""With fewer movements than the first nothing can be held out; from the second on training is firm."""
+STEPS = 3 + 2 * FOLDS
+"""What ``progress`` counts to, at most."""
+
+Progress = Callable[[str, int, int], None]
+
+
+class HeldOut(msgspec.Struct, frozen=True):
+    """One recording's movements, each predicted by coefficients that were not fitted to it.
+
+    Time-averaged errors in px, a movement each.
+    """
+
+    name: str
+    hold: FloatArray
+    shipped: FloatArray
+    own: FloatArray
+    ratio: tuple[float, float, float]
+    """Of the means, own over shipped, and the ends of its interval of 95 %; NaN where there is none."""
+    seen: bool
+    """Whether the shipped coefficients were fitted to these people: their error is then too small."""
+
+
+class Trained(msgspec.Struct, frozen=True):
+    """What came of training."""
+
+    movements: int
+    people: int
+    by_person: bool
+    """Whether people were held out; otherwise movements of the one person, in stretches of their order."""
+    held_out: tuple[HeldOut, ...]
+
+    @property
+    def better(self) -> int:
+        """1 where the own coefficients are surely better on every recording, -1 surely worse, 0 else."""
+        if all(one.ratio[2] < 1.0 for one in self.held_out):
+            return 1
+        return -1 if all(one.ratio[1] > 1.0 for one in self.held_out) else 0
+
+
+def train_own(
+    recordings: list[Recording],
+    path: Path,
+    *,
+    seed: int = 1,
+    from_scratch: bool = False,
+    settings: Settings | None = None,
+    variants: int = VARIANTS,
+    progress: Progress = lambda what, done, total: None,
+) -> Trained:
+    """Fit ``kinematic``'s coefficients to recordings, write them, and score them on what was held out.
+
+    ``from_scratch``: begin with a network at random instead of the package's. The same recordings, seed and
+    settings write the same numbers on the same machine. The file is written last: an interruption leaves
+    none. Raises RecordingError for fewer than 50 movements, ParameterError for a recording in which nobody
+    moves, and where ``path`` is the package's own file.
+    """
+    if path.resolve() == kinematic_coefficients.OWN.resolve():
+        raise ParameterError(f"{path} is the package's own file, which `make train` writes; name another")
+    start = None if from_scratch else of_file()
+    done = 0
+
+    def say(what: str) -> None:
+        nonlocal done
+        done += 1
+        progress(what, min(done, STEPS), STEPS)
+
+    progress("reading movements", 0, STEPS)
+    people = {f"{one.name} {trial.user}" for one in recordings for trial in one.trials}
+    by_person = len(people) > 1
+    taken = recordings if by_person else [_in_stretches(one) for one in recordings]
+    made = school(taken, seed, lambda _: None, variants)
+    movements = sum(len(np.unique(part.trial)) for part in made.own)
+    if movements < MOVEMENTS_LEAST:
+        raise RecordingError(f"training needs {MOVEMENTS_LEAST} movements at least, there are {movements}")
+    if settings is None:
+        firm = movements >= MOVEMENTS_FIRM
+        settings = Settings() if from_scratch else FIRM if firm else GENTLE
+    settings = msgspec.structs.replace(settings, seed=seed)
+    say("fitting")
+    nets = folds(made, settings, say, start)
+    known = [known_by_set(made, fitted, users, settings) for users, fitted in nets]
+    held_out = tuple(_judged(made, k, nets, known, by_person, say) for k in range(len(taken)))
+    table = table_of(made, nets, settings)
+    card = card_of(made, settings) | {
+        "pointpred": pointpred.__version__,
+        "start": None if from_scratch else kinematic_coefficients.digest(),
+        "held_out": "people" if by_person else "movements of one person",
+    }
+    for one in card["sets"]:
+        one["licence"] = "unknown"
+        one["users"] = one["users"] if by_person else 1
+    save(path, taught(made, set(), None, settings, start), table, card)
+    return Trained(movements, len(people), by_person, held_out)
+
+
+def _in_stretches(recording: Recording) -> Recording:
+    """One person's trials as if each fifth of them, in their order, were another person's."""
+    count = len(recording.trials)
+    trials = tuple(
+        msgspec.structs.replace(trial, user=f"{trial.user}, stretch {k * FOLDS // count + 1}")
+        for k, trial in enumerate(recording.trials)
+    )
+    return msgspec.structs.replace(recording, trials=trials)
+
+
+def _judged(
+    made: School,
+    number: int,
+    nets: Nets,
+    known: list[dict[int, calibrate.Held]],
+    by_person: bool,
+    say: Callable[[str], None],
+) -> HeldOut:
+    """A recording's movements, each scored with the coefficients of the fold that did not know it."""
+    recording = made.recordings[number]
+    rows, users, seen = [], [], False
+    for place, (out, fitted) in enumerate(nets):
+        part = of_users(recording, [name for name, user in made.users.items() if user in out])
+        if not part.trials:
+            continue
+        others = [one for k, row in enumerate(known) if k != place for one in row.values()]
+        pipeline = _named("own", pipeline_of(fitted, calibrate.calibrated(calibrate.joined(others))))
+        (scored,) = score([part], [pipeline, "kinematic"])
+        rows.append(np.stack([one.time_averaged for one in scored.predictors]))
+        users += [one.trial.user if by_person else "" for one in scored.trials]
+        seen = scored.predictors[2].seen
+        say(f"scoring {recording.name}")
+    hold, own, shipped = np.concatenate(rows, axis=1)
+    interval = ratio_intervals(own[:, None], shipped[:, None], users)
+    ratio = (float(own.mean() / shipped.mean()), float(interval.low[0]), float(interval.high[0]))
+    return HeldOut(recording.name, hold, shipped, own, ratio, seen)
+
+
+def _named(name: str, pipeline: Pipeline) -> Pipeline:
+    return Pipeline(name, pipeline.differentiator, pipeline.predictor)
