@@ -5,7 +5,7 @@ import { KINDS, Lock, lendable } from "./assist-lock.js";
 import { Task } from "./assist-task.js";
 import { onRepaint } from "./draw.js";
 import { fill, offer, part, write } from "./elements.js";
-import { PREFERRED, predictors } from "./service.js";
+import { predictors } from "./service.js";
 import { Track, words } from "./track.js";
 
 const HELPING_MS = 60;
@@ -142,7 +142,7 @@ export async function open() {
     return;
   }
   const listing = await predictors();
-  if (select.disabled) offer(select, listing.predictors, PREFERRED);
+  if (select.disabled) offer(select, listing.predictors, listing.recommended);
   take.disabled = false;
 }
 

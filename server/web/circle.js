@@ -11,7 +11,7 @@ import { count, offer, part, write } from "./elements.js";
 import { circle } from "./geometry.js";
 import { Ledger } from "./ledger.js";
 import { follow } from "./pointer.js";
-import { PREFERRED, predictors } from "./service.js";
+import { predictors } from "./service.js";
 import { Track, words } from "./track.js";
 
 const FRESH_MS = 500;
@@ -179,7 +179,7 @@ export async function open() {
   if (!drawing) requestAnimationFrame(frame);
   drawing = true;
   const listing = await predictors();
-  if (!offered) offer(part("circle-predictor"), listing.predictors, PREFERRED);
+  if (!offered) offer(part("circle-predictor"), listing.predictors, listing.recommended);
   offered = true;
   names = listing.predictors.map(({ name }) => name);
   announce();

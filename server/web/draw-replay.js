@@ -1,13 +1,15 @@
 // The scene of one recorded movement: where it went, and what was predicted at a moment of it.
 
 import { MARKS, disc, inks, line, prepare } from "./draw.js";
+import { drawEndpoint } from "./draw-live.js";
 import { inside } from "./geometry.js";
+import { drawRegions, regionsOf } from "./regions.js";
 
 const MARGIN_PX = 22;
 
 /**
  * @typedef {{t: number[], x: number[], y: number[], target: {x: number, y: number, width: number} | null}} Movement
- * @typedef {{x: (number|null)[], y: (number|null)[]}} Column a predictor's answers, one an event
+ * @typedef {{x: (number|null)[], y: (number|null)[], regions: (object|null)[]}} Column a predictor's answers, one an event
  */
 
 /** The distance from a predicted point to where the movement ended, px; null where nothing was predicted. */
@@ -20,6 +22,17 @@ export function errorAt(movement, column, i) {
 /** Smallest and largest of many numbers; spreading long arrays as arguments would fail. */
 function bounds(values) {
   return values.reduce(([low, high], value) => [Math.min(low, value), Math.max(high, value)], [Infinity, -Infinity]);
+}
+
+/** The regions of a prediction in px of the canvas; null where it claims none. */
+function regionsIn({ place, scale }, column, i) {
+  const regions = regionsOf({ x: column.x[i], y: column.y[i], region: column.regions[i] });
+  if (regions === null) return null;
+  const moved = ({ x, y, major, minor, angle }) => {
+    const [left, top] = place(x, y);
+    return { x: left, y: top, major: scale * major, minor: scale * minor, angle };
+  };
+  return { inner: moved(regions.inner), outer: moved(regions.outer) };
 }
 
 /** Screen px of the movement to px of the canvas: one scale for both axes, the trail and the target inside. */
@@ -40,13 +53,19 @@ function projection(movement, width, height) {
 }
 
 /**
- * The trail so far and to come, the target, the cursor and the predicted endpoints at event `i`.
+ * The trail so far and to come, the target, the cursor, and the predicted endpoints with their regions at event `i`.
  * @param {HTMLCanvasElement} canvas @param {Movement} movement @param {(Column|null)[]} columns @param {number} i
  */
 export function drawScene(canvas, movement, columns, i) {
   const { pen, width, height } = prepare(canvas);
   const ink = inks();
-  const { place, scale } = projection(movement, width, height);
+  const view = projection(movement, width, height);
+  const { place, scale } = view;
+  const answered = columns.flatMap((column, which) => (column === null || column.x[i] === null ? [] : [{ column, which }]));
+  for (const { column, which } of answered) {
+    const regions = regionsIn(view, column, i);
+    if (regions !== null) drawRegions(pen, regions, ink[MARKS[which].colour], MARKS[which].outline, width, height);
+  }
   const trail = movement.x.map((x, k) => place(x, movement.y[k]));
   if (movement.target !== null) {
     const { target } = movement;
@@ -55,11 +74,7 @@ export function drawScene(canvas, movement, columns, i) {
   line(pen, trail.slice(i), ink.future, 2, [6, 5]);
   line(pen, trail.slice(0, i + 1), ink.past, 3);
   disc(pen, trail[i], 5, ink.none, true);
-  columns.forEach((column, which) => {
-    if (column === null || column.x[i] === null) return;
-    const { shape, colour, dash } = MARKS[which];
-    const point = inside(place(column.x[i], column.y[i]), width, height);
-    line(pen, [trail[i], point], ink[colour], 1.5, dash);
-    shape(pen, point, 8, ink[colour], false, 2.5);
-  });
+  for (const { column, which } of answered) {
+    drawEndpoint(pen, which, trail[i], inside(place(column.x[i], column.y[i]), width, height, 11), ink);
+  }
 }

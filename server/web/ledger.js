@@ -1,4 +1,4 @@
-// What became of the service's proposals, counted in the page: how many, right in time, in vain, and how early.
+// What became of the service's proposals, counted in the page: how many, right in time, wrong, and how early.
 
 import { median } from "./geometry.js";
 import { count, number } from "./elements.js";
@@ -48,6 +48,6 @@ export class Ledger {
   get words() {
     if (this.movements === 0) return "";
     const early = this.#leads.length ? `, ${number(1000 * median(this.#leads), 0, "ms")} early` : "";
-    return `Proposed in time: ${this.hits} of ${count(this.movements, "movement")}${early}; ${this.wasted} of ${count(this.proposed, "proposal")} in vain.`;
+    return `Proposed in time: ${this.hits} of ${count(this.movements, "movement")}${early}; ${this.wasted} of ${count(this.proposed, "proposal")} wrong.`;
   }
 }

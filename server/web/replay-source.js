@@ -10,6 +10,12 @@ import { read } from "./service.js";
  *   movement: (at: number, predictors: string[]) => Promise<object>, names: string[]}} Source
  */
 
+/** Columns of a region's numbers as one region, or null, for each event. */
+const regionsAlong = (count, region) => Array.from({ length: count }, (_, i) => {
+  if (region === null || region.sxx[i] === null) return null;
+  return { sxx: region.sxx[i], sxy: region.sxy[i], syy: region.syy[i], tail: region.tail[i] };
+});
+
 /** The embedded sample: the service computes the predictions from its own copy. @returns {Promise<Source>} */
 export async function embedded() {
   const { samples } = await read("/v1/samples");
@@ -21,7 +27,8 @@ export async function embedded() {
     async movement(at, predictors) {
       const asked = encodeURIComponent(predictors.join(","));
       const found = await read(`/v1/samples/${encodeURIComponent(samples[at].name)}?predictors=${asked}`);
-      return { ...found, who: `simulated person ${found.user}` };
+      const columns = Object.entries(found.predictions).map(([name, { x, y, region }]) => [name, { x, y, regions: regionsAlong(x.length, region) }]);
+      return { ...found, who: `simulated person ${found.user}`, predictions: Object.fromEntries(columns) };
     },
   };
 }

@@ -27,15 +27,16 @@ function waiting(connection, name, ready) {
  * What a predictor says after each event of a movement.
  * @param {number[][]} rows events [t, x, y, dx, dy, buttons] @param {string} predictor
  * @param {{dpi: number, cpi: number|null}} resolution
- * @returns {Promise<{x: (number|null)[], y: (number|null)[]}>}
+ * @returns {Promise<import("./draw-replay.js").Column>}
  */
 export async function predictionsAlong(rows, predictor, { dpi, cpi }) {
   const options = { predictor, pointer: false, token, reply: "event", screen: { dpi }, ...(cpi ? { device: { cpi } } : {}) };
   const connection = connect(undefined, options);
-  const column = { x: [], y: [] };
-  connection.on("prediction", ({ x, y }) => {
+  const column = { x: [], y: [], regions: [] };
+  connection.on("prediction", ({ x, y, region }) => {
     column.x.push(x);
     column.y.push(y);
+    column.regions.push(region);
   });
   try {
     if (connection.state !== "open") await waiting(connection, "state", (state) => state === "open");

@@ -4,11 +4,12 @@ import { onRepaint, prepare } from "./draw.js";
 import { drawErrors } from "./draw-errors.js";
 import { drawScene, errorAt } from "./draw-replay.js";
 import { number as written, offer, part, write } from "./elements.js";
+import { drawSwatches } from "./legend.js";
 import { acceptFiles } from "./replay-drop.js";
 import { Player } from "./replay-player.js";
 import { Results } from "./results.js";
 import { embedded, opened } from "./replay-source.js";
-import { PREFERRED, predictors } from "./service.js";
+import { predictors } from "./service.js";
 
 const [scene, errors, previous, next] = ["scene", "errors", "previous", "next"].map((id) => part(`replay-${id}`));
 const [list, readout, said, file, back, again] = ["trials", "readout", "source", "file", "sample", "again"].map((id) => part(`replay-${id}`));
@@ -141,9 +142,10 @@ async function openSample() {
 export async function open() {
   const listing = await predictors();
   if (choices[0].options.length === 0) {
-    offer(choices[0], listing.predictors, PREFERRED);
+    offer(choices[0], listing.predictors, listing.recommended);
     offer(choices[1], listing.predictors, "", "none");
   }
+  drawSwatches();
   if (source === null) await take(embedded());
   else if (movement === null) await show(at);
   draw();

@@ -123,4 +123,4 @@ def test_a_proposed_tile_is_framed_and_what_came_of_it_is_counted(visitor: Visit
     visitor.click(*place)
     counted = "document.querySelector('#live-ledger').textContent"
     visitor.wait(f"{counted}.startsWith('Proposed in time: 1 of 1 movement, ')")
-    assert visitor.value(counted).endswith(" ms early; 1 of 2 proposals in vain.")
+    assert visitor.value(counted).endswith(" ms early; 1 of 2 proposals wrong.")
