@@ -21,7 +21,7 @@ from pointpred.server.sessions.session import Session
 from tests.server.running import PATIENCE_S, Running, running
 
 LIMITS = Limits(max_events_per_s=10**9)
-EVENT, PREDICTION = Struct("<dddhhH"), Struct("<dddddddB")
+EVENT, PREDICTION = Struct("<dddhhH"), Struct("<dddddddBd")
 NAN = float("nan")
 TRIALS = 4
 """Trials taken from the embedded sample; a reset lies between them."""
