@@ -12,21 +12,25 @@ from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.predictors import adaptation_clock as clock
 from pointpred.predictors import adaptation_distances as distances
+from pointpred.predictors import adaptation_levels as levels
 from pointpred.predictors import adaptation_stages as stages
 
-# What is known of the person, relative to `known`: the stages, the distances, the durations.
+# What is known of the person, relative to `known`: the stages, the distances, the durations, the levels.
 DISTANCES = stages.LEARNED
 CLOCK = DISTANCES + distances.LEARNED
-LEARNED = CLOCK + clock.LEARNED
-SLOTS = (*stages.SLOTS, *distances.SLOTS, *clock.SLOTS)
+LEVELS = CLOCK + clock.LEARNED
+LEARNED = LEVELS + levels.LEARNED
+SLOTS = (*stages.SLOTS, *distances.SLOTS, *clock.SLOTS, *levels.SLOTS)
 
 # The movement, relative to `at`: whether there is one, its start, its last sample, how many
-# places of the way were kept, samples of different times; the last of these places; a moment of each stage.
+# places of the way were kept, samples of different times; the last of these places; a moment of each stage;
+# the regions that were stated.
 KNOWN, T0, X0, Y0, T, X, Y, LATELY, COUNT, TRACE = 0, 1, 2, 3, 4, 5, 6, 7, 8, 9
 TRACED, APART_S = 96, 0.005
 """Places kept of the last way, and how far apart in time at least; while it stands none is kept."""
 MOMENTS = TRACE + 3 * TRACED
-STATES = MOMENTS + stages.STATES
+STATED = MOMENTS + stages.STATES
+STATES = STATED + levels.STATES
 NEAR_PX, NEAR_SHARE = 8.0, 0.03
 """The movement has arrived when the cursor stays so near its end: px, share of the distance."""
 
@@ -78,6 +82,7 @@ def conclude(memory: FloatArray, known: int, at: int, shortest: float) -> None:
                 stages.learn(memory, of, moment, x, y, moved)
         distances.remember(memory, known + DISTANCES, distance)
         clock.remember(memory, known + CLOCK, duration)
+        levels.learn(memory, known + LEVELS, at + STATED, x, y, memory[at + T0], moved)
     memory[at : at + STATES] = 0.0
 
 
@@ -168,6 +173,7 @@ def adapted(
     share = since / (since + left)
     take(memory, at, share, ux, uy, reached, along, across, wide, broad, tail, left)
     if memory[known + DISTANCES + distances.HELD] == 0.0:
+        levels.keep(memory, at + STATED, memory[at + T], x, y, (px, py, sxx, sxy, syy, tail))
         return answer
     total = hypot(reached + along, across)
     shift, widen, broaden, slow = stages.corrected(memory, known, share, total, along)
@@ -183,16 +189,12 @@ def adapted(
         new_along += still * (drawn_along - new_along)
         new_wide *= (drawn_wide / new_wide) ** still
     ratio, moved = new_wide / wide, new_along - along
-    wide2, broad2 = new_wide * new_wide, new_broad * new_broad
     cross = (sxy * (ux * ux - uy * uy) + (syy - sxx) * ux * uy) * ratio * broaden
-    return (
-        px + moved * ux,
-        py + moved * uy,
-        wide2 * ux * ux - 2.0 * cross * ux * uy + broad2 * uy * uy,
-        (wide2 - broad2) * ux * uy + cross * (ux * ux - uy * uy),
-        wide2 * uy * uy + 2.0 * cross * ux * uy + broad2 * ux * ux,
-        left,
-        phase,
-        tail,
-        spread,
-    )
+    factor, tail = levels.corrected(memory, known + LEVELS, gone, tail)
+    wide2, broad2, cross = factor * new_wide * new_wide, factor * new_broad * new_broad, factor * cross
+    px, py = px + moved * ux, py + moved * uy
+    sxx = wide2 * ux * ux - 2.0 * cross * ux * uy + broad2 * uy * uy
+    sxy = (wide2 - broad2) * ux * uy + cross * (ux * ux - uy * uy)
+    syy = wide2 * uy * uy + 2.0 * cross * ux * uy + broad2 * ux * ux
+    levels.keep(memory, at + STATED, memory[at + T], x, y, (px, py, sxx, sxy, syy, tail))
+    return px, py, sxx, sxy, syy, left, phase, tail, spread

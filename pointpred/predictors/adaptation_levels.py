@@ -1,0 +1,166 @@
+"""Keeps the regions of 50 and 80 % true for one person.
+
+Each finished movement is judged at nine shares of its time, as a scorer judges: did its end lie inside the
+region of 50 % that was stated there, and inside that of 80 %? The radius of a region that held too few ends
+grows and that of one that held too many shrinks (online conformal prediction, a quantile tracker for each
+level and stage). The Student law that has both radii is what is stated next.
+
+Reference: Gibbs, Candes 2021, "Adaptive conformal inference under distribution shift".
+"""
+
+from __future__ import annotations
+
+from math import exp, log
+
+from pointpred.columns import FloatArray
+from pointpred.compiled import law
+from pointpred.predictors.adaptation_stages import STAGES, place
+from pointpred.stage import Slot
+
+LEVELS = (0.5, 0.8)
+"""The levels that are kept true."""
+JUDGED = 9
+"""A movement is judged at 10, 20 ... 90 % of its time."""
+STEP, STEP_OF, STEP_LEAST = 4.0, 3.0, 0.2
+"""The step after the n-th movement is STEP / (n + STEP_OF), and never less than STEP_LEAST."""
+FURTHEST = 6.0
+"""Bound on the logarithm of what a squared radius is multiplied by."""
+LIGHTEST, HEAVIEST = 0.02, 3.0
+"""Bounds on 2 / tail: below is as good as normal, above the region of 95 % is of no use."""
+HALVINGS = 12
+
+# What is learned, relative to its place: movements so far; at each stage, the logarithms of what the squared
+# radii of the levels are multiplied by.
+COUNT, OFFSETS = 0, 1
+LEARNED = OFFSETS + STAGES * len(LEVELS)
+MOVEMENTS_MOST = 1e6
+"""The count stops here: the step has long been at its least."""
+SLOTS = (
+    Slot("movements judged", 1, 0.0, MOVEMENTS_MOST, whole=True),
+    Slot("radii of the levels", STAGES * len(LEVELS), -FURTHEST, FURTHEST),
+)
+"""What is known of a person's levels, in the order of the layout."""
+
+# The movement, relative to its place: how many moments are kept, their distance in time, the cursor at the
+# last; then of each moment its time and the region that was stated: endpoint, scale matrix, tail.
+KEPT, APART, CURSOR_X, CURSOR_Y, FIRST = 0, 1, 2, 3, 4
+T, X, Y, SXX, SXY, SYY, TAIL = range(7)
+MOMENT, MOST = 7, 48
+STATES = FIRST + MOMENT * MOST
+APART_S = 0.0071
+"""Distance of the moments at first; when all places are taken every second is dropped and it doubles."""
+SLACK_S = 1e-6
+"""Times that differ by less are equal, so that rounding decides nothing."""
+LOWEST, HIGHEST = 1e-6, 40.0
+"""Bounds on 2 / tail as a predictor states it: no exponential overflows."""
+
+
+@law
+def radius(level: float, heavy: float) -> float:
+    """Squared radius of a level's region over the tail; ``heavy``: 2 / tail."""
+    return float(exp(-heavy * log(1.0 - level)) - 1.0)
+
+
+@law
+def offset(memory: FloatArray, at: int, share: float, which: int) -> float:
+    """Logarithm of what the squared radius of a level is multiplied by: on lines between the stages."""
+    stage, part = place(share)
+    low = at + OFFSETS + len(LEVELS) * stage + which
+    return float(memory[low] + part * (memory[low + len(LEVELS)] - memory[low]))
+
+
+@law
+def corrected(memory: FloatArray, at: int, share: float, tail: float) -> tuple[float, float]:
+    """(factor of the scale matrix, tail) of the law whose regions of both levels have the learned radii.
+
+    Their ratio fixes the tail. Where the ratio is out of a tail's bounds, both radii miss by the same factor.
+    """
+    if memory[at + COUNT] == 0.0:
+        return 1.0, tail
+    given = min(max(2.0 / tail, LOWEST), HIGHEST)
+    near = log(radius(LEVELS[0], given) * 2.0 / given) + offset(memory, at, share, 0)
+    far = log(radius(LEVELS[1], given) * 2.0 / given) + offset(memory, at, share, 1)
+    ratio, low, high = exp(far - near), LIGHTEST, HEAVIEST
+    for _ in range(HALVINGS):
+        heavy = 0.5 * (low + high)
+        if radius(LEVELS[1], heavy) < ratio * radius(LEVELS[0], heavy):
+            low = heavy
+        else:
+            high = heavy
+    heavy = 0.5 * (low + high)
+    both = radius(LEVELS[0], heavy) * radius(LEVELS[1], heavy) * (2.0 / heavy) ** 2
+    return exp(0.5 * (near + far - log(both))), 2.0 / heavy
+
+
+@law
+def keep(
+    memory: FloatArray,
+    at: int,
+    t: float,
+    cursor_x: float,
+    cursor_y: float,
+    law: tuple[float, float, float, float, float, float],
+) -> None:
+    """Keep what is stated at a moment: endpoint, scale matrix, tail. Of moments at one time the last is kept.
+
+    A cursor that stands makes no other moment drop, however long it stands.
+    """
+    kept = int(memory[at + KEPT])
+    last = at + FIRST + MOMENT * (kept - 1)
+    if kept == 0 or t != memory[last + T]:
+        if kept == 0:
+            memory[at + APART] = APART_S
+        elif t - memory[last + T] < memory[at + APART]:
+            return
+        if kept == MOST:
+            if cursor_x == memory[at + CURSOR_X] and cursor_y == memory[at + CURSOR_Y]:
+                return
+            kept = MOST // 2
+            for k in range(1, kept):
+                for i in range(MOMENT):
+                    memory[at + FIRST + MOMENT * k + i] = memory[at + FIRST + 2 * MOMENT * k + i]
+            memory[at + APART] *= 2.0
+        memory[at + KEPT] = kept + 1.0
+        last = at + FIRST + MOMENT * kept
+    memory[at + CURSOR_X], memory[at + CURSOR_Y], memory[last + T] = cursor_x, cursor_y, t
+    for i in range(len(law)):
+        memory[last + X + i] = law[i]
+
+
+@law
+def surprise(memory: FloatArray, moment: int, x: float, y: float) -> float:
+    """Share of the probability that a moment's law gives to places nearer than the end (x, y)."""
+    dx, dy = x - memory[moment + X], y - memory[moment + Y]
+    sxx, sxy, syy = memory[moment + SXX], memory[moment + SXY], memory[moment + SYY]
+    determinant, tail = sxx * syy - sxy * sxy, memory[moment + TAIL]
+    if not determinant > 0.0:
+        return 1.0
+    far = (syy * dx * dx - 2.0 * sxy * dx * dy + sxx * dy * dy) / determinant
+    return float(1.0 - exp(-0.5 * tail * log(1.0 + max(far, 0.0) / tail)))
+
+
+@law
+def learn(memory: FloatArray, known: int, at: int, x: float, y: float, start: float, end: float) -> None:
+    """Judge a movement from ``start`` to ``end`` in s, which ended at (x, y).
+
+    A stage learns from the share of the true time that it stands for, whatever share was predicted there.
+    """
+    kept = int(memory[at + KEPT])
+    if kept == 0:
+        return
+    memory[known + COUNT] = min(memory[known + COUNT] + 1.0, MOVEMENTS_MOST)
+    step = max(STEP / (memory[known + COUNT] + STEP_OF), STEP_LEAST)
+    k = 0
+    for judged in range(1, JUDGED + 1):
+        share = judged / (JUDGED + 1.0)
+        due = share * (end - start) + SLACK_S + 0.5 * memory[at + APART]
+        while k + 1 < kept and memory[at + FIRST + MOMENT * (k + 1) + T] - start <= due:
+            k += 1
+        stated = surprise(memory, at + FIRST + MOMENT * k, x, y)
+        stage, part = place(share)
+        for which in range(len(LEVELS)):
+            missed = LEVELS[which] - 1.0 if stated <= LEVELS[which] else LEVELS[which]
+            low = known + OFFSETS + len(LEVELS) * stage + which
+            for slot, weight in ((low, 1.0 - part), (low + len(LEVELS), part)):
+                changed = memory[slot] + step * weight * missed
+                memory[slot] = min(max(changed, -FURTHEST), FURTHEST)
