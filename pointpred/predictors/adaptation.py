@@ -100,9 +100,14 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     answers. Bias and distances, with the width they ask for, fade out from 0.2 and 0.5 of the time on, as
     that clock has it.
 
+    Levels: at five stages the squared radii of the regions of 50 and 80 % are multiplied by exp(d). After the
+    n-th movement, for each share 0.1 ... 0.9 of its true time, d grows by e p where its end lay outside the
+    region stated there, and falls by e (1 - p) where inside: e = max(6 / (n + 5), 0.2), p the level. The
+    Student law that has both radii (tail from 2/3 to 100) is stated.
+
     Parameters: ``adapt`` 0 or 1 (0: bit for bit `kinematic`), ``distances`` 0 or 1, ``shortest_px``;
     ``coefficients`` as for `kinematic`.
-    Memory: 795 floats. Costs 1 to 4 us an event more than ``kinematic``. Raises ParameterError,
+    Memory: 1146 floats. Costs 1 to 4 us an event more than ``kinematic``. Raises ParameterError,
     and EventError from ``update``.
 
     Reference: none; docs/adaptation.md. Prior knowledge of repeated distances: Pasqual, Wobbrock 2014.

@@ -21,7 +21,7 @@ LEVELS = (0.5, 0.8)
 """The levels that are kept true."""
 JUDGED = 9
 """A movement is judged at 10, 20 ... 90 % of its time."""
-STEP, STEP_OF, STEP_LEAST = 4.0, 3.0, 0.2
+STEP, STEP_OF, STEP_LEAST = 6.0, 5.0, 0.2
 """The step after the n-th movement is STEP / (n + STEP_OF), and never less than STEP_LEAST."""
 FURTHEST = 6.0
 """Bound on the logarithm of what a squared radius is multiplied by."""
