@@ -19,15 +19,13 @@ TAIL = 3.0
 
 def mass(far: FloatArray, tail: FloatArray) -> FloatArray:
     """Share of a bivariate Student law within a squared Mahalanobis radius."""
-    found: FloatArray = stats.f.cdf(far / 2.0, 2.0, tail)
-    return found
+    return np.asarray(stats.f.cdf(far / 2.0, 2.0, tail))
 
 
 def errors(random: np.random.Generator, tail: float, times: float) -> FloatArray:
     """Where a movement ends off its prediction, in widths: a bivariate Student law, ``times`` as large."""
     chi = random.chisquare(tail) / tail if np.isfinite(tail) else 1.0
-    off: FloatArray = times * random.standard_normal(2) / np.sqrt(chi)
-    return off
+    return np.asarray(times * random.standard_normal(2) / np.sqrt(chi))
 
 
 def session(
@@ -84,7 +82,7 @@ def test_the_radii_are_the_quantiles_of_the_errors(times: float, tail: float) ->
         stated = [levels.corrected(memory, 0, share, TAIL) for share in (0.3, 0.5, 0.7)]
         radii.append([np.log(2.0 * by * stats.f.ppf([0.5, 0.8], 2.0, own)) for by, own in stated])
     expected = np.log(np.quantile(far, [0.5, 0.8]))
-    found = np.median(radii, axis=0)
+    found = np.asarray(np.median(np.array(radii), axis=0))
     np.testing.assert_allclose(found, np.broadcast_to(expected, found.shape), atol=0.25)
 
 
