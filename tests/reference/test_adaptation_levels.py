@@ -82,7 +82,7 @@ def test_the_radii_are_the_quantiles_of_the_errors(times: float, tail: float) ->
         stated = [levels.corrected(memory, 0, share, TAIL) for share in (0.3, 0.5, 0.7)]
         radii.append([np.log(2.0 * by * stats.f.ppf([0.5, 0.8], 2.0, own)) for by, own in stated])
     expected = np.log(np.quantile(far, [0.5, 0.8]))
-    found = np.asarray(np.median(np.array(radii), axis=0))
+    found: FloatArray = np.median(np.array(radii), axis=0)
     np.testing.assert_allclose(found, np.broadcast_to(expected, found.shape), atol=0.25)
 
 
