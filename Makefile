@@ -21,7 +21,7 @@ check: $(READY)  ## lint, format and types
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 
-format: $(READY)  ## let ruff put the code in order
+format: $(READY)  ## format the code with ruff
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
 
@@ -44,7 +44,7 @@ crossvalidate: $(READY)  ## score kinematic on people and sets held out, and wri
 sample: $(READY)  ## generate the embedded sample again (same bytes)
 	$(BIN)/python -m pointpred.datasets.generate
 
-fuzz: $(READY)  ## look for bytes that break the HID decoder, ten minutes; what is new stays in tests/fuzz/corpus
+fuzz: $(READY)  ## fuzz the HID decoder for ten minutes; new inputs are kept in tests/fuzz/corpus
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check 'atheris>=3.0'
 	$(BIN)/python -m tests.fuzz.run -max_total_time=600 -max_len=600 -artifact_prefix=tests/fuzz/ tests/fuzz/corpus
 

@@ -39,18 +39,16 @@ class Settings(BaseSettings):
         le=65535,
         description="Port; 0 takes any free one. Not given: the first free from 8765.",
     )
-    allow_host: Words = Field(default=(), description="Further names this service may be called by.")
+    allow_host: Words = Field(default=(), description="Other host names this service answers to.")
     allow_origin: Words = Field(default=(), description="Origins of other sites' pages that may connect.")
     token: str | None = Field(
         default=None,
         min_length=8,
-        description="Word that clients must show; made up where others can reach the port.",
+        description="Secret that clients must send; generated when other machines can reach the port.",
     )
-    show_token: bool = Field(
-        default=False, description="Print the token in full, once, when answering begins."
-    )
+    show_token: bool = Field(default=False, description="Print the token in full, once, at the start.")
     record: Path | None = Field(
-        default=None, description="Folder for recordings of sessions; not given: none is made."
+        default=None, description="Folder in which sessions are recorded; not given: nothing is recorded."
     )
     coefficients: dict[str, Path] = Field(
         default={},
@@ -58,15 +56,15 @@ class Settings(BaseSettings):
     )
     log_format: Literal["json", "text"] | None = Field(
         default=None,
-        description="How log entries are written; not given: json, and text in a terminal.",
+        description="Format of log entries; not given: text in a terminal, json elsewhere.",
     )
-    max_sessions: int = Field(default=64, ge=1, le=100_000, description="Sessions at a time.")
+    max_sessions: int = Field(default=64, ge=1, le=100_000, description="Most sessions at a time.")
     max_events_per_s: int = Field(
-        default=20_000, ge=1, le=10**8, description="Events a second in one session."
+        default=20_000, ge=1, le=10**8, description="Most events a second in one session."
     )
-    max_events_per_frame: int = Field(default=1024, ge=1, le=10**5, description="Events in one frame.")
-    max_frame_bytes: int = Field(default=65_536, ge=1024, le=900_000, description="Bytes of one frame.")
-    max_targets: int = Field(default=1000, ge=0, le=10**5, description="Targets of one session.")
+    max_events_per_frame: int = Field(default=1024, ge=1, le=10**5, description="Most events in one frame.")
+    max_frame_bytes: int = Field(default=65_536, ge=1024, le=900_000, description="Most bytes in one frame.")
+    max_targets: int = Field(default=1000, ge=0, le=10**5, description="Most targets in one session.")
     idle_s: float = Field(
         default=60.0, gt=0.0, le=1e6, description="Seconds without a frame until a session ends."
     )

@@ -65,8 +65,9 @@ class CameraPipeline:
     the wrong sign. The filter can, once the images have told the depth: where its eta lies above -sigma/2 by
     two standard deviations, ``detectable`` is false whatever the observer believes. Before that nobody knows.
 
-    Parameters: ``observer``; ``peer``; ``way``, how (x, y)' is had, one of ``velocity.WAYS``; ``noise_px``
-    px, the standard deviation of the image. Raises EventError and EventOrderError; it is then unchanged.
+    Parameters: ``observer``; ``peer``; ``way``, how (x, y)' is computed, one of ``velocity.WAYS``;
+    ``noise_px`` px, the standard deviation of the image. Raises EventError and EventOrderError; it is then
+    unchanged.
     """
 
     def __init__(

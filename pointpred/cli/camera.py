@@ -14,7 +14,7 @@ app = typer.Typer(
     no_args_is_help=True, help="Depth and velocity of a camera from one tracked point and an inertial sensor."
 )
 Focal = Annotated[float, typer.Option(metavar="PX", help="Focal length in px; there is no default.")]
-Seen = Annotated[float, typer.Option(metavar="PX", help="Noise of the point, uniform in +- so many px.")]
+Seen = Annotated[float, typer.Option(metavar="PX", help="Noise of the point: uniform in +- this many px.")]
 FED = "kalman-two-state"
 SMALLEST_PX = 0.05
 """A point is never known better than this: a filter told no noise at all believes its first image."""
@@ -27,14 +27,14 @@ def simulate(
         str, typer.Option(help="paper, approaching, axial, rotating or stationary.")
     ] = "paper",
     out: Annotated[Path, typer.Option(metavar="FILE", help="CSV file to write.")] = Path("camera.csv"),
-    seconds: Annotated[float, typer.Option(help="Length.")] = 10.0,
+    seconds: Annotated[float, typer.Option(help="Length, s.")] = 10.0,
     noise_px: Seen = 2.0,
     dropped: Annotated[float, typer.Option(help="Share of the images that are missing.")] = 0.0,
-    readings: Annotated[int, typer.Option(help="Readings of the inertial sensor an image.")] = 1,
-    seed: Annotated[int, typer.Option(help="The same seed gives the same bytes.")] = 0,
+    readings: Annotated[int, typer.Option(help="Readings of the inertial sensor per image.")] = 1,
+    seed: Annotated[int, typer.Option(help="Seed; the same seed gives the same file.")] = 0,
     force: Annotated[bool, typer.Option("--force", help="Replace files that exist.")] = False,
 ) -> None:
-    """Write what a moving camera would deliver, and beside it the truth (FILE with _truth in its name).
+    """Write simulated data of a moving camera, and the true values to a second file (_truth).
 
     Columns: t; x and y in px from the principal point, empty without an image; wx wy wz in rad/s; ax ay az in
     m/s^2 of the motion in the camera's frame, gravity removed.
@@ -77,28 +77,30 @@ def run(
     samples: Annotated[Path, typer.Argument(exists=True, dir_okay=False, help="CSV of camera samples.")],
     focal_px: Focal,
     start_depth: Annotated[float, typer.Option(metavar="M", help="Depth the observer starts with.")] = 1.0,
-    start_vz: Annotated[float, typer.Option(metavar="M/S", help="Its forward velocity.")] = 0.0,
+    start_vz: Annotated[
+        float, typer.Option(metavar="M/S", help="Forward velocity the observer starts with.")
+    ] = 0.0,
     noise_px: Seen = 2.0,
-    way: Annotated[str, typer.Option(help="How the image's motion is had; a wrong one lists all.")] = FED,
+    way: Annotated[str, typer.Option(help="Method for the image velocity; a wrong name lists all.")] = FED,
     images: Annotated[
         Path | None,
         typer.Option(exists=True, file_okay=False, help="Images to follow the point in."),
     ] = None,
     point: Annotated[
-        str, typer.Option(metavar="X,Y", help="Where it is in the first one, px from its centre.")
+        str, typer.Option(metavar="X,Y", help="Its position in the first image, px from the centre.")
     ] = "0,0",
-    every: Annotated[int, typer.Option(help="Samples an image, with --images.")] = 1,
+    every: Annotated[int, typer.Option(help="Samples per image, with --images.")] = 1,
     truth: Annotated[
-        Path | None, typer.Option(exists=True, dir_okay=False, help="CSV with the truth.")
+        Path | None, typer.Option(exists=True, dir_okay=False, help="CSV with the true values.")
     ] = None,
     plot: Annotated[Path | None, typer.Option(metavar="FILE", help="SVG file to draw.")] = None,
     json: Annotated[Path | None, typer.Option(metavar="FILE", help="Write JSON; - for stdout.")] = None,
 ) -> None:
     """Estimate depth and velocity: the unknown input observer, and a Kalman filter that uses the image.
 
-    The observer's errors fade only while the camera recedes; where they do not, the last column says so and
-    the filter is to be believed. The filter says nothing until the images have told the depth; until then
-    nothing checks the observer, and a wrong start of it is not noticed.
+    The observer's errors decay only while the camera moves away from the point; where they do not, the last
+    column says so: use the filter there. The filter gives no estimate until the images determine the depth;
+    until then nothing checks the observer, and a wrong start of it goes unnoticed.
 
     Try:
 

@@ -63,12 +63,12 @@ def fetch_set(
         "recordings"
     ),
     accept_unverified: Annotated[
-        bool, typer.Option(help="Fetch files whose digest nobody has recorded as well.")
+        bool, typer.Option(help="Also fetch files whose digest is not recorded.")
     ] = False,
 ) -> None:
     """Download a public set over https, and check each file by its digest.
 
-    The licence is said before anything is fetched. A file that is already there is checked and kept.
+    The licence is printed before anything is fetched. A file that is already there is checked and kept.
 
     Try:
 

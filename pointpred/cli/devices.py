@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 app = typer.Typer(
     no_args_is_help=True,
-    help="The mice of this machine: which can be read, how to be allowed to, and what one sends.",
+    help="The mice of this machine: which can be read, how to get permission, and what they send.",
 )
 
 AGAIN_S = 0.1
@@ -32,11 +32,11 @@ AGAIN_S = 0.1
 @app.command("list")
 def list_devices(
     everything: Annotated[
-        bool, typer.Option("--all", help="HID devices that are no mice too, each with the reason.")
+        bool, typer.Option("--all", help="Also list HID devices that are not mice, with the reason.")
     ] = False,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON with everything known.")] = False,
 ) -> None:
-    """List the mice: where each is, its name, whether it can be opened, and what to do where it cannot.
+    """List the mice: path, name, whether each can be opened, and what to do if not.
 
     A mouse is found twice: as hidraw (every report as the device sent it, stamped when it is read) and as
     evdev (decoded and stamped by the kernel). Either can be watched, followed live and recorded.
@@ -71,10 +71,10 @@ def list_devices(
 
 @app.command("udev")
 def udev() -> None:
-    """Print the udev rules that let whoever sits at the screen read the mice; stdout is the file.
+    """Print udev rules that let the user at the screen read the mice.
 
-    Mice are opened and keyboards are not: who reads those reads passwords. Mice whose USB interface does not
-    call itself a mouse, and those on Bluetooth, get a line of their own when they are plugged in now.
+    They open mice but not keyboards: reading a keyboard means reading passwords. Mice on Bluetooth, and mice
+    whose USB interface is not declared as a mouse, get a rule of their own if they are plugged in now.
 
     Try:
 
@@ -112,7 +112,7 @@ def watch(
 ) -> None:
     """Show what a mouse sends until Ctrl-C: counts, buttons, wheels, reports a second, and what was lost.
 
-    Unplug it and plug it in again while watching: the same device is read on. The desktop keeps its mouse.
+    If it is unplugged and plugged in again, reading goes on. The desktop keeps its mouse.
 
     Try:
 

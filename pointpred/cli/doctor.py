@@ -35,9 +35,9 @@ class Finding(msgspec.Struct, frozen=True):
 def doctor(
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
 ) -> None:
-    """Look at the installation: each line says what was found, and what to do where something is missing.
+    """Check the installation: what works, what is missing, and what to do about it.
 
-    Leaves with 1 where something that everybody needs is broken, with 0 otherwise.
+    Exits with 1 when something essential is broken, otherwise with 0.
 
     Try:
 

@@ -33,39 +33,43 @@ def live(
     device: Annotated[
         str | None,
         typer.Option(
-            metavar="PATH", help="/dev/hidraw2, /dev/input/event5; not given: the first that opens."
+            metavar="PATH",
+            help="Device to read, as /dev/input/event5. Not given: the first that can be opened.",
         ),
     ] = None,
     predictor: Annotated[str, typer.Option(help="A name from 'pointpred predictors'.")] = RECOMMENDED,
     cpi: Annotated[
-        float | None, typer.Option(min=CPI[0], max=CPI[1], help="Counts per inch of the mouse; on its box.")
+        float | None,
+        typer.Option(min=CPI[0], max=CPI[1], help="Counts per inch of the mouse, as on its box."),
     ] = None,
     measure_cpi: Annotated[
-        bool, typer.Option("--measure-cpi", help="Measure them first, from one move along a ruler.")
+        bool, typer.Option("--measure-cpi", help="Measure the counts per inch first, with a ruler.")
     ] = False,
-    distance_cm: Annotated[float, typer.Option(min=1.0, max=100.0, help="How long that move is.")] = 10.0,
+    distance_cm: Annotated[
+        float, typer.Option(min=1.0, max=100.0, help="With --measure-cpi: length of the move, cm.")
+    ] = 10.0,
     dpi: Annotated[
         float | None, typer.Option(min=DPI[0], max=DPI[1], help="Pixels per inch of the screen (96).")
     ] = None,
     cursor: Annotated[
-        Where, typer.Option(help="Where the cursor is known from; motor: predict in the hand's own space.")
+        Where, typer.Option(help="Source of cursor positions; motor: predict the motion of the hand.")
     ] = "auto",
     transfer: Annotated[
         str | None,
-        typer.Option(metavar="FUNCTION", help="What moves the cursor: constant:4, sigmoid, or a saved file."),
+        typer.Option(
+            metavar="FUNCTION", help="Function that moves the cursor: constant:4, sigmoid, or a saved file."
+        ),
     ] = None,
     save_transfer: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", help="Save there what the screen's cursor taught."),
+        typer.Option(metavar="FILE", help="Save the transfer function learned from the screen's cursor."),
     ] = None,
-    display: Annotated[
-        str | None, typer.Option(help="The X11 display; not given: the environment's.")
-    ] = None,
+    display: Annotated[str | None, typer.Option(help="X11 display. Not given: the one in DISPLAY.")] = None,
     record: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Record there, as 'pointpred score' reads it.")
+        Path | None, typer.Option(metavar="FILE", help="Record to this file; 'pointpred score' reads it.")
     ] = None,
     serve: Annotated[
-        bool, typer.Option("--serve", help="Serve the live page, which then shows this device.")
+        bool, typer.Option("--serve", help="Serve the live page with this device on it.")
     ] = False,
     host: Annotated[str | None, typer.Option(help="With --serve: address to listen on.")] = None,
     port: Annotated[int | None, typer.Option(min=0, max=65535, help="With --serve: port.")] = None,
@@ -87,8 +91,8 @@ def live(
 ) -> None:
     """Predict where the mouse attached to this machine is heading, while it moves.
 
-    In a terminal the numbers stand still and change; elsewhere a line a second is written. Ctrl-C stops.
-    Which devices there are: 'pointpred devices list'. Without one, --replay plays a recording in its place.
+    A terminal shows a table that is updated in place; elsewhere one line is written each second. Ctrl-C
+    stops. 'pointpred devices list' shows the devices. Without one, --replay plays a recording in its place.
 
     Try:
 

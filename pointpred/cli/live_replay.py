@@ -63,7 +63,7 @@ def replay_of(asked: Asked) -> Replay:
     kept = [k for k in places if k not in skips]
     trials = [Played(recording.trials[k].user, named(recording, k), recording.rows(k)) for k in kept]
     if not trials:
-        raise RecordingError(f"{asked.file}: no trial can be played; the reasons stand above")
+        raise RecordingError(f"{asked.file}: no trial can be played; see the reasons above")
     about = recording.provenance
     name = f"replay of {asked.file.name}" + (" (simulated people)" if about.simulated else "")
     return Replay(

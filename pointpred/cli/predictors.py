@@ -13,7 +13,7 @@ from pointpred.registry import RECOMMENDED, REGISTRY, build, describe
 
 
 def predictors(
-    name: Annotated[str | None, typer.Argument(help="Show everything about this one.")] = None,
+    name: Annotated[str | None, typer.Argument(help="Show the parameters of this predictor.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
 ) -> None:
     """List the predictors, or show one with its parameters, units, bounds and defaults.

@@ -11,14 +11,14 @@ from pointpred.errors import ParameterError
 if TYPE_CHECKING:
     from pointpred.sources import Reading
 
-PANEL = "What a foreign recording does not say"
+PANEL = "For recordings in other formats"
 
 Cut = Annotated[
     str | None,
-    typer.Option(help="How a stream becomes trials: clicks, bursts or whole.", rich_help_panel=PANEL),
+    typer.Option(help="How to cut a stream into trials: clicks, bursts or whole.", rich_help_panel=PANEL),
 ]
 PauseS = Annotated[
-    float | None, typer.Option(help="A longer pause ends a burst, s (0.3).", rich_help_panel=PANEL)
+    float | None, typer.Option(help="A pause longer than this ends a burst, s (0.3).", rich_help_panel=PANEL)
 ]
 Unit = Annotated[
     str | None, typer.Option(help="Unit of positions: pix, height, norm, cm or m.", rich_help_panel=PANEL)

@@ -17,7 +17,7 @@ app = typer.Typer(no_args_is_help=True, help="Sessions that 'pointpred serve --r
 
 Folder = Annotated[
     Path | None,
-    typer.Option(envvar="POINTPRED_RECORD", file_okay=False, help="The folder that was recorded into."),
+    typer.Option(envvar="POINTPRED_RECORD", file_okay=False, help="Folder of the recordings."),
 ]
 
 
@@ -54,12 +54,12 @@ def delete_recordings(
     ] = None,
     folder: Folder = None,
     everything: Annotated[bool, typer.Option("--all", help="Delete every recording in the folder.")] = False,
-    yes: Annotated[bool, typer.Option("--yes", "-y", help="Do not ask.")] = False,
+    yes: Annotated[bool, typer.Option("--yes", "-y", help="Do not ask for confirmation.")] = False,
 ) -> None:
-    """Delete recorded sessions with everything that belongs to them; there is no way back.
+    """Delete recorded sessions and all their files. This cannot be undone.
 
-    Only files of the recorder are touched. A session that is still going on loses what was written, and
-    nothing more of it is kept.
+    Only files written by the recorder are deleted. A session in progress loses what was written so far and
+    is no longer recorded.
 
     Try:
 
@@ -71,7 +71,7 @@ def delete_recordings(
 
     chosen = _chosen(folder)
     if everything == bool(names):
-        raise ParameterError("name the recordings to delete, or give --all, and not both")
+        raise ParameterError("name the recordings to delete, or give --all, not both")
     there = {one.name: one for one in listing(chosen, counted=False)}
     wanted = list(there) if everything else list(dict.fromkeys(names or ()))
     size = sum(there[name].size for name in wanted if name in there)
@@ -89,7 +89,7 @@ def delete_recordings(
 
 def _chosen(folder: Path | None) -> Path:
     if folder is None:
-        raise ParameterError("name the folder with --folder, or by POINTPRED_RECORD")
+        raise ParameterError("name the folder with --folder or in POINTPRED_RECORD")
     return folder
 
 

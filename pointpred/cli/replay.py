@@ -24,33 +24,38 @@ PAGE = "As the mouse of a page"
 def replay(
     file: Annotated[
         Path | None,
-        typer.Argument(exists=True, help="A recording in any known format; none: the embedded sample."),
+        typer.Argument(
+            exists=True, help="A recording in any format pointpred reads. Not given: the embedded sample."
+        ),
     ] = None,
     to: Annotated[
         str | None, typer.Option(metavar="URL", help="Address of a service, ws:// or http://.")
     ] = None,
     devtools: Annotated[
         str | None,
-        typer.Option(metavar="URL", help="A browser, http://127.0.0.1:9222.", rich_help_panel=PAGE),
+        typer.Option(
+            metavar="URL", help="DevTools of a browser, such as http://127.0.0.1:9222.", rich_help_panel=PAGE
+        ),
     ] = None,
     url: Annotated[
         str | None,
-        typer.Option(metavar="PAGE", help="Page to open; none: the first tab.", rich_help_panel=PAGE),
+        typer.Option(metavar="PAGE", help="Page to open. Not given: the first tab.", rich_help_panel=PAGE),
     ] = None,
     offset: Annotated[
         str, typer.Option(metavar="X,Y", help="Added to every position, px.", rich_help_panel=PAGE)
     ] = "0,0",
     scale: Annotated[
-        float, typer.Option(help="Multiplies every position first.", rich_help_panel=PAGE)
+        float, typer.Option(help="Multiplies every position before --offset is added.", rich_help_panel=PAGE)
     ] = 1.0,
     speed: Annotated[str, typer.Option(help=SPEED)] = "1",
     predictor: Annotated[str, typer.Option(help="A name from 'pointpred predictors'.")] = RECOMMENDED,
     trial: Annotated[list[str] | None, typer.Option(help=TRIAL)] = None,
     json: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Write every number as JSON; - for stdout.")
+        Path | None,
+        typer.Option(metavar="FILE", help="Write all numbers as JSON to this file; - for stdout."),
     ] = None,
     token: Annotated[
-        str | None, typer.Option(envvar="POINTPRED_TOKEN", help="Where the service asks for one.")
+        str | None, typer.Option(envvar="POINTPRED_TOKEN", help="The service's token, if it needs one.")
     ] = None,
     cut: Cut = None,
     pause_s: PauseS = None,
@@ -59,7 +64,9 @@ def replay(
     cpi: Cpi = None,
     dpi: Dpi = None,
 ) -> None:
-    """Play a recording again: to a service, compared with the local batch; or on a page, as its mouse.
+    """Play a recording to a service, or as the mouse of a page in a browser.
+
+    A service's answers are compared bit for bit with a local run.
 
     Try:
 
@@ -70,7 +77,7 @@ def replay(
       pointpred replay study_samples.parquet --devtools http://127.0.0.1:9222 --url http://127.0.0.1:8765/
     """
     if (to is None) == (devtools is None):
-        raise ParameterError("say either --to URL of a service or --devtools URL of a browser")
+        raise ParameterError("give either --to URL of a service or --devtools URL of a browser")
     pace, shift = speed_of(speed), _pair(offset)
     check_target(json)
     told = reading(cut, pause_s, unit, screen, cpi, dpi)
@@ -84,7 +91,7 @@ def replay(
     if json is not None:
         write_json(answer, json)
     if not answer["trials"]:
-        raise RecordingError("no trial could be played; the reasons stand above")
+        raise RecordingError("no trial could be played; see the reasons above")
     if answer.get("agree") is False:
         raise typer.Exit(1)
 

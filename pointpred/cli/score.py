@@ -26,24 +26,28 @@ Unread = dict[str, str]
 def score(
     files: Annotated[
         list[Path] | None,
-        typer.Argument(exists=True, help="Recordings in any known format; none: the embedded sample."),
+        typer.Argument(
+            exists=True, help="Recordings in any format pointpred reads. Not given: the embedded sample."
+        ),
     ] = None,
     predictors: Annotated[
         str, typer.Option(help="Names separated by commas, or 'all'; 'hold' is always among them.")
     ] = "all",
     json: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Write every number as JSON; - for stdout.")
+        Path | None,
+        typer.Option(metavar="FILE", help="Write all numbers as JSON to this file; - for stdout."),
     ] = None,
     report: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Write one self-contained HTML page.")
+        Path | None, typer.Option(metavar="FILE", help="Write a report as one HTML file.")
     ] = None,
     targets: Annotated[
-        bool, typer.Option("--targets", help="Score which target a movement is for, not where it ends.")
+        bool, typer.Option("--targets", help="Score the choice of a target instead of the endpoint.")
     ] = False,
     threads: Annotated[
-        int | None, typer.Option(min=1, max=1024, help="Threads; not given: one for each processor.")
+        int | None,
+        typer.Option(min=1, max=1024, help="Number of threads. Not given: one for each processor."),
     ] = None,
-    seed: Annotated[int, typer.Option(min=0, help="Seed of the resampling behind the intervals.")] = 0,
+    seed: Annotated[int, typer.Option(min=0, help="Seed of the bootstrap intervals.")] = 0,
     coefficients: Coefficients = None,
     cut: Cut = None,
     pause_s: PauseS = None,
@@ -52,7 +56,7 @@ def score(
     cpi: Cpi = None,
     dpi: Dpi = None,
 ) -> None:
-    """Score predictors on recordings: how far off they are, beside no prediction at all.
+    """Score predictors on recordings, compared with making no prediction.
 
     Try:
 
@@ -106,7 +110,7 @@ def score(
 
         print_sets(described)
     if not any(one["trials"] for one in described):
-        raise RecordingError("no trial could be scored; the reasons stand above")
+        raise RecordingError("no trial could be scored; see the reasons above")
 
 
 def _score_targets(
@@ -130,7 +134,7 @@ def _score_targets(
     if json is None or str(json) != "-":
         print_targets(sets)
     if not sets:
-        raise RecordingError("no trial could be scored; the reasons stand above")
+        raise RecordingError("no trial could be scored; see the reasons above")
 
 
 def _unread(unread: Unread) -> list[dict[str, str]]:

@@ -18,7 +18,7 @@ TRIES = 20
 
 
 def serve(
-    host: Annotated[str | None, typer.Option(help="Address to listen on: 127.0.0.1.")] = None,
+    host: Annotated[str | None, typer.Option(help="Address to listen on (127.0.0.1).")] = None,
     port: Annotated[
         int | None,
         typer.Option(
@@ -28,17 +28,23 @@ def serve(
         ),
     ] = None,
     allow_host: Annotated[
-        list[str] | None, typer.Option(help="A further name this service may be called by; repeatable.")
+        list[str] | None, typer.Option(help="Another host name this service answers to; repeatable.")
     ] = None,
     allow_origin: Annotated[
-        list[str] | None, typer.Option(help="The origin of another site that may connect; repeatable.")
+        list[str] | None,
+        typer.Option(
+            help="Origin of a page elsewhere that may connect, as http://127.0.0.1:8000; repeatable."
+        ),
     ] = None,
-    token: Annotated[str | None, typer.Option(help="A word of at least 8 letters that clients show.")] = None,
+    token: Annotated[
+        str | None, typer.Option(help="Secret of at least 8 characters that clients must send.")
+    ] = None,
     show_token: Annotated[
-        bool | None, typer.Option("--show-token", help="Print the token of the settings in full, once.")
+        bool | None, typer.Option("--show-token", help="Print the token in full at the start.")
     ] = None,
     record: Annotated[
-        Path | None, typer.Option(metavar="FOLDER", help="Record every session there; off by default.")
+        Path | None,
+        typer.Option(metavar="FOLDER", help="Record every session in this folder. Off by default."),
     ] = None,
     coefficients: Annotated[
         list[str] | None,
@@ -47,14 +53,16 @@ def serve(
         ),
     ] = None,
     log_format: Annotated[
-        str | None, typer.Option(help="json or text; not given: text in a terminal, json elsewhere.")
+        str | None, typer.Option(help="json or text. Not given: text in a terminal, json elsewhere.")
     ] = None,
-    max_sessions: Annotated[int | None, typer.Option(help="Sessions at a time.")] = None,
-    max_events_per_s: Annotated[int | None, typer.Option(help="Events a second in one session.")] = None,
-    max_events_per_frame: Annotated[int | None, typer.Option(help="Events in one frame.")] = None,
-    max_frame_bytes: Annotated[int | None, typer.Option(help="Bytes of one frame.")] = None,
-    max_targets: Annotated[int | None, typer.Option(help="Targets of one session.")] = None,
-    idle_s: Annotated[float | None, typer.Option(help="Seconds of silence that end a session.")] = None,
+    max_sessions: Annotated[int | None, typer.Option(help="Most sessions at a time.")] = None,
+    max_events_per_s: Annotated[int | None, typer.Option(help="Most events a second in one session.")] = None,
+    max_events_per_frame: Annotated[int | None, typer.Option(help="Most events in one frame.")] = None,
+    max_frame_bytes: Annotated[int | None, typer.Option(help="Most bytes in one frame.")] = None,
+    max_targets: Annotated[int | None, typer.Option(help="Most targets in one session.")] = None,
+    idle_s: Annotated[
+        float | None, typer.Option(help="End a session after this many seconds without a frame.")
+    ] = None,
 ) -> None:
     """Serve the live page and the WebSocket; prints the address once the page can be opened.
 

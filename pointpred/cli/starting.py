@@ -65,4 +65,4 @@ def told(settings: Settings) -> str:
     usual = {name: field.default for name, field in type(settings).model_fields.items()}
     own = {name: value for name, value in settings.told().items() if value not in (usual[name], [], None)}
     said = ", ".join(f"{name} {value}" for name, value in own.items())
-    return f"{said}; all else as usual" if said else "all as usual"
+    return f"{said}; everything else default" if said else "all default"

@@ -18,14 +18,14 @@ Force = Annotated[bool, typer.Option("--force", help="Replace files that exist."
 def simulate(
     out: Out = Path("simulated_samples.parquet"),
     people: Annotated[int, typer.Option(help="How many people, from novices to experts.")] = 10,
-    seed: Annotated[int, typer.Option(help="The same seed gives the same bytes.")] = 0,
+    seed: Annotated[int, typer.Option(help="Seed; the same seed gives the same file.")] = 0,
     trials: Annotated[int, typer.Option(help="Movements in each circle, at most 12.")] = 12,
     force: Force = False,
 ) -> None:
     """Write a recording of simulated people pointing at targets on a circle.
 
     Each person does 2 distances x 2 widths x 2 transfer functions, at 1 kHz with 2000 counts per inch. The
-    recording says that it is simulated, and every score of it says so too.
+    recording is marked as simulated, and so is every score of it.
 
     Try:
 
@@ -49,7 +49,9 @@ def simulate(
 
 
 def convert(
-    source: Annotated[Path, typer.Argument(exists=True, help="A file of any known format, or a folder.")],
+    source: Annotated[
+        Path, typer.Argument(exists=True, help="A file in any format pointpred reads, or a folder.")
+    ],
     out: Out,
     force: Force = False,
     cut: Cut = None,
@@ -59,10 +61,11 @@ def convert(
     cpi: Cpi = None,
     dpi: Dpi = None,
 ) -> None:
-    """Convert a recording to pointpred's own format; says what was kept, what was skipped and why.
+    """Convert a recording to pointpred's own format, and list what was skipped and why.
 
     Knows GoFitts, Balabit and SapiMouse, jsPsych, OpenSesame mousetrap, PsychoPy, evemu, evtest, libinput
-    record, hid-recorder, the Pointing Dynamics Dataset, and its own Parquet and CSV. The content tells.
+    record, hid-recorder, the Pointing Dynamics Dataset, and its own Parquet and CSV. The format is recognised
+    by the file's content.
 
     Try:
 
@@ -87,7 +90,7 @@ def convert(
     for note in told.notes:
         screen_out.print(note, markup=False)
     if not told.trials:
-        raise RecordingError(f"{source}: no trial could be read; the reasons stand above")
+        raise RecordingError(f"{source}: no trial could be read; see the reasons above")
 
 
 def _check(out: Path, force: bool) -> None:

@@ -17,8 +17,8 @@ from pointpred.stage import Stage
 
 Pair = tuple[PointerEvent, Prediction | None]
 Watcher = Callable[[Sequence[Pair]], None]
-"""Told, on the session's thread, what came together, and after each wait in vain that nothing did; what it
-raises ends the session."""
+"""Called on the session's thread with the pairs of each batch, empty where nothing came in time; an exception
+ends the session."""
 
 WAIT_S = 0.1
 """How long a session waits for a report before it looks whether it is to stop."""
@@ -53,7 +53,7 @@ class LiveSession:
     Assumes an open source; the one who made it closes it. ``path`` makes events of reports, ``None``
     integrates the counts and says so in ``words``. ``pipeline`` is any stage from events to predictions: the
     step is the one that runs everywhere. One thread drives a session, others may ask for ``state`` and read
-    ``newest``. Memory is bounded over any time. Badly done: reports that the source lost leave a hole in a
+    ``newest``. Memory is bounded over any time. Limitation: reports that the source lost leave a hole in a
     path that integrates.
 
     >>> from types import SimpleNamespace

@@ -45,7 +45,7 @@ def cut(events: EventColumns, how: Cut, reading: Reading) -> list[Piece]:
 def cut_at_clicks(events: EventColumns) -> list[Piece]:
     """Trials that end at a button's press and begin at the release of all buttons (or with the stream).
 
-    Assumes that every click ends a movement. Badly done: double clicks give trials of a few samples (see
+    Assumes that every click ends a movement. Limitation: double clicks give trials of a few samples (see
     ``least_samples``), pauses stay inside the trial. The press is the last row of its trial, the release the
     first row of the next; rows while a button is held, and rows after the last click, belong to no trial.
 
@@ -75,7 +75,7 @@ def cut_at_clicks(events: EventColumns) -> list[Piece]:
 def cut_at_pauses(events: EventColumns, pause_s: float = 0.3) -> list[Piece]:
     """Bursts: runs of movement with no standstill longer than ``pause_s``.
 
-    Assumes that a pause separates two movements. Badly done: hesitations are cut apart, movements made in one
+    Assumes that a pause separates two movements. Limitation: hesitations are cut apart, movements made in one
     go stay together. A row moves when its position differs from the row before it or a count is not zero; the
     first row moves with the burst that follows it at once. Rows of a pause belong to no trial.
 

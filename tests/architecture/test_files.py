@@ -1,4 +1,4 @@
-"""Files stay short, names say something, and each law stands beside its own loop."""
+"""Files hold one idea, names say something, and each law stands beside its own loop."""
 
 from __future__ import annotations
 

@@ -51,7 +51,7 @@ def test_in_a_terminal_the_progress_is_one_line_and_the_address_comes_last() -> 
     assert re.fullmatch(ADDRESS + r"\n", out)
     lines = [line.rpartition("\x1b[2K")[2].strip() for line in shown.split("\n")]
     left = [line for line in lines if line]
-    assert left[0] == "Settings: port 0, max_sessions 3; all else as usual"
+    assert left[0] == "Settings: port 0, max_sessions 3; everything else default"
     assert left[-1] == f"Ready: open {out.strip()} in a browser. Ctrl-C stops."
     assert len(left) == 2, "a line that stays on the screen between"
     assert "warming hold, 1 of " in shown
@@ -87,9 +87,9 @@ def test_elsewhere_entries_are_json_and_the_settings_can_say_otherwise() -> None
 @pytest.mark.parametrize(
     ("settings", "words"),
     [
-        (Settings(), "all as usual"),
-        (Settings(token="open-sesame-9", idle_s=5), "token ***, idle_s 5.0; all else as usual"),
-        (Settings(allow_host=["lab.example"]), "allow_host ['lab.example']; all else as usual"),
+        (Settings(), "all default"),
+        (Settings(token="open-sesame-9", idle_s=5), "token ***, idle_s 5.0; everything else default"),
+        (Settings(allow_host=["lab.example"]), "allow_host ['lab.example']; everything else default"),
     ],
 )
 def test_only_settings_of_ones_own_are_told(settings: Settings, words: str) -> None:

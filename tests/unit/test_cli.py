@@ -32,7 +32,7 @@ def test_help_teaches_by_example(command, words: tuple[str, ...]) -> None:
 def test_help_flows_into_the_width_of_the_terminal(command, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("COLUMNS", "80")
     lines = [line.strip() for line in command("simulate", "--help").out.splitlines()]
-    assert "2000 counts per inch. The recording says that it is simulated, and every score" in lines
+    assert "2000 counts per inch. The recording is marked as simulated, and so is every" in lines
 
 
 @pytest.mark.parametrize(
