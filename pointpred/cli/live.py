@@ -4,26 +4,29 @@ from __future__ import annotations
 
 from contextlib import ExitStack
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 from msgspec.structs import replace
 
 from pointpred.cli import live_device
+from pointpred.cli.coefficients import Coefficients, with_coefficients
 from pointpred.cli.live_device import Where
 from pointpred.cli.live_outlets import Outlets, Wanted
+from pointpred.cli.live_person import read_person, save_person
 from pointpred.cli.live_replay import Asked, end_with, replay_of
 from pointpred.cli.playing import SPEED, TRIAL
 from pointpred.cli.reading import Cut, PauseS, Screen, Unit
-from pointpred.cli.screen import check_target
+from pointpred.cli.screen import check_target, results
 from pointpred.errors import ParameterError
 from pointpred.events import CPI, DPI, PointerEvent
+from pointpred.pipeline import Pipeline
 from pointpred.registry import RECOMMENDED, build
 from pointpred.transfer import ConstantGain, PixelTransfer, TransferLearner, named_transfer
 
 REPLAY = "Without a device"
 DPI_USUAL = 96.0
-ONLY_DEVICE = {"device", "measure_cpi", "transfer", "display"}
+ONLY_DEVICE = {"device", "measure_cpi", "transfer", "display", "person"}
 """Options that mean nothing where a recording is played."""
 ONLY_REPLAY = {"trial", "speed", "cut", "pause_s", "unit", "screen"}
 """Options that mean nothing without one."""
@@ -68,6 +71,13 @@ def live(
     record: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Record to this file; 'pointpred score' reads it.")
     ] = None,
+    person: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE", help="Go on with the person of this file, and save it there in the end."
+        ),
+    ] = None,
+    coefficients: Coefficients = None,
     serve: Annotated[
         bool, typer.Option("--serve", help="Serve the live page with this device on it.")
     ] = False,
@@ -113,10 +123,11 @@ def live(
     if not serve and (host is not None or port is not None):
         raise ParameterError("--host and --port need --serve")
     wanted = Wanted(predictor, cpi, DPI_USUAL, record, save_transfer, serve, host, port, seconds)
+    own = with_coefficients([predictor], coefficients).get(predictor, {})
     if replay is not None:
         _check_replay(given, cursor)
         asked = Asked(replay, tuple(trial or ()), speed, cut, pause_s, unit, screen, cpi, dpi)
-        _play(asked, wanted)
+        _play(asked, wanted, own)
         return
     if alone := sorted(given & ONLY_REPLAY):
         raise ParameterError(f"{_flag(alone[0])} needs --replay")
@@ -124,6 +135,7 @@ def live(
     moving = named_transfer(transfer) if transfer else None
     if moving is not None and cpi is None and not measure_cpi:
         cpi = moving.cpi
+    known_person = read_person(person, predictor)
     _warm(predictor)
     from pointpred.devices.sessions import LiveSession
     from pointpred.server.garbage import spare
@@ -133,10 +145,18 @@ def live(
         known = live_device.resolution(source, cpi, measure_cpi, distance_cm)
         path, close = live_device.path_of(cursor, moving.function if moving else None, known, dpi, display)
         until_done.callback(close)
-        session = LiveSession(source, path, build(predictor, cpi=known, dpi=dpi))
+        pipeline = build(predictor, cpi=known, dpi=dpi, person=known_person, **own)
+        session = LiveSession(source, path, pipeline)
         outlets = Outlets(session, replace(wanted, cpi=known, dpi=dpi))
         spare()
+        if person is not None:
+            until_done.callback(_save_person, person, pipeline)
         outlets.follow()
+
+
+def _save_person(file: Path, pipeline: Pipeline) -> None:
+    """Save whom the session knew, however it ended."""
+    results().print(f"person: {save_person(file, pipeline)}", markup=False, soft_wrap=True)
 
 
 def _check_replay(given: set[str], cursor: Where) -> None:
@@ -150,7 +170,7 @@ def _flag(name: str) -> str:
     return f"--{name.replace('_', '-')}"
 
 
-def _play(asked: Asked, wanted: Wanted) -> None:
+def _play(asked: Asked, wanted: Wanted, own: dict[str, Any]) -> None:
     """Play a recording as the session of a device."""
     replay = replay_of(asked)
     _warm(wanted.predictor)
@@ -159,7 +179,7 @@ def _play(asked: Asked, wanted: Wanted) -> None:
     from pointpred.server.garbage import spare
 
     wanted = replace(wanted, cpi=replay.cpi, dpi=replay.dpi, simulated=replay.simulated)
-    pipeline = PlayedPipeline(build(wanted.predictor, cpi=wanted.cpi, dpi=wanted.dpi))
+    pipeline = PlayedPipeline(build(wanted.predictor, cpi=wanted.cpi, dpi=wanted.dpi, **own))
     with replay.source as source:
         outlets = Outlets(LiveSession(source, replay.path, pipeline), wanted)
         end_with(outlets, source)

@@ -50,7 +50,7 @@ def recording(tmp_path: Path) -> Path:
 def test_predictors_are_those_of_the_registry(service: Running) -> None:
     told = get(f"{service.url}/v1/predictors", timeout=PATIENCE_S).json()
     listed = [describe(name) for name in REGISTRY]
-    assert told == {"version": 1, "recommended": RECOMMENDED, "predictors": listed}
+    assert told == {"version": 1, "recommended": RECOMMENDED, "coefficients": [], "predictors": listed}
 
 
 def test_a_posted_recording_is_scored_as_on_the_command_line(service: Running, recording: Path) -> None:

@@ -1,0 +1,49 @@
+"""What ``pointpred live`` knows of its person, from a file and back, only where one was asked for."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from pointpred.cli.screen import check_target
+from pointpred.errors import ParameterError
+from pointpred.person import LARGEST, portable
+from pointpred.pipeline import Pipeline
+from pointpred.registry import REGISTRY, build
+
+
+def read_person(file: Path | None, predictor: str) -> str:
+    """The person of a file; "" where there is no file yet, or none was named.
+
+    Raises ParameterError for a file that holds no person of this predictor or could not be written later.
+    """
+    if file is None:
+        return ""
+    check_target(file)
+    if str(file) == "-" or not portable(build(predictor).predictor):
+        able = ", ".join(name for name in REGISTRY if portable(build(name).predictor))
+        raise ParameterError(f"--person needs a file and one of {able}, received {file} and {predictor}")
+    if not file.exists():
+        return ""
+    with file.open("rb") as opened:
+        person = opened.read(LARGEST + 2).decode("ascii", errors="replace").strip()
+    try:
+        build(predictor, person=person)
+    except ParameterError as error:
+        raise ParameterError(f"--person {file}: {error}") from None
+    return person
+
+
+def save_person(file: Path, pipeline: Pipeline) -> str:
+    """Finish the movement and write what is known, for the owner's eyes only; returns what came of it."""
+    pipeline.reset()
+    if not pipeline.person:
+        return "nothing was learned, nothing saved"
+    beside = file.with_name(f"{file.name}.part")
+    try:
+        with os.fdopen(os.open(beside, os.O_CREAT | os.O_WRONLY | os.O_TRUNC, 0o600), "w") as opened:
+            opened.write(f"{pipeline.person}\n")
+        beside.replace(file)
+    finally:
+        beside.unlink(missing_ok=True)
+    return f"saved in {file}"
