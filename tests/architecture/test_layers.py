@@ -36,7 +36,7 @@ MAY_IMPORT = {
     "sources": {"errors", "events", "columns", "recording"},
     "devices": MATHS | {"sources"},
     "datasets": PIPELINE | {"simulation", "sources"},
-    "training": PIPELINE | {"scoring", "sources"},
+    "training": PIPELINE | {"scoring", "sources", "pointpred"},
     "server": PIPELINE | {"targets", "simulation", "scoring", "sources", "datasets", "devices", "pointpred"},
     "client": {"errors", "events", "columns", "registry", "server"},
     "replaying": PIPELINE | {"scoring", "server", "client"},
