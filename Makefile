@@ -3,14 +3,16 @@ NEW_ENOUGH = import sys; sys.exit(sys.version_info < (3, 11))
 PYTHON ?= $(shell for python in python3.11 python3 python3.12 python3.13 python3.14 python; do \
 	$$python -c '$(NEW_ENOUGH)' 2>/dev/null && { echo $$python; break; }; done)
 BIN = .venv/bin
+RUNS = .venv/.run
 READY = .venv/.ready
+INSTALL = -m pip install --quiet --disable-pip-version-check -c constraints.txt --editable
 
 .PHONY: run test check format bench docs results train crossvalidate sample fuzz clean help
 
 help:  ## show these lines
 	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
 
-run: $(READY)  ## set up and serve the live page on 127.0.0.1
+run: $(RUNS)  ## set up and serve the live page on 127.0.0.1
 	$(BIN)/pointpred serve
 
 test: $(READY)  ## set up and run every test
@@ -52,10 +54,16 @@ clean:  ## remove the environment and every cache
 	rm -rf .venv .mypy_cache .ruff_cache .pytest_cache .hypothesis build dist *.egg-info
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
-$(READY): pyproject.toml constraints.txt
+# What running needs, and nothing that only tests, reports, cameras or observers do.
+$(RUNS): pyproject.toml constraints.txt
 	@'$(PYTHON)' -c '$(NEW_ENOUGH)' 2>/dev/null || { echo "pointpred needs Python 3.11 or later," \
 		"and '$(PYTHON)' is not: name another with make PYTHON=/path/to/python3.11" >&2; exit 1; }
-	@echo 'installing into .venv, about a minute' >&2
+	@echo 'installing what running needs into .venv, about half a minute' >&2
 	'$(PYTHON)' -m venv .venv
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt --editable '.[dev]'
+	$(BIN)/python $(INSTALL) .
+	touch $(RUNS)
+
+$(READY): $(RUNS)
+	@echo 'installing what the tests need into .venv, about a minute' >&2
+	$(BIN)/python $(INSTALL) '.[dev]'
 	touch $(READY)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from starlette.routing import WebSocketRoute
 
+from pointpred.server.compiling.compiling import compile_all
 from pointpred.server.endpoint import StreamEndpoint
 from pointpred.server.garbage import spare
 from pointpred.server.hosts import HostRule
@@ -15,7 +16,6 @@ from pointpred.server.listening.listening import listen, make_server
 from pointpred.server.service import Service
 from pointpred.server.sessions.session import Session
 from pointpred.server.settings import Settings
-from pointpred.server.warm import warm
 
 
 class Echo(Session):
@@ -40,11 +40,11 @@ class EchoService(Service):
 
 
 def main() -> None:
-    """Listen on a free port, print it once compiled code is warm, and serve until killed."""
+    """Listen on a free port, print it once everything is compiled, and serve until killed."""
     settings = Settings(max_events_per_s=10**8, max_sessions=1000)
     service, echoes = Service(settings), EchoService(settings)
     opened = listen("127.0.0.1", 0)
-    warm()
+    compile_all()
 
     def announce() -> None:
         print(opened.getsockname()[1], flush=True)

@@ -5,12 +5,12 @@ from __future__ import annotations
 from pointpred.datasets import sample
 from pointpred.registry import REGISTRY, build
 from pointpred.scoring import prepare, replay
-from pointpred.server.warm import warm
+from pointpred.server.compiling.compiling import compile_all
 
 
 def main() -> None:
-    """Warm as the service does at its start, and score a recording with every predictor."""
-    warm()
+    """Compile as the service does at its start, and score a recording with every predictor."""
+    compile_all()
     recording = sample()
     prepared = prepare(recording, threads=1)
     for name in REGISTRY:

@@ -19,7 +19,18 @@ import pointpred
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.registry import RECOMMENDED, REGISTRY, describe
 from pointpred.server import samples
-from pointpred.server.described import METRICS, NOT_READY, UPLOAD, Health, Origin, Readiness, holds, refusals
+from pointpred.server.compiling.parts import TRIALS
+from pointpred.server.described import (
+    METRICS,
+    NOT_READY,
+    UPLOAD,
+    Compiled,
+    Health,
+    Origin,
+    Readiness,
+    holds,
+    refusals,
+)
 from pointpred.server.endpoint import StreamEndpoint
 from pointpred.server.hosts import HostGuard, HostRule, admits_origin, header
 from pointpred.server.http_answers import SAFE, answer, fail, harden, miss, refuse, turn_down
@@ -63,6 +74,7 @@ def create_app(hosts: HostRule | None = None, service: Service | None = None) ->
     )
     _add_read(app, "/v1/origin", _origin, responses=OPEN, response_model=Origin)
     _add_read(app, "/v1/predictors", _predictors, responses=GUARDED)
+    _add_read(app, "/v1/compiling", _compiling, responses=GUARDED, response_model=Compiled)
     _add_read(app, "/v1/samples", _samples, responses=GUARDED)
     _add_read(app, "/v1/samples/{name}", _sample, responses=refusals(401, 403, 404, 422))
     app.add_api_route(
@@ -94,7 +106,7 @@ def _summary(call: Callable[..., Any]) -> str:
 
 @contextlib.asynccontextmanager
 async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
-    """Warm compiled code beside answering; write what is recorded at the end."""
+    """Compile beside answering; write what is recorded at the end."""
     service: Service = app.state.service
     service.begin()
     yield
@@ -108,9 +120,15 @@ def _health() -> dict[str, str]:
 
 
 def _ready(request: Request) -> Response:
-    """Compiled code is warm: 200, before that 503."""
+    """The recommended predictor answers: 200, before that 503."""
     service: Service = request.app.state.service
     return answer({"ready": service.ready, "stopping": service.stopping}, 200 if service.ready else 503)
+
+
+def _compiling(request: Request) -> Response:
+    """What is compiled, on the first start only: how many predictors are ready, of how many, what is next."""
+    service: Service = request.app.state.service
+    return answer(service.compiling.progress())
 
 
 async def _metrics(request: Request) -> Response:
@@ -156,9 +174,12 @@ def _samples() -> Response:
     return answer(samples.listing())
 
 
-def _sample(name: str, predictors: str = f"{RECOMMENDED},hold") -> Response:
+async def _sample(request: Request, name: str, predictors: str = f"{RECOMMENDED},hold") -> Response:
     """One trial with the predictions of the predictors named, separated by commas."""
-    return answer(samples.trial(name, _names(predictors)))
+    service: Service = request.app.state.service
+    names = _names(predictors)
+    await service.compiling.until(names)
+    return answer(await asyncio.to_thread(samples.trial, name, names))
 
 
 def _live(request: Request) -> Response:
@@ -175,8 +196,10 @@ async def _score(request: Request, predictors: str = "") -> Response:
 
     service: Service = request.app.state.service
     names = _names(predictors)
-    async with received(request, service) as body, service.scoring:  # one at a time: sessions go first
-        return answer(await asyncio.to_thread(score_body, body, names))
+    async with received(request, service) as body:
+        await service.compiling.until([*(names or REGISTRY), TRIALS])
+        async with service.scoring:  # one at a time: sessions go first
+            return answer(await asyncio.to_thread(score_body, body, names))
 
 
 def _names(text: str) -> tuple[str, ...]:

@@ -22,8 +22,17 @@ class Error(BaseModel):
 class Readiness(BaseModel):
     """Whether sessions are served at once."""
 
-    ready: bool = Field(description="Compiled code is warm.")
+    ready: bool = Field(description="The recommended predictor is compiled.")
     stopping: bool
+
+
+class Compiled(BaseModel):
+    """How far a first start has compiled the predictors; a session that asks for another waits for it."""
+
+    done: int = Field(description="Predictors that are compiled.")
+    of: int = Field(description="All predictors.")
+    next: str | None = Field(description="What is compiled now; null when nothing is left.")
+    ready: list[str] = Field(description="The names of the predictors that are compiled.")
 
 
 class Origin(BaseModel):

@@ -4,21 +4,24 @@ from __future__ import annotations
 
 import asyncio
 import logging
-from collections.abc import MutableMapping
+from collections.abc import Coroutine, MutableMapping
+from functools import partial
 from secrets import compare_digest
 from typing import Any
 from urllib.parse import parse_qs
 
 from uvicorn.protocols.utils import ClientDisconnected
 
-from pointpred.server.connections.early import Early
+from pointpred.server.compiling.needs import needs
+from pointpred.server.connections.early import Early, Message
 from pointpred.server.connections.talk import LAST_S, Receive, Send, Talk
 from pointpred.server.hosts import admits_origin, header
 from pointpred.server.logs import place_of
-from pointpred.server.protocol.client_messages import SUBPROTOCOL, Bye
+from pointpred.server.protocol.client_messages import SUBPROTOCOL
 from pointpred.server.protocol.server_messages import Code, ErrorMessage, encode
 from pointpred.server.service import Service
 from pointpred.server.sessions.conversation import FAILED
+from pointpred.server.sessions.session import Session
 
 log = logging.getLogger("pointpred.service")
 
@@ -42,8 +45,8 @@ class StreamEndpoint:
             return
         try:
             await receive()  # websocket.connect
-            if await self._admitted(scope, send) and (heard := await self._greetable(receive, send)):
-                await self._serve(heard, send)
+            if await self._admitted(scope, send):
+                await self._serve(receive, send)
         except ClientDisconnected:
             pass  # it left before it had a session
 
@@ -65,25 +68,6 @@ class StreamEndpoint:
             return False
         return True
 
-    async def _greetable(self, receive: Receive, send: Send) -> Receive | None:
-        """Where frames come from once code is warm: a first event would compile, and every session wait."""
-        service = self.service
-        if not service.warming:
-            return receive
-        early = Early(receive)
-        with service.place():
-            try:
-                if not await early.stays(service.until_warm()):
-                    return None
-                if not service.stopping:
-                    return early
-                await send({"type": "websocket.send", "text": encode(Bye(STOPS)).decode()})
-                await send({"type": "websocket.close", "code": 1001, "reason": STOPS})
-                return None
-            finally:
-                if service.stopping:
-                    early.leave()
-
     async def _refuse(self, send: Send, code: Code, message: str, close: int) -> None:
         self.service.metrics.turned_away.labels(code).inc()
         await turn_away(send, code, message, close)
@@ -91,8 +75,9 @@ class StreamEndpoint:
     async def _serve(self, receive: Receive, send: Send) -> None:
         service = self.service
         session = service.open(asyncio.get_running_loop().time())
+        early = None if service.compiling.over else Early(receive, partial(self._lacks, session))
         try:
-            talk = Talk(session, receive, send, service.metrics.delay.observe, service.scorer)
+            talk = Talk(session, early or receive, send, service.metrics.delay.observe, service.scorer)
             service.attach(session, talk)
             await talk.run()
         except ClientDisconnected:
@@ -103,8 +88,26 @@ class StreamEndpoint:
             session.fail()
             await turn_away(send, "internal", FAILED, 1011)
         finally:
+            if early is not None:
+                early.leave()
             session.lose()
             service.closed(session)
+
+    def _lacks(self, session: Session, message: Message) -> Coroutine[Any, Any, None] | None:
+        """What has to be compiled before a session is given a message; a first event would wait for it."""
+        compiling = self.service.compiling
+        if message["type"] != "websocket.receive" or compiling.over:
+            return None
+        frame = message.get("bytes")
+        names = compiling.missing(needs(message["text"] if frame is None else frame))
+        return self._wait(session, names) if names else None
+
+    async def _wait(self, session: Session, names: list[str]) -> None:
+        session.kept_waiting = True
+        try:
+            await self.service.compiling.until(names)
+        finally:
+            session.kept_waiting = False
 
 
 def shows_token(scope: Scope, token: str | None) -> bool:

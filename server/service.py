@@ -5,14 +5,13 @@ from __future__ import annotations
 import asyncio
 import logging
 import secrets
-from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
 
+from pointpred.registry import RECOMMENDED
+from pointpred.server.compiling.compiling import Compiling
 from pointpred.server.connections.talk import Talk
 from pointpred.server.live.feed import LiveFeed
 from pointpred.server.live.viewer import Viewer
-from pointpred.server.logs import place_of
 from pointpred.server.metrics import Counted, Metrics
 from pointpred.server.origins import RefusedOrigins
 from pointpred.server.protocol.client_messages import Hello
@@ -21,7 +20,6 @@ from pointpred.server.sessions.conversation import Conversation
 from pointpred.server.sessions.session import Session
 from pointpred.server.sessions.watch import Watch
 from pointpred.server.settings import Settings
-from pointpred.server.warm import warm
 
 log = logging.getLogger("pointpred.service")
 
@@ -38,28 +36,27 @@ class Service:
         self.recorder = Recorder(self.settings.record) if self.settings.record else None
         self.origins = RefusedOrigins()
         self.stopping = False
-        self.ready = False
-        """Whether compiled code is warm."""
+        self.compiling = Compiling()
+        """What is compiled while the service answers."""
         self.scoring = asyncio.Semaphore(1)
         """Recordings are scored one at a time."""
         self.uploads = 0
         """Recordings that are received, wait to be scored or are scored."""
         self.scorer = ThreadPoolExecutor(1, "trials")
         """Scores the trials of sessions, one at a time."""
-        self.progress: Callable[[int, int, str], None] = _log_progress
-        """Told, by another thread, how many of how many are warm and what comes next."""
-        self.on_ready: Callable[[], None] = lambda: None
-        """Called when compiled code is warm."""
         self.live: LiveFeed | None = None
         """What the attached device says, where one is."""
         self._open: dict[Conversation, tuple[Talk | None, Counted]] = {}
-        self._warming: asyncio.Future[None] | None = None
-        self._waiting = 0
+
+    @property
+    def ready(self) -> bool:
+        """Whether the recommended predictor answers at once."""
+        return self.compiling.ready(RECOMMENDED) and not self.stopping
 
     @property
     def full(self) -> bool:
         """Whether no further session is admitted."""
-        return len(self._open) + self._waiting >= self.settings.max_sessions
+        return len(self._open) >= self.settings.max_sessions
 
     def open(self, now: float) -> Session:
         """A session without a name that means anything."""
@@ -109,47 +106,15 @@ class Service:
             self.metrics.settle(session, _frames(talk), counted)
 
     def begin(self) -> None:
-        """Warm compiled code beside answering; the first start ever takes a while."""
+        """Compile beside answering; the first start ever takes a while."""
         if self.live is not None:
             self.live.begin(asyncio.get_running_loop())
-        self._warming = asyncio.get_running_loop().run_in_executor(None, warm, self._progress)
-        self._warming.add_done_callback(self._warmed)
-
-    @property
-    def warming(self) -> bool:
-        """Whether compiled code is being warmed."""
-        return self._warming is not None and not self._warming.done()
-
-    @contextmanager
-    def place(self) -> Iterator[None]:
-        """Count somebody who waits for warm code, from being admitted to having a session, as one."""
-        self._waiting += 1
-        try:
-            yield
-        finally:
-            self._waiting -= 1
-
-    async def until_warm(self) -> None:
-        """Wait until compiled code is warm, or cannot be."""
-        if self._warming is not None:
-            await asyncio.wait([self._warming])
-
-    def _progress(self, done: int, of: int, name: str) -> bool:
-        """Says what is being warmed; whether to go on."""
-        self.progress(done, of, name)
-        return not self.stopping
-
-    def _warmed(self, result: asyncio.Future[None]) -> None:
-        error = None if result.cancelled() else result.exception()
-        if error is not None:
-            log.error("compiled code could not be warmed", extra={"error": place_of(error)})
-        self.ready = not result.cancelled() and error is None and not self.stopping
-        if self.ready:
-            self.on_ready()
+        self.compiling.begin()
 
     def stop(self, reason: str = "the server stops") -> None:
         """Say bye to every session; new ones are refused."""
-        self.stopping, self.ready = True, False
+        self.stopping = True
+        self.compiling.stop()
         for session, (talk, _) in list(self._open.items()):
             session.stop(reason)
             if talk is not None:
@@ -163,11 +128,6 @@ class Service:
 
     def _watch(self, name: str, hello: Hello) -> Watch | None:
         return self.recorder.open(name, hello) if self.recorder else None
-
-
-def _log_progress(done: int, of: int, name: str) -> None:
-    if name:
-        log.info("warming %s, %d of %d", name, done + 1, of)
 
 
 def _frames(talk: Talk | None) -> int:

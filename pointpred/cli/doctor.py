@@ -18,7 +18,12 @@ from pointpred.cli.screen import counted, results, write_json
 from pointpred.errors import PointpredError, SourceError
 
 OLDEST = (3, 11)
-EXTRAS = {"observers": ("clarabel", "cvxpy", "sympy"), "camera": ("cv2",)}
+EXTRAS = {
+    "report": ("matplotlib", "pandas", "scipy", "statsmodels"),
+    "train": ("scipy",),
+    "observers": ("clarabel", "cvxpy", "sympy"),
+    "camera": ("cv2",),
+}
 """What each extra brings, by the names that are imported."""
 LOOPBACK = "127.0.0.1"
 

@@ -79,6 +79,10 @@ def score(
         settings = {"threads": threads, "seed": seed, "cpi": cpi, "dpi": dpi, "parameters": own}
         _score_targets(files, told, names, json, report, **settings)
         return
+    if report is not None:
+        from pointpred.report.extra import check_installed
+
+        check_installed()  # before minutes of scoring
     from pointpred.cli.progress import following
     from pointpred.scoring import score as run
     from pointpred.scoring import summary

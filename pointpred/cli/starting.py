@@ -10,6 +10,7 @@ import typer
 from pointpred.cli.screen import plain
 
 if TYPE_CHECKING:
+    from pointpred.server.compiling.compiling import Progress
     from pointpred.server.service import Service
     from pointpred.server.settings import Settings
 
@@ -18,7 +19,7 @@ CLEAR = "\r\x1b[2K"
 
 
 class Starting:
-    """Tells the settings, the address, how far compiled code is warm, and at last that all is ready.
+    """Tells the settings, the address, that the page can be used, and how far compiling is.
 
     The address goes to stdout, all else to ``screen``. The progress is one line that is written over, only
     where somebody looks at it; elsewhere the log tells it.
@@ -30,8 +31,8 @@ class Starting:
         self._screen = screen or sys.stderr
         self._watched = self._screen.isatty()
         if self._watched:
-            service.progress = self.progress
-        service.on_ready = self.ready
+            service.compiling.tell = self.progress
+        service.compiling.on_ready = self.ready
         self._say(f"Settings: {told(service.settings)}")
 
     def announce(self) -> None:
@@ -42,16 +43,15 @@ class Starting:
         self._screen.flush()
         typer.echo(self.address + token)
 
-    def progress(self, done: int, of: int, name: str) -> None:
-        """What is being warmed."""
-        if name:
-            self._screen.write(
-                f"{CLEAR}warming {plain(name)}, {done + 1} of {of}; the first start takes a while"
-            )
+    def progress(self, progress: Progress) -> None:
+        """What is being compiled; nothing where it is only loaded."""
+        if self.service.compiling.once:
+            far = f"{progress.done} of {progress.of}, {progress.next}"
+            self._screen.write(CLEAR + (plain(f"Compiling, only this once: {far}") if progress.next else ""))
             self._screen.flush()
 
     def ready(self) -> None:
-        """The code is warm; the address is said again, last, without a token."""
+        """The recommended predictor answers; the address is said again, without a token."""
         token = " with the token" if self.service.settings.token else ""
         self._say(f"Ready: open {self.address}{token} in a browser. Ctrl-C stops.")
 

@@ -14,6 +14,7 @@ from pointpred.report.boxes import boxes
 from pointpred.report.choice import compared, highlighted, pair
 from pointpred.report.claims import inside_curves, time_left_bars
 from pointpred.report.conclusion import conclusion, ranked
+from pointpred.report.extra import check_installed
 from pointpred.report.figures import clean_against_all, cost, curves, group_curves, skill_bars
 from pointpred.report.page import page
 from pointpred.report.statistics import mae_table, statistics_html
@@ -59,8 +60,10 @@ def write_report(
     replayed with ``cpi`` and ``dpi`` as they were given to ``score``; ``pipelines`` are patterns for names
     that the registry does not build as they were scored. Names in recordings are not trusted: they are
     escaped. Raises ParameterError for an empty list or a set scored without ``hold``, RecordingError for a
-    recording with other trials than the score, and OSError when the file cannot be written.
+    recording with other trials than the score, MissingExtraError where the extra ``report`` is not installed,
+    and OSError when the file cannot be written.
     """
+    check_installed()
     if not scores:
         raise ParameterError("a report needs at least one scored set, received none")
     described = [ranked(summary(score)) for score in scores]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib.util import find_spec
 from math import inf
 from typing import Literal
 
@@ -147,8 +148,11 @@ def fitted_constant(bands: Bands) -> float:
 
 
 def fitted_sigmoid(bands: Bands) -> dict[str, float] | None:
-    """The sigmoid whose squared relative errors are least, weighed by trust; ``None`` from too few bands."""
-    if len(bands.speeds) < 5:
+    """The sigmoid whose squared relative errors are least, weighed by trust.
+
+    ``None`` from too few bands, and where scipy is not installed.
+    """
+    if len(bands.speeds) < 5 or find_spec("scipy") is None:
         return None
     from scipy.optimize import least_squares
 

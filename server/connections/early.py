@@ -1,4 +1,4 @@
-"""A client that comes while code is still warmed: it is waited with, and noticed when it leaves."""
+"""A client that comes while code is still compiled: it is waited with, and noticed when it leaves."""
 
 from __future__ import annotations
 
@@ -15,10 +15,18 @@ MOST_BYTES = 1 << 20
 
 
 class Early:
-    """Hands on what a client sent, after having listened for its leaving."""
+    """Hands on what a client sends, each message once what it needs is there.
 
-    def __init__(self, receive: Callable[[], Awaitable[Message]]) -> None:
+    ``lacks`` gives what there is to wait for before a message is handed on, ``None`` where there is nothing.
+    """
+
+    def __init__(
+        self,
+        receive: Callable[[], Awaitable[Message]],
+        lacks: Callable[[Message], Coroutine[Any, Any, None] | None],
+    ) -> None:
         self._receive = receive
+        self._lacks = lacks
         self._heard: deque[Message] = deque()
         self._bytes = 0
         self._coming: asyncio.Future[Message] | None = None
@@ -35,6 +43,7 @@ class Early:
                     self._coming = None
                     message = coming.result()
                     if message["type"] == "websocket.disconnect":
+                        self._heard.append(message)
                         return False
                     self._heard.append(message)
                     self._bytes += len(message.get("text") or message.get("bytes") or "")
@@ -44,7 +53,13 @@ class Early:
             waiting.cancel()
 
     async def __call__(self) -> Message:
-        """What comes next, in order."""
+        """What comes next, in order; that the client has left comes at once."""
+        message = await self._next()
+        if (until := self._lacks(message)) is not None and not await self.stays(until):
+            return self._heard[-1]
+        return message
+
+    async def _next(self) -> Message:
         if self._heard:
             return self._heard.popleft()
         if self._coming is not None:

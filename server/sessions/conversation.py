@@ -43,10 +43,14 @@ class Conversation:
         """What was refused, by error code: events that run backwards, frames for all else."""
         self.heard = now
         """When the client was last heard."""
+        self.kept_waiting = False
+        """Whether the client waits for something to be compiled: its silence is not its own."""
         self._leaving: str | None = None  # why the session is to stop once its work is done
 
     def tick(self, now: float) -> None:
         """Notice what only time tells: no hello, nothing heard, nothing read."""
+        if self.kept_waiting:
+            self.heard = now
         silent = now - self.heard
         if self.state == "closed":
             return

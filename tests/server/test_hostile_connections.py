@@ -13,10 +13,12 @@ from httpx2 import get
 from uvicorn.protocols.utils import ClientDisconnected
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
+from pointpred.registry import RECOMMENDED
 from pointpred.server.endpoint import StreamEndpoint
 from pointpred.server.service import Service
+from tests.server.compiler import Compiler
 from tests.server.listener import soon
-from tests.server.running import PATIENCE_S, Running, running
+from tests.server.running import HELLO, PATIENCE_S, Running, running
 
 TOKEN = "open sesame"
 
@@ -92,23 +94,25 @@ def test_a_plain_request_of_the_stream_is_told_what_the_path_speaks() -> None:
     assert answer.headers["Upgrade"] == "websocket"
 
 
-def test_a_client_that_leaves_while_the_service_warms_and_stops_is_no_error() -> None:
-    service = Service()
-
-    async def warm() -> None:
-        service.stop()
-
-    service.until_warm = warm  # type: ignore[method-assign]
+def test_a_client_that_leaves_while_the_service_compiles_and_stops_is_no_error() -> None:
+    service, compiler = Service(), Compiler()
+    service.compiling = compiler.compiling([RECOMMENDED, "switched"])
+    frames = [{"type": "websocket.connect"}, {"type": "websocket.receive", "text": HELLO}]
 
     async def receive() -> dict[str, str]:
-        return {"type": "websocket.connect"}
+        if not frames:
+            service.stop()
+            await asyncio.Event().wait()
+        return frames.pop(0)
 
     async def send(message: dict[str, object]) -> None:
         if message["type"] != "websocket.accept":
             raise ClientDisconnected
 
     scope = {"type": "websocket", "headers": [], "query_string": b""}
+    service.compiling.begin()
     asyncio.run(StreamEndpoint(service)(scope, receive, send))
+    assert not service._open
 
 
 def half(here: Running, sent: bytes) -> socket_module.socket:

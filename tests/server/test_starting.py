@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import os
 import pty
@@ -14,8 +15,11 @@ from pathlib import Path
 
 import pytest
 
-from pointpred.cli.starting import told
+from pointpred.cli.starting import Starting, told
+from pointpred.registry import RECOMMENDED, REGISTRY
+from pointpred.server.service import Service
 from pointpred.server.settings import Settings
+from tests.server.compiler import Compiler
 from tests.server.running import PATIENCE_S
 
 MAKEFILE = Path(__file__).parents[2] / "Makefile"
@@ -49,12 +53,11 @@ def seen(*more: str) -> tuple[str, str]:
 def test_in_a_terminal_the_progress_is_one_line_and_the_address_comes_last() -> None:
     out, shown = seen("--max-sessions", "3")
     assert re.fullmatch(ADDRESS + r"\n", out)
-    lines = [line.rpartition("\x1b[2K")[2].strip() for line in shown.split("\n")]
+    lines = [line.rpartition("\x1b[2K")[2].strip() for line in shown.split("\n")[:-1]]
     left = [line for line in lines if line]
     assert left[0] == "Settings: port 0, max_sessions 3; everything else default"
     assert left[-1] == f"Ready: open {out.strip()} in a browser. Ctrl-C stops."
     assert len(left) == 2, "a line that stays on the screen between"
-    assert "warming hold, 1 of " in shown
     assert "{" not in shown
 
 
@@ -80,7 +83,7 @@ def test_elsewhere_entries_are_json_and_the_settings_can_say_otherwise() -> None
         out, _ = process.communicate(timeout=PATIENCE_S)
     assert re.fullmatch(ADDRESS + r"\n", out)
     entries = [json.loads(line) for line in lines if not line.startswith(("Settings", "Ready"))]
-    assert [entry["message"].split(",")[0] for entry in entries][:1] == ["warming hold"]
+    assert {entry["message"].split(":")[0] for entry in entries} <= {"Compiling once"}, "loading is no news"
     assert "\x1b" not in "".join(lines)
 
 
@@ -97,5 +100,31 @@ def test_only_settings_of_ones_own_are_told(settings: Settings, words: str) -> N
 
 
 def test_setting_up_says_that_it_takes_a_while() -> None:
-    recipe = MAKEFILE.read_text(encoding="utf-8").partition("$(READY): ")[2]
-    assert recipe.index("about a minute") < recipe.index("-m venv")
+    runs, _, ready = MAKEFILE.read_text(encoding="utf-8").partition("$(RUNS): ")[2].partition("$(READY): ")
+    assert runs.index("about half a minute") < runs.index("-m venv") < runs.index("$(INSTALL) .\n")
+    assert ready.index("about a minute") < ready.index("$(INSTALL) '.[dev]'")
+
+
+class Terminal(io.StringIO):
+    """A screen that somebody looks at."""
+
+    def isatty(self) -> bool:
+        return True
+
+
+def test_what_is_compiled_is_one_line_that_goes_when_all_is_done() -> None:
+    compiler, screen = Compiler(), Terminal()
+    service = Service()
+    compiling = service.compiling = compiler.compiling([RECOMMENDED, "ktm"])
+    Starting(service, "http://127.0.0.1:1/", screen)
+    compiler.allow()
+    compiling.begin()
+    compiling.join()
+    shown = screen.getvalue()
+    assert shown.count("\n") == 2, "the settings, and that it is ready"
+    far = [line for line in re.split(r"[\n\r]", shown) if "only this once" in line]
+    count = len(REGISTRY)
+    assert {f"0 of {count}, {RECOMMENDED}", f"1 of {count}, ktm"} <= {
+        line.rpartition(": ")[2] for line in far
+    }
+    assert shown.endswith("\x1b[2K")

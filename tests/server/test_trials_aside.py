@@ -11,7 +11,9 @@ from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection
 
 import pointpred.server.sessions.trials
-from pointpred.server.warm import warm_one, warm_session
+from pointpred.server.compiling.compiling import Compiling
+from pointpred.server.compiling.parts import predict, score_trial
+from pointpred.server.service import Service
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, Running, running
 
@@ -48,9 +50,8 @@ def held(monkeypatch: pytest.MonkeyPatch) -> Iterator[Held]:
             raise RuntimeError("at 7315.25")
         return real(*arguments, **options)  # type: ignore[arg-type]
 
-    warm_one("switched")  # here, where nobody waits for the compiler
-    warm_session()
-    monkeypatch.setattr("pointpred.server.service.warm", lambda progress: None)  # it scores a trial, too
+    predict("switched")  # here, where nobody waits for the compiler
+    score_trial()
     monkeypatch.setattr("pointpred.server.listening.listening.GOODBYE_S", PATIENCE_S)
     monkeypatch.setattr(pointpred.server.sessions.trials, "prepare", slow)
     yield here
@@ -59,7 +60,10 @@ def held(monkeypatch: pytest.MonkeyPatch) -> Iterator[Held]:
 
 @pytest.fixture
 def service(held: Held) -> Iterator[Running]:
-    with running() as here:
+    def prepare(service: Service) -> None:
+        service.compiling = Compiling([])  # it would score a trial, too
+
+    with running(prepare) as here:
         yield here
         held.go.set()
 

@@ -26,10 +26,10 @@ from pointpred.registry import REGISTRY
 from pointpred.server.uploads.scoring import score_body
 from pointpred.server.sessions.session import Session
 from pointpred.server.protocol.server_messages import Limits
-from pointpred.server.warm import warm
+from pointpred.server.compiling.compiling import compile_all
 from tests.unit.talking import events, packed
 
-warm()
+compile_all()
 rows = [(0.01 * i, 7.0 * i, 3.0 * i, 4, 2, 0) for i in range(60)]
 for name in REGISTRY:
     session = Session("here", Limits(), 0.0)

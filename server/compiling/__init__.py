@@ -1,0 +1,1 @@
+"""What a first start compiles: in which order, by which process, and who waits for it."""

@@ -1,0 +1,52 @@
+"""Which part is compiled next: those of the first answer, then what a client waits for, then the rest."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Sequence
+
+from pointpred.server.compiling.parts import Part
+
+
+class Order:
+    """Parts that are waiting, under way and done; used by one thread at a time."""
+
+    def __init__(self, parts: Sequence[Part], first: Collection[str]) -> None:
+        """``first``: parts that nobody's wish overtakes."""
+        self.waiting = list(parts)
+        self.under_way: list[str] = []
+        self.done: list[str] = []
+        self.names = frozenset(part.name for part in parts)
+        self._first = first
+        self._wished: dict[str, int] = {}
+
+    @property
+    def finished(self) -> bool:
+        """Whether nothing waits and nothing is under way."""
+        return not self.waiting and not self.under_way
+
+    def take(self) -> Part | None:
+        """The next part that can begin, which is under way from now on; ``None`` where none can now."""
+        for place, part in enumerate(self.waiting):
+            if all(name in self.done for name in part.after):
+                del self.waiting[place]
+                self.under_way.append(part.name)
+                return part
+        return None
+
+    def finish(self, name: str) -> None:
+        """A part is compiled, or cannot be."""
+        self.under_way.remove(name)
+        self.done.append(name)
+
+    def wish(self, names: Iterable[str]) -> None:
+        """Somebody waits for these parts: they come before what nobody waits for, the earliest wish first."""
+        for name in names:
+            self._wished.setdefault(name, len(self._wished))
+        last = len(self._wished)
+        self.waiting.sort(
+            key=lambda part: -1 if part.name in self._first else self._wished.get(part.name, last)
+        )
+
+    def missing(self, names: Iterable[str]) -> list[str]:
+        """Those of the names that are parts and not done."""
+        return [name for name in names if name in self.names and name not in self.done]

@@ -1,0 +1,149 @@
+"""What is compiled, in parts: each is what one wish of a client needs, and running it once compiles it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterable, Sequence
+from functools import partial
+from typing import Any, NamedTuple
+
+from pointpred.columns import EventColumns
+from pointpred.compiled import awaits_compiling
+from pointpred.differentiators import DIFFERENTIATORS, HomogeneousDifferentiator
+from pointpred.events import PointerEvent
+from pointpred.pipeline import run
+from pointpred.predictors import Predictor
+from pointpred.registry import RECOMMENDED, REGISTRY, build
+from pointpred.scoring import metrics
+from pointpred.server.protocol.records import EVENT, take_apart, unpack
+from pointpred.server.sessions.session import Session
+from pointpred.server.settings import Settings
+from pointpred.targets import Chooser, around, choosing
+from pointpred.transfer import assisted_guarded
+
+Frame = dict[str, Any] | bytes
+
+TARGETS, ASSISTANCE, TRIALS = "targets", "assistance", "trials"
+HALVES = (f"{RECOMMENDED}, of anybody", f"{RECOMMENDED}, of a person")
+"""Two processes compile these at the same time; what joins them is then soon done."""
+
+
+class Part(NamedTuple):
+    """A name, what runs it, laws that show whether it is compiled, and the parts to be compiled before it."""
+
+    name: str
+    run: Callable[[], None]
+    laws: tuple[Any, ...]
+    after: tuple[str, ...] = ()
+
+    @property
+    def awaits(self) -> bool:
+        """Whether it would be compiled when it is run, and kept for other processes."""
+        return any(awaits_compiling(law) for law in self.laws)
+
+
+def differentiator(name: str) -> str:
+    """The part of sessions that choose this differentiator."""
+    return f"differentiator {name}"
+
+
+def parts() -> list[Part]:
+    """Every part, in the order in which a first start compiles them."""
+    usual = {entry.differentiator for entry in REGISTRY.values()}
+    return [
+        *_halves(),
+        _predictor(RECOMMENDED, HALVES),
+        Part(TARGETS, choose, (choosing.step, choosing.walk)),
+        Part(ASSISTANCE, assist, (assisted_guarded.step,)),
+        Part(TRIALS, score_trial, (metrics.measure,)),
+        *(_predictor(name) for name in REGISTRY if name != RECOMMENDED),
+        *(
+            Part(differentiator(name), partial(predict, "hold", name), (kind.step, kind.loop))
+            for name, kind in DIFFERENTIATORS.items()
+            if name not in usual
+        ),
+    ]
+
+
+def _predictor(name: str, after: tuple[str, ...] = ()) -> Part:
+    kind = REGISTRY[name].predictor
+    return Part(name, partial(predict, name), (kind.step, kind.loop), after)
+
+
+def _halves() -> Iterable[Part]:
+    """What the recommended predictor is laid over, and what it adds to it."""
+    whole: Any = REGISTRY[RECOMMENDED].predictor
+    beneath: Any = whole.__mro__[1]
+    return (
+        Part(HALVES[0], partial(_step, beneath), (beneath.step,)),
+        Part(HALVES[1], _learn, (whole.conclude, HomogeneousDifferentiator.step, take_apart)),
+    )
+
+
+def _step(kind: Callable[[], Predictor]) -> None:
+    kind().advance((0.0, 5.0, 2.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 1.0))
+
+
+def _learn() -> None:
+    build(RECOMMENDED).predictor.reset()
+    predict("hold")
+    unpack(bytes(EVENT.itemsize))
+
+
+def predict(name: str, differentiator: str | None = None) -> None:
+    """Run one predictor over a few events: one by one, as columns, and to the end of a movement."""
+    chosen: dict[str, Any] = {} if differentiator is None else {"differentiator": differentiator}
+    pipeline = build(name, cpi=1000.0, **chosen)
+    for event in _events():
+        pipeline.update(event)
+    pipeline.reset()  # one that learns its person concludes the movement
+    columns = EventColumns.of_events(_events())
+    run(pipeline.fresh(), columns)
+    pipeline.fresh().advance_all(columns.begin, columns.table)
+
+
+def choose() -> None:
+    """Decide among targets, event by event and over columns."""
+    pipeline, chooser = build("hold"), Chooser([around("any", 200.0, 80.0, 20.0)])
+    for event in _events():
+        chooser.update(pipeline.update(event), event)
+    columns = EventColumns.of_events(_events())
+    chooser.reset()
+    chooser.follow(columns.table, run(pipeline.fresh(), columns).table)
+
+
+def _events() -> list[PointerEvent]:
+    return [PointerEvent(0.01 * i, 5.0 * i, 2.0 * i, 4.0, 2.0) for i in range(4)]
+
+
+HELLO: dict[str, Any] = {"type": "hello", "version": 1, "predictor": "hold", "device": {"cpi": 1000}}
+
+
+def score_trial() -> None:
+    """A trial that a client marks, with its target."""
+    goal = {"x": 400, "y": 100, "width": 40}
+    events = {"type": "events", "events": [reach(i) for i in range(60)]}
+    mark = {"type": "trial", "action": "start"}
+    talk([HELLO, mark, events, {**mark, "action": "end", "target": goal}])
+
+
+def assist() -> None:
+    """A session whose cursor the service moves."""
+    talk([{**HELLO, "assist": {}}, {"type": "events", "events": [reach(0)]}])
+
+
+def talk(frames: Sequence[Frame]) -> None:
+    """Say frames to a session, and let it do the work that they make."""
+    session = Session("warm", Settings().limits, 0.0)
+    for frame in frames:
+        session.receive(frame if isinstance(frame, bytes) else json.dumps(frame), 0.0)
+        while session.work is not None:
+            session.finish(session.work())
+        session.outbox.take()
+
+
+def reach(i: int) -> list[float]:
+    """An event of a movement of 400 px in half a second, in JSON's order."""
+    s = min(i / 50, 1.0)
+    way = 10 * s**3 - 15 * s**4 + 6 * s**5
+    return [i / 100, 400 * way, 100 * way, 4, 1, 0]

@@ -1,0 +1,56 @@
+"""A compiler for tests: it has compiled a part when the test says so."""
+
+from __future__ import annotations
+
+import threading
+from collections import defaultdict
+from collections.abc import Sequence
+
+from pointpred.server.compiling.compiling import Compiling
+from pointpred.server.compiling.parts import Part
+from pointpred.server.compiling.worker import ASIDE
+
+
+class Awaited(Part):
+    """A part that is not in the cache, and that costs nothing to run."""
+
+    @property
+    def awaits(self) -> bool:
+        return True
+
+
+class Compiler:
+    """Stands in the place of worker processes; ``asked`` has what they were asked for, in order."""
+
+    def __init__(self) -> None:
+        self.asked: list[str] = []
+        self.ended = 0
+        self._allowed: dict[str, threading.Event] = defaultdict(threading.Event)
+        self._all = threading.Event()
+
+    def __call__(self) -> Compiler:
+        return self
+
+    def compiling(self, names: Sequence[str]) -> Compiling:
+        """What a service compiles with."""
+        parts = [Awaited(name, lambda: None, ()) for name in names]
+        return Compiling(parts, self)  # type: ignore[arg-type]
+
+    def allow(self, *names: str) -> None:
+        """These parts can be compiled now; all, where none is named."""
+        for name in names:
+            self._allowed[name].set()
+        if not names:
+            self._all.set()
+
+    def compile(self, name: str) -> None:
+        self.asked.append(name)
+        if name != ASIDE:
+            while not (self._all.is_set() or self._allowed[name].wait(0.005)):
+                pass
+
+    def kill(self) -> None:
+        self._all.set()
+
+    def end(self) -> None:
+        self.ended += 1

@@ -1,0 +1,363 @@
+"""Who comes while a first start compiles: served by what is ready, and waiting for just what is not."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import os
+import subprocess
+import sys
+import threading
+from collections.abc import Iterator
+
+import pytest
+from httpx2 import get
+from websockets.exceptions import ConnectionClosed
+
+from pointpred.compiled import COMPILED
+from pointpred.registry import RECOMMENDED, REGISTRY
+from pointpred.server.compiling import compiling as room
+from pointpred.server.compiling.compiling import Compiling
+from pointpred.server.compiling.needs import needs
+from pointpred.server.compiling.order import Order
+from pointpred.server.compiling.parts import ASSISTANCE, HALVES, TARGETS, TRIALS, Part, parts, predict
+from pointpred.server.compiling.worker import ASIDE, Worker
+from pointpred.server.service import Service
+from tests.server.compiler import Awaited, Compiler
+from tests.server.listener import soon
+from tests.server.running import PATIENCE_S, Running, running
+
+OTHERS = [name for name in REGISTRY if name != RECOMMENDED]
+EVENT = '{"type":"events","events":[[%s,5,6,null,null,0]]}'
+WELCOME, PREDICTION = "welcome", "prediction"
+
+
+def hello(predictor: str = RECOMMENDED) -> str:
+    return json.dumps({"type": "hello", "version": 1, "predictor": predictor})
+
+
+@pytest.fixture
+def compiler(monkeypatch: pytest.MonkeyPatch) -> Iterator[Compiler]:
+    for name in (RECOMMENDED, "ktm", "switched"):
+        predict(name)  # here, where nobody waits for the compiler
+    monkeypatch.setattr(room, "_processors", lambda: 1)
+    one = Compiler()
+    yield one
+    one.allow()
+
+
+@pytest.fixture
+def here(compiler: Compiler) -> Iterator[Running]:
+    def prepare(service: Service) -> None:
+        service.compiling = compiler.compiling([RECOMMENDED, TARGETS, TRIALS, *OTHERS])
+
+    with running(prepare, max_sessions=3) as one:
+        yield one
+        compiler.allow()
+
+
+def ready(here: Running) -> bool:
+    return get(f"{here.url}/readyz", timeout=PATIENCE_S).status_code == 200
+
+
+def test_the_recommended_predictor_is_first_and_others_follow_in_their_order() -> None:
+    order = Order(parts(), room.FIRST)
+    names = []
+    while (part := order.take()) is not None:
+        names.append(part.name)
+        order.finish(part.name)
+    assert names[:3] == [*HALVES, RECOMMENDED]
+    assert [name for name in names if name in REGISTRY] == [RECOMMENDED, *OTHERS]
+    assert {TARGETS, ASSISTANCE, TRIALS} < set(names)
+
+
+def test_a_part_waits_for_those_it_is_made_of_and_another_one_goes_first() -> None:
+    order = Order(parts(), room.FIRST)
+    begun = [order.take() for _ in range(3)]
+    assert [part and part.name for part in begun] == [*HALVES, TARGETS]
+    order.finish(HALVES[0])
+    order.finish(HALVES[1])
+    assert getattr(order.take(), "name", None) == RECOMMENDED
+
+
+def test_what_clients_wait_for_goes_before_the_rest_but_not_before_the_first() -> None:
+    order = Order(parts(), room.FIRST)
+    order.wish(["ktm"])
+    order.wish(["switched", "ktm"])
+    names = []
+    while (part := order.take()) is not None:
+        names.append(part.name)
+        order.finish(part.name)
+    assert names[3:5] == ["ktm", "switched"]
+
+
+@pytest.mark.parametrize(
+    ("message", "wanted"),
+    [
+        ({"type": "hello", "version": 1, "predictor": "ktm"}, ["ktm"]),
+        ({"type": "hello", "version": 1, "predictor": "ktm", "assist": {}}, ["ktm", ASSISTANCE]),
+        (
+            {"type": "configure", "predictor": "hold", "parameters": {"differentiator": "kalman"}},
+            ["hold", "differentiator kalman"],
+        ),
+        ({"type": "configure", "reply": "event"}, []),
+        ({"type": "targets", "targets": [{"id": "a", "x": 1, "y": 2, "width": 3, "height": 4}]}, [TARGETS]),
+        ({"type": "targets", "targets": []}, []),
+        ({"type": "trial", "action": "end"}, [TRIALS]),
+        ({"type": "trial", "action": "start"}, []),
+        ({"type": "events", "events": [[1, 2, 3, None, None, 0]]}, []),
+        ({"type": "nonsense"}, []),
+    ],
+)
+def test_what_a_message_needs(message: dict[str, object], wanted: list[str]) -> None:
+    assert needs(json.dumps(message)) == wanted
+    assert set(wanted) <= {part.name for part in parts()}
+
+
+def test_a_session_of_a_ready_predictor_is_served_while_others_are_compiled(
+    here: Running, compiler: Compiler
+) -> None:
+    with here.connect() as early, here.connect() as other:
+        early.send(hello())
+        with pytest.raises(TimeoutError):
+            early.recv(0.2)
+        assert not ready(here)
+        assert get(f"{here.url}/healthz", timeout=PATIENCE_S).status_code == 200
+        compiler.allow(RECOMMENDED)
+        assert json.loads(early.recv(PATIENCE_S))["type"] == WELCOME
+        soon(lambda: ready(here), "ready")
+        other.send(hello("ktm"))  # the last but four
+        for i in range(20):
+            early.send(EVENT % i)
+            assert json.loads(early.recv(PATIENCE_S))["t"] == i
+        soon(lambda: here.service.compiling._waiting, "the other one waits")
+        compiler.allow(TARGETS, "ktm")
+        assert json.loads(other.recv(PATIENCE_S))["type"] == WELCOME
+        assert [name for name in compiler.asked if name != ASIDE][:3] == [RECOMMENDED, TARGETS, "ktm"]
+        assert compiler.asked.index(ASIDE) == 1
+
+
+def test_a_message_waits_for_what_it_needs_and_answers_keep_their_order(
+    here: Running, compiler: Compiler
+) -> None:
+    compiler.allow(RECOMMENDED)
+    with here.connect() as socket:
+        socket.send(hello())
+        assert json.loads(socket.recv(PATIENCE_S))["type"] == WELCOME
+        socket.send(EVENT % 1)
+        assert json.loads(socket.recv(PATIENCE_S))["t"] == 1.0
+        socket.send('{"type":"configure","predictor":"switched"}')
+        for t in range(2, 20):
+            socket.send(EVENT % t)
+        with pytest.raises(TimeoutError):
+            socket.recv(0.2)
+        compiler.allow()
+        assert json.loads(socket.recv(PATIENCE_S))["predictor"] == "switched"
+        last = 1.0
+        while last < 19.0:  # predictions may give way to newer ones
+            answer = json.loads(socket.recv(PATIENCE_S))
+            assert answer["type"] == PREDICTION, answer
+            assert answer["t"] > last
+            last = answer["t"]
+
+
+def test_what_is_compiled_is_told(here: Running, compiler: Compiler) -> None:
+    def told() -> dict[str, object]:
+        answer: dict[str, object] = get(f"{here.url}/v1/compiling", timeout=PATIENCE_S).json()
+        return answer
+
+    count = len(REGISTRY)
+    soon(lambda: told()["next"] == RECOMMENDED, "it has begun")
+    assert told() == {"done": 0, "of": count, "next": RECOMMENDED, "ready": []}
+    compiler.allow(RECOMMENDED, TARGETS, TRIALS)
+    soon(lambda: told()["next"] == OTHERS[0], "the others follow")
+    assert told() == {"done": 1, "of": count, "next": OTHERS[0], "ready": [RECOMMENDED]}
+    compiler.allow()
+    soon(lambda: told()["next"] is None, "all is done")
+    assert told() == {"done": count, "of": count, "next": None, "ready": list(REGISTRY)}
+    assert compiler.ended == 1
+
+
+def test_who_waits_counts_as_a_session_and_hears_that_the_service_stops(here: Running) -> None:
+    with here.connect() as early, here.connect(), here.connect():
+        early.send(hello())
+        with here.connect() as fourth:
+            assert json.loads(fourth.recv(PATIENCE_S))["code"] == "too_many"
+        here.server.should_exit = True
+        assert json.loads(early.recv(PATIENCE_S))["type"] == "bye"
+        with pytest.raises(ConnectionClosed) as closed:
+            early.recv(PATIENCE_S)
+        assert closed.value.rcvd is not None
+        assert closed.value.rcvd.code == 1001
+
+
+def test_who_leaves_while_it_waits_leaves_its_place(here: Running) -> None:
+    for said in ([], [hello()], [hello()] + 100 * ['{"type":"reset"}']):
+        with here.connect(), here.connect(), here.connect() as early:
+            for text in said:
+                early.send(text)
+            soon(lambda: here.service.full, "they wait")
+        soon(lambda: not here.service._open, "their places are free")
+    assert get(f"{here.url}/metrics", timeout=PATIENCE_S).status_code == 200
+
+
+def test_waiting_for_the_compiler_is_not_idleness(compiler: Compiler) -> None:
+    def prepare(service: Service) -> None:
+        service.compiling = compiler.compiling([RECOMMENDED])
+
+    with running(prepare) as here, here.connect() as early:
+        early.send(hello())
+        soon(lambda: any(one.kept_waiting for one in here.service._open), "it waits")
+        (session,) = here.service._open
+        session.tick(session.heard + 1e6)
+        assert session.close is None
+        compiler.allow()
+        assert json.loads(early.recv(PATIENCE_S))["type"] == WELCOME
+        assert not session.kept_waiting
+
+
+def test_a_recording_is_scored_once_its_predictors_are_compiled(here: Running, compiler: Compiler) -> None:
+    body = "user,trial,t_s,x_px,y_px\n" + "".join(f"ann,1,{i / 100},{7 * i},{3 * i}\n" for i in range(60))
+    compiler.allow(RECOMMENDED, TARGETS)
+    answers: list[int] = []
+
+    def post() -> None:
+        from httpx2 import post
+
+        answer = post(f"{here.url}/v1/score?predictors=switched", content=body, timeout=PATIENCE_S)
+        answers.append(answer.status_code)
+
+    poster = threading.Thread(target=post)
+    poster.start()
+    soon(lambda: here.service.compiling._waiting, "it waits")
+    compiler.allow(TRIALS)
+    soon(lambda: "switched" in compiler.asked, "it is next")
+    assert not answers
+    compiler.allow("switched")
+    poster.join(PATIENCE_S)
+    assert answers == [200]
+    assert "linear" not in compiler.asked
+
+
+def test_what_cannot_be_compiled_is_logged_and_clients_are_served_all_the_same(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    def broken() -> None:
+        raise RuntimeError("no compiler")
+
+    def prepare(service: Service) -> None:
+        service.compiling = Compiling([Part(RECOMMENDED, broken, ())])
+
+    with running(prepare) as here, here.greeted(hello()):
+        assert get(f"{here.url}/readyz", timeout=PATIENCE_S).json() == {"ready": False, "stopping": False}
+    assert "could not be compiled" in caplog.text
+
+
+def test_what_is_in_the_cache_needs_no_worker_and_is_not_spoken_of(caplog: pytest.LogCaptureFixture) -> None:
+    compiler, ran = Compiler(), []
+    names = list(REGISTRY)
+    compiling = Compiling([Part(name, lambda name=name: ran.append(name), ()) for name in names], compiler)  # type: ignore[arg-type, misc]
+    compiling.begin()
+    compiling.join()
+    assert sorted(ran) == sorted(names)
+    assert compiler.asked == []
+    assert not compiling.once
+    assert "ompil" not in caplog.text
+
+
+def test_a_service_that_stops_gives_up_what_is_compiled(monkeypatch: pytest.MonkeyPatch) -> None:
+    started: list[subprocess.Popen[bytes]] = []
+
+    class Endless(Worker):
+        def __init__(self) -> None:
+            command = [sys.executable, "-c", "import sys, time; print(flush=True); time.sleep(600)"]
+            self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+            started.append(self.process)
+            assert self.process.stdout is not None
+            self.process.stdout.readline()
+
+    monkeypatch.setattr(room, "_processors", lambda: 2)
+    compiling = Compiling([Awaited(name, lambda: None, ()) for name in OTHERS], Endless)
+    compiling.begin()
+    soon(lambda: len(started) == 2, "both work")
+    compiling.stop()
+    compiling.join()
+    assert [one.poll() is not None for one in started] == [True, True]
+    assert compiling.over
+
+
+def test_until_ends_for_names_that_are_no_parts_and_where_nothing_has_begun() -> None:
+    compiler = Compiler()
+    asyncio.run(compiler.compiling([RECOMMENDED]).until([RECOMMENDED]))
+    compiling = compiler.compiling([RECOMMENDED])
+    compiling.begin()
+    asyncio.run(compiling.until(["no such predictor"]))
+    compiler.allow()
+    compiling.join()
+
+
+def test_a_worker_compiles_what_is_named_and_ends_with_who_asked() -> None:
+    worker = Worker()
+    try:
+        for name in (ASIDE, ASIDE, "no such part", "hold"):
+            worker.compile(name)
+            assert worker.process.poll() is None
+        assert os.getpriority(os.PRIO_PROCESS, worker.process.pid) > os.getpriority(os.PRIO_PROCESS, 0)
+        assert worker.process.stdin is not None
+        worker.process.stdin.close()
+        assert worker.process.wait(30) == 1
+    finally:
+        worker.process.kill()
+        assert worker.process.stdout is not None
+        worker.process.stdout.close()
+        worker.process.wait()
+
+
+def test_a_worker_that_has_ended_keeps_nobody_waiting() -> None:
+    worker = Worker()
+    worker.kill()
+    worker.process.wait()
+    worker.compile("hold")
+    worker.compile("hold")
+    worker.end()
+
+
+@pytest.mark.skipif(not COMPILED, reason="plain Python compiles nothing")
+def test_a_session_whose_parts_are_ready_compiles_and_loads_nothing() -> None:
+    """In a process of its own, which has compiled nothing for other tests: only the parts it waits for."""
+    program = """
+import json
+from numba.core.dispatcher import Dispatcher
+from pointpred.server.compiling.needs import needs
+from pointpred.server.compiling.parts import HELLO, parts, reach, talk
+known = {part.name: part for part in parts()}
+asked, compile = [], Dispatcher.compile
+def spied(self, signature):
+    asked.append(f"{self.py_func.__module__}.{self.py_func.__name__}{signature}")
+    return compile(self, signature)
+def converse(frames):
+    Dispatcher.compile = compile
+    names = {name for frame in frames if not isinstance(frame, bytes) for name in needs(json.dumps(frame))}
+    for name in names:
+        for before in known[name].after:
+            known[before].run()
+        known[name].run()
+    Dispatcher.compile = spied
+    talk(frames)
+converse([
+    {**HELLO, "predictor": "kinematic-adaptive"},
+    {"type": "targets", "targets": [{"id": "a", "x": 1, "y": 2, "width": 3, "height": 4}]},
+    {"type": "trial", "action": "start"},
+    *({"type": "events", "events": [reach(i)]} for i in range(60)),
+    {"type": "trial", "action": "end"},
+    bytes(30), bytes(60),
+])
+converse([
+    {**HELLO, "predictor": "switched", "assist": {}, "parameters": {"differentiator": "kalman"}},
+    *({"type": "events", "events": [reach(i), reach(i)]} for i in range(9)),
+    bytes(60),
+])
+print(asked)
+"""
+    said = subprocess.run([sys.executable, "-c", program], check=True, stdout=subprocess.PIPE, text=True)
+    assert said.stdout == "[]\n"
