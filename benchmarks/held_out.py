@@ -77,7 +77,7 @@ def pipeline(name: str, coefficients: Path, words: str, recording: Recording) ->
     """A name of the registry with other coefficients, for a recording's screen."""
     own = build(name, **resolution(recording, None, None))
     assert isinstance(own.predictor, KinematicPredictor)
-    return Pipeline(name + words, own.differentiator, type(own.predictor).of(coefficients))
+    return Pipeline(name + words, own.differentiator, type(own.predictor)(coefficients=coefficients))
 
 
 def key(folder: Path) -> str:
