@@ -59,7 +59,7 @@ export class Task {
     return [["", "targets", "median, s", "missed"], ...[true, false].map((helped) => {
       const of = this.done.filter((one) => one.helped === helped);
       const seconds = median(of.map((one) => one.seconds));
-      return [helped ? "with help" : "without help", String(of.length), of.length ? seconds.toFixed(2) : "–",
+      return [helped ? "with help" : "no help", String(of.length), of.length ? seconds.toFixed(2) : "–",
         String(of.reduce((sum, { missed }) => sum + missed, 0))];
     })];
   }

@@ -32,11 +32,12 @@ export function suit(form, canvas) {
 const besides = (targets) => 2 * Math.sin(Math.PI / (2 * targets));
 
 /** What to say where targets overlap, with the settings at which they would not; empty where they do not. */
-export function overlap({ targets, distance, width }) {
+export function overlap({ targets, distance, width, most }) {
   const apart = distance * besides(targets);
   if (width <= apart) return "";
-  return `Targets overlap: they are ${width} px wide, and neighbours are ${Math.floor(apart)} px apart. `
-    + `Use a width of at most ${Math.floor(apart)} px, a distance of at least ${Math.ceil(width / besides(targets))} px, or fewer targets.`;
+  const enough = Math.ceil(width / besides(targets));
+  const farther = enough <= most ? `, a distance from ${enough} px` : ""; // there is no room for more
+  return `Targets overlap: they are ${width} px wide and ${Math.floor(apart)} px apart. Use a width up to ${Math.floor(apart)} px${farther}, or fewer targets.`;
 }
 
 /** Marks a field that cannot be run with, and ties the reason to it. */
@@ -52,9 +53,9 @@ export function fits({ places, settings: { width } }, canvas) {
 }
 
 /**
- * @returns {{settings: {targets: number, distance: number, width: number, blocks: number, centre: [number, number]},
+ * @returns {{settings: {targets: number, distance: number, width: number, blocks: number, centre: [number, number], most: number},
  *   problem: string | null, field: HTMLInputElement | null}} settings that can be drawn in any case; `problem` says why they cannot be run, and
- *   `field` is the first that is wrong
+ *   `field` is the first that is wrong; `most` is the longest distance that there is room for
  */
 export function readSettings(form, canvas) {
   let problem = null, first = null;
@@ -67,7 +68,7 @@ export function readSettings(form, canvas) {
     if (wrong) first ??= field;
     problem ??= wrong;
   }
-  const most = room(canvas, settings.targets, settings.width);
+  const most = settings.most = room(canvas, settings.targets, settings.width);
   if (problem === null && settings.distance > most) {
     problem = `There is room for a distance of at most ${most} px here.`;
     first = form.elements.distance;

@@ -147,9 +147,9 @@ function frame() {
   drawing = active;
   if (!active) return;
   const { settings, problem } = readSettings(form, canvas);
-  write(part("circle-warning"), problem ? "" : overlap(settings));
   const shown = task ?? { places: circle(settings.distance, settings.centre, settings.targets), settings };
   const going = task !== null && !task.done;
+  write(part("circle-warning"), problem || going ? "" : overlap(settings));
   const told = form.elements.shown.checked;
   const fresh = told && track !== null && performance.now() - track.at < FRESH_MS;
   drawCircle(canvas, {

@@ -9,6 +9,7 @@ const WORDS = {
   ratio: ["error / hold", "a predictor's error divided by hold's on the same movements: below 1 is better than no prediction"],
   skill: ["skill", "1 − error / hold: 1 is perfect, 0 no better than no prediction, below 0 worse"],
   interval: ["95 % interval", "the range of error / hold that other movements or people like these would give. One movement has none"],
+  half: ["px at half time, way", "error in px when half of the time has passed, and when half of the way is done"],
   answered: ["answered", "share of the pointer's events for which the predictor gave an endpoint"],
   left: ["time left", "predicted time until the movement ends"],
   region: ["region", "where the endpoint lies with a given probability, as the predictor claims it: 50 % for the tinted ellipse, 80 % for the thin one. Its size is length × breadth of the tinted one. Some predictors give none"],

@@ -21,7 +21,7 @@ export async function embedded() {
   const { samples } = await read("/v1/samples");
   return {
     title: "the embedded sample",
-    said: "The people in this sample are simulated: no recording of a person is shipped. Each prediction sees only the past of its moment.",
+    said: "The people in this sample are simulated: no recording of a person is shipped. Each prediction uses only the events before it.",
     csv: null,
     names: samples.map(({ name, events }) => `${name} (${events} events)`),
     async movement(at, predictors) {
@@ -38,7 +38,7 @@ export async function opened(files) {
   const { name, csv, left, reason, movements, simulated, ...resolution } = await readFiles(files);
   return {
     title: name,
-    said: `${name}: ${count(movements.length, "movement")}${left ? `, ${left} more cannot be shown (${reason})` : ""}. It goes to this service alone.`,
+    said: `${name}: ${count(movements.length, "movement")}${left ? `, ${left} more cannot be shown (${reason})` : ""}. It is sent to this service only.`,
     csv,
     names: movements.map(({ user, name: trial, rows }) => `${user} ${trial} (${rows.length} events)`),
     async movement(at, predictors) {

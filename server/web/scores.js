@@ -29,7 +29,7 @@ export const ranked = (predictors) => [...predictors].sort((a, b) => errorOf(a) 
 
 const errorOf = ({ time_averaged: { px } }) => px ?? Infinity;
 
-const HEADS = ["predictor", "error, px", "error / hold", "95 % interval", "px off at half of the time", "px off at half of the way", "answered"];
+const HEADS = ["predictor", "error, px", "error / hold", "95 % interval", "px at half time", "px at half way", "answered"];
 
 /** The table before its numbers are known, as high as with them: nothing moves when they come. Dashes where none will. */
 export function expectScores(table, names, cell = "…") {
