@@ -31,6 +31,7 @@ export function offer(select, predictors, chosen, none = null) {
   const options = predictors.map(({ name, title }) => {
     const option = new Option(name, name, false, name === chosen);
     option.title = title ?? "";
+    option.dataset.predictor = name;
     return option;
   });
   if (none !== null) options.unshift(new Option(none, "", false, chosen === ""));

@@ -1,5 +1,6 @@
 // What the live view shows of one predictor: its choice, its connection, its parameters, phase, time left and region.
 
+import { askCompiling, compilingWords, whileCompiling } from "./compiling.js";
 import { number, write } from "./elements.js";
 import { Parameters } from "./live-parameters.js";
 import { CalmRegions, shown } from "./regions.js";
@@ -47,6 +48,7 @@ export class LiveCard {
     this.#told = { prediction: (one) => predicted(one, this.track.speaker), state: () => this.#say(), error: (one) => this.#refused(one), ...told };
     this.parameters = new Parameters(parameters, () => this.#configure());
     this.select.addEventListener("change", () => this.#choose());
+    whileCompiling(() => this.#say());
   }
 
   get offered() {
@@ -118,7 +120,10 @@ export class LiveCard {
   #say() {
     const state = this.track?.connection.state;
     this.#status.dataset.state = state ?? "";
-    const said = state === undefined ? (this.select.value || !this.offered ? "Connecting…" : "None chosen.") : words(state);
+    if (state === "connecting") askCompiling();
+    const compiling = state === "connecting" || state === "open" ? compilingWords() : "";
+    const unconnected = this.select.value || !this.offered ? "Connecting…" : "None chosen.";
+    const said = compiling || (state === undefined ? unconnected : words(state));
     write(this.#status, this.track?.fault && state !== "open" ? `${said} ${this.track.fault}` : said);
   }
 }

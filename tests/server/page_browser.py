@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import subprocess
 import sys
 import time
@@ -47,10 +48,13 @@ def service(port: int = 0) -> Iterator[str]:
 
 
 def ready(address: str) -> bool:
-    """Whether a service says that its code is warm."""
+    """Whether a service says that it is ready, and has nothing more to compile."""
     try:
-        with urllib.request.urlopen(f"{address}readyz") as answer:
-            return bool(answer.status == 200)
+        with (
+            urllib.request.urlopen(f"{address}readyz"),
+            urllib.request.urlopen(f"{address}v1/compiling") as answer,
+        ):
+            return json.load(answer)["next"] is None
     except urllib.error.HTTPError:
         return False
 

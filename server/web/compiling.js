@@ -1,0 +1,45 @@
+// What the service still compiles on its first start: asked once a second while something is left.
+
+import { read } from "./service.js";
+
+const AGAIN_MS = 1000;
+
+/** @type {{done: number, of: number, next: string|null, ready: string[]}|null} */ let now = null;
+let asking = false;
+const hearers = new Set();
+
+/** What to say of it; empty where nothing is compiled. */
+export function compilingWords() {
+  if (now === null) return "";
+  const ready = now.done > 0 ? " The recommended predictor is ready." : "";
+  return `Compiling, only this once: ${now.done} of ${now.of} (${now.next}).${ready}`;
+}
+
+/** Calls `hear` whenever there is something else to say. */
+export function whileCompiling(hear) {
+  hearers.add(hear);
+}
+
+/** Asks the service, and again while something is left. */
+export async function askCompiling() {
+  if (asking) return;
+  asking = true;
+  do {
+    const said = await read("/v1/compiling").catch(() => null);
+    const before = now;
+    now = said?.next ? said : null;
+    mark();
+    if (now !== null || before !== null) for (const hear of hearers) hear();
+    if (now !== null) await new Promise((wake) => setTimeout(wake, AGAIN_MS));
+  } while (now !== null);
+  asking = false;
+}
+
+/** Says beside each predictor that can be chosen whether it is compiled. */
+function mark() {
+  for (const option of document.querySelectorAll("option[data-predictor]")) {
+    const name = option.dataset.predictor;
+    const waits = now !== null && !now.ready.includes(name);
+    option.label = waits ? `${name} (not compiled yet)` : name;
+  }
+}

@@ -1,0 +1,46 @@
+"""What the page says while a first start compiles: a stub answers in the place of /v1/compiling."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+
+import pytest
+
+from pointpred.registry import RECOMMENDED, REGISTRY
+from tests.server import browser
+from tests.server.page_browser import Visitor
+
+pytestmark = browser.needed
+
+COUNT = len(REGISTRY)
+LEFT = {"done": 1, "of": COUNT, "next": "ktm", "ready": [RECOMMENDED]}
+DONE = {"done": COUNT, "of": COUNT, "next": None, "ready": list(REGISTRY)}
+STUB = """
+window.compiling = %s;
+const ask = window.fetch;
+window.fetch = async (address, options) =>
+  String(address).endsWith("/v1/compiling") ? Response.json(window.compiling) : ask(address, options);
+"""
+LINE = "document.querySelector('#view-live .connection').textContent"
+LABELS = "[...document.querySelector('#view-live select').options].map(({label}) => label)"
+
+
+@pytest.fixture
+def visitor(one: Visitor) -> Iterator[Visitor]:
+    script = one.page.call("Page.addScriptToEvaluateOnNewDocument", source=STUB % json.dumps(LEFT))
+    yield one
+    one.page.call("Page.removeScriptToEvaluateOnNewDocument", identifier=script["identifier"])
+
+
+def test_the_page_says_what_is_compiled_and_what_can_be_used(visitor: Visitor, url: str) -> None:
+    visitor.open(url)
+    visitor.wait(f"{LINE}.includes('1 of {COUNT} (ktm)')")
+    assert "only this once" in visitor.value(LINE)
+    assert "recommended predictor is ready" in visitor.value(LINE)
+    visitor.wait(f"{LABELS}.length === {COUNT} && {LABELS}.some((label) => label.includes('not compiled'))")
+    labels = visitor.value(LABELS)
+    assert [label for label in labels if "not compiled yet" not in label] == [RECOMMENDED]
+    visitor.value(f"window.compiling = {json.dumps(DONE)}, 0")
+    visitor.wait(f"!{LINE}.includes('Compiling')")
+    assert sorted(visitor.value(LABELS)) == sorted(REGISTRY)
