@@ -18,8 +18,7 @@ from pointpred.server.sessions.conversation import FAILED
 log = logging.getLogger("pointpred.service")
 
 NO_DEVICE = (
-    "no device is attached to this service: 'pointpred live --serve' serves the mouse of the machine it runs "
-    "on, 'pointpred devices list' shows what it could read"
+    "no device is attached; to show a mouse here, run 'pointpred live --serve' on the machine it is plugged into"
 )
 
 
