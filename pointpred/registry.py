@@ -75,7 +75,7 @@ REGISTRY: dict[str, Entry] = {
         Entry(
             "kep-quadratic-gated",
             KinematicEndpointPredictor,
-            "the same, answering only once the prediction is stable",
+            "where a quadratic of speed over distance returns to zero, once that is stable",
             "Ruiz, Lank 2009",
             preset={"degree": 2, "change_most": 0.02},
         ),
@@ -89,7 +89,7 @@ REGISTRY: dict[str, Entry] = {
         Entry(
             "kep-quartic-gated",
             KinematicEndpointPredictor,
-            "the same, answering only once the prediction is stable",
+            "where a quartic of speed over distance returns to zero, once that is stable",
             "Lank, Cheng, Ruiz 2007 with the stability check of Ruiz, Lank 2009",
             preset={"degree": 4, "change_most": 0.02},
         ),
@@ -109,7 +109,7 @@ REGISTRY: dict[str, Entry] = {
         Entry(
             "switched-printed",
             SwitchedPredictor,
-            "the same with the gains, threshold and bound as printed",
+            "switched with the gains, threshold and bound as printed",
             "Khalin 2022, sections 2.3.2 and 2.5.6",
             preset=PRINTED,
         ),
@@ -129,7 +129,7 @@ REGISTRY: dict[str, Entry] = {
         Entry(
             "kinematic-adaptive",
             AdaptiveKinematicPredictor,
-            "the same, corrected by what the session's earlier movements taught of the person",
+            "kinematic, corrected by what the person's earlier movements taught",
             "docs/adaptation.md",
         ),
     )

@@ -6,7 +6,7 @@ const EASE_MS = 120;
 const MOST_PER_MS = 0.006; // change of an axis' logarithm: a factor of 1.8 in 100 ms
 const FILL = 0.16;
 const TINTED = [0.35, 0.65]; // lengths of a region, as shares of the picture's diagonal: a tinted picture says nothing
-const OUTLINED = [0.7, 1];
+const OUTLINED = { inner: [0.7, 1], outer: [1, 1.6] };
 
 /**
  * @typedef {{x: number, y: number, major: number, minor: number, angle: number}} Region half axes in px, angle in radians
@@ -62,7 +62,7 @@ function strength({ major }, width, height, [full, none]) {
 }
 
 /** Whether the 50 % region is drawn in a picture so wide and high. @param {Regions|null} regions */
-export const shown = (regions, width, height) => regions !== null && strength(regions.inner, width, height, OUTLINED) > 0;
+export const shown = (regions, width, height) => regions !== null && strength(regions.inner, width, height, OUTLINED.inner) > 0;
 
 /**
  * Draws regions, within the canvas as everything on it is.
@@ -72,12 +72,12 @@ export function drawRegions(pen, { inner, outer }, colour, dash, width, height, 
   pen.save();
   pen.strokeStyle = pen.fillStyle = colour;
   pen.setLineDash(dash);
-  for (const [region, fill, thick] of [[outer, 0, 1], [inner, FILL, 1.5]]) {
+  for (const [region, outlined, fill, thick] of [[outer, OUTLINED.outer, 0, 1], [inner, OUTLINED.inner, FILL, 1.5]]) {
     pen.beginPath();
     pen.ellipse(region.x, region.y, region.major, region.minor, region.angle, 0, 2 * Math.PI);
     pen.globalAlpha = fill * opacity * strength(region, width, height, TINTED);
     pen.fill();
-    pen.globalAlpha = opacity * strength(region, width, height, OUTLINED);
+    pen.globalAlpha = opacity * strength(region, width, height, outlined);
     pen.lineWidth = thick;
     pen.stroke();
   }
