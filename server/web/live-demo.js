@@ -1,7 +1,7 @@
 // What the live view shows while nobody moves: a simulated movement, predicted by this service as yours will be.
 
 import { askForTakes } from "./demo-takes.js";
-import { Movement } from "./live-movement.js";
+import { Movement, NEAR_PX } from "./live-movement.js";
 
 const REST_S = 1.2;
 const RETRY_MS = 2000;
@@ -70,12 +70,12 @@ export class Demo {
 const last = (list) => list[list.length - 1];
 const momentOf = (take, event) => ({ take, event, passed: take.rows[event][0] });
 
-/** The event in the middle of the way, or the next one at which a tile is proposed. */
+/** The event in the middle of the way, or the next one at which a tile is proposed before the pointer is near its end. */
 function middle({ rows, proposals }) {
   const [, endX, endY] = last(rows), left = rows.map(([, x, y]) => Math.hypot(x - endX, y - endY));
   const half = left.findIndex((way) => way < left[0] / 2);
   const proposed = proposals.findIndex((id, i) => i >= half && id !== null);
-  return proposed < 0 || left[proposed] < 0.15 * left[0] ? half : proposed;
+  return proposed < 0 || left[proposed] < NEAR_PX / 2 ? half : proposed;
 }
 
 /** How early the end of a take was known, and by how much its tile was proposed before the pointer was there, s. */

@@ -224,11 +224,15 @@ def test_the_demo_shows_everything_before_anybody_moves(visitor: Visitor, url: s
     assert {m["predictor"] for m in hello} == {RECOMMENDED}
 
 
+@pytest.mark.parametrize("motion", ["reduce", "no-preference"])
 @pytest.mark.parametrize("size", [(1440, 900), (1024, 768), (390, 844)])
-def test_the_demo_lights_and_frames_a_tile_at_every_size(visitor: Visitor, size: tuple[int, int]) -> None:
+def test_the_demo_lights_and_frames_a_tile_at_every_size(
+    visitor: Visitor, size: tuple[int, int], motion: str
+) -> None:
+    visitor.prefer(prefers_reduced_motion=motion)
     visitor.resize(*size)
-    visitor.wait(f"{SCENE}.dataset.shows === 'demo' && {SCENE}.dataset.ahead !== ''")
-    visitor.wait(f"{MARKS}[0] !== null")
+    tile = visitor.wait(f"{SCENE}.dataset.shows === 'demo' && {MARKS}[0] && {SCENE}.dataset.ahead")
+    assert tile in [one["id"] for one in visitor.value(TILES)]
 
 
 def test_the_demo_leaves_the_persons_own_sentence_and_connection_alone(visitor: Visitor) -> None:
