@@ -18,7 +18,8 @@ from pointpred.server.sessions.conversation import FAILED
 log = logging.getLogger("pointpred.service")
 
 NO_DEVICE = (
-    "no device is attached; to show a mouse here, run 'pointpred live --serve' on the machine it is plugged into"
+    "no device is attached; to show a mouse here, run 'pointpred live --serve' "
+    "on the machine it is plugged into"
 )
 
 
