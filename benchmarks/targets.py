@@ -32,6 +32,8 @@ ROOT = Path(__file__).parents[1]
 PAGE = ROOT / "docs" / "targets.md"
 SHOWN = tuple(name for name in ("kalman", "minimum-jerk", "kinematic") if name in REGISTRY)
 TIMES = ("0.2", "0.3", "0.4", "0.5", "0.6", "0.7", "0.8", "0.9")
+LEAST_LEAD_S = 0.05
+"""A proposal later than this before the entry was none in these tables."""
 Json = dict[str, Any]
 Situations = tuple[targets_fit.Cases, targets_fit.Cases]
 """Of a set: as seen with a claimed law, and without one."""
@@ -78,7 +80,7 @@ def measured(sets: Sequence[Recording], held: HeldOut) -> tuple[list[Json], list
         for part in apart(recording):
             print(f"choosing among targets: {part.name}", flush=True)
             names = [one for one in judged if one is not None]
-            scored = score_targets(part, names, coefficients=ours, nearest=near)
+            scored = score_targets(part, names, coefficients=ours, nearest=near, least_lead_s=LEAST_LEAD_S)
             found += [target_summary(one) for one in scored]
     return found, list(cases.values())
 

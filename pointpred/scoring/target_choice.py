@@ -62,7 +62,7 @@ def score_targets(
     coefficients: FloatArray = posterior.FITTED,
     nearest: FloatArray = posterior.FITTED_NEAREST,
     elsewhere: float = 0.02,
-    least_lead_s: float = 0.05,
+    least_lead_s: float = 0.0,
     least_way_px: float = 3.0,
     parameters: Mapping[str, Mapping[str, Any]] | None = None,
 ) -> list[TargetSet]:

@@ -71,9 +71,9 @@ class Chooser:
         self,
         targets: Sequence[Target] = (),
         *,
-        precision: float = 0.8,
+        precision: float = 0.5,
         elsewhere: float = 0.02,
-        least_lead_s: float = 0.05,
+        least_lead_s: float = 0.0,
         least_way_px: float = 3.0,
         coefficients: FloatArray = posterior.FITTED,
     ) -> None:

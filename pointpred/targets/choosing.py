@@ -19,6 +19,22 @@ up while it was there, until it leaves."""
 
 
 @law
+def innermost(table: FloatArray, inside: FloatArray) -> int:
+    """The smallest target that the cursor is in, of equal ones the last; NOBODY where there is none.
+
+    The last, because what stands later in a page is drawn over what stands before it. Targets of weight 0,
+    and those in which the button came up, are not looked at.
+    """
+    best = decision.NOBODY
+    for i in range(len(table)):
+        if inside[i] == OUTSIDE or inside[i] == RELEASED or table[i, LOG_WEIGHT] == -inf:
+            continue
+        if best == decision.NOBODY or table[i, 2] * table[i, 3] <= table[best, 2] * table[best, 3]:
+            best = i
+    return best
+
+
+@law
 def step(
     memory: FloatArray,
     table: FloatArray,
@@ -62,22 +78,6 @@ def step(
     chosen = decision.decide(memory, table, shares, standing, answer[6], ask, KEEP * ask, least_s, least_px)
     over = innermost(table, inside)
     return chosen, decision.NOBODY if over == chosen else over, entered
-
-
-@law
-def innermost(table: FloatArray, inside: FloatArray) -> int:
-    """The smallest target that the cursor is in, of equal ones the last; NOBODY where there is none.
-
-    The last, because what stands later in a page is drawn over what stands before it. Targets of weight 0,
-    and those in which the button came up, are not looked at.
-    """
-    best = decision.NOBODY
-    for i in range(len(table)):
-        if inside[i] == OUTSIDE or inside[i] == RELEASED or table[i, LOG_WEIGHT] == -inf:
-            continue
-        if best == decision.NOBODY or table[i, 2] * table[i, 3] <= table[best, 2] * table[best, 3]:
-            best = i
-    return best
 
 
 @law

@@ -62,6 +62,11 @@ export class TargetWatch {
     return undefined;
   }
 
+  /** The id of an observed element. @param {Element} element @returns {string|undefined} */
+  id(element) {
+    return this.#observed.get(element)?.id;
+  }
+
   /** The pointer moves: elements are looked at every frame for a while. */
   stir() {
     this.#activeUntil = performance.now() + ACTIVE_MS;

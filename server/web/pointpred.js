@@ -24,7 +24,8 @@
  * @typedef {{type: "cursor", t: number, x: number, y: number, added_px: number}} Cursor where the service has moved the
  *   cursor, px, and how much of that was help since the session began
  * @typedef {{type: "choice", id: string, p: number, action: "propose"|"retract", t: number|null,
- *   reason: "predicted"|"entered"|null, element?: Element}} Choice reason: why it is proposed; null where it is retracted
+ *   reason: "predicted"|"entered"|"focus"|"touch"|null, element?: Element}} Choice reason: why it is proposed: the movement heads for it, the
+ *   pointer has gone into it, the keyboard's focus or a finger has come to it; null where it is retracted
  * @typedef {{type: "error", code: string, message: string, path: string|null, recoverable: boolean}} Fault
  * @typedef {{type: "welcome", version: number, session: string, predictor: string, limits: Limits}} Welcome
  * @typedef {{max_frame_bytes: number, max_events_per_frame: number, max_events_per_s: number, max_targets: number,
@@ -36,7 +37,7 @@
  *   person: PersonKnown, targets: {type: "targets", count: number}, bye: {type: "bye", reason: string}}} Messages by the name to listen for
  * @typedef {{type: "person", person: string}} PersonKnown what finished movements taught of the person, "" for nobody
  * @typedef {Object} Options
- * @property {string} [predictor] a name of the registry; "switched" unless given
+ * @property {string} [predictor] a name of the registry; "kinematic-adaptive" unless given
  * @property {Object<string, number|string|boolean>} [parameters] of the predictor or its differentiator
  * @property {{cpi?: number, rate_hz?: number}} [device]
  * @property {{width_px?: number, height_px?: number, dpi?: number}} [screen] 96 px per inch and this screen unless given
@@ -53,9 +54,12 @@
  * @property {number} [queue] events kept while there is no connection; the oldest give way
  */
 
+import { address, own, refusal } from "/web/client-address.js";
 import { decode, frames, row, targetsFrame } from "/web/client-frames.js";
+import { Entry } from "/web/client-entry.js";
 import { Person } from "/web/client-person.js";
 import { PointerStream } from "/web/client-pointer.js";
+import { Proposals } from "/web/client-proposals.js";
 import { Queue } from "/web/client-queue.js";
 import { TargetWatch } from "/web/client-targets.js";
 import { Wishes } from "/web/client-wishes.js";
@@ -87,13 +91,14 @@ export class Connection {
   /** Newest time from sending events to receiving their prediction, ms. @type {number|null} */ delayMs = null;
   /** Events sent to the service. */ sent = 0;
   #url; #options; #wishes; #socket = null; #listeners = new Map(NAMES.map((name) => [name, new Set()]));
-  #waiting; #unanswered = []; #tries = 0; #openedAt = 0; #saidAt = 0; #retry; #why = "";
-  #told = NO_TARGETS; #over = 0; #count = 0; #likely = []; #proposals = []; #pointer = null; #targets; #person;
+  #waiting; #unanswered = []; #tries = 0; #openedAt = 0; #saidAt = 0; #retry; #why = ""; #met = false;
+  #told = NO_TARGETS; #over = 0; #count = 0; #likely = []; #pointer = null; #targets; #person;
+  #entry; #proposals = new Proposals((choice) => this.#emit("choice", this.#named(choice)));
   #stop = new AbortController(); #alive;
 
   /** Use `connect`. @param {string|URL|undefined} url @param {Options} options */
   constructor(url, options) {
-    this.#options = { predictor: "switched", reply: "frame", encoding: "binary", element: window, pointer: true,
+    this.#options = { predictor: "kinematic-adaptive", reply: "frame", encoding: "binary", element: window, pointer: true,
       coordinates: "client", targets: [], queue: 8192, ...given(options) };
     this.#url = url;
     this.#waiting = new Queue(this.#options.queue);
@@ -109,6 +114,7 @@ export class Connection {
     if (pointer) this.#pointer = new PointerStream(element, { onScreen, passed: (rows) => this.#pass(rows), signal });
     const offset = () => (onScreen && this.#pointer?.offset) || [0, 0];
     this.#targets = new TargetWatch(targets, { offset, changed: () => this.#sendTargets(), signal });
+    this.#entry = new Entry(element, { pointer, observed: (one) => this.#targets.id(one), proposals: this.#proposals, signal });
     window.addEventListener("online", () => this.state === "waiting" && this.#open(), { signal });
     this.#alive = setInterval(() => this.#keepAlive(), 1000);
     this.#open();
@@ -116,7 +122,7 @@ export class Connection {
 
   /** The id of the target that was proposed last and still is. @returns {string|null} */
   get proposed() {
-    return this.#proposals.at(-1)?.id ?? null;
+    return this.#proposals.newest;
   }
 
   /** Events that gave way because there was no connection for too long, or a slow one. @returns {number} */
@@ -169,12 +175,15 @@ export class Connection {
    * @returns {string} the id
    */
   observe(element, id) {
-    return this.#targets.observe(element, id);
+    const known = this.#targets.observe(element, id);
+    this.#entry.look();
+    return known;
   }
 
   /** Forgets an element. @param {Element} element */
   unobserve(element) {
     this.#targets.unobserve(element);
+    this.#entry.look();
   }
 
   /**
@@ -183,7 +192,8 @@ export class Connection {
    * @param {Element|string} target an observed element, or an id @returns {number} 0 to 1
    */
   probability(target) {
-    return this.#likely.find(({ id, element }) => id === target || (element && element === target))?.p ?? 0;
+    const likely = this.#wishes.encoding === "binary" ? this.#proposals.by("service") : this.#likely;
+    return likely.find(({ id, element }) => id === target || (element && element === target))?.p ?? 0;
   }
 
   /**
@@ -251,19 +261,24 @@ export class Connection {
     if (socket?.readyState === WebSocket.CONNECTING) socket.onopen = () => socket.close(1000); // sooner, a browser complains
     else socket?.close(1000);
     this.#person.lost();
+    this.#proposals.clear();
     this.#become("closed");
   }
 
   #open() {
     clearTimeout(this.#retry);
     this.#why = "";
+    this.#met = false;
     this.#openedAt = Infinity;
     this.#become("connecting");
     if (this.state !== "connecting") return; // closed by who heard of it
     const socket = new WebSocket(address(this.#url, this.#options.token), SUBPROTOCOL);
     socket.binaryType = "arraybuffer";
     const mine = (act) => (event) => socket === this.#socket && act(event);
-    socket.onopen = mine(() => socket.send(this.#wishes.hello(this.#person.hello(this.#wishes.predictor))));
+    socket.onopen = mine(() => {
+      this.#met = true;
+      socket.send(this.#wishes.hello(this.#person.hello(this.#wishes.predictor)));
+    });
     socket.onmessage = mine(({ data }) => this.#receive(data));
     socket.onclose = mine(() => this.#lost());
     this.#socket = socket;
@@ -275,13 +290,27 @@ export class Connection {
     this.#unanswered = [];
     this.#wishes.lost();
     this.#person.lost();
-    for (const { id } of [...this.#proposals]) this.#chosen({ type: "choice", id, p: 0, action: "retract", t: null, reason: null });
+    this.#entry.alone = true;
+    this.#proposals.endAll("service");
     this.#likely = [];
     if (this.#why === "unauthorized" || this.#why === "hello") return this.#become("refused");
     if (this.#why === "idle" && this.#waiting.length === 0) return this.#become("idle");
     const wait = Math.min(LONGEST_WAIT_MS, FIRST_WAIT_MS * 2 ** this.#tries++) * (0.75 + 0.5 * Math.random());
     this.#retry = setTimeout(() => this.#open(), wait);
     this.#become("waiting");
+    if (!this.#met) this.#inquire(address(this.#url, this.#options.token));
+  }
+
+  /** A page whose origin is not allowed stops trying, and says which flag allows it. */
+  async #inquire(stream) {
+    if (this.welcome && own(stream)) return;
+    const message = await refusal(stream);
+    const trying = this.state === "waiting" || (this.state === "connecting" && !this.#met);
+    if (message === null || this.#why === "unauthorized" || !trying) return;
+    this.#why = "unauthorized";
+    clearTimeout(this.#retry);
+    this.#emit("error", { type: "error", code: "unauthorized", message, path: null, recoverable: false });
+    if (this.state === "waiting") this.#become("refused"); // one that tries again ends there by itself
   }
 
   #receive(data) {
@@ -299,11 +328,8 @@ export class Connection {
   }
 
   #chosen(choice) {
-    const named = this.#named(choice);
-    this.#proposals = this.#proposals.filter(({ id }) => id !== choice.id);
-    if (choice.action === "propose") this.#proposals.push(named);
-    if (this.#wishes.encoding === "binary") this.#likely = this.#proposals;
-    this.#emit("choice", named);
+    if (choice.action === "propose") this.#proposals.begin("service", this.#named(choice));
+    else this.#proposals.end("service", choice.id, choice);
   }
 
   /** With the observed element that an id stands for. */
@@ -333,6 +359,7 @@ export class Connection {
       if (rows) this.#sendRows(rows);
       else this.#transmit(JSON.stringify(kept));
     }
+    this.#entry.alone = false;
     this.#become("open");
   }
 
@@ -429,12 +456,3 @@ export class Connection {
 
 /** Options without those that are undefined: they are as if not given. */
 const given = (options) => Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined));
-
-/** The stream's address: `http` becomes `ws`, a bare address gets the usual path. */
-function address(url, token) {
-  const found = new URL(url ?? "/v1/stream", url === undefined ? import.meta.url : document.baseURI);
-  found.protocol = found.protocol.replace("http", "ws");
-  if (found.pathname === "/") found.pathname = "/v1/stream";
-  if (token) found.searchParams.set("token", token);
-  return found.href;
-}

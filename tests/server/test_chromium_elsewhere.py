@@ -79,3 +79,34 @@ def test_another_site_that_is_allowed_uses_the_client(tmp_path: Path, headers: d
         parts = {f"{service.url}/web/{part.name}" for part in WEB.glob("client-*.js")}
         assert modules == {f"{service.url}/pointpred.js", *parts}
         page.evaluate("connection.close()")
+
+
+REFUSED = """import("{url}/pointpred.js").then(({{ connect }}) => {{
+  window.heard = {{ error: [], state: [] }};
+  window.connection = connect();
+  for (const name in heard) connection.on(name, (message) => heard[name].push(message));
+}})"""
+
+
+def test_another_site_that_is_not_allowed_hears_which_flag_allows_it(tmp_path: Path) -> None:
+    with (
+        page_elsewhere() as origin,
+        running() as service,
+        browser.running(tmp_path / "profile") as devtools,
+        browser.tab(devtools, origin) as page,
+    ):
+        page.evaluate(REFUSED.format(url=service.url))
+        soon(lambda: page.evaluate("connection.state") == "refused", "the refusal")
+        (error,) = page.evaluate("heard.error")
+        assert (error["code"], error["recoverable"], error["path"]) == ("unauthorized", False, None)
+        assert f"--allow-origin {origin}" in error["message"]
+        states = page.evaluate("heard.state")
+        assert states[-1] == "refused"
+        page.evaluate("connection.configure({})")
+        soon(lambda: page.evaluate("heard.error.length") == 2, "configure tries once more")
+        soon(lambda: page.evaluate("connection.state") == "refused", "and is refused")
+        service.service.settings = service.service.settings.model_copy(update={"allow_origin": (origin,)})
+        page.evaluate("connection.configure({})")
+        soon(lambda: page.evaluate("connection.state") == "open", "once it is allowed")
+        assert page.evaluate("heard.error.length") == 2
+        page.evaluate("connection.close()")

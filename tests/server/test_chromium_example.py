@@ -9,16 +9,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pointpred import EventColumns, build, run
+from pointpred import RECOMMENDED, EventColumns, build, run
 from pointpred.replaying import Page
 from pointpred.targets import Chooser, Target
 from tests.server import browser
 from tests.server.listener import Listener, soon
 
 pytestmark = browser.needed
-
-PRECISION = 0.6
-"""What the example asks for."""
 
 
 @pytest.fixture
@@ -42,10 +39,8 @@ def stamped(page: Page, events: EventColumns) -> None:
 
 def proposed(events: EventColumns, listener: Listener) -> set[str]:
     """What a batch of the same events proposes among the targets that were told."""
-    chooser = Chooser(
-        [Target(**one) for one in listener.messages("targets")[-1]["targets"]], precision=PRECISION
-    )
-    predictions = run(build("switched"), events).predictions()
+    chooser = Chooser([Target(**one) for one in listener.messages("targets")[-1]["targets"]])
+    predictions = run(build(RECOMMENDED), events).predictions()
     pairs = zip(events.events(), predictions, strict=True)
     changes = [change for event, prediction in pairs for change in chooser.update(prediction, event)]
     return {str(change.id) for change in changes if change.action == "propose"}
@@ -57,12 +52,12 @@ def test_the_example_prefetches_before_the_cursor_is_there(devtools: str, listen
         place = "(a) => [a.pathname, a.getBoundingClientRect().toJSON()]"
         places = dict(page.evaluate(f"[...document.querySelectorAll('nav a')].map({place})"))
         goal = places["/v1/predictors"]
-        soon(lambda: len(listener.messages("targets")[-1:]) == 1, "the links are targets")
+        soon(lambda: len(listener.messages("targets")[-1:]) == 1, "the cards are targets")
         assert {one["id"] for one in listener.messages("targets")[-1]["targets"]} == set(places)
         x, y = goal["x"] + goal["width"] / 2, goal["y"] + goal["height"] / 2
         t = np.arange(0.0, 1.2, 0.008)
         share = 10 * (t / 1.2) ** 3 - 15 * (t / 1.2) ** 4 + 6 * (t / 1.2) ** 5
-        movement = EventColumns.of(t, x - 500 + 500 * share, y - 150 + 150 * share)
+        movement = EventColumns.of(t, x - 150 + 150 * share, y - 300 + 300 * share)
         ahead = movement.rows(0, int(np.argmax(movement.y > goal["y"] - 5)))  # never reaches the link
         assert len(ahead) > 50
         stamped(page, ahead)

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 
+from pointpred import RECOMMENDED
 from pointpred.replaying import Page
 from tests.server import browser
 from tests.server.listener import Listener, soon
@@ -74,7 +75,7 @@ def test_a_refused_change_between_hello_and_welcome_is_not_asked_for_again(
     listener.stop()
     with Listener(listener.port) as again:
         soon(lambda: len(again.messages("hello")) == 1, "the session was resumed")
-        assert again.messages("hello")[0]["predictor"] == "switched"
+        assert again.messages("hello")[0]["predictor"] == RECOMMENDED
 
 
 def test_precision_is_asked_for_in_every_session(page: Page, listener: Listener) -> None:
@@ -146,7 +147,7 @@ def test_options_that_are_undefined_are_as_if_not_given(page: Page, listener: Li
     connected(page, f"{{ {', '.join(f'{name}: undefined' for name in names)} }}")
     [hello] = listener.messages("hello")
     assert {key: hello[key] for key in ("predictor", "reply", "encoding")} == {
-        "predictor": "switched",
+        "predictor": RECOMMENDED,
         "reply": "frame",
         "encoding": "binary",
     }

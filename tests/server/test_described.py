@@ -18,6 +18,8 @@ HERE = "http://127.0.0.1:8765"
 COMMITTED = Path(__file__).parents[2] / "docs" / "openapi.json"
 ERROR = {"$ref": "#/components/schemas/Error"}
 SHAPE = {"type", "code", "message", "path", "recoverable"}
+OPEN = ("/healthz", "/readyz", "/pointpred.js", "/v1/origin")
+"""What needs no token."""
 
 
 @pytest.fixture(scope="module")
@@ -55,7 +57,7 @@ def test_every_refusal_is_described_in_the_one_shape(document: dict[str, Any]) -
     for (path, way), one in operations(document).items():
         refused = {status: said for status, said in one["responses"].items() if status != "200"}
         assert {"403", "500"} <= refused.keys(), path
-        assert ("401" in refused) == (path not in ("/healthz", "/readyz", "/pointpred.js")), path
+        assert ("401" in refused) == (path not in OPEN), path
         for status, said in refused.items():
             if (path, status) != ("/readyz", "503"):
                 assert said["content"]["application/json"]["schema"] == ERROR, (way, path, status)
@@ -65,7 +67,7 @@ def test_every_refusal_is_described_in_the_one_shape(document: dict[str, Any]) -
     assert scored["requestBody"]["required"] is True
 
 
-@pytest.mark.parametrize("path", ["/", "/healthz", "/readyz", "/metrics", "/pointpred.js", "/v1/samples"])
+@pytest.mark.parametrize("path", ["/", *OPEN, "/metrics", "/v1/samples"])
 def test_answers_are_of_the_type_that_is_described(
     client: TestClient, document: dict[str, Any], path: str
 ) -> None:

@@ -17,7 +17,7 @@ PLACES = [around("left", -400.0, 0.0, 40.0), around("right", 400.0, 0.0, 40.0), 
 IDS = [place.id for place in PLACES]
 WAYS = [("right", 0.0, 400.0), ("left", 400.0, -400.0), ("mid", -400.0, 0.0), ("right", 0.0, 400.0)]
 ASK = 0.6
-ELSEWHERE, LEAST = 0.02, (0.05, 3.0)  # as a chooser has them unless told otherwise
+ELSEWHERE, LEAST = 0.02, (0.0, 3.0)  # as a chooser has them unless told otherwise
 
 
 def way(begin_s: float, start: float, end: float, beside: float) -> list[PointerEvent]:

@@ -1,0 +1,65 @@
+// What the page itself sees of observed elements, with or without a service: the keyboard's focus, a finger, the mouse over one.
+
+const HERE = /** @type {const} */ (["entered", "focus", "touch"]);
+
+/**
+ * Proposes an observed element when the keyboard's focus or a finger comes to it, and when the mouse enters it while
+ * nobody else says so. Of elements inside each other the innermost counts.
+ */
+export class Entry {
+  #observed; #proposals; #alone = true; #under = null; #focused = null; #touched = null; #held = new Map();
+
+  /**
+   * @param {EventTarget} element whose events are heard
+   * @param {{pointer: boolean, observed: (element: Element) => string|undefined, proposals: import("./client-proposals.js").Proposals,
+   *   signal: AbortSignal}} told `observed`: the id of an observed element; `pointer`: false, only the focus counts
+   */
+  constructor(element, { pointer, observed, proposals, signal }) {
+    [this.#observed, this.#proposals] = [observed, proposals];
+    const hear = (name, act) => element.addEventListener(name, (event) => act(event.composedPath()[0], event), { signal, capture: true, passive: true });
+    hear("focusin", (target, { timeStamp }) => this.#look(timeStamp, { focused: target instanceof Element && target.matches(":focus-visible") ? target : null }));
+    hear("focusout", (_, { timeStamp, relatedTarget }) => relatedTarget || this.#look(timeStamp, { focused: null }));
+    if (!pointer) return;
+    const touch = ({ pointerType }) => pointerType === "touch";
+    hear("pointerover", (target, event) => touch(event) || this.#look(event.timeStamp, { under: target }));
+    hear("pointerout", (_, event) => touch(event) || event.relatedTarget || this.#look(event.timeStamp, { under: null }));
+    hear("pointerdown", (target, event) => touch(event) && this.#look(event.timeStamp, { touched: target }));
+    for (const end of ["pointerup", "pointercancel"])
+      hear(end, (_, event) => touch(event) && this.#look(event.timeStamp, { touched: null }));
+  }
+
+  /** Whether nobody else says what is entered. @param {boolean} alone */
+  set alone(alone) {
+    this.#alone = alone;
+    this.look();
+  }
+
+  /** Looks again: an element is observed, or no longer. */
+  look() {
+    this.#look(performance.now(), {});
+  }
+
+  #look(timeStamp, { under = this.#under, focused = this.#focused, touched = this.#touched }) {
+    [this.#under, this.#focused, this.#touched] = [under, focused, touched];
+    HERE.forEach((reason, i) => this.#hold(reason, this.#around([under, focused, touched][i]), timeStamp / 1000));
+  }
+
+  /** The innermost observed element around one. @returns {{id: string, element: Element}|null} */
+  #around(element) {
+    for (let one = element; one instanceof Element; one = one.parentElement ?? one.getRootNode().host) {
+      const id = this.#observed(one);
+      if (id !== undefined) return { id, element: one };
+    }
+    return null;
+  }
+
+  #hold(reason, now, t) {
+    const before = this.#held.get(reason);
+    if (before?.id === now?.id || (before === undefined && reason === "entered" && !this.#alone)) return;
+    this.#held.delete(reason);
+    const begins = now !== null && (reason !== "entered" || this.#alone);
+    if (begins) this.#held.set(reason, now);
+    if (before) this.#proposals.end(reason, before.id, { t });
+    if (begins) this.#proposals.begin(reason, { type: "choice", ...now, p: 1, action: "propose", t, reason });
+  }
+}

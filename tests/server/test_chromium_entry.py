@@ -1,0 +1,158 @@
+"""What the browser client proposes by itself: an element that is entered, focused or touched."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+
+from pointpred.replaying import Page
+from tests.server import browser
+from tests.server.listener import Listener, soon
+
+pytestmark = browser.needed
+
+PAGE = """document.body.innerHTML = `<div id=first tabindex=0><button id=inner>go</button></div>
+  <div id=second tabindex=0></div><button id=free>free</button>`;
+for (const [name, left, top, width, height] of [["first", 100, 100, 200, 142], ["inner", 20, 80, 60, 24],
+    ["second", 324, 100, 200, 142], ["free", 700, 100, 60, 24]])
+  document.getElementById(name).style.cssText =
+    `position:absolute;left:${left}px;top:${top}px;width:${width}px;height:${height}px`"""
+CONNECT = """import("/pointpred.js").then(({ connect }) => {
+  window.heard = [];
+  window.connection = connect(URL, OPTIONS);
+  connection.on("choice", ({ id, p, action, reason, element }) =>
+    heard.push([action, id, reason, element?.id, p]));
+  for (const name of ["first", "second"]) connection.observe(document.getElementById(name));
+})"""
+NOWHERE = "'http://127.0.0.1:9'"
+"""Nobody listens at the port of discard."""
+
+
+@pytest.fixture(scope="module")
+def devtools(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    with browser.running(tmp_path_factory.mktemp("profile")) as address:
+        yield address
+
+
+@pytest.fixture
+def listener() -> Iterator[Listener]:
+    with Listener() as service:
+        yield service
+
+
+@pytest.fixture
+def page(devtools: str, listener: Listener) -> Iterator[Page]:
+    with browser.tab(devtools, listener.url) as tab:
+        tab.evaluate(PAGE)
+        yield tab
+        tab.call("Page.close")
+
+
+def connected(page: Page, url: str = "undefined", options: str = "{}") -> None:
+    page.evaluate(CONNECT.replace("URL", url).replace("OPTIONS", options))
+    if url == "undefined":
+        soon(lambda: page.evaluate("connection.state") == "open", "the connection is open")
+
+
+def mouse(page: Page, x: float, y: float) -> None:
+    page.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
+
+
+def heard(page: Page) -> list[list[Any]]:
+    return [row[:3] for row in page.evaluate("heard")]
+
+
+def tab_key(page: Page) -> None:
+    key = {"key": "Tab", "code": "Tab", "windowsVirtualKeyCode": 9}
+    for kind in ("rawKeyDown", "keyUp"):
+        page.call("Input.dispatchKeyEvent", type=kind, **key)
+
+
+@pytest.mark.parametrize("url", ["undefined", NOWHERE], ids=["open", "no service"])
+def test_the_keyboards_focus_proposes_an_element(page: Page, url: str) -> None:
+    connected(page, url)
+    for _ in range(4):  # first, the button inside it, second, the button that nobody observes
+        tab_key(page)
+    assert page.evaluate("heard") == [
+        ["propose", "first", "focus", "first", 1],
+        ["retract", "first", None, "first", 0],
+        ["propose", "second", "focus", "second", 1],
+        ["retract", "second", None, "second", 0],
+    ]
+    assert page.evaluate("connection.proposed") is None
+
+
+def test_a_click_is_no_focus_of_the_keyboard(page: Page) -> None:
+    connected(page, NOWHERE, "{ pointer: false }")
+    for kind in ("mousePressed", "mouseReleased"):
+        page.call("Input.dispatchMouseEvent", type=kind, x=150, y=120, button="left", clickCount=1, buttons=1)
+    assert page.evaluate("document.activeElement.id") == "first"
+    assert heard(page) == []
+
+
+@pytest.mark.parametrize("url", ["undefined", NOWHERE], ids=["open", "no service"])
+def test_a_finger_proposes_an_element_and_lifting_it_ends_that(page: Page, url: str) -> None:
+    page.call("Emulation.setTouchEmulationEnabled", enabled=True)
+    connected(page, url)
+    if url == "undefined":
+        page.evaluate("new Promise((done) => connection.on('targets', ({ count }) => count === 2 && done()))")
+    page.call("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": 400, "y": 150}])
+    assert heard(page)[:1] == [["propose", "second", "touch"]]
+    page.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+    soon(lambda: page.evaluate("connection.proposed") is None, "the end of the touch")
+    assert heard(page) == [["propose", "second", "touch"], ["retract", "second", None]]
+
+
+def test_without_a_service_the_mouse_proposes_what_it_enters(page: Page) -> None:
+    connected(page, NOWHERE)
+    mouse(page, 50, 50)
+    assert heard(page) == []
+    mouse(page, 150, 120)
+    mouse(page, 130, 190)  # over the button inside it
+    assert heard(page) == [["propose", "first", "entered"]]
+    mouse(page, 400, 150)
+    assert heard(page)[1:] == [["retract", "first", None], ["propose", "second", "entered"]]
+    page.evaluate("connection.unobserve(document.getElementById('second'))")
+    assert heard(page)[3:] == [["retract", "second", None]]
+    assert page.evaluate("heard.at(-1)[3]") == "second"
+    page.evaluate("connection.observe(document.getElementById('second'))")
+    assert heard(page)[4:] == [["propose", "second", "entered"]]
+    page.evaluate("connection.close()")
+    assert heard(page)[5:] == [["retract", "second", None]]
+    mouse(page, 150, 120)
+    assert len(heard(page)) == 6
+
+
+def test_entry_goes_on_when_the_service_goes_and_comes_back(page: Page, listener: Listener) -> None:
+    """What the mouse is in stays proposed when the session is lost, and is not proposed twice afterwards."""
+    connected(page)
+    page.evaluate("connection.configure({ precision: 1 })")  # nothing is predicted
+    soon(lambda: len(listener.messages("targets")[-1:]) == 1, "both are targets")
+    mouse(page, 150, 120)
+    soon(lambda: heard(page) == [["propose", "first", "entered"]], "the service says so")
+    listener.stop()
+    soon(lambda: page.evaluate("connection.state") == "waiting", "the loss")
+    assert page.evaluate("connection.proposed") == "first"
+    mouse(page, 400, 150)
+    assert heard(page) == [
+        ["propose", "first", "entered"],
+        ["retract", "first", None],
+        ["propose", "second", "entered"],
+    ]
+    with Listener(listener.port) as again:
+        soon(lambda: page.evaluate("connection.state") == "open", "the session is opened again")
+        soon(lambda: len(again.messages("targets")[-1:]) == 1, "both are targets again")
+        before = len(again.events())
+        mouse(page, 410, 150)
+        soon(lambda: len(again.events()) > before, "the service knows where the mouse is")
+        mouse(page, 600, 300)
+        soon(lambda: page.evaluate("connection.proposed") is None, "the mouse has left")
+        assert heard(page)[3:] == [["retract", "second", None]]
+
+
+def test_pointer_false_hears_no_mouse(page: Page) -> None:
+    connected(page, NOWHERE, "{ pointer: false }")
+    mouse(page, 150, 120)
+    assert heard(page) == []
