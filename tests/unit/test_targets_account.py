@@ -125,7 +125,7 @@ def test_what_a_release_ended_leads_only_a_movement_that_is_closed_there() -> No
 
 def test_what_is_entered_is_counted_apart_and_is_no_hit() -> None:
     """The account of predictions stays what it was: the scorer knows nothing of entries."""
-    chooser = Chooser(PLACES, precision=0.999)
+    chooser = Chooser(PLACES, precision=0.999, least_lead_s=10.0)
     right, events, _ = movements(0.0)[0]
     for event in events:
         chooser.update(None, event)
