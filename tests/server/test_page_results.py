@@ -58,6 +58,7 @@ def scored(one: Visitor, url: str, tmp_path_factory: pytest.TempPathFactory) -> 
     one.open(f"{url}#replay")
     one.wait("!document.querySelector('#replay-play').disabled")
     give(one, tmp_path_factory.mktemp("study"), range(30, 34))
+    assert one.value(PRESSED) == best(one)  # before anything is switched by hand
     return one
 
 
