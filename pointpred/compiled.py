@@ -32,7 +32,7 @@ COMPILED = os.environ.get("POINTPRED_COMPILED", "1") != "0"
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
-OPTIONS = {"nogil": True, "error_model": "numpy", "no_cfunc_wrapper": True}
+OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy", "no_cfunc_wrapper": True}
 """The last: laws are called from Python and from laws, never by the entrance from C that numba makes too."""
 
 _fingerprints: dict[int, str] = {}
