@@ -54,4 +54,8 @@ tabs(part("tabs"), (view, before) => {
   open(view);
 });
 
+// A browser may keep a page that was left, with its sockets: nobody looks at it any more.
+window.addEventListener("pagehide", () => VIEWS[shown].close());
+window.addEventListener("pageshow", ({ persisted }) => persisted && open(shown));
+
 refuseFiles();

@@ -25,6 +25,20 @@ new PerformanceObserver((list) => {
       window.shifts.push([entry.value, entry.sources.map(({node}) => node?.id || node?.nodeName).join(" ")]);
 }).observe({ type: "layout-shift", buffered: true });
 """
+COLOURS = """{
+  const scene = document.querySelector("PART");
+  window.colours = new Set();
+  new MutationObserver(() => {
+    if (JSON.parse(scene.dataset.regions)[0]?.opacity !== 1) return;
+    const canvas = new OffscreenCanvas(scene.width, scene.height);
+    const copy = canvas.getContext("2d", { willReadFrequently: true });
+    copy.drawImage(scene, 0, 0);
+    const { data } = copy.getImageData(0, 0, scene.width, scene.height);
+    for (let i = 0; i < data.length; i += 4)
+      if (data[i + 3] === 255) colours.add((data[i] << 16) | (data[i + 1] << 8) | data[i + 2]);
+  }).observe(scene, { attributeFilter: ["data-drawn"] });
+}"""
+"""Gathers the colours of a picture whenever an endpoint is drawn that does not fade: it soon goes."""
 PATIENCE_S = 120.0
 WARMING_S = 600.0
 KEYS = {"ArrowRight": 39, "ArrowLeft": 37, "Home": 36, "End": 35, "Tab": 9, "Escape": 27}
@@ -112,6 +126,14 @@ class Visitor:
     def text(self, part: str) -> str:
         """The words in the first element that a selector finds."""
         return str(self.value(f"document.querySelector({part!r}).textContent"))
+
+    def gather_colours(self, part: str) -> None:
+        """Gather from now on what colours a live picture has while an endpoint is drawn."""
+        self.value(COLOURS.replace("PART", part))
+
+    def colours(self) -> set[tuple[int, int, int]]:
+        """Red, green and blue of what was gathered."""
+        return {(one >> 16, one >> 8 & 255, one & 255) for one in self.value("[...colours]")}
 
     def choose(self, part: str, value: str) -> None:
         """Choose an option of a select."""

@@ -80,14 +80,18 @@ def test_predictions_of_two_predictors_are_drawn_while_the_mouse_moves(visitor: 
     visitor.mouse("mouseMoved", *start)
     half = ((start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
 
+    visitor.gather_colours("#live-scene")
+
     def drawn() -> bool:
         visitor.reach(start, half, 0.5)
-        colours = pixels(visitor, "#live-scene")
         visitor.reach(half, start, 0.5)
         phases = set(visitor.value("seen.phase"))
-        return colours >= {LIGHT["endpoint"], LIGHT["second"], LIGHT["past"]} and {"ballistic"} < phases
+        return (
+            visitor.colours() >= {LIGHT["endpoint"], LIGHT["second"], LIGHT["past"]}
+            and {"ballistic"} < phases
+        )
 
-    # a busy machine may draw no frame before the speed peaks, and look when all is over: then once more
+    # a busy machine may draw no frame before the speed peaks: then once more
     until(drawn, "both endpoints, the trail and the phases")
     assert visitor.value("Number(document.querySelector('#live-scene').dataset.drawn)") > 0
     assert set(visitor.value("seen.phase")) <= {"ballistic", "corrective", "still", "–"}

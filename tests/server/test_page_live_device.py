@@ -66,10 +66,11 @@ def test_its_movements_and_predictions_are_drawn(
     assert "800 counts per inch" in visitor.text("#device-words")
     to_the_device(visitor)
     visitor.value(SEEN)
+    visitor.gather_colours("#device-scene")
 
     def drawn() -> bool:
         play(made, (2500.0, -900.0))
-        seen = {LIGHT["past"], LIGHT["endpoint"]} <= pixels(visitor, "#device-scene")
+        seen = {LIGHT["past"], LIGHT["endpoint"]} <= visitor.colours()
         return seen and "ballistic" in visitor.value("seen.phase")
 
     # a loaded machine may look when all is over, or draw no frame while the speed is high
