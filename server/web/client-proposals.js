@@ -22,12 +22,12 @@ export class Proposals {
     return [...this.#standing.values()].flatMap((choices) => choices.get(source) ?? []);
   }
 
-  /** @param {string} source who says so @param {import("./pointpred.js").Choice} choice */
+  /** A source that says it again has changed its mind about the share. @param {string} source @param {import("./pointpred.js").Choice} choice */
   begin(source, choice) {
-    const choices = this.#standing.get(choice.id) ?? new Map(), first = choices.size === 0;
+    const choices = this.#standing.get(choice.id) ?? new Map(), heard = choices.size === 0 || choices.has(source);
     choices.set(source, choice);
     this.#standing.set(choice.id, choices);
-    if (first) this.#emit(choice);
+    if (heard) this.#emit(choice);
   }
 
   /** @param {string} source @param {string} id @param {{p?: number, t?: number|null}} [when] */

@@ -110,3 +110,28 @@ def test_another_site_that_is_not_allowed_hears_which_flag_allows_it(tmp_path: P
         soon(lambda: page.evaluate("connection.state") == "open", "once it is allowed")
         assert page.evaluate("heard.error.length") == 2
         page.evaluate("connection.close()")
+
+
+def test_the_ten_lines_of_the_docs_light_up_a_card(tmp_path: Path) -> None:
+    text = (Path(__file__).parents[2] / "docs" / "browser.md").read_text(encoding="utf-8")
+    lines = text.partition("```html\n")[2].partition("```")[0]
+    with (
+        page_elsewhere() as origin,
+        running(allow_origin=(origin,)) as service,
+        browser.running(tmp_path / "profile") as devtools,
+        browser.tab(devtools, origin) as page,
+    ):
+        soon(lambda: service.service.ready, "the service is warm", PATIENCE_S)
+        assert "http://127.0.0.1:8765" in lines
+        page.evaluate(
+            f"document.write({lines.replace('http://127.0.0.1:8765', service.url)!r}); document.close()"
+        )
+        lit = "[...document.querySelectorAll('.card.ahead')].map((card) => card.textContent)"
+        sessions = "pointpred_sessions 1.0"
+        soon(lambda: sessions in service.service.metrics.text().decode(), "the page has a session")
+        box = page.evaluate("document.querySelectorAll('.card')[1].getBoundingClientRect().toJSON()")
+        place = {"x": box["x"] + box["width"] / 2, "y": box["y"] + box["height"] / 2}
+        page.call("Input.dispatchMouseEvent", type="mouseMoved", **place)
+        soon(lambda: page.evaluate(lit) == ["Two"], "the card is lit")
+        page.call("Input.dispatchMouseEvent", type="mouseMoved", x=place["x"], y=place["y"] + 300)
+        soon(lambda: "Two" not in page.evaluate(lit), "the mouse has left")
