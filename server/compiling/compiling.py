@@ -16,13 +16,13 @@ from msgspec import Struct
 
 from pointpred.registry import RECOMMENDED, REGISTRY
 from pointpred.server.compiling.order import Order
-from pointpred.server.compiling.parts import HALVES, Part, parts
+from pointpred.server.compiling.parts import PIECES, Part, parts
 from pointpred.server.compiling.worker import ASIDE, Worker
 from pointpred.server.logs import place_of
 
 log = logging.getLogger("pointpred.service")
 
-FIRST = (*HALVES, RECOMMENDED)
+FIRST = (*PIECES, RECOMMENDED)
 """What the first answer needs: compiled at full speed; the rest lets whatever else runs go first."""
 WORKERS = 2
 
@@ -113,7 +113,7 @@ class Compiling:
         with self._changed:
             order = self._order
             ready = [name for name in REGISTRY if name in order.done]
-            under_way = next((RECOMMENDED if name in HALVES else name for name in order.under_way), None)
+            under_way = next((RECOMMENDED if name in PIECES else name for name in order.under_way), None)
             return Progress(len(ready), len(REGISTRY), None if self.over else under_way, ready)
 
     def _run(self) -> None:

@@ -40,8 +40,10 @@ class Order:
 
     def wish(self, names: Iterable[str]) -> None:
         """Somebody waits for these parts: they come before what nobody waits for, the earliest wish first."""
+        before = {part.name: part.after for part in self.waiting}
         for name in names:
-            self._wished.setdefault(name, len(self._wished))
+            for each in (*before.get(name, ()), name):
+                self._wished.setdefault(each, len(self._wished))
         last = len(self._wished)
         self.waiting.sort(
             key=lambda part: -1 if part.name in self._first else self._wished.get(part.name, last)

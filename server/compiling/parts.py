@@ -7,11 +7,13 @@ from collections.abc import Callable, Iterable, Sequence
 from functools import partial
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from pointpred.columns import EventColumns
 from pointpred.compiled import awaits_compiling
 from pointpred.differentiators import DIFFERENTIATORS, HomogeneousDifferentiator
 from pointpred.events import PointerEvent
-from pointpred.pipeline import run
+from pointpred.pipeline import refused, run
 from pointpred.predictors import Predictor
 from pointpred.registry import RECOMMENDED, REGISTRY, build
 from pointpred.scoring import metrics
@@ -24,8 +26,8 @@ from pointpred.transfer import assisted_guarded
 Frame = dict[str, Any] | bytes
 
 TARGETS, ASSISTANCE, TRIALS = "targets", "assistance", "trials"
-HALVES = (f"{RECOMMENDED}, of anybody", f"{RECOMMENDED}, of a person")
-"""Two processes compile these at the same time; what joins them is then soon done."""
+PIECES = tuple(f"{RECOMMENDED}, {what}" for what in ("of anybody", "of a person", "whole", "motions"))
+"""Of the recommended predictor: two processes compile them, each about half."""
 
 
 class Part(NamedTuple):
@@ -50,13 +52,19 @@ def differentiator(name: str) -> str:
 def parts() -> list[Part]:
     """Every part, in the order in which a first start compiles them."""
     usual = {entry.differentiator for entry in REGISTRY.values()}
+    first_of = {entry.predictor: name for name, entry in reversed(REGISTRY.items())}
     return [
-        *_halves(),
-        _predictor(RECOMMENDED, HALVES),
+        *_pieces(),
+        _predictor(RECOMMENDED, PIECES),
         Part(TARGETS, choose, (choosing.step, choosing.walk)),
         Part(ASSISTANCE, assist, (assisted_guarded.step,)),
         Part(TRIALS, score_trial, (metrics.measure,)),
-        *(_predictor(name) for name in REGISTRY if name != RECOMMENDED),
+        *(
+            # Names of one class have the same laws: two processes would compile them twice.
+            _predictor(name, tuple({first_of[entry.predictor]} - {name}))
+            for name, entry in REGISTRY.items()
+            if name != RECOMMENDED
+        ),
         *(
             Part(differentiator(name), partial(predict, "hold", name), (kind.step, kind.loop))
             for name, kind in DIFFERENTIATORS.items()
@@ -70,24 +78,34 @@ def _predictor(name: str, after: tuple[str, ...] = ()) -> Part:
     return Part(name, partial(predict, name), (kind.step, kind.loop), after)
 
 
-def _halves() -> Iterable[Part]:
-    """What the recommended predictor is laid over, and what it adds to it."""
+def _pieces() -> Iterable[Part]:
+    """What the recommended predictor is laid over, what it adds, both together, and what feeds it."""
     whole: Any = REGISTRY[RECOMMENDED].predictor
     beneath: Any = whole.__mro__[1]
+    of_anybody, of_a_person, together, motions = PIECES
     return (
-        Part(HALVES[0], partial(_step, beneath), (beneath.step,)),
-        Part(HALVES[1], _learn, (whole.conclude, HomogeneousDifferentiator.step, take_apart)),
+        Part(of_anybody, lambda: beneath().advance(MOTION), (beneath.step,)),
+        Part(of_a_person, lambda: whole().reset(), (whole.conclude,)),
+        Part(together, partial(_follow, whole), (whole.step, whole.loop), (of_anybody, of_a_person)),
+        Part(motions, _move, (HomogeneousDifferentiator.step, HomogeneousDifferentiator.loop, take_apart)),
     )
 
 
-def _step(kind: Callable[[], Predictor]) -> None:
-    kind().advance((0.0, 5.0, 2.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 1.0))
+MOTION = (0.0, 5.0, 2.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 1.0)
+"""A row of motions, as a differentiator makes it."""
 
 
-def _learn() -> None:
-    build(RECOMMENDED).predictor.reset()
-    predict("hold")
-    unpack(bytes(EVENT.itemsize))
+def _follow(kind: Callable[[], Predictor]) -> None:
+    kind().advance(MOTION)
+    kind().walk(np.zeros(1, np.bool_), np.array([MOTION]))
+
+
+def _move() -> None:
+    table = unpack(bytes(EVENT.itemsize))
+    differentiator = build(RECOMMENDED).differentiator
+    differentiator.update(PointerEvent(0.0, 5.0, 2.0))
+    motions = differentiator.fresh().walk(np.zeros(1, np.bool_), table)
+    refused(motions, np.zeros((1, 10)))
 
 
 def predict(name: str, differentiator: str | None = None) -> None:

@@ -20,7 +20,7 @@ from pointpred.server.compiling import compiling as room
 from pointpred.server.compiling.compiling import Compiling
 from pointpred.server.compiling.needs import needs
 from pointpred.server.compiling.order import Order
-from pointpred.server.compiling.parts import ASSISTANCE, HALVES, TARGETS, TRIALS, Part, parts, predict
+from pointpred.server.compiling.parts import ASSISTANCE, PIECES, TARGETS, TRIALS, Part, parts, predict
 from pointpred.server.compiling.worker import ASIDE, Worker
 from pointpred.server.service import Service
 from tests.server.compiler import Awaited, Compiler
@@ -66,17 +66,22 @@ def test_the_recommended_predictor_is_first_and_others_follow_in_their_order() -
     while (part := order.take()) is not None:
         names.append(part.name)
         order.finish(part.name)
-    assert names[:3] == [*HALVES, RECOMMENDED]
+    assert names[:5] == [*PIECES, RECOMMENDED]
     assert [name for name in names if name in REGISTRY] == [RECOMMENDED, *OTHERS]
     assert {TARGETS, ASSISTANCE, TRIALS} < set(names)
 
 
 def test_a_part_waits_for_those_it_is_made_of_and_another_one_goes_first() -> None:
     order = Order(parts(), room.FIRST)
-    begun = [order.take() for _ in range(3)]
-    assert [part and part.name for part in begun] == [*HALVES, TARGETS]
-    order.finish(HALVES[0])
-    order.finish(HALVES[1])
+    begun = [order.take() for _ in range(4)]
+    anybody, person, whole, motions = PIECES
+    assert [part and part.name for part in begun] == [anybody, person, motions, TARGETS]
+    order.finish(anybody)
+    assert getattr(order.take(), "name", None) != whole
+    order.finish(person)
+    assert getattr(order.take(), "name", None) == whole
+    order.finish(motions)
+    order.finish(whole)
     assert getattr(order.take(), "name", None) == RECOMMENDED
 
 
@@ -88,7 +93,19 @@ def test_what_clients_wait_for_goes_before_the_rest_but_not_before_the_first() -
     while (part := order.take()) is not None:
         names.append(part.name)
         order.finish(part.name)
-    assert names[3:5] == ["ktm", "switched"]
+    assert names[5:7] == ["ktm", "switched"]
+
+
+def test_names_of_one_class_are_not_compiled_at_the_same_time() -> None:
+    order = Order(parts(), room.FIRST)
+    order.wish(["kep-quartic", "ktm"])
+    begun: list[str] = []
+    while (part := order.take()) is not None:
+        begun.append(part.name)
+    assert [name for name in begun if name.startswith("kep")] == ["kep-quadratic"]
+    assert begun.index("kep-quadratic") < begun.index("ktm") < begun.index(TRIALS)
+    order.finish("kep-quadratic")
+    assert getattr(order.take(), "name", None) == "kep-quartic"
 
 
 @pytest.mark.parametrize(
