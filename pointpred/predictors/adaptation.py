@@ -29,6 +29,14 @@ def conclude(memory: FloatArray) -> None:
 
 
 @law
+def adapted(
+    memory: FloatArray, answer: tuple[float, float, float, float, float, float, float, float, float]
+) -> tuple[float, float, float, float, float, float, float, float, float]:
+    """What the learned predictor says, corrected for the person."""
+    return adaptation_law.adapted(memory, PERSON, MOVEMENT, memory[DISTANCES], answer)
+
+
+@law
 def step(
     memory: FloatArray,
     coefficients: FloatArray,
@@ -51,7 +59,7 @@ def step(
         conclude(memory)
     t0, x0, y0 = own[movement.T0], own[movement.X0], own[movement.Y0]
     adaptation_law.follow(memory, MOVEMENT, t, x, y, t0, x0, y0)
-    return adaptation_law.adapted(memory, PERSON, MOVEMENT, memory[DISTANCES], answer)
+    return adapted(memory, answer)
 
 
 @law

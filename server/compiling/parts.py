@@ -14,7 +14,7 @@ from pointpred.compiled import awaits_compiling
 from pointpred.differentiators import DIFFERENTIATORS, HomogeneousDifferentiator
 from pointpred.events import PointerEvent
 from pointpred.pipeline import refused, run
-from pointpred.predictors import Predictor
+from pointpred.predictors import Predictor, adaptation
 from pointpred.registry import RECOMMENDED, REGISTRY, build
 from pointpred.scoring import metrics
 from pointpred.server.protocol.records import EVENT, take_apart, unpack
@@ -85,7 +85,7 @@ def _pieces() -> Iterable[Part]:
     of_anybody, of_a_person, together, motions = PIECES
     return (
         Part(of_anybody, lambda: beneath().advance(MOTION), (beneath.step,)),
-        Part(of_a_person, lambda: whole().reset(), (whole.conclude,)),
+        Part(of_a_person, _adapt, (adaptation.conclude, adaptation.adapted)),
         Part(together, partial(_follow, whole), (whole.step, whole.loop), (of_anybody, of_a_person)),
         Part(motions, _move, (HomogeneousDifferentiator.step, HomogeneousDifferentiator.loop, take_apart)),
     )
@@ -93,6 +93,12 @@ def _pieces() -> Iterable[Part]:
 
 MOTION = (0.0, 5.0, 2.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 1.0)
 """A row of motions, as a differentiator makes it."""
+
+
+def _adapt() -> None:
+    memory = np.zeros(adaptation.LENGTH)
+    adaptation.conclude(memory)
+    adaptation.adapted(memory, (5.0, 2.0, 1.0, 0.0, 1.0, 0.1, 1.0, 1.0, 1.0))
 
 
 def _follow(kind: Callable[[], Predictor]) -> None:
