@@ -55,7 +55,7 @@ export class Entry {
 
   #hold(reason, now, t) {
     const before = this.#held.get(reason);
-    if (before?.id === now?.id || (before === undefined && reason === "entered" && !this.#alone)) return;
+    if (before?.id === now?.id) return;
     this.#held.delete(reason);
     const begins = now !== null && (reason !== "entered" || this.#alone);
     if (begins) this.#held.set(reason, now);

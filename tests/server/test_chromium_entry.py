@@ -132,6 +132,7 @@ def test_entry_goes_on_when_the_service_goes_and_comes_back(page: Page, listener
     soon(lambda: len(listener.messages("targets")[-1:]) == 1, "both are targets")
     mouse(page, 150, 120)
     soon(lambda: heard(page) == [["propose", "first", "entered"]], "the service says so")
+    assert page.evaluate("heard")[0][4] < 1.0  # its share: the page itself would say 1
     listener.stop()
     soon(lambda: page.evaluate("connection.state") == "waiting", "the loss")
     assert page.evaluate("connection.proposed") == "first"

@@ -69,6 +69,8 @@ def test_a_release_ends_it_until_the_cursor_has_left() -> None:
     rows = [(0.0, 150.0, 50.0, 0), (0.1, 150.0, 50.0, 1), (0.2, 150.0, 50.0, 0)]
     assert told(chooser, rows) == [("propose", "card", "entered"), ("retract", "card", None)]
     assert told(chooser, [(0.3, 160.0, 50.0, 0), (0.4, 170.0, 50.0, 1), (0.5, 170.0, 50.0, 0)]) == []
+    chooser.replace([BUTTON, CARD])  # a page that has moved its elements says them again
+    assert told(chooser, [(0.55, 170.0, 50.0, 0)]) == []
     assert told(chooser, [(0.6, 0.0, 0.0, 0), (0.7, 150.0, 50.0, 0)]) == [("propose", "card", "entered")]
 
 
