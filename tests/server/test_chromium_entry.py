@@ -102,7 +102,13 @@ def test_a_finger_proposes_an_element_and_lifting_it_ends_that(page: Page, url: 
     assert heard(page)[:1] == [["propose", "second", "touch"]]
     page.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
     soon(lambda: page.evaluate("connection.proposed") is None, "the end of the touch")
-    assert heard(page) == [["propose", "second", "touch"], ["retract", "second", None]]
+    first, *later = heard(page)
+    assert first == ["propose", "second", "touch"]
+    assert later[-1] == ["retract", "second", None]
+    # A service that answers after the finger was lifted has still seen it enter.
+    assert len(later) == 1 or (
+        url == "undefined" and later[:2] == [later[-1], ["propose", "second", "entered"]]
+    )
 
 
 def test_without_a_service_the_mouse_proposes_what_it_enters(page: Page) -> None:
