@@ -37,6 +37,10 @@ class References(HTMLParser):
         self.found += [value for value in named if not value.startswith("#")]  # a part of the page itself
 
 
+SVG = "http://www.w3.org/2000/svg"
+"""The name of a namespace, which no browser fetches."""
+
+
 def test_page_loads_only_what_lies_beside_it(client: TestClient) -> None:
     page = client.get("/")
     assert page.status_code == 200
@@ -49,7 +53,7 @@ def test_page_loads_only_what_lies_beside_it(client: TestClient) -> None:
         assert client.get(reference).status_code == 200, reference
         assert reference.startswith("/")
     for path in filter(Path.is_file, WEB.iterdir()):  # what lies in vendor/ names its authors' pages
-        text = path.read_text(encoding="utf-8").replace('xmlns="http://www.w3.org/2000/svg"', "")
+        text = path.read_text(encoding="utf-8").replace(SVG, "")
         assert "//" not in text.replace("// ", ""), f"{path.name} names another host"
 
 

@@ -163,7 +163,7 @@ def test_the_table_says_how_many_agree(listener: Listener, command: Callable[...
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        ([], "say either --to URL of a service or --devtools URL of a browser"),
+        ([], "--to URL of a service or --devtools URL of a browser"),
         (
             ["--to", "ws://127.0.0.1:1", "--speed", "0"],
             "speed must be a positive number or 'max', received '0'",
