@@ -12,6 +12,16 @@ export function address(url, token) {
   return found.href;
 }
 
+/**
+ * What to say in the console of a connection that never was; the token is left out.
+ * @param {string} stream @param {string|null} refused why the service refuses the page, where it does
+ */
+export function unconnected(stream, refused) {
+  const { origin, pathname } = new URL(stream);
+  const plain = `pointpred is not connected (${origin}${pathname}): targets are proposed only when the pointer enters them.`;
+  return refused === null ? plain : `${plain} ${refused}`;
+}
+
 /** Whether a page came from the service at this address. @param {string} stream */
 export const own = (stream) => new URL(stream).host === location.host;
 

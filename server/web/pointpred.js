@@ -54,7 +54,7 @@
  * @property {number} [queue] events kept while there is no connection; the oldest give way
  */
 
-import { address, own, refusal } from "/web/client-address.js";
+import { address, own, refusal, unconnected } from "/web/client-address.js";
 import { decode, frames, row, targetsFrame } from "/web/client-frames.js";
 import { Entry } from "/web/client-entry.js";
 import { Person } from "/web/client-person.js";
@@ -91,7 +91,7 @@ export class Connection {
   /** Newest time from sending events to receiving their prediction, ms. @type {number|null} */ delayMs = null;
   /** Events sent to the service. */ sent = 0;
   #url; #options; #wishes; #socket = null; #listeners = new Map(NAMES.map((name) => [name, new Set()]));
-  #waiting; #unanswered = []; #tries = 0; #openedAt = 0; #saidAt = 0; #retry; #why = ""; #met = false;
+  #waiting; #unanswered = []; #tries = 0; #openedAt = 0; #saidAt = 0; #retry; #why = ""; #met = false; #warned = false;
   #told = NO_TARGETS; #over = 0; #count = 0; #likely = []; #pointer = null; #targets; #person;
   #entry; #proposals = new Proposals((choice) => this.#emit("choice", this.#named(choice)));
   #stop = new AbortController(); #alive;
@@ -306,11 +306,19 @@ export class Connection {
     if (this.welcome && own(stream)) return;
     const message = await refusal(stream);
     const trying = this.state === "waiting" || (this.state === "connecting" && !this.#met);
-    if (message === null || this.#why === "unauthorized" || !trying) return;
+    if (this.#why === "unauthorized" || !trying) return;
+    if (this.welcome === null || message !== null) this.#warn(unconnected(stream, message));
+    if (message === null) return;
     this.#why = "unauthorized";
     clearTimeout(this.#retry);
     this.#emit("error", { type: "error", code: "unauthorized", message, path: null, recoverable: false });
     if (this.state === "waiting") this.#become("refused"); // one that tries again ends there by itself
+  }
+
+  /** Once for each connection, however often it tries. */
+  #warn(words) {
+    if (!this.#warned) console.warn(words);
+    this.#warned = true;
   }
 
   #receive(data) {

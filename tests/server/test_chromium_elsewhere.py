@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import socket
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -83,6 +84,8 @@ def test_another_site_that_is_allowed_uses_the_client(tmp_path: Path, headers: d
 
 REFUSED = """import("{url}/pointpred.js").then(({{ connect }}) => {{
   window.heard = {{ error: [], state: [] }};
+  window.warned = [];
+  console.warn = (words) => warned.push(words);
   window.connection = connect();
   for (const name in heard) connection.on(name, (message) => heard[name].push(message));
 }})"""
@@ -109,7 +112,37 @@ def test_another_site_that_is_not_allowed_hears_which_flag_allows_it(tmp_path: P
         page.evaluate("connection.configure({})")
         soon(lambda: page.evaluate("connection.state") == "open", "once it is allowed")
         assert page.evaluate("heard.error.length") == 2
+        (warning,) = page.evaluate("warned")
+        assert service.url.partition("://")[2] in warning
+        assert f"--allow-origin {origin}" in warning
         page.evaluate("connection.close()")
+
+
+UNREACHABLE = """import("{url}/pointpred.js").then(({{ connect }}) => {{
+  window.warned = [];
+  window.waits = 0;
+  console.warn = (words) => warned.push(words);
+  window.connection = connect("ws://127.0.0.1:{port}", {{ token: "secret" }});
+  connection.on("state", (state) => waits += state === "waiting");
+}})"""
+
+
+def test_a_service_that_cannot_be_reached_is_warned_of_once(tmp_path: Path) -> None:
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]  # bound and not listening: every connection is refused
+        with (
+            page_elsewhere() as origin,
+            running() as service,
+            browser.running(tmp_path / "profile") as devtools,
+            browser.tab(devtools, origin) as page,
+        ):
+            page.evaluate(UNREACHABLE.format(url=service.url, port=port))
+            soon(lambda: page.evaluate("waits") >= 3, "three tries")
+            (warning,) = page.evaluate("warned")
+            assert f"127.0.0.1:{port}" in warning
+            assert "secret" not in warning
+            page.evaluate("connection.close()")
 
 
 def test_the_ten_lines_of_the_docs_light_up_a_card(tmp_path: Path) -> None:

@@ -32,9 +32,9 @@ WATCH = """() => {
 }"""
 
 
-def blocks(language: str) -> list[str]:
-    """The README's blocks of code in a language."""
-    page = (ROOT / "README.md").read_text(encoding="utf-8")
+def blocks(language: str, of: str = "README.md") -> list[str]:
+    """A page's blocks of code in a language."""
+    page = (ROOT / of).read_text(encoding="utf-8")
     return re.findall(rf"```{language}\n(.*?)```", page, flags=re.DOTALL)
 
 
@@ -98,5 +98,11 @@ def test_the_commands_allow_the_origin_that_serves_the_page() -> None:
     commands = next(block for block in blocks("sh") if "http.server" in block)
     port = re.search(r"http\.server (\d+) --bind (\S+)", commands)
     assert port is not None
-    assert f"--allow-origin http://{port[2]}:{port[1]}" in commands
+    assert re.findall(r"--allow-origin (\S+)", commands) == [
+        f"http://{host}:{port[1]}" for host in (port[2], "localhost")
+    ]
     assert f"--port {USUAL.rpartition(':')[2]} " in commands
+
+
+def test_the_readme_and_the_page_on_the_browser_client_show_the_same_cards() -> None:
+    assert blocks("html") == blocks("html", of="docs/browser.md")
