@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pointpred.camera.samples import CameraColumns
-from pointpred.errors import EventError, MissingExtraError, ParameterError
+from pointpred.errors import EventError, ParameterError
+from pointpred.extras import missing_extra
 from pointpred.stage import Parameter, check
 
 Image = NDArray[np.uint8]
@@ -113,7 +114,5 @@ def _opencv() -> Any:
     try:
         import cv2
     except ImportError as missing:
-        raise MissingExtraError(
-            "following a point in images needs OpenCV: pip install 'pointpred[camera]'"
-        ) from missing
+        raise missing_extra("camera", "following a point in images needs OpenCV") from missing
     return cv2

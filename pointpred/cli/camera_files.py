@@ -11,7 +11,8 @@ import numpy as np
 
 from pointpred.camera import CameraColumns, CameraTable, Trajectory
 from pointpred.columns import FloatArray
-from pointpred.errors import MissingExtraError, ParameterError, RecordingError
+from pointpred.errors import ParameterError, RecordingError
+from pointpred.extras import missing_extra
 
 TRUTH = ("t", "depth_m", "vx", "vy", "vz")
 IMAGES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".pgm")
@@ -88,7 +89,7 @@ def read_images(folder: Path) -> list[Any]:
     try:
         import cv2
     except ImportError as missing:
-        raise MissingExtraError("reading images needs OpenCV: pip install 'pointpred[camera]'") from missing
+        raise missing_extra("camera", "reading images needs OpenCV") from missing
     images = []
     for path in files:
         image = cv2.imread(str(path), cv2.IMREAD_GRAYSCALE)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable
-from importlib.util import find_spec
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -16,15 +15,9 @@ from rich.table import Table
 from pointpred import compiled
 from pointpred.cli.screen import counted, results, write_json
 from pointpred.errors import PointpredError, SourceError
+from pointpred.extras import EXTRAS, absent, install_command
 
 OLDEST = (3, 11)
-EXTRAS = {
-    "report": ("matplotlib", "pandas", "scipy", "statsmodels"),
-    "train": ("scipy",),
-    "observers": ("clarabel", "cvxpy", "sympy"),
-    "camera": ("cv2",),
-}
-"""What each extra brings, by the names that are imported."""
 LOOPBACK = "127.0.0.1"
 
 
@@ -112,10 +105,9 @@ def extras() -> list[Finding]:
     """Optional libraries."""
     findings = []
     for extra, modules in EXTRAS.items():
-        absent = [module for module in modules if find_spec(module) is None]
-        if absent:
-            advice = f"if you need them: pip install 'pointpred[{extra}]'"
-            findings.append(Finding(f"extra {extra}", "missing", f"without {', '.join(absent)}", advice))
+        if missing := absent(extra):
+            advice = f"if you need them: {install_command(extra)}"
+            findings.append(Finding(f"extra {extra}", "missing", f"without {', '.join(missing)}", advice))
         else:
             findings.append(Finding(f"extra {extra}", "good", ", ".join(modules)))
     return findings

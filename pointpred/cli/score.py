@@ -13,6 +13,7 @@ from pointpred.cli.coefficients import Coefficients, with_coefficients
 from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Unit, reading
 from pointpred.cli.screen import check_targets, remarks, write_json
 from pointpred.errors import ParameterError, PointpredError, RecordingError
+from pointpred.extras import require
 from pointpred.registry import REGISTRY, build
 
 if TYPE_CHECKING:
@@ -80,9 +81,7 @@ def score(
         _score_targets(files, told, names, json, report, **settings)
         return
     if report is not None:
-        from pointpred.report.extra import check_installed
-
-        check_installed()  # before minutes of scoring
+        require("report", "a report")  # before minutes of scoring
     from pointpred.cli.progress import following
     from pointpred.scoring import score as run
     from pointpred.scoring import summary

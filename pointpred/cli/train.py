@@ -12,6 +12,7 @@ from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Unit, reading
 from pointpred.cli.score import read_all
 from pointpred.cli.screen import check_targets, counted, plain, results, write_json
 from pointpred.errors import ParameterError, RecordingError
+from pointpred.extras import require
 
 if TYPE_CHECKING:
     from pointpred.training.own import HeldOut, Trained
@@ -49,6 +50,9 @@ def train(
     """Fit the coefficients of 'kinematic' to your own recordings, and score them beside the shipped ones.
 
     Scores are of movements that were held out: other people's, or other movements where there is one person.
+    It needs at least 50 movements, and the extra 'train', which brings scipy: pip install 'pointpred[train]',
+    or pip install -e '.[train]' in a source checkout.
+
     The file is for --coefficients and build("kinematic", coefficients=...).
 
     Try:
@@ -60,6 +64,7 @@ def train(
     check_targets({"--out": out, "--json": json}, files)
     if str(out) == "-" or out.suffix != ".npz":
         raise ParameterError(f"--out must name a file that ends in .npz, received {out}")
+    require("train", "training")  # before minutes of reading
     told = reading(cut, pause_s, unit, screen, cpi, dpi)
     from pointpred.cli.progress import following
     from pointpred.training.own import train_own

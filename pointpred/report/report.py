@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from pointpred.errors import ParameterError
+from pointpred.extras import require
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
 from pointpred.registry import build
@@ -14,7 +15,6 @@ from pointpred.report.boxes import boxes
 from pointpred.report.choice import compared, highlighted, pair
 from pointpred.report.claims import inside_curves, time_left_bars
 from pointpred.report.conclusion import conclusion, ranked
-from pointpred.report.extra import check_installed
 from pointpred.report.figures import clean_against_all, cost, curves, group_curves, skill_bars
 from pointpred.report.page import page
 from pointpred.report.statistics import mae_table, statistics_html
@@ -63,7 +63,7 @@ def write_report(
     recording with other trials than the score, MissingExtraError where the extra ``report`` is not installed,
     and OSError when the file cannot be written.
     """
-    check_installed()
+    require("report", "a report")
     if not scores:
         raise ParameterError("a report needs at least one scored set, received none")
     described = [ranked(summary(score)) for score in scores]

@@ -15,6 +15,7 @@ import numpy as np
 import pointpred
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError, RecordingError
+from pointpred.extras import require
 from pointpred.pipeline import Pipeline
 from pointpred.predictors import kinematic_coefficients
 from pointpred.recording import Recording
@@ -86,8 +87,10 @@ def train_own(
     ``from_scratch``: begin with a network at random instead of the package's. The same recordings, seed and
     settings write the same numbers on the same machine. The file is written last: an interruption leaves
     none. Raises RecordingError for fewer than 50 movements, ParameterError for a recording in which nobody
-    moves, and where ``path`` is the package's own file.
+    moves, and where ``path`` is the package's own file; MissingExtraError
+    where the extra ``train`` is not installed.
     """
+    require("train", "training")
     if path.resolve() == kinematic_coefficients.OWN.resolve():
         raise ParameterError(f"{path} is the package's own file, which `make train` writes; name another")
     start = None if from_scratch else of_file()
@@ -98,14 +101,14 @@ def train_own(
         done += 1
         progress(what, min(done, STEPS), STEPS)
 
+    _check_enough(sum(len(one.trials) for one in recordings))  # before the work on each of them
     progress("reading movements", 0, STEPS)
     people = {f"{one.name} {trial.user}" for one in recordings for trial in one.trials}
     by_person = len(people) > 1
     taken = recordings if by_person else [_in_stretches(one) for one in recordings]
     made = school(taken, seed, lambda _: None, variants)
     movements = sum(len(np.unique(part.trial)) for part in made.own)
-    if movements < MOVEMENTS_LEAST:
-        raise RecordingError(f"training needs {MOVEMENTS_LEAST} movements at least, there are {movements}")
+    _check_enough(movements)  # some trials hold none
     if settings is None:
         firm = movements >= MOVEMENTS_FIRM
         settings = Settings() if from_scratch else FIRM if firm else GENTLE
@@ -125,6 +128,11 @@ def train_own(
         one["users"] = one["users"] if by_person else 1
     save(path, taught(made, set(), None, settings, start), table, card)
     return Trained(movements, len(people), by_person, held_out)
+
+
+def _check_enough(movements: int) -> None:
+    if movements < MOVEMENTS_LEAST:
+        raise RecordingError(f"training needs {MOVEMENTS_LEAST} movements at least, there are {movements}")
 
 
 def _in_stretches(recording: Recording) -> Recording:

@@ -9,11 +9,12 @@ import pytest
 
 from tests.architecture.tree import ROOT, imports_of, module_of, package_files
 
-GROUND = {"errors", "compiled", "regions", "events", "columns", "recording", "stage", "person"}
+GROUND = {"errors", "extras", "compiled", "regions", "events", "columns", "recording", "stage", "person"}
 MATHS = GROUND | {"regression", "differentiators", "transfer"}
 PIPELINE = MATHS | {"predictors", "pipeline", "registry"}
 MAY_IMPORT = {
     "errors": set(),
+    "extras": {"errors"},
     "compiled": set(),
     "regions": {"errors"},
     "events": {"errors", "regions"},

@@ -77,5 +77,5 @@ def test_refusals(truth: Trajectory, images: list[np.ndarray]) -> None:
 
 def test_without_opencv_the_call_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "cv2", None)
-    with pytest.raises(MissingExtraError, match=r"pip install 'pointpred\[camera\]'"):
+    with pytest.raises(MissingExtraError, match=r"-m pip install .*\[camera\]"):
         PointTracker()

@@ -155,5 +155,5 @@ def test_parameters_get_their_values_later() -> None:
 
 def test_without_sympy_the_install_line_is_given(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(__import__("sys").modules, "sympy", None)
-    with pytest.raises(MissingExtraError, match=r"pip install 'pointpred\[observers\]'"):
+    with pytest.raises(MissingExtraError, match=r"-m pip install .*\[observers\]"):
         SymbolicSystem((X[0],), (U,), U)

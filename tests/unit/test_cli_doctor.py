@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from pointpred import compiled
+from pointpred import compiled, extras
 from pointpred.cli.doctor import LOOKS, Finding, looked
 from pointpred.devices.source import Found
 from pointpred.errors import SourceError
@@ -44,11 +44,11 @@ def test_the_table_says_the_same(command: Any) -> None:
 
 
 def test_a_missing_extra_has_its_install_line(command: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(DOCTOR, "find_spec", lambda module: None if module == "cvxpy" else module)
+    monkeypatch.setattr(extras, "find_spec", lambda module: None if module == "cvxpy" else module)
     one = findings(command)["extra observers"]
     assert one["found"] == "without cvxpy"
     assert one["state"] == "missing"
-    assert "pip install 'pointpred[observers]'" in one["advice"]
+    assert extras.install_command("observers") in one["advice"]
 
 
 @pytest.mark.parametrize("folder", ["no/such/folder", "a_file"])

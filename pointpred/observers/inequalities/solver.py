@@ -8,7 +8,8 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.errors import MissingExtraError, ParameterError
+from pointpred.errors import ParameterError
+from pointpred.extras import missing_extra
 
 CAP = 1e-2
 """The margin beyond which more is not asked for."""
@@ -143,9 +144,7 @@ def _library(solver: str) -> Any:
     try:
         import cvxpy
     except ImportError as missing:
-        raise MissingExtraError(
-            "designing an observer needs a solver: pip install 'pointpred[observers]'"
-        ) from missing
+        raise missing_extra("observers", "designing an observer needs a solver") from missing
     library: Any = cvxpy
     if solver not in (there := library.installed_solvers()):
         raise ParameterError(f"solver {solver!r} is not installed; there are {', '.join(there)}")

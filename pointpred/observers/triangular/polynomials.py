@@ -10,7 +10,8 @@ from collections.abc import Mapping, Sequence
 from itertools import combinations_with_replacement
 from typing import Any
 
-from pointpred.errors import MissingExtraError, ParameterError
+from pointpred.errors import ParameterError
+from pointpred.extras import missing_extra
 
 ANALYTIC = frozenset(
     ("exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "atanh")
@@ -23,9 +24,7 @@ def symbolic() -> Any:
     try:
         import sympy
     except ImportError as missing:
-        raise MissingExtraError(
-            "symbolic systems need sympy: pip install 'pointpred[observers]'"
-        ) from missing
+        raise missing_extra("observers", "symbolic systems need sympy") from missing
     return sympy
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-import pointpred.report.extra as extra
+from pointpred import extras
 from pointpred.cli.app import app
 from pointpred.errors import MissingExtraError
 from pointpred.report import write_report
@@ -15,11 +15,11 @@ from pointpred.report import write_report
 
 @pytest.fixture
 def bare(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(extra, "find_spec", lambda name: None if name == "statsmodels" else name)
+    monkeypatch.setattr(extras, "find_spec", lambda name: None if name == "statsmodels" else name)
 
 
 def test_a_report_without_its_extra_names_the_line(bare: None, tmp_path: Path) -> None:
-    with pytest.raises(MissingExtraError, match=r"statsmodels: pip install 'pointpred\[report\]'"):
+    with pytest.raises(MissingExtraError, match=r"statsmodels\. .*-m pip install .*\[report\]"):
         write_report([], tmp_path / "out.html")
 
 

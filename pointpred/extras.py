@@ -1,0 +1,55 @@
+"""Optional libraries: which extra brings them, and the command that installs it here."""
+
+from __future__ import annotations
+
+import json
+import shlex
+import sys
+from importlib.metadata import PackageNotFoundError, distribution
+from importlib.util import find_spec
+from urllib.parse import urlsplit
+from urllib.request import url2pathname
+
+from pointpred.errors import MissingExtraError
+
+EXTRAS = {
+    "report": ("matplotlib", "pandas", "scipy", "statsmodels"),
+    "train": ("scipy",),
+    "observers": ("clarabel", "cvxpy", "scipy", "sympy"),
+    "camera": ("cv2",),
+}
+"""What each extra brings, by the names that are imported."""
+
+
+def absent(extra: str) -> list[str]:
+    """The libraries of an extra that are not installed."""
+    return [name for name in EXTRAS[extra] if find_spec(name) is None]
+
+
+def require(extra: str, purpose: str) -> None:
+    """Raise MissingExtraError, with the command that installs the extra, where a library of it is missing."""
+    if missing := absent(extra):
+        raise missing_extra(extra, f"{purpose} needs {', '.join(missing)}")
+
+
+def missing_extra(extra: str, why: str) -> MissingExtraError:
+    """The error for an extra that is not installed; ``why`` says what needs which library."""
+    return MissingExtraError(f"{why}. Install it, which takes about a minute: {install_command(extra)}")
+
+
+def install_command(extra: str) -> str:
+    """The shell command that installs an extra for the Python that runs, from the checkout if it runs one."""
+    checkout = _checkout()
+    what = ["-e", f"{checkout}[{extra}]"] if checkout else [f"pointpred[{extra}]"]
+    return f"{shlex.quote(sys.executable or 'python')} -m pip install {shlex.join(what)}"
+
+
+def _checkout() -> str | None:
+    """The folder of the sources, where pointpred was installed from them with ``pip install -e``."""
+    try:
+        record = json.loads(distribution("pointpred").read_text("direct_url.json") or "{}")
+    except (PackageNotFoundError, ValueError):
+        return None
+    if not record.get("dir_info", {}).get("editable"):
+        return None
+    return url2pathname(urlsplit(record["url"]).path)
