@@ -17,6 +17,9 @@ NEARLY_NORMAL = 1e16
 LARGEST_LOG = 700.0
 """Regions grow no further than this logarithm: exp(700) is about as large as floats get."""
 
+HALF = 0.5
+"""The level at which laws of different tails are compared."""
+
 
 class Region(msgspec.Struct, frozen=True):
     """An ellipse on the screen: centre ``x y`` and half axes ``major >= minor`` in px.
@@ -63,6 +66,16 @@ def region_of(
     larger = 0.5 * (sxx + syy) + hypot(0.5 * (sxx - syy), sxy)
     major, minor = sqrt(far * larger), sqrt(far * determinant / larger)
     return Region(x, y, major, min(minor, major), 0.5 * atan2(2.0 * sxy, sxx - syy))
+
+
+def as_normal(sxx: float, sxy: float, syy: float, tail: float) -> tuple[float, float, float]:
+    """The covariance (px^2) of the normal law whose 50 % region is that of this Student law.
+
+    For a rule that asks for a standard deviation: a Student law of a ``tail`` of 2 or less has none. NaN
+    where no region is claimed; a normal law (``tail`` NaN) is returned as it is.
+    """
+    factor = reach(HALF, tail) / reach(HALF, nan)
+    return factor * sxx, factor * sxy, factor * syy
 
 
 def probability(level: object) -> float:

@@ -8,6 +8,7 @@ from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
 from pointpred.errors import EventError
 from pointpred.events import LARGEST, Prediction
+from pointpred.regions import as_normal
 from pointpred.stage import CompiledStage, Parameter, check
 from pointpred.transfer import assisted_guard, known, pixels
 
@@ -16,7 +17,7 @@ OWED = PIXELS + pixels.SETTINGS + pixels.STATES
 STATES = pixels.STATES + pixels.CARRIED
 NONE = pixels.NONE
 UNGUIDED = (NONE, NONE, NONE, NONE, NONE)
-"""The offset and the covariance of no prediction."""
+"""The way to the endpoint and the covariance where nothing is predicted."""
 
 GUARD_PARAMETERS = (
     Parameter("rho", "1/s", 0.0, 1e4, "rate at which the cursor is pulled to the endpoint"),
@@ -73,9 +74,10 @@ class GuardedTransfer(CompiledStage):
     x' = V_mx / V_m PTF(V_m) - rho (x - T_hat), the second term integrated over a report, split along and
     across the hand's direction, and bounded: along in [0, strength m] and never past the endpoint, across
     in strength sideways m cos(angle) at most, where m is what the hand itself moves and the angle that to the
-    endpoint. Both fade as 1 - s / (``uncertain`` d), with s the largest standard deviation of the endpoint
-    and d its distance. At rest, at angles above 90 degrees and without a prediction nothing is added; whole
-    pixels, too, are never added against the hand. With ``strength`` 0 it is ``PixelTransfer`` bit for bit.
+    endpoint. Both fade as 1 - s / (``uncertain`` d), with s the largest standard deviation of
+    the normal law with the same 50 % region, and d the distance of the endpoint. At rest, at angles above 90
+    degrees and without a prediction nothing is added; whole pixels, too, are never added against the hand.
+    With ``strength`` 0 it is ``PixelTransfer`` bit for bit.
 
     Parameters: ``rho`` in 1/s; ``strength`` and ``sideways`` in [0, 1]; ``uncertain`` and ``unclaimed``, what
     s / d is taken to be where a predictor claims no region; the others as for ``PixelTransfer``.
@@ -149,8 +151,13 @@ class GuardedTransfer(CompiledStage):
 def guidance(
     prediction: Prediction | None, cursor: tuple[float, float]
 ) -> tuple[float, float, float, float, float]:
-    """A prediction as the law wants it: the way to it from the cursor, and its scale matrix."""
+    """A prediction as the law wants it: the way to it from the cursor (px), and a covariance (px^2).
+
+    The covariance is that of the normal law with the same 50 % region: Student laws of small tails have none.
+    """
     if prediction is None:
         return UNGUIDED
-    scale = prediction.scale or (NONE, NONE, NONE)
-    return prediction.x - cursor[0], prediction.y - cursor[1], *scale
+    way = prediction.x - cursor[0], prediction.y - cursor[1]
+    if prediction.scale is None:
+        return *way, NONE, NONE, NONE
+    return *way, *as_normal(*prediction.scale, NONE if prediction.tail is None else prediction.tail)

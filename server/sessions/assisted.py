@@ -11,6 +11,7 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.errors import EventError
 from pointpred.events import LARGEST
+from pointpred.regions import as_normal
 from pointpred.server.protocol.assisted_messages import Assist, Cursor
 from pointpred.server.protocol.client_messages import Configure, Hello
 from pointpred.server.protocol.decoding import check_numbers
@@ -144,7 +145,8 @@ class AssistedStream(Stream):
 
     def _guide(self, prediction: tuple[float, ...]) -> None:
         """The newest prediction guides the next report."""
-        self._guidance = prediction[1:6] if prediction[1] == prediction[1] else ()
+        _, x, y, sxx, sxy, syy, _, _, tail, _ = prediction
+        self._guidance = (x, y, *as_normal(sxx, sxy, syy, tail)) if x == x else ()
 
     def _cursor(self, t: float) -> str:
         assert self.place is not None

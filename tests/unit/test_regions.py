@@ -13,7 +13,7 @@ from scipy import stats
 
 from pointpred import Prediction, PredictionColumns, Region
 from pointpred.errors import ParameterError
-from pointpred.regions import reach
+from pointpred.regions import as_normal, reach
 from pointpred.scoring import calibration
 from pointpred.training import calibrate
 
@@ -192,3 +192,19 @@ def test_scoring_and_training_have_the_same_law() -> None:
         assert calibrate.reaches(level, heavy) == pytest.approx(wanted, rel=1e-14)
         assert [calibration.reach(level, tail) for tail in heavy] == pytest.approx(wanted, rel=1e-14)
         assert calibration.reach(level, NONE) == pytest.approx(reach(level, NONE), rel=1e-14)
+
+
+@pytest.mark.parametrize("tail", [0.3, 0.73, 1.0, 4.0, 1e9])
+def test_the_normal_law_of_a_student_law_has_its_middle_region(tail: float) -> None:
+    scale = (900.0, 120.0, 400.0)
+    student = Prediction(0.0, 5.0, 7.0, scale, "ballistic", None, tail)
+    normal = Prediction(0.0, 5.0, 7.0, as_normal(*scale, tail), "ballistic", None)
+    one, other = student.region(0.5), normal.region(0.5)
+    assert one is not None
+    assert other is not None
+    assert (one.major, one.minor, one.angle) == pytest.approx((other.major, other.minor, other.angle))
+
+
+def test_a_normal_law_is_its_own() -> None:
+    assert as_normal(900.0, 120.0, 400.0, math.nan) == (900.0, 120.0, 400.0)
+    assert all(map(math.isnan, as_normal(math.nan, math.nan, math.nan, math.nan)))

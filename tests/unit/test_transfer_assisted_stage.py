@@ -86,3 +86,14 @@ def test_plain_python_says_the_same() -> None:
     ]
     assert said[0] == said[1]
     assert len(said[0]) > 1000
+
+
+def test_the_same_matrix_with_a_smaller_tail_is_trusted_less() -> None:
+    added = []
+    for tail in (None, 2.0, 0.73, 0.3):
+        transfer = GuardedTransfer(ConstantGain(4.0), cpi=2000.0)
+        claim = Prediction(0.0, 600.0, 0.0, (3600.0, 0.0, 3600.0), "ballistic", None, tail)
+        way = [transfer.update((i / 1000, 30.0, 0.0), claim, (100.0, 0.0))[0] for i in range(1, 200)]
+        added.append(sum(way))
+    assert added == sorted(added, reverse=True)
+    assert added[0] > added[1] > added[2] > added[3]
