@@ -7,6 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
+from pointpred.cli.reading import there
 from pointpred.cli.screen import check_target, check_targets, counted, remarks, write_json
 from pointpred.errors import ParameterError
 
@@ -74,7 +75,7 @@ def simulate(
 
 @app.command()
 def run(
-    samples: Annotated[Path, typer.Argument(exists=True, dir_okay=False, help="CSV of camera samples.")],
+    samples: Annotated[Path, typer.Argument(callback=there, dir_okay=False, help="CSV of camera samples.")],
     focal_px: Focal,
     start_depth: Annotated[float, typer.Option(metavar="M", help="Depth the observer starts with.")] = 1.0,
     start_vz: Annotated[
@@ -84,14 +85,14 @@ def run(
     way: Annotated[str, typer.Option(help="Method for the image velocity; a wrong name lists all.")] = FED,
     images: Annotated[
         Path | None,
-        typer.Option(exists=True, file_okay=False, help="Images to follow the point in."),
+        typer.Option(callback=there, file_okay=False, help="Images to follow the point in."),
     ] = None,
     point: Annotated[
         str, typer.Option(metavar="X,Y", help="Its position in the first image, px from the centre.")
     ] = "0,0",
     every: Annotated[int, typer.Option(help="Samples per image, with --images.")] = 1,
     truth: Annotated[
-        Path | None, typer.Option(exists=True, dir_okay=False, help="CSV with the true values.")
+        Path | None, typer.Option(callback=there, dir_okay=False, help="CSV with the true values.")
     ] = None,
     plot: Annotated[Path | None, typer.Option(metavar="FILE", help="SVG file to draw.")] = None,
     json: Annotated[Path | None, typer.Option(metavar="FILE", help="Write JSON; - for stdout.")] = None,

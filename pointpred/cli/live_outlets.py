@@ -142,7 +142,7 @@ class Outlets:
         return [
             *page,
             *([("plays", played + (PAGE_FIRST if page else ""))] if played else []),
-            ("device", f"{source.name} ({source.path}), {fineness}"),
+            ("device", f"{source.name}{'' if played else f' ({source.path})'}, {fineness}"),
             ("clock", source.clock),
             ("positions", self.session.words),
             ("predictor", self.wanted.predictor),
@@ -151,7 +151,8 @@ class Outlets:
     def _more(self) -> list[tuple[str, str]]:
         """What the outlets have come to so far."""
         told = []
-        if isinstance(self.learning, Learning):
+        played = isinstance(self.session.source, PlayedSource)
+        if isinstance(self.learning, Learning) and (not played or self.wanted.save_transfer is not None):
             told.append(("gain", self.learning.words()))
         if self.recording is not None:
             told.append(("recorded", self._recorded(self.recording)))

@@ -9,16 +9,13 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from pointpred.cli.playing import complain, one_recording, speed_of
-from pointpred.cli.reading import reading
+from pointpred.cli.reading import SAMPLE, is_sample, reading
 from pointpred.errors import ParameterError, RecordingError
 
 if TYPE_CHECKING:
     from pointpred.cli.live_outlets import Outlets
     from pointpred.devices.played import PlayedPath, PlayedSource
     from pointpred.devices.sessions import Pair
-
-SAMPLE = "sample"
-"""In the place of a file: the embedded sample."""
 
 
 class Asked(msgspec.Struct, frozen=True):
@@ -47,16 +44,15 @@ class Replay(msgspec.Struct, frozen=True):
 
 def replay_of(asked: Asked) -> Replay:
     """Open the recording; raises ParameterError and RecordingError before anything is played."""
-    from pointpred.datasets import sample
     from pointpred.devices.played import Played, PlayedPath, PlayedSource
     from pointpred.replaying.choosing import chosen, named, unplayable
 
     speed = speed_of(asked.speed or "1")
     options = reading(asked.cut, asked.pause_s, asked.unit, asked.screen, asked.cpi, asked.dpi)
-    if not asked.file.exists() and str(asked.file) != SAMPLE:
+    if not asked.file.exists() and not is_sample(asked.file):
         hint = f"'--replay {SAMPLE}' plays the embedded sample"
         raise ParameterError(f"--replay {asked.file}: no such file; {hint}")
-    recording = one_recording(asked.file, options) if asked.file.exists() else sample()
+    recording = one_recording(asked.file, options)
     places = chosen(recording, asked.trials)
     skips = {k: skip for k in places if (skip := unplayable(recording, k)) is not None}
     complain((*(() if asked.trials else recording.skipped), *skips.values()))

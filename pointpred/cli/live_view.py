@@ -14,6 +14,7 @@ from rich.table import Table
 from rich.text import Text
 
 from pointpred.cli.screen import counted, plain
+from pointpred.devices.played import PlayedSource
 
 if TYPE_CHECKING:
     from pointpred.devices.sessions import LiveSession, LiveState
@@ -35,7 +36,9 @@ def show(
     """Show the session until ``stopping`` is set."""
     if not console.is_terminal:
         while not stopping.wait(LINE_S):
-            console.print(line(session.state(), session.newest), markup=False, soft_wrap=True)
+            console.print(
+                line(session.state(), session.newest, timed=timed(session)), markup=False, soft_wrap=True
+            )
         return
     with Live(console=console, auto_refresh=False, transient=False) as view:
         while True:
@@ -47,7 +50,12 @@ def show(
 def picture(session: LiveSession, heading: list[tuple[str, str]], extra: list[tuple[str, str]]) -> Panel:
     """The whole view; always as many rows, so that nothing jumps."""
     state, newest = session.state(), session.newest
-    told = [*heading, *prediction_rows(newest, state.idle_s), *state_rows(state), *extra]
+    told = [
+        *heading,
+        *prediction_rows(newest, state.idle_s),
+        *state_rows(state, timed=timed(session)),
+        *extra,
+    ]
     table = Table.grid(padding=(0, 2))
     table.add_column(style="dim", no_wrap=True)
     table.add_column(overflow="fold")
@@ -76,12 +84,17 @@ def prediction_rows(
     ]
 
 
-def state_rows(state: LiveState) -> list[tuple[str, str]]:
-    """Rate, losses and delays."""
+def timed(session: LiveSession) -> bool:
+    """Whether delays mean something: the times of a recording that is played are not of now."""
+    return not isinstance(session.source, PlayedSource)
+
+
+def state_rows(state: LiveState, *, timed: bool = True) -> list[tuple[str, str]]:
+    """Rate, losses and, where they are ``timed``, delays."""
     return [
         ("reports", f"{state.reports}, now {state.rate_hz:.0f}/s"),
         ("losses", losses(state)),
-        ("delay", delays(state)),
+        *([("delay", delays(state))] if timed else []),
     ]
 
 
@@ -116,14 +129,17 @@ def ending(session: LiveSession) -> str:
     told = counted(state.reports, "report")
     if state.unreadable and not state.reports:
         told += f": nothing that {session.source.path} sent could be read"
-    return f"{told}; {losses(state)}; delay {all_delays(session)}"
+    return f"{told}; {losses(state)}" + (f"; delay {all_delays(session)}" if timed(session) else "")
 
 
-def line(state: LiveState, newest: tuple[PointerEvent, Prediction | None] | None) -> str:
+def line(
+    state: LiveState, newest: tuple[PointerEvent, Prediction | None] | None, *, timed: bool = True
+) -> str:
     """One line for a log."""
     told = dict(prediction_rows(newest, state.idle_s))
     there = "" if state.plugged else "unplugged; "
     return (
         f"{there}{state.rate_hz:.0f} reports/s; cursor {told['cursor']}; endpoint {told['endpoint']}; "
-        f"{told['phase']}; {told['time left']} left; {losses(state)}; delay {delays(state)}"
+        f"{told['phase']}; {told['time left']} left; {losses(state)}"
+        + (f"; delay {delays(state)}" if timed else "")
     )

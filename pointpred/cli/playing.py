@@ -6,6 +6,7 @@ import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from pointpred.cli.reading import recordings_in
 from pointpred.cli.screen import remarks
 from pointpred.errors import ParameterError, RecordingError
 
@@ -23,9 +24,7 @@ def one_recording(file: Path | None, told: Any) -> Recording:
 
         remarks().print("No recording given: playing the embedded sample of simulated people.")
         return sample()
-    from pointpred.sources import read_any
-
-    found = list(read_any(file, told))
+    found = recordings_in(file, told)
     if len(found) != 1:
         raise RecordingError(f"{file} holds {len(found)} recordings; name a file with one")
     return found[0]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -9,8 +10,11 @@ import typer
 from pointpred.errors import ParameterError
 
 if TYPE_CHECKING:
+    from pointpred.recording import Recording
     from pointpred.sources import Reading
 
+SAMPLE = "sample"
+"""In the place of a file, unless there is one of that name: the embedded sample."""
 PANEL = "For recordings in other formats"
 
 Cut = Annotated[
@@ -28,6 +32,36 @@ Screen = Annotated[
 ]
 Cpi = Annotated[float | None, typer.Option(help="Counts per inch of the device.", rich_help_panel=PANEL)]
 Dpi = Annotated[float | None, typer.Option(help="Pixels per inch of the screen (96).", rich_help_panel=PANEL)]
+
+
+def there(given: Any) -> Any:
+    """A file or several as they were given; raises ParameterError for one that does not exist."""
+    for file in given if isinstance(given, list) else [given]:
+        if file is not None and not file.exists():
+            raise ParameterError(f"no such file: {file}")
+    return given
+
+
+def to_read(given: Any) -> Any:
+    """The same for recordings, among which ``sample`` is the embedded one."""
+    there([file for file in (given if isinstance(given, list) else [given]) if not is_sample(file)])
+    return given
+
+
+def is_sample(file: Path | None) -> bool:
+    """Whether the embedded sample is meant."""
+    return file is not None and str(file) == SAMPLE and not file.exists()
+
+
+def recordings_in(file: Path, options: Reading) -> list[Recording]:
+    """The recordings of a file or folder, or the embedded sample; raises RecordingError."""
+    if is_sample(file):
+        from pointpred.datasets import sample
+
+        return [sample()]
+    from pointpred.sources import read_any
+
+    return list(read_any(file, options))
 
 
 def reading(

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from pointpred.cli.playing import SPEED, TRIAL, complain, one_recording, speed_of
-from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Unit, reading
+from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Unit, reading, to_read
 from pointpred.cli.replay_tables import described, plain, print_played
 from pointpred.cli.screen import check_target, remarks, write_json
 from pointpred.errors import ParameterError, RecordingError
@@ -25,7 +25,8 @@ def replay(
     file: Annotated[
         Path | None,
         typer.Argument(
-            exists=True, help="A recording in any format pointpred reads. Not given: the embedded sample."
+            callback=to_read,
+            help="A recording in any format pointpred reads. Not given: the embedded sample.",
         ),
     ] = None,
     to: Annotated[

@@ -10,7 +10,7 @@ import msgspec
 import typer
 
 from pointpred.cli.coefficients import Coefficients, with_coefficients
-from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Unit, reading
+from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Unit, reading, recordings_in, to_read
 from pointpred.cli.screen import check_targets, remarks, write_json
 from pointpred.errors import ParameterError, PointpredError, RecordingError
 from pointpred.extras import require
@@ -28,7 +28,8 @@ def score(
     files: Annotated[
         list[Path] | None,
         typer.Argument(
-            exists=True, help="Recordings in any format pointpred reads. Not given: the embedded sample."
+            callback=to_read,
+            help="Recordings in any format pointpred reads; 'sample', or none: the embedded sample.",
         ),
     ] = None,
     predictors: Annotated[
@@ -104,14 +105,15 @@ def score(
 
         again = _read(files, told, None) if files else _sample(None)
         write_report(scored, report, recordings=again, cpi=cpi, dpi=dpi)
-        remarks().print(f"report written: {report}", markup=False)
     described = [summary(one) for one in scored]
     if json is not None:
         write_json({"version": 1, "sets": described, "unread": _unread(unread)}, json)
     if json is None or str(json) != "-":
         from pointpred.cli.tables import print_sets
 
-        print_sets(described)
+        print_sets(described, drawn=report is not None)
+    if report is not None and scored:
+        remarks().print(f"report written: {report}", markup=False)
     if not any(one["trials"] for one in described):
         raise RecordingError("no trial could be scored; see the reasons above")
 
@@ -182,12 +184,10 @@ def _read(files: list[Path], told: Reading, unread: Unread | None) -> Iterator[R
 
     The report reads them again (no ``unread``): what was complained about once is not said twice.
     """
-    from pointpred.sources import read_any
-
     taken: dict[str, Path] = {}
     for file in files:
         try:
-            for recording in read_any(file, told):
+            for recording in recordings_in(file, told):
                 name = _free_name(recording.name, file, taken)
                 if name != recording.name and unread is not None:
                     said = f"{file} is called {name!r} here: {recording.name!r} is {taken[recording.name]}"

@@ -24,8 +24,11 @@ IN_NARROW = {
 REASONS_SHOWN = 5
 
 
-def print_sets(described: list[dict[str, Any]]) -> None:
-    """Print a table a set; remarks about skipped trials and mended rows go to stderr."""
+def print_sets(described: list[dict[str, Any]], *, drawn: bool = False) -> None:
+    """Print a table a set; remarks about skipped trials and mended rows go to stderr.
+
+    ``drawn``: a report was written too.
+    """
     for one in described:
         if one["trials"]:
             results().print(title(one), style="bold", markup=False)
@@ -36,7 +39,8 @@ def print_sets(described: list[dict[str, Any]]) -> None:
     if any(one["trials"] for one in described):
         results().print(
             "Errors are shares of the error of hold (no prediction), time-averaged in the first column; "
-            "below 1 is better.\nAll measures, in px as well: --json FILE; drawn: --report out.html",
+            "below 1 is better.\nAll measures, in px as well: --json FILE"
+            + ("" if drawn else "; drawn: --report out.html"),
             style="dim",
         )
 

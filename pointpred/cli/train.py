@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 from rich.table import Table
 
-from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Unit, reading
+from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Unit, reading, to_read
 from pointpred.cli.score import read_all
 from pointpred.cli.screen import check_targets, counted, plain, results, write_json
 from pointpred.errors import ParameterError, RecordingError
@@ -29,7 +29,7 @@ VERDICT = {
 
 def train(
     files: Annotated[
-        list[Path], typer.Argument(exists=True, help="Recordings, as 'pointpred score' reads them.")
+        list[Path], typer.Argument(callback=to_read, help="Recordings, as 'pointpred score' reads them.")
     ],
     out: Annotated[Path, typer.Option(metavar="FILE", help="The file to write, such as me.npz.")],
     from_scratch: Annotated[

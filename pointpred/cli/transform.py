@@ -7,7 +7,18 @@ from typing import Annotated
 
 import typer
 
-from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Unit, reading
+from pointpred.cli.reading import (
+    Cpi,
+    Cut,
+    Dpi,
+    PauseS,
+    Screen,
+    Unit,
+    is_sample,
+    reading,
+    recordings_in,
+    to_read,
+)
 from pointpred.cli.screen import check_target, counted, remarks
 from pointpred.errors import ParameterError, RecordingError
 
@@ -50,7 +61,7 @@ def simulate(
 
 def convert(
     source: Annotated[
-        Path, typer.Argument(exists=True, help="A file in any format pointpred reads, or a folder.")
+        Path, typer.Argument(callback=to_read, help="A file in any format pointpred reads, or a folder.")
     ],
     out: Out,
     force: Force = False,
@@ -77,8 +88,13 @@ def convert(
     """
     _check(out, force or source.is_dir())
     from pointpred.sources import convert as run
+    from pointpred.sources import write_found
 
-    told = run(source, out, reading(cut, pause_s, unit, screen, cpi, dpi), replace=force)
+    options = reading(cut, pause_s, unit, screen, cpi, dpi)
+    if is_sample(source):
+        told = write_found(recordings_in(source, options), out, replace=force)
+    else:
+        told = run(source, out, options, replace=force)
     for file in told.files:
         typer.echo(file)
     screen_out = remarks()

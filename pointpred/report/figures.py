@@ -140,7 +140,7 @@ def _in_words(
 def skill_bars(described: Json) -> Picture:
     """Time-averaged error as a share of hold's, with intervals, best first."""
     ordered = _by_share(described)
-    title = marked(described, "Time-averaged error, share of hold")
+    title = marked(described, "Error, share of hold")
     better = []
     with canvas(height=1.2 + 0.28 * len(ordered)) as (figure, (axes,)):
         for place, predictor in enumerate(ordered):
@@ -157,7 +157,7 @@ def skill_bars(described: Json) -> Picture:
             figure,
             f"{title} on {described['name']}. Interval wholly below 1: {', '.join(better) or 'none'}.",
             f"Bars: {described['interval']['level']:.0%} bootstrap interval over {units}. Blue circle: "
-            "wholly below 1, better than no prediction; square: not. Skill is 1 minus this share.",
+            "wholly below 1, better than no prediction; square: not.",
         )
 
 

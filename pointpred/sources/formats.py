@@ -153,8 +153,12 @@ def convert(
     file of that name with its own name put in front. Returns what was kept and skipped; raises
     RecordingError, and ParameterError where a file would be replaced without ``replace``.
     """
+    return write_found(read_any(path_in, reading), path_out, replace=replace)
+
+
+def write_found(found: list[Recording], path_out: str | Path, *, replace: bool = True) -> Summary:
+    """Write recordings as ``convert`` does; raises what it raises."""
     out = Path(path_out)
-    found = read_any(path_in, reading)
     several = len(found) > 1
     names = file_names([recording.name for recording in found], out.name) if several else [out.name]
     for name in names:

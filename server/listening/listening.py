@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import asyncio
 import errno
+import http.client
 import logging
 import socket
 import time
 from collections.abc import Callable
 
+import msgspec
 import uvicorn
 
 from pointpred.errors import SourceError
@@ -27,6 +29,10 @@ GOODBYE_S = 2.0
 """Seconds that clients get to answer a goodbye: closing before would reset the connection, unheard."""
 STOP_S = 3
 """Seconds that requests under way get to finish when the service stops."""
+ASK_S = 1.0
+"""Seconds that whoever holds a port gets to say whether it is pointpred."""
+HEALTH_BYTES = 1024
+"""Longest answer that is read of it."""
 CUT_S = 1.0
 """Seconds in which requests that are cut have ended."""
 
@@ -43,8 +49,27 @@ def listen(host: str, port: int, tries: int = 1) -> socket.socket:
                 raise SourceError(f"cannot listen on {host} port {candidate}: {error.strerror}") from error
         except UnicodeError as error:
             raise SourceError(f"cannot listen on {host!r}: no name of a host") from error
+    if tries == 1 and answers_as_pointpred(host, port):
+        raise SourceError(
+            f"pointpred already runs on {host} port {port}: stop it with Ctrl-C where it was started, "
+            "or choose another port with --port"
+        )
     ports = f"port {port} is" if tries == 1 else f"ports {port} to {port + tries - 1} are"
     raise SourceError(f"{ports} in use on {host}; choose another with --port, or --port 0 for any free one")
+
+
+def answers_as_pointpred(host: str, port: int) -> bool:
+    """Whether what listens on a port of this machine is pointpred; False where it does not answer soon."""
+    name = "127.0.0.1" if host in WILDCARDS else host
+    asked = http.client.HTTPConnection(name, port, timeout=ASK_S)
+    try:
+        asked.request("GET", "/healthz")
+        found = msgspec.json.decode(asked.getresponse().read(HEALTH_BYTES))
+    except (OSError, http.client.HTTPException, msgspec.DecodeError, UnicodeError):
+        return False
+    finally:
+        asked.close()
+    return isinstance(found, dict) and found.keys() == {"status", "version"}
 
 
 def _bind(host: str, port: int) -> socket.socket:

@@ -49,6 +49,13 @@ def test_a_busy_port_is_refused_or_passed_over() -> None:
             assert port < other.getsockname()[1] < port + 20
 
 
+def test_a_port_that_pointpred_holds_is_told_from_others(service: subprocess.Popen[str]) -> None:
+    assert service.stdout is not None
+    port = int(service.stdout.readline().strip().rstrip("/").rpartition(":")[2])
+    with pytest.raises(SourceError, match=f"pointpred already runs on 127.0.0.1 port {port}"):
+        listen("127.0.0.1", port)
+
+
 def test_an_address_of_another_machine_is_refused_in_words() -> None:
     with pytest.raises(SourceError, match=r"cannot listen on 192\.0\.2\.1 port 0"):
         listen("192.0.2.1", 0)
