@@ -33,6 +33,7 @@ class Compiled(BaseModel):
     of: int = Field(description="All predictors.")
     next: str | None = Field(description="What is compiled now; null when nothing is left.")
     ready: list[str] = Field(description="The names of the predictors that are compiled.")
+    recommended: str = Field(description="The name of the recommended predictor, which is compiled first.")
 
 
 class Origin(BaseModel):

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import re
 import secrets
+from collections.abc import Iterable
 from ipaddress import ip_address
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -25,6 +27,28 @@ def _parts(value: Any) -> Any:
 NAME = re.compile(r"[A-Za-z0-9_-]+(\.[A-Za-z0-9_-]+)*")
 FILE_NAME = re.compile(r"[A-Za-z0-9_-]{1,64}")
 Words = Annotated[tuple[str, ...], NoDecode, BeforeValidator(_parts)]
+
+
+def named_files(given: Iterable[str]) -> dict[str, Path]:
+    """The files of ``NAME=FILE``, each name once; raises ValueError."""
+    files: dict[str, Path] = {}
+    for one in given:
+        name, equals, file = one.partition("=")
+        if not (name and equals and file) or name in files:
+            raise ValueError(f"needs NAME=FILE, each with a name of its own, received {one!r}")
+        files[name] = Path(file)
+    return files
+
+
+def _files(value: Any) -> Any:
+    """Files by name: from flags, and from an environment as ``a=x,b=y`` or as a JSON object."""
+    if isinstance(value, str) and value.lstrip().startswith("{"):
+        return json.loads(value)  # its error is a ValueError
+    parts = _parts(value)
+    return named_files(parts) if isinstance(parts, list) else parts
+
+
+Files = Annotated[dict[str, Path], NoDecode, BeforeValidator(_files)]
 
 
 class Settings(BaseSettings):
@@ -50,7 +74,7 @@ class Settings(BaseSettings):
     record: Path | None = Field(
         default=None, description="Folder in which sessions are recorded; not given: nothing is recorded."
     )
-    coefficients: dict[str, Path] = Field(
+    coefficients: Files = Field(
         default={},
         description="Files of 'pointpred train' by the names that clients may ask for: me=/path/me.npz.",
     )

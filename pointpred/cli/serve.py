@@ -84,8 +84,6 @@ def serve(
     from pointpred.server.logs import set_up
     from pointpred.server.service import Service
 
-    if coefficients:
-        given["coefficients"] = named_files(coefficients)
     settings = settings_of(given)
     set_up(settings.log_format)
     wanted = settings.port
@@ -101,20 +99,10 @@ def serve(
         remarks().print("stopped")
 
 
-def named_files(given: list[str]) -> dict[str, Path]:
-    """The files of ``NAME=FILE``, each name once; raises ParameterError."""
-    found: dict[str, Path] = {}
-    for one in given:
-        name, equals, file = one.partition("=")
-        if not (name and equals and file) or name in found:
-            raise ParameterError(f"--coefficients needs NAME=FILE with a name of its own, received {one!r}")
-        found[name] = Path(file)
-    return found
-
-
 def settings_of(given: dict[str, Any]) -> Any:
     """The settings from flags and environment; raises ParameterError in one line for a wrong one."""
     from pydantic import ValidationError
+    from pydantic_settings import SettingsError
 
     from pointpred.server.settings import Settings
 
@@ -126,3 +114,6 @@ def settings_of(given: dict[str, Any]) -> Any:
         raise ParameterError(
             f"{refused(name, first)} (flag --{name.replace('_', '-')} or POINTPRED_{name.upper()})"
         ) from None
+    except SettingsError as error:  # a value that is not the JSON it should be
+        name = str(error).partition('field "')[2].partition('"')[0]
+        raise ParameterError(f"POINTPRED_{name.upper()} cannot be read: JSON was expected") from None

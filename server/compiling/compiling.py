@@ -11,6 +11,7 @@ import os
 import threading
 import time
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
 
 from msgspec import Struct
 
@@ -25,6 +26,8 @@ log = logging.getLogger("pointpred.service")
 FIRST = (*PIECES, RECOMMENDED)
 """What the first answer needs: compiled at full speed; the rest lets whatever else runs go first."""
 WORKERS = 2
+REPLACEMENTS = 2
+"""Workers that may take the place of one that has ended; after them parts are compiled by this process."""
 
 
 class Progress(Struct, frozen=True):
@@ -34,6 +37,7 @@ class Progress(Struct, frozen=True):
     of: int
     next: str | None
     ready: list[str]
+    recommended: str = RECOMMENDED
 
 
 class Compiling:
@@ -47,6 +51,10 @@ class Compiling:
         self._waiting: set[tuple[asyncio.AbstractEventLoop, asyncio.Event]] = set()
         self._lanes: list[threading.Thread] = []
         self._workers: list[Worker] = []
+        self._replacements = REPLACEMENTS
+        self._alone = False  # whether parts are compiled by this process, without workers
+        self._telling = threading.Lock()
+        self._logged: set[str] = set()
         self._began = 0.0
         self.stopped = False
         self.failed: set[str] = set()
@@ -95,6 +103,8 @@ class Compiling:
 
     async def until(self, names: Sequence[str]) -> None:
         """Wait until these are compiled, or cannot be; they are next."""
+        if not (names := self.missing(names)):
+            return
         event = asyncio.Event()
         waiting = (asyncio.get_running_loop(), event)
         with self._changed:
@@ -112,8 +122,9 @@ class Compiling:
         """How far it is."""
         with self._changed:
             order = self._order
-            ready = [name for name in REGISTRY if name in order.done]
-            under_way = next((RECOMMENDED if name in PIECES else name for name in order.under_way), None)
+            ready = [name for name in REGISTRY if self.ready(name)]
+            first = [RECOMMENDED] if any(name in FIRST for name in order.missing(FIRST)) else []
+            under_way = next(iter([*first, *order.under_way]), None)
             return Progress(len(ready), len(REGISTRY), None if self.over else under_way, ready)
 
     def _run(self) -> None:
@@ -122,11 +133,9 @@ class Compiling:
         while (part := self._next()) is not None:
             try:
                 if part.awaits:
-                    worker = worker or self._helped()
-                    if part.name not in FIRST and self.ready(RECOMMENDED):
-                        worker.compile(ASIDE)
+                    self.once = True
                     self._say()
-                    worker.compile(part.name)
+                    worker = self._compiled_by(worker, part.name)
                 if not self.stopped:
                     with self._loading:
                         part.run()
@@ -137,15 +146,43 @@ class Compiling:
         if worker is not None:
             worker.end()
 
-    def _helped(self) -> Worker:
-        """A worker, which is ended when all is done or the service stops."""
-        worker = self._worker()
+    def _compiled_by(self, worker: Worker | None, name: str) -> Worker | None:
+        """The worker that has compiled a part; ``None`` where there is none, and this thread has to."""
+        while worker := worker or self._helped():
+            if name not in FIRST and self.ready(RECOMMENDED):
+                worker.compile(ASIDE)
+            if worker.compile(name) or self.stopped:
+                return worker
+            worker.end()
+            worker = None
+            self._lament("a process that compiles has ended")
+        return None
+
+    def _helped(self) -> Worker | None:
+        """A worker, which is ended when all is done or the service stops; ``None`` where none can be had."""
+        if self._alone:
+            return None
+        try:
+            worker = self._worker()
+        except OSError as error:
+            self._lament("no process that compiles can be started", place_of(error), most=0)
+            return None
         with self._changed:
-            self.once = True
             self._workers.append(worker)
             if self.stopped:
                 worker.kill()
         return worker
+
+    def _lament(self, what: str, error: str | None = None, most: int = REPLACEMENTS) -> None:
+        """Log a lost worker, and whether another one takes its place."""
+        with self._changed:
+            if self._alone:
+                return
+            self._replacements = min(self._replacements, most) - 1
+            self._alone = self._replacements < 0
+        about = {"error": error} if error else {}
+        instead = "this process compiles the rest itself" if self._alone else "another one takes its place"
+        log.warning("%s; %s", what, instead, extra=about)
 
     def _next(self) -> Part | None:
         with self._changed:
@@ -158,24 +195,28 @@ class Compiling:
     def _finish(self, part: Part) -> None:
         with self._changed:
             self._order.finish(part.name)
+            last = self._order.finished and not self.stopped
             self._notify()
         if part.name == RECOMMENDED and self.ready(RECOMMENDED) and not self.stopped:
             self.on_ready()
         self._say()
-        if self.once and self._order.finished:
+        if self.once and last:
             log.info("Compiled, in %.1f s", time.monotonic() - self._began)
 
     def _say(self) -> None:
-        progress = self.progress()
-        if self.once and progress.next is not None:
-            log.info("Compiling once: %d of %d, %s", progress.done, progress.of, progress.next)
-        self.tell(progress)
+        """Tell how far it is: each step once in the log, and in order, whichever lane it is."""
+        with self._telling:
+            progress = self.progress()
+            if self.once and progress.next is not None and progress.next not in self._logged:
+                self._logged.add(progress.next)
+                log.info("Compiling once: %d of %d, %s", progress.done, progress.of, progress.next)
+            self.tell(progress)
 
     def _notify(self) -> None:
         """Wake who waits, in this thread's lanes and on event loops."""
         self._changed.notify_all()
         for loop, event in self._waiting:
-            if not loop.is_closed():
+            with suppress(RuntimeError):  # its loop has closed: nobody waits there
                 loop.call_soon_threadsafe(event.set)
 
 

@@ -8,7 +8,10 @@ from pointpred.server.compiling.parts import Part
 
 
 class Order:
-    """Parts that are waiting, under way and done; used by one thread at a time."""
+    """Parts that are waiting, under way and done; changed by one thread at a time.
+
+    Any thread may ask whether all is finished: a part is never in none of the three lists.
+    """
 
     def __init__(self, parts: Sequence[Part], first: Collection[str]) -> None:
         """``first``: parts that nobody's wish overtakes."""
@@ -28,20 +31,23 @@ class Order:
         """The next part that can begin, which is under way from now on; ``None`` where none can now."""
         for place, part in enumerate(self.waiting):
             if all(name in self.done for name in part.after):
-                del self.waiting[place]
                 self.under_way.append(part.name)
+                del self.waiting[place]
                 return part
         return None
 
     def finish(self, name: str) -> None:
         """A part is compiled, or cannot be."""
-        self.under_way.remove(name)
         self.done.append(name)
+        self.under_way.remove(name)
 
     def wish(self, names: Iterable[str]) -> None:
-        """Somebody waits for these parts: they come before what nobody waits for, the earliest wish first."""
+        """Somebody waits for these parts: they come before what nobody waits for, the earliest wish first.
+
+        Names that are no parts are passed over: clients may send any.
+        """
         before = {part.name: part.after for part in self.waiting}
-        for name in names:
+        for name in filter(self.names.__contains__, names):
             for each in (*before.get(name, ()), name):
                 self._wished.setdefault(each, len(self._wished))
         last = len(self._wished)

@@ -11,6 +11,7 @@ import os
 import subprocess
 import sys
 import threading
+from contextlib import suppress
 from pathlib import Path
 from queue import SimpleQueue
 
@@ -37,16 +38,16 @@ class Worker:
             env=os.environ | {"PYTHONPATH": paths},
         )
 
-    def compile(self, name: str) -> None:
-        """Have a part compiled and wait for it; a process that has ended compiles nothing."""
+    def compile(self, name: str) -> bool:
+        """Have a part compiled and wait for it; ``False`` where the process has ended."""
         assert self.process.stdin is not None
         assert self.process.stdout is not None
         try:
             self.process.stdin.write(name.encode() + b"\n")
             self.process.stdin.flush()
         except OSError:
-            return
-        self.process.stdout.readline()
+            return False
+        return self.process.stdout.readline() == b"\n"
 
     def kill(self) -> None:
         """Stop it, whatever it does: the cache puts files in place at once."""
@@ -70,9 +71,10 @@ def main() -> None:
         name = names.get()
         if name == ASIDE:
             if hasattr(os, "nice"):
-                os.nice(NICENESS - os.nice(0))
+                os.nice(max(0, NICENESS - os.nice(0)))  # only root may lower it
         elif name in known:
-            known[name].run()
+            with suppress(Exception):  # the process that serves runs it as well, and says what is wrong
+                known[name].run()
         os.write(1, b"\n")
         gc.collect()
 

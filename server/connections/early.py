@@ -18,13 +18,17 @@ class Early:
     """Hands on what a client sends, each message once what it needs is there.
 
     ``lacks`` gives what there is to wait for before a message is handed on, ``None`` where there is nothing.
+    A message that had to wait says under ``heard`` when it came: limits go by that time.
     """
 
     def __init__(
         self,
         receive: Callable[[], Awaitable[Message]],
         lacks: Callable[[Message], Coroutine[Any, Any, None] | None],
+        clock: Callable[[], float] | None = None,
     ) -> None:
+        """``clock`` gives seconds, as the loop's own, which is taken where none is given."""
+        self._clock = clock
         self._receive = receive
         self._lacks = lacks
         self._heard: deque[Message] = deque()
@@ -34,6 +38,7 @@ class Early:
     async def stays(self, until: Coroutine[Any, Any, None]) -> bool:
         """Whether the client is still there at the end of ``until``, which is given up where it is not."""
         waiting = asyncio.ensure_future(until)
+        clock = self._clock or asyncio.get_running_loop().time
         try:
             while not waiting.done() and len(self._heard) < MOST and self._bytes < MOST_BYTES:
                 coming = self._coming = self._coming or asyncio.ensure_future(self._receive())
@@ -45,6 +50,7 @@ class Early:
                     if message["type"] == "websocket.disconnect":
                         self._heard.append(message)
                         return False
+                    message["heard"] = clock()
                     self._heard.append(message)
                     self._bytes += len(message.get("text") or message.get("bytes") or "")
             await waiting

@@ -127,7 +127,10 @@ class Talk:
             # The loop's own clock counts milliseconds: enough for limits, not for a delay.
             self._arrived = perf_counter()
             self.frames += 1
-            session.receive(message["text"] if frame is None else frame, loop.time())
+            heard: float | None = message.get("heard")  # when it came, where it had to wait
+            session.receive(
+                message["text"] if frame is None else frame, loop.time() if heard is None else heard
+            )
             if session.work is not None:
                 session.finish(await loop.run_in_executor(self._worker, session.work))
             if not self._sending:

@@ -69,7 +69,8 @@ class Session(Conversation):
         stream = self.stream
         try:
             if stream is not None:
-                self.heard = now
+                if now > self.heard:  # a frame that was kept waiting came before
+                    self.heard = now
                 # Most frames of a fast device, and cheap: one packed event with nothing wrong about it.
                 if len(frame) == RECORD and isinstance(frame, bytes) and self._take_one(stream, frame, now):
                     return
@@ -171,7 +172,7 @@ class Session(Conversation):
             )
         self.stream = stream_of(hello, self._coefficients)
         self.stream.watch = self._watch(self.name, hello) if self._watch else None
-        self.state, self.heard = "greeted", now
+        self.state, self.heard = "greeted", max(now, self.heard)
         self._welcome(self.stream)
 
     def _welcome(self, stream: Stream) -> None:

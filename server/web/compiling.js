@@ -4,14 +4,14 @@ import { read } from "./service.js";
 
 const AGAIN_MS = 1000;
 
-/** @type {{done: number, of: number, next: string|null, ready: string[]}|null} */ let now = null;
+/** @type {{done: number, of: number, next: string|null, ready: string[], recommended: string}|null} */ let now = null;
 let asking = false;
 const hearers = new Set();
 
 /** What to say of it; empty where nothing is compiled. */
 export function compilingWords() {
   if (now === null) return "";
-  const ready = now.done > 0 ? " The recommended predictor is ready." : "";
+  const ready = now.ready.includes(now.recommended) ? " The recommended predictor is ready." : "";
   return `Compiling, only this once: ${now.done} of ${now.of} (${now.next}).${ready}`;
 }
 

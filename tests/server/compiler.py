@@ -43,11 +43,12 @@ class Compiler:
         if not names:
             self._all.set()
 
-    def compile(self, name: str) -> None:
+    def compile(self, name: str) -> bool:
         self.asked.append(name)
         if name != ASIDE:
             while not (self._all.is_set() or self._allowed[name].wait(0.005)):
                 pass
+        return True
 
     def kill(self) -> None:
         self._all.set()

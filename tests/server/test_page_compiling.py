@@ -14,8 +14,9 @@ from tests.server.page_browser import Visitor
 pytestmark = browser.needed
 
 COUNT = len(REGISTRY)
-LEFT = {"done": 1, "of": COUNT, "next": "ktm", "ready": [RECOMMENDED]}
-DONE = {"done": COUNT, "of": COUNT, "next": None, "ready": list(REGISTRY)}
+LEFT = {"done": 1, "of": COUNT, "next": "ktm", "ready": [RECOMMENDED], "recommended": RECOMMENDED}
+OTHER = {**LEFT, "ready": ["hold"]}
+DONE = {"done": COUNT, "of": COUNT, "next": None, "ready": list(REGISTRY), "recommended": RECOMMENDED}
 STUB = """
 window.compiling = %s;
 const ask = window.fetch;
@@ -41,6 +42,8 @@ def test_the_page_says_what_is_compiled_and_what_can_be_used(visitor: Visitor, u
     visitor.wait(f"{LABELS}.length === {COUNT} && {LABELS}.some((label) => label.includes('not compiled'))")
     labels = visitor.value(LABELS)
     assert [label for label in labels if "not compiled yet" not in label] == [RECOMMENDED]
+    visitor.value(f"window.compiling = {json.dumps(OTHER)}, 0")
+    visitor.wait(f"{LINE}.includes('only this once') && !{LINE}.includes('recommended predictor is ready')")
     visitor.value(f"window.compiling = {json.dumps(DONE)}, 0")
     visitor.wait(f"!{LINE}.includes('Compiling')")
     assert sorted(visitor.value(LABELS)) == sorted(REGISTRY)

@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 
 from pointpred import PointerEvent, build
-from pointpred.cli.serve import named_files, settings_of
+from pointpred.cli.serve import settings_of
 from pointpred.errors import ParameterError
 from pointpred.predictors import kinematic_coefficients
 from pointpred.server.protocol.server_messages import Limits
 from pointpred.server.sessions.session import Session
-from pointpred.server.settings import Settings
+from pointpred.server.settings import Settings, named_files
 from tests.unit.talking import Talk, events, hello
 
 ROWS = [[0.01 * i, 1.0 * i * i, 0.5 * i * i, None, None, 0] for i in range(30)]
@@ -94,6 +94,13 @@ def test_settings_read_the_files_at_once(tmp_path: Path, monkeypatch: pytest.Mon
     assert Settings(coefficients={"me": path}).coefficients == {"me": path}
     monkeypatch.setenv("POINTPRED_COEFFICIENTS", json.dumps({"me": str(path)}))
     assert Settings().coefficients == {"me": path}
+    monkeypatch.setenv("POINTPRED_COEFFICIENTS", f"me={path}, you={path}")
+    assert Settings().coefficients == {"me": path, "you": path}
+    for unreadable in ("me", f"me={path},me={path}", '{"me":', f"me={tmp_path / 'missing.npz'}"):
+        monkeypatch.setenv("POINTPRED_COEFFICIENTS", unreadable)
+        with pytest.raises(ParameterError, match="POINTPRED_COEFFICIENTS"):
+            settings_of({})
+    monkeypatch.delenv("POINTPRED_COEFFICIENTS")
     (tmp_path / "text.npz").write_text("none")
     shutil.copy(path, tmp_path / "odd name.npz")
     for wrong in (
@@ -109,5 +116,7 @@ def test_settings_read_the_files_at_once(tmp_path: Path, monkeypatch: pytest.Mon
 def test_the_flag_names_files(tmp_path: Path) -> None:
     assert named_files(["me=a.npz", "you=b=c.npz"]) == {"me": Path("a.npz"), "you": Path("b=c.npz")}
     for wrong in (["me"], ["=a"], ["me="], ["me=a", "me=b"]):
-        with pytest.raises(ParameterError, match="NAME=FILE"):
+        with pytest.raises(ValueError, match="NAME=FILE"):
             named_files(wrong)
+        with pytest.raises(ParameterError, match="NAME=FILE"):
+            settings_of({"coefficients": wrong})

@@ -1,0 +1,210 @@
+"""What goes wrong while a first start compiles: clients are served all the same, and nothing grows."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import os
+import subprocess
+import sys
+import threading
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from httpx2 import get
+
+from pointpred.registry import RECOMMENDED, REGISTRY
+from pointpred.server.compiling import compiling as room
+from pointpred.server.compiling.compiling import Compiling
+from pointpred.server.compiling.order import Order
+from pointpred.server.compiling.parts import PIECES, TARGETS, Part
+from pointpred.server.compiling.worker import ASIDE, NICENESS
+from pointpred.server.service import Service
+from tests.server.compiler import Awaited, Compiler
+from tests.server.listener import soon
+from tests.server.running import PATIENCE_S, running
+
+NAMES = [RECOMMENDED, "hold", "ktm", "switched"]
+
+
+class Dying(Compiler):
+    """A worker that ends at the names in ``deadly``; ``started`` counts how often one was asked for."""
+
+    def __init__(self, *deadly: str) -> None:
+        super().__init__()
+        self.deadly = list(deadly)
+        self.started = 0
+        self.allow()
+
+    def __call__(self) -> Compiler:
+        self.started += 1
+        return self
+
+    def compile(self, name: str) -> bool:
+        if name in self.deadly:
+            self.deadly.remove(name)
+            return False
+        return super().compile(name)
+
+
+def compiled(worker: Callable[[], Any], parts: list[Part]) -> Compiling:
+    compiling = Compiling(parts, worker)
+    compiling.begin()
+    compiling.join()
+    return compiling
+
+
+def steps(caplog: pytest.LogCaptureFixture) -> list[tuple[int, str]]:
+    """How many were done, and what was next, of each entry about a step."""
+    entries = [one.args for one in caplog.records if "of %d" in str(one.msg)]
+    return [(args[0], args[2]) for args in entries if isinstance(args, tuple)]  # type: ignore[misc]
+
+
+def warnings(caplog: pytest.LogCaptureFixture) -> int:
+    return sum(one.levelno >= logging.WARNING for one in caplog.records)
+
+
+def test_names_that_are_no_parts_are_not_kept() -> None:
+    order = Order([Part(name, lambda: None, ()) for name in NAMES], ())
+    for i in range(100):
+        order.wish([f"nobody {i}", "ktm"])
+    assert set(order._wished) <= set(NAMES)
+
+
+def test_who_misses_nothing_moves_nothing_to_the_front() -> None:
+    compiler = Compiler()
+    compiling = compiler.compiling(NAMES)
+    asyncio.run(compiling.until(["switched"]))  # nothing has begun
+    part = compiling._order.take()
+    assert part is not None
+    assert part.name == RECOMMENDED
+    assert [one.name for one in compiling._order.waiting] == NAMES[1:]
+
+
+def test_a_part_that_is_taken_is_never_out_of_sight() -> None:
+    seen: list[bool] = []
+
+    class Watched(list[Part]):
+        def __delitem__(self, place: Any) -> None:
+            super().__delitem__(place)
+            seen.append(order.finished)
+
+    order = Order([Part("hold", lambda: None, ())], ())
+    order.waiting = Watched(order.waiting)
+    order.take()
+    assert seen == [False]
+
+
+def test_who_waited_on_a_loop_that_has_closed_disturbs_nobody() -> None:
+    class Closing:
+        def is_closed(self) -> bool:
+            return False
+
+        def call_soon_threadsafe(self, call: object) -> None:
+            raise RuntimeError("Event loop is closed")
+
+    compiler = Compiler()
+    compiler.allow()
+    compiling = compiler.compiling(NAMES)
+    compiling._waiting.add((Closing(), asyncio.Event()))  # type: ignore[arg-type]
+    compiling.begin()
+    compiling.join()
+    assert compiling.over
+
+
+def test_without_worker_processes_a_thread_compiles_and_the_service_becomes_ready(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    threads: list[str] = []
+
+    def refused() -> Compiler:
+        raise BlockingIOError(11, "no more processes")
+
+    def prepare(service: Service) -> None:
+        parts = [Awaited(name, lambda: threads.append(threading.current_thread().name), ()) for name in NAMES]
+        service.compiling = Compiling(parts, refused)  # type: ignore[arg-type]
+
+    with running(prepare) as here:
+        soon(lambda: get(f"{here.url}/readyz", timeout=PATIENCE_S).status_code == 200, "ready")
+        here.service.compiling.join()
+        assert here.service.compiling.failed == set()
+    assert len(threads) == len(NAMES)
+    assert all(name.startswith("compiling") for name in threads)
+    assert warnings(caplog) == 1
+
+
+def test_a_worker_that_dies_is_replaced_and_its_part_is_compiled_by_the_next(
+    caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(room, "_processors", lambda: 1)
+    dying = Dying("hold")
+    compiling = compiled(dying, [Awaited(name, lambda: None, ()) for name in NAMES])
+    assert dying.started == 2
+    assert [name for name in dying.asked if name != ASIDE] == NAMES
+    assert compiling.failed == set()
+    assert warnings(caplog) == 1
+
+
+def test_workers_that_die_again_and_again_are_given_up(
+    caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(room, "_processors", lambda: 1)
+    ran: list[str] = []
+    dying = Dying(*100 * [RECOMMENDED])
+    parts = [Awaited(name, lambda name=name: ran.append(name), ()) for name in NAMES]  # type: ignore[misc]
+    compiling = compiled(dying, parts)
+    assert dying.started == 1 + room.REPLACEMENTS == warnings(caplog)
+    assert dying.ended == dying.started
+    assert ran == NAMES
+    assert compiling.ready(RECOMMENDED)
+
+
+def test_what_failed_is_not_among_the_ready() -> None:
+    def broken() -> None:
+        raise RuntimeError("no compiler")
+
+    compiling = compiled(Compiler(), [Part("hold", broken, ()), Part("ktm", lambda: None, ())])
+    assert compiling.progress().ready == ["ktm"]
+
+
+@pytest.mark.skipif(not hasattr(os, "nice"), reason="no niceness here")
+def test_a_worker_of_a_nice_service_stays_as_nice_as_it_is() -> None:
+    most = NICENESS + 4
+    more = most - os.nice(0)
+    command = ["nice", "-n", str(more), sys.executable, "-m", "pointpred.server.compiling.worker"]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as worker:
+        assert worker.stdin is not None
+        assert worker.stdout is not None
+        worker.stdin.write(ASIDE.encode() + b"\n")
+        worker.stdin.flush()
+        assert worker.stdout.readline() == b"\n"
+        assert os.getpriority(os.PRIO_PROCESS, worker.pid) == most
+        worker.stdin.close()
+
+
+def test_each_step_is_logged_once_and_in_order(
+    caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(room, "_processors", lambda: 2)
+    caplog.set_level(logging.INFO)
+    compiler = Compiler()
+    anybody, person, whole, motions = PIECES
+    after = {whole: (anybody, person), RECOMMENDED: PIECES}
+    names = [*PIECES, RECOMMENDED, TARGETS, *(name for name in REGISTRY if name != RECOMMENDED)]
+    parts = [Awaited(name, lambda: None, (), after.get(name, ())) for name in names]
+    compiling = Compiling(parts, compiler)  # type: ignore[arg-type]
+    compiling.begin()
+    compiler.allow(anybody, motions)
+    soon(lambda: TARGETS in compiler.asked, "another part is under way")
+    compiler.allow(*PIECES, RECOMMENDED)  # while that one is not done
+    soon(lambda: compiling.ready(RECOMMENDED), "the first is ready")
+    compiler.allow()
+    compiling.join()
+    logged = steps(caplog)
+    done, following = [one for one, _ in logged], [name for _, name in logged]
+    assert following[:2] == [RECOMMENDED, TARGETS]
+    assert done[:2] == [0, 1]
+    assert done == sorted(done)
+    assert len(set(following)) == len(following)
+    assert sum("Compiled" in one.message for one in caplog.records) == 1

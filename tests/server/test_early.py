@@ -1,0 +1,67 @@
+"""Frames that wait for the compiler count against the limits at the time they came."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import MutableMapping
+from typing import Any
+
+from pointpred.server.connections.early import Early
+from pointpred.server.connections.talk import Talk
+from pointpred.server.protocol.server_messages import Limits
+from pointpred.server.sessions.session import Session
+
+Message = MutableMapping[str, Any]
+HELLO = '{"type":"hello","version":1,"predictor":"hold"}'
+EVENT = '{"type":"events","events":[[%d,5,6,null,null,0]]}'
+FRAMES = [HELLO, *(EVENT % i for i in range(1, 9))]
+
+
+async def said(most: int) -> tuple[Session, Talk]:
+    """A session whose hello waits until all its frames have come, one a second."""
+    now = asyncio.get_running_loop().time()
+    came = [now - 60.0 + i for i in range(len(FRAMES))]
+    frames = iter([*({"type": "websocket.receive", "text": text} for text in FRAMES)])
+    times = iter(came[1:])  # the first one is what the others wait behind
+    compiled, lost = asyncio.Event(), asyncio.Event()
+
+    async def receive() -> Message:
+        if (message := next(frames, None)) is None:
+            compiled.set()
+            await lost.wait()
+            return {"type": "websocket.disconnect"}
+        return message
+
+    async def send(message: Message) -> None:
+        if session.close is not None or (session.stream and EVENT and "8.0" in str(message)):
+            lost.set()
+
+    async def wait() -> None:
+        await compiled.wait()
+
+    session = Session("early", Limits(max_events_per_s=most), came[0])
+    early = Early(
+        receive, lambda message: wait() if message.get("text") == HELLO else None, lambda: next(times)
+    )
+    talk = Talk(session, early, send, lambda delay: None)
+    async with asyncio.timeout(20):
+        await talk.run()
+    early.leave()
+    return session, talk
+
+
+def test_frames_that_waited_are_not_a_burst() -> None:
+    session, talk = asyncio.run(said(1))
+    assert session.refused == {}
+    assert talk.frames == len(FRAMES)
+
+
+def test_waiting_is_not_silence() -> None:
+    session = Session("early", Limits(), 0.0)
+    session.kept_waiting = True
+    session.tick(300.0)
+    session.kept_waiting = False
+    session.receive(HELLO, 1.0)
+    session.receive(EVENT % 1, 2.0)
+    session.tick(301.0)
+    assert session.close is None
