@@ -8,11 +8,11 @@ const AGAIN_MS = 1000;
 let asking = false;
 const hearers = new Set();
 
-/** What to say of it; empty where nothing is compiled. */
-export function compilingWords() {
+/** What to say of it beside a predictor; empty where nothing is compiled. @param {string} predictor @param {boolean} connected */
+export function compilingWords(predictor, connected) {
   if (now === null) return "";
-  const ready = now.ready.includes(now.recommended) ? " The recommended predictor is ready." : "";
-  return `Compiling, only this once: ${now.done} of ${now.of} (${now.next}).${ready}`;
+  const what = connected && now.ready.includes(predictor) ? "Ready. Compiling the other predictors" : "Compiling";
+  return `${what}, only this once: ${now.done} of ${now.of} (${now.next}).`;
 }
 
 /** Calls `hear` whenever there is something else to say. */

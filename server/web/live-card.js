@@ -32,7 +32,7 @@ export function sizeOf({ regions }, { clientWidth, clientHeight }, scale = 1) {
 export class LiveCard {
   /** @type {Track|null} */ track = null;
   /** As the service describes them. @type {object[]} */ #listed = [];
-  #status; #about; #of; #told; #options; #calm = new CalmRegions();
+  #card; #status; #about; #of; #told; #options; #calm = new CalmRegions();
 
   /**
    * @param {HTMLElement} card @param {HTMLDetailsElement} parameters
@@ -41,6 +41,7 @@ export class LiveCard {
    */
   constructor(card, parameters, predicted, told = {}, options = {}) {
     this.#options = options;
+    this.#card = card;
     this.select = card.querySelector("select");
     this.#status = card.querySelector(".connection");
     this.#about = card.querySelector(".about");
@@ -120,8 +121,9 @@ export class LiveCard {
   #say() {
     const state = this.track?.connection.state;
     this.#status.dataset.state = state ?? "";
+    this.#card.dataset.chosen = this.select.value;
     if (state === "connecting") askCompiling();
-    const compiling = state === "connecting" || state === "open" ? compilingWords() : "";
+    const compiling = state === "connecting" || state === "open" ? compilingWords(this.select.value, state === "open") : "";
     const unconnected = this.select.value || !this.offered ? "Connecting…" : "None chosen.";
     const said = compiling || (state === undefined ? unconnected : words(state));
     write(this.#status, this.track?.fault && state !== "open" ? `${said} ${this.track.fault}` : said);

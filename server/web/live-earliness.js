@@ -38,7 +38,7 @@ export function sentence(verdict, predictors, tile, earliness, who = "you") {
   });
   const words = each.map((one) => {
     const said = end(verdict, one, who) + mean(one.average_s, earliness.count(one.name));
-    return each.length > 1 ? `${one.name}: ${said}.` : `${said[0].toUpperCase()}${said.slice(1)}.`;
+    return `${each.length > 1 ? `Endpoint, ${one.name}` : "Endpoint"}: ${said}.`;
   });
   if (tile !== null) words.unshift(`${proposed(tile.lead_s, who)}${mean(tileAverage, earliness.count("a tile"))}.`);
   return { words: words.join(" "), each, tile: tile === null ? null : { lead_s: tileLead, average_s: tileAverage } };
@@ -46,13 +46,13 @@ export function sentence(verdict, predictors, tile, earliness, who = "you") {
 
 function end({ arrival, reached }, { lead_s: lead }, who) {
   if (lead === null) return "no prediction during this movement";
-  if (lead === 0) return `not known early: the pointer itself came within ${NEAR_PX} px first, ${ms(arrival - reached)} before ${who} arrived`;
+  if (lead === 0) return `not known within ${NEAR_PX} px before the pointer itself was that near`;
   return `known within ${NEAR_PX} px ${ms(lead)} before ${who} arrived (the pointer itself was that near ${ms(arrival - reached)} before)`;
 }
 
 function proposed(lead, who) {
-  if (lead !== null && lead > 0) return `Tile proposed ${ms(lead)} before ${who} ${who === "you" ? "were" : "was"} there`;
-  return `The tile was not proposed before ${who} ${who === "you" ? "were" : "was"} there`;
+  if (lead !== null && lead > 0) return `Tile: proposed ${ms(lead)} before ${who} ${who === "you" ? "were" : "was"} there`;
+  return `Tile: not proposed before ${who} ${who === "you" ? "were" : "was"} there`;
 }
 
-const mean = (average, count) => (average === null ? "" : `; average of the last ${count === LAST ? "ten" : count}: ${ms(average)}`);
+const mean = (average, count) => (!average ? "" : `; average of the last ${count === LAST ? "ten" : count}: ${ms(average)}`);

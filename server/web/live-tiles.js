@@ -21,6 +21,7 @@ export class Tiles {
   /** How likely each is, by its id. @type {Object<string, number>} */ shares = {};
   /** @type {string|null} */ proposed = null;
   #over = null;
+  #pressed = null; // where the last movement ended: until the pointer leaves it, it heads for nothing
 
   /** Lays them out anew where the picture has changed its size. @returns {boolean} whether it has */
   fit(width, height) {
@@ -32,7 +33,7 @@ export class Tiles {
 
   /** @param {import("/pointpred.js").Prediction} prediction */
   predicted({ targets }) {
-    if (targets) this.shares = Object.fromEntries(targets.map(({ id, p }) => [id, p]));
+    if (targets && this.#pressed === null) this.shares = Object.fromEntries(targets.map(({ id, p }) => [id, p]));
   }
 
   /** @param {import("/pointpred.js").Choice} choice */
@@ -40,7 +41,7 @@ export class Tiles {
     if (choice.reason === "entered") return; // the frame is for predictions
     if (choice.action === "propose") this.proposed = choice.id;
     else if (this.proposed === choice.id) this.proposed = null;
-    this.shares[choice.id] = choice.p;
+    if (this.#pressed === null) this.shares[choice.id] = choice.p;
     this.ledger.take(choice);
   }
 
@@ -55,6 +56,7 @@ export class Tiles {
       const over = this.at(x, y);
       if (over !== null && over !== this.#over) this.ledger.enter(over, t);
       this.#over = over;
+      if (this.#pressed !== null && (x !== this.#pressed[0] || y !== this.#pressed[1])) this.#pressed = null;
     }
   }
 
@@ -62,6 +64,7 @@ export class Tiles {
   press([, x, y]) {
     const id = this.at(x, y);
     const lead = this.ledger.finish(id);
+    [this.shares, this.#pressed] = [{}, [x, y]];
     return id === null ? null : { lead_s: lead };
   }
 

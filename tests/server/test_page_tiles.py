@@ -98,18 +98,13 @@ def test_a_proposed_tile_is_framed_and_what_came_of_it_is_counted(visitor: Visit
     for tile, action in ((two, "propose"), (two, "retract"), (one, "propose")):
         visitor.value(f"say({{ type: 'choice', id: '{tile['id']}', p: 0.75, action: '{action}', t: 0 }})")
 
+    likely = {"type": "prediction", "t": 0, "x": None, "y": None, "targets": [{"id": one["id"], "p": 0.75}]}
+
     def framed() -> tuple[list[int], float] | None:
         if visitor.value(SHOWS) != "pointer":  # at first, and four seconds after the last movement
             visitor.mouse("mouseMoved", left + 200, top + 100)
             visitor.mouse("mouseMoved", left + 201, top + 100)
             visitor.wait(ANSWERED)
-        likely = {
-            "type": "prediction",
-            "t": 0,
-            "x": None,
-            "y": None,
-            "targets": [{"id": one["id"], "p": 0.75}],
-        }
         visitor.value(f"say({json.dumps(likely)})")
         found = tint(visitor, one)
         shown = visitor.value(f"[{SHOWS}, document.querySelector('#live-scene').dataset.ahead]")
@@ -121,6 +116,16 @@ def test_a_proposed_tile_is_framed_and_what_came_of_it_is_counted(visitor: Visit
     place = (left + one["x"] + one["width"] / 2, top + one["y"] + one["height"] / 2)
     visitor.mouse("mouseMoved", *place)
     visitor.click(*place)
+    visitor.value(f"say({json.dumps(likely)})")
+
+    def untinted() -> bool:
+        if visitor.value(SHOWS) != "pointer":
+            visitor.mouse("mouseMoved", place[0] - 3, place[1])
+            visitor.click(*place)
+        opacity = tint(visitor, one)[1]
+        return bool(opacity == 0 and visitor.value(SHOWS) == "pointer")
+
+    until(untinted, "nothing is tinted while the pointer rests where the movement ended")
     counted = "document.querySelector('#live-ledger').textContent"
     visitor.wait(f"{counted}.startsWith('Proposed in time: 1 of 1 movement, ')")
     assert visitor.value(counted).endswith(" ms early; 1 of 2 proposals wrong.")
