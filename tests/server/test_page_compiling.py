@@ -56,8 +56,10 @@ def test_the_page_says_what_is_compiled_and_what_can_be_used(visitor: Visitor, u
     visitor.wait(f"{LABELS}.length === {COUNT} && {LABELS}.some((label) => label.includes('not compiled'))")
     labels = visitor.value(LABELS)
     assert [label for label in labels if "not compiled yet" not in label] == [RECOMMENDED]
+    visitor.choose("#view-live select", RECOMMENDED)
+    visitor.wait(f"{LINE}.startsWith('Ready.')")
     visitor.value(f"window.compiling = {json.dumps(OTHER)}, 0")
-    visitor.wait(f"{LINE}.includes('only this once') && !{LINE}.includes('recommended predictor is ready')")
+    visitor.wait(f"{LINE}.startsWith('Compiling')")
     visitor.value(f"window.compiling = {json.dumps(DONE)}, 0")
     visitor.wait(f"{LINE} === 'Connected.'")
     assert sorted(visitor.value(LABELS)) == sorted(REGISTRY)
