@@ -12,7 +12,7 @@ from pointpred.datasets import sample
 from pointpred.errors import ParameterError
 from pointpred.pipeline import run
 from pointpred.recording import Recording
-from pointpred.registry import RECOMMENDED, REGISTRY, build
+from pointpred.registry import REGISTRY, build
 
 
 @cache
@@ -34,7 +34,6 @@ def listing() -> dict[str, Any]:
         "version": 1,
         "recording": recording.name,
         "simulated": True,
-        "preferred": RECOMMENDED,
         "predictors": shown,
         "samples": [
             {"name": name, "user": recording.trials[i].user, "events": len(recording.rows(i))}

@@ -25,6 +25,11 @@ VERDICT = {
     -1: "Your coefficients are worse than the shipped ones on movements that they were not fitted to: "
     "keep the shipped ones.",
 }
+HELD_OUT = {
+    "people": "people held out",
+    "recordings": "recordings held out, which may be of one person",
+    "movements": "movements of one person held out, in order",
+}
 
 
 def train(
@@ -50,6 +55,7 @@ def train(
     """Fit the coefficients of 'kinematic' to your own recordings, and score them beside the shipped ones.
 
     Scores are of movements that were held out: other people's, or other movements where there is one person.
+    The same user name in several recordings is the same person.
     It needs at least 50 movements, and the extra 'train', which brings scipy: pip install 'pointpred[train]',
     or pip install -e '.[train]' in a source checkout.
 
@@ -91,7 +97,7 @@ def described(trained: Trained) -> dict[str, Any]:
     return {
         "movements": trained.movements,
         "people": trained.people,
-        "held_out": "people" if trained.by_person else "movements",
+        "held_out": trained.parts,
         "better": trained.better,
         "sets": [
             {
@@ -111,11 +117,10 @@ def described(trained: Trained) -> dict[str, Any]:
 
 
 def _print(trained: Trained, out: Path) -> None:
-    screen, how = (
-        results(),
-        "people held out" if trained.by_person else "movements of one person held out, in order",
+    screen = results()
+    screen.print(
+        f"{counted(trained.movements, 'movement')}; {HELD_OUT[trained.parts]}", style="bold", markup=False
     )
-    screen.print(f"{counted(trained.movements, 'movement')}; {how}", style="bold", markup=False)
     table = Table(box=None, pad_edge=False)
     for i, heading in enumerate(HEADINGS):
         table.add_column(heading, justify="left" if i == 0 else "right", no_wrap=i == 0)

@@ -123,8 +123,8 @@ class AsyncConnection:
     def choices(self) -> list[Choice]:
         """What was proposed and retracted since the last call, oldest first, without waiting.
 
-        A prediction comes after the choices of its event: whoever has the one has the others. The newest
-        thousand are kept.
+        The choices of an event are received before its prediction: once a prediction is there, so are its
+        choices. The newest thousand are kept.
         """
         return self.dialogue.take_choices()
 

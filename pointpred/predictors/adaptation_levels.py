@@ -14,6 +14,7 @@ from math import exp, log
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.events import ROUNDING_S
 from pointpred.predictors.adaptation_stages import STAGES, place
 from pointpred.stage import Slot
 
@@ -49,15 +50,16 @@ MOMENT, MOST = 7, 48
 STATES = FIRST + MOMENT * MOST
 APART_S = 0.0071
 """Distance of the moments at first; when all places are taken every second is dropped and it doubles."""
-SLACK_S = 1e-6
-"""Times that differ by less are equal, so that rounding decides nothing."""
 LOWEST, HIGHEST = 1e-6, 40.0
 """Bounds on 2 / tail as a predictor states it: no exponential overflows."""
 
 
 @law
 def radius(level: float, heavy: float) -> float:
-    """Squared radius of a level's region over the tail; ``heavy``: 2 / tail."""
+    """Squared radius of a level's region over the tail; ``heavy``: 2 / tail.
+
+    The Student law of ``pointpred.regions.reach`` in the form that is compiled here.
+    """
     return float(exp(-heavy * log(1.0 - level)) - 1.0)
 
 
@@ -153,7 +155,7 @@ def learn(memory: FloatArray, known: int, at: int, x: float, y: float, start: fl
     k = 0
     for judged in range(1, JUDGED + 1):
         share = judged / (JUDGED + 1.0)
-        due = share * (end - start) + SLACK_S + 0.5 * memory[at + APART]
+        due = share * (end - start) + ROUNDING_S + 0.5 * memory[at + APART]
         while k + 1 < kept and memory[at + FIRST + MOMENT * (k + 1) + T] - start <= due:
             k += 1
         stated = surprise(memory, at + FIRST + MOMENT * k, x, y)

@@ -13,7 +13,7 @@ from pointpred.errors import EventError, EventOrderError
 from pointpred.events import PointerEvent, Prediction
 from pointpred.stage import Parameter, check
 from pointpred.targets import cursor, decision, posterior
-from pointpred.targets.choosing import ENTERED, INSIDE, OUTSIDE, step, walk
+from pointpred.targets.choosing import ENTERED, INSIDE, OUTSIDE, RELEASED, step, walk
 from pointpred.targets.given import refuse, usable, write
 from pointpred.targets.ledger import Ledger, Movement
 from pointpred.targets.rectangles import Target, table
@@ -243,13 +243,16 @@ class Chooser:
         return self.ledger.finish(float(self._memory[cursor.T]), target)
 
     def reset(self) -> None:
-        """Forget every event and the proposal; targets, parameters and the ledger's counts stay."""
+        """Forget every event and the proposals; targets, parameters and the ledger's counts stay.
+
+        A target that the cursor is in is not entered again before the cursor has left it, as after a release.
+        """
         self._memory = np.zeros(cursor.STATES)
         self._standing = self._over = decision.NOBODY
         self._answer[:] = nan
         self._shares[:] = 0.0
         self._shares[-1] = 1.0
-        self._inside[:] = OUTSIDE
+        self._inside[self._inside != OUTSIDE] = RELEASED
         self.ledger.drop()
 
     def _named(self, row: list[float]) -> list[tuple[Hashable, float]]:

@@ -1,13 +1,14 @@
 """Coefficients fitted to somebody's own recordings, and what they are worth on movements they do not know.
 
-Training goes on from the package's network unless told otherwise. People are held out in folds; where there
-is one person, movements are, in stretches of their order.
+Training goes on from the package's network unless told otherwise. People are held out in folds. Where there
+is one person, movements are, in stretches of their order. Users of one name are one person everywhere.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import Literal
 
 import msgspec
 import numpy as np
@@ -23,7 +24,7 @@ from pointpred.scoring import score
 from pointpred.scoring.bootstrap import ratio_intervals
 from pointpred.training import calibrate
 from pointpred.training.fitting import Settings, of_file
-from pointpred.training.people import FOLDS, VARIANTS, School, school
+from pointpred.training.people import FOLDS, VARIANTS, School, numbered, school
 from pointpred.training.train import Nets, card_of, folds, save, table_of, taught
 from pointpred.training.validate import known_by_set, of_users, pipeline_of
 
@@ -33,10 +34,19 @@ FIRM = Settings(passes=12, batch=512, rate=1e-3)
 """How it is fitted further to more."""
 MOVEMENTS_LEAST, MOVEMENTS_FIRM = 50, 100
 """With fewer movements than the first nothing can be held out; from the second on training is firm."""
-STEPS = 3 + 2 * FOLDS
-"""What ``progress`` counts to, at most."""
 
+UNKNOWN = "unknown"
+"""The user of a recording that names none."""
 Progress = Callable[[str, int, int], None]
+"""What has been reached, how many steps are done, and of how many; the last call says that all are."""
+Parts = Literal["people", "recordings", "movements"]
+"""What is held out. Recordings, where each has one user under a name of its own: these may be one person."""
+WORDS: dict[Parts, str] = {
+    "people": "people",
+    "recordings": "recordings",
+    "movements": "movements of one person",
+}
+"""As the card says it."""
 
 
 class HeldOut(msgspec.Struct, frozen=True):
@@ -60,8 +70,9 @@ class Trained(msgspec.Struct, frozen=True):
 
     movements: int
     people: int
-    by_person: bool
-    """Whether people were held out; otherwise movements of the one person, in stretches of their order."""
+    """Names of users; where recordings were held out, these may be one person."""
+    parts: Parts
+    """What was held out; movements of one person in stretches of their order."""
     held_out: tuple[HeldOut, ...]
 
     @property
@@ -94,19 +105,20 @@ def train_own(
     if path.resolve() == kinematic_coefficients.OWN.resolve():
         raise ParameterError(f"{path} is the package's own file, which `make train` writes; name another")
     start = None if from_scratch else of_file()
-    done = 0
+    _check_enough(sum(len(one.trials) for one in recordings))  # before the work on each of them
+    recordings = [_unknown_apart(one, k) for k, one in enumerate(recordings)]
+    people = {trial.user for one in recordings for trial in one.trials}
+    parts = _parts(recordings, len(people))
+    taken = _in_stretches(recordings) if parts == "movements" else recordings
+    done, steps = 0, _steps(School(tuple(taken), (), (), numbered(taken, by_name=True)))
 
     def say(what: str) -> None:
         nonlocal done
         done += 1
-        progress(what, min(done, STEPS), STEPS)
+        progress(what, done, steps)
 
-    _check_enough(sum(len(one.trials) for one in recordings))  # before the work on each of them
-    progress("reading movements", 0, STEPS)
-    people = {f"{one.name} {trial.user}" for one in recordings for trial in one.trials}
-    by_person = len(people) > 1
-    taken = recordings if by_person else [_in_stretches(one) for one in recordings]
-    made = school(taken, seed, lambda _: None, variants)
+    progress("reading movements", 0, steps)
+    made = school(taken, seed, lambda _: None, variants, by_name=True)
     movements = sum(len(np.unique(part.trial)) for part in made.own)
     _check_enough(movements)  # some trials hold none
     if settings is None:
@@ -116,18 +128,19 @@ def train_own(
     say("fitting")
     nets = folds(made, settings, say, start)
     known = [known_by_set(made, fitted, users, settings) for users, fitted in nets]
-    held_out = tuple(_judged(made, k, nets, known, by_person, say) for k in range(len(taken)))
+    held_out = tuple(_judged(made, k, nets, known, parts != "movements", say) for k in range(len(taken)))
     table = table_of(made, nets, settings)
     card = card_of(made, settings) | {
         "pointpred": pointpred.__version__,
         "start": None if from_scratch else kinematic_coefficients.digest(),
-        "held_out": "people" if by_person else "movements of one person",
+        "held_out": WORDS[parts],
     }
     for one in card["sets"]:
         one["licence"] = "unknown"
-        one["users"] = one["users"] if by_person else 1
+        one["users"] = 1 if parts == "movements" else one["users"]
     save(path, taught(made, set(), None, settings, start), table, card)
-    return Trained(movements, len(people), by_person, held_out)
+    say("written")
+    return Trained(movements, len(people), parts, held_out)
 
 
 def _check_enough(movements: int) -> None:
@@ -135,14 +148,45 @@ def _check_enough(movements: int) -> None:
         raise RecordingError(f"training needs {MOVEMENTS_LEAST} movements at least, there are {movements}")
 
 
-def _in_stretches(recording: Recording) -> Recording:
-    """One person's trials as if each fifth of them, in their order, were another person's."""
-    count = len(recording.trials)
+def _unknown_apart(recording: Recording, number: int) -> Recording:
+    """The same, in which the user that no file names is another one than that of other recordings."""
     trials = tuple(
-        msgspec.structs.replace(trial, user=f"{trial.user}, stretch {k * FOLDS // count + 1}")
-        for k, trial in enumerate(recording.trials)
+        msgspec.structs.replace(one, user=f"{UNKNOWN} {number}") if one.user == UNKNOWN else one
+        for one in recording.trials
     )
     return msgspec.structs.replace(recording, trials=trials)
+
+
+def _parts(recordings: list[Recording], people: int) -> Parts:
+    """What can be held out of recordings with so many names of users."""
+    if people == 1:
+        return "movements"
+    single = people == len(recordings) and all(
+        len({trial.user for trial in one.trials}) == 1 for one in recordings
+    )
+    return "recordings" if single else "people"
+
+
+def _steps(made: School) -> int:
+    """How many steps are reported: reading, a fit each fold, a score each fold and recording, the file."""
+    fold = made.fold()
+    scores = [
+        len({fold[made.users[f"{one.name} {trial.user}"]] for trial in one.trials}) for one in made.recordings
+    ]
+    return 1 + len(set(fold.values())) + sum(scores) + 1
+
+
+def _in_stretches(recordings: list[Recording]) -> list[Recording]:
+    """One person's trials as if each fifth of them all, in their order, were another person's."""
+    count, first, found = sum(len(one.trials) for one in recordings), 0, []
+    for recording in recordings:
+        trials = tuple(
+            msgspec.structs.replace(trial, user=f"{trial.user}, stretch {k * FOLDS // count + 1}")
+            for k, trial in enumerate(recording.trials, first)
+        )
+        found.append(msgspec.structs.replace(recording, trials=trials))
+        first += len(trials)
+    return found
 
 
 def _judged(

@@ -40,11 +40,11 @@ class School(msgspec.Struct, frozen=True):
     varied: tuple[Examples, ...]
     """Of each set and variant, one set after another."""
     users: dict[str, int]
-    """``set user`` to a number."""
+    """``set user`` to a number; one number for one person."""
 
     def fold(self) -> dict[int, int]:
         """The fold of each user: those of all sets dealt in turn, in an order that a seed fixes."""
-        order = np.random.default_rng(0).permutation(len(self.users)).tolist()
+        order = np.random.default_rng(0).permutation(len(set(self.users.values()))).tolist()
         return {user: place % FOLDS for place, user in enumerate(order)}
 
 
@@ -56,13 +56,23 @@ def folder() -> Path:
     return Path(named)
 
 
-def school(recordings: list[Recording], seed: int, say: Say, variants: int = VARIANTS) -> School:
-    """Make the examples of recordings."""
+def numbered(recordings: list[Recording], *, by_name: bool = False) -> dict[str, int]:
+    """``set user`` to a number; ``by_name``: users of one name have one number in all recordings."""
     users: dict[str, int] = {}
-    own, otherwise = [], []
+    numbers: dict[str, int] = {}
     for recording in recordings:
         for trial in recording.trials:
-            users.setdefault(f"{recording.name} {trial.user}", len(users))
+            key = f"{recording.name} {trial.user}"
+            users.setdefault(key, numbers.setdefault(trial.user if by_name else key, len(numbers)))
+    return users
+
+
+def school(
+    recordings: list[Recording], seed: int, say: Say, variants: int = VARIANTS, *, by_name: bool = False
+) -> School:
+    """Make the examples of recordings; ``by_name``: users of one name are one person in all of them."""
+    users = numbered(recordings, by_name=by_name)
+    own, otherwise = [], []
     for number, recording in enumerate(recordings):
         own.append(examples(recording, number, users, seed))
         for variant in range(variants):

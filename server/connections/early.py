@@ -1,4 +1,4 @@
-"""A client that comes while code is still compiled: it is waited with, and noticed when it leaves."""
+"""A client that connects while code is still being compiled: its messages wait, and leaving is noticed."""
 
 from __future__ import annotations
 
@@ -11,7 +11,8 @@ Message = MutableMapping[str, Any]
 
 MOST = 4096
 MOST_BYTES = 1 << 20
-"""Frames taken in meanwhile, and their size: who does not listen does not notice that a client leaves."""
+"""Frames read from the client while it waits, and their size in bytes. Only by reading does the service
+notice that a client has left. A client that sends more than this is read again after the wait."""
 
 
 class Early:

@@ -1,8 +1,8 @@
 """What a session still has to say: bounded, and predictions give way to newer ones.
 
-A client that reads slowly gets the newest prediction and is told how many it missed. However many gave way
-says nothing of whether it reads, for one frame may hold a thousand: only time does, which the connection
-keeps.
+A client that reads slowly gets the newest prediction and is told how many it missed. The number of missed
+predictions does not show whether a client still reads, because one frame of events may bring a thousand
+predictions. The connection therefore goes by the time since the client last read.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from pointpred.server.protocol.server_messages import Choice, ErrorMessage, enco
 
 Frame = str | bytes
 MOST_CHOICES = 64
-"""Choices that wait to be read; where there are more, what they come to."""
+"""At most so many choices wait to be read; of more, only those that still change what is proposed stay."""
 
 
 class Outbox:

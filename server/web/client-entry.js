@@ -1,13 +1,13 @@
 // What the page itself sees of observed elements, with or without a service: the keyboard's focus, a finger, the mouse over one.
 
-const HERE = /** @type {const} */ (["entered", "focus", "touch"]);
+const MOST_FINGERS = 16; // a finger whose end was never heard gives way to a new one
 
 /**
  * Proposes an observed element when the keyboard's focus or a finger comes to it, and when the mouse enters it while
  * nobody else says so. Of elements inside each other the innermost counts.
  */
 export class Entry {
-  #observed; #proposals; #alone = true; #under = null; #focused = null; #touched = null; #held = new Map();
+  #observed; #proposals; #alone = true; #under = null; #focused = null; #fingers = new Map(); #held = new Map();
 
   /**
    * @param {EventTarget} element whose events are heard
@@ -23,9 +23,9 @@ export class Entry {
     const touch = ({ pointerType }) => pointerType === "touch";
     hear("pointerover", (target, event) => touch(event) || this.#look(event.timeStamp, { under: target }));
     hear("pointerout", (_, event) => touch(event) || event.relatedTarget || this.#look(event.timeStamp, { under: null }));
-    hear("pointerdown", (target, event) => touch(event) && this.#look(event.timeStamp, { touched: target }));
+    hear("pointerdown", (target, event) => touch(event) && this.#touch(event, target));
     for (const end of ["pointerup", "pointercancel"])
-      hear(end, (_, event) => touch(event) && this.#look(event.timeStamp, { touched: null }));
+      hear(end, (_, event) => touch(event) && this.#touch(event, null));
   }
 
   /** Whether nobody else says what is entered. @param {boolean} alone */
@@ -39,9 +39,21 @@ export class Entry {
     this.#look(performance.now(), {});
   }
 
-  #look(timeStamp, { under = this.#under, focused = this.#focused, touched = this.#touched }) {
-    [this.#under, this.#focused, this.#touched] = [under, focused, touched];
-    HERE.forEach((reason, i) => this.#hold(reason, this.#around([under, focused, touched][i]), timeStamp / 1000));
+  #look(timeStamp, { under = this.#under, focused = this.#focused }) {
+    [this.#under, this.#focused] = [under, focused];
+    this.#hold("entered", "entered", this.#around(under), timeStamp / 1000);
+    this.#hold("focus", "focus", this.#around(focused), timeStamp / 1000);
+    for (const [finger, element] of [...this.#fingers]) this.#hold(`touch ${finger}`, "touch", this.#around(element), timeStamp / 1000);
+  }
+
+  /** A finger is put on an element, or lifted: each touches what it touches until it is itself lifted. */
+  #touch({ pointerId, timeStamp }, element) {
+    const oldest = this.#fingers.size === MOST_FINGERS && element && !this.#fingers.has(pointerId) ? this.#fingers.keys().next().value : pointerId;
+    for (const [finger, touched] of [[oldest, null], [pointerId, element]]) {
+      if (touched) this.#fingers.set(finger, touched);
+      else this.#fingers.delete(finger);
+      this.#hold(`touch ${finger}`, "touch", this.#around(touched), timeStamp / 1000);
+    }
   }
 
   /** The innermost observed element around one. @returns {{id: string, element: Element}|null} */
@@ -53,13 +65,13 @@ export class Entry {
     return null;
   }
 
-  #hold(reason, now, t) {
-    const before = this.#held.get(reason);
+  #hold(source, reason, now, t) {
+    const before = this.#held.get(source);
     if (before?.id === now?.id) return;
-    this.#held.delete(reason);
+    this.#held.delete(source);
     const begins = now !== null && (reason !== "entered" || this.#alone);
-    if (begins) this.#held.set(reason, now);
-    if (before) this.#proposals.end(reason, before.id, { t });
-    if (begins) this.#proposals.begin(reason, { type: "choice", ...now, p: 1, action: "propose", t, reason });
+    if (begins) this.#held.set(source, now);
+    if (before) this.#proposals.end(source, before.id, { t });
+    if (begins) this.#proposals.begin(source, { type: "choice", ...now, p: 1, action: "propose", t, reason });
   }
 }

@@ -1,5 +1,6 @@
 // Simulated movements of the embedded sample, made to end on a tile, with what the service answers to each event of them.
 
+import { Ledger } from "./ledger.js";
 import { speed } from "./live-movement.js";
 import { read, token } from "./service.js";
 import { connect } from "/pointpred.js";
@@ -11,7 +12,7 @@ const APART_S = 1000; // from one movement to the next
 
 /**
  * @typedef {{rows: number[][], answers: object[], proposals: (string|null)[], delays: number[], speeds: number[], tile: string}} Take
- *   rows [t s from 0, x, y]; after each: the prediction, the proposed tile, ms until the answer came, px/s; where it ends
+ *   rows [t s from 0, x, y]; after each: the prediction, the predicted tile, ms until the answer came, px/s; where it ends
  */
 
 /** Without the rest before and after, at the pace of a mouse. @returns {number[][]} [t s, x, y] */
@@ -81,10 +82,12 @@ function answersTo(connection, rows, offset) {
   });
 }
 
-/** Which tile is proposed after each event. @param {number[]} times s @param {import("/pointpred.js").Choice[]} choices */
+/** Which tile is predicted after each event. @param {number[]} times s @param {import("/pointpred.js").Choice[]} choices */
 export function proposedAt(times, choices) {
+  const ledger = new Ledger();
+  let next = 0;
   return times.map((time) => {
-    const choice = choices.findLast(({ t }) => t !== null && t <= time);
-    return choice?.action === "propose" ? choice.id : null;
+    for (; next < choices.length && choices[next].t <= time; next += 1) ledger.take(choices[next]);
+    return ledger.standing;
   });
 }

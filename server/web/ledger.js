@@ -16,6 +16,11 @@ export class Ledger {
     if (action === "propose") this.#made.push(id);
   }
 
+  /** The id of the target that is predicted now. @returns {string|null} */
+  get standing() {
+    return this.#standing?.id ?? null;
+  }
+
   /** The pointer went into a target; only the first time in a movement counts. @param {string} id @param {number} t s */
   enter(id, t) {
     if (!this.#entered.has(id)) this.#entered.set(id, this.#standing?.id === id ? t - this.#standing.t : null);

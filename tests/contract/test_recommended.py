@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import inspect
 import pkgutil
+import re
 from collections.abc import Callable, Iterator
 from importlib import import_module
+from importlib.resources import files
 from typing import Any
 
 import msgspec
 import pytest
 
-import pointpred
 from pointpred import RECOMMENDED, REGISTRY, EventColumns, build, run
 from pointpred.client import connect, connect_async
 from pointpred.client.dialogue import Dialogue
-from pointpred.server import samples
 from tests.unit.talking import Talk, events
 
 ROWS = [[i / 60, 3.0 * i * i, 0.5 * i * i, None, None, 0] for i in range(12)]
@@ -60,9 +60,21 @@ def test_every_default_is_the_recommended_one() -> None:
     } <= set(found)
 
 
-def test_it_is_a_name_of_the_registry_and_what_the_page_begins_with() -> None:
+def test_it_is_a_name_of_the_registry() -> None:
     assert RECOMMENDED in REGISTRY
-    assert samples.listing()["preferred"] == pointpred.RECOMMENDED
+
+
+@pytest.mark.parametrize(
+    ("script", "default"),
+    [
+        ("service.js", r'^export const PREFERRED = "([^"]*)";$'),
+        ("pointpred.js", r'^    this\.#options = \{ predictor: "([^"]*)",'),
+        ("pointpred.js", r'\[predictor\] a name of the registry; "([^"]*)" unless given$'),
+    ],
+)
+def test_the_scripts_say_it(script: str, default: str) -> None:
+    text = (files("pointpred.server") / "web" / script).read_text(encoding="utf-8")
+    assert re.findall(default, text, re.MULTILINE) == [RECOMMENDED]
 
 
 @pytest.mark.parametrize("call", [connect, connect_async])

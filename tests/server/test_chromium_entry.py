@@ -117,6 +117,39 @@ def test_a_finger_proposes_an_element_and_lifting_it_ends_that(page: Page, url: 
     )
 
 
+def finger(page: Page, kind: str, number: int, on: str) -> None:
+    more = f"{{ pointerId: {number}, pointerType: 'touch', bubbles: true, composed: true }}"
+    page.evaluate(
+        f"document.getElementById('{on}').dispatchEvent(new PointerEvent('pointer{kind}', {more})) && 0"
+    )
+
+
+def test_a_finger_stays_while_another_is_lifted(page: Page) -> None:
+    connected(page, NOWHERE)
+    for kind, number, on, said in (
+        ("down", 1, "first", [["propose", "first", "touch"]]),
+        ("down", 2, "second", [["propose", "second", "touch"]]),
+        ("down", 3, "inner", []),  # two fingers on one element
+        ("up", 1, "first", []),
+        ("cancel", 3, "inner", [["retract", "first", None]]),
+        ("up", 2, "second", [["retract", "second", None]]),
+    ):
+        before = len(heard(page))
+        finger(page, kind, number, on)
+        assert heard(page)[before:] == said, (kind, number)
+
+
+def test_fingers_whose_end_is_never_heard_are_bounded(page: Page) -> None:
+    connected(page, NOWHERE)
+    for number in range(40):
+        finger(page, "down", number, "second" if number else "first")
+    assert heard(page) == [
+        ["propose", "first", "touch"],
+        ["propose", "second", "touch"],
+        ["retract", "first", None],
+    ]
+
+
 def test_without_a_service_the_mouse_proposes_what_it_enters(page: Page) -> None:
     connected(page, NOWHERE)
     mouse(page, 50, 50)

@@ -224,3 +224,18 @@ def test_stretches_of_phases(visitor: Visitor) -> None:
     ]
     found = call(visitor, "strip", "m.stretches(s)", s=samples)
     assert found == [["ballistic", 1, 3], ["corrective", 3, 4]]
+
+
+def test_an_entry_takes_nothing_from_the_prediction_of_another_tile(visitor: Visitor) -> None:
+    """Of each choice: time, target, what to do, why; the tile that is predicted is what the demo shows."""
+    rows = [
+        (1.0, "goal", "propose", "predicted"),
+        (2.0, "passed", "propose", "entered"),
+        (3.0, "passed", "retract", None),
+        (5.0, "goal", "retract", None),
+        (5.0, "other", "propose", "predicted"),
+    ]
+    choices = [dict(zip(("t", "id", "action", "reason"), row, strict=True)) for row in rows]
+    times = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0]
+    said = call(visitor, "demo-takes", "m.proposedAt(times, choices)", times=times, choices=choices)
+    assert said == [None, "goal", "goal", "goal", "goal", "other", "other"]

@@ -82,9 +82,27 @@ def test_what_goes_away_is_retracted_and_what_stays_is_not_entered_again() -> No
     assert [(one.id, one.action) for one in chooser.replace([BUTTON])] == [("card", "retract")]
     assert chooser.replace([BUTTON, CARD]) == ()
     assert told(chooser, [(0.2, 152.0, 50.0, 0)]) == [("propose", "card", "entered")]
+
+
+@pytest.mark.parametrize("buttons", [(0,), (0, 1), (0, 1, 0)], ids=["inside", "pressed", "released"])
+def test_a_reset_ends_it_until_the_cursor_has_left(buttons: tuple[int, ...]) -> None:
+    chooser = still(CARD)
+    told(chooser, [(0.1 * i, 150.0, 50.0, down) for i, down in enumerate(buttons)])
     chooser.reset()
     assert chooser.entered is None
-    assert told(chooser, [(0.0, 152.0, 50.0, 0)]) == [("propose", "card", "entered")]
+    assert told(chooser, [(0.0, 150.0, 50.0, 0), (0.1, 160.0, 50.0, 0)]) == []
+    assert told(chooser, [(0.2, 0.0, 0.0, 0), (0.3, 150.0, 50.0, 0)]) == [("propose", "card", "entered")]
+
+
+def test_a_reset_far_from_a_target_takes_nothing_from_its_next_entry() -> None:
+    chooser = still(CARD, Target("other", 400.0, 0.0, 200.0, 142.0))
+    told(chooser, [(0.0, 150.0, 50.0, 0)])
+    chooser.reset()
+    assert told(chooser, [(0.0, 450.0, 50.0, 0)]) == [("propose", "other", "entered")]
+    assert told(chooser, [(0.1, 150.0, 50.0, 0)]) == [
+        ("retract", "other", None),
+        ("propose", "card", "entered"),
+    ]
 
 
 def test_a_pass_through_a_menu_proposes_a_row_at_a_time_and_predicts_none() -> None:

@@ -23,6 +23,7 @@ from pointpred.scoring import score
 from pointpred.sources.recordings import write
 from pointpred.training import fitting, own, people, train
 from pointpred.training.fitting import Settings
+from pointpred.training.people import FOLDS
 from tests.unit.test_training import reaches
 
 TINY = Settings(passes=1, batch=512, rate=3e-4)
@@ -38,6 +39,13 @@ def mine(count: int = 60, users: int = 2) -> Recording:
 def trained(path: Path, recording: Recording | None = None, **options: Any) -> own.Trained:
     options = {"settings": TINY, "variants": 0, **options}
     return own.train_own([recording or mine()], path, **options)
+
+
+def named(name: str, *users: str, count: int = 30) -> Recording:
+    """A recording of so many reaches, of these users in turn."""
+    made = mine(count, len(users))
+    trials = tuple(msgspec.structs.replace(one, user=users[int(one.user[1:])]) for one in made.trials)
+    return msgspec.structs.replace(made, name=name, trials=trials)
 
 
 def test_the_network_of_the_file_is_what_training_goes_on_from() -> None:
@@ -56,7 +64,7 @@ def test_training_on_own_movements_lowers_their_error(tmp_path: Path) -> None:
         tmp_path / "me.npz", mine(80, 4), settings=msgspec.structs.replace(TINY, passes=6), variants=1
     )
     (one,) = result.held_out
-    assert (result.movements, result.people, result.by_person) == (80, 4, True)
+    assert (result.movements, result.people, result.parts) == (80, 4, "people")
     assert one.own.mean() < 0.9 * one.shipped.mean() < one.hold.mean()
     assert one.ratio[0] == pytest.approx(one.own.mean() / one.shipped.mean())
     assert one.ratio[1] < one.ratio[0] < one.ratio[2] < 1.0
@@ -81,11 +89,64 @@ def shipped_errors(recording: Recording) -> np.ndarray:
 
 def test_one_person_is_held_out_in_stretches_of_their_movements(tmp_path: Path) -> None:
     result = trained(tmp_path / "me.npz", mine(60, 1))
-    assert (result.people, result.by_person) == (1, False)
+    assert (result.people, result.parts) == (1, "movements")
     assert len(result.held_out[0].hold) == 60
     said = kinematic_coefficients.card(tmp_path / "me.npz")
     assert said["sets"][0]["users"] == 1
     assert said["held_out"] == "movements of one person"
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "people", "parts"),
+    [
+        (["ann"], ["ann"], 1, "movements"),
+        (["ann", "bob"], ["ann", "bob"], 2, "people"),
+        (["ann"], ["ann", "bob"], 2, "people"),
+        (["ann"], ["bob"], 2, "recordings"),
+        (["unknown"], ["unknown"], 2, "recordings"),
+    ],
+)
+def test_a_name_is_one_person_in_all_recordings(
+    first: list[str],
+    second: list[str],
+    people: int,
+    parts: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    made: list[tuple[train.School, train.Nets]] = []
+    counted: list[tuple[int, int]] = []
+
+    def folds(school: train.School, *rest: Any) -> train.Nets:
+        made.append((school, train.folds(school, *rest)))
+        return made[0][1]
+
+    monkeypatch.setattr(own, "folds", folds)
+    result = own.train_own(
+        [named("one", *first), named("two", *second)],
+        tmp_path / "me.npz",
+        settings=TINY,
+        variants=0,
+        progress=lambda what, done, steps: counted.append((done, steps)),
+    )
+    assert (result.people, result.parts) == (people, parts)
+    assert kinematic_coefficients.card(tmp_path / "me.npz")["held_out"].split()[0] == parts
+    assert [len(one.hold) for one in result.held_out] == [30, 30]
+    steps = len(counted) - 1  # the first call says that nothing is done
+    assert counted == [(done, steps) for done in range(steps + 1)]
+    ((school, nets),) = made
+    assert len(nets) == (people if people > 1 else FOLDS)
+    if parts == "people":
+        for name in {*first, *second}:
+            keys = {school.users[key] for key in school.users if key.endswith(f" {name}")}
+            assert [len(keys & out) for out, _ in nets].count(0) == len(nets) - 1
+
+
+def test_few_movements_of_each_of_many_recordings_are_held_out(tmp_path: Path) -> None:
+    """Stretches go through all recordings: one of a single movement can still be held out."""
+    recordings = [named(f"part {k}", "ann", count=10) for k in range(6)]
+    result = own.train_own(recordings, tmp_path / "me.npz", settings=TINY, variants=0)
+    assert [len(one.hold) for one in result.held_out] == [10] * 6
 
 
 def test_the_card_says_what_it_was_made_from(tmp_path: Path) -> None:
