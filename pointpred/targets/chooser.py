@@ -279,7 +279,11 @@ class Chooser:
         if over not in (before_over, decision.NOBODY):
             self.ledger.propose_entered()
             changed.append(self._choice(over, "propose", "entered"))
-        return tuple(changed)
+        # A target whose reason alone has changed stays proposed: nobody is to begin with it again.
+        stays = {one.id for one in changed if one.action == "retract"} & {
+            one.id for one in changed if one.action == "propose"
+        }
+        return tuple(one for one in changed if one.id not in stays)
 
     def _choice(
         self, place: int, action: Literal["propose", "retract"], reason: Reason | None = None

@@ -93,6 +93,7 @@ export class Connection {
   #url; #options; #wishes; #socket = null; #listeners = new Map(NAMES.map((name) => [name, new Set()]));
   #waiting; #unanswered = []; #tries = 0; #openedAt = 0; #saidAt = 0; #retry; #why = ""; #met = false; #warned = false;
   #told = NO_TARGETS; #over = 0; #count = 0; #likely = []; #pointer = null; #targets; #person;
+  #past = -Infinity; #missed = new Map(); // the newest event that waited for a connection, and choices up to it
   #entry; #proposals = new Proposals((choice) => this.#emit("choice", this.#named(choice)));
   #stop = new AbortController(); #alive;
 
@@ -293,6 +294,8 @@ export class Connection {
     this.#entry.alone = true;
     this.#proposals.endAll("service");
     this.#likely = [];
+    this.#missed.clear();
+    this.#past = -Infinity;
     if (this.#why === "unauthorized" || this.#why === "hello") return this.#become("refused");
     if (this.#why === "idle" && this.#waiting.length === 0) return this.#become("idle");
     const wait = Math.min(LONGEST_WAIT_MS, FIRST_WAIT_MS * 2 ** this.#tries++) * (0.75 + 0.5 * Math.random());
@@ -335,7 +338,14 @@ export class Connection {
     if (this.#listeners.has(message.type)) this.#emit(message.type, message);
   }
 
+  /** A choice about the past, from events that waited for a connection, is announced once a later event confirms it. */
   #chosen(choice) {
+    if (choice.t !== null && choice.t <= this.#past) {
+      if (choice.action === "propose") this.#missed.set(choice.id, choice);
+      else this.#missed.delete(choice.id);
+      return;
+    }
+    if (choice.action === "retract" && this.#missed.delete(choice.id)) return;
     if (choice.action === "propose") this.#proposals.begin("service", this.#named(choice));
     else this.#proposals.end("service", choice.id, choice);
   }
@@ -347,6 +357,10 @@ export class Connection {
   }
 
   #predicted(prediction) {
+    if (this.#missed.size && prediction.t > this.#past) {
+      for (const choice of this.#missed.values()) this.#proposals.begin("service", this.#named(choice));
+      this.#missed.clear();
+    }
     if (prediction.targets) prediction.targets = this.#likely = prediction.targets.map((one) => this.#named(one));
     const answered = this.#unanswered;
     while (answered.length && answered[0].t < prediction.t) answered.shift();
@@ -364,8 +378,10 @@ export class Connection {
     this.#sendTargets();
     if (this.#socket === null) return; // closed by who heard of an error
     for (const { rows, message: kept } of this.#waiting.take(message.limits, this.#count)) {
-      if (rows) this.#sendRows(rows);
-      else this.#transmit(JSON.stringify(kept));
+      if (rows) {
+        this.#past = rows.at(-1)[0];
+        this.#sendRows(rows);
+      } else this.#transmit(JSON.stringify(kept));
     }
     this.#entry.alone = false;
     this.#become("open");

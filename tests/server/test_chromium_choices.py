@@ -53,3 +53,21 @@ def test_a_choice_names_its_element_and_ends_with_the_session(page: Page, encodi
     soon(lambda: page.evaluate("connection.proposed") is None, "what is lost proposes nothing")
     assert page.evaluate("heard")[-1] == ["retract", "goal", True, None]
     assert page.evaluate("connection.probability('goal')") == 0
+
+
+def test_choices_about_the_past_wait_for_the_next_movement(page: Page) -> None:
+    """What waited for a connection is sent, but a proposal it makes is announced by a later event only."""
+    with Listener() as listener:
+        page.go(listener.url)
+        page.evaluate(CONNECT.replace("ENCODING", "binary"))
+        soon(lambda: page.evaluate("connection.state") == "open", "the connection is open")
+    soon(lambda: page.evaluate("connection.state") == "waiting", "the loss was noticed")
+    page.evaluate("connection.on('prediction', ({ t }) => { window.last = t; })")
+    page.evaluate(MOVE)
+    with Listener(listener.port) as again:
+        soon(lambda: len(again.events()) == 40, "what waited was sent")
+        soon(lambda: page.evaluate("window.last === 0.39"), "all of it was answered")
+        assert page.evaluate("heard") == []
+        page.evaluate("connection.send([[0.4, 400 * (4 / 6) ** 2 * (3 - 8 / 6), 100]])")
+        soon(lambda: page.evaluate("heard.length") > 0, "the proposal that stands is announced")
+        assert page.evaluate("heard[0].slice(0, 2)") == ["propose", "goal"]

@@ -179,3 +179,22 @@ def test_at_entry_at_the_latest_and_never_twice(
         if smallest is not None and smallest not in before:
             assert smallest in stand
         before = inside
+
+
+@given(st.integers(0, 2**32 - 1))
+def test_one_event_never_ends_and_begins_a_proposal_of_one_target(seed: int) -> None:
+    """A reason that changes is no news: the target stays proposed."""
+    noise = np.random.default_rng(seed)
+    chooser = Chooser([around(str(i), 90.0 * i, 0.0, 70.0) for i in range(5)], precision=0.3)
+    x, proposed = 0.0, set()
+    for i in range(120):
+        x += float(noise.normal(0.0, 12.0)) + (4.0 if i % 60 < 30 else -4.0)
+        aim = Prediction(
+            i / 50, x + float(noise.normal(0.0, 120.0)), 0.0, (400.0, 0.0, 400.0), "ballistic", 0.2
+        )
+        changes = chooser.update(aim, PointerEvent(i / 50, x, 0.0))
+        assert len({one.id for one in changes}) == len(changes)
+        for one in changes:
+            assert (one.id in proposed) == (one.action == "retract")
+            (proposed.discard if one.action == "retract" else proposed.add)(one.id)
+        assert proposed == {one for one in (chooser.standing, chooser.entered) if one is not None}
