@@ -21,6 +21,7 @@ from typing import Any
 from urllib.request import urlopen
 
 from websockets.sync.client import ClientConnection, connect
+from websockets.typing import Subprotocol
 
 from benchmarks.arguments import words
 from benchmarks.markdown import filled, table
@@ -100,7 +101,7 @@ def started(name: str, folder: Path, environment: dict[str, str]) -> list[tuple[
 def greeted(url: str) -> Iterator[ClientConnection]:
     """A session with the recommended predictor."""
     address = url.replace("http", "ws", 1) + "v1/stream"
-    with connect(address, subprotocols=[SUBPROTOCOL], open_timeout=PATIENCE_S) as socket:  # type: ignore[list-item]
+    with connect(address, subprotocols=[Subprotocol(SUBPROTOCOL)], open_timeout=PATIENCE_S) as socket:
         socket.send(json.dumps({"type": "hello", "version": 1, "predictor": RECOMMENDED}))
         socket.recv(PATIENCE_S)
         yield socket
