@@ -24,23 +24,10 @@ CONNECT = """import("/pointpred.js").then(({ connect }) => {
 })"""
 
 
-@pytest.fixture(scope="module")
-def devtools(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    with browser.running(tmp_path_factory.mktemp("profile")) as address:
-        yield address
-
-
 @pytest.fixture
 def listener() -> Iterator[Listener]:
     with Listener(limits=Limits(idle_s=3600.0)) as service:  # targets are not said again to stay
         yield service
-
-
-@pytest.fixture
-def page(devtools: str, listener: Listener) -> Iterator[Page]:
-    with browser.tab(devtools, listener.url) as tab:
-        yield tab
-        tab.call("Page.close")
 
 
 def connected(page: Page, options: str = "{}") -> None:

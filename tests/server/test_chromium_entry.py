@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import Any
 
 import pytest
@@ -30,24 +29,10 @@ NOWHERE = "'http://127.0.0.1:9'"
 """Nobody listens at the port of discard."""
 
 
-@pytest.fixture(scope="module")
-def devtools(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    with browser.running(tmp_path_factory.mktemp("profile")) as address:
-        yield address
-
-
 @pytest.fixture
-def listener() -> Iterator[Listener]:
-    with Listener() as service:
-        yield service
-
-
-@pytest.fixture
-def page(devtools: str, listener: Listener) -> Iterator[Page]:
-    with browser.tab(devtools, listener.url) as tab:
-        tab.evaluate(PAGE)
-        yield tab
-        tab.call("Page.close")
+def page(page: Page) -> Page:
+    page.evaluate(PAGE)
+    return page
 
 
 def connected(page: Page, url: str = "undefined", options: str = "{}") -> None:

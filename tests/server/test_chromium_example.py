@@ -24,12 +24,6 @@ def devtools(tmp_path: Path) -> Iterator[str]:
         yield address
 
 
-@pytest.fixture
-def listener() -> Iterator[Listener]:
-    with Listener() as service:
-        yield service
-
-
 def stamped(page: Page, events: EventColumns) -> None:
     """Move a page's mouse along events at their own times, one sample a dispatch on any machine."""
     began = time.time()

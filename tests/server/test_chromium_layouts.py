@@ -84,12 +84,6 @@ def service(site: str) -> Iterator[Running]:
         yield here
 
 
-@pytest.fixture(scope="module")
-def devtools(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    with browser.running(tmp_path_factory.mktemp("profile")) as address:
-        yield address
-
-
 def people() -> Recording:
     assert FOLDER is not None
     return read(Path(FOLDER) / "humanmovemouse_samples.parquet")

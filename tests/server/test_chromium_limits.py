@@ -19,24 +19,11 @@ ROWS = "Array.from({{ length: {} }}, (_, i) => [i / 1000, i, 0, null, null, 0])"
 MOST_PER_S = 2000
 
 
-@pytest.fixture(scope="module")
-def devtools(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    with browser.running(tmp_path_factory.mktemp("profile")) as address:
-        yield address
-
-
 @pytest.fixture
 def listener() -> Iterator[Listener]:
     limits = Limits(max_events_per_s=MOST_PER_S, idle_s=3600.0)  # targets are not said again to stay
     with Listener(limits=limits) as service:
         yield service
-
-
-@pytest.fixture
-def page(devtools: str, listener: Listener) -> Iterator[Page]:
-    with browser.tab(devtools, listener.url) as tab:
-        yield tab
-        tab.call("Page.close")
 
 
 @pytest.mark.parametrize("letter", ["a", "ä", "\N{GRINNING FACE}"])

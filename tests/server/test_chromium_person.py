@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
 from typing import Any
-
-import pytest
 
 from pointpred import EventColumns, Pipeline, build, run
 from pointpred.replaying import Page
@@ -19,25 +16,6 @@ pytestmark = browser.needed
 NAME = "kinematic-adaptive"
 WAYS = [300.0, 420.0, 360.0, 500.0]
 WITH_PERSON = CONNECT.replace("prediction: []", "prediction: [], person: []")
-
-
-@pytest.fixture(scope="module")
-def devtools(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    with browser.running(tmp_path_factory.mktemp("profile")) as address:
-        yield address
-
-
-@pytest.fixture
-def listener() -> Iterator[Listener]:
-    with Listener() as service:
-        yield service
-
-
-@pytest.fixture
-def page(devtools: str, listener: Listener) -> Iterator[Page]:
-    with browser.tab(devtools, listener.url) as tab:
-        yield tab
-        tab.call("Page.close")
 
 
 def reach(px: float) -> list[list[float]]:

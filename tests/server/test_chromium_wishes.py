@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import pytest
 
 from pointpred import RECOMMENDED
@@ -25,25 +23,6 @@ window.WebSocket = class extends Plain {
 };
 """
 """Acts when hello is on the wire and its answer is not yet there."""
-
-
-@pytest.fixture(scope="module")
-def devtools(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    with browser.running(tmp_path_factory.mktemp("profile")) as address:
-        yield address
-
-
-@pytest.fixture
-def listener() -> Iterator[Listener]:
-    with Listener() as service:
-        yield service
-
-
-@pytest.fixture
-def page(devtools: str, listener: Listener) -> Iterator[Page]:
-    with browser.tab(devtools, listener.url) as tab:
-        yield tab
-        tab.call("Page.close")
 
 
 def wishes(listener: Listener) -> list[dict]:

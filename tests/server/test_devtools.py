@@ -27,12 +27,6 @@ for (const name of ["pointermove", "pointerdown", "pointerup", "click", "auxclic
   }, true);"""
 
 
-@pytest.fixture(scope="module")
-def devtools(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    with browser.running(tmp_path_factory.mktemp("profile")) as address:
-        yield address
-
-
 @pytest.fixture
 def page(devtools: str) -> Iterator[Page]:
     with Listener() as listener, browser.tab(devtools, listener.url) as tab:
