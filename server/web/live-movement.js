@@ -12,7 +12,8 @@ export const NEAR_PX = 40;
  * @typedef {{distance: number, arrival: number, reached: number, spoke: Knowledge[]}} Verdict px; s: when the pointer
  *   arrived, and when it was itself within 40 px for good
  * @typedef {{name: string, known: number|null, lead_s: number|null}} Knowledge of a predictor: since when it was within
- *   40 px, s; by how much that was before the arrival, 0 where the pointer was there as early, null where it said nothing
+ *   40 px, s; by how much that was before the arrival, 0 where the pointer was there as early, null where it said nothing or
+ *   was cut off 0.3 s or more before the arrival
  */
 
 /** Gathers one movement at a time: a pause of 0.3 s, or a press, separates two. */
@@ -58,7 +59,8 @@ export class Movement {
     const spoke = this.#answers.map((answers) => {
       const within = answers.filter(([t]) => t >= first[0] && t <= arrival);
       const name = within[within.length - 1]?.[3];
-      if (!within.some(([, x]) => x !== null)) return { name, known: null, lead_s: null };
+      const silent = !within.some(([, x]) => x !== null) || arrival - within[within.length - 1][0] > PAUSE_S;
+      if (silent) return { name, known: null, lead_s: null }; // one that was cut off on the way is not judged
       const known = since(within.filter((one) => one[3] === name), end, NEAR_PX);
       return { name, known, lead_s: known !== null && known < reached ? arrival - known : 0 };
     });

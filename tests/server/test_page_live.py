@@ -187,8 +187,10 @@ KNOWN = """import("/web/live-movement.js").then(({ Movement }) => {
     ("said", "lead_s"),
     [
         ([[0.2, 150], [0.3, 380], [0.8, 410]], 0.67),
-        ([[0.2, 390], [0.5, 300], [0.6, 390]], 0.37),  # it was lost on the way
-        ([[0.2, 390], [0.5, None]], 0.0),  # nothing said is not known
+        ([[0.2, 390], [0.5, 300], [0.8, 390]], 0.17),  # it was lost on the way
+        ([[0.2, 390], [0.8, None]], 0.0),  # nothing said is not known
+        ([[0.2, 390], [0.6, 390]], None),  # the service was away from then on
+        ([[0.2, 390], [0.6, 100]], None),
         ([[0.92, 400]], 0.0),  # the pointer was as near before
         ([[0.98, 400]], None),  # after the arrival
         ([], None),
