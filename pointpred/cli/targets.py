@@ -12,7 +12,8 @@ from pointpred.cli.screen import counted, results
 if TYPE_CHECKING:
     from pointpred.recording import Recording
 
-DIAL = "0.8"
+DIAL = "0.5"
+"""The precision that is shown: the one that sessions begin with."""
 SHOWN = ("0.2", "0.3", "0.4", "0.5", "0.6", "0.7", "0.8", "0.9")
 HEADINGS = ("predictor", *(f"{float(time):.0%}" for time in SHOWN))
 DECIDED = (
@@ -47,7 +48,7 @@ def described(
 
 
 def print_targets(sets: list[dict[str, Any]]) -> None:
-    """Two tables a set: shares right by time, and decisions at the dial's 0.8."""
+    """Two tables a set: shares right by time, and decisions at the usual precision."""
     for one in sets:
         title = f"{one['name']}: {counted(one['trials'], 'movement')}, {one['layout']}"
         results().print(title, style="bold", markup=False)
