@@ -61,6 +61,7 @@ $(RUNS): pyproject.toml constraints.txt
 	@echo 'installing what running needs into .venv, about half a minute' >&2
 	'$(PYTHON)' -m venv .venv
 	$(BIN)/python $(INSTALL) .
+	$(BIN)/python -m compileall -q pointpred server datasets
 	touch $(RUNS)
 
 $(READY): $(RUNS)

@@ -17,14 +17,12 @@ from msgspec import Struct
 
 from pointpred.registry import RECOMMENDED, REGISTRY
 from pointpred.server.compiling.order import Order
-from pointpred.server.compiling.parts import PIECES, Part, parts
+from pointpred.server.compiling.parts import FIRST, Part, parts
 from pointpred.server.compiling.worker import ASIDE, Worker
 from pointpred.server.logs import place_of
 
 log = logging.getLogger("pointpred.service")
 
-FIRST = (*PIECES, RECOMMENDED)
-"""What the first answer needs: compiled at full speed; the rest lets whatever else runs go first."""
 WORKERS = 2
 REPLACEMENTS = 2
 """Workers that may take the place of one that has ended; after them parts are compiled by this process."""
@@ -149,7 +147,7 @@ class Compiling:
     def _compiled_by(self, worker: Worker | None, name: str) -> Worker | None:
         """The worker that has compiled a part; ``None`` where there is none, and this thread has to."""
         while worker := worker or self._helped():
-            if name not in FIRST and self.ready(RECOMMENDED):
+            if name not in FIRST:
                 worker.compile(ASIDE)
             if worker.compile(name) or self.stopped:
                 return worker

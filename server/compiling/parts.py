@@ -28,6 +28,8 @@ Frame = dict[str, Any] | bytes
 TARGETS, ASSISTANCE, TRIALS = "targets", "assistance", "trials"
 PIECES = tuple(f"{RECOMMENDED}, {what}" for what in ("of anybody", "of a person", "whole", "motions"))
 """Of the recommended predictor: two processes compile them, each about half."""
+FIRST = (*PIECES, RECOMMENDED)
+"""What the first answer needs. Nothing else is compiled beside it: that would only delay it."""
 
 
 class Part(NamedTuple):
@@ -56,17 +58,17 @@ def parts() -> list[Part]:
     return [
         *_pieces(),
         _predictor(RECOMMENDED, PIECES),
-        Part(TARGETS, choose, (choosing.step, choosing.walk)),
-        Part(ASSISTANCE, assist, (assisted_guarded.step,)),
-        Part(TRIALS, score_trial, (metrics.measure,)),
+        Part(TARGETS, choose, (choosing.step, choosing.walk), FIRST),
+        Part(ASSISTANCE, assist, (assisted_guarded.step,), FIRST),
+        Part(TRIALS, score_trial, (metrics.measure,), FIRST),
         *(
             # Names of one class have the same laws: two processes would compile them twice.
-            _predictor(name, tuple({first_of[entry.predictor]} - {name}))
+            _predictor(name, (*FIRST, *({first_of[entry.predictor]} - {name})))
             for name, entry in REGISTRY.items()
             if name != RECOMMENDED
         ),
         *(
-            Part(differentiator(name), partial(predict, "hold", name), (kind.step, kind.loop))
+            Part(differentiator(name), partial(predict, "hold", name), (kind.step, kind.loop), FIRST)
             for name, kind in DIFFERENTIATORS.items()
             if name not in usual
         ),
