@@ -34,7 +34,7 @@ MAY_IMPORT = {
     "targets": GROUND,
     "scoring": PIPELINE | {"targets"},
     "report": PIPELINE | {"scoring"},
-    "sources": {"errors", "events", "columns", "recording"},
+    "sources": {"errors", "extras", "events", "columns", "recording"},
     "devices": MATHS | {"sources"},
     "datasets": PIPELINE | {"simulation", "sources"},
     "training": PIPELINE | {"scoring", "sources", "pointpred"},
