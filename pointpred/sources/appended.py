@@ -19,6 +19,7 @@ from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording, Skip, Trial
 from pointpred.sources import tables
 from pointpred.sources.assembly import IntArray, assemble
+from pointpred.sources.decoding import read_unpacked, stem_of
 from pointpred.sources.header import Header, parse_header, says_appended
 from pointpred.sources.reading import AS_IS, Reading
 from pointpred.sources.segmentation import trials_of_stream
@@ -52,7 +53,7 @@ def read(path: Path, trials: Path | None, reading: Reading = AS_IS) -> Recording
     Returns the recording; raises RecordingError.
     """
     table, header, notes = _table(path, SAMPLES)
-    name = header.name or path.stem.removesuffix("_samples")
+    name = header.name or stem_of(path).removesuffix("_samples")
     provenance = header.provenance or Provenance(FORMAT)
     events = np.column_stack([tables.numbers(table[column])[0] for column in VALUES])
     marks = table["trial"].combine_chunks()
@@ -93,10 +94,7 @@ def read(path: Path, trials: Path | None, reading: Reading = AS_IS) -> Recording
 
 def _table(path: Path, columns: tuple[str, ...]) -> tuple[Any, Header, list[str]]:
     """The complete lines of a file as a table, its header, and a note about a last line that is cut short."""
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        raise RecordingError(f"{path}: cannot be read: {error.strerror}") from error
+    data = read_unpacked(path)
     end = data.rstrip(b"\0").rfind(b"\n") + 1
     first, _, rest = data[:end].partition(b"\n")
     if not first.startswith(tables.MARK):

@@ -13,6 +13,7 @@ from pointpred.columns import EventColumns, FloatArray
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording
 from pointpred.sources import tables
+from pointpred.sources.decoding import stem_of
 from pointpred.sources.reading import AS_IS, Reading, user_of
 from pointpred.sources.segmentation import trials_of_stream
 
@@ -72,7 +73,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     notes = [f"wheel rows left aside: {len(state) - len(rows)}"] if len(rows) < len(state) else []
     clock = "the client's clock, s" if seconds else "the client's clock, ms"
     return trials_of_stream(
-        path.stem,
+        stem_of(path),
         events,
         reading.cut or "clicks",
         reading,

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import io
 import re
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 import pyarrow as pa
 import pyarrow.csv as pacsv
@@ -16,17 +17,18 @@ CELLS = re.compile(r"(?:Row #(\d+): )?Expected (\d+) columns, got (\d+)")
 LARGEST_BLOCK = 1 << 25
 
 
-def parse_csv(path: Path, skip: int, types: dict[str, Any]) -> Any:
-    """The rows below ``skip`` lines; raises RecordingError naming the first row that is cut or too long."""
+def parse_csv(path: Path, file: BinaryIO, skip: int, types: dict[str, Any]) -> Any:
+    """The rows below ``skip`` lines of the opened ``file``, which messages call ``path``.
+
+    Raises RecordingError naming the first row that is cut or too long.
+    """
 
     def parse(threads: bool) -> Any:
-        with path.open("rb") as file:  # Arrow opens no name that is not UTF-8
-            return rows_of(file, threads)
-
-    def rows_of(file: Any, threads: bool) -> Any:
+        size = file.seek(0, io.SEEK_END)
+        file.seek(0)
         return pacsv.read_csv(
             file,
-            read_options=pacsv.ReadOptions(skip_rows=skip, use_threads=threads, block_size=_block(path)),
+            read_options=pacsv.ReadOptions(skip_rows=skip, use_threads=threads, block_size=_block(size)),
             parse_options=pacsv.ParseOptions(newlines_in_values=True),
             convert_options=pacsv.ConvertOptions(
                 column_types=types,
@@ -53,6 +55,6 @@ def parse_csv(path: Path, skip: int, types: dict[str, Any]) -> Any:
         ) from error
 
 
-def _block(path: Path) -> int:
+def _block(size: int) -> int:
     """Bytes to parse at once: Arrow wants the longest row in one block."""
-    return min(max(path.stat().st_size, 1), LARGEST_BLOCK)
+    return min(max(size, 1), LARGEST_BLOCK)

@@ -12,6 +12,7 @@ from pointpred.columns import EventColumns
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording
 from pointpred.sources.assembly import IntArray
+from pointpred.sources.decoding import stem_of
 from pointpred.sources.reading import Reading
 from pointpred.sources.segmentation import trials_of_stream
 
@@ -95,7 +96,7 @@ def frames(path: Path, raw: Iterable[RawEvent]) -> Frames | str:
 def recording(path: Path, form: str, device: str, stream: Frames, reading: Reading, clock: str) -> Recording:
     """The recording of one device's frames, cut into bursts unless told otherwise."""
     return trials_of_stream(
-        path.stem,
+        stem_of(path),
         stream.events,
         reading.cut or "bursts",
         reading,

@@ -8,8 +8,9 @@ from pathlib import Path
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording
+from pointpred.sources.decoding import read_text, stem_of
 from pointpred.sources.evdev_frames import RawEvent, moving, recording
-from pointpred.sources.reading import AS_IS, Reading, read_text
+from pointpred.sources.reading import AS_IS, Reading
 
 TITLE = "evemu 1.x"
 EVENT = re.compile(
@@ -28,7 +29,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     """Read a recording as counts; ``row`` counts the E lines. Raises RecordingError naming the line."""
     text = read_text(path)
     named = re.search(r"^N: (.*)$", text, re.MULTILINE)
-    device = named.group(1).strip() if named else path.stem
+    device = named.group(1).strip() if named else stem_of(path)
     stream = moving(path, _events(path, text))
     return recording(path, "evemu", device, stream, reading, "kernel stamps, us; which clock is not said")
 

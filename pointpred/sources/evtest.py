@@ -8,6 +8,7 @@ from pathlib import Path
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording
+from pointpred.sources.decoding import read_text, stem_of
 from pointpred.sources.evdev_frames import (
     EV_REL,
     EV_SYN,
@@ -17,7 +18,7 @@ from pointpred.sources.evdev_frames import (
     moving,
     recording,
 )
-from pointpred.sources.reading import AS_IS, Reading, read_text
+from pointpred.sources.reading import AS_IS, Reading
 
 TITLE = "evtest text"
 STAMP = r"Event: time (\d{1,10})\.(\d{6}), "
@@ -38,7 +39,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     """Read a recording as counts; ``row`` counts the Event lines. Raises RecordingError naming the line."""
     text = read_text(path)
     named = re.search(r'^Input device name: "(.*)"$', text, re.MULTILINE)
-    device = named.group(1).strip() if named else path.stem
+    device = named.group(1).strip() if named else stem_of(path)
     stream = moving(path, _events(path, text))
     return recording(
         path, "evtest", device, stream, reading, "kernel stamps, us, usually the real-time clock"

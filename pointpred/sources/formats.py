@@ -26,12 +26,12 @@ from pointpred.sources import (
     recordings,
     tables,
 )
+from pointpred.sources.decoding import encoding_of, head_of
 from pointpred.sources.folders import listed
 from pointpred.sources.joining import join
 from pointpred.sources.naming import described_readably, file_names
-from pointpred.sources.reading import AS_IS, BYTE_ORDER, Reading
+from pointpred.sources.reading import AS_IS, Reading
 
-HEAD_BYTES = 1 << 16
 OWN = ("recorder", "own")
 """Formats of which each file is a recording of its own."""
 MOST_MISSING = 2
@@ -99,20 +99,8 @@ def format_of(path: Path) -> Format | None:
     """The format of a file by its first 64 KiB, whatever its name; ``None`` where none fits."""
     if path.exists() and not path.is_file():
         raise RecordingError(f"{path}: no file that can be read twice (a pipe?); write it to a file first")
-    head = _head(path)
+    head = head_of(path)
     return next((form for form in FORMATS if form.recognises(head)), None)
-
-
-def _head(path: Path) -> bytes:
-    """The first 64 KiB, without a byte-order mark."""
-    try:
-        with path.open("rb") as file:
-            head = file.read(HEAD_BYTES).removeprefix(BYTE_ORDER)
-    except OSError as error:
-        raise RecordingError(f"{path}: cannot be read: {error.strerror}") from error
-    if not head:
-        raise RecordingError(f"{path}: the file is empty, expected a recording")
-    return head
 
 
 def _nearly_own(head: bytes) -> str:
@@ -180,7 +168,7 @@ def _file(path: Path, reading: Reading) -> Recording:
     """The recording in one file."""
     form = format_of(path)
     if form is None:
-        near = _nearly_own(_head(path))
+        near = _nearly_own(head_of(path))
         tried = ", ".join(form.title for form in FORMATS)
         raise RecordingError(
             f"{path}: {near}" if near else f"{path}: no known recording format; tried {tried}"
@@ -191,6 +179,8 @@ def _file(path: Path, reading: Reading) -> Recording:
 def _read(form: Format, path: Path, reading: Reading) -> Recording:
     """One file; a way of cutting that its format has no use for is named in a note."""
     recording = form.read(path, reading)
+    if form.key not in OWN and (note := encoding_of(path).note):
+        recording = msgspec.structs.replace(recording, notes=(note, *recording.notes))
     if reading.cut is None or form.streams:
         return recording
     note = f"cut {reading.cut!r} has no effect: {form.title} has trials of its own"
@@ -210,7 +200,7 @@ def _folder(path: Path, reading: Reading) -> list[Recording]:
         try:
             form = format_of(file)
             if form is None:
-                near = _nearly_own(_head(file))
+                near = _nearly_own(head_of(file))
                 notes.append(f"{label} fits no recording format" + (f": {near}" if near else ""))
             elif form.key in OWN:
                 own.append(_read(form, file, reading))

@@ -6,8 +6,9 @@ from pathlib import Path
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording, Skip, Trial
+from pointpred.sources.decoding import read_text, stem_of
 from pointpred.sources.lists import Lists
-from pointpred.sources.reading import AS_IS, Reading, read_text
+from pointpred.sources.reading import AS_IS, Reading
 
 TITLE = "GoFitts .sd3"
 FIRST = "TRACE DATA"
@@ -69,4 +70,4 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
         )
         lists.add(trial, row, series[0], series[1], series[2], scale=0.001)
     provenance = Provenance("gofitts", clock="milliseconds from the trial's start", dpi=reading.dpi)
-    return lists.recording(path.stem, provenance)
+    return lists.recording(stem_of(path), provenance)

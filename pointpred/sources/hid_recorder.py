@@ -11,9 +11,10 @@ import numpy as np
 from pointpred.columns import EventColumns
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording
+from pointpred.sources.decoding import read_text, stem_of
 from pointpred.sources.evdev_frames import Frames, recording
 from pointpred.sources.joining import join
-from pointpred.sources.reading import AS_IS, Reading, read_text
+from pointpred.sources.reading import AS_IS, Reading
 from pointpred.sources.report_descriptor import parse_descriptor
 from pointpred.sources.report_layout import ReportDescriptor
 
@@ -69,7 +70,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
             notes.append(f"device {device.name!r}: {why}")
     if not parts:
         raise RecordingError(f"{path}: {'; '.join(notes) or 'no device'}, expected a mouse that moves")
-    return join(path.stem, parts, [str(index) for index in range(len(parts))], notes)
+    return join(stem_of(path), parts, [str(index) for index in range(len(parts))], notes)
 
 
 def _number(path: Path, number: int, line: str) -> int:

@@ -10,8 +10,9 @@ import msgspec
 from pointpred.errors import RecordingError
 from pointpred.recording import UNKNOWN, Provenance, Recording, Skip, Trial
 from pointpred.sources import tables
+from pointpred.sources.decoding import read_text, stem_of
 from pointpred.sources.lists import Lists
-from pointpred.sources.reading import AS_IS, Reading, read_text
+from pointpred.sources.reading import AS_IS, Reading
 
 TITLE = "jsPsych mouse-tracking (JSON or CSV)"
 DATA, TARGETS = "mouse_tracking_data", "mouse_tracking_targets"
@@ -70,7 +71,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
         clock="milliseconds from the trial's start, rounded to 1 ms",
         dpi=reading.dpi,
     )
-    return lists.recording(path.stem, provenance)
+    return lists.recording(stem_of(path), provenance)
 
 
 def _json(path: Path, text: str) -> list[dict[str, Any]]:

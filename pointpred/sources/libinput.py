@@ -10,9 +10,10 @@ import yaml
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording
+from pointpred.sources.decoding import read_text, stem_of
 from pointpred.sources.evdev_frames import RawEvent, frames, recording
 from pointpred.sources.joining import join
-from pointpred.sources.reading import AS_IS, Reading, read_text
+from pointpred.sources.reading import AS_IS, Reading
 
 TITLE = "libinput record YAML"
 LOADER: Any = getattr(yaml, "CBaseLoader", yaml.BaseLoader)
@@ -50,7 +51,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     if not parts:
         raise RecordingError(f"{path}: {'; '.join(still)}")
     labels = [str(index) for index in range(len(parts))]
-    return join(path.stem, parts, labels, notes=still)
+    return join(stem_of(path), parts, labels, notes=still)
 
 
 def _name(device: Any, index: int) -> str:

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from pointpred.recording import Provenance, Recording, Skip, Trial
 from pointpred.sources import tables
+from pointpred.sources.decoding import stem_of
 from pointpred.sources.lists import Lists, split
 from pointpred.sources.reading import AS_IS, Reading
 
@@ -54,4 +55,4 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     provenance = Provenance(
         "mousetrap", origin="centre of the screen", clock="the experiment's clock, ms", dpi=reading.dpi
     )
-    return lists.recording(path.stem, provenance)
+    return lists.recording(stem_of(path), provenance)

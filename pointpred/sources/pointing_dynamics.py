@@ -9,6 +9,7 @@ import numpy as np
 from pointpred.recording import Provenance, Recording, Trial
 from pointpred.sources import tables
 from pointpred.sources.assembly import assemble
+from pointpred.sources.decoding import stem_of
 from pointpred.sources.reading import AS_IS, Reading, user_of
 
 TITLE = "Pointing Dynamics Dataset CSV"
@@ -63,7 +64,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     ]
     left = [name for name in names if name not in NEEDED]
     return assemble(
-        path.stem,
+        stem_of(path),
         events,
         np.repeat(np.arange(len(begins), dtype=np.int64), sizes),
         trials,

@@ -8,6 +8,7 @@ from pathlib import Path
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording, Skip, Trial
 from pointpred.sources import tables
+from pointpred.sources.decoding import stem_of
 from pointpred.sources.lists import Lists, split
 from pointpred.sources.reading import AS_IS, Reading
 
@@ -73,7 +74,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
         clock="the component's clock, s",
         dpi=reading.dpi,
     )
-    return lists.recording(path.stem, provenance)
+    return lists.recording(stem_of(path), provenance)
 
 
 def _mice(names: list[str]) -> list[str]:

@@ -7,14 +7,11 @@ from typing import Literal
 
 import msgspec
 
-from pointpred.errors import ParameterError, RecordingError
+from pointpred.errors import ParameterError
 from pointpred.events import CPI, DPI
 
 Cut = Literal["clicks", "bursts", "whole"]
 Unit = Literal["pix", "height", "norm", "cm", "m"]
-MOST_BYTES = 1 << 31
-BYTE_ORDER = b"\xef\xbb\xbf"
-"""What Excel puts before a file it calls "CSV UTF-8"."""
 
 
 class Reading(msgspec.Struct, frozen=True, kw_only=True):
@@ -64,23 +61,6 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
 
 
 AS_IS = Reading()
-
-
-def read_text(path: Path) -> str:
-    """The whole file as text; raises RecordingError when it is no UTF-8 or empty."""
-    try:
-        if path.stat().st_size > MOST_BYTES:
-            raise RecordingError(
-                f"{path}: {path.stat().st_size} bytes, at most {MOST_BYTES} are read as text"
-            )
-        text = path.read_text(encoding="utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise RecordingError(f"{path}: byte {error.start} is not UTF-8 text") from error
-    except OSError as error:
-        raise RecordingError(f"{path}: cannot be read: {error.strerror}") from error
-    if not text.strip():
-        raise RecordingError(f"{path}: the file is empty, expected a recording")
-    return text
 
 
 def row_name(row: int) -> str:

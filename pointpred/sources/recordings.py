@@ -14,6 +14,7 @@ from pointpred.errors import ParameterError, RecordingError
 from pointpred.recording import Provenance, Recording, Skip
 from pointpred.sources import appended, tables
 from pointpred.sources.assembly import IntArray, assemble
+from pointpred.sources.decoding import head_of, stem_of
 from pointpred.sources.reading import AS_IS, Reading, row_name
 from pointpred.sources.trial_tables import describe, trial_table
 
@@ -22,6 +23,7 @@ VALUES = ("t_s", "x_px", "y_px", "dx_counts", "dy_counts", "buttons")
 KNOWN = ("dataset", *REQUIRED, "dx_counts", "dy_counts", "buttons", "t_raw_s")
 SAMPLES, TRIALS, PREDICTIONS = "_samples", "_trials", "_predictions"
 EXTENSIONS = (".parquet", ".csv")
+READ = (*EXTENSIONS, ".csv.gz")
 SLOW_S = 1.0
 """A longer median interval between samples is no pointing device's: a note asks about the unit of time."""
 
@@ -62,7 +64,7 @@ def read(path: str | Path, trials: str | Path | None = None, reading: Reading = 
     notes = ["column t_raw_s is left aside"] if "t_raw_s" in names else []
     notes += [] if len(group) or header.rows == 0 else ["no rows below the header"]
     described = describe(beside, name, keys, np.bincount(group))
-    if not tables.is_ended(path):
+    if not tables.is_whole(path):
         notes.append(tables.UNENDED)
         described.unfit |= {int(index): tables.UNENDED for index in group[-1:]}
     recording = assemble(
@@ -145,15 +147,15 @@ def check_free(path: str | Path) -> None:
 
 def trials_beside(path: Path) -> Path | None:
     """The trials file beside a samples file, where there is one."""
-    stem = path.stem.removesuffix(SAMPLES)
-    found = [path.with_name(f"{stem}{TRIALS}{end}") for end in (path.suffix, *EXTENSIONS)]
+    stem = stem_of(path).removesuffix(SAMPLES)
+    found = [path.with_name(f"{stem}{TRIALS}{end}") for end in (path.suffix, *READ)]
     return next((file for file in found if file.exists() and file != path), None)
 
 
 def _dataset(path: Path, table: Any) -> str:
     """The one data set the rows belong to; the file's name where no column says."""
     if "dataset" not in table.column_names or not table.num_rows:
-        return path.stem.removesuffix(SAMPLES)
+        return stem_of(path).removesuffix(SAMPLES)
     column = tables.words(table["dataset"])
     found = pc.unique(column).to_pylist()
     if len(found) > 1 or found[0] is None:
@@ -189,17 +191,13 @@ def _keys(path: Path, table: Any) -> tuple[IntArray, list[tuple[str, str]]]:
 
 def is_appended(path: Path) -> bool:
     """Whether a file is the service's recorder's, to which rows were added one after another."""
-    try:
-        with path.open("rb") as file:
-            return appended.recognises(file.readline(appended.MOST_HEADER))
-    except OSError as error:
-        raise RecordingError(f"{path}: cannot be read: {error.strerror}") from error
+    return appended.recognises(head_of(path, appended.MOST_HEADER))
 
 
 def samples_beside(path: Path) -> bool:
     """Whether ``path`` holds the trials or predictions of a samples file beside it."""
-    if not path.stem.endswith((TRIALS, PREDICTIONS)):
+    if not stem_of(path).endswith((TRIALS, PREDICTIONS)):
         return False
-    stem = path.stem.removesuffix(TRIALS).removesuffix(PREDICTIONS)
-    names = (SAMPLES, "") if path.stem.endswith(TRIALS) else (SAMPLES,)
-    return any(path.with_name(f"{stem}{name}{end}").exists() for name in names for end in EXTENSIONS)
+    stem = stem_of(path).removesuffix(TRIALS).removesuffix(PREDICTIONS)
+    names = (SAMPLES, "") if stem_of(path).endswith(TRIALS) else (SAMPLES,)
+    return any(path.with_name(f"{stem}{name}{end}").exists() for name in names for end in READ)

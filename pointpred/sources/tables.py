@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 import msgspec
 import numpy as np
@@ -17,8 +17,9 @@ import pyarrow.parquet as pq
 from pointpred.columns import FloatArray
 from pointpred.errors import RecordingError
 from pointpred.sources.csv_rows import parse_csv
+from pointpred.sources.decoding import UTF_8, head_of, is_ended, open_utf8
 from pointpred.sources.header import NO_HEADER, Header, parse_header
-from pointpred.sources.reading import BYTE_ORDER, row_name
+from pointpred.sources.reading import row_name
 
 MARK = b"# pointpred:"
 PARQUET_MAGIC = b"PAR1"
@@ -55,11 +56,8 @@ def read_table(path: Path, text: Callable[[str], bool]) -> tuple[Any, Header]:
     words otherwise: ``numbers`` then says which cells are at fault. Raises RecordingError.
     """
     try:
-        with path.open("rb") as file:
-            magic = file.read(len(PARQUET_MAGIC))
-        if not magic:
-            raise RecordingError(f"{path}: the file is empty, expected a header and rows")
-        table, header = read_parquet(path) if magic == PARQUET_MAGIC else read_csv(path, text)
+        parquet = head_of(path).startswith(PARQUET_MAGIC)
+        table, header = read_parquet(path) if parquet else read_csv(path, text)
         names = table.column_names
     except UNREADABLE as error:
         if isinstance(error, RecordingError):
@@ -90,10 +88,16 @@ def read_parquet(path: Path) -> tuple[Any, Header]:
 
 def read_csv(path: Path, text: Callable[[str], bool]) -> tuple[Any, Header]:
     """The table in a CSV file and the header in its first line, if there is one."""
-    with path.open("rb") as file:
-        first = file.readline(1 << 26).removeprefix(BYTE_ORDER)
-        marked = first.startswith(MARK)
-        columns = file.readline(1 << 26) if marked else first
+    with open_utf8(path) as (file, encoding):
+        table, header = _rows(path, file, text)
+    return table, msgspec.structs.replace(header, notes=(*header.notes, *filter(None, [encoding.note])))
+
+
+def _rows(path: Path, file: BinaryIO, text: Callable[[str], bool]) -> tuple[Any, Header]:
+    """The table and the header of an opened file of UTF-8."""
+    first = file.readline(1 << 26).removeprefix(UTF_8)
+    marked = first.startswith(MARK)
+    columns = file.readline(1 << 26) if marked else first
     header = _header(path, first[len(MARK) :] if marked else None)
     if marked and not is_ended(path):
         raise RecordingError(f"{path}: truncated, the last row does not end with a line break")
@@ -101,23 +105,20 @@ def read_csv(path: Path, text: Callable[[str], bool]) -> tuple[Any, Header]:
     words = {name: pa.string() for name in names if text(name)}
     numeric = {name: pa.float64() for name in names if name not in words}
     try:
-        return parse_csv(path, int(marked), words | numeric), header
+        return parse_csv(path, file, int(marked), words | numeric), header
     except pa.ArrowInvalid as error:
         if "conversion error" not in str(error):
             raise
-        return parse_csv(path, int(marked), dict.fromkeys(names, pa.string())), header
+        return parse_csv(path, file, int(marked), dict.fromkeys(names, pa.string())), header
 
 
 def _header(path: Path, encoded: bytes | None) -> Header:
     return NO_HEADER if encoded is None else parse_header(path, encoded)
 
 
-def is_ended(path: Path) -> bool:
-    """Whether a file ends with a line break, or is no CSV file at all."""
-    with path.open("rb") as file:
-        magic = file.read(len(PARQUET_MAGIC))
-        file.seek(-1, 2)
-        return magic == PARQUET_MAGIC or file.read(1) == b"\n"
+def is_whole(path: Path) -> bool:
+    """Whether a CSV file ends with a line break; a Parquet file that was read is whole."""
+    return head_of(path).startswith(PARQUET_MAGIC) or is_ended(path)
 
 
 def unbroken(path: Path, table: Any, columns: Iterable[str]) -> None:

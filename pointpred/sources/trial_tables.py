@@ -47,7 +47,7 @@ def describe(path: Path | None, name: str, keys: Sequence[tuple[str, str]], size
     tables.need_columns(path, table.column_names, ("user", "trial"), table.column_names)
     tables.unbroken(path, table, (*TARGET, "n_samples", "clean", *(KEYS if header.rows is None else ())))
     columns, faults = _columns(path, table, header.text)
-    if table.num_rows and not tables.is_ended(path):
+    if table.num_rows and not tables.is_whole(path):
         faults.setdefault(table.num_rows - 1, f"{path.name}: {tables.UNENDED}")
     if any(other != name for other in columns.get("dataset", [])):
         other = next(other for other in columns["dataset"] if other != name)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import gzip
+from io import BytesIO
 from typing import Any
 
 from pointpred.errors import RecordingError
 from pointpred.server.uploads.uploads import UploadError
+from pointpred.sources.decoding import DAMAGED, GZIP
 
 PARQUET = b"PAR1"
 MOST_ROWS = 500_000
@@ -24,7 +27,18 @@ def check_unpacked(body: bytes) -> None:
     if body.startswith(PARQUET):
         _check_parquet(body)
     else:
-        check_most("rows", max(body.count(b"\n"), body.count(b"\r")), MOST_ROWS + 1)
+        text = _unpacked(body) if body.startswith(GZIP) else body
+        check_most("rows", max(text.count(b"\n"), text.count(b"\r")), MOST_ROWS + 1)
+
+
+def _unpacked(body: bytes) -> bytes:
+    try:
+        with gzip.GzipFile(fileobj=BytesIO(body)) as file:
+            text = file.read(MOST_UNPACKED + 1)
+    except DAMAGED as error:
+        raise RecordingError(f"the recording: damaged gzip file: {error}") from None
+    check_most("bytes", len(text), MOST_UNPACKED)
+    return text
 
 
 def _check_parquet(body: bytes) -> None:

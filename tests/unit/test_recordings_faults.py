@@ -106,7 +106,7 @@ def test_missing_and_unreadable_files(tmp_path: Path) -> None:
     with pytest.raises(RecordingError, match="nowhere"):
         read(tmp_path / "nowhere_samples.parquet")
     binary = tmp_path / "binary_samples.csv"
-    binary.write_bytes(HEADER.encode() + b"u,1,0,0,\xff\xfe\n")
+    binary.write_bytes(HEADER.encode() + b"u,1,0,0,\xff\x00\n")
     with pytest.raises(RecordingError, match="binary_samples"):
         read(binary)
 
