@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
 
 class PointpredError(Exception):
     """The root: catch this to catch every error pointpred raises on purpose."""
@@ -21,6 +23,26 @@ class EventOrderError(EventError):
 
 class RecordingError(PointpredError, ValueError):
     """A recording cannot be read: the message names the file, the row and what was expected."""
+
+
+class ColumnsError(RecordingError):
+    """No mapping of a table's columns is possible, or more than one.
+
+    ``columns``: the names found; ``guess``: our field -> the column it may be; ``time_unit``: the unit of
+    time as far as it is known, ``None`` where it has to be named.
+    """
+
+    def __init__(
+        self,
+        message: str,
+        columns: Sequence[str] = (),
+        guess: Mapping[str, str] | None = None,
+        time_unit: str | None = None,
+    ) -> None:
+        super().__init__(message)
+        self.columns = tuple(columns)
+        self.guess = dict(guess or {})
+        self.time_unit = time_unit
 
 
 class InfeasibleError(PointpredError, ArithmeticError):

@@ -26,6 +26,7 @@ from pointpred.sources import (
     recordings,
     tables,
 )
+from pointpred.sources.column_table import ColumnTable, recording_of_table
 from pointpred.sources.decoding import encoding_of, head_of
 from pointpred.sources.folders import listed
 from pointpred.sources.joining import join
@@ -42,6 +43,7 @@ class Format(msgspec.Struct, frozen=True):
     """A recording format: its key, what people call it, how it is recognised and read.
 
     ``streams``: it has no trials of its own, so that ``Reading.cut`` says how they are cut.
+    ``tabular``: ``Reading.columns`` says what its columns are.
     """
 
     key: str
@@ -49,6 +51,18 @@ class Format(msgspec.Struct, frozen=True):
     recognises: Callable[[bytes], bool]
     read: Callable[[Path, Reading], Recording]
     streams: bool = False
+    tabular: bool = False
+
+
+def table_format(
+    key: str, title: str, recognises: Callable[[bytes], bool], read: Callable[[Path, Reading], ColumnTable]
+) -> Format:
+    """A format whose files hold any table: ``read`` gives its cells."""
+
+    def recording(path: Path, reading: Reading) -> Recording:
+        return recording_of_table(path, read(path, reading), reading)
+
+    return Format(key, title, recognises, recording, streams=True, tabular=True)
 
 
 def _is_own(head: bytes) -> bool:
@@ -95,12 +109,17 @@ class Summary(msgspec.Struct, frozen=True):
     notes: tuple[str, ...]
 
 
-def format_of(path: Path) -> Format | None:
-    """The format of a file by its first 64 KiB, whatever its name; ``None`` where none fits."""
+def format_of(path: Path, reading: Reading = AS_IS) -> Format | None:
+    """The format of a file by its first 64 KiB, whatever its name; ``None`` where none fits.
+
+    Where ``reading`` names columns or records, the file is any table before it is anything else.
+    """
     if path.exists() and not path.is_file():
         raise RecordingError(f"{path}: no file that can be read twice (a pipe?); write it to a file first")
     head = head_of(path)
-    return next((form for form in FORMATS if form.recognises(head)), None)
+    told = reading.columns is not None or reading.records is not None
+    formats = sorted(FORMATS, key=lambda form: not form.tabular) if told else FORMATS
+    return next((form for form in formats if form.recognises(head)), None)
 
 
 def _nearly_own(head: bytes) -> str:
@@ -166,7 +185,7 @@ def write_found(found: list[Recording], path_out: str | Path, *, replace: bool =
 
 def _file(path: Path, reading: Reading) -> Recording:
     """The recording in one file."""
-    form = format_of(path)
+    form = format_of(path, reading)
     if form is None:
         near = _nearly_own(head_of(path))
         tried = ", ".join(form.title for form in FORMATS)
@@ -198,7 +217,7 @@ def _folder(path: Path, reading: Reading) -> list[Recording]:
         if recordings.samples_beside(file):
             continue
         try:
-            form = format_of(file)
+            form = format_of(file, reading)
             if form is None:
                 near = _nearly_own(head_of(file))
                 notes.append(f"{label} fits no recording format" + (f": {near}" if near else ""))

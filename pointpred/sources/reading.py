@@ -12,6 +12,10 @@ from pointpred.events import CPI, DPI
 
 Cut = Literal["clicks", "bursts", "whole"]
 Unit = Literal["pix", "height", "norm", "cm", "m"]
+TimeUnit = Literal["s", "ms", "us", "ns", "iso"]
+FIELDS = ("t", "x", "y", "user", "trial", "buttons", "target_x", "target_y", "target_w", "dx", "dy")
+"""What the columns of any table can be mapped to."""
+NEEDED = ("t", "x", "y")
 
 
 class Reading(msgspec.Struct, frozen=True, kw_only=True):
@@ -23,6 +27,12 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
     ``unit`` of positions where the experiment chose it (PsychoPy); ``screen`` width and height in px, needed
     for the units height and norm; ``dpi`` in [1, 1e5] px per inch, for positions in cm or m; ``cpi`` in
     [1, 1e6] counts per inch of the device, kept in the provenance.
+
+    For any table: ``columns`` names, for some of ``FIELDS``, the column that holds it, by its name or by its
+    place counted from 0; what is not named is guessed from the usual names, or left unknown where t, x and y
+    are all named. ``time_unit`` of the column t, ``iso`` for stamps of date and time; ``y_up`` where y grows
+    upwards; ``px_per_unit`` > 0 px in a unit of x, y and the target; ``records``: the path to the rows in a
+    file of nested objects, as ``data.trials``.
     """
 
     cut: Cut | None = None
@@ -33,6 +43,11 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
     screen: tuple[float, float] | None = None
     dpi: float = 96.0
     cpi: float | None = None
+    columns: dict[str, str | int] | None = None
+    time_unit: TimeUnit | None = None
+    y_up: bool = False
+    px_per_unit: float | None = None
+    records: str | None = None
 
     def __post_init__(self) -> None:
         bounds = (
@@ -53,11 +68,39 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
                 self.cpi is None or CPI[0] <= self.cpi <= CPI[1],
                 f"in [{CPI[0]:g}, {CPI[1]:g}] counts per inch",
             ),
+            (
+                "time_unit",
+                self.time_unit,
+                self.time_unit in (None, "s", "ms", "us", "ns", "iso"),
+                "s, ms, us, ns or iso",
+            ),
+            (
+                "px_per_unit",
+                self.px_per_unit,
+                self.px_per_unit is None or 0 < self.px_per_unit < float("inf"),
+                "above 0 px in a unit",
+            ),
             ("screen", self.screen, self.screen is None or min(self.screen) > 0, "above 0 px both ways"),
         )
         for name, value, good, bound in bounds:
             if not good:
                 raise ParameterError(f"{name} must be {bound}, received {value!r}")
+        _check_columns(self.columns or {})
+
+
+def _check_columns(columns: dict[str, str | int]) -> None:
+    """Raise ParameterError for a field that does not exist, and for a column that is given to two fields."""
+    owners: dict[str, str] = {}
+    for field, column in columns.items():
+        if field not in FIELDS:
+            raise ParameterError(f"columns: unknown field {field!r}; known: {', '.join(FIELDS)}")
+        if not str(column).strip():
+            raise ParameterError(f"columns: {field} needs the name of a column, received none")
+        if str(column) in owners:
+            raise ParameterError(
+                f"columns: {str(column)!r} is both {owners[str(column)]} and {field}; name a column once"
+            )
+        owners[str(column)] = field
 
 
 AS_IS = Reading()

@@ -16,6 +16,7 @@ from pointpred.sources import appended, tables
 from pointpred.sources.assembly import IntArray, assemble
 from pointpred.sources.decoding import head_of, stem_of
 from pointpred.sources.reading import AS_IS, Reading, row_name
+from pointpred.sources.trial_keys import codes_of, keys_of
 from pointpred.sources.trial_tables import describe, trial_table
 
 REQUIRED = ("user", "trial", "t_s", "x_px", "y_px")
@@ -169,24 +170,14 @@ def _dataset(path: Path, table: Any) -> str:
 
 def _keys(path: Path, table: Any) -> tuple[IntArray, list[tuple[str, str]]]:
     """For each row the index of its trial, and (user, trial) of each in the order of first appearance."""
-    codes, values = [], []
+    codes = []
     for name in ("user", "trial"):
         column = tables.words(table[name])
         if column.null_count:
             row = pc.index(pc.is_null(column), True).as_py()
             raise RecordingError(f"{path}: {row_name(row)} has no {name}, expected one in every row")
-        encoded = column.combine_chunks().dictionary_encode()
-        codes.append(tables.as_array(encoded.indices).astype(np.int64))
-        values.append(encoded.dictionary.to_pylist())
-    users, trials = codes
-    joint = users * max(len(values[1]), 1) + trials
-    starts = np.flatnonzero(np.diff(joint, prepend=-1))
-    unique, first, run = np.unique(joint[starts], return_index=True, return_inverse=True)
-    rank = np.empty(len(unique), dtype=np.int64)
-    rank[np.argsort(first)] = np.arange(len(unique))
-    group = np.repeat(rank[run], np.diff(starts, append=len(joint)))
-    keys = [(values[0][users[row]], values[1][trials[row]]) for row in np.sort(starts[first])]
-    return group, keys
+        codes.append(codes_of(column))
+    return keys_of(*codes)
 
 
 def is_appended(path: Path) -> bool:

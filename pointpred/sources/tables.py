@@ -169,12 +169,17 @@ def words(column: Any) -> Any:
     return column if pa.types.is_string(column.type) else pc.cast(column, pa.string())
 
 
+def is_words(column: Any) -> bool:
+    """Whether the cells of a column are words."""
+    return bool(pa.types.is_string(column.type) or pa.types.is_large_string(column.type))
+
+
 def numbers(column: Any) -> tuple[FloatArray, dict[int, str]]:
     """A column as float64, NaN where a cell is empty, and the cells that are no numbers by their row."""
     if pa.types.is_dictionary(column.type):
         column = column.cast(column.type.value_type)
     faults: dict[int, str] = {}
-    if pa.types.is_string(column.type) or pa.types.is_large_string(column.type):
+    if is_words(column):
         good = pc.match_substring_regex(column, NUMBER)
         empty = pc.match_substring_regex(column, NOT_A_NUMBER)
         wrong = as_array(pc.indices_nonzero(pc.invert(pc.or_(good, empty))))
@@ -183,7 +188,7 @@ def numbers(column: Any) -> tuple[FloatArray, dict[int, str]]:
     if pa.types.is_boolean(column.type):
         column = pc.cast(column, pa.int8())
     values = pc.cast(column, pa.float64(), safe=False)
-    return _float64(values), faults
+    return float64(values), faults
 
 
 def finite_numbers(column: Any) -> tuple[FloatArray, dict[int, str]]:
@@ -195,7 +200,7 @@ def finite_numbers(column: Any) -> tuple[FloatArray, dict[int, str]]:
     return array, faults
 
 
-def _float64(column: Any) -> FloatArray:
+def float64(column: Any) -> FloatArray:
     """A float64 column as an array, NaN where null; even ``fill_null`` would import pandas for its scalar."""
     parts = [np.empty(0)]
     for chunk in _chunks(column):

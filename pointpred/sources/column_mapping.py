@@ -1,0 +1,107 @@
+"""Which column of a table is which of our fields: as told, else by the usual names, else refused."""
+
+from __future__ import annotations
+
+import difflib
+import shlex
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+
+from pointpred.errors import ColumnsError
+from pointpred.sources.column_names import guess, near, unit_in, words_of
+from pointpred.sources.reading import FIELDS, NEEDED, Reading
+
+KEYS = ("user", "trial")
+MOST_NAMES = 40
+"""Columns that a message lists."""
+
+
+def mapping(
+    path: Path, names: Sequence[str], reading: Reading, same: Callable[[Sequence[str]], bool]
+) -> tuple[dict[str, str], list[str]]:
+    """Field -> column, and notes on columns that could be meant but are left aside; raises ColumnsError.
+
+    What ``reading`` does not name is taken by its usual name. Of several columns for user or trial that are
+    the ``same`` (they part the rows alike), the first is taken.
+    """
+    told = {field: _named(path, names, field, column) for field, column in (reading.columns or {}).items()}
+    twice = {name for name in told.values() if list(told.values()).count(name) > 1}
+    if twice:
+        name = min(twice)
+        raise ColumnsError(f"{path}: --columns names the column {name!r} twice; name a column once", names)
+    usual = guess([name for name in names if name not in told.values()])
+    found = usual.columns | told
+    choices = {field: some for field, some in usual.choices.items() if field not in told}
+    for field in KEYS:
+        if field in choices and same(choices[field]):
+            found[field] = choices.pop(field)[0]
+    best = {field: name for field, name in usual.best.items() if field not in told} | told
+    missing = [field for field in NEEDED if field not in found and field not in choices]
+    if missing:
+        raise _refusal(path, names, f"no column for {', '.join(missing)}", best, reading)
+    for field in (*NEEDED, *KEYS):
+        if field in choices:
+            said = f"{field} may be {' or '.join(choices[field])}"
+            raise _refusal(path, names, said, best, reading)
+    notes = [
+        f"{field} is not read: {' or '.join(some)} may be meant; name one with --columns {field}=..."
+        for field, some in choices.items()
+    ]
+    return {field: found[field] for field in FIELDS if field in found}, notes
+
+
+def unit_refusal(
+    path: Path, names: Sequence[str], columns: Mapping[str, str], units: Sequence[str], reading: Reading
+) -> ColumnsError:
+    """The refusal of a table whose clock may run in several units, or in none that a device has."""
+    why = f"may be {' or '.join(units)}" if units else "is not known"
+    told = columns if reading.columns else {}
+    command = command_for(path, told, units[0] if units else "ms")
+    said = f"the unit of time (column {columns['t']!r}) {why}; say it: {command}"
+    return ColumnsError(f"{path}: {said}", names, columns)
+
+
+def command_for(path: Path, columns: Mapping[str, str], time_unit: str | None = None) -> str:
+    """The command that reads a file by this mapping.
+
+    >>> command_for(Path("a.csv"), {"t": "time", "x": "px", "y": "py"}, "ms")
+    'pointpred score a.csv --columns t=time,x=px,y=py --time-unit ms'
+    """
+    pairs = ",".join(f"{field}={columns[field]}" for field in FIELDS if field in columns)
+    parts = ["pointpred", "score", str(path)]
+    parts += ["--columns", pairs] if pairs else []
+    parts += ["--time-unit", time_unit] if time_unit else []
+    return shlex.join(parts)
+
+
+def _named(path: Path, names: Sequence[str], field: str, column: str | int) -> str:
+    """The column that is meant: by its name, by its name in other letters, by its place from 0."""
+    wanted = str(column)
+    if wanted in names:
+        return wanted
+    alike = [name for name in names if words_of(name) and words_of(name) == words_of(wanted)]
+    if len(alike) == 1:
+        return alike[0]
+    if wanted.isdecimal() and int(wanted) < len(names):
+        return names[int(wanted)]
+    close = difflib.get_close_matches(wanted.lower(), [name.lower() for name in names], 1)
+    nearest = [name for name in names if close and name.lower() == close[0]]
+    hint = f"; did you mean {field}={nearest[0]}?" if nearest else ""
+    raise ColumnsError(f"{path}: no column {wanted!r} for {field}; it {_has(names)}{hint}", names)
+
+
+def _refusal(
+    path: Path, names: Sequence[str], why: str, best: Mapping[str, str], reading: Reading
+) -> ColumnsError:
+    free = [name for name in names if name not in best.values()]
+    likely = {field: name for field, name in near(free).items() if field not in best} | dict(best)
+    missing = {field: "COLUMN" for field in NEEDED if field not in likely}
+    unit = reading.time_unit or unit_in(likely.get("t", ""))
+    shown = unit if reading.time_unit or unit or "t" in missing else "ms"
+    command = command_for(path, likely | missing, shown)
+    return ColumnsError(f"{path}: {why}; it {_has(names)}; try: {command}", names, likely, unit)
+
+
+def _has(names: Sequence[str]) -> str:
+    shown = ", ".join(names[:MOST_NAMES]) + (", ..." if len(names) > MOST_NAMES else "")
+    return f"has the columns {shown}"

@@ -1,0 +1,136 @@
+"""The usual names of columns: which column of a table is time, position, user, trial, button or target."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+import msgspec
+
+
+def _words(*lines: str) -> tuple[str, ...]:
+    return tuple(" ".join(lines).split())
+
+
+TOKENS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[^\W\d_A-Z]+|\d+")
+"""The words of a name: capitals, marks and blanks separate them."""
+TIME_UNITS = {
+    word: unit
+    for unit, words in {
+        "s": "s sec secs second seconds",
+        "ms": "ms msec msecs millis millisecond milliseconds",
+        "us": "us µs μs usec usecs micros microsecond microseconds",
+        "ns": "ns nsec nsecs nanos nanosecond nanoseconds",
+    }.items()
+    for word in words.split()
+}
+PIXELS = frozenset(("px", "pix", "pixel", "pixels"))
+TIMES = _words(
+    "t time timestamp ts elapsed timestamps times elapsedtime timeelapsed datetime epoch unixtime mousetime",
+    "eventtime timearray tarray timelist tlist timetrajectory",
+)
+XS = _words(
+    "x xpos posx xposition positionx mousex xmouse mouseposx cursorx xcursor cursorposx pointerx clientx",
+    "pagex screenx px xcoord coordx xcoordinate coordinatex xs xarray arrayx xlist listx",
+    "xtrajectory trajectoryx xvalues xvals",
+)
+USUAL = {
+    "user": "user users userid participant participantid participantnr subject subjectid subjectnr "
+    "subjectnumber subj subjid sid pid ppid",
+    "trial": "trial trialid trialnumber trialnum trialno trialnr trialindex ntrial numtrial",
+    "buttons": "buttons button pressed state mousedown buttonstate mousebutton mousebuttons",
+    "target_x": "targetx goalx targetposx targetxpos xtarget",
+    "target_y": "targety goaly targetposy targetypos ytarget",
+    "target_w": "targetw targetwidth targetsize targetdiameter wtarget",
+    "dx": "dxcounts",
+    "dy": "dycounts",
+}
+
+
+class Guess(msgspec.Struct, frozen=True):
+    """The columns that bear a usual name: ``columns`` field -> the only one, ``choices`` field -> several."""
+
+    columns: dict[str, str]
+    choices: dict[str, tuple[str, ...]]
+
+    @property
+    def best(self) -> dict[str, str]:
+        """One column a field, the first where there are several: to be shown, not to be used."""
+        return {field: several[0] for field, several in self.choices.items()} | self.columns
+
+
+def words_of(name: str) -> list[str]:
+    """The words of a column's name in small letters.
+
+    >>> words_of("mouseX"), words_of("Time [ms]"), words_of("x_px")
+    (['mouse', 'x'], ['time', 'ms'], ['x', 'px'])
+    """
+    return [word.lower() for word in TOKENS.findall(name)]
+
+
+def unit_in(name: str) -> str | None:
+    """The unit of time that a column's name ends with: s, ms, us or ns.
+
+    >>> unit_in("t_ms"), unit_in("Time (s)"), unit_in("ts")
+    ('ms', 's', None)
+    """
+    words = words_of(name)
+    alone = len(words) == 1 and len(words[0]) < 3 and words != ["ms"]
+    return None if alone or not words else TIME_UNITS.get(words[-1])
+
+
+def guess(names: Sequence[str]) -> Guess:
+    """The usual names among ``names``; x and y count only as a pair, as ``clientX`` and ``clientY``.
+
+    >>> guess(["subject", "time_ms", "xpos", "ypos"]).columns
+    {'user': 'subject', 't': 'time_ms', 'x': 'xpos', 'y': 'ypos'}
+    """
+    found: dict[str, list[str]] = {
+        field: _in_order(names, words.split(), PIXELS) for field, words in USUAL.items()
+    }
+    found["t"] = [name for name in names if _plain(name, frozenset()) in ("ms", "msec", "millis")]
+    found["t"] = _in_order(names, TIMES, frozenset(TIME_UNITS)) + found["t"]
+    pairs = _pairs(names)
+    found["x"], found["y"] = [pair[0] for pair in pairs], [pair[1] for pair in pairs]
+    return Guess(
+        {field: several[0] for field, several in found.items() if len(several) == 1},
+        {field: tuple(several) for field, several in found.items() if len(several) > 1},
+    )
+
+
+def near(names: Sequence[str]) -> dict[str, str]:
+    """Columns that may be t, x and y although their names are not the usual ones: to be shown only.
+
+    >>> near(["gaze_time_at", "gaze_x_raw", "gaze_y_raw"])
+    {'t': 'gaze_time_at', 'x': 'gaze_x_raw', 'y': 'gaze_y_raw'}
+    """
+    tests = {
+        "t": lambda words: any(word in ("t", "ts") or "time" in word or "stamp" in word for word in words),
+        "x": lambda words: "x" in words,
+        "y": lambda words: "y" in words,
+    }
+    found = {}
+    for field, fits in tests.items():
+        some = [name for name in names if fits(words_of(name)) and "target" not in name.lower()]
+        if some:
+            found[field] = some[0]
+    return found
+
+
+def _plain(name: str, units: frozenset[str]) -> str:
+    """The words of a name joined, without a unit at its end."""
+    words = words_of(name)
+    return "".join(words[:-1] if len(words) > 1 and words[-1] in units else words)
+
+
+def _in_order(names: Sequence[str], usual: Sequence[str], units: frozenset[str]) -> list[str]:
+    """The names that are usual ones, in the order of the usual ones."""
+    ranked = [(usual.index(plain), name) for name in names if (plain := _plain(name, units)) in usual]
+    return [name for _, name in sorted(ranked, key=lambda one: one[0])]
+
+
+def _pairs(names: Sequence[str]) -> list[tuple[str, str]]:
+    """The columns x and y that belong together: their names differ in one letter."""
+    ys = {_plain(name, PIXELS): name for name in reversed(names)}
+    pairs = [(name, ys.get(_plain(name, PIXELS).replace("x", "y"))) for name in _in_order(names, XS, PIXELS)]
+    return [(x, y) for x, y in pairs if y is not None]

@@ -1,0 +1,169 @@
+"""Any table of samples as a recording: its columns mapped to ours, converted, grouped or cut into trials."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import numpy as np
+import pyarrow as pa
+import pyarrow.compute as pc
+
+from pointpred.columns import FloatArray
+from pointpred.errors import ColumnsError, RecordingError
+from pointpred.recording import Provenance, Recording, Skip
+from pointpred.sources import tables, time_units
+from pointpred.sources.assembly import IntArray
+from pointpred.sources.column_mapping import mapping, unit_refusal
+from pointpred.sources.column_names import unit_in
+from pointpred.sources.reading import Reading
+from pointpred.sources.table_buttons import buttons_of
+from pointpred.sources.table_trials import Rows, recording_of_rows
+from pointpred.sources.trial_keys import codes_of
+
+VALUES = ("t", "x", "y", "dx", "dy", "buttons")
+MOSTLY = 0.5
+"""A column of numbers in which a larger share of cells is none is the wrong column."""
+
+
+class ColumnTable(msgspec.Struct, frozen=True):
+    """The cells of one table by column, all of one length.
+
+    A cell is a str, a number, a bool, ``None``, a date and time, or a list of numbers (a row a trial);
+    a column is a list, a numpy array or an Arrow array. ``format`` for the provenance. ``row_of``: the file's
+    row of each row where some were left out, which ``skipped`` names.
+    """
+
+    columns: dict[str, Any]
+    format: str
+    notes: tuple[str, ...] = ()
+    skipped: tuple[Skip, ...] = ()
+    row_of: IntArray | None = None
+
+
+def recording_of_table(path: Path, table: ColumnTable, reading: Reading) -> Recording:
+    """The recording in a table, by ``reading.columns`` or the usual names of columns.
+
+    Says in a note what was assumed. Raises ColumnsError, which names the columns and a mapping to try, where
+    no mapping is certain, and RecordingError where a mapped column is not what it should be.
+    """
+    names = list(table.columns)
+    sizes = {len(column) for column in table.columns.values()}
+    if len(sizes) > 1:
+        raise RecordingError(
+            f"{path}: columns of {min(sizes)} to {max(sizes)} rows, expected as many of each"
+        )
+    arrays: dict[str, Any] = {}
+
+    def column(name: str) -> Any:
+        if name not in arrays:
+            arrays[name] = as_arrow(table.columns[name])
+        return arrays[name]
+
+    def same(some: Sequence[str]) -> bool:
+        return all(_part_alike(column(some[0]), column(other)) for other in some[1:])
+
+    found, notes = mapping(path, names, reading, same)
+    count = sizes.pop() if sizes else 0
+    rows = Rows(count, np.arange(count, dtype=np.int64) if table.row_of is None else table.row_of)
+    unit, how = _unit(path, names, found, column(found["t"]), reading)
+    rows.values["t"], wrong = time_units.clock(column(found["t"]), unit)
+    rows.blame("t", found["t"], wrong, "a date and time" if unit == "iso" else "a number")
+    gain = reading.px_per_unit or 1.0
+    turn = -1.0 if reading.y_up else 1.0
+    scale = {"x": gain, "y": turn * gain, "target_x": gain, "target_y": turn * gain, "target_w": gain}
+    for field in ("x", "y", "dx", "dy", "target_x", "target_y", "target_w"):
+        if field in found:
+            rows.values[field], wrong = tables.finite_numbers(column(found[field]))
+            rows.values[field] = rows.values[field] * scale.get(field, 1.0) + 0.0
+            if not field.startswith("target"):
+                rows.blame(field, found[field], wrong, "a number")
+    for field in ("t", "x", "y"):
+        _check_numbers(path, names, found, field, rows.values[field], column(found[field]))
+    if "buttons" in found:
+        told = "buttons" in (reading.columns or {})
+        pressed = buttons_of(path, found["buttons"], column(found["buttons"]), told)
+        if pressed is None:
+            notes.append(f"column {found['buttons']} is left aside: its cells are not buttons")
+            del found["buttons"]
+        else:
+            rows.values["buttons"] = pressed
+    rows.per_second = 1e9 if unit == "iso" else time_units.PER_SECOND[unit]
+    keys = {key: tables.words(column(found[key])) for key in ("user", "trial") if key in found}
+    others = {name: column(name) for name in names if name not in found.values()}
+    said = ", ".join(f"{field} = {name}" + (how if field == "t" else "") for field, name in found.items())
+    provenance = Provenance(
+        table.format,
+        unit="px" if reading.px_per_unit is None else f"{1 / gain:g} units a px",
+        origin="as in the file",
+        y_axis="up" if reading.y_up else "down",
+        clock=f"column {found['t']}{how}",
+        dpi=reading.dpi,
+        cpi=reading.cpi,
+    )
+    return recording_of_rows(
+        path,
+        rows,
+        keys,
+        others,
+        reading,
+        provenance=provenance,
+        skipped=table.skipped,
+        notes=(*table.notes, f"columns: {said}", *notes),
+    )
+
+
+def as_arrow(column: Any) -> Any:
+    """A column as an Arrow array; cells of several kinds become words."""
+    if isinstance(column, pa.ChunkedArray):
+        return column
+    try:
+        array = pa.array(column)
+    except (pa.ArrowException, TypeError, ValueError, OverflowError):
+        array = pa.array([None if cell is None else str(cell) for cell in column], pa.string())
+    if pa.types.is_null(array.type):
+        array = pc.cast(array, pa.string())
+    return pa.chunked_array([array])
+
+
+def _unit(
+    path: Path, names: Sequence[str], found: dict[str, str], column: Any, reading: Reading
+) -> tuple[str, str]:
+    """The unit of time, and how it is known, as notes say it; raises ColumnsError where it is not known."""
+    if reading.time_unit is not None:
+        return reading.time_unit, f" in {reading.time_unit}" if reading.time_unit != "iso" else ""
+    if time_units.is_iso(column):
+        return "iso", " as date and time"
+    named = unit_in(found["t"])
+    if named is not None:
+        return named, f" in {named}"
+    units = time_units.units_by_rate(time_units.clock(column, None)[0])
+    if len(units) != 1:
+        raise unit_refusal(path, names, found, units, reading)
+    return units[0], f" in {units[0]} (by its rate)"
+
+
+def _check_numbers(
+    path: Path, names: Sequence[str], found: dict[str, str], field: str, values: FloatArray, column: Any
+) -> None:
+    """Raise ColumnsError where most cells of a column are no numbers."""
+    bad = int(np.count_nonzero(~np.isfinite(values)))
+    if bad <= MOSTLY * len(values):
+        return
+    row = int(np.flatnonzero(~np.isfinite(values))[0])
+    cell = tables.short(str(column[row].as_py()))
+    raise ColumnsError(
+        f"{path}: {bad} of {len(values)} cells of the column {found[field]!r} ({field}) are no number, "
+        f"such as {cell!r} in data row {row}: is it another column, or another unit of time?",
+        names,
+        found,
+    )
+
+
+def _part_alike(one: Any, other: Any) -> bool:
+    """Whether two columns part the rows into the same groups."""
+    codes = [codes_of(pc.fill_null(tables.words(column), ""))[0] for column in (one, other)]
+    together = len(np.unique(codes[0] * (codes[1].max(initial=0) + 1) + codes[1]))
+    return together == len(np.unique(codes[0])) == len(np.unique(codes[1]))

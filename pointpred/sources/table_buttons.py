@@ -1,0 +1,64 @@
+"""A column of buttons, as numbers or as words, as pressed buttons."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+
+from pointpred.columns import FloatArray
+from pointpred.errors import RecordingError
+from pointpred.sources import tables
+from pointpred.sources.assembly import MOST_BUTTONS
+from pointpred.sources.trial_keys import codes_of
+
+RELEASED = frozenset(("false", "no", "none", "up", "released", "release", "mouseup", "move", "mousemove"))
+DOWN = ("true", "yes", "down", "pressed", "press", "mousedown", "click", "left", "drag", "primary")
+PRESSED = {
+    **dict.fromkeys(DOWN, 1.0),
+    "right": 2.0,
+    "secondary": 2.0,
+    "middle": 4.0,
+}
+
+
+def buttons_of(path: Path, name: str, column: Any, told: bool) -> FloatArray | None:
+    """Pressed buttons as W3C pointer events number them, 0 where a cell is empty.
+
+    A column that was ``told`` must hold buttons, RecordingError says which cell does not; of one that bears a
+    usual name the answer is ``None`` where it holds something else.
+    """
+    if pa.types.is_boolean(column.type) or not tables.is_words(column):
+        values = np.nan_to_num(tables.numbers(column)[0])
+        bad = np.flatnonzero((values < 0) | (values > MOST_BUTTONS) | (values != np.floor(values)))
+        cell = str(values[bad[0]]) if len(bad) else ""
+    else:
+        codes, cells = codes_of(tables.words(column).fill_null(""))
+        numbers = np.array([_pressed(cell) for cell in cells] or [0.0])
+        values = numbers[codes]
+        bad = np.flatnonzero(np.isnan(values))
+        cell = cells[codes[bad[0]]] if len(bad) else ""
+    if not len(bad):
+        return values
+    if not told:
+        return None
+    raise RecordingError(
+        f"{path}: data row {bad[0]}: {name} is {tables.short(cell)!r}, expected buttons: a whole number, "
+        f"or one of {', '.join(sorted((*PRESSED, *RELEASED)))}"
+    )
+
+
+def _pressed(cell: str) -> float:
+    """The number of a cell, NaN where it means no buttons."""
+    word = cell.strip().lower().replace("_", "").replace(" ", "")
+    if not word or word in RELEASED:
+        return 0.0
+    if word in PRESSED:
+        return PRESSED[word]
+    try:
+        number = float(word)
+    except ValueError:
+        return float("nan")
+    return number if 0 <= number <= MOST_BUTTONS and number == int(number) else float("nan")

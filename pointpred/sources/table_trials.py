@@ -1,0 +1,218 @@
+"""The rows of a table as trials: by its own column, or cut where it has none."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from pointpred.columns import EventColumns, FloatArray
+from pointpred.recording import Provenance, Recording, Skip, Trial
+from pointpred.sources.assembly import IntArray, assemble
+from pointpred.sources.decoding import stem_of
+from pointpred.sources.reading import Cut, Reading
+from pointpred.sources.segmentation import cut
+from pointpred.sources.table_conditions import conditions_of, one_value
+from pointpred.sources.trial_keys import codes_of, keys_of
+
+EVENT = ("t", "x", "y", "dx", "dy", "buttons")
+LONG_S, GAP_S = 10.0, 1.0
+"""A stream that lasts longer, or has a longer step, is cut at pauses; a shorter one is one trial."""
+
+
+class Rows(msgspec.Struct):
+    """The samples of a table as numbers: ``values`` by field, in px but for the clock.
+
+    ``row_of``: the file's row of each; ``faults``: what is wrong with a row; ``per_second``: units of the
+    clock in a second.
+    """
+
+    count: int
+    row_of: IntArray
+    values: dict[str, FloatArray] = {}
+    faults: dict[int, str] = {}
+    per_second: float = 1.0
+
+    def blame(self, field: str, name: str, wrong: dict[int, str], expected: str) -> None:
+        """Add the cells of a column that cannot be read."""
+        called = field if field == name else f"{field} ({name})"
+        for row, cell in wrong.items():
+            self.faults.setdefault(row, f"{called} is {cell!r}, expected {expected}")
+
+
+class Groups(msgspec.Struct):
+    """Trial of each row (-1: none), user and name of each trial, and what was left out or assumed."""
+
+    group: IntArray
+    keys: list[tuple[str, str]]
+    conditions: list[dict[str, str | float]]
+    skipped: list[Skip] = []
+    notes: list[str] = []
+
+
+def recording_of_rows(
+    path: Path,
+    rows: Rows,
+    keys: dict[str, Any],
+    others: dict[str, Any],
+    reading: Reading,
+    *,
+    provenance: Provenance,
+    skipped: Sequence[Skip],
+    notes: Sequence[str],
+) -> Recording:
+    """The trials of a table: ``keys`` are its columns user and trial, as far as it has them.
+
+    Without users there is one, named after the file. Columns in ``others`` that have one value in each trial
+    become conditions. Time starts at 0 in each trial.
+    """
+    table = np.full((rows.count, 6), np.nan)
+    table[:, 5] = 0.0
+    for index, field in enumerate(EVENT):
+        if field in rows.values:
+            table[:, index] = rows.values[field]
+    users, one_user = keys.get("user"), stem_of(path)
+    if "trial" in keys:
+        groups = _by_column(rows, users, keys["trial"], one_user)
+    else:
+        groups = _cut(rows, table, users, one_user, reading)
+    kept = np.flatnonzero(groups.group >= 0)
+    group, table = groups.group[kept], table[kept]
+    first = np.full(len(groups.keys), np.nan)
+    first[group[::-1]] = table[::-1, 0]
+    table[:, 0] = (table[:, 0] - first[group]) / rows.per_second
+    sizes = len(groups.keys)
+    targets = {
+        field: one_value(rows.values[field][kept], group, sizes)
+        for field in ("target_x", "target_y", "target_w")
+        if field in rows.values
+    }
+    known, varying = conditions_of({name: (column, kept) for name, column in others.items()}, group, sizes)
+    trials = [
+        Trial(
+            *key,
+            **{field: float(values[index]) for field, values in targets.items()},
+            condition=known[index] | groups.conditions[index],
+        )
+        for index, key in enumerate(groups.keys)
+    ]
+    left = [f"columns left aside, for they vary within a trial: {', '.join(varying)}"] if varying else []
+    place = {int(row): at for at, row in enumerate(kept)}
+    return assemble(
+        stem_of(path),
+        table,
+        group,
+        trials,
+        skipped=(*skipped, *groups.skipped),
+        faults={place[row]: words for row, words in rows.faults.items() if row in place},
+        unfit=_bad_widths(targets.get("target_w")),
+        provenance=provenance,
+        row_of=rows.row_of[kept],
+        notes=(*notes, *groups.notes, *left),
+    )
+
+
+def _by_column(rows: Rows, users: Any, trials: Any, one_user: str) -> Groups:
+    """Trials as the table names them; rows that belong to none are left out and counted."""
+    trial_codes, trial_names = codes_of(trials.fill_null(""))
+    if users is None:
+        user_codes, user_names = np.zeros(rows.count, dtype=np.int64), [one_user]
+    else:
+        user_codes, user_names = codes_of(users.fill_null(""))
+    named = np.array([bool(name.strip()) for name in trial_names] or [True])[trial_codes]
+    if users is not None:
+        named &= np.array([bool(name.strip()) for name in user_names] or [True])[user_codes]
+    kept = np.flatnonzero(named)
+    group = np.full(rows.count, -1, dtype=np.int64)
+    group[kept], keys = keys_of((user_codes[kept], user_names), (trial_codes[kept], trial_names))
+    notes = [] if users is not None else [f"one user, {one_user!r}: no column for users"]
+    out = rows.count - len(kept)
+    if out:
+        at = rows.row_of[np.flatnonzero(~named)[0]]
+        notes.append(f"rows without user or trial left out: {out}, the first is data row {at}")
+    return Groups(group, keys, [{} for _ in keys], notes=notes)
+
+
+def _cut(rows: Rows, table: FloatArray, users: Any, one_user: str, reading: Reading) -> Groups:
+    """A stream a user, cut as ``reading`` says, else at clicks where there are any, else at pauses."""
+    codes, names = (np.zeros(rows.count, dtype=np.int64), [one_user])
+    if users is not None:
+        codes, names = codes_of(users.fill_null(""))
+    usable = np.isfinite(table[:, :3]).all(axis=1)
+    groups = Groups(np.full(rows.count, -1, dtype=np.int64), [], [])
+    methods: dict[str, int] = {}
+    restarts = 0
+    for code, user in enumerate(names):
+        mine = np.flatnonzero((codes == code) & usable)
+        if not len(mine):
+            continue
+        events = table[mine].copy()
+        events[:, 0] = (events[:, 0] - events[0, 0]) / rows.per_second
+        back = np.flatnonzero(np.diff(events[:, 0]) < 0) + 1
+        restarts += len(back)
+        parts = np.split(np.arange(len(mine)), back)
+        how = reading.cut or _method(events, parts)
+        methods[how] = methods.get(how, 0) + 1
+        named = user or one_user
+        for part in parts:
+            _cut_part(groups, rows, mine[part], EventColumns(events[part]), how, named, reading)
+    groups.notes += _said(users is None, one_user, methods, reading, len(groups.keys))
+    if restarts:
+        groups.notes.append(f"time starts anew in {restarts} rows: cut there")
+    out = int(np.count_nonzero(~usable))
+    if out:
+        row = int(np.flatnonzero(~usable)[0])
+        why = rows.faults.get(row, "t, x or y is empty")
+        groups.notes.append(f"rows left out: {out}, the first is data row {rows.row_of[row]}: {why}")
+    return groups
+
+
+def _cut_part(
+    groups: Groups, rows: Rows, mine: IntArray, events: EventColumns, how: Cut, user: str, reading: Reading
+) -> None:
+    """Cut the rows ``mine`` and add their trials and what is none."""
+    for piece in cut(events, how, reading):
+        some = mine[piece.start : piece.stop]
+        first, last = int(rows.row_of[some[0]]), int(rows.row_of[some[-1]])
+        if piece.reason:
+            groups.skipped.append(Skip(f"rows {first} to {last}", piece.reason, first, user))
+            continue
+        groups.group[some] = len(groups.keys)
+        number = sum(1 for key in groups.keys if key[0] == user)
+        groups.keys.append((user, str(number)))
+        groups.conditions.append({"begins_s": float(events.t[piece.start])})
+
+
+def _method(events: FloatArray, parts: Sequence[NDArray[np.int64]]) -> Cut:
+    """How a stream is cut of which nobody said how."""
+    if np.any(events[:, 5] > 0):
+        return "clicks"
+    spans = [events[part[-1], 0] - events[part[0], 0] for part in parts]
+    steps = np.diff(events[:, 0])
+    return "bursts" if max(spans) > LONG_S or np.any(steps > GAP_S) else "whole"
+
+
+def _said(one: bool, user: str, methods: dict[str, int], reading: Reading, trials: int) -> list[str]:
+    """What was assumed of users and trials, as notes."""
+    notes = [f"one user, {user!r}: no column for users"] if one else []
+    words = {
+        "clicks": "cut at clicks",
+        "bursts": f"cut at pauses of {reading.pause_s:g} s",
+        "whole": "one trial",
+    }
+    how = " or ".join(words[method] for method in methods)
+    return [*notes, f"no column for trials: {how}" + ("" if trials == 1 else f"; {trials} trials")]
+
+
+def _bad_widths(widths: FloatArray | None) -> dict[int, str]:
+    """The trials whose target has an impossible width."""
+    if widths is None:
+        return {}
+    return {
+        int(index): f"target_w is {widths[index]}, expected above 0 px"
+        for index in np.flatnonzero(widths <= 0)
+    }

@@ -1,0 +1,122 @@
+"""A column of times as seconds: its unit by its cells or its rates, and no digit of a long clock lost."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+import pyarrow.compute as pc
+
+from pointpred.columns import FloatArray
+from pointpred.sources import tables
+
+PER_SECOND = {"s": 1.0, "ms": 1e3, "us": 1e6, "ns": 1e9}
+ISO = r"^\s*\d{4}-\d{2}-\d{2}[T ]\d{2}:\d{2}(:\d{2}([.,]\d{1,9})?)?(Z|[+-]\d{2}:?\d{2})?\s*$"
+ZONE = r"(Z|[+-]\d{2}:?\d{2})\s*$"
+WHOLE = r"^\s*[+-]?(\d{1,18}|[1-8]\d{18})\s*$"
+SHORTEST_S, LONGEST_S = 1e-4, 0.2
+"""Bounds on the median interval between samples of a pointing device."""
+LONG = 1e6
+"""A clock that has come further than this is read digit by digit: a float would round it."""
+DECIMAL = pa.decimal128(36, 12)
+
+
+def is_iso(column: Any) -> bool:
+    """Whether a column holds stamps of date and time: its first cell that is not empty is one."""
+    if pa.types.is_timestamp(column.type):
+        return True
+    if not tables.is_words(column):
+        return False
+    first = next((cell for cell in column.slice(0, 1000).to_pylist() if (cell or "").strip()), "")
+    return bool(pc.match_substring_regex(pa.array([first]), ISO)[0].as_py())
+
+
+def units_by_rate(clock: FloatArray) -> list[str]:
+    """The units under which the median step forwards lies between 0.1 ms and 0.2 s.
+
+    >>> units_by_rate(np.arange(9) * 16.67), units_by_rate(np.arange(9) * 150.0)
+    (['ms'], ['ms', 'us'])
+    """
+    steps = np.diff(clock[np.isfinite(clock)])
+    steps = steps[steps > 0]
+    if not len(steps):
+        return []
+    middle = float(np.median(steps))
+    return [unit for unit, per in PER_SECOND.items() if SHORTEST_S <= middle / per <= LONGEST_S]
+
+
+def clock(column: Any, unit: str | None) -> tuple[FloatArray, dict[int, str]]:
+    """The times of a column in its unit (ns of stamps), NaN where there is none, and what is no time, by row.
+
+    A clock that has come far, such as the ns since 1970, counts from its first cell: differences are exact
+    up to 2^53 units.
+    """
+    if unit == "iso":
+        return _stamps(column)
+    whole = _whole(column)
+    if whole is not None:
+        return _from_first(whole), {}
+    numbers, faults = tables.finite_numbers(column)
+    if tables.is_words(column) and np.nanmax(np.abs(numbers), initial=0.0) > LONG:
+        exact = _decimals(column, np.isfinite(numbers))
+        numbers = numbers if exact is None else exact
+    return numbers, faults
+
+
+def _from_first(whole: Any) -> FloatArray:
+    """Whole numbers as floats, from the first on where they are large."""
+    known = pc.drop_null(whole)
+    if not len(known):
+        return np.full(len(whole), np.nan)
+    first = known[0].as_py()
+    if abs(first) > LONG:
+        whole = pc.subtract(whole, pa.scalar(first, pa.int64()))
+    return tables.float64(pc.cast(whole, pa.float64(), safe=False))
+
+
+def _whole(column: Any) -> Any:
+    """A column of whole numbers as int64, nulls where cells are empty; ``None`` where it holds others."""
+    if pa.types.is_integer(column.type):
+        return pc.cast(column, pa.int64())
+    if not tables.is_words(column):
+        return None
+    filled = pc.if_else(pc.equal(pc.utf8_trim_whitespace(column), ""), None, column)
+    known = pc.match_substring_regex(filled, WHOLE)
+    if not pc.all(known, min_count=0).as_py():
+        return None
+    return pc.cast(pc.replace_substring_regex(filled, r"[\s+]", ""), pa.int64())
+
+
+def _decimals(column: Any, good: Any) -> FloatArray | None:
+    """Words as decimal numbers from the first on; ``None`` where they have more digits than decimals hold."""
+    words = pc.if_else(pa.array(good), pc.utf8_trim_whitespace(column), None)
+    try:
+        exact = pc.cast(words, DECIMAL)
+        first = pc.drop_null(exact)[0]
+        return tables.float64(pc.cast(pc.subtract(exact, first), pa.float64(), safe=False))
+    except (pa.ArrowException, IndexError):
+        return None
+
+
+def _stamps(column: Any) -> tuple[FloatArray, dict[int, str]]:
+    """Stamps of date and time as ns from the first on; those without a zone count as they are."""
+    faults: dict[int, str] = {}
+    if not pa.types.is_timestamp(column.type):
+        words = pc.utf8_trim_whitespace(tables.words(column))
+        good = pc.fill_null(pc.match_substring_regex(words, ISO), False)
+        wrong = pc.and_(pc.invert(good), pc.not_equal(pc.fill_null(words, ""), ""))
+        faults = {
+            int(row): tables.short(str(words[int(row)].as_py()))
+            for row in tables.as_array(pc.indices_nonzero(wrong))
+        }
+        zoned = pc.match_substring_regex(words, ZONE)
+        words = pc.replace_substring(pc.if_else(good, words, None), ",", ".")
+        plain, aware = pc.if_else(zoned, None, words), pc.if_else(zoned, words, None)
+        column = pc.coalesce(
+            pc.cast(plain, pa.timestamp("ns")).cast(pa.int64()),
+            pc.cast(aware, pa.timestamp("ns", "UTC")).cast(pa.int64()),
+        )
+    else:
+        column = pc.cast(pc.cast(column, pa.timestamp("ns", column.type.tz), safe=False), pa.int64())
+    return _from_first(column), faults
