@@ -15,6 +15,7 @@ from pointpred.sources.assembly import IntArray
 from pointpred.sources.decoding import stem_of
 from pointpred.sources.reading import Reading
 from pointpred.sources.segmentation import trials_of_stream
+from pointpred.sources.unreadable import Unreadable
 
 EV_SYN, EV_KEY, EV_REL, EV_ABS = range(4)
 SYN_REPORT, SYN_DROPPED = 0, 3
@@ -36,11 +37,12 @@ class Frames(msgspec.Struct):
     notes: list[str]
 
 
-def moving(path: Path, raw: Iterable[RawEvent]) -> Frames:
-    """``frames`` of a device that must move; raises RecordingError when nothing does."""
+def moving(path: Path, raw: Iterable[RawEvent], unreadable: Unreadable) -> Frames:
+    """``frames`` of a device that must move, with notes on what cannot be read; raises RecordingError."""
     stream = frames(path, raw)
     if isinstance(stream, str):
-        raise RecordingError(f"{path}: {stream}")
+        raise RecordingError(f"{path}: {'; '.join([stream, *unreadable.notes])}")
+    stream.notes += unreadable.notes
     return stream
 
 

@@ -6,11 +6,11 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
-from pointpred.errors import RecordingError
 from pointpred.recording import Recording
 from pointpred.sources.decoding import read_text, stem_of
 from pointpred.sources.evdev_frames import RawEvent, moving, recording
 from pointpred.sources.reading import AS_IS, Reading
+from pointpred.sources.unreadable import Unreadable
 
 TITLE = "evemu 1.x"
 EVENT = re.compile(
@@ -26,21 +26,26 @@ def recognises(head: bytes) -> bool:
 
 
 def read(path: Path, reading: Reading = AS_IS) -> Recording:
-    """Read a recording as counts; ``row`` counts the E lines. Raises RecordingError naming the line."""
+    """Read a recording as counts; ``row`` counts the E lines that can be read; the others are in a note.
+
+    Raises RecordingError.
+    """
     text = read_text(path)
     named = re.search(r"^N: (.*)$", text, re.MULTILINE)
     device = named.group(1).strip() if named else stem_of(path)
-    stream = moving(path, _events(path, text))
+    unreadable = Unreadable()
+    stream = moving(path, _events(text, unreadable), unreadable)
     return recording(path, "evemu", device, stream, reading, "kernel stamps, us; which clock is not said")
 
 
-def _events(path: Path, text: str) -> Iterator[RawEvent]:
+def _events(text: str, unreadable: Unreadable) -> Iterator[RawEvent]:
     """The events of the E lines."""
     for number, line in enumerate(text.splitlines(), 1):
         if not line.strip() or line[0] in OTHERS:
             continue
         found = EVENT.match(line)
         if not found:
-            raise RecordingError(f"{path}: line {number} is {line[:60]!r}, expected E: s.us type code value")
+            unreadable.add("events that cannot be read", number, line)
+            continue
         seconds, micros, kind, code, value = found.groups()
         yield int(seconds) * 1_000_000 + int(micros), int(kind, 16), int(code, 16), int(value)

@@ -17,6 +17,7 @@ from pointpred.sources.joining import join
 from pointpred.sources.reading import AS_IS, Reading
 from pointpred.sources.report_descriptor import parse_descriptor
 from pointpred.sources.report_layout import ReportDescriptor
+from pointpred.sources.unreadable import Unreadable
 
 TITLE = "hid-recorder"
 REPORT = re.compile(r"E: (\d{1,10})\.(\d{6}) (\d{1,5})((?: [0-9a-fA-F]{2})*)\s*$")
@@ -43,11 +44,13 @@ def recognises(head: bytes) -> bool:
 def read(path: Path, reading: Reading = AS_IS) -> Recording:
     """Read the relative reports of every mouse, as counts; ``row`` counts the E lines of the file.
 
-    Reports without x, y and button are left aside and counted in a note; devices without relative x and y are
-    named in a note. Raises RecordingError naming the line.
+    Reports without x, y and button, reports that cannot be read and lines of other kinds (``P:``, ``B:``) are
+    left aside and counted in notes; devices without relative x and y are named in a note.
+    Raises RecordingError, naming the line of a descriptor that cannot be read.
     """
     devices: dict[int, _Device] = {}
     current, row = 0, 0
+    unreadable = Unreadable()
     for number, line in enumerate(read_text(path).splitlines(), 1):
         device = devices.setdefault(current, _Device())
         if line.startswith("D: "):
@@ -57,17 +60,21 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
         elif line.startswith("R: "):
             _describe(path, number, line, device)
         elif line.startswith("E: "):
-            _report(path, number, line, device, row)
+            why = _report(line, device, row)
+            if why:
+                unreadable.add(f"reports that cannot be read ({why})", number, line)
             row += 1
-        elif line.strip() and line[0] not in "#IL":
-            raise RecordingError(f"{path}: line {number} is {line[:60]!r}, expected R:, N:, I:, E: or D:")
-    parts, notes = [], []
+        elif line.strip() and line[0] not in "#I":
+            unreadable.add("lines that are neither R:, N:, I:, E: nor D:", number, line)
+    parts: list[Recording] = []
+    notes: list[str] = []
     for device in devices.values():
         if any(event[1] or event[2] for event in device.events):
             parts.append(recording(path, "hid-recorder", device.name, _frames(device), reading, CLOCK))
         elif device.name or device.descriptor:
             why = device.why or f"no motion in {len(device.events)} reports"
             notes.append(f"device {device.name!r}: {why}")
+    notes += unreadable.notes
     if not parts:
         raise RecordingError(f"{path}: {'; '.join(notes) or 'no device'}, expected a mouse that moves")
     return join(stem_of(path), parts, [str(index) for index in range(len(parts))], notes)
@@ -92,30 +99,31 @@ def _describe(path: Path, number: int, line: str, device: _Device) -> None:
         device.why = str(error)
 
 
-def _report(path: Path, number: int, line: str, device: _Device, row: int) -> None:
-    """Take one report of a device."""
+def _report(line: str, device: _Device, row: int) -> str:
+    """Take one report of a device; returns why it cannot be read, in words, or nothing."""
     found = REPORT.match(line)
-    data = bytes.fromhex(found.group(4)) if found else b""
-    if not found or int(found.group(3)) != len(data):
-        raise RecordingError(
-            f"{path}: line {number} is {line[:60]!r}, expected E: s.us, a size and its bytes"
-        )
+    if not found:
+        return "expected E: s.us, a size and its bytes"
+    data = bytes.fromhex(found.group(4))
+    if int(found.group(3)) != len(data):
+        return "not as many bytes as they say"
     if device.descriptor is None:
         device.aside += 1
-        return
+        return ""
     try:
         decoded = device.descriptor.decode(data)
-    except RecordingError as error:
-        raise RecordingError(f"{path}: line {number}: {error}") from error
+    except RecordingError:
+        return "shorter than the report descriptor says"
     layout = device.descriptor.layout_of(data)
     if decoded is None or layout is None or not layout.points:
         device.aside += 1
-        return
+        return ""
     dx, dy, pressed, mask, _, _ = decoded
     held = device.events[-1][3] if device.events else 0
     time = int(found.group(1)) * 1_000_000 + int(found.group(2))
     device.events.append((time, dx, dy, (held & ~mask) | pressed))
     device.rows.append(row)
+    return ""
 
 
 def _frames(device: _Device) -> Frames:
