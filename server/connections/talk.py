@@ -60,7 +60,7 @@ class Talk:
     answered. Where sending would have to wait, because the client does not read, another task waits and
     sends, and frames are taken in meanwhile: their answers wait in the session's outbox, where predictions
     give way to newer ones. Work of a session is done by another thread: its next frames wait for it, other
-    sessions do not.
+    sessions do not. A client that sends and leaves at once has its last frames taken in as well.
     """
 
     def __init__(
@@ -156,7 +156,12 @@ class Talk:
         session = self.session
         predictions, frames = session.outbox.waiting, session.outbox.take()
         for place, frame in enumerate(frames, 1):
-            if rest := begin(self._send(_message(frame))):
+            try:
+                rest = begin(self._send(_message(frame)))
+            except OSError:
+                self._send = unheard
+                break
+            if rest:
                 self._begun.extend((rest, *frames[place:]))
                 self._sending = True
                 self._predicted = self._arrived if predictions else None
@@ -169,31 +174,40 @@ class Talk:
 
     async def _send_answers(self) -> None:
         """Ends when the session has closed and all is said."""
-        session, send, wake = self.session, self._send, self._wake
+        session, wake = self.session, self._wake
         while True:
             await wake.wait()
             wake.clear()
             if self._failure is not None:
                 raise self._failure
             self._sending = True
-            while self._begun or session.outbox:
-                while self._begun:
-                    part = self._begun.popleft()
-                    await (send(_message(part)) if isinstance(part, str | bytes) else part)
-                    self._sent += 1
-                if self._predicted is not None:
-                    self._delayed(perf_counter() - self._predicted)
-                    self._predicted = None
-                arrived, predictions = self._arrived, session.outbox.waiting
-                for frame in session.outbox.take():
-                    await send(_message(frame))
-                    self._sent += 1
-                if predictions:
-                    self._delayed(perf_counter() - arrived)
+            try:
+                await self._send_waiting()
+            except OSError:
+                self._send = unheard
+                self._begun.clear()
             self._sending = False
             if (close := session.close) is not None:
-                await send({"type": "websocket.close", "code": close.code, "reason": close.reason})
+                await self._send({"type": "websocket.close", "code": close.code, "reason": close.reason})
                 return
+
+    async def _send_waiting(self) -> None:
+        """Send what has begun and what the session has said, until there is nothing more."""
+        session = self.session
+        while self._begun or session.outbox:
+            while self._begun:
+                part = self._begun.popleft()
+                await (self._send(_message(part)) if isinstance(part, str | bytes) else part)
+                self._sent += 1
+            if self._predicted is not None:
+                self._delayed(perf_counter() - self._predicted)
+                self._predicted = None
+            arrived, predictions = self._arrived, session.outbox.waiting
+            for frame in session.outbox.take():
+                await self._send(_message(frame))
+                self._sent += 1
+            if predictions:
+                self._delayed(perf_counter() - arrived)
 
     async def _tick(self) -> None:
         """Ends when the client has read nothing for too long; one that reads slowly goes on."""
@@ -206,6 +220,10 @@ class Talk:
                 self.session.give_up()
             self.session.tick(self._loop.time())
             self._wake.set()
+
+
+async def unheard(message: MutableMapping[str, Any]) -> None:
+    """Sends nothing: the client has left, and what it sent before is still taken in."""
 
 
 def _message(frame: Frame) -> MutableMapping[str, Any]:

@@ -10,7 +10,7 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -24,6 +24,7 @@ from websockets.sync.client import connect
 from pointpred.server.protocol.records import EVENT
 from pointpred.server.recorder.recordings import listing
 from pointpred.sources import read
+from tests.server.listener import soon
 from tests.server.running import PATIENCE_S
 
 RATE_HZ = 1000
@@ -92,8 +93,8 @@ class Answers(threading.Thread):
                     self.times += [time.monotonic()] * newer
 
 
-def stream(url: str, seconds: float, end: Any) -> tuple[np.ndarray, list[float]]:
-    """Send events, one a message, at most 1 kHz and ``AHEAD`` ahead of the answers, then call ``end``.
+def stream(url: str, seconds: float, end: Callable[[Answers], object]) -> tuple[np.ndarray, list[float]]:
+    """Send events, one a message, at most 1 kHz and ``AHEAD`` ahead of the answers, then call ``end`` with them.
 
     Returns the rows sent and when each was answered.
     """
@@ -113,7 +114,7 @@ def stream(url: str, seconds: float, end: Any) -> tuple[np.ndarray, list[float]]
                 socket.send(np.array([row], EVENT).tobytes())
                 sent.append(row)
             time.sleep(0.0005)
-        end()
+        end(answers)
     answers.join()
     return np.array(sent), answers.times
 
@@ -162,7 +163,7 @@ def test_a_killed_service_loses_at_most_one_second(
     process, url, folder = serving
     moment: list[float] = []
 
-    def kill() -> None:
+    def kill(answers: Answers) -> None:
         moment.append(time.monotonic())
         os.kill(process.pid, signal.SIGKILL)
 
@@ -192,7 +193,7 @@ def test_a_killed_service_loses_at_most_one_second(
 
 def test_a_stopped_service_loses_nothing(serving: tuple[subprocess.Popen[str], str, Path]) -> None:
     process, url, folder = serving
-    sent, _ = stream(url, 0.9, lambda: None)
+    sent, _ = stream(url, 0.9, lambda answers: soon(lambda: len(answers.times) == 900, "all is answered"))
     process.send_signal(signal.SIGTERM)
     process.wait(PATIENCE_S)
     recording = read(next(folder.glob("*_samples.csv")))
@@ -212,7 +213,7 @@ def test_a_service_that_is_not_asked_to_record_writes_nothing(tmp_path: Path) ->
     try:
         assert process.stdout is not None
         url = process.stdout.readline().strip().replace("http", "ws", 1) + "v1/stream"
-        assert len(stream(url, 0.3, lambda: None)[1]) > 100
+        assert len(stream(url, 0.3, lambda answers: None)[1]) > 100
     finally:
         process.terminate()
         process.wait(PATIENCE_S)

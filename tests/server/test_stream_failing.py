@@ -11,6 +11,7 @@ from collections.abc import Callable
 from contextlib import suppress
 
 import pytest
+from uvicorn.protocols.utils import ClientDisconnected
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection
 
@@ -127,6 +128,32 @@ def test_a_client_that_reads_slowly_goes_on_and_one_that_does_not_is_given_up(
     with asyncio.Runner(loop_factory=HurriedLoop) as runner:
         end = runner.run(talk())
     assert (end.code if end else None) == close
+
+
+def test_what_a_client_sent_before_it_left_is_taken_in() -> None:
+    """Its end stands behind its last frames, and the answer to the first of them cannot be sent any more."""
+    heard: list[str | bytes] = []
+
+    class Listening(Session):
+        def receive(self, frame: str | bytes, now: float) -> None:
+            heard.append(frame)
+            super().receive(frame, now)
+
+    async def talk() -> None:
+        session = Listening("here", Limits(), asyncio.get_running_loop().time())
+        frames = [HELLO, *(event(float(t)) for t in range(100))]
+        coming = iter([{"type": "websocket.receive", "text": text} for text in frames])
+
+        async def receive() -> dict[str, str]:
+            return next(coming, {"type": "websocket.disconnect"})
+
+        async def send(message: object) -> None:
+            raise ClientDisconnected
+
+        await Talk(session, receive, send, lambda delay: None).run()
+
+    asyncio.run(talk())
+    assert len(heard) == 101
 
 
 def test_the_delay_is_of_predictions_only_and_finer_than_a_millisecond() -> None:
