@@ -94,7 +94,7 @@ class Answers(threading.Thread):
 
 
 def stream(url: str, seconds: float, end: Callable[[Answers], object]) -> tuple[np.ndarray, list[float]]:
-    """Send events, one a message, at most 1 kHz and ``AHEAD`` ahead of the answers, then call ``end`` with them.
+    """Send events, one a message, at most 1 kHz and ``AHEAD`` ahead of the answers, then ``end``.
 
     Returns the rows sent and when each was answered.
     """
