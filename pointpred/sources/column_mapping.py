@@ -95,6 +95,8 @@ def _refusal(
 ) -> ColumnsError:
     free = [name for name in names if name not in best.values()]
     likely = {field: name for field, name in near(free).items() if field not in best} | dict(best)
+    if not likely and list(names[:3]) == ["0", "1", "2"]:  # no header: the order that most programs write
+        likely = dict(zip(NEEDED, names, strict=False))
     missing = {field: "COLUMN" for field in NEEDED if field not in likely}
     unit = reading.time_unit or unit_in(likely.get("t", ""))
     shown = unit if reading.time_unit or unit or "t" in missing else "ms"

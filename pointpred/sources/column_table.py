@@ -68,9 +68,10 @@ def recording_of_table(path: Path, table: ColumnTable, reading: Reading) -> Reco
     found, notes = mapping(path, names, reading, same)
     count = sizes.pop() if sizes else 0
     rows = Rows(count, np.arange(count, dtype=np.int64) if table.row_of is None else table.row_of)
-    unit, how = _unit(path, names, found, column(found["t"]), reading)
-    rows.values["t"], wrong = time_units.clock(column(found["t"]), unit)
-    rows.blame("t", found["t"], wrong, "a date and time" if unit == "iso" else "a number")
+    iso = reading.time_unit == "iso" or (reading.time_unit is None and time_units.is_iso(column(found["t"])))
+    rows.values["t"], wrong = time_units.clock(column(found["t"]), iso)
+    rows.blame("t", found["t"], wrong, "a date and time" if iso else "a number")
+    unit, how = ("iso", " as date and time") if iso else _unit(path, names, found, rows.values["t"], reading)
     gain = reading.px_per_unit or 1.0
     turn = -1.0 if reading.y_up else 1.0
     scale = {"x": gain, "y": turn * gain, "target_x": gain, "target_y": turn * gain, "target_w": gain}
@@ -129,17 +130,13 @@ def as_arrow(column: Any) -> Any:
 
 
 def _unit(
-    path: Path, names: Sequence[str], found: dict[str, str], column: Any, reading: Reading
+    path: Path, names: Sequence[str], found: dict[str, str], clock: FloatArray, reading: Reading
 ) -> tuple[str, str]:
     """The unit of time, and how it is known, as notes say it; raises ColumnsError where it is not known."""
-    if reading.time_unit is not None:
-        return reading.time_unit, f" in {reading.time_unit}" if reading.time_unit != "iso" else ""
-    if time_units.is_iso(column):
-        return "iso", " as date and time"
-    named = unit_in(found["t"])
+    named = reading.time_unit or unit_in(found["t"])
     if named is not None:
         return named, f" in {named}"
-    units = time_units.units_by_rate(time_units.clock(column, None)[0])
+    units = time_units.units_by_rate(clock)
     if len(units) != 1:
         raise unit_refusal(path, names, found, units, reading)
     return units[0], f" in {units[0]} (by its rate)"

@@ -27,6 +27,9 @@ CONTROLS = re.compile(rb"[\x00-\x08\x0e-\x1a\x1c-\x1f]")
 """Bytes that no text in Windows-1252 has."""
 UNDEFINED = re.compile(rb"[\x81\x8d\x8f\x90\x9d]")
 """Bytes to which Windows-1252 gives no character; Latin-1 does."""
+CONTROL_BYTES, UNDEFINED_BYTES = (
+    bytes(byte for byte in range(256) if pattern.match(bytes([byte]))) for pattern in (CONTROLS, UNDEFINED)
+)
 DAMAGED = (gzip.BadGzipFile, EOFError, zlib.error)
 
 
@@ -76,9 +79,9 @@ def encoding_of(path: Path) -> Encoding:
                 raise _binary(path, place + zero, "is 0")
             if odd < 0:
                 odd = _odd(decoder, block, place)
-            if control < 0 and (found := CONTROLS.search(block)):
+            if control < 0 and _has(block, CONTROL_BYTES) and (found := CONTROLS.search(block)):
                 control = place + found.start()
-            undefined = undefined or UNDEFINED.search(block) is not None
+            undefined = undefined or _has(block, UNDEFINED_BYTES)
             returns, feeds = returns or b"\r" in block, feeds or b"\n" in block
             place += len(block)
     if odd < 0:
@@ -192,6 +195,11 @@ def _blocks(path: Path, file: BinaryIO, place: int = 0) -> Iterator[bytes]:
         if place > MOST_BYTES:
             raise RecordingError(f"{path}: more than {MOST_BYTES} bytes, at most so many are read")
         yield block
+
+
+def _has(block: bytes, some: bytes) -> bool:
+    """Whether a block holds one of some bytes; ten times as fast as a pattern."""
+    return len(block.translate(None, some)) < len(block)
 
 
 def _odd(decoder: codecs.IncrementalDecoder, block: bytes, place: int) -> int:

@@ -9,11 +9,12 @@ from pathlib import Path
 
 import msgspec
 
-from pointpred.errors import RecordingError
+from pointpred.errors import ColumnsError, RecordingError
 from pointpred.recording import Recording, Skip
 from pointpred.sources import (
     appended,
     balabit,
+    delimited,
     evemu,
     evtest,
     gofitts,
@@ -35,8 +36,11 @@ from pointpred.sources.reading import AS_IS, Reading
 
 OWN = ("recorder", "own")
 """Formats of which each file is a recording of its own."""
-MOST_MISSING = 2
-"""A file with all but so many of the needed columns was probably meant to be pointpred's own."""
+OWN_NAMES = (
+    {name.encode() for name in recordings.REQUIRED},
+    {b"user", b"trial", b"n_samples"},
+)
+"""The columns by which the samples and the trials of pointpred's own CSV are known without their mark."""
 
 
 class Format(msgspec.Struct, frozen=True):
@@ -69,7 +73,7 @@ def _is_own(head: bytes) -> bool:
     """Whether a file that begins with ``head`` is one of pointpred's own."""
     first = head.split(b"\n", 1)[0]
     named = first.replace(b'"', b"").replace(b"\r", b"").split(b",")
-    own = first.startswith(tables.MARK) or {b"user", b"trial"} <= set(named)
+    own = first.startswith(tables.MARK) or any(needed <= set(named) for needed in OWN_NAMES)
     return head.startswith(tables.PARQUET_MAGIC) or own
 
 
@@ -94,6 +98,7 @@ FORMATS: tuple[Format, ...] = (
     Format("evtest", evtest.TITLE, evtest.recognises, evtest.read, streams=True),
     Format("hid-recorder", hid_recorder.TITLE, hid_recorder.recognises, hid_recorder.read, streams=True),
     Format("evemu", evemu.TITLE, evemu.recognises, evemu.read, streams=True),
+    table_format("delimited", delimited.TITLE, delimited.recognises, delimited.read),
 )
 """In the order in which they are tried: the strictest first."""
 
@@ -120,21 +125,6 @@ def format_of(path: Path, reading: Reading = AS_IS) -> Format | None:
     told = reading.columns is not None or reading.records is not None
     formats = sorted(FORMATS, key=lambda form: not form.tabular) if told else FORMATS
     return next((form for form in formats if form.recognises(head)), None)
-
-
-def _nearly_own(head: bytes) -> str:
-    """What keeps a file of no known format from being pointpred's own CSV; empty where it is far from it."""
-    line = head.split(b"\n", 1)[0].decode("utf-8", "replace")
-    for mark in (",", ";", "\t"):
-        names = [name.strip(' "\r') for name in line.split(mark)]
-        missing = [name for name in recordings.REQUIRED if name not in names]
-        if mark != "," and len(missing) <= MOST_MISSING:
-            return f"looks like pointpred CSV with {mark!r} between cells, expected ','"
-        if not missing:
-            return "looks like pointpred CSV with blanks beside the names of its columns, expected none"
-        if len(missing) <= MOST_MISSING:
-            return f"no column {missing[0]!r}; found {', '.join(names)}"
-    return ""
 
 
 def read_any(path: str | Path, reading: Reading = AS_IS) -> list[Recording]:
@@ -187,11 +177,8 @@ def _file(path: Path, reading: Reading) -> Recording:
     """The recording in one file."""
     form = format_of(path, reading)
     if form is None:
-        near = _nearly_own(head_of(path))
         tried = ", ".join(form.title for form in FORMATS)
-        raise RecordingError(
-            f"{path}: {near}" if near else f"{path}: no known recording format; tried {tried}"
-        )
+        raise RecordingError(f"{path}: no known recording format; tried {tried}")
     return _read(form, path, reading)
 
 
@@ -200,10 +187,18 @@ def _read(form: Format, path: Path, reading: Reading) -> Recording:
     recording = form.read(path, reading)
     if form.key not in OWN and (note := encoding_of(path).note):
         recording = msgspec.structs.replace(recording, notes=(note, *recording.notes))
-    if reading.cut is None or form.streams:
-        return recording
-    note = f"cut {reading.cut!r} has no effect: {form.title} has trials of its own"
-    return msgspec.structs.replace(recording, notes=(*recording.notes, note))
+    notes = []
+    if reading.cut is not None and not form.streams:
+        notes.append(f"cut {reading.cut!r} has no effect: {form.title} has trials of its own")
+    told = () if form.tabular else _of_tables(reading)
+    notes += [f"{name} has no effect: {form.title} says it itself" for name in told]
+    return msgspec.structs.replace(recording, notes=(*recording.notes, *notes)) if notes else recording
+
+
+def _of_tables(reading: Reading) -> list[str]:
+    """What ``reading`` says that only tables take."""
+    names = ("columns", "time_unit", "y_up", "px_per_unit", "records")
+    return [name for name in names if getattr(reading, name) not in (None, False)]
 
 
 def _folder(path: Path, reading: Reading) -> list[Recording]:
@@ -219,12 +214,13 @@ def _folder(path: Path, reading: Reading) -> list[Recording]:
         try:
             form = format_of(file, reading)
             if form is None:
-                near = _nearly_own(head_of(file))
-                notes.append(f"{label} fits no recording format" + (f": {near}" if near else ""))
+                notes.append(f"{label} fits no recording format")
             elif form.key in OWN:
                 own.append(_read(form, file, reading))
             else:
                 foreign.setdefault(form.key, []).append((file, _read(form, file, reading)))
+        except ColumnsError as error:
+            notes.append(f"{label} is not read: {error}")
         except RecordingError as error:
             skipped.append(Skip(label, str(error)))
     found = _distinct(own + [_joined(parts) for parts in foreign.values()])

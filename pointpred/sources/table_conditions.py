@@ -12,6 +12,8 @@ from pointpred.sources import tables
 from pointpred.sources.assembly import IntArray
 from pointpred.sources.trial_keys import codes_of
 
+PROBE = 1000
+"""Rows at which most columns that vary are known as such."""
 MOST = 64
 """Columns that are looked at; what a wider table holds beyond is left aside."""
 
@@ -43,8 +45,9 @@ def conditions_of(
         if pa.types.is_nested(column.type):
             varying.append(name)
             continue
-        codes, cells = codes_of(tables.words(column).fill_null(""))
-        of_trial = one_value(codes[rows].astype(np.float64), group, count)
+        of_trial, cells = _codes(column.take(pa.array(rows[:PROBE])), group[:PROBE], count)
+        if not np.isnan(of_trial[np.unique(group[:PROBE])]).any():
+            of_trial, cells = _codes(column.take(pa.array(rows)), group, count)
         if np.isnan(of_trial).any():
             varying.append(name)
             continue
@@ -53,3 +56,9 @@ def conditions_of(
             if cells[code].strip():
                 known[index][name] = cells[code] if faults else float(numbers[code])
     return known, varying
+
+
+def _codes(column: Any, group: IntArray, count: int) -> tuple[FloatArray, list[str]]:
+    """The place of the one cell of each trial among the different cells, NaN where it has several; these."""
+    codes, cells = codes_of(tables.words(column).fill_null(""))
+    return one_value(codes.astype(np.float64), group, count), cells

@@ -101,14 +101,18 @@ def recording_of_rows(
         for index, key in enumerate(groups.keys)
     ]
     left = [f"columns left aside, for they vary within a trial: {', '.join(varying)}"] if varying else []
-    place = {int(row): at for at, row in enumerate(kept)}
+    faulty = np.array(sorted(rows.faults), dtype=np.int64)
+    faulty = faulty[groups.group[faulty] >= 0]
     return assemble(
         stem_of(path),
         table,
         group,
         trials,
         skipped=(*skipped, *groups.skipped),
-        faults={place[row]: words for row, words in rows.faults.items() if row in place},
+        faults={
+            int(at): rows.faults[int(row)]
+            for at, row in zip(np.searchsorted(kept, faulty), faulty, strict=True)
+        },
         unfit=_bad_widths(targets.get("target_w")),
         provenance=provenance,
         row_of=rows.row_of[kept],

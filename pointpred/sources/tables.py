@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -13,6 +13,7 @@ import pyarrow as pa
 import pyarrow.compute as pc
 import pyarrow.csv as pacsv
 import pyarrow.parquet as pq
+from numpy.typing import NDArray
 
 from pointpred.columns import FloatArray
 from pointpred.errors import RecordingError
@@ -180,6 +181,10 @@ def numbers(column: Any) -> tuple[FloatArray, dict[int, str]]:
         column = column.cast(column.type.value_type)
     faults: dict[int, str] = {}
     if is_words(column):
+        try:
+            return float64(pc.cast(column, pa.float64())), faults
+        except pa.ArrowInvalid:
+            pass  # some cell is no number, or has blanks around it
         good = pc.match_substring_regex(column, NUMBER)
         empty = pc.match_substring_regex(column, NOT_A_NUMBER)
         wrong = as_array(pc.indices_nonzero(pc.invert(pc.or_(good, empty))))
@@ -221,6 +226,11 @@ def as_array(column: Any) -> Any:
 
 def _chunks(column: Any) -> list[Any]:
     return column.chunks if isinstance(column, pa.ChunkedArray) else [column]
+
+
+def rows_without(count: int, left: Collection[int]) -> NDArray[np.int64]:
+    """The rows 0 up to ``count`` but for some."""
+    return np.delete(np.arange(count, dtype=np.int64), sorted(left))
 
 
 def need_columns(path: Path, names: Iterable[str], required: Iterable[str], known: Iterable[str]) -> None:

@@ -46,13 +46,13 @@ def units_by_rate(clock: FloatArray) -> list[str]:
     return [unit for unit, per in PER_SECOND.items() if SHORTEST_S <= middle / per <= LONGEST_S]
 
 
-def clock(column: Any, unit: str | None) -> tuple[FloatArray, dict[int, str]]:
+def clock(column: Any, iso: bool = False) -> tuple[FloatArray, dict[int, str]]:
     """The times of a column in its unit (ns of stamps), NaN where there is none, and what is no time, by row.
 
     A clock that has come far, such as the ns since 1970, counts from its first cell: differences are exact
     up to 2^53 units.
     """
-    if unit == "iso":
+    if iso:
         return _stamps(column)
     whole = _whole(column)
     if whole is not None:

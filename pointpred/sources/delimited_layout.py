@@ -1,0 +1,151 @@
+"""How a delimited text is laid out: its separator, the line of names, and where its rows begin."""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections import Counter
+from collections.abc import Sequence
+
+import msgspec
+
+LINES = 60
+"""Lines that are looked at."""
+PREAMBLE = 20
+"""Lines above the table that are passed over."""
+MOSTLY = 0.8
+"""Share of the lines that must have as many cells as the most frequent count."""
+SEPARATORS = ("\t", ";", "|", ",", " ")
+NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?|[+-]?(nan|inf)", re.IGNORECASE)
+STAMP = re.compile(r"\d{4}-\d{2}-\d{2}[T ]\d{2}:\d{2}.*")
+DECLARED = re.compile(r"sep=(.)")
+"""The first line that Excel writes and understands."""
+
+
+class Layout(msgspec.Struct, frozen=True):
+    """Where the cells of a text are.
+
+    ``separator`` of cells (a blank stands for any run of blanks); ``names`` of columns, ``None`` without a
+    header; ``width`` cells in a row; ``first``: the text's line at which the rows begin, from 0; ``above``:
+    lines that are no part of the table.
+    """
+
+    separator: str
+    names: tuple[str, ...] | None
+    width: int
+    first: int
+    above: int = 0
+
+    @property
+    def columns(self) -> list[str]:
+        """A name for each column, none twice: its place from 0 where it has none."""
+        found: list[str] = []
+        for place in range(self.width):
+            given = self.names[place].strip() if self.names is not None and place < len(self.names) else ""
+            name, count = given or str(place), 0
+            while name in found:
+                count += 1
+                name = f"{given or place}.{count}"
+            found.append(name)
+        return found
+
+
+def layout_of(text: str) -> Layout | None:
+    r"""The layout of a text that begins with ``text``; ``None`` where it is no table with numbers.
+
+    Lines that begin with # are comments; the last of them may hold the names of the columns.
+
+    >>> layout_of("t;x;y\n0,1;5;6\n0,2;7;8\n")
+    Layout(separator=';', names=('t', 'x', 'y'), width=3, first=1, above=0)
+    """
+    lines = text.lstrip("\ufeff").splitlines()
+    comments = [line for line in lines[:LINES] if line.lstrip().startswith("#")]
+    numbered = [
+        (at, line) for at, line in enumerate(lines) if line.strip() and not line.lstrip().startswith("#")
+    ]
+    declared = DECLARED.fullmatch(numbered[0][1].strip()) if numbered else None
+    candidates = SEPARATORS if declared is None else (declared[1],)
+    numbered = numbered[declared is not None :][:LINES]
+    if not numbered or numbered[0][1].lstrip()[:1] in ("{", "[", "<"):
+        return None
+    for separator in candidates:
+        found = _by(separator, numbered, comments)
+        if found is not None:
+            return found
+    return None
+
+
+def is_number(cell: str) -> bool:
+    """Whether a cell is a number with a point or a comma, or a stamp of date and time."""
+    cell = cell.strip()
+    return bool(NUMBER.fullmatch(cell) or STAMP.fullmatch(cell))
+
+
+def _split(separator: str, numbered: Sequence[tuple[int, str]]) -> tuple[list[list[str]], list[int]]:
+    """The cells of each row, and the line at which it begins; none where quotes are not as in a table."""
+    lines = (" ".join(line.split()) if separator == " " else line for _, line in numbered)
+    reader = csv.reader(lines, delimiter=separator, skipinitialspace=separator != " ")
+    rows: list[list[str]] = []
+    places: list[int] = []
+    read = 0
+    try:
+        for row in reader:
+            rows.append([cell.strip() for cell in row])
+            places.append(numbered[read][0])
+            read = reader.line_num
+    except csv.Error:
+        return [], []
+    return rows, places
+
+
+def _by(separator: str, numbered: Sequence[tuple[int, str]], comments: Sequence[str]) -> Layout | None:
+    """The layout by one separator; ``None`` where the lines have no common number of cells."""
+    rows, places = _split(separator, numbered)
+    if not rows:
+        return None
+    width, _ = Counter(map(len, rows[min(1, len(rows) - 1) :])).most_common(1)[0]
+    if width < (3 if separator in " |" else 2):
+        return None
+    start = next((at for at, row in enumerate(rows[:PREAMBLE]) if len(row) == width), None)
+    if start is None:
+        return None
+    if start and len(rows[start - 1]) == width - 1 and not any(map(is_number, rows[start - 1])):
+        names, body = _short_names(rows[start - 1], rows[start]), start
+        above = start - 1
+    elif _is_header(rows[start], [row for row in rows[start + 1 :] if len(row) == width]):
+        names, body, above = tuple(rows[start]), start + 1, start
+    else:
+        names, body, above = _in_comment(comments, separator, width), start, start
+    same = [row for row in rows[body:] if len(row) == width]
+    if len(same) < MOSTLY * len(rows[body:]) or not any(
+        is_number(cell) or "[" in cell for row in same for cell in row
+    ):
+        return None
+    first = places[body] if body < len(places) else numbered[-1][0] + 1
+    return Layout(separator, names, width, first, above)
+
+
+def _is_header(row: Sequence[str], below: Sequence[Sequence[str]]) -> bool:
+    """Whether a row holds names: words above numbers, and no number above a number."""
+    if [cell.strip() for cell in row] == [str(place) for place in range(len(row))]:
+        return True
+    numeric = [sum(is_number(cells[place]) for cells in below) > len(below) / 2 for place in range(len(row))]
+    if any(is_number(cell) and digits for cell, digits in zip(row, numeric, strict=True)):
+        return False
+    if any(cell and not is_number(cell) and digits for cell, digits in zip(row, numeric, strict=True)):
+        return True
+    return not any(is_number(cell) or "[" in cell for cell in row)
+
+
+def _short_names(names: Sequence[str], row: Sequence[str]) -> tuple[str, ...]:
+    """Names that are one fewer than the cells: a row ends with a separator, or begins with a name."""
+    return (*names, "") if not row[-1] else ("", *names)
+
+
+def _in_comment(comments: Sequence[str], separator: str, width: int) -> tuple[str, ...] | None:
+    """Names in the last comment, as numpy writes them; ``None`` where it holds another number of words."""
+    if not comments:
+        return None
+    rows, _ = _split(separator, [(0, comments[-1].strip().lstrip("#").strip())])
+    words = rows[0] if rows else []
+    return tuple(words) if len(words) == width and not any(map(is_number, words)) else None
