@@ -92,7 +92,11 @@ def recording_of_table(path: Path, table: ColumnTable, reading: Reading) -> Reco
         else:
             rows.values["buttons"] = pressed
     rows.per_second = 1e9 if unit == "iso" else time_units.PER_SECOND[unit]
-    keys = {key: tables.words(column(found[key])) for key in ("user", "trial") if key in found}
+    keys = {
+        key: pc.utf8_trim_whitespace(tables.words(column(found[key])))
+        for key in ("user", "trial")
+        if key in found
+    }
     others = {name: column(name) for name in names if name not in found.values()}
     said = ", ".join(f"{field} = {name}" + (how if field == "t" else "") for field, name in found.items())
     provenance = Provenance(

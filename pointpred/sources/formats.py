@@ -218,7 +218,8 @@ def _folder(path: Path, reading: Reading) -> list[Recording]:
             elif form.key in OWN:
                 own.append(_read(form, file, reading))
             else:
-                foreign.setdefault(form.key, []).append((file, _read(form, file, reading)))
+                recording = _read(form, file, reading)
+                foreign.setdefault(form.key, []).append((file, recording))
         except ColumnsError as error:
             notes.append(f"{label} is not read: {error}")
         except RecordingError as error:
