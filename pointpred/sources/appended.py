@@ -6,6 +6,7 @@ at any moment, so the last line may be cut short. It alone is left aside, with a
 
 from __future__ import annotations
 
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +19,7 @@ from pointpred.columns import EventColumns
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording, Skip, Trial
 from pointpred.sources import tables
+from pointpred.sources.arrow_files import in_memory
 from pointpred.sources.assembly import IntArray, assemble
 from pointpred.sources.decoding import read_unpacked, stem_of
 from pointpred.sources.header import Header, parse_header, says_appended
@@ -109,7 +111,7 @@ def _table(path: Path, columns: tuple[str, ...]) -> tuple[Any, Header, list[str]
         strings_can_be_null=True,
     )
     try:
-        table = pacsv.read_csv(pa.BufferReader(rest), convert_options=options)
+        table = pacsv.read_csv(pa.BufferReader(in_memory(BytesIO(rest))), convert_options=options)
     except (pa.ArrowException, UnicodeError) as error:
         raise RecordingError(f"{path}: {' '.join(str(error).split())}") from error
     cut = len(data) - end

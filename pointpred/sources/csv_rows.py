@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import re
 from pathlib import Path
 from typing import Any, BinaryIO
@@ -11,6 +10,7 @@ import pyarrow as pa
 import pyarrow.csv as pacsv
 
 from pointpred.errors import RecordingError
+from pointpred.sources.arrow_files import in_memory
 from pointpred.sources.reading import row_name
 
 CELLS = re.compile(r"(?:Row #(\d+): )?Expected (\d+) columns, got (\d+)")
@@ -22,13 +22,12 @@ def parse_csv(path: Path, file: BinaryIO, skip: int, types: dict[str, Any]) -> A
 
     Raises RecordingError naming the first row that is cut or too long.
     """
+    rows = in_memory(file)
 
     def parse(threads: bool) -> Any:
-        size = file.seek(0, io.SEEK_END)
-        file.seek(0)
         return pacsv.read_csv(
-            file,
-            read_options=pacsv.ReadOptions(skip_rows=skip, use_threads=threads, block_size=_block(size)),
+            pa.BufferReader(rows),
+            read_options=pacsv.ReadOptions(skip_rows=skip, use_threads=threads, block_size=_block(rows.size)),
             parse_options=pacsv.ParseOptions(newlines_in_values=True),
             convert_options=pacsv.ConvertOptions(
                 column_types=types,

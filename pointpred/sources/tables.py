@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from pointpred.columns import FloatArray
 from pointpred.errors import RecordingError
+from pointpred.sources.arrow_files import open_file
 from pointpred.sources.csv_rows import parse_csv
 from pointpred.sources.decoding import UTF_8, head_of, is_ended, open_utf8
 from pointpred.sources.header import NO_HEADER, Header, parse_header
@@ -81,7 +82,7 @@ def read_table(path: Path, text: Callable[[str], bool]) -> tuple[Any, Header]:
 
 def read_parquet(path: Path) -> tuple[Any, Header]:
     """The table in a Parquet file and its pointpred header; checksums are verified where present."""
-    with path.open("rb") as opened, pq.ParquetFile(opened, page_checksum_verification=True) as file:
+    with open_file(path) as opened, pq.ParquetFile(opened, page_checksum_verification=True) as file:
         table = file.read()
     table.validate(full=True)
     return table.replace_schema_metadata(None), _header(path, (file.metadata.metadata or {}).get(KEY))
@@ -149,11 +150,11 @@ def write_table(path: Path, table: Any, header: dict[str, Any]) -> None:
     encoded = msgspec.json.encode(header | {"version": 1, "rows": table.num_rows}, order="sorted")
     part = path.with_name(path.name + ".part")
     try:
-        if path.suffix == ".parquet":
-            table = table.replace_schema_metadata({KEY: encoded})
-            pq.write_table(table, part, compression="zstd", write_page_checksum=True)
-        else:
-            with part.open("wb") as file:
+        with open_file(part, "wb") as file:
+            if path.suffix == ".parquet":
+                table = table.replace_schema_metadata({KEY: encoded})
+                pq.write_table(table, file, compression="zstd", write_page_checksum=True)
+            else:
                 file.write(MARK + encoded + b"\n")
                 file.write(",".join(table.column_names).encode() + b"\n")
                 pacsv.write_csv(table, file, pacsv.WriteOptions(include_header=False))

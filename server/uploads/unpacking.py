@@ -45,10 +45,12 @@ def _check_parquet(body: bytes) -> None:
     import pyarrow as pa
     import pyarrow.parquet as pq
 
+    from pointpred.sources.arrow_files import in_memory
     from pointpred.sources.tables import UNREADABLE
 
     try:
-        about = pq.read_metadata(pa.BufferReader(body))
+        file = pa.BufferReader(in_memory(BytesIO(body)))
+        about = pq.read_metadata(file)
         check_most("rows", about.num_rows, MOST_ROWS)
         check_most("columns", about.num_columns, MOST_COLUMNS)
         groups = [about.row_group(i) for i in range(about.num_row_groups)]
@@ -56,8 +58,8 @@ def _check_parquet(body: bytes) -> None:
         check_most("bytes", max(size, 8 * about.num_rows * about.num_columns), MOST_UNPACKED)
         words = _words(about.schema.to_arrow_schema())
         if words:
-            with pq.ParquetFile(pa.BufferReader(body), read_dictionary=words) as file:
-                size += sum(_spelled_out(column) for column in file.read(columns=words).columns)
+            with pq.ParquetFile(file, read_dictionary=words) as opened:
+                size += sum(_spelled_out(column) for column in opened.read(columns=words).columns)
             check_most("bytes", size, MOST_UNPACKED)
     except RecordingError:
         raise
