@@ -32,6 +32,12 @@ Screen = Annotated[
 ]
 Cpi = Annotated[float | None, typer.Option(help="Counts per inch of the device.", rich_help_panel=PANEL)]
 Dpi = Annotated[float | None, typer.Option(help="Pixels per inch of the screen (96).", rich_help_panel=PANEL)]
+Target = Annotated[
+    str | None,
+    typer.Option(
+        help="Selector of the element that is the goal, as '#left' (jsPsych).", rich_help_panel=PANEL
+    ),
+]
 
 
 def there(given: Any) -> Any:
@@ -71,6 +77,7 @@ def reading(
     screen: str | None,
     cpi: float | None,
     dpi: float | None,
+    target: str | None = None,
 ) -> Reading:
     """The options given, as the sources want them; raises ParameterError."""
     from pointpred.sources import Reading
@@ -83,6 +90,7 @@ def reading(
         "screen": size,
         "cpi": cpi,
         "dpi": dpi,
+        "target": target,
     }
     return Reading(**{name: value for name, value in options.items() if value is not None})
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from pointpred.cli.playing import SPEED, TRIAL, complain, one_recording, speed_of
-from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Unit, reading, to_read
+from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Target, Unit, reading, to_read
 from pointpred.cli.replay_tables import described, plain, print_played
 from pointpred.cli.screen import check_target, remarks, write_json
 from pointpred.errors import ParameterError, RecordingError
@@ -64,6 +64,7 @@ def replay(
     screen: Screen = None,
     cpi: Cpi = None,
     dpi: Dpi = None,
+    target: Target = None,
 ) -> None:
     """Play a recording to a service, or as the mouse of a page in a browser.
 
@@ -81,7 +82,7 @@ def replay(
         raise ParameterError("give either --to URL of a service or --devtools URL of a browser")
     pace, shift = speed_of(speed), _pair(offset)
     check_target(json)
-    told = reading(cut, pause_s, unit, screen, cpi, dpi)
+    told = reading(cut, pause_s, unit, screen, cpi, dpi, target)
     recording = one_recording(file, told)
     names = trial or []
     if devtools is not None:

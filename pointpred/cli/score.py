@@ -10,7 +10,7 @@ import msgspec
 import typer
 
 from pointpred.cli.coefficients import Coefficients, with_coefficients
-from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Unit, reading, recordings_in, to_read
+from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Target, Unit, reading, recordings_in, to_read
 from pointpred.cli.screen import check_targets, remarks, write_json
 from pointpred.errors import ParameterError, PointpredError, RecordingError
 from pointpred.extras import require
@@ -57,6 +57,7 @@ def score(
     screen: Screen = None,
     cpi: Cpi = None,
     dpi: Dpi = None,
+    target: Target = None,
 ) -> None:
     """Score predictors on recordings, compared with making no prediction.
 
@@ -74,7 +75,7 @@ def score(
     """
     names = chosen(predictors)
     check_targets({"--json": json, "--report": report}, files or ())
-    told = reading(cut, pause_s, unit, screen, cpi, dpi)
+    told = reading(cut, pause_s, unit, screen, cpi, dpi, target)
     own = with_coefficients(names, coefficients)
     unread: Unread = {}
     if targets:

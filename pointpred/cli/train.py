@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 from rich.table import Table
 
-from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Unit, reading, to_read
+from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Target, Unit, reading, to_read
 from pointpred.cli.score import read_all
 from pointpred.cli.screen import check_targets, counted, plain, results, write_json
 from pointpred.errors import ParameterError, RecordingError
@@ -51,6 +51,7 @@ def train(
     screen: Screen = None,
     cpi: Cpi = None,
     dpi: Dpi = None,
+    target: Target = None,
 ) -> None:
     """Fit the coefficients of 'kinematic' to your own recordings, and score them beside the shipped ones.
 
@@ -71,7 +72,7 @@ def train(
     if str(out) == "-" or out.suffix != ".npz":
         raise ParameterError(f"--out must name a file that ends in .npz, received {out}")
     require("train", "training")  # before minutes of reading
-    told = reading(cut, pause_s, unit, screen, cpi, dpi)
+    told = reading(cut, pause_s, unit, screen, cpi, dpi, target)
     from pointpred.cli.progress import following
     from pointpred.training.own import train_own
 

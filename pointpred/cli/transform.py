@@ -13,6 +13,7 @@ from pointpred.cli.reading import (
     Dpi,
     PauseS,
     Screen,
+    Target,
     Unit,
     is_sample,
     reading,
@@ -71,6 +72,7 @@ def convert(
     screen: Screen = None,
     cpi: Cpi = None,
     dpi: Dpi = None,
+    target: Target = None,
 ) -> None:
     """Convert a recording to pointpred's own format, and list what was skipped and why.
 
@@ -90,7 +92,7 @@ def convert(
     from pointpred.sources import convert as run
     from pointpred.sources import write_found
 
-    options = reading(cut, pause_s, unit, screen, cpi, dpi)
+    options = reading(cut, pause_s, unit, screen, cpi, dpi, target)
     if is_sample(source):
         told = write_found(recordings_in(source, options), out, replace=force)
     else:

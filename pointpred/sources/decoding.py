@@ -168,6 +168,19 @@ def head_of(path: Path, most: int = HEAD_BYTES) -> bytes:
     return head if b"\n" in head else head.replace(b"\r", b"\n")
 
 
+def holds(path: Path, word: bytes, most: int) -> bool:
+    """Whether the first ``most`` bytes of a file, unpacked, hold ``word``; memory is two blocks."""
+    tail, place = b"", 0
+    with open_unpacked(path) as file:
+        for block in _blocks(path, file):
+            if word in tail + block:
+                return True
+            tail, place = block[-len(word) :], place + len(block)
+            if place >= most:
+                return False
+    return False
+
+
 def is_ended(path: Path) -> bool:
     """Whether a text file ends with a line break; raises RecordingError."""
     with open_unpacked(path) as file:

@@ -48,6 +48,7 @@ class Format(msgspec.Struct, frozen=True):
 
     ``streams``: it has no trials of its own, so that ``Reading.cut`` says how they are cut.
     ``tabular``: ``Reading.columns`` says what its columns are.
+    ``recognises_further``: looks on in a file, which begins with a head that does not tell.
     """
 
     key: str
@@ -56,6 +57,7 @@ class Format(msgspec.Struct, frozen=True):
     read: Callable[[Path, Reading], Recording]
     streams: bool = False
     tabular: bool = False
+    recognises_further: Callable[[Path, bytes], bool] = lambda path, head: False
 
 
 def table_format(
@@ -93,7 +95,13 @@ FORMATS: tuple[Format, ...] = (
     ),
     Format("mousetrap", mousetrap.TITLE, mousetrap.recognises, mousetrap.read),
     Format("psychopy", psychopy.TITLE, psychopy.recognises, psychopy.read),
-    Format("jspsych", jspsych.TITLE, jspsych.recognises, jspsych.read),
+    Format(
+        "jspsych",
+        jspsych.TITLE,
+        jspsych.recognises,
+        jspsych.read,
+        recognises_further=jspsych.recognises_further,
+    ),
     Format("libinput", libinput.TITLE, libinput.recognises, libinput.read, streams=True),
     Format("evtest", evtest.TITLE, evtest.recognises, evtest.read, streams=True),
     Format("hid-recorder", hid_recorder.TITLE, hid_recorder.recognises, hid_recorder.read, streams=True),
@@ -124,7 +132,9 @@ def format_of(path: Path, reading: Reading = AS_IS) -> Format | None:
     head = head_of(path)
     told = reading.columns is not None or reading.records is not None
     formats = sorted(FORMATS, key=lambda form: not form.tabular) if told else FORMATS
-    return next((form for form in formats if form.recognises(head)), None)
+    return next(
+        (form for form in formats if form.recognises(head) or form.recognises_further(path, head)), None
+    )
 
 
 def read_any(path: str | Path, reading: Reading = AS_IS) -> list[Recording]:

@@ -26,7 +26,8 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
     than ``least_s`` >= 0 s are skipped.
     ``unit`` of positions where the experiment chose it (PsychoPy); ``screen`` width and height in px, needed
     for the units height and norm; ``dpi`` in [1, 1e5] px per inch, for positions in cm or m; ``cpi`` in
-    [1, 1e6] counts per inch of the device, kept in the provenance.
+    [1, 1e6] counts per inch of the device, kept in the provenance; ``target``: the selector of the page's
+    element that is the goal (jsPsych).
 
     For any table: ``columns`` names, for some of ``FIELDS``, the column that holds it, by its name or by its
     place counted from 0; what is not named is guessed from the usual names, or left unknown where t, x and y
@@ -43,6 +44,7 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
     screen: tuple[float, float] | None = None
     dpi: float = 96.0
     cpi: float | None = None
+    target: str | None = None
     columns: dict[str, str | int] | None = None
     time_unit: TimeUnit | None = None
     y_up: bool = False

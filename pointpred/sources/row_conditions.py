@@ -1,0 +1,67 @@
+"""What the rows of a file that holds a trial in each row say of their trials beside the track."""
+
+from __future__ import annotations
+
+from collections.abc import Container, Sequence
+from typing import Any
+
+import numpy as np
+
+from pointpred.sources.table_conditions import MOST
+from pointpred.sources.trial_tables import OWN
+
+LONGEST = 100
+"""A column with a longer cell holds a track, a page or an answer, and no condition."""
+
+
+def row_conditions(
+    rows: Sequence[dict[str, Any]], aside: Container[str] = ()
+) -> list[dict[str, str | float]]:
+    """The conditions in each row: columns of short words or numbers that are not ``aside``.
+
+    Numbers stay numbers where every cell of a column is one; an empty cell is no condition. The columns
+    beyond the first 64 and those that pointpred writes itself are left out.
+
+    >>> row_conditions([{"block": "1", "cue": "left"}, {"block": "2", "cue": ""}])
+    [{'block': 1.0, 'cue': 'left'}, {'block': 2.0}]
+    """
+    known: list[dict[str, str | float]] = [{} for _ in rows]
+    kept = 0
+    for name in dict.fromkeys(name for row in rows for name in row):
+        cells = [row.get(name) for row in rows]
+        if kept == MOST or name in aside or not _fits(name) or not all(map(_short, cells)):
+            continue
+        numbers = [_number(cell) for cell in cells if not _empty(cell)]
+        kept += bool(numbers)
+        for row, cell in zip(known, cells, strict=True):
+            if not _empty(cell):
+                row[name] = str(cell) if None in numbers else float(cell)  # type: ignore[arg-type]
+    return known
+
+
+def _fits(name: str) -> bool:
+    """Whether a name can be that of a condition in pointpred's own files."""
+    return bool(name) and name not in OWN and name == name.strip(' "\r\n,') and "," not in name
+
+
+def _short(cell: Any) -> bool:
+    return cell is None or (
+        isinstance(cell, str | float | int) and not _is_list(cell) and len(str(cell)) <= LONGEST
+    )
+
+
+def _is_list(cell: Any) -> bool:
+    return isinstance(cell, str) and cell.lstrip().startswith(("[", "{"))
+
+
+def _empty(cell: Any) -> bool:
+    return cell is None or (isinstance(cell, str) and not cell.strip())
+
+
+def _number(cell: Any) -> float | None:
+    """A cell as a finite number, ``None`` where it is none."""
+    try:
+        number = float(cell)
+    except (ValueError, OverflowError):
+        return None
+    return number if np.isfinite(number) else None
