@@ -99,8 +99,8 @@ class Prediction(msgspec.Struct, frozen=True):
     def region(self, level: float) -> Region | None:
         """The ellipse that holds the endpoint with probability ``level``, as the prediction claims.
 
-        ``None`` where no region is claimed or the scale matrix has no inside. Raises ParameterError for a
-        level outside (0, 1).
+        ``None`` where no region is claimed, the scale matrix has no inside, or the ellipse is too large for a
+        finite number. Raises ParameterError for a level outside (0, 1).
 
         >>> prediction = Prediction(0.0, 300.0, 200.0, (400.0, 0.0, 100.0), "ballistic", None)
         >>> region = prediction.region(0.5)

@@ -7,6 +7,7 @@ law in compiled code, and ``server/web/client-regions.js`` is the same law for b
 from __future__ import annotations
 
 from math import atan2, expm1, hypot, inf, isfinite, log1p, nan, sqrt
+from numbers import Real
 
 import msgspec
 
@@ -15,7 +16,7 @@ from pointpred.errors import ParameterError
 NEARLY_NORMAL = 1e16
 """From so many degrees of freedom on, no float tells a Student law from a normal one."""
 LARGEST_LOG = 700.0
-"""Regions grow no further than this logarithm: exp(700) is about as large as floats get."""
+"""A region that grows further than this logarithm is infinite: exp(700) is about as large as floats get."""
 
 HALF = 0.5
 """The level at which laws of different tails are compared."""
@@ -39,14 +40,17 @@ def reach(level: float, tail: float) -> float:
     """Squared Mahalanobis distance up to which the region of a level in (0, 1) goes.
 
     Normal law (``tail`` NaN or infinite): -2 ln(1 - level). Bivariate Student law of ``tail`` degrees of
-    freedom: tail ((1 - level)^(-2 / tail) - 1). NaN where ``tail`` is not positive: there is no such law.
+    freedom: tail ((1 - level)^(-2 / tail) - 1); infinite where that is too large for a float. NaN where
+    ``tail`` is not positive: there is no such law.
     """
     normal = -2.0 * log1p(-level)
     if not tail < NEARLY_NORMAL:
         return normal
     if tail <= 0.0:
         return nan
-    return tail * expm1(min(normal / tail, LARGEST_LOG))
+    if normal / tail > LARGEST_LOG:
+        return inf
+    return tail * expm1(normal / tail)
 
 
 def region_of(
@@ -54,8 +58,9 @@ def region_of(
 ) -> Region | None:
     """The region of a level around (x, y) px, from the scale matrix in px^2 and the tail (NaN: normal).
 
-    ``None`` where a number is missing (NaN) or the matrix has no inside. The smaller eigenvalue is the
-    determinant over the larger one: a difference would lose the breadth of a thin region to rounding.
+    ``None`` where a number is missing (NaN), the matrix has no inside, or the ellipse is too large for a
+    finite number, as with a tail near 0. The smaller eigenvalue is the determinant over the larger one: a
+    difference would lose the breadth of a thin region to rounding.
     """
     determinant = sxx * syy - sxy * sxy
     far = reach(level, tail)
@@ -64,7 +69,9 @@ def region_of(
     ):
         return None
     larger = 0.5 * (sxx + syy) + hypot(0.5 * (sxx - syy), sxy)
-    major, minor = sqrt(far * larger), sqrt(far * determinant / larger)
+    major, minor = sqrt(far * larger), sqrt(far * (determinant / larger))
+    if not isfinite(major):
+        return None
     return Region(x, y, major, min(minor, major), 0.5 * atan2(2.0 * sxy, sxx - syy))
 
 
@@ -72,14 +79,16 @@ def as_normal(sxx: float, sxy: float, syy: float, tail: float) -> tuple[float, f
     """The covariance (px^2) of the normal law whose 50 % region is that of this Student law.
 
     For a rule that asks for a standard deviation: a Student law of a ``tail`` of 2 or less has none. NaN
-    where no region is claimed; a normal law (``tail`` NaN) is returned as it is.
+    where no region is claimed or it is infinite; a normal law (``tail`` NaN) is returned as it is.
     """
     factor = reach(HALF, tail) / reach(HALF, nan)
+    if factor == inf:
+        factor = nan
     return factor * sxx, factor * sxy, factor * syy
 
 
 def probability(level: object) -> float:
-    """A level as a float; raises ParameterError unless it is a number in (0, 1)."""
-    if isinstance(level, bool) or not isinstance(level, int | float) or not 0.0 < level < 1.0:
-        raise ParameterError(f"level must be a probability in (0, 1), received {level!r}")
-    return float(level)
+    """A level as a float; raises ParameterError unless it is a real number in (0, 1), of Python or numpy."""
+    if not isinstance(level, bool) and isinstance(level, Real) and 0.0 < float(level) < 1.0:
+        return float(level)
+    raise ParameterError(f"level must be a probability in (0, 1), received {level!r}")

@@ -85,14 +85,17 @@ def run(
     way: Annotated[str, typer.Option(help="Method for the image velocity; a wrong name lists all.")] = FED,
     images: Annotated[
         Path | None,
-        typer.Option(callback=there, file_okay=False, help="Images to follow the point in."),
+        typer.Option(
+            metavar="FOLDER", callback=there, file_okay=False, help="Images to follow the point in."
+        ),
     ] = None,
     point: Annotated[
         str, typer.Option(metavar="X,Y", help="Its position in the first image, px from the centre.")
     ] = "0,0",
     every: Annotated[int, typer.Option(help="Samples per image, with --images.")] = 1,
     truth: Annotated[
-        Path | None, typer.Option(callback=there, dir_okay=False, help="CSV with the true values.")
+        Path | None,
+        typer.Option(metavar="FILE", callback=there, dir_okay=False, help="CSV with the true values."),
     ] = None,
     plot: Annotated[Path | None, typer.Option(metavar="FILE", help="SVG file to draw.")] = None,
     json: Annotated[Path | None, typer.Option(metavar="FILE", help="Write JSON; - for stdout.")] = None,

@@ -18,6 +18,18 @@ Coefficients = Annotated[
 ]
 
 
+def named_file(text: str | None) -> tuple[str, Path] | None:
+    """NAME=FILE as a service is given it, of which the file is here; raises ParameterError."""
+    if text is None:
+        return None
+    name, _, file = text.partition("=")
+    if not name or not file:
+        raise ParameterError(
+            f"--coefficients must be NAME=FILE, as 'pointpred serve' has it, received {text!r}"
+        )
+    return name, Path(file)
+
+
 def with_coefficients(names: list[str], file: Path | None) -> dict[str, dict[str, Any]]:
     """What ``build`` is given for each of the names that take coefficients.
 

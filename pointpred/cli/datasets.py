@@ -59,11 +59,11 @@ def list_sets(
 @app.command("fetch")
 def fetch_set(
     name: Annotated[str, typer.Argument(help="A name from 'pointpred datasets list'.")],
-    folder: Annotated[Path, typer.Option(file_okay=False, help="Where to put it; made if missing.")] = Path(
-        "recordings"
-    ),
+    folder: Annotated[
+        Path, typer.Option(metavar="FOLDER", file_okay=False, help="Where to put it; made if missing.")
+    ] = Path("recordings"),
     accept_unverified: Annotated[
-        bool, typer.Option(help="Also fetch files whose digest is not recorded.")
+        bool, typer.Option("--accept-unverified", help="Also fetch files whose digest is not recorded.")
     ] = False,
 ) -> None:
     """Download a public set over https, and check each file by its digest.

@@ -55,7 +55,11 @@ def live(
         float | None, typer.Option(min=DPI[0], max=DPI[1], help="Pixels per inch of the screen (96).")
     ] = None,
     cursor: Annotated[
-        Where, typer.Option(help="Source of cursor positions; motor: predict the motion of the hand.")
+        Where,
+        typer.Option(
+            metavar="SOURCE",
+            help="Source of cursor positions: auto, screen, transfer, or motor, which predicts the hand.",
+        ),
     ] = "auto",
     transfer: Annotated[
         str | None,

@@ -24,7 +24,10 @@ def one_recording(file: Path | None, told: Any) -> Recording:
 
         remarks().print("No recording given: playing the embedded sample of simulated people.")
         return sample()
-    found = recordings_in(file, told)
+    from pointpred.cli.progress import following
+
+    with following() as progress:
+        found = recordings_in(file, told, progress)
     if len(found) != 1:
         raise RecordingError(f"{file} holds {len(found)} recordings; name a file with one")
     return found[0]

@@ -10,6 +10,7 @@ import typer
 from pointpred.errors import ParameterError
 
 if TYPE_CHECKING:
+    from pointpred.cli.progress import Advance
     from pointpred.recording import Recording
     from pointpred.sources import Reading
 
@@ -59,15 +60,18 @@ def is_sample(file: Path | None) -> bool:
     return file is not None and str(file) == SAMPLE and not file.exists()
 
 
-def recordings_in(file: Path, options: Reading) -> list[Recording]:
-    """The recordings of a file or folder, or the embedded sample; raises RecordingError."""
+def recordings_in(file: Path, options: Reading, progress: Advance | None = None) -> list[Recording]:
+    """The recordings of a file or folder, or the embedded sample; raises RecordingError.
+
+    ``progress`` is called before each file of a folder.
+    """
     if is_sample(file):
         from pointpred.datasets import sample
 
         return [sample()]
     from pointpred.sources import read_any
 
-    return list(read_any(file, options))
+    return list(read_any(file, options, progress))
 
 
 def reading(

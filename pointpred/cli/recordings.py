@@ -17,7 +17,9 @@ app = typer.Typer(no_args_is_help=True, help="Sessions that 'pointpred serve --r
 
 Folder = Annotated[
     Path | None,
-    typer.Option(envvar="POINTPRED_RECORD", file_okay=False, help="Folder of the recordings."),
+    typer.Option(
+        metavar="FOLDER", envvar="POINTPRED_RECORD", file_okay=False, help="Folder of the recordings."
+    ),
 ]
 
 

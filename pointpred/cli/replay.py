@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from pointpred.cli.coefficients import named_file, with_coefficients
 from pointpred.cli.playing import SPEED, TRIAL, complain, one_recording, speed_of
 from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Target, Unit, reading, to_read
 from pointpred.cli.replay_tables import described, plain, print_played
@@ -55,6 +56,13 @@ def replay(
         Path | None,
         typer.Option(metavar="FILE", help="Write all numbers as JSON to this file; - for stdout."),
     ] = None,
+    coefficients: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME=FILE",
+            help="Coefficients that the service has under this name, and the same file here.",
+        ),
+    ] = None,
     token: Annotated[
         str | None, typer.Option(envvar="POINTPRED_TOKEN", help="The service's token, if it needs one.")
     ] = None,
@@ -80,7 +88,12 @@ def replay(
     """
     if (to is None) == (devtools is None):
         raise ParameterError("give either --to URL of a service or --devtools URL of a browser")
+    if coefficients is not None and to is None:
+        raise ParameterError("--coefficients needs --to: a page's service chooses its own")
     pace, shift = speed_of(speed), _pair(offset)
+    own = named_file(coefficients)
+    if own is not None:
+        with_coefficients([predictor], own[1])
     check_target(json)
     told = reading(cut, pause_s, unit, screen, cpi, dpi, target)
     recording = one_recording(file, told)
@@ -89,7 +102,8 @@ def replay(
         answer = _drive(devtools, url, recording, names, speed=pace, offset=shift, scale=scale)
     else:
         assert to is not None
-        answer = _send(to, recording, names, predictor, pace, token, cpi, dpi, quiet=str(json) == "-")
+        asked = {"predictor": predictor, "coefficients": own, "cpi": cpi, "dpi": dpi, "token": token}
+        answer = _send(to, recording, quiet=str(json) == "-", trials=names, speed=pace, **asked)
     if json is not None:
         write_json(answer, json)
     if not answer["trials"]:
@@ -98,34 +112,13 @@ def replay(
         raise typer.Exit(1)
 
 
-def _send(
-    to: str,
-    recording: Recording,
-    names: list[str],
-    predictor: str,
-    speed: float,
-    token: str | None,
-    cpi: float | None,
-    dpi: float | None,
-    *,
-    quiet: bool,
-) -> dict[str, Any]:
-    """Play to a service and print what came back."""
+def _send(to: str, recording: Recording, *, quiet: bool, **asked: Any) -> dict[str, Any]:
+    """Play to a service, as ``replay_to`` is asked, and print what came back."""
     from pointpred.cli.progress import following
     from pointpred.replaying import replay_to
 
     with following() as progress:
-        played = replay_to(
-            to,
-            recording,
-            predictor=predictor,
-            speed=speed,
-            trials=names,
-            cpi=cpi,
-            dpi=dpi,
-            token=token,
-            progress=progress,
-        )
+        played = replay_to(to, recording, progress=progress, **asked)
     complain(played.skipped)
     if not quiet:
         print_played(played)

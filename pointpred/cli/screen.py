@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import errno
+import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
+from tempfile import TemporaryFile
 from typing import Any
 
 import msgspec
@@ -79,6 +82,14 @@ def check_target(target: Path | None) -> None:
         raise ParameterError(
             f"cannot write {target}: its folder must exist and it must not be a folder itself"
         )
+    try:
+        if not target.exists():
+            with TemporaryFile(dir=target.parent):
+                pass
+        elif not os.access(target, os.W_OK):
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+    except OSError as error:
+        raise ParameterError(f"cannot write {target}: {error.strerror}; name another file") from error
 
 
 def check_targets(targets: dict[str, Path | None], inputs: Sequence[Path]) -> None:

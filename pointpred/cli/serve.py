@@ -32,9 +32,7 @@ def serve(
     ] = None,
     allow_origin: Annotated[
         list[str] | None,
-        typer.Option(
-            help="Origin of a page elsewhere that may connect, as http://127.0.0.1:8000; repeatable."
-        ),
+        typer.Option(help="Origin of a page elsewhere that may connect, as https://lab.example; repeatable."),
     ] = None,
     token: Annotated[
         str | None, typer.Option(help="Secret of at least 8 characters that clients must send.")
@@ -66,12 +64,15 @@ def serve(
 ) -> None:
     """Serve the live page and the WebSocket; prints the address once the page can be opened.
 
-    Every option can also be set in the environment: POINTPRED_PORT, POINTPRED_TOKEN, ... Another port:
-    pointpred serve --port 9000, or POINTPRED_PORT=9000 make run.
+    Every option can also be set in the environment: POINTPRED_PORT, POINTPRED_TOKEN, ...
 
     Try:
 
       pointpred serve
+
+      pointpred serve --port 9000
+
+      POINTPRED_PORT=9000 make run
 
       pointpred serve --port 0 --record sessions
 

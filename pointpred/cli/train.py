@@ -13,6 +13,7 @@ from pointpred.cli.score import read_all
 from pointpred.cli.screen import check_targets, counted, plain, results, write_json
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.extras import require
+from pointpred.predictors import kinematic_coefficients
 
 if TYPE_CHECKING:
     from pointpred.training.own import HeldOut, Trained
@@ -57,8 +58,8 @@ def train(
 
     Scores are of movements that were held out: other people's, or other movements where there is one person.
     The same user name in several recordings is the same person.
-    It needs at least 50 movements, and the extra 'train', which brings scipy: pip install 'pointpred[train]',
-    or pip install -e '.[train]' in a source checkout.
+    It needs at least 50 movements, and the extra 'train', which brings scipy: where it is missing, an error
+    shows the command that installs it.
 
     The file is for --coefficients and build("kinematic", coefficients=...).
 
@@ -71,15 +72,16 @@ def train(
     check_targets({"--out": out, "--json": json}, files)
     if str(out) == "-" or out.suffix != ".npz":
         raise ParameterError(f"--out must name a file that ends in .npz, received {out}")
+    kinematic_coefficients.check_writable(out)
     require("train", "training")  # before minutes of reading
     told = reading(cut, pause_s, unit, screen, cpi, dpi, target)
     from pointpred.cli.progress import following
     from pointpred.training.own import train_own
 
-    recordings = [one for one in read_all(files, told) if one.trials]
-    if not recordings:
-        raise RecordingError("no recording to learn from could be read; the reasons stand above")
     with following() as advance:
+        recordings = [one for one in read_all(files, told) if one.trials]
+        if not recordings:
+            raise RecordingError("no recording to learn from could be read; the reasons stand above")
         trained = train_own(
             recordings,
             out,

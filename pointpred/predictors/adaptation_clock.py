@@ -45,6 +45,17 @@ SLOTS = (
 """What is known of a person's durations, in the order of the layout."""
 
 
+def doubt(known: FloatArray) -> str:
+    """What is wrong with numbers that are within the bounds of their slots; empty for nothing."""
+    held = int(known[HELD])
+    durations = known[DURATIONS : DURATIONS + held]
+    if held and not durations.min() > 0.0:
+        return f"durations: each of the {held} that are held must be above 0 s"
+    if held and known[MEDIAN] != np.median(durations):
+        return f"median must be that of the durations, {np.median(durations):g} s, is {known[MEDIAN]:g} s"
+    return ""
+
+
 @law
 def mixture(memory: FloatArray, at: int, share: float, since: float, left: float) -> float:
     """The time left in s, of which the clock says a share; ``left``: what the predictor says."""

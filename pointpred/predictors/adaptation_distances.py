@@ -47,6 +47,8 @@ BELIEF = DISTANCES + KEPT
 WEIGHTS = BELIEF + LAWS + 1
 LEARNED = WEIGHTS + KEPT * len(WIDTHS)
 
+ROUNDING = 1e-6
+"""The sum of the belief is off by less."""
 SHORTEST_PX = 1e-6
 """A shorter distance is none, whatever is set: its logarithm is taken."""
 SLOTS = (
@@ -65,6 +67,8 @@ def doubt(known: FloatArray) -> str:
         return f"distances: each of the {held} that are held must be at least {SHORTEST_PX:g} px"
     if held and not known[BELIEF + LAWS] >= (least := FORGET * UNKNOWN_SHARE):
         return f"belief: that nothing is known must be at least {least:g}, is {known[BELIEF + LAWS]:g}"
+    if held and not abs((total := known[BELIEF:WEIGHTS].sum()) - 1.0) <= ROUNDING:
+        return f"belief must sum to 1, sums to {total:g}"
     return ""
 
 

@@ -44,7 +44,10 @@ EARLY = 0.1
 
 def doubt(known: FloatArray) -> str:
     """What is wrong with numbers that are within the bounds of ``SLOTS``; empty for nothing."""
-    return distances.doubt(known[DISTANCES:CLOCK])
+    far, long = known[DISTANCES + distances.HELD], known[CLOCK + clock.HELD]
+    if far != long:
+        return f"distances held must be as many as durations held, are {far:g} and {long:g}"
+    return distances.doubt(known[DISTANCES:CLOCK]) or clock.doubt(known[CLOCK:LEVELS])
 
 
 @law

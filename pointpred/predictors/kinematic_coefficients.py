@@ -64,13 +64,32 @@ def write(
         arrays[f"weights{number}"] = np.asarray(weights, np.float32)
         arrays[f"offset{number}"] = np.asarray(offset, np.float32)
     arrays["card"] = np.frombuffer(json.dumps(card, sort_keys=True).encode(), np.uint8)
-    beside = path.with_name(f"{path.name}.part")
+    beside = _beside(path)
     try:
         with beside.open("wb") as file:
             np.savez(file, **arrays)
         beside.replace(path)
     finally:
         beside.unlink(missing_ok=True)
+
+
+def check_writable(path: Path) -> None:
+    """Raise ParameterError now where ``write`` would fail later; leaves nothing behind."""
+    if path.is_dir():
+        raise ParameterError(f"cannot write {path}: it is a folder; name a file")
+    beside = _beside(path)
+    try:
+        beside.open("wb").close()
+        beside.unlink()
+    except OSError as error:
+        raise ParameterError(
+            f"cannot write {path}: {error.strerror}; name a file in a folder that can be written to"
+        ) from error
+
+
+def _beside(path: Path) -> Path:
+    """The file that becomes ``path`` once it is written whole."""
+    return path.with_name(f"{path.name}.part")
 
 
 def read(path: Path | str) -> FloatArray:
@@ -149,6 +168,8 @@ def _parts(held: dict[str, Any]) -> list[Any]:
     wanted.append(("table", (calibration.KNOTS, calibration.FACTORS), LARGEST_LOG))
     for name, shape, most in wanted:
         _check(name, held[name], shape, most)
+    if not (held["scale"] > 0.0).all():
+        raise ValueError(f"scale must hold numbers above 0, holds {held['scale'].min():g}")
     return [np.array([first, second], np.float64), *(held[name] for name, _, _ in wanted)]
 
 
@@ -161,11 +182,10 @@ def _width(held: dict[str, Any], number: int) -> int:
 
 
 def _check(name: str, values: Any, shape: tuple[int, ...], most: float) -> None:
-    if values.shape != shape or values.dtype.kind != "f" or not (np.abs(values) <= most).all():
-        raise ValueError(
-            f"{name} must hold finite numbers of shape {shape} and magnitude up to {most:g}, "
-            f"has {values.dtype} of {values.shape}"
-        )
+    if values.shape != shape or values.dtype.kind != "f":
+        raise ValueError(f"{name} must hold floats of shape {shape}, holds {values.dtype} of {values.shape}")
+    if (wrong := values[~(np.abs(values) <= most)]).size:
+        raise ValueError(f"{name} must hold numbers of magnitude up to {most:g}, holds {wrong.flat[0]:g}")
 
 
 def network(path: Path | str = OWN) -> tuple[FloatArray, FloatArray, list[tuple[FloatArray, FloatArray]]]:

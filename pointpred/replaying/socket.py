@@ -6,6 +6,8 @@ import math
 import time
 from collections.abc import Callable, Sequence
 from itertools import groupby
+from pathlib import Path
+from typing import Any
 
 import msgspec
 import numpy as np
@@ -74,6 +76,7 @@ def replay_to(
     trials: Sequence[str] = (),
     cpi: float | None = None,
     dpi: float | None = None,
+    coefficients: tuple[str, Path] | None = None,
     token: str | None = None,
     progress: Progress | None = None,
 ) -> Replayed:
@@ -81,13 +84,15 @@ def replay_to(
 
     ``speed``: 1 as recorded, 2 twice as fast, infinity as fast as the service's limits allow. ``trials``:
     USER-TRIAL, or places counted from 1; all unless given. ``cpi`` and ``dpi`` replace what the recording
-    says. Each trial is marked, so that the service scores it. Another user begins another session: a
-    predictor that learns its person meets each knowing nobody. Raises ParameterError, SourceError,
-    ServiceError.
+    says. ``coefficients``: the name that the service has for a file of coefficients, and the same file here.
+    Each trial is marked, so that the service scores it. Another user begins another session: a predictor that
+    learns its person meets each knowing nobody. Raises ParameterError, SourceError, ServiceError.
     """
     said = recording.provenance
     cpi, dpi = said.cpi if cpi is None else cpi, said.dpi if dpi is None else dpi
-    pipeline = build(predictor, cpi=cpi, dpi=dpi)
+    named = {} if coefficients is None else {"coefficients": coefficients[0]}
+    own: dict[str, Any] = {} if coefficients is None else {"coefficients": coefficients[1]}
+    pipeline = build(predictor, cpi=cpi, dpi=dpi, **own)
     wanted = chosen(recording, trials)
     skips = {k: skip for k in wanted if (skip := unplayable(recording, k)) is not None}
     left_out = (*(() if trials else recording.skipped), *skips.values())
@@ -98,6 +103,7 @@ def replay_to(
         with connect(
             url,
             predictor=predictor,
+            parameters=named,
             device=None if cpi is None else {"cpi": cpi},
             screen={"dpi": dpi},
             reply="event",

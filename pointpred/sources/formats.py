@@ -34,6 +34,7 @@ from pointpred.sources.joining import join
 from pointpred.sources.naming import described_readably, file_names
 from pointpred.sources.reading import AS_IS, Reading
 
+Progress = Callable[[str, int, int], None]
 OWN = ("recorder", "own")
 """Formats of which each file is a recording of its own."""
 OWN_NAMES = (
@@ -137,17 +138,18 @@ def format_of(path: Path, reading: Reading = AS_IS) -> Format | None:
     )
 
 
-def read_any(path: str | Path, reading: Reading = AS_IS) -> list[Recording]:
+def read_any(path: str | Path, reading: Reading = AS_IS, progress: Progress | None = None) -> list[Recording]:
     """Read a recording of any known format, or every recording in a folder and the folders below it.
 
     A file's format is told by its content. In a folder each own recording stays one; files of one foreign
     format (sessions, users) become one recording named after the folder they share. A file that fits no
     format is named in a note, one that cannot be read is a skip named after it; only when nothing can be read
-    an error is raised.
+    an error is raised. ``progress`` is told before each file of a folder: its path, how many are done, of
+    how many.
     Returns at least one recording; raises RecordingError naming the formats that were tried.
     """
     path = Path(path)
-    found = _folder(path, reading) if path.is_dir() else [_file(path, reading)]
+    found = _folder(path, reading, progress) if path.is_dir() else [_file(path, reading)]
     return [described_readably(recording) for recording in found]
 
 
@@ -211,14 +213,16 @@ def _of_tables(reading: Reading) -> list[str]:
     return [name for name in names if getattr(reading, name) not in (None, False)]
 
 
-def _folder(path: Path, reading: Reading) -> list[Recording]:
+def _folder(path: Path, reading: Reading, progress: Progress | None) -> list[Recording]:
     """The recordings in a folder."""
     own: list[Recording] = []
     foreign: dict[str, list[tuple[Path, Recording]]] = {}
     skipped: list[Skip] = []
     files, notes = listed(path)
-    for file in files:
+    for number, file in enumerate(files):
         label = file.relative_to(path).as_posix()
+        if progress is not None:
+            progress(label, number, len(files))
         if recordings.samples_beside(file):
             continue
         try:
@@ -237,7 +241,7 @@ def _folder(path: Path, reading: Reading) -> list[Recording]:
     found = _distinct(own + [_joined(parts) for parts in foreign.values()])
     if not found:
         reasons = [skip.reason for skip in skipped] + notes
-        raise RecordingError(f"{path}: no recording among {len(files)} files; {'; '.join(reasons[:3])}")
+        raise RecordingError("; ".join([f"{path}: no recording among {len(files)} files", *reasons[:3]]))
     found[0] = msgspec.structs.replace(
         found[0], skipped=(*found[0].skipped, *skipped), notes=(*found[0].notes, *notes)
     )

@@ -98,12 +98,13 @@ def train_own(
     ``from_scratch``: begin with a network at random instead of the package's. The same recordings, seed and
     settings write the same numbers on the same machine. The file is written last: an interruption leaves
     none. Raises RecordingError for fewer than 50 movements, ParameterError for a recording in which nobody
-    moves, and where ``path`` is the package's own file; MissingExtraError
-    where the extra ``train`` is not installed.
+    moves, and, before any work, where ``path`` cannot be written or is the package's own file;
+    MissingExtraError where the extra ``train`` is not installed.
     """
     require("train", "training")
     if path.resolve() == kinematic_coefficients.OWN.resolve():
         raise ParameterError(f"{path} is the package's own file, which `make train` writes; name another")
+    kinematic_coefficients.check_writable(path)
     start = None if from_scratch else of_file()
     _check_enough(sum(len(one.trials) for one in recordings))  # before the work on each of them
     recordings = [_unknown_apart(one, k) for k, one in enumerate(recordings)]

@@ -7,6 +7,7 @@ import mimetypes
 import socket
 import threading
 import time
+from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 from types import TracebackType
@@ -35,7 +36,10 @@ BARE = b'<!doctype html><title>bare</title><body style="margin:0"><div id="box">
 class Listener:
     """Serves the client and a bare page, speaks the protocol, and remembers what it was told."""
 
-    def __init__(self, port: int = 0, limits: Limits | None = None) -> None:
+    def __init__(
+        self, port: int = 0, limits: Limits | None = None, coefficients: Mapping[str, Path] | None = None
+    ) -> None:
+        self._coefficients = coefficients or {}
         self.limits = limits or Limits()
         self.frames: list[str | bytes] = []
         self.requests: list[str] = []
@@ -91,7 +95,7 @@ class Listener:
 
     def _talk(self, connection: ServerConnection) -> None:
         self._open.add(connection)
-        session = Session("here", self.limits, time.monotonic())
+        session = Session("here", self.limits, time.monotonic(), coefficients=self._coefficients)
         try:
             for frame in connection:
                 self.frames.append(frame)

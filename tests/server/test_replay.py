@@ -16,6 +16,7 @@ from pointpred import EventColumns, PredictionColumns, build, run
 from pointpred.client import connect
 from pointpred.datasets import sample
 from pointpred.errors import ParameterError
+from pointpred.predictors import kinematic_coefficients
 from pointpred.recording import Recording, Trial
 from pointpred.registry import REGISTRY
 from pointpred.replaying import replay_to
@@ -55,6 +56,40 @@ def test_socket_and_batch_agree_bit_for_bit(listener: Listener, predictor: str) 
         assert one.unlike == one.gave_way == 0
         assert one.score == one.local
         assert one.score.time_averaged_px is not None
+
+
+def test_coefficients_of_ones_own_are_named_to_the_service(tmp_path: Path) -> None:
+    path = tmp_path / "me.npz"
+    with np.load(kinematic_coefficients.OWN) as shipped:
+        np.savez(path, **{**shipped, "offset2": shipped["offset2"] + np.float32(0.5)})
+    asked = {"predictor": "kinematic", "speed": math.inf, "trials": ["1"]}
+    with Listener(coefficients={"me": path}) as service:
+        assert replay_to(service.url, SAMPLE, coefficients=("me", path), **asked).agrees
+        other = replay_to(service.url, SAMPLE, coefficients=("me", kinematic_coefficients.OWN), **asked)
+    assert other.trials[0].unlike > 0
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        ["--coefficients", "me", "--to", "ws://127.0.0.1:1"],
+        ["--coefficients", "=me.npz", "--to", "ws://127.0.0.1:1"],
+        ["--coefficients", "me=none.npz", "--to", "ws://127.0.0.1:1"],
+        ["--coefficients", f"me={kinematic_coefficients.OWN}", "--devtools", "http://127.0.0.1:1"],
+        [
+            "--coefficients",
+            f"me={kinematic_coefficients.OWN}",
+            "--to",
+            "ws://127.0.0.1:1",
+            "--predictor",
+            "hold",
+        ],
+    ],
+)
+def test_wrong_coefficients_are_refused_before_anything_is_played(command: Any, options: list[str]) -> None:
+    left = command("replay", *options)
+    assert left.code == 2
+    assert "coefficients" in left.err
 
 
 def test_a_service_that_answers_otherwise_is_found_out(monkeypatch: pytest.MonkeyPatch) -> None:

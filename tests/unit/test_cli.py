@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
+import inspect
 import json
 import os
+import re
 import subprocess
 import sys
+from collections.abc import Iterator
+from typing import Any
 
 import pytest
+import typer
+from typer.main import get_command
 
 from pointpred import __version__
 from pointpred.cli import predictors as predictors_module
+from pointpred.cli.app import app
+from pointpred.cli.help_text import teach
 from pointpred.registry import REGISTRY, parameters
 
 COMMANDS = ("score", "simulate", "convert", "predictors", "serve")
@@ -27,6 +35,52 @@ def test_help_teaches_by_example(command, words: tuple[str, ...]) -> None:
     assert left.code == 0
     examples = [line for line in left.out.splitlines() if line.strip().startswith("pointpred ")]
     assert any(line.strip().startswith(f"pointpred {' '.join(words)}") for line in examples)
+
+
+def walked(command: Any, words: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], Any]]:
+    """Every command that does something, with the words that call it."""
+    if not hasattr(command, "commands"):
+        yield words, command
+        return
+    for name, one in command.commands.items():
+        yield from walked(one, (*words, name))
+
+
+EVERY = dict(walked(get_command(app)))
+
+
+@pytest.mark.parametrize("columns", ["60", "80", "100"])
+@pytest.mark.parametrize("words", EVERY, ids=" ".join)
+def test_examples_can_be_copied_whatever_the_terminal(
+    command, monkeypatch: pytest.MonkeyPatch, words: tuple[str, ...], columns: str
+) -> None:
+    monkeypatch.setenv("COLUMNS", columns)
+    left = command(*words, "--help")
+    written = (inspect.getdoc(EVERY[words].callback) or "").partition("Try:")[2].split("\n")
+    examples = [line.strip() for line in written if line.strip()]
+    shown = [line.strip() for line in left.out.partition("Try:")[2].splitlines() if line.strip()]
+    assert shown == examples != []
+
+
+@pytest.mark.parametrize("words", EVERY, ids=" ".join)
+def test_help_at_80_columns_is_not_cut_and_names_no_type_of_python(
+    command, monkeypatch: pytest.MonkeyPatch, words: tuple[str, ...]
+) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    help_text = command(*words, "--help").out
+    assert "…" not in help_text
+    assert re.findall(r"<(?:bool|str|int|float|list|path|file|dir|auto)[^>=]*>", help_text) == []
+
+
+def test_brackets_of_a_docstring_are_shown(capsys: pytest.CaptureFixture[str]) -> None:
+    def one() -> None:
+        """Install pointpred[train]."""
+
+    small = typer.Typer()
+    small.command()(one)
+    teach(small)
+    get_command(small).main(["--help"], standalone_mode=False)
+    assert "pointpred[train]." in capsys.readouterr().out
 
 
 def test_help_flows_into_the_width_of_the_terminal(command, monkeypatch: pytest.MonkeyPatch) -> None:

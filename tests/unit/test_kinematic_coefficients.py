@@ -10,6 +10,7 @@ from typing import Any, cast
 import numpy as np
 import pytest
 
+from pointpred import build
 from pointpred.errors import ParameterError
 from pointpred.predictors import KinematicPredictor
 from pointpred.predictors import kinematic_coefficients as coefficients
@@ -58,6 +59,24 @@ def wide(first: int, second: int) -> dict[str, Any]:
 def test_arrays_that_do_not_fit_are_refused(tmp_path: Path, changes: dict[str, Any]) -> None:
     with pytest.raises(ParameterError, match="version 1"):
         coefficients.read(wrong(tmp_path / "wrong.npz", **changes))
+
+
+@pytest.mark.parametrize("value", [0.0, -1.0, np.nan, np.inf])
+def test_scales_are_above_zero_and_finite(tmp_path: Path, value: float) -> None:
+    scale = own()["scale"].copy()
+    scale[3] = value
+    with pytest.raises(ParameterError, match=f"scale must hold numbers .*, holds {value:g}"):
+        build("kinematic", coefficients=wrong(tmp_path / "wrong.npz", scale=scale))
+
+
+def test_where_nothing_can_be_written_is_said_before(tmp_path: Path) -> None:
+    (tmp_path / "folder.npz").mkdir()
+    (tmp_path / "file").write_text("")
+    for path in (tmp_path / "no" / "me.npz", tmp_path / "folder.npz", tmp_path / "file" / "me.npz"):
+        with pytest.raises(ParameterError, match="cannot write"):
+            coefficients.check_writable(path)
+    coefficients.check_writable(tmp_path / "me.npz")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["file", "folder.npz"]
 
 
 def test_hidden_layers_of_one_and_of_many_are_taken(tmp_path: Path) -> None:

@@ -9,6 +9,8 @@ import string
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from pointpred import REGISTRY, EventColumns, Pipeline, build, run
 from pointpred import person as persons
@@ -199,12 +201,54 @@ def place_of(name: str) -> int:
         ("durations held", 0.5),
         ("distances", 0.0),
         ("distances", 1e-9),
+        ("distances held", 4.0),
+        ("durations", 0.0),
+        ("median", 1e9),
     ],
 )
 def test_numbers_fit_each_other(name: str, value: float) -> None:
     values = known()
     values[place_of(name)] = value
     with pytest.raises(ParameterError, match=name):
+        build(NAME, person=persons.packed(SLOTS, values))
+
+
+# Values near each bound of a number, at it, and between.
+anywhere = st.tuples(
+    st.integers(0, len(known()) - 1), st.sampled_from([0.0, 1e-9, 0.3, 0.5, 1.0 - 1e-9, 1.0])
+)
+
+
+@settings(max_examples=40)
+@given(st.lists(anywhere, min_size=1, max_size=8))
+def test_a_person_made_by_hand_is_refused_or_predicts_finite_numbers(
+    changes: list[tuple[int, float]],
+) -> None:
+    bounds = [(slot.low, slot.high, slot.whole) for slot in SLOTS for _ in range(slot.count)]
+    values = known()
+    for at, share in changes:
+        low, high, whole = bounds[at]
+        value = low + share * (high - low)
+        values[at] = round(value) if whole else value
+    try:
+        pipeline = build(NAME, person=persons.packed(SLOTS, values))
+    except ParameterError as refused:
+        assert "person holds" in str(refused)  # noqa: PT017
+        return
+    for one in MOVEMENTS[5:7]:  # the second with what the first taught
+        table = run(pipeline, one).table
+        assert not np.isinf(table).any()
+        assert np.array_equal(np.isnan(table), np.isnan(run(build(NAME, person=PERSON), one).table))
+        pipeline.reset()
+    assert build(NAME, person=pipeline.person).person == pipeline.person
+
+
+@pytest.mark.parametrize("total", [0.9, 1.1])
+def test_belief_sums_to_one(total: float) -> None:
+    values = known()
+    belief = place_of("belief")
+    values[belief : belief + 7] *= total
+    with pytest.raises(ParameterError, match="belief"):
         build(NAME, person=persons.packed(SLOTS, values))
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,8 @@ from pointpred import Prediction, PredictionColumns, Region
 from pointpred.errors import ParameterError
 from pointpred.regions import as_normal, reach
 from pointpred.scoring import calibration
+from pointpred.server.protocol.server_messages import PredictionMessage as Told
+from pointpred.server.protocol.server_messages import Region as Sent
 from pointpred.training import calibrate
 
 NONE = float("nan")
@@ -118,12 +121,37 @@ def test_a_student_law_with_a_huge_tail_is_normal(tail: float) -> None:
         assert reach(level, tail) == pytest.approx(reach(level, NONE), rel=1e-9)
 
 
-def test_tiny_tails_stay_finite_and_grow() -> None:
+def test_a_tiny_tail_reaches_far() -> None:
     assert reach(0.5, 0.01) == pytest.approx(0.01 * (2.0 ** (2.0 / 0.01) - 1.0), rel=1e-12)
-    for tail in (1e-3, 1e-9, 5e-324):
-        found = region((400.0, 0.0, 100.0), 0.8, tail)
-        assert math.isfinite(found.major)
-        assert found.major > 1e50 or tail == 5e-324
+
+
+@pytest.mark.parametrize(
+    ("scale", "tail"),
+    [
+        ((400.0, 0.0, 100.0), 1e-3),
+        ((1.0, 0.0, 1.0), 1e-9),
+        ((1.0, 0.0, 1.0), 5e-324),
+        ((1e300, 0.0, 1.0), 0.01),
+    ],
+)
+def test_an_ellipse_too_large_for_a_number_is_none(scale: tuple[float, float, float], tail: float) -> None:
+    one = Prediction(0.5, 3.0, 4.0, scale, "ballistic", None, tail)
+    assert one.region(0.8) is None
+    columns = PredictionColumns(np.array([[0.5, 3.0, 4.0, *scale, NONE, 1.0, tail, NONE]]))
+    assert list(columns.region(0.8)) == [None]
+    sent = Told(0.5, 3.0, 4.0, Sent(*scale, tail))
+    assert sent.region(0.8) is None
+
+
+def test_a_thin_region_of_a_tiny_tail_keeps_its_breadth() -> None:
+    """The square of its reach times the determinant is no number; the half axes are."""
+    found = region((1e3, 0.0, 1e2), 0.8, 0.0047)  # reaches 1e297
+    assert found.major / found.minor == pytest.approx(math.sqrt(10.0))
+
+
+@pytest.mark.parametrize("level", [np.float32(0.5), np.float64(0.5), np.float16(0.5), Fraction(1, 2)])
+def test_any_real_number_is_a_level(level: Any) -> None:
+    assert predicted((400.0, 0.0, 100.0)).region(level) == region((400.0, 0.0, 100.0), 0.5)
 
 
 def test_a_small_level_is_not_lost_to_rounding() -> None:
@@ -131,7 +159,24 @@ def test_a_small_level_is_not_lost_to_rounding() -> None:
     assert reach(1e-12, 1.5) == pytest.approx(2e-12, rel=1e-9)
 
 
-@pytest.mark.parametrize("level", [0.0, 1.0, -0.1, 1.5, NONE, math.inf, "0.5", None, True])
+@pytest.mark.parametrize(
+    "level",
+    [
+        0.0,
+        1.0,
+        -0.1,
+        1.5,
+        NONE,
+        math.inf,
+        "0.5",
+        None,
+        True,
+        np.float32(1.0),
+        np.True_,
+        1,
+        Fraction(10**30 - 1, 10**30),
+    ],
+)
 def test_a_level_outside_0_and_1_is_refused(level: Any) -> None:
     table = np.zeros((1, 10))
     for one in (predicted((400.0, 0.0, 100.0)), predicted(None), PredictionColumns(table)):

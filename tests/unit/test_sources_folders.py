@@ -41,8 +41,15 @@ def test_what_a_folder_cannot_give_is_reported(logs: Path) -> None:
     assert recording.notes == ("LICENSE fits no recording format",)
     assert [skip.trial for skip in recording.skipped] == ["cut_samples.parquet"]
     (logs / "empty").mkdir()
-    with pytest.raises(RecordingError, match="no recording among 0 files"):
+    with pytest.raises(RecordingError, match=r"no recording among 0 files$"):
         read_any(logs / "empty")
+
+
+def test_reading_a_folder_tells_how_far_it_is(logs: Path) -> None:
+    heard: list[tuple[str, int, int]] = []
+    read_any(logs, progress=lambda *step: heard.append(step))
+    files = sorted(file.relative_to(logs).as_posix() for file in logs.rglob("*") if file.is_file())
+    assert heard == [(file, done, len(files)) for done, file in enumerate(files)]
 
 
 def test_own_recordings_of_a_folder_stay_apart(tmp_path: Path) -> None:

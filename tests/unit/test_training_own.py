@@ -258,6 +258,8 @@ def test_wrong_uses_say_what_was_expected(command: Callable[..., Any], file: Pat
         (2, ["train", file, "--out", tmp_path / "me.csv"]),
         (2, ["train", file, "--out", kinematic_coefficients.OWN]),
         (2, ["train", file, "--out", tmp_path / "no" / "me.npz"]),
+        (2, ["train", tmp_path / "text.npz", "--out", Path("/proc/me.npz")]),  # nobody writes there
+        (2, ["train", tmp_path / "text.npz", "--json", "/proc/a.json", "--out", tmp_path / "me.npz"]),
         (2, ["train", tmp_path / "missing.csv", "--out", tmp_path / "me.npz"]),
         (2, ["train", file]),
         (1, ["train", tmp_path / "text.npz", "--out", tmp_path / "me.npz"]),
