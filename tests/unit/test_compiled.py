@@ -110,9 +110,10 @@ def test_a_cache_that_others_could_have_written_is_not_read(
     assert halved.stats.cache_path is None  # type: ignore[attr-defined]
 
 
-SEALED = """
+ONE = "from pointpred.compiled import law\n@law\ndef f(x):\n    return 2.0 * x\nprint(f(4.0))\n"
+SEALED = f"""
 import os, sys
-seen = {"read": 0, "written": 0}
+seen = {{"read": 0, "written": 0}}
 from numba.core import caching
 load = caching.IndexDataCacheFile.load
 def counted(self, key):
@@ -120,86 +121,78 @@ def counted(self, key):
     seen["read"] += found is not None
     return found
 caching.IndexDataCacheFile.load = counted
-caching.IndexDataCacheFile.save = lambda *_: seen.update(written=seen["written"] + 1)
+if sys.argv[1] != "writable":
+    caching.IndexDataCacheFile.save = lambda *_: seen.update(written=seen["written"] + 1)
 if sys.argv[1] == "sealed":
     access = os.access
     os.access = lambda path, mode: mode == os.R_OK and access(path, mode)
     from tempfile import TemporaryFile
     def refused(*a, **k): raise PermissionError(13, "read-only")
     caching.tempfile.TemporaryFile = refused
-from pointpred import build, PointerEvent
-pipeline = build("linear")
-for i in range(20):
-    pipeline.update(PointerEvent(i / 100, float(i * i), 0.0))
+{ONE}
 print(seen["read"] > 0, seen["written"] > 0)
 """
 
 
+def told(program: Path, cache: Path, *arguments: str) -> str:
+    """What a program writes that keeps its code in a folder of its own."""
+    run = subprocess.run(
+        [sys.executable, program, *arguments],
+        env={**os.environ, "POINTPRED_CACHE_DIR": str(cache)},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    return run.stdout + run.stderr
+
+
 def test_a_cache_that_is_only_read_is_used_and_not_written(tmp_path: Path) -> None:
-    environment = {**os.environ, "POINTPRED_CACHE_DIR": str(tmp_path)}
-
-    def told(*arguments: str) -> str:
-        command = [sys.executable, "-c", *arguments]
-        run = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
-        return run.stdout.strip()
-
-    warm = "from pointpred import build, PointerEvent\npipeline = build('linear')\n"
-    warm += "for i in range(20): pipeline.update(PointerEvent(i / 100, float(i * i), 0.0))"
-    told(warm)
-    assert told(SEALED, "sealed") == "True False"
-    assert told(SEALED, "open") == "True False"
-    for path in sorted(tmp_path.rglob("*"), reverse=True):
+    program, cache = tmp_path / "program.py", tmp_path / "cache"
+    cache.mkdir()
+    program.write_text(SEALED)
+    assert told(program, cache, "writable") == "8.0\nFalse False\n"
+    assert told(program, cache, "sealed") == "8.0\nTrue False\n"
+    assert told(program, cache, "open") == "8.0\nTrue False\n"
+    for path in sorted(cache.rglob("*"), reverse=True):
         path.rmdir() if path.is_dir() else path.unlink()
-    assert told(SEALED, "sealed") == "False False"
-    assert not list(tmp_path.iterdir())
+    assert told(program, cache, "sealed") == "8.0\nFalse False\n"
+    assert not list(cache.iterdir())
 
 
-@pytest.mark.parametrize("ending", [".nbi", ".nbc"])
-@pytest.mark.parametrize("kept", [0, 7, 60])
-def test_damaged_files_of_the_cache_are_compiled_anew(ending: str, kept: int, tmp_path: Path) -> None:
-    """As a full disk leaves them; the second process finds them damaged, the third mended."""
-    program = "from pointpred.compiled import law\n@law\ndef f(x):\n    return 2.0 * x\nprint(f(4.0))"
-    (tmp_path / "program.py").write_text(program)
-    environment = {**os.environ, "POINTPRED_CACHE_DIR": str(tmp_path / "cache")}
-
-    def run() -> str:
-        left = subprocess.run(
-            [sys.executable, tmp_path / "program.py"],
-            env=environment,
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-        return left.stdout + left.stderr
-
-    assert run() == "8.0\n"
-    (damaged,) = (tmp_path / "cache").rglob(f"*{ending}")
-    whole = damaged.read_bytes()
-    damaged.write_bytes(whole[:kept])
-    assert run() == "8.0\n"
-    (mended,) = (tmp_path / "cache").rglob(f"*{ending}")
-    assert len(mended.read_bytes()) == len(whole)
+def test_damaged_files_of_the_cache_are_compiled_anew(tmp_path: Path) -> None:
+    """As a full disk leaves them, each of another law; the next process mends them."""
+    damages = [(ending, kept) for ending in (".nbi", ".nbc") for kept in (0, 7, 60)]
+    program, cache = tmp_path / "program.py", tmp_path / "cache"
+    names = [f"f{kept}_{ending[1:]}" for ending, kept in damages]
+    program.write_text(
+        "from pointpred.compiled import law\n"
+        + "".join(f"@law\ndef {name}(x):\n    return {k}.0 * x\n" for k, name in enumerate(names))
+        + f"print({', '.join(f'{name}(4.0)' for name in names)})\n"
+    )
+    expected = " ".join(f"{4.0 * k}" for k in range(len(names))) + "\n"
+    assert told(program, cache) == expected
+    whole: dict[Path, int] = {}
+    for name, (ending, kept) in zip(names, damages, strict=True):
+        (damaged,) = cache.rglob(f"*{name}*{ending}")
+        whole[damaged] = damaged.stat().st_size
+        damaged.write_bytes(damaged.read_bytes()[:kept])
+    assert told(program, cache) == expected
+    assert {path: path.stat().st_size for path in whole} == whole
 
 
 def test_code_of_another_signature_is_compiled_anew(tmp_path: Path) -> None:
     """As two processes that compile at once can leave it: each gave its own code the same name."""
     program = "from pointpred.compiled import law\n@law\ndef f(x):\n    return x + x\nprint(f(4), f(0.25))"
     (tmp_path / "program.py").write_text(program)
-    environment = {**os.environ, "POINTPRED_CACHE_DIR": str(tmp_path / "cache")}
-    command = [sys.executable, str(tmp_path / "program.py")]
-
-    def run() -> str:
-        return subprocess.run(command, env=environment, capture_output=True, text=True, check=True).stdout
-
-    assert run() == "8 0.5\n"
+    cache = tmp_path / "cache"
+    assert told(tmp_path / "program.py", cache) == "8 0.5\n"
     waits = "from pointpred.compiled import awaits_compiling, law\n@law\ndef f(x):\n    return x * x\n"
     (tmp_path / "waits.py").write_text(f"{waits}print(awaits_compiling(f), f(4), awaits_compiling(f))")
-    asked = [sys.executable, str(tmp_path / "waits.py")]
-    assert subprocess.check_output(asked, env=environment, text=True) == "True 16 False\n"
-    one, other = sorted((tmp_path / "cache").rglob("program*.nbc"))
+    assert told(tmp_path / "waits.py", cache) == "True 16 False\n"
+    one, other = sorted(cache.rglob("program*.nbc"))
     one.write_bytes(other.read_bytes())
-    assert run() == "8 0.5\n"
-    assert run() == "8 0.5\n"
+    assert told(tmp_path / "program.py", cache) == "8 0.5\n"
+    assert told(tmp_path / "program.py", cache) == "8 0.5\n"
 
 
 def test_a_user_without_a_home_gets_a_folder(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

@@ -149,18 +149,25 @@ def test_few_movements_of_each_of_many_recordings_are_held_out(tmp_path: Path) -
     assert [len(one.hold) for one in result.held_out] == [10] * 6
 
 
-def test_the_card_says_what_it_was_made_from(tmp_path: Path) -> None:
-    trained(tmp_path / "me.npz", seed=5)
-    said = kinematic_coefficients.card(tmp_path / "me.npz")
+@pytest.fixture(scope="module")
+def me(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Coefficients trained on ``mine()`` with the seed 5."""
+    path = tmp_path_factory.mktemp("trained") / "me.npz"
+    trained(path, seed=5)
+    return path
+
+
+def test_the_card_says_what_it_was_made_from(me: Path) -> None:
+    said = kinematic_coefficients.card(me)
     (one,) = said["sets"]
     assert (one["name"], one["licence"], one["users"], one["trials"]) == ("reaches", "unknown", 2, 60)
     assert (said["seed"], said["start"], said["pointpred"]) == (5, kinematic_coefficients.digest(), "0.1.0")
-    assert build("kinematic", coefficients=tmp_path / "me.npz").predictor.saw("reaches")  # type: ignore[attr-defined]
+    assert build("kinematic", coefficients=me).predictor.saw("reaches")  # type: ignore[attr-defined]
 
 
-def test_the_same_seed_makes_the_same_numbers(tmp_path: Path) -> None:
-    digests = []
-    for name, seed in (("one.npz", 1), ("two.npz", 1), ("three.npz", 2)):
+def test_the_same_seed_makes_the_same_numbers(me: Path, tmp_path: Path) -> None:
+    digests = [kinematic_coefficients.digest(me)]
+    for name, seed in (("same.npz", 5), ("other.npz", 2)):
         trained(tmp_path / name, seed=seed)
         digests.append(kinematic_coefficients.digest(tmp_path / name))
     assert digests[0] == digests[1] != digests[2]
@@ -204,11 +211,9 @@ def test_an_interruption_leaves_no_file_and_an_old_one_as_it_was(
 
 
 @pytest.mark.parametrize("name", ["kinematic", "kinematic-adaptive"])
-def test_both_names_take_the_file(name: str, tmp_path: Path) -> None:
-    path = tmp_path / "me.npz"
-    trained(path)
+def test_both_names_take_the_file(name: str, me: Path, tmp_path: Path) -> None:
     events = mine().rows(0)
-    given = [run(build(name, coefficients=one), events).table for one in (path, str(path))]
+    given = [run(build(name, coefficients=one), events).table for one in (me, str(me))]
     assert np.array_equal(*given, equal_nan=True)
     assert not np.array_equal(given[0], run(build(name), events).table, equal_nan=True)
     for wrong in (tmp_path / "missing.npz", str(tmp_path), 7):
