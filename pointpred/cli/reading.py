@@ -26,7 +26,8 @@ PauseS = Annotated[
     float | None, typer.Option(help="A pause longer than this ends a burst, s (0.3).", rich_help_panel=PANEL)
 ]
 Unit = Annotated[
-    str | None, typer.Option(help="Unit of positions: pix, height, norm, cm or m.", rich_help_panel=PANEL)
+    str | None,
+    typer.Option(help="Unit of positions: pix, height, norm, cm, m or deg.", rich_help_panel=PANEL),
 ]
 Screen = Annotated[
     str | None, typer.Option(help="Size of the screen in px, as 1920x1080.", rich_help_panel=PANEL)

@@ -17,7 +17,7 @@ CELLS = re.compile(r"(?:Row #(\d+): )?Expected (\d+) columns, got (\d+)")
 LARGEST_BLOCK = 1 << 25
 
 
-def parse_csv(path: Path, file: BinaryIO, skip: int, types: dict[str, Any]) -> Any:
+def parse_csv(path: Path, file: BinaryIO, skip: int, types: dict[str, Any], separator: str) -> Any:
     """The rows below ``skip`` lines of the opened ``file``, which messages call ``path``.
 
     Raises RecordingError naming the first row that is cut or too long.
@@ -28,7 +28,7 @@ def parse_csv(path: Path, file: BinaryIO, skip: int, types: dict[str, Any]) -> A
         return pacsv.read_csv(
             pa.BufferReader(rows),
             read_options=pacsv.ReadOptions(skip_rows=skip, use_threads=threads, block_size=_block(rows.size)),
-            parse_options=pacsv.ParseOptions(newlines_in_values=True),
+            parse_options=pacsv.ParseOptions(delimiter=separator, newlines_in_values=True),
             convert_options=pacsv.ConvertOptions(
                 column_types=types,
                 null_values=[""],

@@ -49,6 +49,7 @@ class Format(msgspec.Struct, frozen=True):
 
     ``streams``: it has no trials of its own, so that ``Reading.cut`` says how they are cut.
     ``tabular``: ``Reading.columns`` says what its columns are.
+    ``takes``: what of that it has a use for although it is no table of samples.
     ``recognises_further``: looks on in a file, which begins with a head that does not tell.
     """
 
@@ -58,6 +59,7 @@ class Format(msgspec.Struct, frozen=True):
     read: Callable[[Path, Reading], Recording]
     streams: bool = False
     tabular: bool = False
+    takes: tuple[str, ...] = ()
     recognises_further: Callable[[Path, bytes], bool] = lambda path, head: False
 
 
@@ -95,7 +97,7 @@ FORMATS: tuple[Format, ...] = (
         "pointing-dynamics", pointing_dynamics.TITLE, pointing_dynamics.recognises, pointing_dynamics.read
     ),
     Format("mousetrap", mousetrap.TITLE, mousetrap.recognises, mousetrap.read),
-    Format("psychopy", psychopy.TITLE, psychopy.recognises, psychopy.read),
+    Format("psychopy", psychopy.TITLE, psychopy.recognises, psychopy.read, takes=("px_per_unit",)),
     Format(
         "jspsych",
         jspsych.TITLE,
@@ -203,7 +205,7 @@ def _read(form: Format, path: Path, reading: Reading) -> Recording:
     if reading.cut is not None and not form.streams:
         notes.append(f"cut {reading.cut!r} has no effect: {form.title} has trials of its own")
     told = () if form.tabular else _of_tables(reading)
-    notes += [f"{name} has no effect: {form.title} says it itself" for name in told]
+    notes += [f"{name} has no effect: {form.title} says it itself" for name in told if name not in form.takes]
     return msgspec.structs.replace(recording, notes=(*recording.notes, *notes)) if notes else recording
 
 

@@ -29,4 +29,26 @@ def join(
         trials += [msgspec.structs.replace(trial, trial=named(label, trial.trial)) for trial in part.trials]
         skipped += [msgspec.structs.replace(skip, trial=named(label, skip.trial)) for skip in part.skipped]
         said += [named(f"{label}:", note) for note in part.notes]
-    return Recording.of(name, tables, trials, skipped, parts[0].provenance, [*said, *notes])
+    return Recording.of(name, tables, _of_one_kind(trials), skipped, parts[0].provenance, [*said, *notes])
+
+
+def _of_one_kind(trials: list[Trial]) -> list[Trial]:
+    """The trials with words for a condition that is a number in some parts and words in others."""
+    kinds: dict[str, set[bool]] = {}
+    for trial in trials:
+        for name, value in trial.condition.items():
+            kinds.setdefault(name, set()).add(isinstance(value, str))
+    mixed = {name for name, found in kinds.items() if len(found) > 1}
+    return [
+        msgspec.structs.replace(trial, condition=trial.condition | _in_words(trial.condition, mixed))
+        for trial in trials
+    ]
+
+
+def _in_words(condition: dict[str, str | float], names: set[str]) -> dict[str, str]:
+    """The conditions of these names as words; whole numbers without a point."""
+    return {
+        name: value if isinstance(value, str) else f"{value:.17g}"
+        for name, value in condition.items()
+        if name in names
+    }

@@ -6,13 +6,15 @@ from pathlib import Path
 
 from pointpred.recording import Provenance, Recording, Skip, Trial
 from pointpred.sources import tables
-from pointpred.sources.decoding import stem_of
+from pointpred.sources.decoding import head_of, stem_of
 from pointpred.sources.lists import Lists, split
 from pointpred.sources.reading import AS_IS, Reading
+from pointpred.sources.row_conditions import people_of, row_conditions
 
 TITLE = "OpenSesame mousetrap CSV"
 TIMES, XS, YS = "timestamps_", "xpos_", "ypos_"
 USERS = ("subject_nr", "subject", "participant")
+SEPARATORS = (",", ";", "\t")
 
 
 def recognises(head: bytes) -> bool:
@@ -25,20 +27,22 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     """Read a table; a trial is ``<row>``, or ``<row> <item>`` where a row holds several items' tracks.
 
     Assumes ms and px from the centre of the screen, y down. The stored positions stay relative to that centre
-    (the provenance says so). Rows without a track are counted in a note. Raises RecordingError.
+    (the provenance says so). Cells are separated by commas, semicolons or tabs. Rows without a track are
+    counted in a note; without a column that names people, a file is one person's. The other short cells of a
+    row are conditions. Raises RecordingError.
     """
-    table, _ = tables.read_table(path, lambda column: True)
+    first = head_of(path).split(b"\n", 1)[0].decode("utf-8", "replace")
+    table, _ = tables.read_table(path, lambda column: True, max(SEPARATORS, key=first.count))
     names = table.column_names
     items = [name.removeprefix(TIMES) for name in names if name.startswith(TIMES)]
     required = [prefix + item for item in items or ["<item>"] for prefix in (TIMES, XS, YS)]
     tables.need_columns(path, names, required, names)
-    user_column = next((name for name in USERS if name in names), None)
+    rows = table.to_pylist()
+    users, column, notes = people_of(path, rows, USERS)
+    conditions = row_conditions(rows, {*required, column, "item"})
     lists = Lists(path)
     empty = 0
-    for row, cells in enumerate(
-        table.select([*required, *([user_column] if user_column else [])]).to_pylist()
-    ):
-        user = str(cells[user_column] or "unknown") if user_column else "unknown"
+    for row, (cells, user, condition) in enumerate(zip(rows, users, conditions, strict=True)):
         for item in items:
             series = [cells[prefix + item] for prefix in (TIMES, XS, YS)]
             trial = str(row) if len(items) == 1 else f"{row} {item}"
@@ -47,11 +51,12 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
             elif not all(series):
                 lists.skip(Skip(trial, f"{item}: times or positions are missing", row))
             else:
-                condition: dict[str, str | float] = {"item": item}
                 t, x, y = map(split, series)
-                lists.add(Trial(user, trial, condition=condition), row, t, x, y, scale=0.001)
+                about = Trial(user, trial, condition=condition | {"item": item})
+                lists.add(about, row, t, x, y, scale=0.001)
     if empty:
         lists.notes.append(f"{empty} cells hold no track")
+    lists.notes += notes
     provenance = Provenance(
         "mousetrap", origin="centre of the screen", clock="the experiment's clock, ms", dpi=reading.dpi
     )

@@ -1,47 +1,60 @@
-"""PsychoPy: CSV with a row a trial, a mouse component's track as Python lists in its cells."""
+"""PsychoPy: a table with a row a trial, a mouse component's track as Python lists in its cells."""
 
 from __future__ import annotations
 
 import csv
+from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
-from pointpred.errors import RecordingError
+import numpy as np
+
 from pointpred.recording import Provenance, Recording, Skip, Trial
 from pointpred.sources import tables
-from pointpred.sources.decoding import stem_of
+from pointpred.sources.decoding import head_of, stem_of
 from pointpred.sources.lists import Lists, split
+from pointpred.sources.psychopy_units import check_pixels, gain_of, unit_of
 from pointpred.sources.reading import AS_IS, Reading
+from pointpred.sources.row_conditions import people_of, row_conditions
 
 TITLE = "PsychoPy CSV"
-LEAST_PX = 2.0
+SEPARATORS = (",", ";", "\t")
+USERS = ("participant",)
+BUTTONS = {"left": 1, "right": 2, "mid": 4}
+CLICKS_S = 0.1
+"""Samples with a button held in each, farther apart than this, are clicks and no track."""
+CLICKS_ONLY = "only clicks were saved (the mouse saves its state 'on click'), expected 'every frame'"
 
 
 def recognises(head: bytes) -> bool:
     """Whether a file that begins with ``head`` is a PsychoPy table with a mouse component."""
-    try:
-        names = next(csv.reader([head.split(b"\n", 1)[0].decode("utf-8-sig")]))
-    except (UnicodeDecodeError, StopIteration, csv.Error):
-        return False
-    return bool(_mice(names))
+    return _separator(head) is not None
 
 
 def read(path: Path, reading: Reading = AS_IS) -> Recording:
     """Read a table; a trial is ``<row>``, or ``<row> <mouse>`` where there are several mouse components.
 
-    Assumes s, the origin in the centre of the screen and y up; y is turned, the origin stays. The file does
-    not say the unit: ``reading.unit`` does, with ``reading.screen`` for height and norm and ``reading.dpi``
-    for cm and m.
-    Raises RecordingError, also where "pix" cannot be the unit because no position leaves +-2.
+    Assumes s, the origin in the centre of the screen and y up; y is turned, the origin stays. The unit is
+    ``reading.unit``, with ``reading.screen`` for height and norm, ``reading.dpi`` for cm and m and
+    ``reading.px_per_unit`` for deg; untold, what a column ``units`` says, else pixels, with a note. Cells are
+    separated by commas, semicolons or tabs. Without a column that names people, a file is one person's.
+    Trials of which only clicks were saved are skipped. The other short cells of a row are conditions.
+    Raises RecordingError, also where pixels are assumed and can hardly be the unit.
     """
-    table, _ = tables.read_table(path, lambda column: True)
+    separator = _separator(head_of(path)) or ","
+    table, _ = tables.read_table(path, lambda column: True, separator)
     names = table.column_names
     mice = _mice(names)
     tables.need_columns(path, names, [f"{mouse}.time" for mouse in mice or ["mouse"]], names)
-    gain = _gain(path, reading)
+    rows = table.to_pylist()
     lists = Lists(path)
+    unit, said = unit_of(rows, reading)
+    gain = gain_of(path, unit or "pix", reading)
+    users, column, more = people_of(path, rows, USERS)
+    own = tuple(f"{mouse}." for mouse in mice)
+    conditions = row_conditions(rows, {name for name in names if name.startswith(own)} | {column, "mouse"})
     empty = 0
-    for row, cells in enumerate(table.to_pylist()):
-        user = str(cells.get("participant") or "unknown")
+    for row, (cells, user, condition) in enumerate(zip(rows, users, conditions, strict=True)):
         for mouse in mice:
             t, x, y = (split(cells[f"{mouse}.{part}"]) for part in ("time", "x", "y"))
             trial = str(row) if len(mice) == 1 else f"{row} {mouse}"
@@ -52,23 +65,19 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
             if held is None:
                 lists.skip(Skip(trial, "buttons are not 0 or 1 for each time", row))
                 continue
-            condition: dict[str, str | float] = {"mouse": mouse}
-            about = Trial(user, trial, condition=condition)
+            if _are_clicks(t, held):
+                lists.skip(Skip(trial, CLICKS_ONLY, row, user))
+                continue
+            about = Trial(user, trial, condition=condition | {"mouse": mouse})
             lists.add(about, row, t, x, y, held, scale=1.0, gain=(gain[0], -gain[1]))
     if empty:
         lists.notes.append(f"{empty} cells hold no track")
-    if (
-        reading.unit == "pix"
-        and lists.tables
-        and all(abs(part[:, 1:3]).max(initial=0) < LEAST_PX for part in lists.tables)
-    ):
-        raise RecordingError(
-            f"{path}: no position leaves +-{LEAST_PX:g}, so the unit is hardly pix; "
-            "say the experiment's unit (height, norm or cm) and the screen's size"
-        )
+    if unit is None and reading.px_per_unit is None:
+        said = check_pixels(path, [part[:, 1:3] for part in lists.tables])
+    lists.notes += [*more, *said]
     provenance = Provenance(
         "psychopy",
-        unit="px" if reading.unit == "pix" else reading.unit,
+        unit="px" if unit == "pix" else unit or ("px" if reading.px_per_unit is None else "told"),
         origin="centre of the screen",
         y_axis="up",
         clock="the component's clock, s",
@@ -77,29 +86,28 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     return lists.recording(stem_of(path), provenance)
 
 
-def _mice(names: list[str]) -> list[str]:
+def _separator(head: bytes) -> str | None:
+    """What separates the columns of a table with a mouse component; ``None`` where there is none."""
+    try:
+        first = head.split(b"\n", 1)[0].decode("utf-8-sig")
+        for separator in SEPARATORS:
+            if _mice(next(csv.reader([first], delimiter=separator), [])):
+                return separator
+    except (UnicodeDecodeError, csv.Error):
+        pass
+    return None
+
+
+def _mice(names: Sequence[str]) -> list[str]:
     """The mouse components among the columns: those with a time, an x and a y."""
     parts = [name.removesuffix(".time") for name in names if name.endswith(".time")]
     return [part for part in parts if f"{part}.x" in names and f"{part}.y" in names]
 
 
-def _gain(path: Path, reading: Reading) -> tuple[float, float]:
-    """Pixels a unit, horizontally and vertically."""
-    if reading.unit == "pix":
-        return 1.0, 1.0
-    if reading.unit in ("cm", "m"):
-        gain = reading.dpi / (2.54 if reading.unit == "cm" else 0.0254)
-        return gain, gain
-    if reading.screen is None:
-        raise RecordingError(f"{path}: the unit {reading.unit} needs the screen's size in px")
-    width, height = reading.screen
-    return (height, height) if reading.unit == "height" else (width / 2, height / 2)
-
-
-def _held(cells: dict[str, str | None], mouse: str, count: int) -> list[float] | None:
+def _held(cells: dict[str, Any], mouse: str, count: int) -> list[float] | None:
     """The buttons of each sample as in W3C pointer events; ``None`` where they do not fit the times."""
     held = [0.0] * count
-    for name, bit in (("left", 1), ("right", 2), ("mid", 4)):
+    for name, bit in BUTTONS.items():
         pressed = split(cells.get(f"{mouse}.{name}Button"))
         if not pressed:
             continue
@@ -107,3 +115,14 @@ def _held(cells: dict[str, str | None], mouse: str, count: int) -> list[float] |
             return None
         held = [sum_ + bit * int(word) for sum_, word in zip(held, pressed, strict=True)]
     return held
+
+
+def _are_clicks(t: Sequence[str], held: Sequence[float]) -> bool:
+    """Whether the samples of a trial are clicks alone: a button is held in each, and they are far apart."""
+    if not held or not all(held):
+        return False
+    try:
+        intervals = np.diff([float(cell) for cell in t])
+    except ValueError:
+        return False
+    return not len(intervals) or float(np.median(intervals)) > CLICKS_S

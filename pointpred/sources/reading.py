@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Literal
+from typing import Literal, get_args
 
 import msgspec
 
@@ -11,7 +11,7 @@ from pointpred.errors import ParameterError
 from pointpred.events import CPI, DPI
 
 Cut = Literal["clicks", "bursts", "whole"]
-Unit = Literal["pix", "height", "norm", "cm", "m"]
+Unit = Literal["pix", "height", "norm", "cm", "m", "deg"]
 TimeUnit = Literal["s", "ms", "us", "ns", "iso"]
 FIELDS = ("t", "x", "y", "user", "trial", "buttons", "target_x", "target_y", "target_w", "dx", "dy")
 """What the columns of any table can be mapped to."""
@@ -24,10 +24,10 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
     ``cut``: how a stream without trials is cut (``segmentation``), ``None`` for what the format is made for;
     ``pause_s`` > 0 s ends a burst; trials of fewer than ``least_samples`` >= 2 or shorter
     than ``least_s`` >= 0 s are skipped.
-    ``unit`` of positions where the experiment chose it (PsychoPy); ``screen`` width and height in px, needed
-    for the units height and norm; ``dpi`` in [1, 1e5] px per inch, for positions in cm or m; ``cpi`` in
-    [1, 1e6] counts per inch of the device, kept in the provenance; ``target``: the selector of the page's
-    element that is the goal (jsPsych).
+    ``unit`` of positions where the experiment chose it (PsychoPy), ``None`` for what the file says;
+    ``screen`` width and height in px, needed for the units height and norm, ``px_per_unit`` for deg;
+    ``dpi`` in [1, 1e5] px per inch, for positions in cm or m; ``cpi`` in [1, 1e6] counts per inch of the
+    device, kept in the provenance; ``target``: the selector of the page's element that is the goal (jsPsych).
 
     For any table: ``columns`` names, for some of ``FIELDS``, the column that holds it, by its name or by its
     place counted from 0; what is not named is guessed from the usual names, or left unknown where t, x and y
@@ -40,7 +40,7 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
     pause_s: float = 0.3
     least_samples: int = 2
     least_s: float = 0.0
-    unit: Unit = "pix"
+    unit: Unit | None = None
     screen: tuple[float, float] | None = None
     dpi: float = 96.0
     cpi: float | None = None
@@ -57,8 +57,8 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
             (
                 "unit",
                 self.unit,
-                self.unit in ("pix", "height", "norm", "cm", "m"),
-                "pix, height, norm, cm or m",
+                self.unit in (None, *get_args(Unit)),
+                "pix, height, norm, cm, m or deg",
             ),
             ("pause_s", self.pause_s, self.pause_s > 0, "above 0 s"),
             ("least_samples", self.least_samples, self.least_samples >= 2, "at least 2"),

@@ -1,12 +1,15 @@
-"""What the rows of a file that holds a trial in each row say of their trials beside the track."""
+"""What a file with a trial in each row says beside the tracks: conditions, and who made each trial."""
 
 from __future__ import annotations
 
 from collections.abc import Container, Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from pointpred.sources.column_names import guess
+from pointpred.sources.decoding import stem_of
 from pointpred.sources.table_conditions import MOST
 from pointpred.sources.trial_tables import OWN
 
@@ -37,6 +40,24 @@ def row_conditions(
             if not _empty(cell):
                 row[name] = str(cell) if None in numbers else float(cell)  # type: ignore[arg-type]
     return known
+
+
+def people_of(
+    path: Path, rows: Sequence[dict[str, Any]], usual: Sequence[str]
+) -> tuple[list[str], str | None, list[str]]:
+    """Who made each row, the column that says so, and notes: without one, the file is one person's.
+
+    The column is the first of ``usual`` that is there, or one with a usual name. A row with an empty cell
+    belongs to the person of the first row that names one.
+    """
+    names = list(dict.fromkeys(name for row in rows for name in row))
+    column = next((name for name in usual if name in names), None) or guess(names).best.get("user")
+    cells = [] if column is None else [str(row.get(column) or "").strip() for row in rows]
+    first = next(filter(None, cells), "")
+    if first:
+        return [cell or first for cell in cells], column, []
+    stem = stem_of(path)
+    return [stem] * len(rows), column, [f"one person, called {stem!r} after the file: no column names one"]
 
 
 def _fits(name: str) -> bool:

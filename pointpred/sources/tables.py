@@ -51,7 +51,7 @@ UNREADABLE = (
 """What Arrow raises on damaged bytes."""
 
 
-def read_table(path: Path, text: Callable[[str], bool]) -> tuple[Any, Header]:
+def read_table(path: Path, text: Callable[[str], bool], separator: str = ",") -> tuple[Any, Header]:
     """The table in a Parquet or CSV file and its pointpred header; ``text`` says which columns are words.
 
     In a CSV file every column that is not text is read as numbers where all its cells are numbers, and as
@@ -59,7 +59,7 @@ def read_table(path: Path, text: Callable[[str], bool]) -> tuple[Any, Header]:
     """
     try:
         parquet = head_of(path).startswith(PARQUET_MAGIC)
-        table, header = read_parquet(path) if parquet else read_csv(path, text)
+        table, header = read_parquet(path) if parquet else read_csv(path, text, separator)
         names = table.column_names
     except UNREADABLE as error:
         if isinstance(error, RecordingError):
@@ -88,14 +88,14 @@ def read_parquet(path: Path) -> tuple[Any, Header]:
     return table.replace_schema_metadata(None), _header(path, (file.metadata.metadata or {}).get(KEY))
 
 
-def read_csv(path: Path, text: Callable[[str], bool]) -> tuple[Any, Header]:
+def read_csv(path: Path, text: Callable[[str], bool], separator: str = ",") -> tuple[Any, Header]:
     """The table in a CSV file and the header in its first line, if there is one."""
     with open_utf8(path) as (file, encoding):
-        table, header = _rows(path, file, text)
+        table, header = _rows(path, file, text, separator)
     return table, msgspec.structs.replace(header, notes=(*header.notes, *filter(None, [encoding.note])))
 
 
-def _rows(path: Path, file: BinaryIO, text: Callable[[str], bool]) -> tuple[Any, Header]:
+def _rows(path: Path, file: BinaryIO, text: Callable[[str], bool], separator: str) -> tuple[Any, Header]:
     """The table and the header of an opened file of UTF-8."""
     first = file.readline(1 << 26).removeprefix(UTF_8)
     marked = first.startswith(MARK)
@@ -103,15 +103,15 @@ def _rows(path: Path, file: BinaryIO, text: Callable[[str], bool]) -> tuple[Any,
     header = _header(path, first[len(MARK) :] if marked else None)
     if marked and not is_ended(path):
         raise RecordingError(f"{path}: truncated, the last row does not end with a line break")
-    names = next(csv.reader(columns.decode().splitlines()[:1]), [])
+    names = next(csv.reader(columns.decode().splitlines()[:1], delimiter=separator), [])
     words = {name: pa.string() for name in names if text(name)}
     numeric = {name: pa.float64() for name in names if name not in words}
     try:
-        return parse_csv(path, file, int(marked), words | numeric), header
+        return parse_csv(path, file, int(marked), words | numeric, separator), header
     except pa.ArrowInvalid as error:
         if "conversion error" not in str(error):
             raise
-        return parse_csv(path, file, int(marked), dict.fromkeys(names, pa.string())), header
+        return parse_csv(path, file, int(marked), dict.fromkeys(names, pa.string()), separator), header
 
 
 def _header(path: Path, encoded: bytes | None) -> Header:
