@@ -40,12 +40,13 @@ CURVE = GainCurve(
     edges=12,
     fast=0,
 )
+NOTE = "nothing moves. Listening to /dev/input/event5 (Some mouse). Move the mouse that is to be followed"
 EXAMPLES = {
     "device": (
         Attached("Some mouse", "the kernel's stamps", "screen", "the cursor", RECOMMENDED, 800.0, 110.0),
         Attached("Some mouse", "at the read", "motor", "prediction in motor space", RECOMMENDED),
     ),
-    "status": (Status(True, 61250, 998.0, 2, 1, 3, 4, 5e-05, 0.00038), Status(False, 0, 0.0)),
+    "status": (Status(True, 61250, 998.0, 2, 1, 3, 4, 5e-05, 0.00038), Status(False, 0, 0.0, note=NOTE)),
     "transfer": (Curve(CURVE.words, CURVE), Curve("nothing learnt yet: move the mouse")),
 }
 """What only viewers hear."""

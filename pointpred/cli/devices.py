@@ -104,7 +104,9 @@ def udev() -> None:
 def watch(
     device: Annotated[
         str | None,
-        typer.Argument(metavar="[DEVICE]", help="From 'pointpred devices list'; the first that can be read."),
+        typer.Argument(
+            metavar="[DEVICE]", help="As --device of 'pointpred live'. Not given: the first that moves."
+        ),
     ] = None,
     seconds: Annotated[
         float | None, typer.Option("--for", min=0.0, metavar="SECONDS", help="Stop after this long.")

@@ -12,6 +12,7 @@ from msgspec.structs import replace
 from pointpred.cli import live_device
 from pointpred.cli.coefficients import Coefficients, with_coefficients
 from pointpred.cli.live_device import Where
+from pointpred.cli.live_notes import notes_of
 from pointpred.cli.live_outlets import Outlets, Wanted
 from pointpred.cli.live_person import read_person, save_person
 from pointpred.cli.live_replay import Asked, end_with, replay_of
@@ -36,8 +37,9 @@ def live(
     device: Annotated[
         str | None,
         typer.Option(
-            metavar="PATH",
-            help="Device to read, as /dev/input/event5. Not given: the first that can be opened.",
+            metavar="NAME",
+            help="Device to read: /dev/input/event5, event5, hidraw2, a link, or a part of its name. "
+            "Not given: the first that moves.",
         ),
     ] = None,
     predictor: Annotated[str, typer.Option(help="A name from 'pointpred predictors'.")] = RECOMMENDED,
@@ -151,6 +153,7 @@ def live(
         until_done.callback(close)
         pipeline = build(predictor, cpi=known, dpi=dpi, person=known_person, **own)
         session = LiveSession(source, path, pipeline)
+        session.note = notes_of(session)
         outlets = Outlets(session, replace(wanted, cpi=known, dpi=dpi))
         spare()
         if person is not None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
+from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 import typer
@@ -13,6 +14,7 @@ from pointpred.errors import ParameterError, SourceError
 from pointpred.events import CPI
 
 if TYPE_CHECKING:
+    from pointpred.devices.first_moving import Candidate
     from pointpred.devices.paths import CursorPath
     from pointpred.devices.source import DeviceSource, Found
     from pointpred.transfer import TransferFunction
@@ -22,26 +24,69 @@ QUESTION = "Counts per inch of the mouse (on its box; m: measure it; -: unknown)
 RULER = "Put the mouse against a ruler, move it 10 cm in a straight line, then hold it still for a second."
 
 
-def choose(path: str | None) -> DeviceSource:
-    """The device at a path, or the first that can be read; raises SourceError that says what to do next."""
+def choose(name: str | None) -> DeviceSource:
+    """The device that a name means, or the first that moves of those that can be read.
+
+    Raises SourceError that says what to do next.
+    """
+    from pointpred.devices.first_moving import FirstMoving
+    from pointpred.devices.naming import path_of
+
+    if name is not None:
+        return _source(path_of(name, [] if _is_path(name) else listed()))
+    found = listed()
+    if not any(one.openable for one in found):
+        raise SourceError(_none(found))
+    fresh = [found]  # what was listed just now need not be listed at once again
+
+    def candidates() -> list[Candidate]:
+        return [_candidate(one) for one in each_once(fresh.pop() if fresh else listed(remark=False))]
+
+    source = FirstMoving(candidates)
+    source.closed = tuple(one for one in found if not one.openable)
+    return source
+
+
+def _is_path(name: str) -> bool:
+    """Whether a name can be read without a list of devices, which may not be had everywhere."""
+    return name.startswith("/") or name.rstrip("0123456789") in ("event", "hidraw")
+
+
+def _candidate(one: Found) -> Candidate:
+    from pointpred.devices.first_moving import Candidate
+
+    return Candidate(one.path, lambda: _source(one.path))
+
+
+def _source(path: str) -> DeviceSource:
     from pointpred.devices.evdev import EvdevSource
     from pointpred.devices.hid import HidSource
 
-    if path is not None:
-        return EvdevSource(path) if "/input/" in path else HidSource(path)
-    found = _listed()
+    return EvdevSource(path) if "/input/" in path else HidSource(path)
+
+
+def each_once(found: list[Found]) -> list[Found]:
+    """The devices that can be opened; of a mouse that is there by evdev and by hidraw, the former."""
     fit = [one for one in found if one.openable]
-    if not fit:
-        raise SourceError(_none(found))
-    if len(fit) > 1:
-        others = ", ".join(f"{one.path} ({one.name})" for one in fit[1:])
-        said = f"reading {fit[0].path} ({fit[0].name}); --device takes another: {others}"
-        remarks().print(said, markup=False)
-    return EvdevSource(fit[0].path) if fit[0].kind == "evdev" else HidSource(fit[0].path)
+    nodes = [_sysfs("input", one) for one in fit if one.kind == "evdev"]
+    return [
+        one
+        for one in fit
+        if one.kind == "evdev" or not any(_sysfs("hidraw", one) in node.parents for node in nodes)
+    ]
 
 
-def _listed() -> list[Found]:
-    """Mice by evdev, which the kernel stamps, then by hidraw; without hidapi only the former."""
+def _sysfs(kind: str, one: Found) -> Path:
+    """Where the kernel describes the HID device of a hidraw node, or an input node, which lies below it."""
+    node = Path("/sys/class", kind, Path(one.path).name)
+    return (node / "device" if kind == "hidraw" else node).resolve()
+
+
+def listed(*, remark: bool = True) -> list[Found]:
+    """Mice by evdev, which the kernel stamps, then by hidraw; without hidapi only the former, with a remark.
+
+    Raises SourceError where no program can read mice.
+    """
     from pointpred.devices.evdev import list_evdev
     from pointpred.devices.hid import list_hid
 
@@ -50,7 +95,8 @@ def _listed() -> list[Found]:
     except SourceError as error:
         if sys.platform != "linux":
             raise
-        remarks().print(str(error), markup=False)
+        if remark:
+            remarks().print(str(error), markup=False)
         mice = []
     return [*list_evdev(), *mice]
 

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import msgspec
+from msgspec.structs import replace
 
 from pointpred.cli.live_following import Following, Viewing, attentive, until
 from pointpred.cli.live_learning import Learning, learning_of
@@ -19,7 +21,7 @@ from pointpred.devices.played import PlayedSource
 from pointpred.errors import ParameterError, SourceError
 
 if TYPE_CHECKING:
-    from pointpred.devices.sessions import LiveSession
+    from pointpred.devices.sessions import LiveSession, Pair
     from pointpred.server.live.feed import LiveFeed
     from pointpred.server.protocol.live_messages import Curve
     from pointpred.server.recorder.live_recording import LiveRecording
@@ -190,7 +192,7 @@ def _recording(session: LiveSession, wanted: Wanted) -> LiveRecording:
     assert wanted.record is not None
     hello = Hello(1, wanted.predictor, device=Device(cpi=wanted.cpi), screen=Screen(dpi=wanted.dpi))
     made = LiveRecording(
-        wanted.record, hello, session.words, session.source.clock, simulated=wanted.simulated
+        wanted.record, hello, session.words, lambda: session.source.clock, simulated=wanted.simulated
     )
     session.watchers.append(made.take)
     return made
@@ -205,7 +207,13 @@ def _feed(session: LiveSession, wanted: Wanted) -> LiveFeed:
         source.name, source.clock, session.space, session.words, wanted.predictor, wanted.cpi, wanted.dpi
     )
     feed = LiveFeed(about, session.state)
-    session.watchers.append(feed.take)
+
+    def renew(pairs: Sequence[Pair]) -> None:
+        """Another device may be followed by now."""
+        if (feed.attached.name, feed.attached.clock) != (source.name, source.clock):
+            feed.attached = replace(feed.attached, name=source.name, clock=source.clock)
+
+    session.watchers += [renew, feed.take]
     return feed
 
 

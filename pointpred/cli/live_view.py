@@ -13,7 +13,7 @@ from rich.panel import Panel
 from rich.table import Table
 from rich.text import Text
 
-from pointpred.cli.screen import counted, plain
+from pointpred.cli.screen import counted, plain, remarks
 from pointpred.devices.played import PlayedSource
 
 if TYPE_CHECKING:
@@ -35,10 +35,13 @@ def show(
 ) -> None:
     """Show the session until ``stopping`` is set."""
     if not console.is_terminal:
+        noted = None
         while not stopping.wait(LINE_S):
-            console.print(
-                line(session.state(), session.newest, timed=timed(session)), markup=False, soft_wrap=True
-            )
+            state = session.state()
+            if state.note != noted and state.note is not None:
+                remarks().print(f"note: {state.note}", markup=False)
+            noted = state.note
+            console.print(line(state, session.newest, timed=timed(session)), markup=False, soft_wrap=True)
         return
     with Live(console=console, auto_refresh=False, transient=False) as view:
         while True:
@@ -48,13 +51,14 @@ def show(
 
 
 def picture(session: LiveSession, heading: list[tuple[str, str]], extra: list[tuple[str, str]]) -> Panel:
-    """The whole view; always as many rows, so that nothing jumps."""
+    """The whole view; always as many rows, so that nothing jumps, but for a note at its end."""
     state, newest = session.state(), session.newest
     told = [
         *heading,
         *prediction_rows(newest, state.idle_s),
         *state_rows(state, timed=timed(session)),
         *extra,
+        *([("note", state.note)] if state.note is not None else []),
     ]
     table = Table.grid(padding=(0, 2))
     table.add_column(style="dim", no_wrap=True)

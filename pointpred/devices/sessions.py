@@ -8,6 +8,7 @@ from threading import Event
 
 import msgspec
 
+from pointpred.devices.first_moving import moves
 from pointpred.devices.gauges import Delays, Pace, RecentDelays
 from pointpred.devices.paths import CursorPath, MotorPath, Space
 from pointpred.devices.source import DeviceSource
@@ -31,7 +32,8 @@ class LiveState(msgspec.Struct, frozen=True):
     ``unreadable`` ones that could not be decoded, ``resynchronised`` recoveries after the kernel dropped
     events, ``refused`` events that the pipeline did not take, the newest reason in ``why``. Delays are those
     from a report's stamp to its prediction over the last 10 to 20 s of reports, in s; ``None`` where nothing
-    came yet or the stamps are of another clock than the session's.
+    came yet or the stamps are of another clock than the session's. ``note``: what a person should know of the
+    device now, such as that nothing moves; ``None`` where there is nothing to say.
     """
 
     plugged: bool
@@ -45,6 +47,7 @@ class LiveState(msgspec.Struct, frozen=True):
     why: str | None
     delay_p50_s: float | None
     delay_p99_s: float | None
+    note: str | None = None
 
 
 class LiveSession:
@@ -82,10 +85,15 @@ class LiveSession:
         self.newest: Pair | None = None
         self.reports = 0
         self.refused = 0
+        self.moved = False
+        """Whether the device has moved by at least one count."""
+        self.silent_s = 0.0
+        """How long it was waited for a first motion: the sum of the times waited in vain, s."""
+        self.note: Callable[[], str | None] = _nothing
+        """What ``state`` says of the device in words; replace it to say something."""
         self._why: str | None = None
         self._last_t = self._heard = float("-inf")
         self._clock = clock
-        self._comparable = "monotonic" in source.clock
         self.delays = Delays()
         """From a report's stamp to its prediction, over the whole session."""
         self._recent, self._pace = RecentDelays(), Pace()
@@ -110,6 +118,10 @@ class LiveSession:
             self.reports += len(reports)
             self._heard = self._clock()
             self._pace.add(self._heard, len(reports))
+        if not self.moved:
+            self.moved = moves(reports)
+            self.silent_s += 0.0 if reports else timeout_s
+        comparable = "monotonic" in self.source.clock
         pairs: list[Pair] = []
         for event in self.path.events(reports):
             try:
@@ -119,7 +131,7 @@ class LiveSession:
                 self._why = str(error)
                 continue
             pairs.append((event, prediction))
-            if self._comparable and event.t > self._last_t:  # not where a path corrects what it has said
+            if comparable and event.t > self._last_t:  # not where a path corrects what it has said
                 delay = self._clock() - event.t
                 self.delays.add(delay)
                 self._recent.add(event.t, delay)
@@ -156,4 +168,9 @@ class LiveSession:
             self._why,
             recent.percentile(0.5),
             recent.percentile(0.99),
+            self.note(),
         )
+
+
+def _nothing() -> None:
+    """There is nothing to say."""

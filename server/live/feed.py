@@ -31,6 +31,7 @@ class LiveFeed:
 
     def __init__(self, attached: Attached, state: Callable[[], LiveState]) -> None:
         self.attached = attached
+        """What is attached; replaced whole, from any thread, where another device is followed."""
         self.state = state
         self.curve: Curve | None = None
         """The newest transfer function; replaced whole, from any thread."""

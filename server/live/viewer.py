@@ -33,12 +33,12 @@ class Viewer(Conversation):
         self.state = "streaming"
         self._allowance = Allowance(limits, now)
         self._shown: Shown | None = None
+        self._attached: Attached | None = None
         self._curve: Curve | None = None
 
     def show(self, shown: Shown) -> None:
-        """Look at something from now on."""
+        """Look at something from now on; what it is comes first, and again where it has changed."""
         self._shown = shown
-        self._say(shown.attached)
         self._tell()
 
     def receive(self, frame: str | bytes, now: float) -> None:
@@ -84,6 +84,9 @@ class Viewer(Conversation):
         shown = self._shown
         if shown is None:
             return
+        if shown.attached is not self._attached:
+            self._attached = shown.attached
+            self._say(shown.attached)
         self._say(shown.status())
         if (curve := shown.curve) is not None and curve is not self._curve:
             self._curve = curve

@@ -33,7 +33,8 @@ class Status(Struct, tag="status"):
 
     ``lost`` reports nobody took in time, ``unreadable`` ones that could not be decoded, ``resynchronised``
     recoveries after the kernel dropped events, ``refused`` events the pipeline did not take; delays from a
-    report to its prediction, null where the stamps are of another clock.
+    report to its prediction, null where the stamps are of another clock. ``note``: what a person should know
+    of the device now, such as that nothing moves and what to try; null where there is nothing to say.
     """
 
     plugged: bool
@@ -45,6 +46,7 @@ class Status(Struct, tag="status"):
     refused: int = 0
     delay_p50_s: float | None = None
     delay_p99_s: float | None = None
+    note: str | None = None
 
 
 class Curve(Struct, tag="transfer"):

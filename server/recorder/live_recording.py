@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from datetime import UTC, datetime
 from pathlib import Path
 
+import msgspec
 import numpy as np
+from msgspec.structs import replace
 
 from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.devices.sessions import Pair
@@ -31,6 +33,10 @@ class FileOf(SessionFiles):
         super().__init__(file.parent, name, about_of(origin, datetime.now(UTC)))
         self._file = file
 
+    def tell(self, origin: Provenance) -> None:
+        """Say where the events come from; before the first is written."""
+        self.about["provenance"] = msgspec.to_builtins(origin)
+
     def path_of(self, part: str) -> Path:
         """The file itself for the samples, one beside it for every other part."""
         return self._file if part == "samples" else self._file.with_name(f"{self.name}_{part}.csv")
@@ -39,15 +45,18 @@ class FileOf(SessionFiles):
 class LiveRecording:
     """Takes what a session makes and has it written by the recorder's thread; a ``Watcher``.
 
-    Assumes that one thread calls it. Raises SourceError where the folder cannot be written.
+    ``clock`` says which clock stamps the events; it is asked when the first of them is written, because the
+    device may not be known before. Assumes that one thread calls it. Raises SourceError where the folder
+    cannot be written.
     """
 
-    def __init__(self, file: Path, hello: Hello, origin: str, clock: str, *, simulated: bool = False) -> None:
+    def __init__(
+        self, file: Path, hello: Hello, origin: str, clock: Callable[[], str], *, simulated: bool = False
+    ) -> None:
         device, screen = hello.device, hello.screen
         provenance = Provenance(
             LIVE,
             origin=origin,
-            clock=clock,
             dpi=screen.dpi if screen else 96.0,
             cpi=device.cpi if device else None,
             simulated=simulated,
@@ -55,7 +64,9 @@ class LiveRecording:
         self.file = file
         self.events = 0
         self._recorder = Recorder(file.parent)
-        self._session = self._recorder.record(FileOf(file, provenance), hello)
+        self._clock, self._provenance = clock, provenance
+        self._files = FileOf(file, provenance)
+        self._session = self._recorder.record(self._files, hello)
         self._waiting: list[Pair] = []
 
     @property
@@ -86,6 +97,8 @@ class LiveRecording:
     def _flush(self) -> None:
         waiting, self._waiting = self._waiting, []
         if waiting:
+            if not self.events:
+                self._files.tell(replace(self._provenance, clock=self._clock()))
             self.events += len(waiting)
             events = EventColumns.of_events(event for event, _ in waiting)
             rows = [_row(event.t, prediction) for event, prediction in waiting]

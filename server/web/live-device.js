@@ -60,7 +60,8 @@ const told = {
     const losses = Object.entries(LOSSES).filter(([name]) => message[name] > 0).map(([name, words]) => `${message[name]} ${words}`);
     write(of.losses, losses.join(", ") || "none");
     of.losses.title = of.losses.textContent;
-    say(message.plugged ? "Attached." : "Unplugged: waiting for it to come back.");
+    const attached = message.note === null ? "Attached." : sentence(message.note);
+    say(message.plugged ? attached : "Unplugged: waiting for it to come back.");
   },
   transfer: (message) => {
     if (message.curve !== null) curve.show(message.curve);

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from pointpred.cli import live, live_device
+from pointpred.devices.first_moving import FirstMoving
 from pointpred.devices.source import Found
 from pointpred.pipeline import Pipeline
 from pointpred.transfer import ConstantGain, PixelTransfer, TransferLearner, save_transfer
@@ -101,13 +102,22 @@ def test_systems_that_keep_their_mice_are_told_to_use_the_page(
         assert "pointpred serve" in left.err
 
 
-def test_of_several_devices_the_first_is_taken_and_the_others_are_named(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+def test_every_device_that_opens_may_be_the_one_and_a_mouse_that_is_there_twice_is_so_once(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     one, two = (Found(f"/dev/hidraw{i}", f"mouse {i}", "hid", True) for i in range(2))
+    node = Found("/dev/input/event4", "mouse 1", "evdev", True)
     found(monkeypatch, CLOSED, one, two)
-    assert live_device.choose(None).path == "/dev/hidraw0"
-    assert "--device takes another: /dev/hidraw1 (mouse 1)" in capsys.readouterr().err
+    below = tmp_path / "0003:046D:C077.0001"
+    (below / "input/input9/event4").mkdir(parents=True)
+    places = {two.path: below, node.path: below / "input/input9/event4", one.path: tmp_path / "another"}
+    monkeypatch.setattr(live_device, "_sysfs", lambda kind, device: places[device.path])
+    assert live_device.each_once([CLOSED, node, one, two]) == [node, one]
+    source = live_device.choose(None)
+    assert isinstance(source, FirstMoving)
+    assert [one.path for one in source._candidates()] == ["/dev/hidraw0", "/dev/hidraw1"]
+    assert source.closed == (CLOSED,)
+    assert live_device.choose("mouse 1").path == two.path
 
 
 def test_a_screen_asked_for_is_an_error_where_there_is_none(monkeypatch: pytest.MonkeyPatch) -> None:

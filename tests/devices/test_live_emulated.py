@@ -12,11 +12,12 @@ import numpy as np
 import pytest
 
 from pointpred import EventColumns, build, run
+from pointpred.devices.hid import HidSource
 from pointpred.devices.source import Report
 from pointpred.sources import read
 from tests.devices.live_fakes import reach
 from tests.devices.live_process import PATIENCE_S, READING, send, started, until_recorded, until_said
-from tests.devices.mice import TWO_WHEELS, Plugged, plug
+from tests.devices.mice import BUTTONS, TWO_WHEELS, Plugged, plug
 from tests.devices.umockdev import Testbed
 
 REACHES = ((900.0, -400.0), (-700.0, 500.0), (400.0, 800.0))
@@ -27,21 +28,26 @@ def mouse(testbed: Testbed) -> Plugged:
     return plug(testbed, TWO_WHEELS)
 
 
-def test_a_recorded_session_is_scored_as_it_is(
-    testbed: Testbed, mouse: Plugged, tmp_path: Path, command: Any
-) -> None:
+def test_a_recorded_session_is_scored_as_it_is(testbed: Testbed, tmp_path: Path, command: Any) -> None:
+    """Two are there: the first is a touchpad's mouse, which never moves."""
+    plug(testbed, BUTTONS, 0)
+    mouse = plug(testbed, TWO_WHEELS, 1)
     file, errors = tmp_path / "session.csv", tmp_path / "errors"
     arguments = ("--cpi", "800", "--predictor", "switched", "--record", str(file))
     with started(testbed, errors, *arguments) as process:
         until_said(errors, READING, process)
-        sent = sum(send(mouse, reach(0.0, way, rate_hz=500.0)) for way in REACHES)
+        reaches = [reach(0.0, way, rate_hz=500.0) for way in REACHES]
+        still = next(i for i, report in enumerate(reaches[0]) if report.dx or report.dy)
+        sent = sum(send(mouse, reports) for reports in reaches) - still
         until_recorded(file, sent, process)
         process.send_signal(signal.SIGTERM)
         out, _ = process.communicate(timeout=PATIENCE_S)
         assert process.returncode == 0, errors.read_text()
     assert f"{sent} reports; 0 lost, 0 unreadable, 0 refused" in out
     assert "motor space" in errors.read_text()
+    assert "note: following /dev/hidraw1 (two wheels)" in errors.read_text()
     recording = read(file)
+    assert recording.provenance.clock == HidSource.clock
     assert len(recording.trials) == len(REACHES)
     ends = [recording.rows(i).table[-1, 1:3] for i in range(len(REACHES))]
     scale = 96.0 / 800.0

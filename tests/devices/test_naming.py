@@ -1,0 +1,56 @@
+"""Devices by what people type."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from pointpred.devices import naming
+from pointpred.devices.naming import path_of
+from pointpred.devices.source import Found
+from pointpred.errors import SourceError
+
+MICE = [
+    Found("/dev/input/event4", "Logitech G Pro", "evdev", True),
+    Found("/dev/input/event5", "Trackball", "evdev", False, "Permission denied"),
+    Found("/dev/input/event6", "Logitech G502", "evdev", True),
+    Found("/dev/hidraw0", "G Pro", "hid", True),
+    Found("/dev/hidraw1", "Trackball", "hid", True),
+]
+
+
+@pytest.mark.parametrize(
+    ("name", "path"),
+    [
+        ("event12", "/dev/input/event12"),
+        ("hidraw3", "/dev/hidraw3"),
+        ("/dev/input/event4", "/dev/input/event4"),
+        ("/dev/nowhere", "/dev/nowhere"),
+        ("logitech g pro", "/dev/input/event4"),
+        ("g pro", "/dev/hidraw0"),
+        ("G5", "/dev/input/event6"),
+        ("trackball", "/dev/hidraw1"),
+    ],
+)
+def test_short_names_and_parts_of_names(name: str, path: str) -> None:
+    assert path_of(name, MICE) == path
+
+
+@pytest.mark.parametrize(("name", "said"), [("logitech", "event6"), ("wacom", "event5"), ("", "event5")])
+def test_what_fits_none_or_several_names_what_there_is(name: str, said: str) -> None:
+    with pytest.raises(SourceError, match=said):
+        path_of(name, MICE)
+    with pytest.raises(SourceError, match="none"):
+        path_of(name, [])
+
+
+def test_links_are_followed_where_udev_makes_them(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "hidraw7").touch()
+    (tmp_path / "my-mouse").symlink_to("hidraw7")
+    (tmp_path / "event4").touch()
+    (tmp_path / "usb-Some_Mouse-event-mouse").symlink_to("event4")
+    monkeypatch.setattr(naming, "LINKS", (tmp_path,))
+    assert path_of(str(tmp_path / "my-mouse"), MICE) == str(tmp_path / "hidraw7")
+    link = str(tmp_path / "usb-Some_Mouse-event-mouse")
+    assert path_of("usb-Some_Mouse-event-mouse", MICE) == path_of(link, MICE) == link
