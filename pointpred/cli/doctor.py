@@ -48,13 +48,21 @@ def doctor(
     if as_json:
         write_json({"version": 1, "findings": msgspec.to_builtins(findings)}, Path("-"))
     else:
-        table = Table(box=None, pad_edge=False, show_header=False)
-        for one in findings:
-            table.add_row(one.state, one.name, one.found)
-            if one.advice:
-                table.add_row("", "", f"-> {one.advice}")
-        results().print(table, markup=False)
+        show(findings)
     raise typer.Exit(1 if broken else 0)
+
+
+def show(findings: list[Finding]) -> None:
+    """Print a table; advice with lines to copy stands below it, where nothing wraps them."""
+    table = Table(box=None, pad_edge=False, show_header=False)
+    below = [one for one in findings if one.advice and "\n" in one.advice]
+    for one in findings:
+        table.add_row(one.state, one.name, one.found)
+        if one.advice:
+            table.add_row("", "", "-> see below" if one in below else f"-> {one.advice}")
+    results().print(table, markup=False)
+    for one in below:
+        results().print(f"\n{one.name}: {one.advice}", markup=False, soft_wrap=True)
 
 
 def looked(look: Callable[[], list[Finding]]) -> list[Finding]:

@@ -27,10 +27,11 @@ def hid_rule(vendor: int, product: int, mouse_interface: bool = False) -> str:
 
 
 def permission_advice(rule: str) -> str:
-    """What to do where a node may not be opened."""
+    """What to do where a node may not be opened: a sentence, and lines to copy, which must not be wrapped."""
     return (
-        f"put this line into {RULES_FILE}:\n  {rule}\nthen run: {RELOAD}\n"
-        f"('pointpred devices udev | sudo tee {RULES_FILE}' writes it for every mouse here.)"
+        f"put this line into {RULES_FILE}:\n  {rule}\n"
+        "or let these two commands write rules for every mouse here and load them, then plug it in again:\n"
+        f"  pointpred devices udev | sudo tee {RULES_FILE}\n  {RELOAD}"
     )
 
 

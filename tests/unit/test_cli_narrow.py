@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import sys
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from pointpred.cli import screen, tables
+from pointpred.cli.doctor import Finding
 from pointpred.columns import EventColumns
 from pointpred.datasets import listing
+from pointpred.devices.udev import RELOAD, RULES_FILE, hid_rule, permission_advice
 from pointpred.recording import Recording, Trial
 from pointpred.registry import REGISTRY
 from pointpred.scoring import HEADINGS, rows, score, summary
@@ -83,6 +86,22 @@ def test_choices_of_targets_fit(command: Any, tmp_path: Path) -> None:
     assert sum(line.startswith("nearest to the cursor ") for line in lines) == 2 * sum(
         line.startswith("some: ") for line in lines
     )
+
+
+@pytest.mark.usefixtures("terminal")
+def test_lines_to_copy_are_never_wrapped(capsys: pytest.CaptureFixture[str]) -> None:
+    rule = hid_rule(0x46D, 0xC077, mouse_interface=True)
+    closed = [
+        Finding("mice, hidraw", "missing", "closed", permission_advice(rule)),
+        Finding("port", "missing", "in use", "take another one"),
+    ]
+    import_module("pointpred.cli.doctor").show(closed)
+    lines = [line.strip() for line in capsys.readouterr().out.splitlines()]
+    assert len(rule) > COLUMNS
+    assert rule in lines
+    assert f"pointpred devices udev | sudo tee {RULES_FILE}" in lines
+    assert RELOAD in lines
+    assert any(line.endswith("-> take another one") for line in lines)
 
 
 def test_one_trial_has_no_interval() -> None:

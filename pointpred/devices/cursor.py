@@ -1,0 +1,199 @@
+"""The cursor of this machine's screen, whatever the system, and a source that follows it without a device."""
+
+from __future__ import annotations
+
+import sys
+import threading
+import time
+from collections.abc import Callable, Sequence
+from types import TracebackType
+from typing import Protocol, Self
+
+from pointpred.devices.paths import Space
+from pointpred.devices.source import MOST_WAITING, BoundedQueue, Report
+from pointpred.errors import ParameterError, SourceError
+from pointpred.events import PointerEvent
+
+RATE_HZ, FASTEST_HZ = 250.0, 1000.0
+NAME = "cursor"
+"""What stands for a device where the cursor is followed."""
+BUTTONS = (1, 2, 4, 8, 16)
+"""Bits of the left, right, middle, back and forward button in ``PointerEvent``."""
+UNTRIED = {"win32": "Windows", "darwin": "macOS"}
+"""Systems on whose real machines none of this was tried."""
+
+
+class Cursor(Protocol):
+    """Tells where a cursor is."""
+
+    def position(self) -> tuple[float, float]:
+        """The cursor's place now, px from the left and from the top."""
+        ...
+
+
+class SystemCursor(Cursor, Protocol):
+    """A cursor of a whole screen, with its buttons; ``words`` says what a px of it is.
+
+    ``size`` of the screen in these px. ``position`` raises SourceError where it can no longer be read.
+    """
+
+    words: str
+    size: tuple[int, int]
+
+    def buttons(self) -> int:
+        """Buttons pressed now, as in ``PointerEvent``."""
+        ...
+
+    def close(self) -> None:
+        """Let it go; may be called twice."""
+        ...
+
+
+class CursorReport(Report, frozen=True, kw_only=True, gc=False):
+    """Where the cursor was at a look. ``dx`` and ``dy`` are px since the look before: there are no counts."""
+
+    x: float
+    y: float
+
+
+class CursorPath:
+    """A ``CursorPath`` of positions that were read; events have no counts."""
+
+    space: Space = "screen"
+
+    def __init__(self, words: str) -> None:
+        self.words = words
+
+    def events(self, reports: Sequence[Report]) -> list[PointerEvent]:
+        """One event for each look that said something new.
+
+        >>> CursorPath("px").events([CursorReport(0.5, 1.0, 0.0, 1, x=8.0, y=9.0)])
+        [PointerEvent(t=0.5, x=8.0, y=9.0, dx=None, dy=None, buttons=1)]
+        """
+        return [
+            PointerEvent(report.t, report.x, report.y, buttons=report.buttons)
+            for report in reports
+            if isinstance(report, CursorReport)
+        ]
+
+
+class CursorSource:
+    """A ``DeviceSource`` that looks at the screen's cursor ``rate_hz`` times a second, on a thread of its own.
+
+    Assumes that a look takes less than its share of the time. A look that finds place and buttons as before
+    reports nothing. What happens between two looks is not seen: a click shorter than 1 / ``rate_hz``, and
+    how the cursor came from one place to the next. Times are those of the looks, not of the mouse.
+
+    Parameters: ``open_cursor`` opens the cursor; ``rate_hz`` in (0, 1000]; ``most`` reports wait, then the
+    oldest goes first. Memory: the queue. Raises ParameterError; entering raises SourceError with what to do
+    next, ``take`` where the cursor can no longer be read.
+    """
+
+    name = "the screen's cursor"
+    path = NAME
+    plugged = True
+    unreadable = resynchronised = 0
+
+    def __init__(
+        self,
+        open_cursor: Callable[[], SystemCursor],
+        *,
+        rate_hz: float = RATE_HZ,
+        most: int = MOST_WAITING,
+        clock: Callable[[], float] = time.perf_counter,
+        sleep: Callable[[float], None] = time.sleep,
+    ) -> None:
+        if not 0.0 < rate_hz <= FASTEST_HZ:
+            raise ParameterError(f"rate_hz must lie in (0, {FASTEST_HZ:g}] Hz, received {rate_hz!r}")
+        self.rate_hz = rate_hz
+        self.clock = f"this computer's monotonic clock, at each of {rate_hz:g} looks a second"
+        self._open, self._now, self._sleep = open_cursor, clock, sleep
+        self._queue = BoundedQueue(most)
+        self._stopping = threading.Event()
+        self._thread: threading.Thread | None = None
+
+    @property
+    def lost(self) -> int:
+        """Reports dropped because nobody took them in time."""
+        return self._queue.lost
+
+    @property
+    def words(self) -> str:
+        """What a px of the positions is; once it is open."""
+        return self.cursor.words
+
+    def __enter__(self) -> Self:
+        if self._thread is not None:
+            raise SourceError("this source is open already; make another")
+        self.cursor = self._open()
+        self._thread = threading.Thread(target=self._run, name="cursor", daemon=True)
+        self._thread.start()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def take(self, timeout_s: float) -> list[Report]:
+        """Everything that came since the last call; waits at most ``timeout_s`` until something came."""
+        if self._thread is None:
+            raise SourceError("the cursor is not open; use it in a 'with' statement")
+        return self._queue.take(timeout_s)
+
+    def close(self) -> None:
+        """Stop looking; may be called twice. What was read can still be taken."""
+        self._stopping.set()
+        if self._thread is not None:
+            self._thread.join()
+        self._queue.close()
+
+    def _run(self) -> None:
+        """The thread that looks; it alone uses the cursor."""
+        failure = None
+        try:
+            self._look()
+        except SourceError as error:
+            failure = error
+        except Exception as error:  # told by take: a thread has nobody else to tell
+            failure = SourceError(f"the cursor can no longer be read: {error}")
+            failure.__cause__ = error
+        finally:
+            self.cursor.close()
+            self._queue.close(failure)
+
+    def _look(self) -> None:
+        period_s, due = 1.0 / self.rate_hz, self._now()
+        before = (*self.cursor.position(), self.cursor.buttons())
+        while not self._stopping.is_set():
+            due = max(due + period_s, self._now())  # looks that were missed are not made up for
+            self._sleep(max(due - self._now(), 0.0))
+            x, y = self.cursor.position()
+            seen, t = (x, y, self.cursor.buttons()), self._now()
+            if seen != before:
+                self._queue.put(CursorReport(t, x - before[0], y - before[1], seen[2], x=x, y=y))
+                before = seen
+
+
+def system_cursor() -> SystemCursor:
+    """The cursor of this system; raises SourceError, which says what to do next, where it cannot be read."""
+    if sys.platform in ("win32", "cygwin"):
+        from pointpred.devices.cursor_windows import WindowsCursor
+
+        return WindowsCursor()
+    if sys.platform == "darwin":
+        from pointpred.devices.cursor_macos import MacCursor
+
+        return MacCursor()
+    from pointpred.devices.cursor_x11 import ScreenCursor
+
+    return ScreenCursor()
+
+
+def mask_of(pressed: Sequence[bool]) -> int:
+    """Buttons as in ``PointerEvent`` from left, right, middle, back, forward.
+
+    >>> mask_of([True, False, True])
+    5
+    """
+    return sum(bit for bit, down in zip(BUTTONS, pressed, strict=False) if down)
