@@ -151,15 +151,16 @@ def _follow(source: DeviceSource, watched: Watched, seconds: float | None) -> No
 
 
 def _found(everything: bool) -> list[Found]:
-    """Mice by hidraw and by evdev; without hidapi the latter are still found."""
+    """Mice by hidraw and by evdev, without hidapi the latter only; the cursor where mice cannot be read."""
+    from pointpred.devices.cursor import found_cursor
     from pointpred.devices.evdev import list_evdev
     from pointpred.devices.hid_devices import list_hid
 
+    if sys.platform != "linux":
+        return [found_cursor()]
     try:
         found = list_hid(everything)
     except SourceError as error:
-        if sys.platform != "linux":
-            raise
         remarks().print(str(error), markup=False)
         found = []
     return [*found, *list_evdev()]

@@ -7,6 +7,7 @@ import time
 from rich.table import Table
 
 from pointpred.cli.screen import counted
+from pointpred.devices.cursor import CursorSource
 from pointpred.devices.gauges import Pace
 from pointpred.devices.source import DeviceSource, Report
 
@@ -21,6 +22,7 @@ class Watched:
         self.reports = 0
         self.x = self.y = self.wheel = self.pan = 0.0
         self._source = source
+        self._unit = "px" if isinstance(source, CursorSource) else "counts"
         self._buttons = 0
         self._pace = Pace()
 
@@ -43,7 +45,7 @@ class Watched:
             ("device", f"{source.path} ({source.name})" + ("" if source.plugged else ": unplugged, waiting")),
             ("reports", f"{self.reports}"),
             ("a second", f"{self._pace.rate(time.monotonic()):.0f}"),
-            ("x, y", f"{self.x:+.0f}, {self.y:+.0f} counts"),
+            ("x, y", f"{self.x:+.0f}, {self.y:+.0f} {self._unit}"),
             ("wheel, pan", f"{self.wheel:+.0f}, {self.pan:+.0f} steps"),
             ("pressed", ", ".join(pressed) or "none"),
             ("lost", f"{source.lost} in the queue, {source.resynchronised} times in the kernel"),
@@ -70,5 +72,5 @@ class Watched:
             )
         return (
             f"{source.path}: {counted(self.reports, 'report')}, {source.lost} lost, "
-            f"{source.unreadable} unreadable, {self.x:+.0f} and {self.y:+.0f} counts"
+            f"{source.unreadable} unreadable, {self.x:+.0f} and {self.y:+.0f} {self._unit}"
         )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable
+from contextlib import closing
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -127,6 +128,8 @@ def devices() -> list[Finding]:
     from pointpred.devices.hid_devices import list_hid
 
     findings = []
+    if sys.platform != "linux":
+        return [Finding("mice", "good", "not read on this system: 'pointpred live' follows the cursor")]
     for kind, listed in (("hidraw", list_hid), ("evdev", list_evdev)):
         name = f"mice, {kind}"
         try:
@@ -149,12 +152,15 @@ def devices() -> list[Finding]:
 
 def cursor() -> list[Finding]:
     """The screen's cursor."""
-    from pointpred.devices.cursor_x11 import ScreenCursor
+    from pointpred.devices.cursor import RATE_HZ, UNTRIED, system_cursor
 
     try:
-        with ScreenCursor() as screen:
+        with closing(system_cursor()) as screen:
             x, y = screen.position()
-            return [Finding("cursor", "good", f"at {x:g}, {y:g} of {screen.size[0]} x {screen.size[1]} px")]
+            said = f"at {x:g}, {y:g} of {screen.size[0]} x {screen.size[1]}: {screen.words}"
+            if sys.platform in UNTRIED:
+                said += f"; looked at {RATE_HZ:g} times a second; untested on this platform"
+            return [Finding("cursor", "good", said)]
     except SourceError as error:
         return [Finding("cursor", "missing", "cannot be followed", str(error))]
 

@@ -38,8 +38,8 @@ def live(
         str | None,
         typer.Option(
             metavar="NAME",
-            help="Device to read: /dev/input/event5, event5, hidraw2, a link, or a part of its name. "
-            "Not given: the first that moves.",
+            help="Device to read: /dev/input/event5, event5, hidraw2, a link, a part of its name, "
+            "or cursor (the screen's). Not given: the first that moves; the cursor on Windows and macOS.",
         ),
     ] = None,
     predictor: Annotated[str, typer.Option(help="A name from 'pointpred predictors'.")] = RECOMMENDED,
@@ -143,13 +143,21 @@ def live(
         cpi = moving.cpi
     known_person = read_person(person, predictor)
     _warm(predictor)
+    from pointpred.devices.cursor import CursorSource
     from pointpred.devices.sessions import LiveSession
     from pointpred.server.garbage import spare
 
     with ExitStack() as until_done:
-        source = until_done.enter_context(live_device.choose(device))
-        known = live_device.resolution(source, cpi, measure_cpi, distance_cm)
-        path, close = live_device.path_of(cursor, moving.function if moving else None, known, dpi, display)
+        source = until_done.enter_context(live_device.choose(device, display))
+        if isinstance(source, CursorSource):
+            known = None
+            path, close = live_device.cursor_path(
+                source, cpi, cursor=cursor, measure_cpi=measure_cpi, transfer=transfer
+            )
+        else:
+            known = live_device.resolution(source, cpi, measure_cpi, distance_cm)
+            function = moving.function if moving else None
+            path, close = live_device.path_of(cursor, function, known, dpi, display)
         until_done.callback(close)
         pipeline = build(predictor, cpi=known, dpi=dpi, person=known_person, **own)
         session = LiveSession(source, path, pipeline)

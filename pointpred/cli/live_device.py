@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
@@ -14,6 +15,7 @@ from pointpred.errors import ParameterError, SourceError
 from pointpred.events import CPI
 
 if TYPE_CHECKING:
+    from pointpred.devices.cursor import CursorSource
     from pointpred.devices.first_moving import Candidate
     from pointpred.devices.paths import CursorPath
     from pointpred.devices.source import DeviceSource, Found
@@ -24,14 +26,18 @@ QUESTION = "Counts per inch of the mouse (on its box; m: measure it; -: unknown)
 RULER = "Put the mouse against a ruler, move it 10 cm in a straight line, then hold it still for a second."
 
 
-def choose(name: str | None) -> DeviceSource:
+def choose(name: str | None, display: str | None = None) -> DeviceSource:
     """The device that a name means, or the first that moves of those that can be read.
 
-    Raises SourceError that says what to do next.
+    ``cursor`` is the screen's cursor, and all that there is where a system keeps mice to itself. Raises
+    SourceError that says what to do next.
     """
+    from pointpred.devices.cursor import NAME, CursorSource, system_cursor
     from pointpred.devices.first_moving import FirstMoving
     from pointpred.devices.naming import path_of
 
+    if name == NAME or (name is None and sys.platform != "linux"):
+        return CursorSource(partial(system_cursor, display))
     if name is not None:
         return _source(path_of(name, [] if _is_path(name) else listed()))
     found = listed()
@@ -109,6 +115,22 @@ def _none(found: list[Found]) -> str:
         return f"no mouse was found; plug one in and see 'pointpred devices list'. Otherwise {BROWSER}"
     said = [f"{one.path} ({one.name}): {one.why}; {one.advice or BROWSER}" for one in found]
     return "\n  ".join(["no mouse can be read:", *said])
+
+
+def cursor_path(
+    source: CursorSource, cpi: float | None, **given: str | bool | None
+) -> tuple[CursorPath, Callable[[], None]]:
+    """The path of a cursor that is followed itself; raises ParameterError for options that need counts."""
+    from pointpred.devices.cursor import CursorPath as Followed
+
+    for name, value in given.items():
+        if value not in (None, False, "auto", "screen"):
+            raise ParameterError(
+                f"--{name.replace('_', '-')} needs a mouse's counts, and the cursor has none; drop it"
+            )
+    if cpi is not None:
+        remarks().print("--cpi is not used: the cursor is followed, and it has no counts")
+    return Followed(source.words), _nothing
 
 
 def resolution(source: DeviceSource, cpi: float | None, measured: bool, distance_cm: float) -> float | None:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from pointpred.devices.cursor import CursorPath as FollowedCursor
 from pointpred.errors import EventError, SourceError
 from pointpred.transfer import TransferLearner, save_transfer
 
@@ -18,6 +19,9 @@ if TYPE_CHECKING:
 CURVE_S = 2.0
 """How often the curve is worked out anew: it takes some 30 ms."""
 NEEDS_CURSOR = "a transfer function is learnt from counts and the screen's cursor; here only counts are known"
+NEEDS_COUNTS = (
+    "a transfer function is learnt from counts and the screen's cursor; here only the cursor is known"
+)
 NEEDS_CPI = "the transfer function is learnt with counts per inch: give --cpi, or measure with --measure-cpi"
 
 
@@ -73,6 +77,8 @@ def learning_of(path: CursorPath, cpi: float | None, dpi: float) -> Learning | s
     """A learner where there is something to learn from, otherwise why there is none."""
     if path.space != "screen":
         return NEEDS_CURSOR
+    if isinstance(path, FollowedCursor):
+        return NEEDS_COUNTS
     if cpi is None:
         return NEEDS_CPI
     cursor = getattr(path, "cursor", None)

@@ -17,6 +17,7 @@ from pointpred.cli.live_log import ViewLog
 from pointpred.cli.live_serving import Serving
 from pointpred.cli.live_view import DASH, ending, show
 from pointpred.cli.screen import counted, remarks, results
+from pointpred.devices.cursor import CursorSource
 from pointpred.devices.played import PlayedSource
 from pointpred.errors import ParameterError, SourceError
 
@@ -139,6 +140,8 @@ class Outlets:
     def _heading(self) -> list[tuple[str, str]]:
         source, cpi = self.session.source, self.wanted.cpi
         fineness = "counts per inch unknown" if cpi is None else f"{cpi:.0f} counts per inch"
+        if isinstance(source, CursorSource):
+            fineness = "no counts"
         page = [("page", self.serving.address)] if self.serving else []
         played = source.told if isinstance(source, PlayedSource) else ""
         return [

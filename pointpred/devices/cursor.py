@@ -10,7 +10,7 @@ from types import TracebackType
 from typing import Protocol, Self
 
 from pointpred.devices.paths import Space
-from pointpred.devices.source import MOST_WAITING, BoundedQueue, Report
+from pointpred.devices.source import MOST_WAITING, BoundedQueue, Found, Report
 from pointpred.errors import ParameterError, SourceError
 from pointpred.events import PointerEvent
 
@@ -19,7 +19,7 @@ NAME = "cursor"
 """What stands for a device where the cursor is followed."""
 BUTTONS = (1, 2, 4, 8, 16)
 """Bits of the left, right, middle, back and forward button in ``PointerEvent``."""
-UNTRIED = {"win32": "Windows", "darwin": "macOS"}
+UNTRIED = {"win32", "cygwin", "darwin"}
 """Systems on whose real machines none of this was tried."""
 
 
@@ -78,7 +78,7 @@ class CursorPath:
 
 
 class CursorSource:
-    """A ``DeviceSource`` that looks at the screen's cursor ``rate_hz`` times a second, on a thread of its own.
+    """A ``DeviceSource`` that looks at the screen's cursor ``rate_hz`` times a second, on its own thread.
 
     Assumes that a look takes less than its share of the time. A look that finds place and buttons as before
     reports nothing. What happens between two looks is not seen: a click shorter than 1 / ``rate_hz``, and
@@ -126,6 +126,7 @@ class CursorSource:
         if self._thread is not None:
             raise SourceError("this source is open already; make another")
         self.cursor = self._open()
+        self._before = (*self.cursor.position(), self.cursor.buttons())
         self._thread = threading.Thread(target=self._run, name="cursor", daemon=True)
         self._thread.start()
         return self
@@ -149,7 +150,7 @@ class CursorSource:
         self._queue.close()
 
     def _run(self) -> None:
-        """The thread that looks; it alone uses the cursor."""
+        """The thread that looks; from its start on it alone uses the cursor."""
         failure = None
         try:
             self._look()
@@ -164,19 +165,19 @@ class CursorSource:
 
     def _look(self) -> None:
         period_s, due = 1.0 / self.rate_hz, self._now()
-        before = (*self.cursor.position(), self.cursor.buttons())
         while not self._stopping.is_set():
             due = max(due + period_s, self._now())  # looks that were missed are not made up for
             self._sleep(max(due - self._now(), 0.0))
             x, y = self.cursor.position()
             seen, t = (x, y, self.cursor.buttons()), self._now()
-            if seen != before:
-                self._queue.put(CursorReport(t, x - before[0], y - before[1], seen[2], x=x, y=y))
-                before = seen
+            if seen != self._before:
+                dx, dy = x - self._before[0], y - self._before[1]
+                self._queue.put(CursorReport(t, dx, dy, seen[2], x=x, y=y))
+                self._before = seen
 
 
-def system_cursor() -> SystemCursor:
-    """The cursor of this system; raises SourceError, which says what to do next, where it cannot be read."""
+def system_cursor(display: str | None = None) -> SystemCursor:
+    """The cursor of this system, or of an X11 display; raises SourceError where it cannot be read."""
     if sys.platform in ("win32", "cygwin"):
         from pointpred.devices.cursor_windows import WindowsCursor
 
@@ -187,7 +188,18 @@ def system_cursor() -> SystemCursor:
         return MacCursor()
     from pointpred.devices.cursor_x11 import ScreenCursor
 
-    return ScreenCursor()
+    return ScreenCursor(display)
+
+
+def found_cursor() -> Found:
+    """The cursor as one of the devices of this system, tried."""
+    note = ", untested on this platform" if sys.platform in UNTRIED else ""
+    name = f"{CursorSource.name}, looked at {RATE_HZ:g} times a second{note}"
+    try:
+        system_cursor().close()
+    except SourceError as error:
+        return Found(NAME, name, "cursor", False, "it cannot be read", str(error))
+    return Found(NAME, name, "cursor", True)
 
 
 def mask_of(pressed: Sequence[bool]) -> int:

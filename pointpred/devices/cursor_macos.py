@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from pointpred.devices.cursor import mask_of
+from pointpred.devices.hid_devices import BROWSER
 from pointpred.errors import SourceError
 
 NUMBERS = (0, 1, 2, 3, 4)
@@ -13,7 +14,6 @@ POINTS = (
     "the cursor of macOS in points, which are one or two px of the screen, from the main screen's corner; "
     "no counts are known"
 )
-ELSEWHERE = "run 'pointpred serve' and use a browser: its page reads the pointer"
 
 
 class MacCursor:
@@ -40,8 +40,8 @@ class MacCursor:
         event = self._quartz.CGEventCreate(None)
         if event is None:
             raise SourceError(
-                "macOS does not tell where its cursor is; allow your terminal in System Settings, Privacy and "
-                f"Security, Accessibility, and start again; or {ELSEWHERE}."
+                "macOS does not tell where its cursor is; allow your terminal in System Settings, Privacy & "
+                f"Security, Accessibility, and start again; or {BROWSER}."
             )
         place = self._quartz.CGEventGetLocation(event)
         return float(place.x), float(place.y)
@@ -56,12 +56,12 @@ class MacCursor:
 
 
 def _quartz() -> Any:
-    """pyobjc's Quartz; raises SourceError where it is not installed."""
+    """Pyobjc's Quartz; raises SourceError where it is not installed."""
     try:
         import Quartz
     except ImportError as missing:
         raise SourceError(
             f"reading the cursor of macOS needs pyobjc ({missing}): python -m pip install "
-            f"pyobjc-framework-Quartz; or {ELSEWHERE}."
+            f"pyobjc-framework-Quartz; or {BROWSER}."
         ) from missing
     return Quartz

@@ -6,6 +6,7 @@ import ctypes
 from typing import Any
 
 from pointpred.devices.cursor import mask_of
+from pointpred.devices.hid_devices import BROWSER
 from pointpred.errors import SourceError
 
 KEYS = (0x01, 0x02, 0x04, 0x05, 0x06)
@@ -20,7 +21,6 @@ SCALED = (
     "the cursor of Windows in px that Windows scales for this process, from the main screen's corner; "
     "no counts are known"
 )
-ELSEWHERE = "run 'pointpred serve' and use a browser: its page reads the pointer"
 
 
 class Point(ctypes.Structure):
@@ -48,7 +48,7 @@ class WindowsCursor:
         self.refused = 0
         self._point = Point()
         if not self._user32.GetCursorPos(ctypes.byref(self._point)):
-            raise SourceError(f"Windows does not tell where its cursor is; {ELSEWHERE}.")
+            raise SourceError(f"Windows does not tell where its cursor is; {BROWSER}.")
 
     def position(self) -> tuple[float, float]:
         """The cursor's place now, px from the left and from the top of the main screen."""
@@ -74,7 +74,7 @@ def _user32() -> Any:
     """user32.dll; raises SourceError where there is none."""
     library = getattr(ctypes, "windll", None)
     if library is None:
-        raise SourceError(f"the cursor of Windows can be read on Windows only; {ELSEWHERE}.")
+        raise SourceError(f"the cursor of Windows can be read on Windows only; {BROWSER}.")
     return library.user32
 
 

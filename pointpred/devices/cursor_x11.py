@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import os
 from types import TracebackType
-from typing import Any, Protocol, Self
+from typing import Any, Self
 
+from pointpred.devices.cursor import mask_of
 from pointpred.errors import SourceError
 
 OTHERWISE = (
@@ -13,13 +14,8 @@ OTHERWISE = (
     "screen that can be read)"
 )
 
-
-class Cursor(Protocol):
-    """Tells where a cursor is."""
-
-    def position(self) -> tuple[float, float]:
-        """The cursor's place now, px from the left and from the top."""
-        ...
+LEFT, MIDDLE, RIGHT = 1 << 8, 1 << 9, 1 << 10
+"""Button1Mask to Button3Mask of the core protocol."""
 
 
 class ScreenCursor:
@@ -34,6 +30,8 @@ class ScreenCursor:
     gone.
     """
 
+    words = "the cursor of the X11 screen in px; no counts are known"
+
     def __init__(self, display: str | None = None) -> None:
         if display is None and (os.environ.get("WAYLAND_DISPLAY") or _session() == "wayland"):
             raise SourceError(
@@ -47,6 +45,7 @@ class ScreenCursor:
         screen = self._display.screen()
         self._root = screen.root
         self.size = (int(screen.width_in_pixels), int(screen.height_in_pixels))
+        self._mask = 0
 
     def position(self) -> tuple[float, float]:
         """The cursor's place now, px from the left and from the top of the screen. Raises SourceError."""
@@ -56,7 +55,12 @@ class ScreenCursor:
             told = self._root.query_pointer()
         except (ConnectionClosedError, OSError) as error:
             raise SourceError(f"the X11 display {self.name} is gone ({error}); {OTHERWISE}.") from error
+        self._mask = int(told.mask)
         return float(told.root_x), float(told.root_y)
+
+    def buttons(self) -> int:
+        """Left, right and middle as in ``PointerEvent``, as they were when ``position`` was asked last."""
+        return mask_of([bool(self._mask & bit) for bit in (LEFT, RIGHT, MIDDLE)])
 
     def close(self) -> None:
         """Leave the server; may be called twice, and when the server is gone."""

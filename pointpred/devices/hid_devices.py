@@ -54,7 +54,10 @@ def hidraw() -> Any:
     """
     if sys.platform != "linux":
         keeper = KEEPERS.get(sys.platform, f"this system ({sys.platform})")
-        raise SourceError(f"{keeper} keeps mice to itself, no program can read their reports; {BROWSER}")
+        raise SourceError(
+            f"{keeper} keeps mice to itself, no program can read their reports; 'pointpred live' without "
+            f"--device follows the cursor there, or {BROWSER}"
+        )
     try:
         import hidraw as module
     except ImportError as error:

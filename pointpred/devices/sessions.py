@@ -57,7 +57,8 @@ class LiveSession:
     integrates the counts and says so in ``words``. ``pipeline`` is any stage from events to predictions: the
     step is the one that runs everywhere. One thread drives a session, others may ask for ``state`` and read
     ``newest``. Memory is bounded over any time. Limitation: reports that the source lost leave a hole in a
-    path that integrates.
+    path that integrates. ``clock`` is that of sources that call theirs monotonic: ``time.perf_counter``,
+    which is finer than ``time.monotonic`` on Windows and the same elsewhere.
 
     >>> from types import SimpleNamespace
     >>> from pointpred import build
@@ -76,7 +77,7 @@ class LiveSession:
         pipeline: Stage[PointerEvent, Prediction | None],
         *,
         watchers: Sequence[Watcher] = (),
-        clock: Callable[[], float] = time.monotonic,
+        clock: Callable[[], float] = time.perf_counter,
     ) -> None:
         self.source = source
         self.path = path or MotorPath()

@@ -36,7 +36,7 @@ class Found(msgspec.Struct, frozen=True):
 
     path: str
     name: str
-    kind: Literal["hid", "evdev"]
+    kind: Literal["hid", "evdev", "cursor"]
     openable: bool
     why: str | None = None
     advice: str | None = None

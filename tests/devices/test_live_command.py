@@ -62,7 +62,7 @@ def test_a_recording_is_never_written_over(command: Any, tmp_path: Path) -> None
 def test_predictions_beside_a_recording_are_never_written_over(
     command: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, asked: str
 ) -> None:
-    def choose(path: str | None) -> None:
+    def choose(*asked: str | None) -> None:
         raise AssertionError("a device was looked for")
 
     monkeypatch.setattr(live_device, "choose", choose)
@@ -168,7 +168,7 @@ def test_a_saved_function_brings_the_resolution_it_was_learnt_with(
         asked.append(cpi)
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(live_device, "choose", lambda path: Opened())
+    monkeypatch.setattr(live_device, "choose", lambda *asked: Opened())
     monkeypatch.setattr(live_device, "resolution", resolution)
     assert command("live", "--transfer", tmp_path / "desk.json").code == 130
     assert asked == [1234.0]

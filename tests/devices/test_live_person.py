@@ -22,7 +22,7 @@ REPORTS = [[*reach(1.0, (400.0, 90.0)), *reach(4.0, (-600.0, 40.0))], [*reach(9.
 
 
 def live(command: Any, monkeypatch: pytest.MonkeyPatch, reports: list[Report], *options: str | Path) -> Any:
-    monkeypatch.setattr(live_device, "choose", lambda path: LateMouse(*reports))
+    monkeypatch.setattr(live_device, "choose", lambda *asked: LateMouse(*reports))
     return command("live", "--cursor", "motor", "--cpi", "800", "--seconds", "0.3", *options)
 
 
