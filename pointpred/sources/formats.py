@@ -33,6 +33,7 @@ from pointpred.sources.folders import listed
 from pointpred.sources.joining import join
 from pointpred.sources.naming import described_readably, file_names
 from pointpred.sources.reading import AS_IS, Reading
+from pointpred.sources.writing import together
 
 Progress = Callable[[str, int, int], None]
 OWN = ("recorder", "own")
@@ -161,7 +162,8 @@ def convert(
     """Convert a recording of any format, or a folder of one, to pointpred's own Parquet or CSV.
 
     ``path_out`` ends in ``.parquet`` or ``.csv``; where the input holds several recordings, each goes to a
-    file of that name with its own name put in front. Returns what was kept and skipped; raises
+    file of that name with its own name put in front. A recording without a trial is not written. Where
+    anything fails, no file is left and none is replaced. Returns what was kept and skipped; raises
     RecordingError, and ParameterError where a file would be replaced without ``replace``.
     """
     return write_found(read_any(path_in, reading), path_out, replace=replace)
@@ -175,8 +177,10 @@ def write_found(found: list[Recording], path_out: str | Path, *, replace: bool =
     for name in names:
         (recordings.files_of if replace else recordings.check_free)(out.with_name(name))
     files: list[str] = []
-    for recording, name in zip(found, names, strict=True):
-        files += [str(file) for file in recordings.write(recording, out.with_name(name))]
+    with together() as part:
+        for recording, name in zip(found, names, strict=True):
+            if recording.trials:
+                files += map(str, recordings.write_parts(recording, out.with_name(name), part))
     return Summary(
         tuple(files),
         sum(len(recording.trials) for recording in found),
@@ -232,7 +236,7 @@ def _folder(path: Path, reading: Reading, progress: Progress | None) -> list[Rec
             if form is None:
                 notes.append(f"{label} fits no recording format")
             elif form.key in OWN:
-                own.append(_read(form, file, reading))
+                own.append(_labelled(_read(form, file, reading), label))
             else:
                 recording = _read(form, file, reading)
                 foreign.setdefault(form.key, []).append((file, recording))
@@ -250,6 +254,11 @@ def _folder(path: Path, reading: Reading, progress: Progress | None) -> list[Rec
     return found
 
 
+def _labelled(recording: Recording, label: str) -> Recording:
+    """The recording with the file's name in front of each note."""
+    return msgspec.structs.replace(recording, notes=tuple(f"{label}: {note}" for note in recording.notes))
+
+
 def _distinct(found: list[Recording]) -> list[Recording]:
     """The recordings with a number added to a name that has been taken."""
     taken: dict[str, Recording] = {}
@@ -265,7 +274,8 @@ def _distinct(found: list[Recording]) -> list[Recording]:
 def _joined(parts: list[tuple[Path, Recording]]) -> Recording:
     """The recordings of one foreign format as one, named after the folder that holds them all."""
     if len(parts) == 1:
-        return parts[0][1]
+        file, part = parts[0]
+        return _labelled(part, file.name)
     folder = Path(commonpath([file.absolute().parent for file, _ in parts]))
     labels = [file.absolute().relative_to(folder).as_posix() for file, _ in parts]
     return join(folder.name, [part for _, part in parts], labels)

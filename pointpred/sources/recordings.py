@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +19,7 @@ from pointpred.sources.decoding import head_of, stem_of
 from pointpred.sources.reading import AS_IS, Reading, row_name
 from pointpred.sources.trial_keys import codes_of, keys_of
 from pointpred.sources.trial_tables import describe, trial_table
+from pointpred.sources.writing import together
 
 REQUIRED = ("user", "trial", "t_s", "x_px", "y_px")
 VALUES = ("t_s", "x_px", "y_px", "dx_counts", "dy_counts", "buttons")
@@ -88,9 +90,16 @@ def write(recording: Recording, path: str | Path) -> tuple[Path, Path]:
 
     ``path`` names the samples file (``<set>_samples.parquet`` or ``.csv``; ``_samples`` is added where it is
     missing). Provenance, skips and notes go into the header. Floating point numbers are kept exactly.
-    Returns both paths; raises RecordingError when the extension is neither, two trials share user and name,
-    or a condition is words in one trial and a number in another.
+    Returns both paths; leaves neither file and replaces none where one cannot be written. Raises
+    RecordingError when the extension is neither, two trials share user and name, or a condition is words in
+    one trial and a number in another.
     """
+    with together() as part:
+        return write_parts(recording, path, part)
+
+
+def write_parts(recording: Recording, path: str | Path, part: Callable[[Path], Path]) -> tuple[Path, Path]:
+    """Write both files of a recording as ``write`` does, each where ``part`` says (``together``)."""
     path, beside = files_of(path)
     sizes = np.diff(recording.offsets)
     about, header = trial_table(recording, sizes)
@@ -107,8 +116,8 @@ def write(recording: Recording, path: str | Path) -> tuple[Path, Path]:
         "skipped": [[skip.trial, skip.reason, skip.row, skip.user] for skip in recording.skipped],
         "notes": list(recording.notes),
     }
-    tables.write_table(path, pa.table(columns), header)
-    tables.write_table(beside, about, {key: header[key] for key in ("name", "text")})
+    tables.write_table(path, part(path), pa.table(columns), header)
+    tables.write_table(beside, part(beside), about, {key: header[key] for key in ("name", "text")})
     return path, beside
 
 

@@ -142,13 +142,12 @@ def short(cell: str) -> str:
     return cell if len(cell) <= CELL_MOST else cell[:CELL_MOST] + "..."
 
 
-def write_table(path: Path, table: Any, header: dict[str, Any]) -> None:
-    """Write a table with its header as Parquet or CSV, by the extension; the same table gives the same bytes.
+def write_table(path: Path, part: Path, table: Any, header: dict[str, Any]) -> None:
+    """Write a table with its header into ``part``, which is to become ``path``, as Parquet or CSV.
 
-    The file appears complete or not at all.
+    The extension of ``path`` says which. The same table gives the same bytes. Raises RecordingError.
     """
     encoded = msgspec.json.encode(header | {"version": 1, "rows": table.num_rows}, order="sorted")
-    part = path.with_name(path.name + ".part")
     try:
         with open_file(part, "wb") as file:
             if path.suffix == ".parquet":
@@ -158,9 +157,7 @@ def write_table(path: Path, table: Any, header: dict[str, Any]) -> None:
                 file.write(MARK + encoded + b"\n")
                 file.write(",".join(table.column_names).encode() + b"\n")
                 pacsv.write_csv(table, file, pacsv.WriteOptions(include_header=False))
-        part.replace(path)
     except (OSError, pa.ArrowException) as error:
-        part.unlink(missing_ok=True)
         raise RecordingError(f"{path}: cannot be written: {error}") from error
 
 

@@ -1,0 +1,78 @@
+"""Files that appear together or not at all: all are written under other names first."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from pointpred.errors import RecordingError
+
+
+@contextmanager
+def together() -> Iterator[Callable[[Path], Path]]:
+    """Yields where to write each file; at the end of the block all of them take their places.
+
+    Where anything fails, or the program is interrupted, no file is left and none is replaced. Raises
+    RecordingError naming the file that cannot take its place.
+    """
+    files: list[Path] = []
+
+    def part(path: Path) -> Path:
+        files.append(path)
+        return _part(path)
+
+    try:
+        yield part
+        _place(files)
+    finally:
+        for path in files:
+            _part(path).unlink(missing_ok=True)
+
+
+def _place(files: list[Path]) -> None:
+    """Give all files their names; those that are replaced come back where one fails."""
+    placed: list[Path] = []
+    path = files[0] if files else Path()
+    try:
+        for path in files:
+            if path.is_dir():
+                raise RecordingError(f"{path}: cannot be written: it is a folder")
+            _keep(path)
+        for path in files:
+            placed.append(path)
+            _part(path).replace(path)
+    except BaseException as error:
+        for done in placed:
+            if not _part(done).exists():
+                done.unlink(missing_ok=True)
+        for done in files:
+            if _old(done).exists():
+                _old(done).replace(done)
+                _old(done).unlink(missing_ok=True)  # two names of one file stay both
+        if isinstance(error, OSError):
+            raise RecordingError(f"{path}: cannot be written: {error.strerror or error}") from error
+        raise
+    for path in files:
+        _old(path).unlink(missing_ok=True)
+
+
+def _keep(path: Path) -> None:
+    """Keep what a file holds under another name, where there is one."""
+    old = _old(path)
+    old.unlink(missing_ok=True)
+    if path.exists():
+        try:
+            os.link(path, old)
+        except OSError:  # a file system without links
+            path.replace(old)
+
+
+def _part(path: Path) -> Path:
+    return path.with_name(f"{path.name}.part")
+
+
+def _old(path: Path) -> Path:
+    """A name that nobody else gives a file."""
+    return path.with_name(f".{path.name}.{os.getpid()}.old")
