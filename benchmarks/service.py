@@ -164,7 +164,8 @@ def start_rows() -> list[tuple[str, ...]]:
 
 def machine() -> str:
     """What was measured on."""
-    models = [line for line in Path("/proc/cpuinfo").read_text().splitlines() if "model name" in line]
+    described = Path("/proc/cpuinfo").read_text(encoding="utf-8")
+    models = [line for line in described.splitlines() if "model name" in line]
     name = models[0].partition(":")[2].strip() if models else platform.machine()
     return (
         f"{name}, {os.cpu_count()} processors, Python {platform.python_version()}, "

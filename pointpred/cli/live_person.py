@@ -41,8 +41,8 @@ def save_person(file: Path, pipeline: Pipeline) -> str:
         return "nothing was learned, nothing saved"
     beside = file.with_name(f"{file.name}.part")
     try:
-        with os.fdopen(os.open(beside, os.O_CREAT | os.O_WRONLY | os.O_TRUNC, 0o600), "w") as opened:
-            opened.write(f"{pipeline.person}\n")
+        with os.fdopen(os.open(beside, os.O_CREAT | os.O_WRONLY | os.O_TRUNC, 0o600), "wb") as opened:
+            opened.write(f"{pipeline.person}\n".encode())
         beside.replace(file)
     finally:
         beside.unlink(missing_ok=True)

@@ -86,7 +86,7 @@ def found(each: Node) -> Found:
 
 def opened(path: str) -> int:
     """A descriptor that reads a node without waiting; raises OSError, also where there is no device."""
-    file = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
+    file = os.open(path, os.O_RDONLY | os.O_NONBLOCK)
     if not stat.S_ISCHR(os.fstat(file).st_mode):
         os.close(file)
         raise OSError(errno.ENOTTY, "it is no character device, expected an input node", path)
@@ -137,7 +137,7 @@ def _why(error: OSError) -> str:
 def _line(path: Path) -> str:
     """The text of an attribute, empty where it is missing or closed."""
     try:
-        return path.read_text(errors="replace").strip()
+        return path.read_text(encoding="utf-8", errors="replace").strip()
     except OSError:
         return ""
 

@@ -125,7 +125,8 @@ def rule_of(device: HidDevice) -> str:
 def says_mouse(device: HidDevice) -> bool:
     """Whether its USB interface declares itself a mouse (HID 1.11, section 4.3: protocol 2)."""
     try:
-        protocol = (CLASS / Path(device.path).name / "device/../bInterfaceProtocol").read_text()
+        file = CLASS / Path(device.path).name / "device/../bInterfaceProtocol"
+        protocol = file.read_text(encoding="utf-8")
     except OSError:  # not USB
         return False
     return protocol.strip() == "02"

@@ -10,6 +10,8 @@ import msgspec
 from pointpred.recording import Recording
 
 LONGEST_BYTES = 150
+RESERVED = re.compile(r"^(con|prn|aux|nul|com[0-9¹²³]|lpt[0-9¹²³])(?=\.|$)", re.IGNORECASE)
+"""Devices on Windows, also with anything behind a dot."""
 
 
 def readable(text: str) -> str:
@@ -53,6 +55,7 @@ def file_names(names: Sequence[str], ending: str) -> list[str]:
     found: dict[str, str] = {}
     for name in names:
         plain = re.sub(r"[^\w.,+ -]+", "_", readable(name)).strip(". ")
+        plain = RESERVED.sub(r"\1_", plain)
         plain = plain.encode()[:LONGEST_BYTES].decode(errors="ignore") or "recording"
         chosen, count = f"{plain}_{ending}", 1
         while chosen.lower() in found:

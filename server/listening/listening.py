@@ -36,6 +36,9 @@ HEALTH_BYTES = 1024
 CUT_S = 1.0
 """Seconds in which requests that are cut have ended."""
 
+ALONE = getattr(socket, "SO_EXCLUSIVEADDRUSE", socket.SO_REUSEADDR)
+"""Take a port that a closed service held. On Windows SO_REUSEADDR would also take one that is in use."""
+
 log = logging.getLogger("pointpred.service")
 
 
@@ -45,7 +48,8 @@ def listen(host: str, port: int, tries: int = 1) -> socket.socket:
         try:
             return _bind(host, candidate)
         except OSError as error:
-            if error.errno != errno.EADDRINUSE:
+            # Windows keeps blocks of ports for itself and refuses them: another one may be free.
+            if error.errno not in ((errno.EADDRINUSE, errno.EACCES) if tries > 1 else (errno.EADDRINUSE,)):
                 raise SourceError(f"cannot listen on {host} port {candidate}: {error.strerror}") from error
         except UnicodeError as error:
             raise SourceError(f"cannot listen on {host!r}: no name of a host") from error
@@ -76,7 +80,7 @@ def _bind(host: str, port: int) -> socket.socket:
     family, kind, protocol, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
     opened = socket.socket(family, kind, protocol)
     try:
-        opened.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        opened.setsockopt(socket.SOL_SOCKET, ALONE, 1)
         opened.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, UNREAD_BYTES)  # connections inherit it
         opened.bind(address)
         opened.listen(socket.SOMAXCONN)

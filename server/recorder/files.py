@@ -24,7 +24,8 @@ COLUMNS = {
     "trials": TRIALS,
     "predictions": (*PREDICTED, "predictor", "parameters"),
 }
-FLAGS = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_APPEND | os.O_CLOEXEC | getattr(os, "O_NOFOLLOW", 0)
+FLAGS = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_APPEND
+FLAGS |= getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)  # the latter on Windows: LF stays LF
 
 Words = Sequence[tuple[str | None, int]]
 """A word and in how many rows it stands, one after another; ``None`` is an empty cell."""
@@ -103,6 +104,8 @@ class SessionFiles:
         return MARK + msgspec.json.encode(header, order="sorted") + b"\n" + columns
 
     def _sync_folder(self) -> None:
+        if not hasattr(os, "O_DIRECTORY"):  # Windows opens no folder, and needs no sync of it
+            return
         folder = os.open(self.folder, os.O_RDONLY | os.O_DIRECTORY)
         try:
             os.fsync(folder)
