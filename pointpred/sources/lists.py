@@ -13,17 +13,51 @@ from pointpred.columns import FloatArray
 from pointpred.recording import Provenance, Recording, Skip, Trial
 from pointpred.sources.assembly import assemble
 
-WRAPPED = re.compile(r"np\.float\d+\(([^()]*)\)")
+WRAPPED = re.compile(r"np\.(?:float|int)\d+\(([^()]*)\)")
+BRACKETS = ("[({", "])}")
+CALL = re.compile(r"^(?:(?:np\.|numpy\.)?array|c|list)\s*(?=[\[(])")
 
 
 def split(cell: str | None) -> list[str]:
-    """The items of a list in a cell, ``[1, 2]`` or ``1, 2``; numpy's ``np.float64(1.0)`` counts as 1.0.
+    """The items of a list in a cell, between commas, semicolons or blanks, with or without brackets.
+
+    numpy's ``np.float64(1.0)`` counts as 1.0.
 
     >>> split("[1.5, np.float64(2.0)]")
     ['1.5', '2.0']
     """
     inner = WRAPPED.sub(r"\1", cell or "").strip().removeprefix("[").removesuffix("]").strip()
-    return [item.strip() for item in inner.split(",")] if inner else []
+    mark = next((mark for mark in (";", ",") if mark in inner), None)
+    return [item.strip() for item in inner.split(mark)] if inner else []
+
+
+def numbers_in(cell: str) -> list[float | None] | None:
+    """The numbers of a list in a cell, ``None`` where it is no list: a word, one number without brackets.
+
+    Takes what ``split`` takes, in Python's, JSON's and R's brackets, with quotes around items, and decimal
+    commas between semicolons. An empty item is ``None``; one behind the last mark counts as none.
+
+    >>> numbers_in("[1, 2.5, 3]"), numbers_in("1;2,5;3"), numbers_in("c(1, , 3)"), numbers_in("1 2.5 3")
+    ([1.0, 2.5, 3.0], [1.0, 2.5, 3.0], [1.0, None, 3.0], [1.0, 2.5, 3.0])
+    >>> numbers_in("left"), numbers_in("7"), numbers_in("[7]"), numbers_in("[]")
+    (None, None, [7.0], [])
+    """
+    inner = CALL.sub("", cell.strip())
+    opened, closed = inner[:1] in BRACKETS[0], inner[-1:] in BRACKETS[1]
+    if not inner or opened != closed or "_" in inner:
+        return None
+    bare = inner.strip("".join(BRACKETS)).strip()
+    items = split(bare.rstrip(",;"))
+    if len(items) < 2 and not opened:
+        return None
+    try:
+        return [_number(item.strip("'\""), ";" in bare) for item in items]
+    except ValueError:
+        return None
+
+
+def _number(item: str, decimal_commas: bool) -> float | None:
+    return float(item.replace(",", ".") if decimal_commas else item) if item else None
 
 
 class Lists:

@@ -1,0 +1,111 @@
+"""Workbooks ``.xlsx``, as Gorilla exports them: the sheet that holds a table."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from datetime import time, timedelta
+from pathlib import Path
+from typing import Any
+from zipfile import ZipFile
+
+from pointpred.errors import RecordingError
+from pointpred.extras import require
+from pointpred.sources.column_table import ColumnTable
+from pointpred.sources.reading import AS_IS, Reading
+from pointpred.sources.record_tables import RecordTable
+
+TITLE = "workbook .xlsx"
+ZIP, PART = b"PK\x03\x04", b"xl/"
+MOST_UNPACKED = 1 << 29
+MOST_ROWS = 1 << 20
+"""As many as a sheet of Excel has."""
+LEAST_COLUMNS = 3
+
+
+def recognises(head: bytes) -> bool:
+    """Whether a file that begins with ``head`` is a workbook in the Office Open XML format."""
+    return head.startswith(ZIP) and PART in head
+
+
+def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
+    """Read the sheet ``reading.records``, else the first one with a table of at least three columns.
+
+    The first row with three cells names the columns; where it holds numbers alone, they are numbered from 0.
+    Rows without any cell are left out. Cells of formulas have the values that were saved with the file.
+    Raises RecordingError, also above 512 MiB of unpacked sheets; MissingExtraError.
+    """
+    require("tables", f"{path}: reading a workbook")
+    try:
+        with _opened(path) as book:
+            return _sheet(path, {sheet.title: sheet for sheet in book.worksheets}, reading.records)
+    except RecordingError:
+        raise
+    except Exception as error:  # openpyxl raises errors of many kinds on damaged bytes
+        raise RecordingError(f"{path}: damaged workbook: {str(error)[:120]}") from error
+
+
+@contextmanager
+def _opened(path: Path) -> Iterator[Any]:
+    from openpyxl import load_workbook
+
+    with ZipFile(path) as file:
+        size = sum(part.file_size for part in file.infolist())
+    if size > MOST_UNPACKED:
+        raise RecordingError(f"{path}: {size} bytes when unpacked, at most {MOST_UNPACKED} are read")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # on styles and extensions that hold no cells
+        book = load_workbook(path, read_only=True, data_only=True, keep_links=False)
+        try:
+            yield book
+        finally:
+            book.close()
+
+
+def _sheet(path: Path, sheets: dict[str, Any], wanted: str | None) -> ColumnTable:
+    """The sheet of that name, or the first that holds a table."""
+    if wanted is not None and wanted not in sheets:
+        raise RecordingError(f"{path}: no sheet {wanted!r}; --records takes one of {', '.join(sheets)}")
+    for title in [wanted] if wanted is not None else list(sheets):
+        table = _table(path, sheets[title])
+        if len(table.columns) >= LEAST_COLUMNS and table.rows:
+            others = [other for other in sheets if other != title]
+            note = f"records: {table.rows} rows of the sheet {title!r}"
+            note += f"; other sheets left aside: {', '.join(others)}" if others else ""
+            return ColumnTable(dict(table.columns), TITLE, (note,))
+    where = f"the sheet {wanted!r}" if wanted is not None else f"the sheets {', '.join(sheets)}"
+    raise RecordingError(f"{path}: no table of {LEAST_COLUMNS} columns or more in {where}")
+
+
+def _table(path: Path, sheet: Any) -> RecordTable:
+    """The cells of a sheet below the row that names its columns."""
+    sheet.reset_dimensions()  # what a file says about its size may be wrong
+    table = RecordTable()
+    titles: list[str] = []
+    for number, row in enumerate(sheet.iter_rows(values_only=True)):
+        if number >= MOST_ROWS:
+            raise RecordingError(f"{path}: the sheet {sheet.title!r} has more than {MOST_ROWS} rows")
+        cells = {at: _cell(value) for at, value in enumerate(row) if value is not None}
+        if not titles:
+            if len(cells) < LEAST_COLUMNS:
+                continue
+            titles = _titles(cells)
+            if any(isinstance(cell, str) for cell in cells.values()):
+                continue
+        if cells:
+            table.add({titles[at] if at < len(titles) else str(at): cell for at, cell in cells.items()})
+    return table
+
+
+def _titles(cells: dict[int, Any]) -> list[str]:
+    """A name for each column up to the last of the first row: its words, else its place from 0."""
+    names = [cells.get(at) for at in range(max(cells) + 1)]
+    words = [name if isinstance(name, str) else str(at) for at, name in enumerate(names)]
+    return [name if words.count(name) == 1 else f"{name}.{at}" for at, name in enumerate(words)]
+
+
+def _cell(value: Any) -> Any:
+    if isinstance(value, timedelta):
+        return value.total_seconds()
+    return value.isoformat() if isinstance(value, time) else value
