@@ -82,9 +82,30 @@ def unit_in(name: str) -> str | None:
 def guess(names: Sequence[str]) -> Guess:
     """The usual names among ``names``; x and y count only as a pair, as ``clientX`` and ``clientY``.
 
+    Where none are x and y, the only group that holds t, x and y gives them: ``samples.t``, ``samples.x``...
+
     >>> guess(["subject", "time_ms", "xpos", "ypos"]).columns
     {'user': 'subject', 't': 'time_ms', 'x': 'xpos', 'y': 'ypos'}
+    >>> guess(["trial", "samples.t", "samples.x", "samples.y", "start.x", "start.y"]).columns
+    {'trial': 'trial', 't': 'samples.t', 'x': 'samples.x', 'y': 'samples.y'}
     """
+    usual = _usual(names)
+    if {"x", "y"} & {*usual.columns, *usual.choices}:
+        return usual
+    groups: dict[str, list[str]] = {}
+    for name in names:
+        prefix, dot, last = name.rpartition(".")
+        groups.setdefault(prefix + dot, []).append(last)
+    parts = {prefix: _usual(some).columns for prefix, some in groups.items() if prefix}
+    whole = [prefix for prefix, part in parts.items() if {"t", "x", "y"} <= part.keys()]
+    if len(whole) != 1:
+        return usual
+    taken = {field: whole[0] + parts[whole[0]][field] for field in ("t", "x", "y")}
+    choices = {field: some for field, some in usual.choices.items() if field not in taken}
+    return Guess(usual.columns | taken, choices)
+
+
+def _usual(names: Sequence[str]) -> Guess:
     found: dict[str, list[str]] = {
         field: _in_order(names, words.split(), PIXELS) for field, words in USUAL.items()
     }

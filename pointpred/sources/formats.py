@@ -9,12 +9,13 @@ from pathlib import Path
 
 import msgspec
 
-from pointpred.errors import ColumnsError, RecordingError
+from pointpred.errors import ColumnsError, MissingExtraError, RecordingError
 from pointpred.recording import Recording, Skip
 from pointpred.sources import (
     appended,
     balabit,
     delimited,
+    elsewhere,
     evemu,
     evtest,
     gofitts,
@@ -25,7 +26,10 @@ from pointpred.sources import (
     pointing_dynamics,
     psychopy,
     recordings,
+    records_json,
     tables,
+    workbook,
+    xdf,
 )
 from pointpred.sources.column_table import ColumnTable, recording_of_table
 from pointpred.sources.decoding import encoding_of, head_of
@@ -49,7 +53,7 @@ class Format(msgspec.Struct, frozen=True):
     """A recording format: its key, what people call it, how it is recognised and read.
 
     ``streams``: it has no trials of its own, so that ``Reading.cut`` says how they are cut.
-    ``tabular``: ``Reading.columns`` says what its columns are.
+    ``tabular``: ``Reading.columns`` says what its columns are. ``binary``: its files are no text.
     ``takes``: what of that it has a use for although it is no table of samples.
     ``recognises_further``: looks on in a file, which begins with a head that does not tell.
     """
@@ -60,19 +64,25 @@ class Format(msgspec.Struct, frozen=True):
     read: Callable[[Path, Reading], Recording]
     streams: bool = False
     tabular: bool = False
+    binary: bool = False
     takes: tuple[str, ...] = ()
     recognises_further: Callable[[Path, bytes], bool] = lambda path, head: False
 
 
 def table_format(
-    key: str, title: str, recognises: Callable[[bytes], bool], read: Callable[[Path, Reading], ColumnTable]
+    key: str,
+    title: str,
+    recognises: Callable[[bytes], bool],
+    read: Callable[[Path, Reading], ColumnTable],
+    *,
+    binary: bool = False,
 ) -> Format:
     """A format whose files hold any table: ``read`` gives its cells."""
 
     def recording(path: Path, reading: Reading) -> Recording:
         return recording_of_table(path, read(path, reading), reading)
 
-    return Format(key, title, recognises, recording, streams=True, tabular=True)
+    return Format(key, title, recognises, recording, streams=True, tabular=True, binary=binary)
 
 
 def _is_own(head: bytes) -> bool:
@@ -110,6 +120,9 @@ FORMATS: tuple[Format, ...] = (
     Format("evtest", evtest.TITLE, evtest.recognises, evtest.read, streams=True),
     Format("hid-recorder", hid_recorder.TITLE, hid_recorder.recognises, hid_recorder.read, streams=True),
     Format("evemu", evemu.TITLE, evemu.recognises, evemu.read, streams=True),
+    table_format("xlsx", workbook.TITLE, workbook.recognises, workbook.read, binary=True),
+    table_format("xdf", xdf.TITLE, xdf.recognises, xdf.read, binary=True),
+    table_format("json", records_json.TITLE, records_json.recognises, records_json.read),
     table_format("delimited", delimited.TITLE, delimited.recognises, delimited.read),
 )
 """In the order in which they are tried: the strictest first."""
@@ -195,6 +208,8 @@ def _file(path: Path, reading: Reading) -> Recording:
     """The recording in one file."""
     form = format_of(path, reading)
     if form is None:
+        if advice := elsewhere.advice(head_of(path)):
+            raise RecordingError(f"{path}: {advice}")
         tried = ", ".join(form.title for form in FORMATS)
         raise RecordingError(f"{path}: no known recording format; tried {tried}")
     return _read(form, path, reading)
@@ -203,7 +218,7 @@ def _file(path: Path, reading: Reading) -> Recording:
 def _read(form: Format, path: Path, reading: Reading) -> Recording:
     """One file; a way of cutting that its format has no use for is named in a note."""
     recording = form.read(path, reading)
-    if form.key not in OWN and (note := encoding_of(path).note):
+    if form.key not in OWN and not form.binary and (note := encoding_of(path).note):
         recording = msgspec.structs.replace(recording, notes=(note, *recording.notes))
     notes = []
     if reading.cut is not None and not form.streams:
@@ -242,7 +257,7 @@ def _folder(path: Path, reading: Reading, progress: Progress | None) -> list[Rec
                 foreign.setdefault(form.key, []).append((file, recording))
         except ColumnsError as error:
             notes.append(f"{label} is not read: {error}")
-        except RecordingError as error:
+        except (RecordingError, MissingExtraError) as error:
             skipped.append(Skip(label, str(error)))
     found = _distinct(own + [_joined(parts) for parts in foreign.values()])
     if not found:

@@ -42,7 +42,7 @@ def numbers_in(cell: str) -> list[float | None] | None:
     >>> numbers_in("left"), numbers_in("7"), numbers_in("[7]"), numbers_in("[]")
     (None, None, [7.0], [])
     """
-    inner = CALL.sub("", cell.strip())
+    inner = CALL.sub("", WRAPPED.sub(r"\1", cell).strip())
     opened, closed = inner[:1] in BRACKETS[0], inner[-1:] in BRACKETS[1]
     if not inner or opened != closed or "_" in inner:
         return None

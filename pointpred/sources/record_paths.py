@@ -80,7 +80,8 @@ def _table_at(document: Any, wanted: str | None, title: str) -> ColumnTable:
     branches = [root] if wanted is None else list(_follow(root, wanted.split(".")))
     if not branches:
         raise RecordingError(f"nothing lies at {wanted!r}; {_described(_survey([root]))}")
-    label, table, others = wanted or "", _joined(branches) if wanted else None, {}
+    others: Tables = {}
+    label, table = wanted or "", _joined(branches) if wanted else None
     if table is None:
         label, others = _chosen(_survey(branches))
         table = others.pop(label)
@@ -186,7 +187,9 @@ def _chosen(tables: Tables) -> tuple[str, Tables]:
 def _described(tables: Tables) -> str:
     """What a refusal says: where records lie, and the option that takes one."""
     if not tables:
-        return f"no list of records with at least {LEAST_COLUMNS} fields, expected one with times and positions"
+        return (
+            f"no list of records with at least {LEAST_COLUMNS} fields, expected one with times and positions"
+        )
     first = next(iter(tables))
     return f"records lie at {_listed(tables)}; choose one, as in: --records {first or EACH}"
 

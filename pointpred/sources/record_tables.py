@@ -18,7 +18,7 @@ MOST_CELLS = 100_000_000
 FEW = 16
 """An array of at most so many arrays, each longer than that, holds a column in each of them."""
 POINT, TRACKS = range(2, 5), 3
-"""Lists of so few numbers in all cells of a column are points; three such columns are t, x and y of tracks."""
+"""Lists of so few numbers in all cells of a column are points; three such columns are tracks: t, x, y."""
 NUMBERS = {int, float, bool, NoneType}
 SCALARS = NUMBERS | {str}
 
@@ -45,23 +45,22 @@ class RecordTable:
         self._own = 0
 
     def add(self, row: dict[str, Any]) -> None:
-        """Add a row of cells by name."""
-        columns = self.columns
+        """Add a row of cells by name; ``finish`` after the last."""
         for name, cell in row.items():
-            column = columns.get(name)
+            column = self.columns.get(name)
             if column is None:
-                column = columns[name] = [None] * self.rows
+                column = self.columns[name] = []
+            if len(column) < self.rows:
+                column += [None] * (self.rows - len(column))
             column.append(cell)
         self.rows += 1
-        if len(row) < len(columns):
-            if len(columns) * self.rows > MOST_CELLS:
-                raise RecordingError(
-                    f"records of {len(columns)} different fields in {self.rows} rows: "
-                    f"at most {MOST_CELLS} cells are read"
-                )
-            for column in columns.values():
-                if len(column) < self.rows:
-                    column.append(None)
+        self._check()
+
+    def finish(self) -> RecordTable:
+        """The table itself, with all columns of one length."""
+        for column in self.columns.values():
+            column += [None] * (self.rows - len(column))
+        return self
 
     def append(self, other: RecordTable, beside: dict[str, Any]) -> None:
         """Add the rows of another table, each with the cells ``beside``, whose names are taken from none."""
@@ -77,10 +76,14 @@ class RecordTable:
         self._own = max(self._own, other.own)
         self.rows += other.rows
         self.left += other.left
+        self._check()
+        self.finish()
+
+    def _check(self) -> None:
         if len(self.columns) * self.rows > MOST_CELLS:
-            raise RecordingError(f"at most {MOST_CELLS} cells are read")
-        for column in self.columns.values():
-            column.extend([None] * (self.rows - len(column)))
+            raise RecordingError(
+                f"{len(self.columns)} fields in {self.rows} rows, at most {MOST_CELLS} cells are read"
+            )
 
     @property
     def own(self) -> int:
@@ -119,7 +122,7 @@ def records(rows: Sequence[dict[str, Any] | None]) -> RecordTable:
             cells, deep = flatten(row)
             table.left += [Left(at, row, name, value) for name, value in deep.items()]
             table.add(cells)
-    _spread(table)
+    _spread(table.finish())
     return table
 
 
@@ -219,7 +222,7 @@ def by_position(rows: list[list[Any]], names: Sequence[str] | None = None) -> Re
     titles += [str(at) for at in range(len(titles), width)]
     for row in rows:
         table.add(dict(zip(titles, row, strict=False)))
-    return table
+    return table.finish()
 
 
 def _of_split(value: dict[str, Any]) -> RecordTable | None:

@@ -47,14 +47,14 @@ def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
 def _document(path: Path, text: str) -> tuple[Any, list[str]]:
     """The value of the whole file, or the list of the values of its lines, and notes."""
     try:
-        return _value(text), []
+        return parse(text), []
     except ValueError as error:
         whole = error
     lines = [(number, line) for number, line in enumerate(text.split("\n"), 1) if line.strip()]
     values: list[Any] = []
     for number, line in lines:
         try:
-            values.append(_value(line))
+            values.append(parse(line))
         except ValueError as error:
             if not values or number == 1:
                 break
@@ -66,8 +66,8 @@ def _document(path: Path, text: str) -> tuple[Any, list[str]]:
     return values, []
 
 
-def _value(text: str) -> Any:
-    """The value of some JSON text; raises ValueError also for values that are nested too deeply."""
+def parse(text: str) -> Any:
+    """The value of some JSON text; raises ValueError, also where values are nested too deeply."""
     try:
         return json.loads(text, parse_int=_whole)
     except RecursionError as error:

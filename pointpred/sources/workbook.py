@@ -91,11 +91,12 @@ def _table(path: Path, sheet: Any) -> RecordTable:
             if len(cells) < LEAST_COLUMNS:
                 continue
             titles = _titles(cells)
+            table.columns = {title: [] for title in titles}
             if any(isinstance(cell, str) for cell in cells.values()):
                 continue
         if cells:
             table.add({titles[at] if at < len(titles) else str(at): cell for at, cell in cells.items()})
-    return table
+    return table.finish()
 
 
 def _titles(cells: dict[int, Any]) -> list[str]:

@@ -144,10 +144,12 @@ def _stream(path: Path, number: int, header: bytes) -> Stream:
     except (ElementTree.ParseError, ValueError) as error:
         raise RecordingError(f"{path}: damaged XDF: the header of stream {number}: {error}") from error
     if not 0 <= channels <= MOST_CHANNELS:
-        raise RecordingError(f"{path}: stream {number} has {channels} channels, at most {MOST_CHANNELS} are read")
-    labels = tuple(channel.findtext("label", "") or "" for channel in root.iterfind("desc/channels/channel"))
-    texts = [(root.findtext(name) or "").strip() for name in ("name", "type", "channel_format")]
-    return Stream(number, *texts, channels, labels)
+        raise RecordingError(
+            f"{path}: stream {number} has {channels} channels, at most {MOST_CHANNELS} are read"
+        )
+    labels = tuple(channel.findtext("label", "") for channel in root.iterfind("desc/channels/channel"))
+    name, kind, values = (root.findtext(tag, "").strip() for tag in ("name", "type", "channel_format"))
+    return Stream(number, name, kind, values, channels, labels)
 
 
 def _chosen(path: Path, streams: list[Stream], wanted: str | None) -> Stream:

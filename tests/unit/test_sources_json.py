@@ -1,0 +1,214 @@
+"""JSON and JSON lines: the same samples in every arrangement that programs write."""
+
+from __future__ import annotations
+
+import io
+import json
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from pointpred.errors import RecordingError
+from pointpred.sources import Reading, format_of, read_any, records_json
+from pointpred.sources.lists import numbers_in
+from tests.unit.writing_containers import NAMES, ROWS, TRIALS, nested
+
+SAMPLES = [{"t": 8.0 * at, "x": 2.0 * at, "y": float(at % 3)} for at in range(20)]
+ARRAYS = [list(sample.values()) for sample in SAMPLES]
+COLUMNS = {name: [sample[name] for sample in SAMPLES] for name in ("t", "x", "y")}
+LISTS = {f"samples.{name}": [cells, cells[:5]] for name, cells in COLUMNS.items()}
+FRAME = pd.DataFrame(SAMPLES)
+EVERY = "people.*.trials.*.samples"
+
+
+def columns_of(path: Path, document: Any, records: str | None = None) -> dict[str, Any]:
+    path.write_text(document if isinstance(document, str) else json.dumps(document), encoding="utf-8")
+    form = format_of(path)
+    assert form is not None
+    assert form.key == "json"
+    return records_json.read(path, Reading(records=records)).columns
+
+
+@pytest.mark.parametrize(
+    ("document", "expected"),
+    [
+        (SAMPLES, COLUMNS),
+        ([list("txy"), *ARRAYS], COLUMNS),
+        (ARRAYS, {str(at): cells for at, cells in enumerate(COLUMNS.values())}),
+        (list(COLUMNS.values()), {str(at): cells for at, cells in enumerate(COLUMNS.values())}),
+        (COLUMNS, COLUMNS),
+        ({"user": "p", "log": COLUMNS | {"rate": 9}}, COLUMNS | {"rate": [9] * 20, "user": ["p"] * 20}),
+        (FRAME.to_json(), COLUMNS),
+        (FRAME.to_json(orient="split"), COLUMNS),
+        (FRAME.to_json(orient="table", index=False), COLUMNS),
+        (FRAME.to_json(orient="index"), COLUMNS | {"trial": [str(at) for at in range(20)]}),
+        (FRAME.to_json(orient="records", lines=True), COLUMNS),
+        ({"meta": {"w": 1}, "data": {"mouse": SAMPLES, "keys": [{"t": 1, "key": "a", "code": 2}]}}, COLUMNS),
+        (
+            [{"t": at, "pos": {"x": 1, "y": [at]}, "goal": [3, 4]} for at in range(3)],
+            {
+                "t": [0, 1, 2],
+                "pos.x": [1] * 3,
+                "pos.y": [[0], [1], [2]],
+                "goal.0": [3] * 3,
+                "goal.1": [4] * 3,
+            },
+        ),
+        (
+            {"trials": [{"n": 1, "samples": SAMPLES}, {"n": 2, "samples": SAMPLES[:5]}]},
+            {"n": [1, 2], **LISTS},
+        ),
+        (
+            [{"samples": ARRAYS}, {"samples": ARRAYS[:5]}],
+            {f"samples.{at}": cells for at, cells in enumerate(LISTS.values())},
+        ),
+        ([COLUMNS, COLUMNS], {name: [cells, cells] for name, cells in COLUMNS.items()}),
+        (
+            [SAMPLES, SAMPLES[:5]],
+            {name: cells + cells[:5] for name, cells in COLUMNS.items()} | {"trial": [0] * 20 + [1] * 5},
+        ),
+        (
+            {"-Kx1": {"who": "a", "samples": SAMPLES}, "-Kx2": {"who": "b", "samples": SAMPLES[:5]}},
+            {"who": ["a", "b"], **LISTS, "trial": ["-Kx1", "-Kx2"]},
+        ),
+        ('[{"t": 1, "x": NaN, "id": 12345678901234567890}]', {"t": [1], "id": ["12345678901234567890"]}),
+    ],
+)
+def test_arrangements(document: Any, expected: dict[str, Any], tmp_path: Path) -> None:
+    found = columns_of(tmp_path / "own.json", document)
+    found = {name: cells for name, cells in found.items() if cells == cells and name != "index"}
+    assert {name: cells for name, cells in found.items() if name in expected} == expected
+    assert found.keys() - expected.keys() <= {"x"}  # not a number differs from itself
+
+
+def test_pandas_reads_the_same_columns(tmp_path: Path) -> None:
+    rows = [dict(zip(NAMES, row, strict=True)) for row in ROWS]
+    text = json.dumps(rows)
+    assert columns_of(tmp_path / "own.json", rows) == pd.read_json(io.StringIO(text)).to_dict("list")
+
+
+def test_a_path_with_stars_repeats_what_lies_beside_it(tmp_path: Path) -> None:
+    path = tmp_path / "own.json"
+    found = columns_of(path, nested(), EVERY)
+    assert [*zip(*(found[name] for name in NAMES), strict=True)] == ROWS
+    assert set(found["study"]) == {"our own"}
+    (recording,) = read_any(path, Reading(records=EVERY))
+    assert [(trial.user, trial.trial) for trial in recording.trials] == [(u, str(n)) for u, n in TRIALS]
+    assert set(columns_of(path, nested(), "people.1.trials.*.samples")["user"]) == {"p2"}
+    assert columns_of(path, nested(), "people.0.trials")["trial"] == [1, 2]
+    assert columns_of(path, nested(), "people.0") == columns_of(path, nested(), "people.0.trials")
+    assert columns_of(path, {"a.b": {"c": SAMPLES}}, "a.b.c") == COLUMNS
+    outer = columns_of(path, {"t": "12:30", "trials": [{"x": 0, "samples": SAMPLES}]}, "trials.*.samples")
+    assert outer["t"] == COLUMNS["t"]
+    assert set(outer["outer.t"]) == {"12:30"}
+    assert set(outer["outer.x"]) == {0}
+
+
+def test_trials_in_lists_of_lists_stay_apart(tmp_path: Path) -> None:
+    people = {"people": [{"id": "a", "tracks": [ARRAYS, ARRAYS]}, {"id": "b", "tracks": [ARRAYS]}]}
+    found = columns_of(tmp_path / "own.json", people, "people.*.tracks.*")
+    assert [*dict.fromkeys(zip(found["id"], found["trial"], strict=True))] == [("a", 0), ("a", 1), ("b", 0)]
+    deep = columns_of(tmp_path / "own.json", {"data": [[ARRAYS, ARRAYS], [ARRAYS]]})
+    assert [*dict.fromkeys(deep["trial"])] == ["0.0", "0.1", "1.0"]
+
+
+@pytest.mark.parametrize(
+    ("document", "records", "words"),
+    [
+        ({"mouse": SAMPLES, "gaze": SAMPLES}, None, ["mouse (20 rows: t, x, y)", "gaze", "--records mouse"]),
+        ({"data": {"mouse": SAMPLES}}, "data.mice", ["data.mice", "--records data.mouse"]),
+        ({"data": SAMPLES}, "data.99", ["--records data"]),
+        ([1, 2, 3], None, ["no list of records"]),
+        ({"a": 1}, None, ["no list of records"]),
+        ('{"t": 1,\n "x": 2,,}', None, ["no JSON"]),
+        ('{"t": 1}\n{"t": 2\n{"t": 3}\n', None, ["line 2"]),
+        ("[" * 100_000, None, ["nested"]),
+        ('{"a":' * 200 + "1" + "}" * 200, None, ["nested"]),
+    ],
+)
+def test_refusals_name_the_paths_that_hold_records(
+    document: Any, records: str | None, words: list[str], tmp_path: Path
+) -> None:
+    with pytest.raises(RecordingError) as caught:
+        columns_of(tmp_path / "own.json", document, records)
+    assert all(word in str(caught.value) for word in ["own.json", *words])
+
+
+def test_a_cut_last_line_is_left_aside(tmp_path: Path) -> None:
+    path = tmp_path / "own.jsonl"
+    path.write_text(FRAME.to_json(orient="records", lines=True)[:-9], encoding="utf-8")
+    table = records_json.read(path)
+    assert table.columns["t"] == COLUMNS["t"][:-1]
+    assert any("line 20" in note for note in table.notes)
+
+
+def test_records_of_ever_new_fields_are_bounded(tmp_path: Path) -> None:
+    rows = [
+        {"t": 1, **{f"a{at}": 1 for at in range(20_000)}},
+        *({"t": 1, "x": 1, "y": 2} for _ in range(6000)),
+    ]
+    with pytest.raises(RecordingError, match="cells"):
+        columns_of(tmp_path / "own.json", rows)
+
+
+def test_what_begins_like_json_and_is_none(tmp_path: Path) -> None:
+    for text in ("[section]\nkey = 1\n", "{not json}\n"):
+        (tmp_path / "own.ini").write_text(text, encoding="utf-8")
+        assert format_of(tmp_path / "own.ini") is None
+
+
+numbers = st.one_of(st.integers(-(10**6), 10**6), st.floats(allow_nan=False, allow_infinity=False))
+
+
+@given(
+    st.lists(st.tuples(numbers, numbers, numbers), min_size=2), st.sampled_from(["records", "split", "lists"])
+)
+def test_any_numbers_come_back(rows: list[tuple[float, ...]], arrangement: str) -> None:
+    columns = {name: [row[at] for row in rows] for at, name in enumerate("txy")}
+    documents = {
+        "records": [dict(zip("txy", row, strict=True)) for row in rows],
+        "split": {"columns": list("txy"), "data": rows},
+        "lists": columns,
+    }
+    value = records_json.parse(json.dumps(documents[arrangement]))
+    assert records_json.table_at(Path("own.json"), value, None, "JSON").columns == columns
+
+
+@given(
+    st.lists(numbers, min_size=2),
+    st.sampled_from([", ", ",", "; ", " ", "\n"]),
+    st.sampled_from(["[]", "()", "{}", ""]),
+)
+def test_numbers_in_a_cell_come_back(values: list[float], mark: str, brackets: str) -> None:
+    cell = brackets[:1] + mark.join(map(repr, values)) + brackets[1:]
+    assert numbers_in(cell) == values
+    assert numbers_in(cell + "x") is None
+    if brackets:
+        assert numbers_in(cell[:-1]) is None
+        assert numbers_in(cell[:-1] + mark + brackets[1:]) in (values, [*values, None])
+
+
+@pytest.mark.parametrize(
+    "cell", ["", " ", "left", "7", "2020-01-01 10:00", "[[1, 2], [3, 4]]", "[", "1_0, 2", "a, b"]
+)
+def test_words_are_no_list(cell: str) -> None:
+    assert numbers_in(cell) is None
+
+
+def test_lists_of_other_programs() -> None:
+    for cell in (
+        "c(1, 2)",
+        "array([1., 2.])",
+        "[1. 2.]",
+        '["1", "2"]',
+        "1,0;2,0",
+        "[np.float64(1.0), np.int64(2)]",
+    ):
+        assert numbers_in(cell) == [1, 2], cell
+    assert numbers_in("[]") == []
+    assert numbers_in("[1]") == [1]
+    assert numbers_in("1,,2,") == [1, None, 2]
