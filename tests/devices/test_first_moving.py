@@ -5,14 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import pytest
+from msgspec.structs import replace
 
 from pointpred import build
 from pointpred.cli.live_notes import notes_of
 from pointpred.devices.first_moving import SILENCE_S, Candidate, FirstMoving
+from pointpred.devices.paths import MotorPath
 from pointpred.devices.sessions import LiveSession
 from pointpred.devices.source import Report
 from pointpred.errors import SourceError
-from tests.devices.live_fakes import FakeMouse
+from tests.devices.live_fakes import FakeMouse, reach
 
 STEP = Report(0.0, 1, 0)
 CLICK = Report(0.0, 0, 0, 1)
@@ -135,6 +137,23 @@ def test_the_only_one_is_read_at_once_and_gives_way_while_it_has_never_moved() -
         late.put([STEP])
         assert source.take(0.0) == [STEP]
         assert source.path == "event5"
+
+
+def test_small_and_shaky_movements_are_seen_and_teach_as_before() -> None:
+    """Thirty counts each way, with a tremor of two counts."""
+    touchpad, mouse = Mouse("event4"), Mouse("event5")
+    for k in range(8):
+        for i, report in enumerate(reach(float(k), (30.0 * (-1.0) ** k, 4.0), 0.4)):
+            mouse.put(
+                [replace(report, dy=report.dy + (2.0 if i % 40 == 0 else -2.0 if i % 40 == 20 else 0.0))]
+            )
+    pipeline = build("kinematic-adaptive", cpi=200.0)
+    with first_of(touchpad, mouse) as source:
+        session = LiveSession(source, MotorPath(cpi=200.0), pipeline)
+        session.advance(0.0)
+    assert (session.moved, source.path, session.refused) == (True, "event5", 0)
+    pipeline.reset()
+    assert pipeline.person
 
 
 def test_losses_of_all_that_were_followed_count() -> None:

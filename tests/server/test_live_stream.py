@@ -11,6 +11,7 @@ from typing import Any
 
 import pytest
 from httpx2 import get
+from msgspec.structs import replace
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Subprotocol
@@ -209,6 +210,16 @@ def test_the_curve_is_said_when_it_is_new() -> None:
             assert hear(socket, "transfer")["curve"]["gains"] == []
             made.feed.curve = Curve("nothing learnt yet")
             assert hear(socket, "transfer")["words"] == "nothing learnt yet"
+
+
+def test_another_device_is_said_and_so_is_silence() -> None:
+    with attached() as (here, made), look(here) as socket:
+        assert hear(socket, "device")["name"] == "a made-up mouse"
+        assert hear(socket, "status")["note"] is None
+        made.session.note = lambda: "nothing moves"
+        made.feed.attached = replace(made.feed.attached, name="another mouse")
+        assert hear(socket, "device")["name"] == "another mouse"
+        assert hear(socket, "status")["note"] == "nothing moves"
 
 
 def test_a_session_that_fails_ends_its_viewers_with_a_reason() -> None:

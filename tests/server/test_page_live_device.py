@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from pointpred import PointerEvent
+from pointpred.cli.live_notes import silence
 from pointpred.server.protocol.live_messages import Curve
 from pointpred.transfer import ConstantGain, PixelTransfer, TransferLearner
 from tests.devices.live_fakes import reach
@@ -98,6 +99,19 @@ def test_losses_and_an_unplugged_device_are_told(
         visitor.wait(f"{SAID}.startsWith('Unplugged')")
     finally:
         mouse.unreadable, mouse.plugged = 0, True
+    visitor.wait(f"{SAID} === 'Attached.'")
+
+
+def test_silence_is_told(visitor: Visitor, service: tuple[Running, Attachment]) -> None:
+    session, said = service[1].session, service[1].session.note
+    session.note = lambda: silence(session.source)
+    to_the_device(visitor)
+    try:
+        visitor.wait(f"{SAID}.startsWith('Nothing moves. Listening to /dev/nowhere')")
+        fits = "document.documentElement.scrollWidth <= document.documentElement.clientWidth"
+        assert visitor.value(fits)
+    finally:
+        session.note = said
     visitor.wait(f"{SAID} === 'Attached.'")
 
 
