@@ -259,11 +259,13 @@ def test_the_command_trains_and_score_uses_what_it_wrote(
 @pytest.mark.usefixtures("quick")
 def test_wrong_uses_say_what_was_expected(command: Callable[..., Any], file: Path, tmp_path: Path) -> None:
     (tmp_path / "text.npz").write_text("none")
+    (tmp_path / "held.npz.part").mkdir()  # in the place of the file that is written first
     for code, arguments in (
         (2, ["train", file, "--out", tmp_path / "me.csv"]),
         (2, ["train", file, "--out", kinematic_coefficients.OWN]),
         (2, ["train", file, "--out", tmp_path / "no" / "me.npz"]),
         (2, ["train", tmp_path / "text.npz", "--out", Path("/proc/me.npz")]),  # nobody writes there
+        (2, ["train", tmp_path / "text.npz", "--out", tmp_path / "held.npz"]),
         (2, ["train", tmp_path / "text.npz", "--json", "/proc/a.json", "--out", tmp_path / "me.npz"]),
         (2, ["train", tmp_path / "missing.csv", "--out", tmp_path / "me.npz"]),
         (2, ["train", file]),
