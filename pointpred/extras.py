@@ -14,7 +14,7 @@ from pointpred.errors import MissingExtraError
 
 EXTRAS = {
     "report": ("matplotlib", "pandas", "scipy", "statsmodels"),
-    "tables": ("openpyxl", "pyxdf", "scipy"),
+    "tables": ("openpyxl", "pyxdf"),
     "train": ("scipy",),
     "observers": ("clarabel", "cvxpy", "scipy", "sympy"),
     "camera": ("cv2",),

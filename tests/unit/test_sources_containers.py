@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import struct
+from contextlib import suppress
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
 import pytest
 from openpyxl import Workbook
+from scipy.io import loadmat, savemat
 
 from pointpred import extras
 from pointpred.errors import MissingExtraError, RecordingError
-from pointpred.sources import Reading, read_any, workbook, xdf
+from pointpred.sources import Reading, matlab, matlab_values, read_any, workbook, xdf
 from tests.unit.writing_containers import (
     ROWS,
     TRIALS,
@@ -27,7 +31,7 @@ from tests.unit.writing_containers import (
 T, X, Y = (np.array([row[at] for row in ROWS]) for at in range(3))
 
 
-@pytest.mark.parametrize("extension", ["json", "xlsx"])
+@pytest.mark.parametrize("extension", ["json", "mat", "xlsx"])
 def test_the_same_table_in_every_container(extension: str, tmp_path: Path) -> None:
     path = tmp_path / f"own.{extension}"
     WRITERS[extension](path)
@@ -57,7 +61,7 @@ def test_a_mouse_stream_of_xdf_on_the_clock_of_the_recorder(tmp_path: Path) -> N
     assert any("Amplifier" in note for note in recording.notes)
 
 
-def test_other_libraries_read_the_same_cells(tmp_path: Path) -> None:
+def test_pandas_reads_the_same_cells_of_a_sheet(tmp_path: Path) -> None:
     write_workbook(tmp_path / "own.xlsx")
     frame = pd.read_excel(tmp_path / "own.xlsx", sheet_name="mouse")
     assert frame.to_dict("list") == workbook.read(tmp_path / "own.xlsx").columns
@@ -106,6 +110,137 @@ def test_a_sheet_that_claims_a_huge_size_costs_nothing(tmp_path: Path) -> None:
     book.save(path)
     table = workbook.read(path)
     assert table.columns == {"t": [None], "x": [None], "y": [None], "15999": [7]}
+
+
+@pytest.mark.parametrize(
+    ("variables", "expected"),
+    [
+        ({"t": T, "x": X, "y": Y, "fs": 125}, {"t": T, "x": X, "y": Y, "fs": [125] * len(T)}),
+        ({"track": np.column_stack([T, X, Y])}, {"0": T, "1": X, "2": Y}),
+        ({"track": np.vstack([T, X, Y])}, {"0": T, "1": X, "2": Y}),
+        ({"t": T[:, None], "pos": np.column_stack([X, Y])}, {"t": T, "pos.0": X, "pos.1": Y}),
+        (
+            {"a": {"mouse": {"t": T, "x": X, "y": Y}, "user": "p"}},
+            {"t": T, "x": X, "y": Y, "user": ["p"] * 48},
+        ),
+    ],
+)
+def test_arrangements_of_matlab(variables: dict, expected: dict, tmp_path: Path) -> None:
+    savemat(tmp_path / "own.mat", variables)
+    found = matlab.read(tmp_path / "own.mat").columns
+    assert {name: list(cells) for name, cells in expected.items()} == found
+
+
+def simplified(value: Any) -> Any:
+    """scipy's values as Python's."""
+    if isinstance(value, dict):
+        return {name: simplified(inner) for name, inner in value.items()}
+    if (isinstance(value, np.ndarray) and value.dtype == object) or isinstance(value, list):
+        return [simplified(inner) for inner in value]
+    return value.tolist() if isinstance(value, np.ndarray | np.generic) else value
+
+
+@pytest.mark.parametrize("compressed", [False, True])
+def test_values_are_those_that_scipy_reads(compressed: bool, tmp_path: Path) -> None:
+    cells = np.empty((2, 3), object)
+    cells[:] = [[T, "abc", 1.5], [X[:4], np.array([True, False]), np.eye(2)]]
+    variables = {
+        "whole": np.arange(-3, 4, dtype=np.int16),
+        "wide": np.arange(24, dtype=np.uint64).reshape(2, 3, 4),
+        "single": np.float32([0.1, 0.2]),
+        "cells": cells,
+        "word": "Zürich",
+        "lines": np.array(["ab", "cde"]),
+        "nested": {"a": {"b": {"c": [1, 2, 3]}}, "yes": True},
+        "several": [{"t": T, "n": 1}, {"t": Y, "n": 2}],
+        "number": 3.25,
+    }
+    savemat(tmp_path / "own.mat", variables, do_compression=compressed)
+    loaded = loadmat(tmp_path / "own.mat", simplify_cells=True)
+    found = matlab_values.variables_of((tmp_path / "own.mat").read_bytes())
+    assert found == {name: simplified(loaded[name]) for name in variables} | {"lines": ["ab", "cde"]}
+
+
+def test_a_matlab_file_of_the_other_byte_order(tmp_path: Path) -> None:
+    """One vector as a machine with the largest byte first writes it."""
+    head = b"MATLAB 5.0 MAT-file".ljust(124) + b"\x01\x00MI"
+    parts = [
+        struct.pack(">IIII", 6, 8, 6, 0),
+        struct.pack(">IIii", 5, 8, 1, 3),
+        struct.pack(">HHb3x", 1, 1, 116),
+    ]
+    parts.append(struct.pack(">II3d", 9, 24, 1.5, 2.5, 3.5))
+    assert matlab_values.variables_of(
+        head + struct.pack(">II", 14, sum(map(len, parts))) + b"".join(parts)
+    ) == {"t": [1.5, 2.5, 3.5]}
+
+
+def test_structures_and_cells_of_matlab_are_a_row_a_trial(tmp_path: Path) -> None:
+    trials = [{"t": T[:12], "x": X[:12], "y": Y[:12], "id": 1}, {"t": T[:7], "x": X[:7], "y": Y[:7], "id": 2}]
+    savemat(tmp_path / "own.mat", {"block": {"trials": trials, "user": "p"}})
+    table = matlab.read(tmp_path / "own.mat").columns
+    assert table["x"] == [X[:12].tolist(), X[:7].tolist()]
+    assert (table["id"], table["user"]) == ([1, 2], ["p", "p"])
+    second = matlab.read(tmp_path / "own.mat", Reading(records="block.trials.1")).columns
+    assert second["x"] == X[:7].tolist()
+    cells = np.empty(2, object)
+    cells[0], cells[1] = np.column_stack([T, X, Y]), np.column_stack([T, X, Y])[:5]
+    savemat(tmp_path / "own.mat", {"track": cells})
+    table = matlab.read(tmp_path / "own.mat").columns
+    assert (table["1"], table["trial"]) == ([*X, *X[:5]], [0] * 48 + [1] * 5)
+
+
+def test_objects_of_matlab_are_named(tmp_path: Path) -> None:
+    savemat(tmp_path / "own.mat", {"t": T, "x": X, "y": Y, "z": T * 1j})
+    assert any("complex: z" in note for note in matlab.read(tmp_path / "own.mat").notes)
+    savemat(tmp_path / "own.mat", {"z": T * 1j})
+    with pytest.raises(RecordingError, match="complex: z"):
+        matlab.read(tmp_path / "own.mat")
+
+
+def test_damaged_matlab_files_are_refused_or_read(tmp_path: Path) -> None:
+    cells = np.empty(2, object)
+    cells[:] = [T, "abc"]
+    savemat(
+        tmp_path / "own.mat", {"t": T[:6], "s": {"a": X[:6], "b": "hello"}, "c": cells, "r": [{"t": 1}] * 2}
+    )
+    data = (tmp_path / "own.mat").read_bytes()
+    chance = np.random.default_rng(5)
+    refused = 0
+    for _ in range(2000):
+        damaged = bytearray(data)
+        for _ in range(3):
+            damaged[chance.integers(124, len(data))] = chance.choice([0, 1, 4, 127, 255])
+        try:
+            matlab_values.variables_of(bytes(damaged[: chance.integers(0, 2 * len(data))]))
+        except RecordingError:
+            refused += 1
+    assert 1000 < refused < 2000
+
+
+@pytest.mark.parametrize("shape", [(1_000_000_000, 0), (0, 1_000_000_000), (70_000, 70_000), (-1, 1)])
+@pytest.mark.parametrize("kind", [1, 2, 4, 6])
+def test_claims_of_size_in_matlab_are_not_believed(shape: tuple[int, int], kind: int) -> None:
+    parts = [
+        struct.pack("<IIII", 6, 8, kind, 0),
+        struct.pack("<IIii", 5, 8, *shape),
+        struct.pack("<HHb3x", 1, 1, 116),
+    ]
+    parts += [struct.pack("<II8x", {2: 5}.get(kind, 4), 8)] * 2
+    data = b"MATLAB 5.0 MAT-file".ljust(124) + b"\x00\x01IM" + struct.pack("<II", 14, sum(map(len, parts)))
+    with suppress(RecordingError):
+        assert matlab_values.variables_of(data + b"".join(parts))["t"] in ([], "\0\0\0\0", ["\0"] * 4)
+
+
+def test_matlab_files_that_are_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "own.mat"
+    path.write_bytes(b"MATLAB 7.3 MAT-file, Platform: GLNXA64".ljust(512) + b"\x89HDF\r\n\x1a\n")
+    with pytest.raises(RecordingError, match="-v7"):
+        read_any(path)
+    monkeypatch.setattr(matlab_values, "MOST_UNPACKED", 1 << 20)
+    savemat(path, {"t": np.zeros(1 << 18)}, do_compression=True)  # 2 MiB in 2 KiB
+    with pytest.raises(RecordingError, match="bytes of values"):
+        read_any(path)
 
 
 def streams(path: Path, *parts: bytes) -> Path:
