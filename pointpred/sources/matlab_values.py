@@ -132,7 +132,7 @@ def _matrix(data: bytes, order: str, depth: int) -> tuple[str, Any]:
 def _numbers(kind: int, content: bytes, order: str) -> Any:
     if kind not in NUMBERS:
         raise RecordingError(f"type {kind} where numbers are expected")
-    layout = np.dtype(NUMBERS[kind]).newbyteorder(order)
+    layout = np.dtype(order + NUMBERS[kind])
     return np.frombuffer(content[: len(content) // layout.itemsize * layout.itemsize], layout)
 
 

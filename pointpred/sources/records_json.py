@@ -31,7 +31,7 @@ def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
     """Read the records at ``reading.records``, else the only ones that fit (``record_paths``).
 
     In JSON lines each line is a record; a last line that is damaged is left aside with a note.
-    Raises RecordingError, also above 2^28 characters. Memory: about 15 bytes a character.
+    Raises RecordingError, also above 2^28 characters. Memory: about 11 bytes a character.
     """
     text = read_text(path)
     if len(text) > MOST_CHARACTERS:
