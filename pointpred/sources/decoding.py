@@ -68,7 +68,7 @@ def encoding_of(path: Path) -> Encoding:
     decoder = codecs.getincrementaldecoder("utf-8")()
     place, odd, control, returns, feeds, undefined = 0, -1, -1, False, False, False
     with open_unpacked(path) as file:
-        packed = isinstance(file, gzip.GzipFile)
+        packed = _is_packed(file)
         for block in _blocks(path, file):
             if not place and block.startswith(UTF_16):
                 for _ in _blocks(path, file, len(block)):
@@ -185,7 +185,7 @@ def is_ended(path: Path) -> bool:
     """Whether a text file ends with a line break; raises RecordingError."""
     with open_unpacked(path) as file:
         tail = b""
-        if not isinstance(file, gzip.GzipFile):
+        if not _is_packed(file):
             file.seek(max(file.seek(0, io.SEEK_END) - 2, 0))
         for block in _blocks(path, file):
             tail = (tail + block)[-2:]
@@ -199,6 +199,10 @@ def stem_of(path: Path) -> str:
     'study_samples'
     """
     return (Path(path.stem) if path.suffix.lower() == ".gz" else path).stem
+
+
+def _is_packed(file: object) -> bool:
+    return isinstance(file, gzip.GzipFile)
 
 
 def _blocks(path: Path, file: BinaryIO, place: int = 0) -> Iterator[bytes]:

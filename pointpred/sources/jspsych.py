@@ -65,7 +65,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     lists = Lists(path)
     rows = list(_json(path, text, lists) if text.lstrip()[:1] in "[{" else _csv(path))
     tracked = [row for row in rows if row.cells.get(DATA) not in (None, "")]
-    conditions = row_conditions([row.cells for row in tracked], (DATA, TARGETS, "trial_index", *USERS))
+    conditions, left = row_conditions([row.cells for row in tracked], (DATA, TARGETS, "trial_index", *USERS))
     seen: Counter[str] = Counter()
     unknown: Counter[str] = Counter()
     for row, condition in zip(tracked, conditions, strict=True):
@@ -90,7 +90,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
         )
     if len(tracked) < len(rows):
         lists.notes.append(f"{len(rows) - len(tracked)} of {len(rows)} rows track no mouse")
-    lists.notes += _about_targets(seen, unknown, reading.target)
+    lists.notes += [*left, *_about_targets(seen, unknown, reading.target)]
     provenance = Provenance(
         "jspsych",
         origin="top left of the page's visible area",

@@ -52,7 +52,8 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     gain = gain_of(path, unit or "pix", reading)
     users, column, more = people_of(path, rows, USERS)
     own = tuple(f"{mouse}." for mouse in mice)
-    conditions = row_conditions(rows, {name for name in names if name.startswith(own)} | {column, "mouse"})
+    aside: set[str | None] = {name for name in names if name.startswith(own)}
+    conditions, left = row_conditions(rows, aside | {column, "mouse"})
     empty = 0
     for row, (cells, user, condition) in enumerate(zip(rows, users, conditions, strict=True)):
         for mouse in mice:
@@ -74,7 +75,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
         lists.notes.append(f"{empty} cells hold no track")
     if unit is None and reading.px_per_unit is None:
         said = check_pixels(path, [part[:, 1:3] for part in lists.tables])
-    lists.notes += [*more, *said]
+    lists.notes += [*more, *said, *left]
     provenance = Provenance(
         "psychopy",
         unit="px" if unit == "pix" else unit or ("px" if reading.px_per_unit is None else "told"),

@@ -13,33 +13,36 @@ from pointpred.sources.decoding import stem_of
 from pointpred.sources.table_conditions import MOST
 from pointpred.sources.trial_tables import OWN
 
+SHOWN = 5
 LONGEST = 100
 """A column with a longer cell holds a track, a page or an answer, and no condition."""
 
 
 def row_conditions(
-    rows: Sequence[dict[str, Any]], aside: Container[str] = ()
-) -> list[dict[str, str | float]]:
-    """The conditions in each row: columns of short words or numbers that are not ``aside``.
+    rows: Sequence[dict[str, Any]], aside: Container[str | None] = ()
+) -> tuple[list[dict[str, str | float]], list[str]]:
+    """The conditions in each row: columns of short words or numbers that are not ``aside``; and notes.
 
-    Numbers stay numbers where every cell of a column is one; an empty cell is no condition. The columns
-    beyond the first 64 and those that pointpred writes itself are left out.
+    Numbers stay numbers where every cell of a column is one; an empty cell is no condition. At most 64
+    columns are taken, those that vary before those that do not; a note names what is left out.
 
     >>> row_conditions([{"block": "1", "cue": "left"}, {"block": "2", "cue": ""}])
-    [{'block': 1.0, 'cue': 'left'}, {'block': 2.0}]
+    ([{'block': 1.0, 'cue': 'left'}, {'block': 2.0}], [])
     """
+    columns = {name: [row.get(name) for row in rows] for row in rows for name in row if name not in aside}
+    held = {name: cells for name, cells in columns.items() if not all(map(_empty, cells))}
+    fitting = [name for name, cells in held.items() if _fits(name) and all(map(_short, cells))]
+    fitting.sort(key=lambda name: len({str(cell) for cell in held[name]}) == 1)
+    kept = set(fitting[:MOST])
     known: list[dict[str, str | float]] = [{} for _ in rows]
-    kept = 0
-    for name in dict.fromkeys(name for row in rows for name in row):
-        cells = [row.get(name) for row in rows]
-        if kept == MOST or name in aside or not _fits(name) or not all(map(_short, cells)):
-            continue
-        numbers = [_number(cell) for cell in cells if not _empty(cell)]
-        kept += bool(numbers)
-        for row, cell in zip(known, cells, strict=True):
+    for name in [name for name in held if name in kept]:
+        numbers = [_number(cell) for cell in held[name] if not _empty(cell)]
+        for row, cell in zip(known, held[name], strict=True):
             if not _empty(cell):
-                row[name] = str(cell) if None in numbers else float(cell)  # type: ignore[arg-type]
-    return known
+                row[name] = str(cell) if None in numbers else float(cell)
+    left = [name for name in held if name not in kept]
+    more = f" and {len(left) - SHOWN} more" if len(left) > SHOWN else ""
+    return known, [f"columns left aside: {', '.join(left[:SHOWN])}{more}"] if left else []
 
 
 def people_of(
