@@ -161,11 +161,13 @@ def test_every_text_format_reads_packed_and_encoded(
     np.testing.assert_array_equal(found.events.table, expected.events.table)
 
 
-def test_names_beside_each_other_match_when_packed(tmp_path: Path) -> None:
-    for name in ("pair_samples.csv", "pair_trials.csv"):
-        (tmp_path / f"{name}.gz").write_bytes(gzip.compress((SOURCES / name).read_bytes()))
-    whole = read(SOURCES / "pair_samples.csv")
-    packed = read(tmp_path / "pair_samples.csv.gz")
+@pytest.mark.parametrize("name", ["pair", "recorded"])
+def test_names_beside_each_other_match_when_packed(tmp_path: Path, name: str) -> None:
+    for part in ("samples", "trials"):
+        file = f"{name}_{part}.csv"
+        (tmp_path / f"{file}.gz").write_bytes(gzip.compress((SOURCES / file).read_bytes()))
+    whole = read(SOURCES / f"{name}_samples.csv")
+    packed = read(tmp_path / f"{name}_samples.csv.gz")
     assert packed.name == whole.name
     assert repr(packed.trials) == repr(whole.trials)
     assert [found.name for found in read_any(tmp_path)] == [whole.name]
@@ -191,3 +193,17 @@ def test_a_guessed_encoding_is_said_in_a_note(tmp_path: Path) -> None:
     [recording] = read_any(foreign)
     assert recording.trials[0].user == "Pé"
     assert sum("Windows-1252" in note for note in recording.notes) == 1
+
+
+@given(st.integers(0, 200), st.integers(1, 255))
+def test_a_gzip_file_with_a_wrong_byte_is_refused_or_reads_the_same(at: int, change: int) -> None:
+    data = bytearray(gzip.compress(TEXT.encode() * 20))
+    data[at % len(data)] ^= change
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "file.gz"
+        path.write_bytes(data)
+        try:
+            found = read_text(path)
+        except RecordingError:
+            return
+    assert found in (TEXT * 20, data.decode("latin-1"))
