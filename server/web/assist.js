@@ -6,14 +6,16 @@ import { Task } from "./assist-task.js";
 import { onRepaint } from "./draw.js";
 import { fill, offer, part, write } from "./elements.js";
 import { predictors } from "./service.js";
-import { Track, words } from "./track.js";
+import { Status } from "./status.js";
+import { Track } from "./track.js";
 
 const HELPING_MS = 60;
 const SHOWN_MS = 500;
 const BOUNDS = { cpi: "Counts per inch", gain: "Gain" };
 
 const canvas = part("assist-scene"), form = part("assist-form"), select = part("assist-predictor"), take = part("assist-take");
-const [said, connected, results, invitation] = ["said", "connection", "results", "invitation"].map((of) => part(`assist-${of}`));
+const [said, results, invitation] = ["said", "results", "invitation"].map((of) => part(`assist-${of}`));
+const status = new Status(part("assist-connection"));
 
 let task = new Task();
 let track = null; // a session lasts as long as the mouse is lent
@@ -114,8 +116,7 @@ function draw() {
 }
 
 function state(now) {
-  connected.dataset.state = now;
-  write(connected, words(now));
+  status.say(now, { predictor: select.value, fault: track?.fault });
   if (now === "waiting" || now === "refused") leave("the service does not answer");
 }
 

@@ -12,14 +12,16 @@ import { circle } from "./geometry.js";
 import { Ledger } from "./ledger.js";
 import { follow } from "./pointer.js";
 import { predictors } from "./service.js";
-import { Track, words } from "./track.js";
+import { Status } from "./status.js";
+import { Track } from "./track.js";
 
 const FRESH_MS = 500;
 const READY = ["open", "idle"]; // states of a connection in which a run can start: a sleeping one wakes
 const DOWN = "Start is off: the service does not answer. Is it still running? The page tries again by itself.";
 
 const [canvas, form, startButton, stopButton] = ["circle-scene", "circle-form", "circle-start", "circle-stop"].map(part);
-const [said, status, progress] = ["circle-said", "circle-connection", "circle-progress"].map(part);
+const [said, progress] = ["circle-said", "circle-progress"].map(part);
+const status = new Status(part("circle-connection"));
 const rows = new CircleRows(part("circle-rows"));
 const choices = new CircleChoices();
 
@@ -64,7 +66,7 @@ function selected(row) {
 function announce(words = news) {
   news = words;
   const idle = task === null || task.done;
-  write(said, idle && ["waiting", "refused"].includes(status.dataset.state) ? DOWN : news);
+  write(said, idle && ["waiting", "refused"].includes(status.state) ? DOWN : news);
 }
 
 function tell() {
@@ -78,8 +80,7 @@ function tell() {
 }
 
 function stateOf(state) {
-  status.dataset.state = state;
-  write(status, words(state) + (track?.fault && state !== "open" ? ` ${track.fault}` : ""));
+  status.say(state, { predictor: form.elements.predictor.value, fault: track?.fault });
   startButton.disabled = !READY.includes(state);
   announce();
   if (state === "open") return;

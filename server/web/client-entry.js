@@ -4,25 +4,34 @@ const MOST_FINGERS = 16; // a finger whose end was never heard gives way to a ne
 
 /**
  * Proposes an observed element when the keyboard's focus or a finger comes to it, and when the mouse enters it while
- * nobody else says so. Of elements inside each other the innermost counts.
+ * nobody else says so. One that is proposed when the mouse is in it stays so until the mouse leaves it. Of elements inside
+ * each other the innermost counts.
  */
 export class Entry {
   #observed; #proposals; #alone = true; #under = null; #focused = null; #fingers = new Map(); #held = new Map();
 
   /**
    * @param {EventTarget} element whose events are heard
-   * @param {{pointer: boolean, observed: (element: Element) => string|undefined, proposals: import("./client-proposals.js").Proposals,
-   *   signal: AbortSignal}} told `observed`: the id of an observed element; `pointer`: false, only the focus counts
+   * @param {{pointer: boolean, observed: (element: Element) => string|undefined, left: () => void,
+   *   proposals: import("./client-proposals.js").Proposals, signal: AbortSignal}} told `observed`: the id of an observed element;
+   *   `left`: the mouse goes where its moves are not heard, or the person to another window; `pointer`: false, only the focus counts
    */
-  constructor(element, { pointer, observed, proposals, signal }) {
+  constructor(element, { pointer, observed, left, proposals, signal }) {
     [this.#observed, this.#proposals] = [observed, proposals];
     const hear = (name, act) => element.addEventListener(name, (event) => act(event.composedPath()[0], event), { signal, capture: true, passive: true });
     hear("focusin", (target, { timeStamp }) => this.#look(timeStamp, { focused: target instanceof Element && target.matches(":focus-visible") ? target : null }));
     hear("focusout", (_, { timeStamp, relatedTarget }) => relatedTarget || this.#look(timeStamp, { focused: null }));
     if (!pointer) return;
     const touch = ({ pointerType }) => pointerType === "touch";
-    hear("pointerover", (target, event) => touch(event) || this.#look(event.timeStamp, { under: target }));
-    hear("pointerout", (_, event) => touch(event) || event.relatedTarget || this.#look(event.timeStamp, { under: null }));
+    const within = (other) => other !== null && (!(element instanceof Node) || element.contains(other));
+    const over = (event, under, gone) => {
+      if (touch(event)) return;
+      this.#look(event.timeStamp, { under });
+      if (gone) left();
+    };
+    hear("pointerover", (target, event) => over(event, target, "contentWindow" in target)); // a frame hears the moves in it itself
+    hear("pointerout", (_, event) => within(event.relatedTarget) || over(event, null, true));
+    window.addEventListener("blur", left, { signal });
     hear("pointerdown", (target, event) => touch(event) && this.#touch(event, target));
     for (const end of ["pointerup", "pointercancel"])
       hear(end, (_, event) => touch(event) && this.#touch(event, null));
@@ -69,7 +78,7 @@ export class Entry {
     const before = this.#held.get(source);
     if (before?.id === now?.id) return;
     this.#held.delete(source);
-    const begins = now !== null && (reason !== "entered" || this.#alone);
+    const begins = now !== null && (reason !== "entered" || this.#alone || this.#proposals.stands(now.id));
     if (begins) this.#held.set(source, now);
     if (before) this.#proposals.end(source, before.id, { t });
     if (begins) this.#proposals.begin(source, { type: "choice", ...now, p: 1, action: "propose", t, reason });

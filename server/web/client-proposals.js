@@ -17,6 +17,11 @@ export class Proposals {
     return [...this.#standing.keys()].at(-1) ?? null;
   }
 
+  /** Whether a target is proposed. @param {string} id */
+  stands(id) {
+    return this.#standing.has(id);
+  }
+
   /** The choices that a source has made and that still stand. @param {string} source */
   by(source) {
     return [...this.#standing.values()].flatMap((choices) => choices.get(source) ?? []);
@@ -36,11 +41,6 @@ export class Proposals {
     if (!choices?.delete(source) || choices.size > 0) return;
     this.#standing.delete(id);
     this.#emit({ ...choice, p, t, action: "retract", reason: null });
-  }
-
-  /** Ends all that a source has proposed. @param {string} source */
-  endAll(source) {
-    for (const { id } of this.by(source)) this.end(source, id);
   }
 
   /** Ends everything. */

@@ -7,19 +7,20 @@ let numbered = 0;
 
 /** Knows where the targets are, and says when that may have changed. */
 export class TargetWatch {
-  #given; #offset; #changed; #signal; #observed = new Map(); #frame = false; #activeUntil = 0; #sizes; #views;
+  #given; #offset; #changed; #signal; #observed = new Map(); #frame = false; #scrolled = false; #activeUntil = 0; #sizes; #views;
 
   /**
    * @param {import("./pointpred.js").Target[]} given
-   * @param {{offset: () => number[], changed: () => void, signal: AbortSignal}} told `offset`: what is to be added to
-   *   positions in the viewport, px; `changed` is called before the next frame is drawn
+   * @param {{offset: () => number[], changed: (scrolled: boolean) => void, signal: AbortSignal}} told `offset`: what is to be
+   *   added to positions in the viewport, px; `changed` is called before the next frame is drawn: whether the page was scrolled or resized
    */
   constructor(given, { offset, changed, signal }) {
     [this.#given, this.#offset, this.#changed, this.#signal] = [given, offset, changed, signal];
     this.#sizes = new ResizeObserver(() => this.#look());
     this.#views = new IntersectionObserver((entries) => this.#seen(entries));
     const look = () => this.#look();
-    for (const name of ["scroll", "resize"]) window.addEventListener(name, look, { signal, capture: true, passive: true });
+    const scrolled = () => this.#look((this.#scrolled = true));
+    for (const name of ["scroll", "resize"]) window.addEventListener(name, scrolled, { signal, capture: true, passive: true });
     document.addEventListener("visibilitychange", look, { signal });
     const timer = setInterval(() => this.#observed.size && this.#look(), LOOK_MS);
     signal.addEventListener("abort", () => {
@@ -110,7 +111,9 @@ export class TargetWatch {
     const act = () => {
       this.#frame = false;
       if (this.#signal.aborted) return;
-      this.#changed();
+      const scrolled = this.#scrolled;
+      this.#scrolled = false;
+      this.#changed(scrolled);
       if (this.#observed.size && performance.now() < this.#activeUntil) this.#look();
     };
     if (document.hidden) setTimeout(act, 0);

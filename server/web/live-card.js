@@ -1,9 +1,9 @@
 // What the live view shows of one predictor: its choice, its connection, its parameters, phase, time left and region.
 
-import { askCompiling, compilingWords, whileCompiling } from "./compiling.js";
 import { number, write } from "./elements.js";
 import { Parameters } from "./live-parameters.js";
 import { CalmRegions, shown } from "./regions.js";
+import { Status } from "./status.js";
 import { Track, words } from "./track.js";
 
 const GONE_MS = 200; // after the last answer nothing of it is left
@@ -43,13 +43,12 @@ export class LiveCard {
     this.#options = options;
     this.#card = card;
     this.select = card.querySelector("select");
-    this.#status = card.querySelector(".connection");
+    this.#status = new Status(card.querySelector(".connection"));
     this.#about = card.querySelector(".about");
     this.#of = Object.fromEntries(["phase", "left", "region"].map((of) => [of, card.querySelector(`[data-of=${of}]`)]));
     this.#told = { prediction: (one) => predicted(one, this.track.speaker), state: () => this.#say(), error: (one) => this.#refused(one), ...told };
     this.parameters = new Parameters(parameters, () => this.#configure());
     this.select.addEventListener("change", () => this.#choose());
-    whileCompiling(() => this.#say());
   }
 
   get offered() {
@@ -119,13 +118,9 @@ export class LiveCard {
   }
 
   #say() {
-    const state = this.track?.connection.state;
-    this.#status.dataset.state = state ?? "";
-    this.#card.dataset.chosen = this.select.value;
-    if (state === "connecting") askCompiling();
-    const compiling = state === "connecting" || state === "open" ? compilingWords(this.select.value, state === "open") : "";
-    const unconnected = this.select.value || !this.offered ? "Connecting…" : "None chosen.";
-    const said = compiling || (state === undefined ? unconnected : words(state));
-    write(this.#status, this.track?.fault && state !== "open" ? `${said} ${this.track.fault}` : said);
+    const predictor = this.select.value;
+    this.#card.dataset.chosen = predictor;
+    const without = predictor || !this.offered ? words("connecting") : "None chosen.";
+    this.#status.say(this.track?.connection.state, { predictor, fault: this.track?.fault, without });
   }
 }

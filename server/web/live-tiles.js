@@ -14,6 +14,12 @@ export function row(width, height) {
   }));
 }
 
+/**
+ * How strongly each tile is tinted: as likely as it is, and no longer than the prediction that says so is drawn.
+ * @param {Object<string, number>} shares by id @param {import("./draw-live.js").Mark|null} mark
+ */
+export const tints = (shares, mark) => Object.fromEntries(Object.entries(shares).map(([id, p]) => [id, p * (mark?.opacity ?? 0)]));
+
 /** Knows where the tiles are, how likely each is, and what came of the proposals. */
 export class Tiles {
   ledger = new Ledger();

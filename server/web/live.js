@@ -15,7 +15,7 @@ import { follow } from "./pointer.js";
 import { CalmRegions } from "./regions.js";
 import { predictors } from "./service.js";
 import { Strip } from "./strip.js";
-import { Tiles } from "./live-tiles.js";
+import { Tiles, tints } from "./live-tiles.js";
 
 const INVITE_MS = 4000;
 const NUMBERS_MS = 120;
@@ -103,8 +103,9 @@ function showPointer(now) {
   if (own !== null) write(verdict, own);
   own = null;
   const seconds = performance.now() / 1000, marks = cards.map((card) => card.mark(now));
-  const drawn = drawLive(canvas, trail, marks, seconds, tiles);
-  show("pointer", tiles.proposed, drawn);
+  const { list, shares, proposed } = tiles;
+  const drawn = drawLive(canvas, trail, marks, seconds, { list, shares: tints(shares, marks[0]), proposed });
+  show("pointer", proposed, drawn);
   if (!judged && now - heard > STOPPED_MS) judge();
   return { marks, speed: speed(trail, seconds), rate: null, delay: null };
 }
@@ -123,7 +124,7 @@ function showDemo(now) {
   const { take, event, passed } = moment, over = passed > take.rows[event][0] + 0.02 && event === take.rows.length - 1;
   const answer = take.answers[event];
   const marks = [markOf(answer, demoRegions, now, over ? 0 : 1, calm()), null];
-  const shares = Object.fromEntries((answer.targets ?? []).map(({ id, p }) => [id, p]));
+  const shares = tints(Object.fromEntries((answer.targets ?? []).map(({ id, p }) => [id, p])), marks[0]);
   drawLive(canvas, take.rows.slice(0, event + 1), marks, passed, { list: tiles.list, shares, proposed: take.proposals[event] }, "none");
   show("demo", take.proposals[event], 0);
   if (over || calm()) sayDemo(take);

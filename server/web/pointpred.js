@@ -56,6 +56,7 @@
 
 import { address, own, refusal, unconnected } from "/web/client-address.js";
 import { decode, frames, row, targetsFrame } from "/web/client-frames.js";
+import { ServiceChoices } from "/web/client-choices.js";
 import { Entry } from "/web/client-entry.js";
 import { Person } from "/web/client-person.js";
 import { PointerStream } from "/web/client-pointer.js";
@@ -71,6 +72,7 @@ const NO_TARGETS = targetsFrame([]).text;
 const MOST_BUFFERED = 2 ** 20; // bytes the browser may hold back before events give way: a fast mouse for half a minute
 const FIRST_WAIT_MS = 250;
 const LONGEST_WAIT_MS = 8000;
+const REST_MS = 100; // a pointer without events for so long rests
 const STEADY_MS = 2000; // a connection that held so long starts the waits anew
 const NAMES = ["prediction", "cursor", "choice", "error", "state", "welcome", "score", "person", "targets", "bye"];
 
@@ -93,8 +95,8 @@ export class Connection {
   #url; #options; #wishes; #socket = null; #listeners = new Map(NAMES.map((name) => [name, new Set()]));
   #waiting; #unanswered = []; #tries = 0; #openedAt = 0; #saidAt = 0; #retry; #why = ""; #met = false; #warned = false;
   #told = NO_TARGETS; #over = 0; #count = 0; #likely = []; #pointer = null; #targets; #person;
-  #past = -Infinity; #missed = new Map(); // the newest event that waited for a connection, and choices up to it
-  #entry; #proposals = new Proposals((choice) => this.#emit("choice", this.#named(choice)));
+  #newest = -Infinity; #passedAt = -Infinity; #waits = false; #scrolled = false; // of events, s, ms; whether the service waits for one
+  #entry; #choices; #proposals = new Proposals((choice) => this.#emit("choice", this.#named(choice)));
   #stop = new AbortController(); #alive;
 
   /** Use `connect`. @param {string|URL|undefined} url @param {Options} options */
@@ -114,8 +116,10 @@ export class Connection {
     const onScreen = coordinates === "screen", { signal } = this.#stop;
     if (pointer) this.#pointer = new PointerStream(element, { onScreen, passed: (rows) => this.#pass(rows), signal });
     const offset = () => (onScreen && this.#pointer?.offset) || [0, 0];
-    this.#targets = new TargetWatch(targets, { offset, changed: () => this.#sendTargets(), signal });
-    this.#entry = new Entry(element, { pointer, observed: (one) => this.#targets.id(one), proposals: this.#proposals, signal });
+    this.#targets = new TargetWatch(targets, { offset, changed: (scrolled) => this.#look(scrolled), signal });
+    this.#entry = new Entry(element, { pointer, observed: (one) => this.#targets.id(one), left: () => this.#wait(),
+      proposals: this.#proposals, signal });
+    this.#choices = new ServiceChoices(this.#proposals, this.#entry);
     window.addEventListener("online", () => this.state === "waiting" && this.#open(), { signal });
     this.#alive = setInterval(() => this.#keepAlive(), 1000);
     this.#open();
@@ -155,8 +159,18 @@ export class Connection {
 
   #pass(rows) {
     this.#targets.stir();
+    if (this.#waits) this.#entry.alone = this.state !== "open";
+    [this.#waits, this.#scrolled, this.#passedAt] = [false, false, performance.now()];
     if (this.#speaks) this.#sendRows(rows);
     else this.#keep(rows);
+  }
+
+  /** The pointer has left, or the page has moved under it: what the service proposed is of the past until the next event. */
+  #wait() {
+    this.#pointer?.flush();
+    if (!this.#speaks || this.#waits) return;
+    this.#waits = true;
+    this.#choices.wait(this.#newest);
   }
 
   /** Whether what is sent now goes out: a socket that ends lets it fall. */
@@ -193,7 +207,7 @@ export class Connection {
    * @param {Element|string} target an observed element, or an id @returns {number} 0 to 1
    */
   probability(target) {
-    const likely = this.#wishes.encoding === "binary" ? this.#proposals.by("service") : this.#likely;
+    const likely = this.#wishes.encoding === "binary" ? this.#choices.standing : this.#likely;
     return likely.find(({ id, element }) => id === target || (element && element === target))?.p ?? 0;
   }
 
@@ -291,11 +305,9 @@ export class Connection {
     this.#unanswered = [];
     this.#wishes.lost();
     this.#person.lost();
-    this.#entry.alone = true;
-    this.#proposals.endAll("service");
+    this.#waits = false;
+    this.#choices.lose();
     this.#likely = [];
-    this.#missed.clear();
-    this.#past = -Infinity;
     if (this.#why === "unauthorized" || this.#why === "hello") return this.#become("refused");
     if (this.#why === "idle" && this.#waiting.length === 0) return this.#become("idle");
     const wait = Math.min(LONGEST_WAIT_MS, FIRST_WAIT_MS * 2 ** this.#tries++) * (0.75 + 0.5 * Math.random());
@@ -310,7 +322,8 @@ export class Connection {
     const message = await refusal(stream);
     const trying = this.state === "waiting" || (this.state === "connecting" && !this.#met);
     if (this.#why === "unauthorized" || !trying) return;
-    if (this.welcome === null || message !== null) this.#warn(unconnected(stream, message));
+    const heard = message !== null && this.#listeners.get("error").size > 0; // who listens says it where he likes
+    if (!heard && (this.welcome === null || message !== null)) this.#warn(unconnected(stream, message));
     if (message === null) return;
     this.#why = "unauthorized";
     clearTimeout(this.#retry);
@@ -331,23 +344,11 @@ export class Connection {
     }
     const message = JSON.parse(data);
     if (message.type === "prediction") return this.#predicted({ region: null, phase: null, remaining_s: null, ...message });
-    if (message.type === "choice") return this.#chosen(message);
+    if (message.type === "choice") return this.#choices.take(this.#named(message));
     if (message.type === "person") return this.#person.heard(message.person, this.welcome.predictor);
     if (message.type === "welcome") this.#greeted(message);
     if (message.type === "error") this.#refused(message);
     if (this.#listeners.has(message.type)) this.#emit(message.type, message);
-  }
-
-  /** A choice about the past, from events that waited for a connection, is announced once a later event confirms it. */
-  #chosen(choice) {
-    if (choice.t !== null && choice.t <= this.#past) {
-      if (choice.action === "propose") this.#missed.set(choice.id, choice);
-      else this.#missed.delete(choice.id);
-      return;
-    }
-    if (choice.action === "retract" && this.#missed.delete(choice.id)) return;
-    if (choice.action === "propose") this.#proposals.begin("service", this.#named(choice));
-    else this.#proposals.end("service", choice.id, choice);
   }
 
   /** With the observed element that an id stands for. */
@@ -357,10 +358,7 @@ export class Connection {
   }
 
   #predicted(prediction) {
-    if (this.#missed.size && prediction.t > this.#past) {
-      for (const choice of this.#missed.values()) this.#proposals.begin("service", this.#named(choice));
-      this.#missed.clear();
-    }
+    this.#choices.confirm(prediction.t);
     if (prediction.targets) prediction.targets = this.#likely = prediction.targets.map((one) => this.#named(one));
     const answered = this.#unanswered;
     while (answered.length && answered[0].t < prediction.t) answered.shift();
@@ -379,7 +377,7 @@ export class Connection {
     if (this.#socket === null) return; // closed by who heard of an error
     for (const { rows, message: kept } of this.#waiting.take(message.limits, this.#count)) {
       if (rows) {
-        this.#past = rows.at(-1)[0];
+        this.#choices.past(rows.at(-1)[0]);
         this.#sendRows(rows);
       } else this.#transmit(JSON.stringify(kept));
     }
@@ -411,6 +409,7 @@ export class Connection {
 
   #sendRows(rows) {
     const { limits } = this.welcome;
+    this.#newest = rows.at(-1)[0];
     for (const { frame, last, count } of frames(rows, this.#wishes.encoding, limits)) {
       if (this.#socket.bufferedAmount > MOST_BUFFERED) {
         this.#waiting.dropped += count;
@@ -448,10 +447,17 @@ export class Connection {
     this.#sendTargets(true);
   }
 
+  /** Elements may have moved; where that is by scrolling or a new size, nothing else says so to a pointer that rests. */
+  #look(scrolled) {
+    if (this.#sendTargets() && scrolled) this.#scrolled = true;
+    if (this.#scrolled && performance.now() - this.#passedAt > REST_MS) this.#wait();
+  }
+
+  /** @returns {boolean} whether the service is told of a change */
   #sendTargets(always = false) {
-    if (this.#socket?.readyState !== WebSocket.OPEN || this.#openedAt === Infinity) return; // not greeted
+    if (this.#socket?.readyState !== WebSocket.OPEN || this.#openedAt === Infinity) return false; // not greeted
     const { text, over, count } = targetsFrame(this.#targets.list(), this.welcome.limits);
-    if (text === this.#told && !always) return;
+    if (text === this.#told && !always) return false;
     [this.#told, this.#count] = [text, count];
     if (count === 0) this.#likely = [];
     this.#transmit(text);
@@ -459,6 +465,7 @@ export class Connection {
     this.#over = over;
     const message = `${over} targets beyond the first ${count} were left out: the service takes no more`;
     if (over > said) this.#emit("error", { type: "error", code: "too_many", message, path: "$.targets", recoverable: true });
+    return true;
   }
 
   #become(state) {

@@ -83,11 +83,13 @@ def test_another_site_that_is_allowed_uses_the_client(tmp_path: Path, headers: d
 
 
 REFUSED = """import("{url}/pointpred.js").then(({{ connect }}) => {{
+  window.another = connect;
   window.heard = {{ error: [], state: [] }};
   window.warned = [];
   console.warn = (words) => warned.push(words);
   window.connection = connect();
   for (const name in heard) connection.on(name, (message) => heard[name].push(message));
+  connection.on("error", ({{ message }}) => console.warn(message));
 }})"""
 
 
@@ -103,6 +105,12 @@ def test_another_site_that_is_not_allowed_hears_which_flag_allows_it(tmp_path: P
         (error,) = page.evaluate("heard.error")
         assert (error["code"], error["recoverable"], error["path"]) == ("unauthorized", False, None)
         assert f"--allow-origin {origin}" in error["message"]
+        assert page.evaluate("warned") == [error["message"]]  # by the page alone
+        page.evaluate("window.unheard = another(), 0")
+        soon(lambda: page.evaluate("unheard.state") == "refused", "the refusal of one that nobody listens to")
+        _, warning = page.evaluate("warned")
+        assert service.url.partition("://")[2] in warning
+        assert f"--allow-origin {origin}" in warning
         states = page.evaluate("heard.state")
         assert states[-1] == "refused"
         page.evaluate("connection.configure({})")
@@ -112,9 +120,7 @@ def test_another_site_that_is_not_allowed_hears_which_flag_allows_it(tmp_path: P
         page.evaluate("connection.configure({})")
         soon(lambda: page.evaluate("connection.state") == "open", "once it is allowed")
         assert page.evaluate("heard.error.length") == 2
-        (warning,) = page.evaluate("warned")
-        assert service.url.partition("://")[2] in warning
-        assert f"--allow-origin {origin}" in warning
+        assert page.evaluate("warned") == [error["message"], warning, error["message"]]
         page.evaluate("connection.close()")
 
 

@@ -183,6 +183,96 @@ def test_entry_goes_on_when_the_service_goes_and_comes_back(page: Page, listener
         assert heard(page)[3:] == [["retract", "second", None]]
 
 
+def answered(page: Page) -> None:
+    """Wait until the service has answered every event; without one there is nothing to wait for."""
+    page.evaluate("connection.person()")
+
+
+def click(page: Page, x: float, y: float) -> None:
+    for kind, buttons in (("mousePressed", 1), ("mouseReleased", 0)):
+        page.call(
+            "Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1, buttons=buttons
+        )
+
+
+@pytest.mark.parametrize("url", ["undefined", NOWHERE], ids=["open", "no service"])
+def test_what_is_entered_stays_until_it_is_left_by_the_mouse_or_by_scrolling(page: Page, url: str) -> None:
+    page.evaluate("document.body.style.padding = '9px 3000px'")
+    connected(page, url, "{ encoding: 'json' }")
+    if url == "undefined":
+        page.evaluate("connection.configure({ precision: 1 })")  # nothing is predicted
+        page.evaluate("new Promise((done) => connection.on('targets', ({ count }) => count === 2 && done()))")
+    mouse(page, 150, 120)
+    answered(page)
+    entered = ["propose", "first", "entered"]
+    assert heard(page) == [entered]
+    click(page, 150, 120)
+    mouse(page, 151, 120)
+    answered(page)
+    assert heard(page) == [entered]
+    page.evaluate("scrollTo(224, 0)")  # the second comes to where the mouse rests
+    there = [entered, ["retract", "first", None], ["propose", "second", "entered"]]
+    soon(lambda: len(heard(page)) >= 3, "the change of targets")
+    mouse(page, 152, 120)
+    answered(page)
+    assert heard(page) == there
+    mouse(page, 152, 20)
+    answered(page)
+    assert heard(page)[3:] == [["retract", "second", None]]
+    mouse(page, 152, 120)
+    answered(page)
+    assert heard(page)[4:] == [["propose", "second", "entered"]]
+
+
+SAY = """window.say = null;
+const Plain = WebSocket;
+window.WebSocket = class extends Plain {
+  set onmessage(listen) {
+    window.say = (message) => listen({ data: JSON.stringify(message) });
+    super.onmessage = listen;
+  }
+};
+for (const [around, left, top] of [[document.body, 600, 100], [document.getElementById("second"), 140, 90]]) {
+  const frame = document.createElement("iframe");
+  frame.style.cssText = `position:absolute;left:${left}px;top:${top}px;width:50px;height:40px`;
+  around.append(frame);
+}
+"""
+PREDICT = """say({ type: "choice", id: "second", p: 0.9, action: "propose", reason: "predicted",
+  t: performance.now() / 1000 })"""
+OUTSIDE = {
+    "a frame": "",
+    "another window": "dispatchEvent(new Event('blur'))",
+    "out of the document": "document.body.dispatchEvent(new PointerEvent('pointerout', { bubbles: true }))",
+}
+
+
+def test_a_prediction_is_retracted_while_the_pointer_is_elsewhere(page: Page) -> None:
+    """Not that of a target that the pointer is in; the next event brings it back, where it still holds."""
+    page.evaluate(SAY)
+    connected(page)
+    page.evaluate("connection.configure({ precision: 1 })")
+    mouse(page, 50, 50)
+    page.evaluate(PREDICT)
+    mouse(page, 51, 50)
+    answered(page)
+    mouse(page, 480, 210)  # the frame inside the second
+    assert heard(page) == [["propose", "second", "predicted"]]
+    mouse(page, 52, 50)
+    answered(page)
+    assert page.evaluate("connection.proposed") == "second"
+    for way in OUTSIDE.values():
+        before = len(heard(page))
+        if way:
+            page.evaluate(f"{way} && 0")
+        else:
+            mouse(page, 620, 120)
+        assert heard(page)[before:] == [["retract", "second", None]], way
+        mouse(page, 51, 50)
+        answered(page)
+        assert heard(page)[before + 1 :] == [["propose", "second", "predicted"]], way
+
+
 def test_pointer_false_hears_no_mouse(page: Page) -> None:
     connected(page, NOWHERE, "{ pointer: false }")
     mouse(page, 150, 120)

@@ -25,13 +25,15 @@ window.fetch = async (address, options) =>
 """
 LINE = "document.querySelector('#view-live .connection').textContent"
 UNCUT = """(() => {
-  const line = document.querySelector('#view-live .connection');
+  const line = document.querySelector('PART');
   const said = line.textContent;
-  line.textContent = said.replace('ktm', 'differentiators');
+  line.textContent = 'LONG';
   const fits = line.scrollHeight <= line.clientHeight && line.scrollWidth <= line.clientWidth;
   line.textContent = said;
   return fits;
 })()"""
+LINES = {"live": "#view-live .connection", "circle": "#circle-connection", "assist": "#assist-connection"}
+CIRCLE = "document.querySelector('#circle-connection').textContent"
 LABELS = "[...document.querySelector('#view-live select').options].map(({label}) => label)"
 
 
@@ -47,9 +49,16 @@ def test_the_page_says_what_is_compiled_and_what_can_be_used(visitor: Visitor, u
     visitor.wait(f"{LINE}.includes('1 of {COUNT} (ktm)')")
     visitor.wait(f"{LINE}.startsWith('Ready.')")
     assert "only this once" in visitor.value(LINE)
-    for size in ((1440, 900), (1024, 768), (390, 844)):
-        visitor.resize(*size)
-        assert visitor.value(UNCUT), size
+    longest = visitor.value(LINE).replace("ktm", "differentiators")
+    for view, part in LINES.items():
+        visitor.value(f"location.hash = {view!r}")
+        for size in ((1440, 900), (1024, 768), (390, 844)):
+            visitor.resize(*size)
+            assert visitor.value(UNCUT.replace("PART", part).replace("LONG", longest)), (part, size)
+    visitor.value("location.hash = 'circle'")
+    visitor.wait(f"{CIRCLE}.startsWith('Ready.') && {CIRCLE}.includes('1 of {COUNT} (ktm)')")
+    visitor.value("location.hash = 'live'")
+    visitor.wait(f"{LINE}.startsWith('Ready.')")
     assert visitor.shift() < 0.001
     visitor.choose("#view-live select", "ktm")
     visitor.wait(f"{LINE}.startsWith('Compiling')")

@@ -14,12 +14,21 @@ from tests.server.test_page_choices import HEARD, ORANGE
 
 pytestmark = browser.needed
 
-PAINT = """new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => {
-  const canvas = document.querySelector("#live-scene");
-  const copy = new OffscreenCanvas(1, 1).getContext("2d", { willReadFrequently: true });
-  copy.drawImage(canvas, -PLACE_X, -PLACE_Y);
-  done([...copy.getImageData(0, 0, 1, 1).data]);
-})))"""
+SCENE = """(async (message) => {
+  const scene = document.querySelector("#live-scene");
+  const frame = () => new Promise((done) => requestAnimationFrame(done));
+  if (message) say(message);
+  await frame();
+  await frame();
+  const { shows, ahead, regions } = scene.dataset;
+  const copy = new OffscreenCanvas(scene.width, scene.height).getContext("2d", { willReadFrequently: true });
+  copy.drawImage(scene, 0, 0);
+  const named = told.findLast((one) => typeof one === "string" && one.includes('"targets"'));
+  const at = ({ x, y }) => [...copy.getImageData(Math.round(x + 10), Math.round(y + 10), 1, 1).data];
+  const colours = Object.fromEntries(JSON.parse(named).targets.map((tile) => [tile.id, at(tile)]));
+  return { shows, ahead, opacity: JSON.parse(regions)[0]?.opacity ?? 0, colours };
+})(MESSAGE)"""
+"""The picture two frames after a message in the service's place: and each tile's colour."""
 
 
 @pytest.fixture
@@ -49,47 +58,38 @@ def tiles(visitor: Visitor) -> list[dict[str, Any]]:
     return found
 
 
-def tint(visitor: Visitor, tile: dict[str, Any]) -> tuple[list[int], float]:
-    """Colour and opacity in a corner of a tile."""
-    x, y = (str(round(tile[axis] + 10)) for axis in "xy")
-    *colour, opacity = visitor.value(PAINT.replace("PLACE_X", x).replace("PLACE_Y", y))
-    return colour, opacity / 255
+def scene(visitor: Visitor, message: dict[str, Any] | None = None) -> dict[str, Any]:
+    """The picture of the pointer: it goes to the demonstration four seconds after the last movement."""
+    left, top, *_ = visitor.corner("#live-scene")
+
+    def pointer() -> dict[str, Any] | None:
+        found: dict[str, Any] = visitor.value(SCENE.replace("MESSAGE", json.dumps(message)))
+        if found["shows"] == "pointer":
+            return found
+        visitor.mouse("mouseMoved", left + 200, top + 100)
+        visitor.mouse("mouseMoved", left + 201, top + 100)
+        visitor.wait(ANSWERED)
+        return None
+
+    return until(pointer, "the picture of the pointer")
 
 
-SETTLED = """(async () => {
-  const named = (list, kind) => JSON.parse(list.findLast((one) => one.includes(`"${kind}"`)) ?? null);
-  const frames = () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
-  const scene = document.querySelector("#live-scene");
-  await frames();
-  const { t, targets } = named(answered, "prediction") ?? {}, drawn = scene.dataset.drawn;
-  await frames();
-  const shares = Object.fromEntries((targets ?? []).map(({ id, p }) => [id, p]));
-  const copy = new OffscreenCanvas(scene.width, scene.height).getContext("2d", { willReadFrequently: true });
-  copy.drawImage(scene, 0, 0);
-  const tints = named(told, "targets").targets.map(({ id, x, y }) =>
-    [id, copy.getImageData(Math.round(x + 10), Math.round(y + 10), 1, 1).data[3] / 255]);
-  const newest = t === named(told, "events")?.events.at(-1)[0];
-  const still = scene.dataset.shows === "pointer" && scene.dataset.drawn === drawn;
-  return newest && still ? { shares, tints: Object.fromEntries(tints) } : null;
-})()"""
-"""Shares and tints, once the newest event is answered, while no endpoint covers a tile."""
-SHOWS = "document.querySelector('#live-scene').dataset.shows"
+def test_tiles_are_lit_as_strongly_as_they_are_likely_and_not_at_rest(visitor: Visitor) -> None:
+    shares = {tile["id"]: round(0.1 + 0.15 * i, 2) for i, tile in enumerate(tiles(visitor))}
+    likely = [{"id": id, "p": p} for id, p in shares.items()]
+    said = {"type": "prediction", "t": 0, "x": 300.0, "y": 40.0, "phase": "ballistic", "targets": likely}
 
+    def tints(found: dict[str, Any]) -> dict[str, float]:
+        return {id: colour[3] / 255 for id, colour in found["colours"].items()}
 
-def test_tiles_are_lit_as_strongly_as_the_service_says_that_they_are_likely(visitor: Visitor) -> None:
-    left, top, width, height = visitor.corner("#live-scene")
-    start, end = (left + 60, top + 60), (left + width / 2, top + height / 2)
-    visitor.mouse("mouseMoved", *start)
+    def drawn() -> dict[str, Any] | None:
+        found = scene(visitor, said)
+        return found if found["opacity"] == 1 else None  # a slow machine may already let it fade
 
-    def settled() -> dict[str, Any] | None:
-        if visitor.value(SHOWS) != "pointer":  # at first, and four seconds after the last movement
-            visitor.reach(start, end, 0.4)
-        found: dict[str, Any] | None = visitor.value(SETTLED)
-        return found if found and len(found["shares"]) == 5 else None
-
-    found = until(settled, "shares of every tile")
-    assert found["shares"].keys() == {tile["id"] for tile in tiles(visitor)}
-    assert found["tints"] == pytest.approx(found["shares"], abs=0.02)
+    assert tints(until(drawn, "a prediction that is drawn")) == pytest.approx(shares, abs=0.02)
+    until(lambda: set(tints(scene(visitor)).values()) == {0.0}, "no tint without answers")
+    until(drawn, "another one")
+    assert set(tints(scene(visitor, {**said, "phase": "still"})).values()) == {0.0}
 
 
 def test_a_proposed_tile_is_framed_and_what_came_of_it_is_counted(visitor: Visitor) -> None:
@@ -97,33 +97,26 @@ def test_a_proposed_tile_is_framed_and_what_came_of_it_is_counted(visitor: Visit
     one, two = tiles(visitor)[0], tiles(visitor)[4]
     for tile, action in ((two, "propose"), (two, "retract"), (one, "propose")):
         visitor.value(f"say({{ type: 'choice', id: '{tile['id']}', p: 0.75, action: '{action}', t: 0 }})")
+    likely = {"type": "prediction", "t": 0, "x": 300.0, "y": 40.0, "phase": "ballistic"}
+    likely["targets"] = [{"id": one["id"], "p": 0.75}]
 
-    likely = {"type": "prediction", "t": 0, "x": None, "y": None, "targets": [{"id": one["id"], "p": 0.75}]}
+    def framed() -> list[int] | None:
+        found = scene(visitor, likely)
+        return found["colours"][one["id"]] if found["opacity"] == 1 and found["ahead"] == one["id"] else None
 
-    def framed() -> tuple[list[int], float] | None:
-        if visitor.value(SHOWS) != "pointer":  # at first, and four seconds after the last movement
-            visitor.mouse("mouseMoved", left + 200, top + 100)
-            visitor.mouse("mouseMoved", left + 201, top + 100)
-            visitor.wait(ANSWERED)
-        visitor.value(f"say({json.dumps(likely)})")
-        found = tint(visitor, one)
-        shown = visitor.value(f"[{SHOWS}, document.querySelector('#live-scene').dataset.ahead]")
-        return found if shown == ["pointer", one["id"]] else None
-
-    colour, opacity = until(framed, "the picture with the proposed tile")
-    assert opacity == pytest.approx(0.75, abs=0.02)
+    *colour, opacity = until(framed, "the picture with the proposed tile")
+    assert opacity / 255 == pytest.approx(0.75, abs=0.02)
     assert colour == pytest.approx(ORANGE, abs=3)
     place = (left + one["x"] + one["width"] / 2, top + one["y"] + one["height"] / 2)
     visitor.mouse("mouseMoved", *place)
     visitor.click(*place)
-    visitor.value(f"say({json.dumps(likely)})")
 
     def untinted() -> bool:
-        if visitor.value(SHOWS) != "pointer":
+        found: dict[str, Any] = visitor.value(SCENE.replace("MESSAGE", json.dumps(likely)))
+        if found["shows"] != "pointer":
             visitor.mouse("mouseMoved", place[0] - 3, place[1])
             visitor.click(*place)
-        opacity = tint(visitor, one)[1]
-        return bool(opacity == 0 and visitor.value(SHOWS) == "pointer")
+        return found["shows"] == "pointer" and found["opacity"] == 1 and found["colours"][one["id"]][3] == 0
 
     until(untinted, "nothing is tinted while the pointer rests where the movement ended")
     counted = "document.querySelector('#live-ledger').textContent"
