@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 
 from pointpred.errors import RecordingError
 from pointpred.sources import Reading, format_of, read_any, records_json
+from pointpred.sources.column_names import guess
 from pointpred.sources.lists import numbers_in
 from tests.unit.writing_containers import NAMES, ROWS, TRIALS, nested
 
@@ -106,6 +107,19 @@ def test_a_path_with_stars_repeats_what_lies_beside_it(tmp_path: Path) -> None:
     assert outer["t"] == COLUMNS["t"]
     assert set(outer["outer.t"]) == {"12:30"}
     assert set(outer["outer.x"]) == {0}
+
+
+def test_short_tracks_are_no_points(tmp_path: Path) -> None:
+    """Lists of two numbers are a point; as three fields of one length they are a track."""
+    path = tmp_path / "own.json"
+    tracks = [{"t": [0, 8], "x": [1, 2], "y": [3, 4]}] * 5
+    assert columns_of(path, tracks) == {"t": [[0, 8]] * 5, "x": [[1, 2]] * 5, "y": [[3, 4]] * 5}
+
+
+def test_a_group_of_columns_is_taken_where_it_is_the_only_one() -> None:
+    names = [f"samples.{name}" for name in "txy"]
+    assert guess([*names, "start.x", "start.y"]).columns == dict(zip("txy", names, strict=True))
+    assert guess(["a.t", "a.x", "a.y", "b.t", "b.x", "b.y"]).columns == {}
 
 
 def test_trials_in_lists_of_lists_stay_apart(tmp_path: Path) -> None:
