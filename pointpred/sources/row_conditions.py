@@ -39,7 +39,8 @@ def row_conditions(
         numbers = [_number(cell) for cell in held[name] if not _empty(cell)]
         for row, cell in zip(known, held[name], strict=True):
             if not _empty(cell):
-                row[name] = str(cell) if None in numbers else float(cell)
+                number = _number(cell)
+                row[name] = str(cell) if number is None or None in numbers else number
     left = [name for name in held if name not in kept]
     more = f" and {len(left) - SHOWN} more" if len(left) > SHOWN else ""
     return known, [f"columns left aside: {', '.join(left[:SHOWN])}{more}"] if left else []
