@@ -63,13 +63,13 @@ def _left(rows: pd.DataFrame, out: np.ndarray, recording: Recording) -> dict[str
     for at in np.flatnonzero(remaining):
         reason = named.get((user[at], trial[at])) or named.get((None, trial[at]))
         if reason and trial[at]:
-            left[NUMBER.sub("N", reason)] += 1
+            left[reason] += 1
             remaining[at] = False
     for skip in recording.skipped:
         if span := ROWS.fullmatch(skip.trial):
             mine = remaining & (number >= int(span[1])) & (number <= int(span[2]))
             mine &= skip.user in (None, "unknown") or (user == skip.user)
-            left[NUMBER.sub("N", skip.reason)] += int(mine.sum())
+            left[skip.reason] += int(mine.sum())
             remaining &= ~mine
     rest = int(remaining.sum())
     for note in recording.notes:
@@ -77,4 +77,15 @@ def _left(rows: pd.DataFrame, out: np.ndarray, recording: Recording) -> dict[str
             count = min(rest, int(said[2]))
             left[said[1]] += count
             rest -= count
-    return {reason: count for reason, count in left.items() if count}
+    return _alike(left)
+
+
+def _alike(left: Counter[str]) -> dict[str, int]:
+    """Reasons that differ in numbers alone as one, with an ellipsis for each number."""
+    groups: dict[str, list[str]] = {}
+    for reason in left:
+        groups.setdefault(NUMBER.sub("...", reason), []).append(reason)
+    counts = {
+        some[0] if len(some) == 1 else like: sum(left[one] for one in some) for like, some in groups.items()
+    }
+    return {reason: count for reason, count in counts.items() if count}

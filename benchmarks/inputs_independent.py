@@ -11,6 +11,7 @@ import json
 import re
 import struct
 from collections.abc import Callable, Sequence
+from decimal import Decimal
 from pathlib import Path
 from typing import Any
 
@@ -205,13 +206,13 @@ def _samples(
 ) -> pd.DataFrame:
     """A row a sample: keys as words, numbers as numbers; a stream is cut as ``cut`` says."""
     rows = pd.DataFrame({"row": np.arange(len(table))})
-    for field, name in zip("txy", names, strict=True):
-        rows[field] = table[name] if per_second == "iso" and field == "t" else pd.to_numeric(table[name])
+    rows["x"], rows["y"] = pd.to_numeric(table[names[1]]), pd.to_numeric(table[names[2]])
     if per_second == "iso":
-        times = pd.to_datetime(rows["t"])
+        times = pd.to_datetime(table[names[0]])
         rows["t"] = (times - times.iloc[0]).dt.total_seconds()
     else:
-        rows["t"] = rows["t"] / float(per_second)
+        exact = table[names[0]].map(lambda cell: Decimal(str(cell)))
+        rows["t"] = (exact - exact.iloc[0]).map(float) / float(per_second)
     rows["user"] = table[user].fillna("").str.strip() if user else path.name.split(".")[0]
     rows["trial"] = table[trial].fillna("").str.strip() if trial else ""
     if cut:
