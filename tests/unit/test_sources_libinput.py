@@ -67,6 +67,7 @@ def test_counts_and_times_are_those_that_a_yaml_library_finds(tmp_path: Path, se
     devices = yaml.load(text, Loader=yaml.CSafeLoader)["devices"]
     recording = libinput.read(written(tmp_path, text))
     assert [trial.condition["device"] for trial in recording.trials] == ["Mouse 0", "Mouse 1"]
+    assert recording.notes == ()
     for index, device in enumerate(devices):
         rows = np.array([row for entry in device["events"] for row in entry.get("evdev", [])])
         x, y = (rows[(rows[:, 2] == 2) & (rows[:, 3] == axis)] for axis in (0, 1))
