@@ -15,6 +15,7 @@ from pointpred.errors import MissingExtraError
 EXTRAS = {
     "report": ("matplotlib", "pandas", "scipy", "statsmodels"),
     "tables": ("openpyxl", "pyxdf"),
+    "lsl": ("pylsl",),
     "train": ("scipy",),
     "observers": ("clarabel", "cvxpy", "scipy", "sympy"),
     "camera": ("cv2",),

@@ -26,8 +26,9 @@ from pointpred.registry import RECOMMENDED, build
 from pointpred.transfer import ConstantGain, PixelTransfer, TransferLearner, named_transfer
 
 REPLAY = "Without a device"
+LSL = "Lab Streaming Layer (extra lsl)"
 DPI_USUAL = 96.0
-ONLY_DEVICE = {"device", "measure_cpi", "transfer", "display", "person"}
+ONLY_DEVICE = {"device", "measure_cpi", "transfer", "display", "person", "lsl"}
 """Options that mean nothing where a recording is played."""
 ONLY_REPLAY = {"trial", "speed", "cut", "pause_s", "unit", "screen"}
 """Options that mean nothing without one."""
@@ -90,6 +91,22 @@ def live(
     host: Annotated[str | None, typer.Option(help="With --serve: address to listen on.")] = None,
     port: Annotated[int | None, typer.Option(min=0, max=65535, help="With --serve: port.")] = None,
     seconds: Annotated[float | None, typer.Option(min=0.0, help="Stop after this many seconds.")] = None,
+    lsl: Annotated[
+        str | None,
+        typer.Option(
+            metavar="STREAM",
+            help="Follow the positions of this stream instead of a mouse; its channels are labelled x and y.",
+            rich_help_panel=LSL,
+        ),
+    ] = None,
+    lsl_out: Annotated[
+        bool,
+        typer.Option(
+            "--lsl-out",
+            help="Send the predictions as the stream 'pointpred'. Other machines on the network can read it.",
+            rich_help_panel=LSL,
+        ),
+    ] = False,
     replay: Annotated[
         Path | None,
         typer.Option(
@@ -128,7 +145,7 @@ def live(
         _check_new("--save-transfer", save_transfer)
     if not serve and (host is not None or port is not None):
         raise ParameterError("--host and --port need --serve")
-    wanted = Wanted(predictor, cpi, DPI_USUAL, record, save_transfer, serve, host, port, seconds)
+    wanted = Wanted(predictor, cpi, DPI_USUAL, record, save_transfer, serve, host, port, seconds, lsl=lsl_out)
     own = with_coefficients([predictor], coefficients).get(predictor, {})
     if replay is not None:
         _check_replay(given, cursor)
@@ -144,12 +161,18 @@ def live(
     known_person = read_person(person, predictor)
     _warm(predictor)
     from pointpred.devices.cursor import CursorSource
+    from pointpred.devices.lsl_inlet import LslInlet
     from pointpred.devices.sessions import LiveSession
     from pointpred.server.garbage import spare
 
     with ExitStack() as until_done:
-        source = until_done.enter_context(live_device.choose(device, display))
-        if isinstance(source, CursorSource):
+        source = until_done.enter_context(live_device.choose(device, display, lsl))
+        if isinstance(source, LslInlet):
+            known = cpi
+            path, close = live_device.stream_path(
+                source, cursor=cursor, measure_cpi=measure_cpi, transfer=transfer, display=display
+            )
+        elif isinstance(source, CursorSource):
             known = None
             path, close = live_device.cursor_path(
                 source, cpi, cursor=cursor, measure_cpi=measure_cpi, transfer=transfer

@@ -17,6 +17,7 @@ from pointpred.events import CPI
 if TYPE_CHECKING:
     from pointpred.devices.cursor import CursorSource
     from pointpred.devices.first_moving import Candidate
+    from pointpred.devices.lsl_inlet import LslInlet
     from pointpred.devices.paths import CursorPath
     from pointpred.devices.source import DeviceSource, Found
     from pointpred.transfer import TransferFunction
@@ -26,16 +27,21 @@ QUESTION = "Counts per inch of the mouse (on its box; m: measure it; -: unknown)
 RULER = "Put the mouse against a ruler, move it 10 cm in a straight line, then hold it still for a second."
 
 
-def choose(name: str | None, display: str | None = None) -> DeviceSource:
+def choose(name: str | None, display: str | None = None, stream: str | None = None) -> DeviceSource:
     """The device that a name means, or the first that moves of those that can be read.
 
-    ``cursor`` is the screen's cursor, and all that there is where a system keeps mice to itself. Raises
-    SourceError that says what to do next.
+    ``cursor`` is the screen's cursor, and all that there is where a system keeps mice to itself; ``stream``
+    is one of Lab Streaming Layer. Raises SourceError that says what to do next, and ParameterError.
     """
     from pointpred.devices.cursor import NAME, CursorSource, system_cursor
     from pointpred.devices.first_moving import FirstMoving
+    from pointpred.devices.lsl_inlet import LslInlet
     from pointpred.devices.naming import path_of
 
+    if stream is not None and name is not None:
+        raise ParameterError("--device reads a mouse and --lsl a stream; give one of them")
+    if stream is not None:
+        return LslInlet(stream)
     if name == NAME or (name is None and sys.platform != "linux"):
         return CursorSource(partial(system_cursor, display))
     if name is not None:
@@ -131,6 +137,18 @@ def cursor_path(
     if cpi is not None:
         remarks().print("--cpi is not used: the cursor is followed, and it has no counts")
     return Followed(source.words), _nothing
+
+
+def stream_path(source: LslInlet, **given: str | bool | None) -> tuple[CursorPath, Callable[[], None]]:
+    """The path of a stream of positions; raises ParameterError for options that need a mouse."""
+    from pointpred.devices.lsl_inlet import StreamPath
+
+    for name, value in given.items():
+        if value not in (None, False, "auto"):
+            raise ParameterError(
+                f"--{name.replace('_', '-')} is for a mouse, and --lsl reads a stream; drop one"
+            )
+    return StreamPath(source.words), _nothing
 
 
 def resolution(source: DeviceSource, cpi: float | None, measured: bool, distance_cm: float) -> float | None:

@@ -18,6 +18,7 @@ from pointpred.cli.live_serving import Serving
 from pointpred.cli.live_view import DASH, ending, show
 from pointpred.cli.screen import counted, remarks, results
 from pointpred.devices.cursor import CursorSource
+from pointpred.devices.lsl_outlet import NAME, LslOutlet
 from pointpred.devices.played import PlayedSource
 from pointpred.errors import ParameterError, SourceError
 
@@ -45,6 +46,7 @@ class Wanted(msgspec.Struct, frozen=True):
     port: int | None = None
     seconds: float | None = None
     simulated: bool = False
+    lsl: bool = False
 
 
 class Outlets:
@@ -55,6 +57,8 @@ class Outlets:
         self.wanted = wanted
         self.recording = _recording(session, wanted) if wanted.record else None
         self.feed = _feed(session, wanted) if wanted.serve else None
+        if wanted.lsl:
+            session.watchers.append(LslOutlet(wanted.predictor, session.source).take)
         self.serving = Serving(self.feed, wanted.host, wanted.port) if self.feed else None
         self.learning = learning_of(session.path, wanted.cpi, wanted.dpi)
         if isinstance(self.learning, Learning):
@@ -151,6 +155,7 @@ class Outlets:
             ("clock", source.clock),
             ("positions", self.session.words),
             ("predictor", self.wanted.predictor),
+            *([("sent", f"as the stream {NAME!r} of Lab Streaming Layer")] if self.wanted.lsl else []),
         ]
 
     def _more(self) -> list[tuple[str, str]]:
