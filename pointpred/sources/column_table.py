@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -16,14 +16,15 @@ from pointpred.errors import ColumnsError, RecordingError
 from pointpred.recording import Provenance, Recording, Skip
 from pointpred.sources import tables, time_units
 from pointpred.sources.assembly import IntArray
-from pointpred.sources.column_mapping import mapping, unit_refusal
+from pointpred.sources.column_mapping import KEYS, mapping, unit_refusal
 from pointpred.sources.column_names import unit_in
-from pointpred.sources.reading import Reading
+from pointpred.sources.list_rows import holds_lists, recording_of_lists, steps_of
+from pointpred.sources.reading import NEEDED, Reading
 from pointpred.sources.table_buttons import buttons_of
 from pointpred.sources.table_trials import Rows, recording_of_rows
 from pointpred.sources.trial_keys import codes_of
 
-VALUES = ("t", "x", "y", "dx", "dy", "buttons")
+TARGET = ("target_x", "target_y", "target_w")
 MOSTLY = 0.5
 """A column of numbers in which a larger share of cells is none is the wrong column."""
 
@@ -67,21 +68,22 @@ def recording_of_table(path: Path, table: ColumnTable, reading: Reading) -> Reco
 
     found, notes = mapping(path, names, reading, same)
     count = sizes.pop() if sizes else 0
+    if any(holds_lists(column(found[field])) for field in NEEDED):
+        return _of_lists(path, table, reading, column, found, notes)
     rows = Rows(count, np.arange(count, dtype=np.int64) if table.row_of is None else table.row_of)
     iso = reading.time_unit == "iso" or (reading.time_unit is None and time_units.is_iso(column(found["t"])))
     rows.values["t"], wrong = time_units.clock(column(found["t"]), iso)
     rows.blame("t", found["t"], wrong, "a date and time" if iso else "a number")
     unit, how = ("iso", " as date and time") if iso else _unit(path, names, found, rows.values["t"], reading)
-    gain = reading.px_per_unit or 1.0
-    turn = -1.0 if reading.y_up else 1.0
-    scale = {"x": gain, "y": turn * gain, "target_x": gain, "target_y": turn * gain, "target_w": gain}
-    for field in ("x", "y", "dx", "dy", "target_x", "target_y", "target_w"):
+    rows.per_second = time_units.PER_SECOND[unit]
+    gains = _gains(reading)
+    for field in ("x", "y", "dx", "dy", *TARGET):
         if field in found:
-            rows.values[field], wrong = tables.finite_numbers(column(found[field]))
-            rows.values[field] = rows.values[field] * scale.get(field, 1.0) + 0.0
-            if not field.startswith("target"):
+            numbers, wrong = tables.finite_numbers(column(found[field]))
+            rows.values[field] = numbers * gains.get(field, 1.0) + 0.0  # no negative zero
+            if field not in TARGET:
                 rows.blame(field, found[field], wrong, "a number")
-    for field in ("t", "x", "y"):
+    for field in NEEDED:
         _check_numbers(path, names, found, field, rows.values[field], column(found[field]))
     if "buttons" in found:
         told = "buttons" in (reading.columns or {})
@@ -91,32 +93,70 @@ def recording_of_table(path: Path, table: ColumnTable, reading: Reading) -> Reco
             del found["buttons"]
         else:
             rows.values["buttons"] = pressed
-    rows.per_second = 1e9 if unit == "iso" else time_units.PER_SECOND[unit]
-    keys = {
-        key: pc.utf8_trim_whitespace(tables.words(column(found[key])))
-        for key in ("user", "trial")
-        if key in found
-    }
-    others = {name: column(name) for name in names if name not in found.values()}
-    said = ", ".join(f"{field} = {name}" + (how if field == "t" else "") for field, name in found.items())
-    provenance = Provenance(
+    return recording_of_rows(
+        path,
+        rows,
+        {key: pc.utf8_trim_whitespace(tables.words(column(found[key]))) for key in KEYS if key in found},
+        {name: column(name) for name in names if name not in found.values()},
+        reading,
+        provenance=_provenance(table, reading, found, how),
+        skipped=table.skipped,
+        notes=(*table.notes, _mapped(found, how), *notes),
+    )
+
+
+def _of_lists(
+    path: Path,
+    table: ColumnTable,
+    reading: Reading,
+    column: Callable[[str], Any],
+    found: dict[str, str],
+    notes: Sequence[str],
+) -> Recording:
+    """The recording in a table with a trial a row; raises ColumnsError."""
+    names = list(table.columns)
+    lacking = [field for field in NEEDED if not holds_lists(column(found[field]))]
+    if lacking:
+        some = ", ".join(found[field] for field in lacking)
+        raise ColumnsError(f"{path}: t, x and y must be lists alike; {some} holds none", names, found)
+    unit, how = _unit(path, names, found, steps_of(column(found["t"])), reading)
+    gains = _gains(reading)
+    return recording_of_lists(
+        path,
+        column,
+        found,
+        [name for name in names if name not in found.values()],
+        per_second=time_units.PER_SECOND[unit],
+        gain=(gains["x"], gains["y"]),
+        provenance=_provenance(table, reading, found, how),
+        skipped=table.skipped,
+        notes=(*table.notes, _mapped(found, how), *notes),
+    )
+
+
+def _gains(reading: Reading) -> dict[str, float]:
+    """What x, y and the target are multiplied by."""
+    gain = reading.px_per_unit or 1.0
+    turned = -gain if reading.y_up else gain
+    return {"x": gain, "y": turned, "target_x": gain, "target_y": turned, "target_w": gain}
+
+
+def _mapped(found: dict[str, str], how: str) -> str:
+    """The mapping as a note."""
+    return "columns: " + ", ".join(
+        f"{field} = {name}" + (how if field == "t" else "") for field, name in found.items()
+    )
+
+
+def _provenance(table: ColumnTable, reading: Reading, found: dict[str, str], how: str) -> Provenance:
+    return Provenance(
         table.format,
-        unit="px" if reading.px_per_unit is None else f"{1 / gain:g} units a px",
+        unit="px" if reading.px_per_unit is None else f"units of {reading.px_per_unit:g} px",
         origin="as in the file",
         y_axis="up" if reading.y_up else "down",
         clock=f"column {found['t']}{how}",
         dpi=reading.dpi,
         cpi=reading.cpi,
-    )
-    return recording_of_rows(
-        path,
-        rows,
-        keys,
-        others,
-        reading,
-        provenance=provenance,
-        skipped=table.skipped,
-        notes=(*table.notes, f"columns: {said}", *notes),
     )
 
 

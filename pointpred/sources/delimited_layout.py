@@ -18,6 +18,8 @@ MOSTLY = 0.8
 SEPARATORS = ("\t", ";", "|", ",", " ")
 NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?|[+-]?(nan|inf)", re.IGNORECASE)
 STAMP = re.compile(r"\d{4}-\d{2}-\d{2}[T ]\d{2}:\d{2}.*")
+LISTED = re.compile(r"[\s\d.,;|+-]*\d[\s\d.,;|+-]*")
+"""Several numbers in one cell."""
 DECLARED = re.compile(r"sep=(.)")
 """The first line that Excel writes and understands."""
 
@@ -81,6 +83,11 @@ def is_number(cell: str) -> bool:
     return bool(NUMBER.fullmatch(cell) or STAMP.fullmatch(cell))
 
 
+def _is_value(cell: str) -> bool:
+    """Whether a cell is a number or a list."""
+    return is_number(cell) or "[" in cell or bool(LISTED.fullmatch(cell))
+
+
 def _split(separator: str, numbered: Sequence[tuple[int, str]]) -> tuple[list[list[str]], list[int]]:
     """The cells of each row, and the line at which it begins; none where quotes are not as in a table."""
     lines = (" ".join(line.split()) if separator == " " else line for _, line in numbered)
@@ -117,9 +124,7 @@ def _by(separator: str, numbered: Sequence[tuple[int, str]], comments: Sequence[
     else:
         names, body, above = _in_comment(comments, separator, width), start, start
     same = [row for row in rows[body:] if len(row) == width]
-    if len(same) < MOSTLY * len(rows[body:]) or not any(
-        is_number(cell) or "[" in cell for row in same for cell in row
-    ):
+    if len(same) < MOSTLY * len(rows[body:]) or not any(_is_value(cell) for row in same for cell in row):
         return None
     first = places[body] if body < len(places) else numbered[-1][0] + 1
     return Layout(separator, names, width, first, above)
@@ -134,7 +139,7 @@ def _is_header(row: Sequence[str], below: Sequence[Sequence[str]]) -> bool:
         return False
     if any(cell and not is_number(cell) and digits for cell, digits in zip(row, numeric, strict=True)):
         return True
-    return not any(is_number(cell) or "[" in cell for cell in row)
+    return not any(map(_is_value, row))
 
 
 def _short_names(names: Sequence[str], row: Sequence[str]) -> tuple[str, ...]:

@@ -11,7 +11,8 @@ import pyarrow.compute as pc
 from pointpred.columns import FloatArray
 from pointpred.sources import tables
 
-PER_SECOND = {"s": 1.0, "ms": 1e3, "us": 1e6, "ns": 1e9}
+PER_SECOND = {"s": 1.0, "ms": 1e3, "us": 1e6, "ns": 1e9, "iso": 1e9}
+"""Units of the clock in a second; stamps of date and time are read as ns."""
 ISO = r"^\s*\d{4}-\d{2}-\d{2}[T ]\d{2}:\d{2}(:\d{2}([.,]\d{1,9})?)?(Z|[+-]\d{2}:?\d{2})?\s*$"
 ZONE = r"(Z|[+-]\d{2}:?\d{2})\s*$"
 WHOLE = r"^\s*[+-]?(\d{1,18}|[1-8]\d{18})\s*$"
@@ -43,7 +44,9 @@ def units_by_rate(clock: FloatArray) -> list[str]:
     if not len(steps):
         return []
     middle = float(np.median(steps))
-    return [unit for unit, per in PER_SECOND.items() if SHORTEST_S <= middle / per <= LONGEST_S]
+    return [
+        unit for unit, per in PER_SECOND.items() if unit != "iso" and SHORTEST_S <= middle / per <= LONGEST_S
+    ]
 
 
 def clock(column: Any, iso: bool = False) -> tuple[FloatArray, dict[int, str]]:
