@@ -17,7 +17,18 @@ from pointpred.cli.live_outlets import Outlets, Wanted
 from pointpred.cli.live_person import read_person, save_person
 from pointpred.cli.live_replay import Asked, end_with, replay_of
 from pointpred.cli.playing import SPEED, TRIAL
-from pointpred.cli.reading import Cut, PauseS, Screen, Unit
+from pointpred.cli.reading import (
+    Columns,
+    Cut,
+    PauseS,
+    PxPerUnit,
+    Records,
+    Screen,
+    TimeUnit,
+    Unit,
+    YUp,
+    reading,
+)
 from pointpred.cli.screen import check_target, results
 from pointpred.errors import ParameterError
 from pointpred.events import CPI, DPI, PointerEvent
@@ -30,7 +41,19 @@ LSL = "Lab Streaming Layer (extra lsl)"
 DPI_USUAL = 96.0
 ONLY_DEVICE = {"device", "measure_cpi", "transfer", "display", "person", "lsl"}
 """Options that mean nothing where a recording is played."""
-ONLY_REPLAY = {"trial", "speed", "cut", "pause_s", "unit", "screen"}
+ONLY_REPLAY = {
+    "trial",
+    "speed",
+    "cut",
+    "pause_s",
+    "unit",
+    "screen",
+    "columns",
+    "time_unit",
+    "y_up",
+    "px_per_unit",
+    "records",
+}
 """Options that mean nothing without one."""
 
 
@@ -121,6 +144,11 @@ def live(
     pause_s: PauseS = None,
     unit: Unit = None,
     screen: Screen = None,
+    columns: Columns = None,
+    time_unit: TimeUnit = None,
+    y_up: YUp = False,
+    px_per_unit: PxPerUnit = None,
+    records: Records = None,
 ) -> None:
     """Predict where the mouse attached to this machine is heading, while it moves.
 
@@ -149,7 +177,8 @@ def live(
     own = with_coefficients([predictor], coefficients).get(predictor, {})
     if replay is not None:
         _check_replay(given, cursor)
-        asked = Asked(replay, tuple(trial or ()), speed, cut, pause_s, unit, screen, cpi, dpi)
+        told = reading(cut, pause_s, unit, screen, cpi, dpi, columns, time_unit, y_up, px_per_unit, records)
+        asked = Asked(replay, tuple(trial or ()), speed, told, cpi, dpi)
         _play(asked, wanted, own)
         return
     if alone := sorted(given & ONLY_REPLAY):

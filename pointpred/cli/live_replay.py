@@ -9,25 +9,23 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from pointpred.cli.playing import complain, one_recording, speed_of
-from pointpred.cli.reading import SAMPLE, is_sample, reading
+from pointpred.cli.reading import SAMPLE, is_sample
 from pointpred.errors import ParameterError, RecordingError
 
 if TYPE_CHECKING:
     from pointpred.cli.live_outlets import Outlets
     from pointpred.devices.played import PlayedPath, PlayedSource
     from pointpred.devices.sessions import Pair
+    from pointpred.sources import Reading
 
 
 class Asked(msgspec.Struct, frozen=True):
     """What to play, and what the recording does not say of itself."""
 
     file: Path
-    trials: tuple[str, ...] = ()
-    speed: str | None = None
-    cut: str | None = None
-    pause_s: float | None = None
-    unit: str | None = None
-    screen: str | None = None
+    trials: tuple[str, ...]
+    speed: str | None
+    reading: Reading
     cpi: float | None = None
     dpi: float | None = None
 
@@ -48,11 +46,10 @@ def replay_of(asked: Asked) -> Replay:
     from pointpred.replaying.choosing import chosen, named, unplayable
 
     speed = speed_of(asked.speed or "1")
-    options = reading(asked.cut, asked.pause_s, asked.unit, asked.screen, asked.cpi, asked.dpi)
     if not asked.file.exists() and not is_sample(asked.file):
         hint = f"'--replay {SAMPLE}' plays the embedded sample"
         raise ParameterError(f"--replay {asked.file}: no such file; {hint}")
-    recording = one_recording(asked.file, options)
+    recording = one_recording(asked.file, asked.reading)
     places = chosen(recording, asked.trials)
     skips = {k: skip for k in places if (skip := unplayable(recording, k)) is not None}
     complain((*(() if asked.trials else recording.skipped), *skips.values()))

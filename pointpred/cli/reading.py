@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import re
+import sys
 from pathlib import Path
+from shutil import copyfileobj
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from pointpred.errors import ParameterError
+from pointpred.errors import ParameterError, PointpredError
 
 if TYPE_CHECKING:
     from pointpred.cli.progress import Advance
@@ -16,7 +20,10 @@ if TYPE_CHECKING:
 
 SAMPLE = "sample"
 """In the place of a file, unless there is one of that name: the embedded sample."""
+PATTERN = re.compile(r"[*?\[]")
+STDIN, SPOOLED = "-", "stdin"
 PANEL = "For recordings in other formats"
+TABLES = "For a table of your own"
 
 Cut = Annotated[
     str | None,
@@ -40,6 +47,28 @@ Target = Annotated[
         help="Selector of the element that is the goal, as '#left' (jsPsych).", rich_help_panel=PANEL
     ),
 ]
+Columns = Annotated[
+    str | None,
+    typer.Option(
+        metavar="t=NAME,x=NAME,y=NAME",
+        help="Which column is which, by name or by place from 0; also user, trial, buttons, target_x, "
+        "target_y, target_w, dx, dy. Not given: guessed from the usual names.",
+        rich_help_panel=TABLES,
+    ),
+]
+TimeUnit = Annotated[
+    str | None,
+    typer.Option(help="Unit of the column t: s, ms, us, ns, or iso (date and time).", rich_help_panel=TABLES),
+]
+YUp = Annotated[bool, typer.Option("--y-up", help="y grows upwards.", rich_help_panel=TABLES)]
+PxPerUnit = Annotated[
+    float | None,
+    typer.Option(help="Pixels in one unit of x, y and the target (1).", rich_help_panel=TABLES),
+]
+Records = Annotated[
+    str | None,
+    typer.Option(help="Path to the rows in nested JSON, such as data.trials.", rich_help_panel=TABLES),
+]
 
 
 def there(given: Any) -> Any:
@@ -50,10 +79,45 @@ def there(given: Any) -> Any:
     return given
 
 
-def to_read(given: Any) -> Any:
-    """The same for recordings, among which ``sample`` is the embedded one."""
-    there([file for file in (given if isinstance(given, list) else [given]) if not is_sample(file)])
-    return given
+def to_read(context: typer.Context, given: Any) -> Any:
+    """The recordings given: ``sample`` is the embedded one, ``-`` stdin, a pattern all files that fit it."""
+    if given is None:
+        return None
+    named = given if isinstance(given, list) else [given]
+    files = [file for one in named for file in _matching(context, one)]
+    there([file for file in files if not is_sample(file)])
+    if isinstance(given, list):
+        return files
+    if len(files) != 1:
+        raise ParameterError(f"{given} names {len(files)} files, expected one")
+    return files[0]
+
+
+def _matching(context: typer.Context, given: Path) -> list[Path]:
+    """The files that are meant by one argument; raises ParameterError where no file matches a pattern."""
+    if str(given) == STDIN:
+        return [_spooled(context)]
+    if given.exists() or not PATTERN.search(str(given)):
+        return [given]
+    files = sorted(Path(given.anchor).glob(str(given.relative_to(given.anchor))))
+    if not files:
+        raise ParameterError(f"no file matches {given}")
+    return files
+
+
+def _spooled(context: typer.Context) -> Path:
+    """What comes by stdin as a file, which is deleted when the command ends."""
+    folder = context.with_resource(TemporaryDirectory(prefix="pointpred-"))
+    path = Path(folder, SPOOLED)
+    with path.open("wb") as file:
+        copyfileobj(sys.stdin.buffer, file)
+    return path
+
+
+def shown(file: Path) -> str:
+    """How messages name a file: what came by stdin is ``-``."""
+    spooled = file.name == SPOOLED and file.parent.name.startswith("pointpred-")
+    return STDIN if spooled else str(file)
 
 
 def is_sample(file: Path | None) -> bool:
@@ -72,32 +136,57 @@ def recordings_in(file: Path, options: Reading, progress: Advance | None = None)
         return [sample()]
     from pointpred.sources import read_any
 
-    return list(read_any(file, options, progress))
+    try:
+        return list(read_any(file, options, progress))
+    except PointpredError as error:
+        error.args = (str(error).replace(str(file), shown(file)),)
+        raise
 
 
 def reading(
-    cut: str | None,
-    pause_s: float | None,
-    unit: str | None,
-    screen: str | None,
-    cpi: float | None,
-    dpi: float | None,
+    cut: str | None = None,
+    pause_s: float | None = None,
+    unit: str | None = None,
+    screen: str | None = None,
+    cpi: float | None = None,
+    dpi: float | None = None,
+    columns: str | None = None,
+    time_unit: str | None = None,
+    y_up: bool = False,
+    px_per_unit: float | None = None,
+    records: str | None = None,
     target: str | None = None,
 ) -> Reading:
     """The options given, as the sources want them; raises ParameterError."""
     from pointpred.sources import Reading
 
-    size = None if screen is None else _size(screen)
     options: dict[str, Any] = {
         "cut": cut,
         "pause_s": pause_s,
         "unit": unit,
-        "screen": size,
+        "screen": None if screen is None else _size(screen),
         "cpi": cpi,
         "dpi": dpi,
+        "columns": None if columns is None else _columns(columns),
+        "time_unit": time_unit,
+        "y_up": y_up,
+        "px_per_unit": px_per_unit,
+        "records": records,
         "target": target,
     }
     return Reading(**{name: value for name, value in options.items() if value is not None})
+
+
+def _columns(text: str) -> dict[str, str | int]:
+    """The mapping ``t=time,x=px,y=py``; a comma that no field follows belongs to a column's name."""
+    found: dict[str, str | int] = {}
+    for part in re.split(r",(?=\s*\w+=)", text):
+        field, equals, column = part.strip().partition("=")
+        if not equals or field in found:
+            why = f"{field} is named twice" if equals else f"{part!r} has no ="
+            raise ParameterError(f"--columns must be like t=time,x=px,y=py: {why}")
+        found[field.strip()] = column.strip()
+    return found
 
 
 def _size(text: str) -> tuple[float, float]:

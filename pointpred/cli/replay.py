@@ -10,7 +10,22 @@ import typer
 
 from pointpred.cli.coefficients import named_file, with_coefficients
 from pointpred.cli.playing import SPEED, TRIAL, complain, one_recording, speed_of
-from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Target, Unit, reading, to_read
+from pointpred.cli.reading import (
+    Columns,
+    Cpi,
+    Cut,
+    Dpi,
+    PauseS,
+    PxPerUnit,
+    Records,
+    Screen,
+    Target,
+    TimeUnit,
+    Unit,
+    YUp,
+    reading,
+    to_read,
+)
 from pointpred.cli.replay_tables import described, plain, print_played
 from pointpred.cli.screen import check_target, remarks, write_json
 from pointpred.errors import ParameterError, RecordingError
@@ -72,6 +87,11 @@ def replay(
     screen: Screen = None,
     cpi: Cpi = None,
     dpi: Dpi = None,
+    columns: Columns = None,
+    time_unit: TimeUnit = None,
+    y_up: YUp = False,
+    px_per_unit: PxPerUnit = None,
+    records: Records = None,
     target: Target = None,
 ) -> None:
     """Play a recording to a service, or as the mouse of a page in a browser.
@@ -95,7 +115,9 @@ def replay(
     if own is not None:
         with_coefficients([predictor], own[1])
     check_target(json)
-    told = reading(cut, pause_s, unit, screen, cpi, dpi, target)
+    told = reading(
+        cut, pause_s, unit, screen, cpi, dpi, columns, time_unit, y_up, px_per_unit, records, target
+    )
     recording = one_recording(file, told)
     names = trial or []
     if devtools is not None:

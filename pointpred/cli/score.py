@@ -10,7 +10,24 @@ import msgspec
 import typer
 
 from pointpred.cli.coefficients import Coefficients, with_coefficients
-from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Target, Unit, reading, recordings_in, to_read
+from pointpred.cli.reading import (
+    Columns,
+    Cpi,
+    Cut,
+    Dpi,
+    PauseS,
+    PxPerUnit,
+    Records,
+    Screen,
+    Target,
+    TimeUnit,
+    Unit,
+    YUp,
+    reading,
+    recordings_in,
+    shown,
+    to_read,
+)
 from pointpred.cli.screen import check_targets, remarks, write_json
 from pointpred.errors import ParameterError, PointpredError, RecordingError
 from pointpred.extras import require
@@ -29,7 +46,8 @@ def score(
         list[Path] | None,
         typer.Argument(
             callback=to_read,
-            help="Recordings in any format pointpred reads; 'sample', or none: the embedded sample.",
+            help="Recordings in any format pointpred reads, or any table of samples; patterns as '*.csv'; "
+            "- for stdin; 'sample', or none: the embedded sample.",
         ),
     ] = None,
     predictors: Annotated[
@@ -57,6 +75,11 @@ def score(
     screen: Screen = None,
     cpi: Cpi = None,
     dpi: Dpi = None,
+    columns: Columns = None,
+    time_unit: TimeUnit = None,
+    y_up: YUp = False,
+    px_per_unit: PxPerUnit = None,
+    records: Records = None,
     target: Target = None,
 ) -> None:
     """Score predictors on recordings, compared with making no prediction.
@@ -69,13 +92,17 @@ def score(
 
       pointpred score *.sd3 --report out.html
 
+      pointpred score my.csv --columns t=time,x=px,y=py,user=sid,trial=n --time-unit ms
+
       pointpred score session.csv --json - | jq '.sets[0].predictors'
 
       pointpred score --targets --predictors minimum-jerk
     """
     names = chosen(predictors)
     check_targets({"--json": json, "--report": report}, files or ())
-    told = reading(cut, pause_s, unit, screen, cpi, dpi, target)
+    told = reading(
+        cut, pause_s, unit, screen, cpi, dpi, columns, time_unit, y_up, px_per_unit, records, target
+    )
     own = with_coefficients(names, coefficients)
     unread: Unread = {}
     if targets:
@@ -191,13 +218,14 @@ def _read(files: list[Path], told: Reading, unread: Unread | None) -> Iterator[R
             for recording in recordings_in(file, told):
                 name = _free_name(recording.name, file, taken)
                 if name != recording.name and unread is not None:
-                    said = f"{file} is called {name!r} here: {recording.name!r} is {taken[recording.name]}"
+                    first = shown(taken[recording.name])
+                    said = f"{shown(file)} is called {name!r} here: {recording.name!r} is {first}"
                     remarks().print(said, markup=False)
                 taken[name] = file
                 yield msgspec.structs.replace(recording, name=name)
         except (PointpredError, OSError) as error:
             if unread is not None:
-                _left_out(unread, str(file), error)
+                _left_out(unread, shown(file), error)
 
 
 def read_all(files: list[Path], told: Reading) -> list[Recording]:

@@ -116,10 +116,11 @@ def check_targets(targets: dict[str, Path | None], inputs: Sequence[Path]) -> No
 
 
 def _is_recording(path: Path) -> bool:
-    """Whether a file is a recording by its content."""
+    """Whether a file is a recording by its content; JSON of no format of its own is rather a result."""
     from pointpred.sources import format_of
 
     try:
-        return format_of(path) is not None
+        form = format_of(path)
+        return form is not None and (not form.tabular or form.key == "delimited")
     except RecordingError:  # empty or not to be read: no recording is lost
         return False

@@ -8,7 +8,22 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 from rich.table import Table
 
-from pointpred.cli.reading import Cpi, Cut, Dpi, PauseS, Screen, Target, Unit, reading, to_read
+from pointpred.cli.reading import (
+    Columns,
+    Cpi,
+    Cut,
+    Dpi,
+    PauseS,
+    PxPerUnit,
+    Records,
+    Screen,
+    Target,
+    TimeUnit,
+    Unit,
+    YUp,
+    reading,
+    to_read,
+)
 from pointpred.cli.score import read_all
 from pointpred.cli.screen import check_targets, counted, plain, results, write_json
 from pointpred.errors import ParameterError, RecordingError
@@ -52,6 +67,11 @@ def train(
     screen: Screen = None,
     cpi: Cpi = None,
     dpi: Dpi = None,
+    columns: Columns = None,
+    time_unit: TimeUnit = None,
+    y_up: YUp = False,
+    px_per_unit: PxPerUnit = None,
+    records: Records = None,
     target: Target = None,
 ) -> None:
     """Fit the coefficients of 'kinematic' to your own recordings, and score them beside the shipped ones.
@@ -74,7 +94,9 @@ def train(
         raise ParameterError(f"--out must name a file that ends in .npz, received {out}")
     kinematic_coefficients.check_writable(out)
     require("train", "training")  # before minutes of reading
-    told = reading(cut, pause_s, unit, screen, cpi, dpi, target)
+    told = reading(
+        cut, pause_s, unit, screen, cpi, dpi, columns, time_unit, y_up, px_per_unit, records, target
+    )
     from pointpred.cli.progress import following
     from pointpred.training.own import train_own
 

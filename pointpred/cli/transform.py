@@ -8,14 +8,18 @@ from typing import Annotated
 import typer
 
 from pointpred.cli.reading import (
+    Columns,
     Cpi,
     Cut,
     Dpi,
     PauseS,
+    PxPerUnit,
+    Records,
     Screen,
     Target,
+    TimeUnit,
     Unit,
-    is_sample,
+    YUp,
     reading,
     recordings_in,
     to_read,
@@ -72,13 +76,18 @@ def convert(
     screen: Screen = None,
     cpi: Cpi = None,
     dpi: Dpi = None,
+    columns: Columns = None,
+    time_unit: TimeUnit = None,
+    y_up: YUp = False,
+    px_per_unit: PxPerUnit = None,
+    records: Records = None,
     target: Target = None,
 ) -> None:
     """Convert a recording to pointpred's own format, and list what was skipped and why.
 
     Knows GoFitts, Balabit and SapiMouse, jsPsych, OpenSesame mousetrap, PsychoPy, evemu, evtest, libinput
-    record, hid-recorder, the Pointing Dynamics Dataset, and its own Parquet and CSV. The format is recognised
-    by the file's content.
+    record, hid-recorder, the Pointing Dynamics Dataset, its own Parquet and CSV, and any table of samples.
+    The format is recognised by the file's content.
 
     Try:
 
@@ -86,17 +95,17 @@ def convert(
 
       pointpred convert mouse.evemu --cut bursts --cpi 1600 --out mouse_samples.parquet
 
+      pointpred convert my.csv --columns t=time,x=px,y=py --time-unit ms --out my_samples.csv
+
       pointpred convert psychopy_data.csv --unit height --screen 1920x1080 --out psychopy_samples.csv
     """
     _check(out, force or source.is_dir())
-    from pointpred.sources import convert as run
     from pointpred.sources import write_found
 
-    options = reading(cut, pause_s, unit, screen, cpi, dpi, target)
-    if is_sample(source):
-        told = write_found(recordings_in(source, options), out, replace=force)
-    else:
-        told = run(source, out, options, replace=force)
+    options = reading(
+        cut, pause_s, unit, screen, cpi, dpi, columns, time_unit, y_up, px_per_unit, records, target
+    )
+    told = write_found(recordings_in(source, options), out, replace=force)
     for file in told.files:
         typer.echo(file)
     screen_out = remarks()

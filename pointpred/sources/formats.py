@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from os.path import commonpath
 from pathlib import Path
 
@@ -37,7 +37,7 @@ from pointpred.sources.decoding import encoding_of, head_of
 from pointpred.sources.folders import listed
 from pointpred.sources.joining import join
 from pointpred.sources.naming import described_readably, file_names
-from pointpred.sources.reading import AS_IS, Reading
+from pointpred.sources.reading import AS_IS, Reading, TimeUnit
 from pointpred.sources.writing import together
 
 Progress = Callable[[str, int, int], None]
@@ -102,7 +102,12 @@ FORMATS: tuple[Format, ...] = (
         lambda path, reading: recordings.read(path, reading=reading),
         streams=True,
     ),
-    Format("own", "pointpred Parquet or CSV", _is_own, lambda path, _: recordings.read(path)),
+    Format(
+        "own",
+        "pointpred Parquet or CSV",
+        _is_own,
+        lambda path, reading: recordings.read(path, reading=reading),
+    ),
     Format("gofitts", gofitts.TITLE, gofitts.recognises, gofitts.read),
     Format("balabit", balabit.TITLE, balabit.recognises, balabit.read, streams=True),
     Format(
@@ -156,7 +161,17 @@ def format_of(path: Path, reading: Reading = AS_IS) -> Format | None:
     )
 
 
-def read_any(path: str | Path, reading: Reading = AS_IS, progress: Progress | None = None) -> list[Recording]:
+def read_any(
+    path: str | Path,
+    reading: Reading = AS_IS,
+    progress: Progress | None = None,
+    *,
+    columns: Mapping[str, str | int] | None = None,
+    time_unit: TimeUnit | None = None,
+    y_up: bool | None = None,
+    px_per_unit: float | None = None,
+    records: str | None = None,
+) -> list[Recording]:
     """Read a recording of any known format, or every recording in a folder and the folders below it.
 
     A file's format is told by its content. In a folder each own recording stays one; files of one foreign
@@ -164,9 +179,21 @@ def read_any(path: str | Path, reading: Reading = AS_IS, progress: Progress | No
     format is named in a note, one that cannot be read is a skip named after it; only when nothing can be read
     an error is raised. ``progress`` is told before each file of a folder: its path, how many are done, of
     how many.
-    Returns at least one recording; raises RecordingError naming the formats that were tried.
+    The keywords say of any table what ``Reading`` describes, in the place of the fields of ``reading``.
+    Returns at least one recording; raises RecordingError naming the formats that were tried, ColumnsError
+    for a table whose columns are not certain, and ParameterError for a keyword out of its bounds.
     """
     path = Path(path)
+    told = {
+        "columns": None if columns is None else dict(columns),
+        "time_unit": time_unit,
+        "y_up": y_up,
+        "px_per_unit": px_per_unit,
+        "records": records,
+    }
+    reading = msgspec.structs.replace(
+        reading, **{name: value for name, value in told.items() if value is not None}
+    )
     found = _folder(path, reading, progress) if path.is_dir() else [_file(path, reading)]
     return [described_readably(recording) for recording in found]
 
@@ -225,14 +252,14 @@ def _read(form: Format, path: Path, reading: Reading) -> Recording:
     notes = []
     if reading.cut is not None and not form.streams:
         notes.append(f"cut {reading.cut!r} has no effect: {form.title} has trials of its own")
-    told = () if form.tabular else _of_tables(reading)
+    told = [] if form.tabular else _of_tables(reading, form)
     notes += [f"{name} has no effect: {form.title} says it itself" for name in told if name not in form.takes]
     return msgspec.structs.replace(recording, notes=(*recording.notes, *notes)) if notes else recording
 
 
-def _of_tables(reading: Reading) -> list[str]:
-    """What ``reading`` says that only tables take."""
-    names = ("columns", "time_unit", "y_up", "px_per_unit", "records")
+def _of_tables(reading: Reading, form: Format) -> list[str]:
+    """What ``reading`` says that only tables take; of our own ones, the unit of time."""
+    names = ("columns", "y_up", "px_per_unit", "records", *(("time_unit",) if form.key != "own" else ()))
     return [name for name in names if getattr(reading, name) not in (None, False)]
 
 

@@ -11,9 +11,10 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.compute as pc
 
+from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.recording import Provenance, Recording, Skip
-from pointpred.sources import appended, tables
+from pointpred.sources import appended, tables, time_units
 from pointpred.sources.assembly import IntArray, assemble
 from pointpred.sources.decoding import head_of, stem_of
 from pointpred.sources.reading import AS_IS, Reading, row_name
@@ -36,10 +37,12 @@ def read(path: str | Path, trials: str | Path | None = None, reading: Reading = 
 
     Assumes the columns ``user, trial, t_s, x_px, y_px`` and takes ``dataset, dx_counts, dy_counts, buttons``
     where they are; any other column is an error (``t_raw_s`` is known and left aside, with a note). The rows
-    of a trial must be in the order of time. The trials file is ``trials`` or the sibling ``<set>_trials``;
-    without one every target is unknown. Its columns beyond the target and ``clean`` become conditions;
-    ``n_samples`` is compared with the samples. Only a stream of the service's recorder is cut into trials, as
-    ``reading`` says. A trial that cannot be used is in ``Recording.skipped`` with the reason and the row.
+    of a trial must be in the order of time. ``reading.time_unit`` names another unit of ``t_s`` where the
+    file was not written by pointpred; time then starts at 0 in each trial. The trials file is ``trials`` or
+    the sibling ``<set>_trials``; without one every target is unknown. Its columns beyond the target and
+    ``clean`` become conditions; ``n_samples`` is compared with the samples. Only a stream of the service's
+    recorder is cut into trials, as ``reading`` says. A trial that cannot be used is in ``Recording.skipped``
+    with the reason and the row.
     Memory: about 200 bytes a row while reading, 48 afterwards.
     Returns the recording; raises RecordingError naming the file, the row and what was expected.
     """
@@ -47,7 +50,8 @@ def read(path: str | Path, trials: str | Path | None = None, reading: Reading = 
     beside = trials_beside(path) if trials is None else Path(trials)
     if is_appended(path):
         return appended.read(path, beside, reading)
-    table, header = tables.read_table(path, lambda column: column in ("dataset", "user", "trial"))
+    words = ("dataset", "user", "trial", *(() if reading.time_unit is None else ("t_s",)))
+    table, header = tables.read_table(path, lambda column: column in words)
     names = table.column_names
     if "n_samples" in names and "t_s" not in names:
         raise RecordingError(f"{path}: this is a table of trials, expected the {SAMPLES} file beside it")
@@ -63,8 +67,12 @@ def read(path: str | Path, trials: str | Path | None = None, reading: Reading = 
             events[:, index], wrong = tables.numbers(table[column])
             faults |= {row: f"{column} is {cell!r}, expected a number" for row, cell in wrong.items()}
     group, keys = _keys(path, table)
+    if reading.time_unit is not None and header.provenance is None:
+        events[:, 0] = _seconds(table["t_s"], reading.time_unit, group)
     del table
     notes = ["column t_raw_s is left aside"] if "t_raw_s" in names else []
+    if reading.time_unit is not None and header.provenance is not None:
+        notes.append("time_unit has no effect: the file says itself that t_s is in seconds")
     notes += [] if len(group) or header.rows == 0 else ["no rows below the header"]
     described = describe(beside, name, keys, np.bincount(group))
     if not tables.is_whole(path):
@@ -81,7 +89,7 @@ def read(path: str | Path, trials: str | Path | None = None, reading: Reading = 
         provenance=header.provenance or Provenance("parquet" if path.suffix == ".parquet" else "csv"),
         notes=(*header.notes, *notes, *described.notes),
     )
-    slow = [] if header.provenance else _too_slow(recording)
+    slow = [] if header.provenance or reading.time_unit else _too_slow(recording)
     return msgspec.structs.replace(recording, notes=(*recording.notes, *slow))
 
 
@@ -119,6 +127,14 @@ def write_parts(recording: Recording, path: str | Path, part: Callable[[Path], P
     tables.write_table(path, part(path), pa.table(columns), header)
     tables.write_table(beside, part(beside), about, {key: header[key] for key in ("name", "text")})
     return path, beside
+
+
+def _seconds(column: Any, unit: str, group: IntArray) -> FloatArray:
+    """The times of a column in its unit as seconds from the first row of each trial."""
+    clock, _ = time_units.clock(column, unit == "iso")
+    first = np.full(int(group.max(initial=-1)) + 1, np.nan)
+    first[group[::-1]] = clock[::-1]
+    return (clock - first[group]) / time_units.PER_SECOND[unit]
 
 
 def _too_slow(recording: Recording) -> list[str]:
