@@ -29,7 +29,7 @@ class ColumnsError(RecordingError):
     """No mapping of a table's columns is possible, or more than one.
 
     ``columns``: the names found; ``guess``: our field -> the column it may be; ``time_unit``: the unit of
-    time as far as it is known, ``None`` where it has to be named.
+    time as far as it is known, ``None`` where it has to be named; ``reason`` in a few words.
     """
 
     def __init__(
@@ -38,11 +38,13 @@ class ColumnsError(RecordingError):
         columns: Sequence[str] = (),
         guess: Mapping[str, str] | None = None,
         time_unit: str | None = None,
+        reason: str = "",
     ) -> None:
         super().__init__(message)
         self.columns = tuple(columns)
         self.guess = dict(guess or {})
         self.time_unit = time_unit
+        self.reason = reason
 
 
 class InfeasibleError(PointpredError, ArithmeticError):

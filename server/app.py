@@ -23,6 +23,7 @@ from pointpred.server.compiling.parts import TRIALS
 from pointpred.server.described import (
     METRICS,
     NOT_READY,
+    UNCERTAIN,
     UPLOAD,
     Compiled,
     Health,
@@ -77,14 +78,15 @@ def create_app(hosts: HostRule | None = None, service: Service | None = None) ->
     _add_read(app, "/v1/compiling", _compiling, responses=GUARDED, response_model=Compiled)
     _add_read(app, "/v1/samples", _samples, responses=GUARDED)
     _add_read(app, "/v1/samples/{name}", _sample, responses=refusals(401, 403, 404, 422))
-    app.add_api_route(
-        "/v1/score",
-        _score,
-        methods=["POST"],
-        summary=_summary(_score),
-        responses=refusals(400, 401, 403, 408, 413, 422, 503),
-        openapi_extra=UPLOAD,
-    )
+    for path, call in (("/v1/score", _score), ("/v1/recording", _recording)):
+        app.add_api_route(
+            path,
+            call,
+            methods=["POST"],
+            summary=_summary(call),
+            responses=refusals(400, 401, 403, 408, 413, 422, 503) | UNCERTAIN,
+            openapi_extra=UPLOAD,
+        )
     stream = StreamEndpoint(serving)
     app.router.routes.append(WebSocketRoute("/v1/stream", stream))
     app.router.routes.append(Route("/v1/stream", stream, include_in_schema=False))  # says what it speaks
@@ -191,7 +193,7 @@ def _live(request: Request) -> Response:
 
 
 async def _score(request: Request, predictors: str = "") -> Response:
-    """The scores of a recording: the body is a CSV or Parquet file of samples; nothing is kept."""
+    """The scores of a recording: the body is a file of text or Parquet; nothing is kept."""
     from pointpred.server.uploads.scoring import score_body
 
     service: Service = request.app.state.service
@@ -199,7 +201,16 @@ async def _score(request: Request, predictors: str = "") -> Response:
     async with received(request, service) as body:
         await service.compiling.until([*(names or REGISTRY), TRIALS])
         async with service.scoring:  # one at a time: sessions go first
-            return answer(await asyncio.to_thread(score_body, body, names))
+            return answer(await asyncio.to_thread(score_body, body, names, request.query_params))
+
+
+async def _recording(request: Request) -> Response:
+    """The movements of a recording in any format of text, or Parquet, as rows; nothing is kept."""
+    from pointpred.server.uploads.opening import open_body
+
+    service: Service = request.app.state.service
+    async with received(request, service) as body, service.scoring:  # one at a time: sessions go first
+        return answer(await asyncio.to_thread(open_body, body, request.query_params))
 
 
 def _names(text: str) -> tuple[str, ...]:

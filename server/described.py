@@ -19,6 +19,17 @@ class Error(BaseModel):
     recoverable: bool
 
 
+class TableError(Error):
+    """A table whose columns are not certain: its columns, and what may be meant."""
+
+    columns: list[str] | None = Field(None, description="The columns found; with the code columns alone.")
+    guess: dict[str, str] | None = Field(
+        None, description="A field, such as t, and the column that may be it."
+    )
+    time_unit: str | None = Field(None, description="The unit of time as far as it is known.")
+    reason: str | None = Field(None, description="What is not certain, in a few words.")
+
+
 class Readiness(BaseModel):
     """Whether sessions are served at once."""
 
@@ -74,6 +85,27 @@ def refusals(*statuses: int) -> Told:
     return {status: {"model": Error, "description": _WORDS[status]} for status in (*statuses, 500)}
 
 
+TABLE_PARAMETERS: list[dict[str, Any]] = [
+    {"name": name, "in": "query", "required": False, "schema": {"type": kind}, "description": words}
+    for name, kind, words in (
+        (
+            "columns",
+            "string",
+            "Which column is which, as t=NAME,x=NAME,y=NAME,user=NAME,trial=NAME.",
+        ),
+        ("time_unit", "string", "Unit of t: s, ms, us, ns, or iso."),
+        ("y_up", "boolean", "y grows upwards."),
+        ("px_per_unit", "number", "Pixels in one unit of x, y and the target."),
+        ("records", "string", "Path to the rows in nested JSON."),
+        ("cut", "string", "How a stream is cut: clicks, bursts or whole."),
+    )
+]
+"""What can be said of any table that is uploaded."""
+
+
+UNCERTAIN: Told = {422: {"model": TableError, "description": _WORDS[422]}}
+
+
 def holds(kind: str) -> Told:
     """An answer that is no JSON."""
     return {200: {"description": "As text.", "content": {kind: {"schema": {"type": "string"}}}}}
@@ -82,12 +114,13 @@ def holds(kind: str) -> Told:
 NOT_READY: Told = {503: {"model": Readiness, "description": "Not yet, or no more."}}
 PARQUET = "application/vnd.apache.parquet"
 UPLOAD: dict[str, Any] = {
+    "parameters": TABLE_PARAMETERS,
     "requestBody": {
         "required": True,
-        "description": "A samples file of pointpred, told by its first bytes, whatever the header says.",
+        "description": "A recording in any format of text, or Parquet, told by its content.",
         "content": {
             "text/csv": {"schema": {"type": "string"}},
             PARQUET: {"schema": {"type": "string", "format": "binary"}},
         },
-    }
+    },
 }

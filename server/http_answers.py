@@ -8,6 +8,7 @@ import msgspec
 from fastapi import Request, Response
 from starlette.exceptions import HTTPException
 
+from pointpred.errors import ColumnsError
 from pointpred.server.endpoint import SHOW_TOKEN, shows_token
 from pointpred.server.hosts import admits_origin, header
 from pointpred.server.origins import advice
@@ -38,10 +39,10 @@ def answer(value: Any, status: int = 200) -> Response:
     return Response(msgspec.json.encode(value), status, media_type="application/json")
 
 
-def error_answer(code: str, message: str, status: int) -> Response:
-    """An error in the one shape that errors have."""
+def error_answer(code: str, message: str, status: int, **known: Any) -> Response:
+    """An error in the one shape that errors have, with what else is ``known`` of it."""
     error = {"type": "error", "code": code, "message": message, "path": None, "recoverable": True}
-    return answer(error, status)
+    return answer(error | known, status)
 
 
 async def harden(request: Request, forward: Any) -> Response:
@@ -74,6 +75,10 @@ async def fail(request: Request, error: Exception) -> Response:
 
 async def refuse(request: Request, error: Exception) -> Response:
     """What was asked for cannot be used, or is not there."""
+    if isinstance(error, ColumnsError):
+        names = ("columns", "guess", "time_unit", "reason")
+        known = {name: getattr(error, name) for name in names}
+        return error_answer("columns", str(error), 422, **known)
     unknown = "unknown predictor" in str(error)
     found = request.url.path.startswith("/v1/samples/")
     return error_answer("unknown_predictor" if unknown else "bad_field", str(error), 404 if found else 422)

@@ -159,6 +159,7 @@ def reading(
 ) -> Reading:
     """The options given, as the sources want them; raises ParameterError."""
     from pointpred.sources import Reading
+    from pointpred.sources.reading import columns_of
 
     options: dict[str, Any] = {
         "cut": cut,
@@ -167,7 +168,7 @@ def reading(
         "screen": None if screen is None else _size(screen),
         "cpi": cpi,
         "dpi": dpi,
-        "columns": None if columns is None else _columns(columns),
+        "columns": None if columns is None else columns_of(columns),
         "time_unit": time_unit,
         "y_up": y_up,
         "px_per_unit": px_per_unit,
@@ -175,18 +176,6 @@ def reading(
         "target": target,
     }
     return Reading(**{name: value for name, value in options.items() if value is not None})
-
-
-def _columns(text: str) -> dict[str, str | int]:
-    """The mapping ``t=time,x=px,y=py``; a comma that no field follows belongs to a column's name."""
-    found: dict[str, str | int] = {}
-    for part in re.split(r",(?=\s*\w+=)", text):
-        field, equals, column = part.strip().partition("=")
-        if not equals or field in found:
-            why = f"{field} is named twice" if equals else f"{part!r} has no ="
-            raise ParameterError(f"--columns must be like t=time,x=px,y=py: {why}")
-        found[field.strip()] = column.strip()
-    return found
 
 
 def _size(text: str) -> tuple[float, float]:

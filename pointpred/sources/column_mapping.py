@@ -28,7 +28,8 @@ def mapping(
     twice = {name for name in told.values() if list(told.values()).count(name) > 1}
     if twice:
         name = min(twice)
-        raise ColumnsError(f"{path}: --columns names the column {name!r} twice; name a column once", names)
+        said = f"the column {name!r} is named twice"
+        raise ColumnsError(f"{path}: {said}; name a column once", names, told, reason=said)
     usual = guess([name for name in names if name not in told.values()])
     found = usual.columns | told
     choices = {field: some for field, some in usual.choices.items() if field not in told}
@@ -57,8 +58,8 @@ def unit_refusal(
     why = f"may be {' or '.join(units)}" if units else "is not known"
     told = columns if reading.columns else {}
     command = command_for(path, told, units[0] if units else "ms")
-    said = f"the unit of time (column {columns['t']!r}) {why}; say it: {command}"
-    return ColumnsError(f"{path}: {said}", names, columns)
+    said = f"the unit of time (column {columns['t']!r}) {why}"
+    return ColumnsError(f"{path}: {said}; say it: {command}", names, columns, reason=said)
 
 
 def command_for(path: Path, columns: Mapping[str, str], time_unit: str | None = None) -> str:
@@ -87,7 +88,8 @@ def _named(path: Path, names: Sequence[str], field: str, column: str | int) -> s
     close = difflib.get_close_matches(wanted.lower(), [name.lower() for name in names], 1)
     nearest = [name for name in names if close and name.lower() == close[0]]
     hint = f"; did you mean {field}={nearest[0]}?" if nearest else ""
-    raise ColumnsError(f"{path}: no column {wanted!r} for {field}; it {_has(names)}{hint}", names)
+    said = f"no column {wanted!r} for {field}"
+    raise ColumnsError(f"{path}: {said}; it {_has(names)}{hint}", names, reason=said)
 
 
 def _refusal(
@@ -101,7 +103,7 @@ def _refusal(
     unit = reading.time_unit or unit_in(likely.get("t", ""))
     shown = unit if reading.time_unit or unit or "t" in missing else "ms"
     command = command_for(path, likely | missing, shown)
-    return ColumnsError(f"{path}: {why}; it {_has(names)}; try: {command}", names, likely, unit)
+    return ColumnsError(f"{path}: {why}; it {_has(names)}; try: {command}", names, likely, unit, why)
 
 
 def _has(names: Sequence[str]) -> str:

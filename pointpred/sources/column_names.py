@@ -34,6 +34,7 @@ XS = _words(
     "pagex screenx px xcoord coordx xcoordinate coordinatex xs xarray arrayx xlist listx",
     "xtrajectory trajectoryx xvalues xvals",
 )
+CLOCKS = ("t", "ts", "clock")
 USUAL = {
     "user": "user users userid participant participantid participantnr subject subjectid subjectnr "
     "subjectnumber subj subjid sid pid ppid",
@@ -125,17 +126,18 @@ def near(names: Sequence[str]) -> dict[str, str]:
     >>> near(["gaze_time_at", "gaze_x_raw", "gaze_y_raw"])
     {'t': 'gaze_time_at', 'x': 'gaze_x_raw', 'y': 'gaze_y_raw'}
     """
-    tests = {
-        "t": lambda words: any(word in ("t", "ts") or "time" in word or "stamp" in word for word in words),
-        "x": lambda words: "x" in words,
-        "y": lambda words: "y" in words,
+    words = {name: words_of(name) for name in names if "target" not in name.lower()}
+    times = [
+        name
+        for name, some in words.items()
+        if any(word in CLOCKS or "time" in word or "stamp" in word for word in some)
+    ]
+    fits = {
+        "t": times,
+        "x": [name for name, some in words.items() if "x" in some],
+        "y": [name for name, some in words.items() if "y" in some],
     }
-    found = {}
-    for field, fits in tests.items():
-        some = [name for name in names if fits(words_of(name)) and "target" not in name.lower()]
-        if some:
-            found[field] = some[0]
-    return found
+    return {field: some[0] for field, some in fits.items() if some}
 
 
 def _plain(name: str, units: frozenset[str]) -> str:

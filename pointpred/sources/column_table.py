@@ -21,10 +21,9 @@ from pointpred.sources.column_names import unit_in
 from pointpred.sources.list_rows import holds_lists, recording_of_lists, steps_of
 from pointpred.sources.reading import NEEDED, Reading
 from pointpred.sources.table_buttons import buttons_of
-from pointpred.sources.table_trials import Rows, recording_of_rows
+from pointpred.sources.table_trials import TARGET, Rows, recording_of_rows
 from pointpred.sources.trial_keys import codes_of
 
-TARGET = ("target_x", "target_y", "target_w")
 MOSTLY = 0.5
 """A column of numbers in which a larger share of cells is none is the wrong column."""
 
@@ -118,7 +117,8 @@ def _of_lists(
     lacking = [field for field in NEEDED if not holds_lists(column(found[field]))]
     if lacking:
         some = ", ".join(found[field] for field in lacking)
-        raise ColumnsError(f"{path}: t, x and y must be lists alike; {some} holds none", names, found)
+        said = f"t, x and y must be lists alike; {some} holds none"
+        raise ColumnsError(f"{path}: {said}", names, found, reason=said)
     unit, how = _unit(path, names, found, steps_of(column(found["t"])), reading)
     gains = _gains(reading)
     return recording_of_lists(
@@ -195,11 +195,12 @@ def _check_numbers(
         return
     row = int(np.flatnonzero(~np.isfinite(values))[0])
     cell = tables.short(str(column[row].as_py()))
+    said = f"{bad} of {len(values)} cells of the column {found[field]!r} ({field}) are no number"
     raise ColumnsError(
-        f"{path}: {bad} of {len(values)} cells of the column {found[field]!r} ({field}) are no number, "
-        f"such as {cell!r} in data row {row}: is it another column, or another unit of time?",
+        f"{path}: {said}, such as {cell!r} in data row {row}: is it another column, or another unit of time?",
         names,
         found,
+        reason=said,
     )
 
 

@@ -116,6 +116,7 @@ def _by(separator: str, numbered: Sequence[tuple[int, str]], comments: Sequence[
     start = next((at for at, row in enumerate(rows[:PREAMBLE]) if len(row) == width), None)
     if start is None:
         return None
+    names: tuple[str, ...] | None
     if start and len(rows[start - 1]) == width - 1 and not any(map(is_number, rows[start - 1])):
         names, body = _short_names(rows[start - 1], rows[start]), start
         above = start - 1

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pyarrow as pa
 
-from pointpred.recording import Provenance, Recording, Skip, Trial
+from pointpred.recording import UNKNOWN, Provenance, Recording, Skip, Trial
 from pointpred.sources import tables
 from pointpred.sources.decoding import stem_of
 from pointpred.sources.lists import WRAPPED, Lists
@@ -64,6 +64,8 @@ def recording_of_lists(
     A row without a list is counted in a note, one whose lists differ in length is a skip.
     """
     cells = {field: columns(name).to_pylist() for field, name in found.items()}
+    for field in TARGET:
+        cells.setdefault(field, [UNKNOWN] * len(cells["t"]))
     known = {name: columns(name).to_pylist() for name in others if not holds_lists(columns(name))}
     lists = Lists(path)
     lists.skipped += skipped
@@ -87,11 +89,10 @@ def recording_of_lists(
             Trial(
                 users[row],
                 name,
-                **{
-                    field: _number(cells[field][row]) * _scale(field, gain)
+                *(
+                    _number(cells[field][row]) * _scale(field, gain) if field in cells else UNKNOWN
                     for field in TARGET
-                    if field in cells
-                },
+                ),
                 condition=_condition({column: values[row] for column, values in known.items()}),
             ),
             row,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Literal, get_args
 
@@ -88,6 +89,24 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
             if not good:
                 raise ParameterError(f"{name} must be {bound}, received {value!r}")
         _check_columns(self.columns or {})
+
+
+def columns_of(text: str) -> dict[str, str | int]:
+    """The mapping that is written as ``t=time,x=px,y=py``; raises ParameterError.
+
+    A comma that no field follows belongs to the name of a column.
+
+    >>> columns_of("t=time, ms,x=0")
+    {'t': 'time, ms', 'x': '0'}
+    """
+    found: dict[str, str | int] = {}
+    for part in re.split(r",(?=\s*\w+=)", text):
+        field, equals, column = part.strip().partition("=")
+        if not equals or field in found:
+            why = f"{field} is named twice" if equals else f"{part!r} has no ="
+            raise ParameterError(f"columns must be like t=time,x=px,y=py: {why}")
+        found[field.strip()] = column.strip()
+    return found
 
 
 def _check_columns(columns: dict[str, str | int]) -> None:

@@ -134,7 +134,8 @@ def _seconds(column: Any, unit: str, group: IntArray) -> FloatArray:
     clock, _ = time_units.clock(column, unit == "iso")
     first = np.full(int(group.max(initial=-1)) + 1, np.nan)
     first[group[::-1]] = clock[::-1]
-    return (clock - first[group]) / time_units.PER_SECOND[unit]
+    seconds: FloatArray = (clock - first[group]) / time_units.PER_SECOND[unit]
+    return seconds
 
 
 def _too_slow(recording: Recording) -> list[str]:

@@ -19,6 +19,7 @@ from pointpred.sources.segmentation import cut
 from pointpred.sources.table_conditions import conditions_of, one_value
 from pointpred.sources.trial_keys import codes_of, keys_of
 
+TARGET = ("target_x", "target_y", "target_w")
 EVENT = ("t", "x", "y", "dx", "dy", "buttons")
 LONG_S, GAP_S = 10.0, 1.0
 """A stream that lasts longer, or has a longer step, is cut at pauses; a shorter one is one trial."""
@@ -86,16 +87,15 @@ def recording_of_rows(
     first[group[::-1]] = table[::-1, 0]
     table[:, 0] = (table[:, 0] - first[group]) / rows.per_second
     sizes = len(groups.keys)
-    targets = {
-        field: one_value(rows.values[field][kept], group, sizes)
-        for field in ("target_x", "target_y", "target_w")
-        if field in rows.values
-    }
+    targets = [
+        one_value(rows.values[field][kept], group, sizes) if field in rows.values else np.full(sizes, np.nan)
+        for field in TARGET
+    ]
     known, varying = conditions_of({name: (column, kept) for name, column in others.items()}, group, sizes)
     trials = [
         Trial(
             *key,
-            **{field: float(values[index]) for field, values in targets.items()},
+            *(float(values[index]) for values in targets),
             condition=known[index] | groups.conditions[index],
         )
         for index, key in enumerate(groups.keys)
@@ -113,7 +113,7 @@ def recording_of_rows(
             int(at): rows.faults[int(row)]
             for at, row in zip(np.searchsorted(kept, faulty), faulty, strict=True)
         },
-        unfit=_bad_widths(targets.get("target_w")),
+        unfit=_bad_widths(targets[-1]),
         provenance=provenance,
         row_of=rows.row_of[kept],
         notes=(*notes, *groups.notes, *left),
@@ -212,10 +212,8 @@ def _said(one: bool, user: str, methods: dict[str, int], reading: Reading, trial
     return [*notes, f"no column for trials: {how}" + ("" if trials == 1 else f"; {trials} trials")]
 
 
-def _bad_widths(widths: FloatArray | None) -> dict[int, str]:
+def _bad_widths(widths: FloatArray) -> dict[int, str]:
     """The trials whose target has an impossible width."""
-    if widths is None:
-        return {}
     return {
         int(index): f"target_w is {widths[index]}, expected above 0 px"
         for index in np.flatnonzero(widths <= 0)

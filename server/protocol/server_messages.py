@@ -28,6 +28,7 @@ Code = Literal[
     "unauthorized",
     "stopping",
     "internal",
+    "columns",
 ]
 
 

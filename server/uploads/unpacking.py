@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import gzip
-from io import BytesIO
+import io
 from typing import Any
 
 from pointpred.errors import RecordingError
 from pointpred.server.uploads.uploads import UploadError
-from pointpred.sources.decoding import DAMAGED, GZIP
+from pointpred.sources.decoding import DAMAGED, GZIP, HEAD_BYTES, UTF_16
 
 PARQUET = b"PAR1"
 MOST_ROWS = 500_000
@@ -21,24 +21,30 @@ MOST_UNPACKED = 2**27
 def check_unpacked(body: bytes) -> None:
     """Raise UploadError where the rows of a file, or what it holds, take more than is allowed.
 
-    Raises RecordingError for a Parquet file that is damaged or holds what no recording holds. A file that
-    lies about the size of its pages is not found out.
+    Raises RecordingError for a Parquet file that is damaged or holds what no recording holds, and for any
+    other file that is no text. A Parquet file that lies about the size of its pages is not found out.
     """
     if body.startswith(PARQUET):
         _check_parquet(body)
-    else:
-        text = _unpacked(body) if body.startswith(GZIP) else body
-        check_most("rows", max(text.count(b"\n"), text.count(b"\r")), MOST_ROWS + 1)
+        return
+    if body.startswith(GZIP):
+        body = _unpacked(body)
+    if not body.startswith(UTF_16) and b"\0" in body[:HEAD_BYTES]:
+        raise RecordingError(
+            "the recording is neither text nor Parquet; 'pointpred convert' reads other files"
+        )
+    check_most("rows", max(body.count(b"\n"), body.count(b"\r")), MOST_ROWS + 1)
 
 
 def _unpacked(body: bytes) -> bytes:
+    """What gzip has packed, read no further than is allowed."""
     try:
-        with gzip.GzipFile(fileobj=BytesIO(body)) as file:
-            text = file.read(MOST_UNPACKED + 1)
+        with gzip.GzipFile(fileobj=io.BytesIO(body)) as file:
+            unpacked = file.read(MOST_UNPACKED + 1)
     except DAMAGED as error:
         raise RecordingError(f"the recording: damaged gzip file: {error}") from None
-    check_most("bytes", len(text), MOST_UNPACKED)
-    return text
+    check_most("bytes", len(unpacked), MOST_UNPACKED)
+    return unpacked
 
 
 def _check_parquet(body: bytes) -> None:

@@ -4,7 +4,6 @@ import { count } from "./elements.js";
 
 const MARK = "# pointpred:";
 const NEEDED = ["user", "trial", "t_s", "x_px", "y_px"];
-const PARQUET = "PAR1";
 const MOST_BYTES = 64 * 1024 * 1024;
 
 /** The cells of a line; words may stand in quotes, with quotes doubled inside. */
@@ -103,7 +102,6 @@ async function table(file) {
   const text = await file.text().catch(() => {
     throw new Error(`${file.name} cannot be read: is it a folder?`);
   });
-  if (text.startsWith(PARQUET)) throw new Error(`${file.name} is Parquet; pointpred convert turns it into CSV`);
   return { file, text, ...within(file, () => parse(text)) };
 }
 
@@ -117,6 +115,13 @@ function sorted(tables) {
   if (samples.length === 0) throw new Error(`${names(tables)} is no table of samples: its trials alone show nothing`);
   for (const many of [samples, described]) if (many.length > 1) throw new Error(`one recording at a time: ${names(many)} are several`);
   return [samples[0], described[0]];
+}
+
+/** Whether the page reads a file itself: it names a column of ours, or says so in its first line. @param {File} file */
+export async function isOwn(file) {
+  const head = await file.slice(0, 4096).text().catch(() => "");
+  const names = cells(head.replace(/^\uFEFF/, "").split(/\r?\n/, 1)[0]).map((name) => name.trim());
+  return head.startsWith(MARK) || NEEDED.every((name) => names.includes(name)) || ["user", "trial", "target_x"].every((name) => names.includes(name));
 }
 
 /**

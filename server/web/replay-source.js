@@ -1,12 +1,12 @@
 // Where replayed movements come from: the embedded sample, or a recording that was opened.
 
 import { count } from "./elements.js";
-import { readFiles } from "./replay-file.js";
+import { isOwn, readFiles } from "./replay-file.js";
 import { predictionsAlong } from "./replay-stream.js";
-import { read } from "./service.js";
+import { read, recording } from "./service.js";
 
 /**
- * @typedef {{title: string, said: string, csv: string|null,
+ * @typedef {{title: string, said: string, csv: string|Blob|null, told?: object,
  *   movement: (at: number, predictors: string[]) => Promise<object>, names: string[]}} Source
  */
 
@@ -33,13 +33,19 @@ export async function embedded() {
   };
 }
 
-/** A recording opened in this page; each movement's events go to the service when it is shown. @returns {Promise<Source>} */
-export async function opened(files) {
-  const { name, csv, left, reason, movements, simulated, ...resolution } = await readFiles(files);
+/**
+ * A recording opened in this page; each movement's events go to the service when it is shown. Files that are not pointpred's own
+ * CSV are read by the service.
+ * @param {File[]} files @param {object} told what is said of the columns @returns {Promise<Source>}
+ */
+export async function opened(files, told = {}) {
+  const foreign = files.length === 1 && !(await isOwn(files[0]));
+  const { name, csv, left, reason, movements, simulated, notes = [], ...resolution } = await (foreign ? served(files[0], told) : readFiles(files));
   return {
     title: name,
-    said: `${name}: ${count(movements.length, "movement")}${left ? `, ${left} more cannot be shown (${reason})` : ""}. It is sent to this service only.`,
+    said: [`${name}: ${count(movements.length, "movement")}${left ? `, ${left} more cannot be shown (${reason})` : ""}. It is sent to this service only.`, ...notes].join(" \u00b7 "),
     csv,
+    told,
     names: movements.map(({ user, name: trial, rows }) => `${user} ${trial} (${rows.length} events)`),
     async movement(at, predictors) {
       const { user, name: trial, target, rows } = movements[at];
@@ -51,4 +57,11 @@ export async function opened(files) {
       };
     },
   };
+}
+
+/** A file of any format as the service reads it. */
+async function served(file, told) {
+  const { dpi, cpi, simulated, movements, skipped, notes } = await recording(file, told);
+  if (movements.length === 0) throw new Error(`${file.name}: no movement can be used; ${skipped[0]?.reason ?? "it holds none"}`);
+  return { name: file.name, csv: file, left: skipped.length, reason: skipped[0]?.reason ?? "", movements, simulated, notes, dpi, cpi };
 }

@@ -5,6 +5,7 @@ import { drawErrors } from "./draw-errors.js";
 import { drawScene, errorAt } from "./draw-replay.js";
 import { number as written, offer, part, write } from "./elements.js";
 import { drawSwatches } from "./legend.js";
+import { askColumns, closeColumns } from "./replay-columns.js";
 import { acceptFiles } from "./replay-drop.js";
 import { Player } from "./replay-player.js";
 import { Results } from "./results.js";
@@ -119,18 +120,23 @@ async function take(coming) {
   return true;
 }
 
-async function openFiles(files) {
+async function openFiles(files, told = {}) {
   if (!files.length) return;
+  closeColumns();
   write(said, "Reading…");
   try {
-    if (!(await take(opened(files)))) return;
-    await results.score(source.csv, [...choices[0].options].map(({ value }) => value));
+    if (!(await take(opened(files, told)))) return;
+    await results.score(source.csv, [...choices[0].options].map(({ value }) => value), "", source.told);
   } catch (error) {
-    write(said, `Not opened: ${error.message}.${source === null ? "" : ` What was open before stays: ${source.title}.`}`);
+    const before = source === null ? "" : ` What was open before stays: ${source.title}.`;
+    const asks = error.refusal?.code === "columns";
+    if (asks) askColumns(files[0].name, error.refusal, (chosen) => openFiles(files, chosen));
+    write(said, asks ? `${files[0].name}: choose its columns in the form.${before}` : `Not opened: ${error.message}.${before}`);
   }
 }
 
 async function openSample() {
+  closeColumns();
   try {
     await take(embedded());
   } catch (error) {
@@ -164,5 +170,5 @@ file.addEventListener("click", () => (file.value = "")); // the same file may be
 file.addEventListener("change", () => openFiles([...file.files]));
 back.addEventListener("click", openSample);
 again.addEventListener("click", () => show(at));
-acceptFiles(part("replay-drop"), openFiles);
+acceptFiles(part("replay-drop"), (files) => openFiles(files));
 onRepaint(draw);

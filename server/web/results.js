@@ -20,16 +20,16 @@ export class Results {
 
   /**
    * Lets the service score a recording, and shows the scores unless others have been asked for meanwhile.
-   * @param {string} csv the samples file @param {string[]} names of the predictors that will be scored
-   * @param {string} otherwise what to add where it fails
+   * @param {string|Blob} csv the samples file @param {string[]} names of the predictors that will be scored
+   * @param {string} otherwise what to add where it fails @param {object} told what is said of the file's columns
    * @returns {Promise<"done"|"failed"|"late">}
    */
-  async score(csv, names, otherwise = "") {
+  async score(csv, names, otherwise = "", told = {}) {
     const mine = ++this.#asked;
     this.#expect(names);
     write(this.#part("scored"), "The service scores every predictor on these movements…");
     try {
-      const set = setOf(await score(csv));
+      const set = setOf(await score(csv, told));
       if (mine !== this.#asked) return "late";
       this.#show(set);
       write(this.#part("scored"), sentence(set));

@@ -8,14 +8,14 @@ export const token = new URLSearchParams(window.location.search).get("token") ??
 
 const SHOWN = token === undefined ? {} : { Authorization: `Bearer ${token}` };
 
-/** Reads JSON; a refusal is an error with the service's own words. */
+/** Reads JSON; a refusal is an error with the service's own words, and `refusal` is all that the service said. */
 export async function read(address, options = {}) {
   const headers = { ...SHOWN, ...options.headers };
   const answer = await fetch(address, { ...options, headers }).catch(() => {
     throw new Error("the service cannot be reached"); // the browser's own words differ and say less
   });
   const body = await answer.json().catch(() => ({}));
-  if (!answer.ok) throw new Error(body.message ?? `the service answered ${answer.status}`);
+  if (!answer.ok) throw Object.assign(new Error(body.message ?? `the service answered ${answer.status}`), { refusal: body });
   return body;
 }
 
@@ -30,7 +30,17 @@ export function predictors() {
   return listed;
 }
 
-/** The scores of a recording, as `pointpred score --json` prints them. @param {string} csv the samples file */
-export function score(csv) {
-  return read("/v1/score", { method: "POST", headers: { "Content-Type": "text/csv" }, body: csv });
+const query = (told) => (Object.keys(told).length ? `?${new URLSearchParams(told)}` : "");
+
+/**
+ * The scores of a recording, as `pointpred score --json` prints them.
+ * @param {string|Blob} body the samples file @param {object} told what is said of its columns
+ */
+export function score(body, told = {}) {
+  return read(`/v1/score${query(told)}`, { method: "POST", headers: { "Content-Type": "text/csv" }, body });
+}
+
+/** The movements of a recording in any format. @param {Blob} body @param {object} told what is said of its columns */
+export function recording(body, told = {}) {
+  return read(`/v1/recording${query(told)}`, { method: "POST", headers: { "Content-Type": "text/csv" }, body });
 }

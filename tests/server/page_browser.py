@@ -9,7 +9,7 @@ import time
 import urllib.error
 import urllib.request
 from collections import deque
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -141,6 +141,12 @@ class Visitor:
             f"{{ const found = document.querySelector({part!r}); found.value = {value!r};"
             "found.dispatchEvent(new Event('change')); }"
         )
+
+    def choose_files(self, part: str, files: Sequence[Path]) -> None:
+        """Choose files in the browser's own dialogue."""
+        root = self.page.call("DOM.getDocument")["root"]["nodeId"]
+        node = self.page.call("DOM.querySelector", nodeId=root, selector=part)["nodeId"]
+        self.page.call("DOM.setFileInputFiles", nodeId=node, files=[str(file) for file in files])
 
     def corner(self, part: str) -> tuple[float, float, float, float]:
         """Left, top, width and height of an element, CSS px."""
