@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import re
 from pathlib import Path
 from typing import Any
@@ -13,6 +14,7 @@ import pyarrow.csv as pacsv
 from pointpred.errors import RecordingError
 from pointpred.recording import Skip
 from pointpred.sources import tables
+from pointpred.sources.arrow_files import in_memory
 from pointpred.sources.column_table import ColumnTable
 from pointpred.sources.decoding import UTF_8, open_utf8
 from pointpred.sources.delimited_layout import Layout, layout_of
@@ -101,7 +103,7 @@ def _rows(path: Path, body: bytes, layout: Layout) -> tuple[Any, dict[int, int]]
 
     try:
         table = pacsv.read_csv(
-            pa.BufferReader(body),
+            pa.BufferReader(in_memory(io.BytesIO(body))),
             read_options=pacsv.ReadOptions(
                 column_names=layout.columns, use_threads=False, block_size=min(len(body), LARGEST_BLOCK)
             ),

@@ -89,10 +89,9 @@ def recording_of_lists(
             Trial(
                 users[row],
                 name,
-                *(
-                    _number(cells[field][row]) * _scale(field, gain) if field in cells else UNKNOWN
-                    for field in TARGET
-                ),
+                target_x=_number(cells["target_x"][row]) * gain[0],
+                target_y=_number(cells["target_y"][row]) * gain[1],
+                target_w=_number(cells["target_w"][row]) * gain[0],
                 condition=_condition({column: values[row] for column, values in known.items()}),
             ),
             row,
@@ -143,10 +142,6 @@ def _buttons(series: dict[str, list[Any]]) -> list[float] | None:
     pressed = [_number(item) for item in series.get("buttons", [])]
     fits = len(pressed) == len(series["t"]) and all(value == value for value in pressed)
     return pressed if pressed and fits else None
-
-
-def _scale(field: str, gain: tuple[float, float]) -> float:
-    return gain[1] if field == "target_y" else gain[0]
 
 
 def _word(cell: Any) -> str:

@@ -95,7 +95,9 @@ def recording_of_rows(
     trials = [
         Trial(
             *key,
-            *(float(values[index]) for values in targets),
+            target_x=float(targets[0][index]),
+            target_y=float(targets[1][index]),
+            target_w=float(targets[2][index]),
             condition=known[index] | groups.conditions[index],
         )
         for index, key in enumerate(groups.keys)

@@ -55,7 +55,7 @@ def _check_parquet(body: bytes) -> None:
     from pointpred.sources.tables import UNREADABLE
 
     try:
-        file = pa.BufferReader(in_memory(BytesIO(body)))
+        file = pa.BufferReader(in_memory(io.BytesIO(body)))
         about = pq.read_metadata(file)
         check_most("rows", about.num_rows, MOST_ROWS)
         check_most("columns", about.num_columns, MOST_COLUMNS)
