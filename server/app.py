@@ -23,7 +23,6 @@ from pointpred.server.compiling.parts import TRIALS
 from pointpred.server.described import (
     METRICS,
     NOT_READY,
-    UNCERTAIN,
     UPLOAD,
     Compiled,
     Health,
@@ -84,7 +83,7 @@ def create_app(hosts: HostRule | None = None, service: Service | None = None) ->
             call,
             methods=["POST"],
             summary=_summary(call),
-            responses=refusals(400, 401, 403, 408, 413, 422, 503) | UNCERTAIN,
+            responses=refusals(400, 401, 403, 408, 413, 422, 503),
             openapi_extra=UPLOAD,
         )
     stream = StreamEndpoint(serving)

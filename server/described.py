@@ -17,12 +17,7 @@ class Error(BaseModel):
     message: str = Field(description="What was wrong, the bound, the value received.")
     path: str | None = Field(description="Where in a message it was; null over HTTP.")
     recoverable: bool
-
-
-class TableError(Error):
-    """A table whose columns are not certain: its columns, and what may be meant."""
-
-    columns: list[str] | None = Field(None, description="The columns found; with the code columns alone.")
+    columns: list[str] | None = Field(None, description="With the code columns: those of the table.")
     guess: dict[str, str] | None = Field(
         None, description="A field, such as t, and the column that may be it."
     )
@@ -101,9 +96,6 @@ TABLE_PARAMETERS: list[dict[str, Any]] = [
     )
 ]
 """What can be said of any table that is uploaded."""
-
-
-UNCERTAIN: Told = {422: {"model": TableError, "description": _WORDS[422]}}
 
 
 def holds(kind: str) -> Told:

@@ -52,7 +52,9 @@ def test_every_operation_has_a_name_of_its_own_and_a_sentence(document: dict[str
 
 
 def test_every_refusal_is_described_in_the_one_shape(document: dict[str, Any]) -> None:
-    assert document["components"]["schemas"]["Error"]["properties"].keys() == SHAPE
+    shape = document["components"]["schemas"]["Error"]
+    assert set(shape["required"]) == SHAPE
+    assert shape["properties"].keys() == SHAPE | {"columns", "guess", "time_unit", "reason"}
     assert "HTTPValidationError" not in document["components"]["schemas"]
     for (path, way), one in operations(document).items():
         refused = {status: said for status, said in one["responses"].items() if status != "200"}
