@@ -10,8 +10,10 @@ from pointpred.registry import REGISTRY
 from pointpred.scoring import score, summary
 from pointpred.server.uploads.opening import reading_of, recordings_of
 
+NOTHING: Mapping[str, str] = {}
 
-def score_body(body: bytes, names: tuple[str, ...], told: Mapping[str, str]) -> dict[str, Any]:
+
+def score_body(body: bytes, names: tuple[str, ...], told: Mapping[str, str] = NOTHING) -> dict[str, Any]:
     """The document of ``pointpred score --json`` for one file; ``told`` as a query says it of a table.
 
     Raises ParameterError for an unknown predictor, and what ``recordings_of`` raises.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import io
 import socket as socket_module
 import threading
@@ -15,8 +16,7 @@ import pytest
 from httpx2 import Response, get, post
 
 from pointpred.errors import RecordingError
-from pointpred.server.uploads import scoring as scoring_api
-from pointpred.server.uploads import unpacking, uploads
+from pointpred.server.uploads import opening, unpacking, uploads
 from pointpred.server.uploads.scoring import score_body
 from pointpred.server.uploads.unpacking import MOST_ROWS, MOST_UNPACKED, check_unpacked
 from pointpred.server.uploads.uploads import UploadError
@@ -70,7 +70,7 @@ def test_a_small_file_of_long_words_is_refused_before_it_is_unpacked(
 ) -> None:
     body = parquet(**columns(300_000, "x" * 1000))
     assert len(body) < 100_000
-    monkeypatch.setattr(scoring_api, "read_any", lambda path: pytest.fail("it was unpacked"))
+    monkeypatch.setattr(opening, "read_any", lambda path, reading: pytest.fail("it was unpacked"))
     message = refused(post(f"{service.url}/v1/score", content=body, timeout=PATIENCE_S), 413, "too_large")
     assert f"{MOST_UNPACKED} bytes" in message
 
@@ -120,7 +120,7 @@ def test_a_torn_parquet_file_is_no_recording() -> None:
 
 
 def test_many_trials_are_for_the_command_line(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(scoring_api, "MOST_TRIALS", 2)
+    monkeypatch.setattr(opening, "MOST_TRIALS", 2)
     with pytest.raises(UploadError, match="at most 2 trials"):
         score_body(CSV, ("hold",))
 
@@ -179,7 +179,7 @@ def test_an_upload_that_was_given_up_leaves_its_place(monkeypatch: pytest.Monkey
 def test_sessions_go_on_while_a_recording_is_scored(monkeypatch: pytest.MonkeyPatch) -> None:
     scoring, held = threading.Event(), threading.Event()
 
-    def slow(body: bytes, names: tuple[str, ...]) -> dict[str, Any]:
+    def slow(body: bytes, names: tuple[str, ...], told: object) -> dict[str, Any]:
         scoring.set()
         assert held.wait(PATIENCE_S)
         return {}
@@ -196,6 +196,14 @@ def test_sessions_go_on_while_a_recording_is_scored(monkeypatch: pytest.MonkeyPa
         held.set()
         asking.join(PATIENCE_S)
         assert not asking.is_alive()
+
+
+def test_a_gzip_file_is_measured_as_it_is_unpacked() -> None:
+    bomb = gzip.compress(b"1,2,3\n" * (unpacking.MOST_ROWS + 2))
+    assert len(bomb) < 100_000
+    with pytest.raises(UploadError) as refusal:
+        check_unpacked(bomb)
+    assert refusal.value.code == "too_large"
 
 
 def test_limits_fit_together() -> None:
