@@ -83,7 +83,7 @@ def unit_in(name: str) -> str | None:
 def guess(names: Sequence[str]) -> Guess:
     """The usual names among ``names``; x and y count only as a pair, as ``clientX`` and ``clientY``.
 
-    Where none are x and y, the only group that holds t, x and y gives them: ``samples.t``, ``samples.x``...
+    Where t, x and y are not all there, the only group that holds them gives them, as ``samples.t`` and so on.
 
     >>> guess(["subject", "time_ms", "xpos", "ypos"]).columns
     {'user': 'subject', 't': 'time_ms', 'x': 'xpos', 'y': 'ypos'}
@@ -91,7 +91,7 @@ def guess(names: Sequence[str]) -> Guess:
     {'trial': 'trial', 't': 'samples.t', 'x': 'samples.x', 'y': 'samples.y'}
     """
     usual = _usual(names)
-    if {"x", "y"} & {*usual.columns, *usual.choices}:
+    if {"t", "x", "y"} <= {*usual.columns, *usual.choices}:
         return usual
     groups: dict[str, list[str]] = {}
     for name in names:

@@ -18,6 +18,7 @@ from pointpred.sources import tables, time_units
 from pointpred.sources.assembly import IntArray
 from pointpred.sources.column_mapping import KEYS, mapping, unit_refusal
 from pointpred.sources.column_names import unit_in
+from pointpred.sources.json_cells import open_cells
 from pointpred.sources.list_rows import holds_lists, recording_of_lists, steps_of
 from pointpred.sources.reading import NEEDED, Reading
 from pointpred.sources.table_buttons import buttons_of
@@ -49,6 +50,8 @@ def recording_of_table(path: Path, table: ColumnTable, reading: Reading) -> Reco
     Says in a note what was assumed. Raises ColumnsError, which names the columns and a mapping to try, where
     no mapping is certain, and RecordingError where a mapped column is not what it should be.
     """
+    columns, damage = open_cells(table.columns)
+    table = msgspec.structs.replace(table, columns=columns, notes=(*table.notes, *damage))
     names = list(table.columns)
     sizes = {len(column) for column in table.columns.values()}
     if len(sizes) > 1:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -14,10 +13,8 @@ import pyarrow as pa
 from pointpred.recording import UNKNOWN, Provenance, Recording, Skip, Trial
 from pointpred.sources import tables
 from pointpred.sources.decoding import stem_of
-from pointpred.sources.lists import WRAPPED, Lists
+from pointpred.sources.lists import Lists, is_list, split
 
-BETWEEN = re.compile(r"[\s,;|]+")
-LIST = re.compile(r"\s*[\[(].*[\])]\s*", re.DOTALL)
 LONGEST_CONDITION = 200
 """Longer cells of other columns are no condition."""
 PROBE = 200
@@ -35,16 +32,14 @@ def holds_lists(column: Any) -> bool:
     if not tables.is_words(column):
         return False
     cells = (cell for cell in column.slice(0, PROBE).to_pylist() if cell and cell.strip())
-    return _is_list(next(cells, ""))
+    return is_list(next(cells, ""))
 
 
 def steps_of(column: Any) -> Any:
     """The times of the first rows one after another, to tell their unit by."""
     lists = [_items(cell) for cell in column.slice(0, PROBE).to_pylist()]
-    try:
-        return np.array([float(item) for items in lists for item in items])
-    except (TypeError, ValueError):
-        return np.empty(0)
+    numbers = np.array([_number(item) for items in lists for item in items])
+    return numbers[np.isfinite(numbers)]
 
 
 def recording_of_lists(
@@ -110,22 +105,11 @@ def recording_of_lists(
     return lists.recording(stem_of(path), provenance)
 
 
-def _is_list(cell: str) -> bool:
-    """Whether words hold a list: in brackets, or several numbers."""
-    if LIST.fullmatch(cell):
-        return True
-    items = _items(cell)
-    return len(items) > 1 and all(
-        isinstance(_number(item), float) and _number(item) == _number(item) for item in items
-    )
-
-
 def _items(cell: Any) -> list[Any]:
     """The items of a list, in a cell or in its words; none where it is empty."""
     if not isinstance(cell, str):
         return [] if cell is None else list(cell) if isinstance(cell, list) else [cell]
-    inner = WRAPPED.sub(r"\1", cell).strip().strip("[](){}").strip()
-    return [item.strip("'\"") for item in BETWEEN.split(inner)] if inner else []
+    return split(cell) if is_list(cell) else [cell] if cell.strip() else []
 
 
 def _from_first(times: Sequence[Any]) -> Sequence[Any]:

@@ -14,50 +14,39 @@ from pointpred.recording import Provenance, Recording, Skip, Trial
 from pointpred.sources.assembly import assemble
 
 WRAPPED = re.compile(r"np\.(?:float|int)\d+\(([^()]*)\)")
-BRACKETS = ("[({", "])}")
+OPENING, CLOSING = "[({", "])}"
+BRACKETS = OPENING + CLOSING
+MARKS = (";", "|", ",")
+NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 CALL = re.compile(r"^(?:(?:np\.|numpy\.)?array|c|list)\s*(?=[\[(])")
 
 
 def split(cell: str | None) -> list[str]:
-    """The items of a list in a cell, between commas, semicolons or blanks, with or without brackets.
+    """The items of a list in a cell, between commas, semicolons, bars or blanks, with or without brackets.
 
-    numpy's ``np.float64(1.0)`` counts as 1.0.
+    numpy's ``np.float64(1.0)`` counts as 1.0; a comma between other marks is a decimal comma.
 
-    >>> split("[1.5, np.float64(2.0)]")
-    ['1.5', '2.0']
+    >>> split("[1.5, np.float64(2.0)]"), split("1;2,5")
+    (['1.5', '2.0'], ['1', '2.5'])
     """
-    inner = WRAPPED.sub(r"\1", cell or "").strip().removeprefix("[").removesuffix("]").strip()
-    mark = next((mark for mark in (";", ",") if mark in inner), None)
-    return [item.strip() for item in inner.split(mark)] if inner else []
+    inner = CALL.sub("", WRAPPED.sub(r"\1", cell or "").strip()).strip(BRACKETS).strip()
+    mark = next((mark for mark in MARKS if mark in inner), None)
+    items = [item.strip().strip("'\"") for item in (inner.rstrip(mark).split(mark) if inner else [])]
+    return items if mark in (",", None) else [item.replace(",", ".") for item in items]
 
 
-def numbers_in(cell: str) -> list[float | None] | None:
-    """The numbers of a list in a cell, ``None`` where it is no list: a word, one number without brackets.
+def is_list(cell: str) -> bool:
+    """Whether words hold a list: in brackets that close, or several numbers.
 
-    Takes what ``split`` takes, in Python's, JSON's and R's brackets, with quotes around items, and decimal
-    commas between semicolons. An empty item is ``None``; one behind the last mark counts as none.
-
-    >>> numbers_in("[1, 2.5, 3]"), numbers_in("1;2,5;3"), numbers_in("c(1, , 3)"), numbers_in("1 2.5 3")
-    ([1.0, 2.5, 3.0], [1.0, 2.5, 3.0], [1.0, None, 3.0], [1.0, 2.5, 3.0])
-    >>> numbers_in("left"), numbers_in("7"), numbers_in("[7]"), numbers_in("[]")
-    (None, None, [7.0], [])
+    >>> is_list("[7]"), is_list("1 2.5"), is_list("c(1, 2)"), is_list("7"), is_list("[1, 2"), is_list("a, b")
+    (True, True, True, False, False, False)
     """
-    inner = CALL.sub("", WRAPPED.sub(r"\1", cell).strip())
-    opened, closed = inner[:1] in BRACKETS[0], inner[-1:] in BRACKETS[1]
-    if not inner or opened != closed or "_" in inner:
-        return None
-    bare = inner.strip("".join(BRACKETS)).strip()
-    items = split(bare.rstrip(",;"))
-    if len(items) < 2 and not opened:
-        return None
-    try:
-        return [_number(item.strip("'\""), ";" in bare) for item in items]
-    except ValueError:
-        return None
-
-
-def _number(item: str, decimal_commas: bool) -> float | None:
-    return float(item.replace(",", ".") if decimal_commas else item) if item else None
+    inner = CALL.sub("", cell.strip())
+    opened, closed = inner[:1] in OPENING, inner[-1:] in CLOSING
+    if not inner or opened != closed:
+        return False
+    items = split(cell)
+    return opened or (len(items) > 1 and all(NUMBER.fullmatch(item) for item in items))
 
 
 class Lists:

@@ -7,6 +7,7 @@ import json
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pandas as pd
 import pytest
 from hypothesis import given
@@ -15,7 +16,7 @@ from hypothesis import strategies as st
 from pointpred.errors import RecordingError
 from pointpred.sources import Reading, format_of, read_any, records_json
 from pointpred.sources.column_names import guess
-from pointpred.sources.lists import numbers_in
+from pointpred.sources.lists import is_list, split
 from tests.unit.writing_containers import NAMES, ROWS, TRIALS, nested
 
 SAMPLES = [{"t": 8.0 * at, "x": 2.0 * at, "y": float(at % 3)} for at in range(20)]
@@ -99,6 +100,9 @@ def test_a_path_with_stars_repeats_what_lies_beside_it(tmp_path: Path) -> None:
     assert set(found["study"]) == {"our own"}
     (recording,) = read_any(path, Reading(records=EVERY))
     assert [(trial.user, trial.trial) for trial in recording.trials] == [(u, str(n)) for u, n in TRIALS]
+    (whole,) = read_any(path)  # without a path: a row a trial
+    assert [trial.trial for trial in whole.trials] == ["1", "2", "1", "2"]
+    np.testing.assert_allclose(whole.events.table, recording.events.table, atol=1e-12)
     assert set(columns_of(path, nested(), "people.1.trials.*.samples")["user"]) == {"p2"}
     assert columns_of(path, nested(), "people.0.trials")["trial"] == [1, 2]
     assert columns_of(path, nested(), "people.0") == columns_of(path, nested(), "people.0.trials")
@@ -194,23 +198,23 @@ def test_any_numbers_come_back(rows: list[tuple[float, ...]], arrangement: str) 
 
 @given(
     st.lists(numbers, min_size=2),
-    st.sampled_from([", ", ",", "; ", " ", "\n"]),
+    st.sampled_from([", ", ",", "; ", "|", " ", "\n"]),
     st.sampled_from(["[]", "()", "{}", ""]),
 )
 def test_numbers_in_a_cell_come_back(values: list[float], mark: str, brackets: str) -> None:
     cell = brackets[:1] + mark.join(map(repr, values)) + brackets[1:]
-    assert numbers_in(cell) == values
-    assert numbers_in(cell + "x") is None
+    assert is_list(cell)
+    assert [float(item) for item in split(cell)] == values
+    assert not is_list(cell + "x")
     if brackets:
-        assert numbers_in(cell[:-1]) is None
-        assert numbers_in(cell[:-1] + mark + brackets[1:]) in (values, [*values, None])
+        assert not is_list(cell[:-1])
 
 
 @pytest.mark.parametrize(
-    "cell", ["", " ", "left", "7", "2020-01-01 10:00", "[[1, 2], [3, 4]]", "[", "1_0, 2", "a, b"]
+    "cell", ["", " ", "left", "7", "2020-01-01 10:00", "[", "[1, 2", "1_0, 2", "a, b", "nan 1"]
 )
 def test_words_are_no_list(cell: str) -> None:
-    assert numbers_in(cell) is None
+    assert not is_list(cell)
 
 
 def test_lists_of_other_programs() -> None:
@@ -219,10 +223,39 @@ def test_lists_of_other_programs() -> None:
         "array([1., 2.])",
         "[1. 2.]",
         '["1", "2"]',
-        "1,0;2,0",
+        "1,0;2,0;",
         "[np.float64(1.0), np.int64(2)]",
     ):
-        assert numbers_in(cell) == [1, 2], cell
-    assert numbers_in("[]") == []
-    assert numbers_in("[1]") == [1]
-    assert numbers_in("1,,2,") == [1, None, 2]
+        assert is_list(cell)
+        assert [float(item) for item in split(cell)] == [1, 2], cell
+    assert split("[1,,2,]") == ["1", "", "2"]
+    assert is_list("[]")
+    assert split("[]") == []
+
+
+def test_a_cut_list_and_a_hole_cost_their_trials(tmp_path: Path) -> None:
+    rows = [
+        "trial;t;x;y",
+        *(f"{n};[0, 8, 16];[1, 2, 3];[4, 5, {end}" for n, end in enumerate(("6]", "6", ", 6]"))),
+    ]
+    (tmp_path / "own.csv").write_text("\n".join(rows) + "\n", encoding="utf-8")
+    (recording,) = read_any(tmp_path / "own.csv")
+    assert [trial.trial for trial in recording.trials] == ["0"]
+    assert [skip.row for skip in recording.skipped] == [1, 2]
+
+
+def test_tracks_as_json_in_the_cells_of_a_table(tmp_path: Path) -> None:
+    """The samples of each trial in one cell; one is cut, one is empty."""
+    frame = pd.DataFrame([{"user": user, "trial": trial, "track": None} for user, trial in TRIALS])
+    frame["track"] = [
+        json.dumps([dict(zip(NAMES, sample, strict=False)) for sample in samples])
+        for samples in TRIALS.values()
+    ]
+    frame.loc[1, "track"] = frame.loc[1, "track"][:50]
+    frame.loc[2, "track"] = ""
+    frame.to_csv(tmp_path / "own.csv", index=False)
+    (recording,) = read_any(tmp_path / "own.csv")
+    assert [(trial.user, trial.trial) for trial in recording.trials] == [("p1", "1"), ("p2", "2")]
+    for index, key in enumerate([("p1", 1), ("p2", 2)]):
+        np.testing.assert_allclose(recording.rows(index).table[:, :3] * [1000, 1, 1], TRIALS[key], atol=1e-9)
+    assert any("track that are no JSON: 1" in note for note in recording.notes)
