@@ -100,7 +100,7 @@ def guess(names: Sequence[str]) -> Guess:
     parts = {prefix: _usual(some).columns for prefix, some in groups.items() if prefix}
     whole = [prefix for prefix, part in parts.items() if {"t", "x", "y"} <= part.keys()]
     if len(whole) != 1:
-        return usual
+        return Guess(usual.columns | _lone(names), usual.choices)
     taken = {field: whole[0] + parts[whole[0]][field] for field in ("t", "x", "y")}
     choices = {field: some for field, some in usual.choices.items() if field not in taken}
     return Guess(usual.columns | taken, choices)
@@ -150,6 +150,13 @@ def _in_order(names: Sequence[str], usual: Sequence[str], units: frozenset[str])
     """The names that are usual ones, in the order of the usual ones."""
     ranked = [(usual.index(plain), name) for name in names if (plain := _plain(name, units)) in usual]
     return [name for _, name in sorted(ranked, key=lambda one: one[0])]
+
+
+def _lone(names: Sequence[str]) -> dict[str, str]:
+    """An x or a y that has no partner among the names, where there is only one."""
+    ys = [word.replace("x", "y") for word in XS]
+    found = {"x": _in_order(names, XS, PIXELS), "y": _in_order(names, ys, PIXELS)}
+    return {field: some[0] for field, some in found.items() if len(some) == 1}
 
 
 def _pairs(names: Sequence[str]) -> list[tuple[str, str]]:

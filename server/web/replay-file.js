@@ -96,12 +96,17 @@ function within({ name }, act) {
   }
 }
 
+/** The text of a file, or of a part of it. */
+function textOf(part, { name }) {
+  return part.text().catch(() => {
+    throw new Error(`${name} cannot be read: is it a folder?`);
+  });
+}
+
 /** The table in a file. */
 async function table(file) {
   if (file.size > MOST_BYTES) throw new Error(`${file.name} is larger than ${MOST_BYTES / 1048576} MiB; pointpred score reads it`);
-  const text = await file.text().catch(() => {
-    throw new Error(`${file.name} cannot be read: is it a folder?`);
-  });
+  const text = await textOf(file, file);
   return { file, text, ...within(file, () => parse(text)) };
 }
 
@@ -119,7 +124,7 @@ function sorted(tables) {
 
 /** Whether the page reads a file itself: it names a column of ours, or says so in its first line. @param {File} file */
 export async function isOwn(file) {
-  const head = await file.slice(0, 4096).text().catch(() => "");
+  const head = await textOf(file.slice(0, 4096), file);
   const names = cells(head.replace(/^\uFEFF/, "").split(/\r?\n/, 1)[0]).map((name) => name.trim());
   return head.startsWith(MARK) || NEEDED.every((name) => names.includes(name)) || ["user", "trial", "target_x"].every((name) => names.includes(name));
 }

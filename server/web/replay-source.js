@@ -61,7 +61,10 @@ export async function opened(files, told = {}) {
 
 /** A file of any format as the service reads it. */
 async function served(file, told) {
-  const { dpi, cpi, simulated, movements, skipped, notes } = await recording(file, told);
+  const { dpi, cpi, simulated, movements, skipped, notes } = await recording(file, told).catch((error) => {
+    error.message = error.message.replace("the recording", file.name); // the service does not know its name
+    throw error;
+  });
   if (movements.length === 0) throw new Error(`${file.name}: no movement can be used; ${skipped[0]?.reason ?? "it holds none"}`);
   return { name: file.name, csv: file, left: skipped.length, reason: skipped[0]?.reason ?? "", movements, simulated, notes, dpi, cpi };
 }

@@ -116,7 +116,7 @@ def test_nothing_scored_is_1_and_says_why(command, bad: Path) -> None:
     assert left.code == 1
     assert left.out == ""
     assert "bad_samples.csv" in left.err
-    assert "y_px" in left.err
+    assert "no column for y" in left.err
     assert "no trial could be scored" in left.err
     assert "Traceback" not in left.err
 
