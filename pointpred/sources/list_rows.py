@@ -38,8 +38,7 @@ def holds_lists(column: Any) -> bool:
 def steps_of(column: Any) -> Any:
     """The times of the first rows one after another, to tell their unit by."""
     lists = [_items(cell) for cell in column.slice(0, PROBE).to_pylist()]
-    numbers = np.array([_number(item) for items in lists for item in items])
-    return numbers[np.isfinite(numbers)]
+    return np.array([_number(item) for items in lists for item in items])
 
 
 def recording_of_lists(

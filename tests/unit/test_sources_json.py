@@ -238,24 +238,25 @@ def test_a_cut_list_and_a_hole_cost_their_trials(tmp_path: Path) -> None:
         "trial;t;x;y",
         *(f"{n};[0, 8, 16];[1, 2, 3];[4, 5, {end}" for n, end in enumerate(("6]", "6", ", 6]"))),
     ]
+    rows.append("3;[0, 8, 1;[1, 2, 3];[4, 5, 6]")
     (tmp_path / "own.csv").write_text("\n".join(rows) + "\n", encoding="utf-8")
     (recording,) = read_any(tmp_path / "own.csv")
     assert [trial.trial for trial in recording.trials] == ["0"]
-    assert [skip.row for skip in recording.skipped] == [1, 2]
+    assert [skip.row for skip in recording.skipped] == [1, 2, 3]
 
 
 def test_tracks_as_json_in_the_cells_of_a_table(tmp_path: Path) -> None:
     """The samples of each trial in one cell; one is cut, one is empty."""
-    frame = pd.DataFrame([{"user": user, "trial": trial, "track": None} for user, trial in TRIALS])
-    frame["track"] = [
+    frame = pd.DataFrame([{"user": user, "trial": trial, "trajectory": None} for user, trial in TRIALS])
+    frame["trajectory"] = [
         json.dumps([dict(zip(NAMES, sample, strict=False)) for sample in samples])
         for samples in TRIALS.values()
     ]
-    frame.loc[1, "track"] = frame.loc[1, "track"][:50]
-    frame.loc[2, "track"] = ""
+    frame.loc[1, "trajectory"] = frame.loc[1, "trajectory"][:50]
+    frame.loc[2, "trajectory"] = ""
     frame.to_csv(tmp_path / "own.csv", index=False)
     (recording,) = read_any(tmp_path / "own.csv")
     assert [(trial.user, trial.trial) for trial in recording.trials] == [("p1", "1"), ("p2", "2")]
     for index, key in enumerate([("p1", 1), ("p2", 2)]):
         np.testing.assert_allclose(recording.rows(index).table[:, :3] * [1000, 1, 1], TRIALS[key], atol=1e-9)
-    assert any("track that are no JSON: 1" in note for note in recording.notes)
+    assert any("trajectory that are no JSON: 1" in note for note in recording.notes)
