@@ -7,10 +7,10 @@ RUNS = .venv/.run
 READY = .venv/.ready
 INSTALL = -m pip install --quiet --disable-pip-version-check -c constraints.txt --editable
 
-.PHONY: run test check format bench docs results train crossvalidate sample fuzz clean help
+.PHONY: run test check format bench docs results train crossvalidate sample inputs fuzz fuzz-inputs clean help
 
 help:  ## show these lines
-	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
+	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
 
 run: $(RUNS)  ## set up and serve the live page on 127.0.0.1
 	$(BIN)/pointpred serve
@@ -49,6 +49,12 @@ sample: $(READY)  ## generate the embedded sample again (same bytes)
 fuzz: $(READY)  ## fuzz the HID decoder for ten minutes; new inputs are kept in tests/fuzz/corpus
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check 'atheris>=3.0'
 	$(BIN)/python -m tests.fuzz.run -max_total_time=600 -max_len=600 -artifact_prefix=tests/fuzz/ tests/fuzz/corpus
+
+inputs: $(READY)  ## read the public recordings in FOLDER twice and write docs/inputs.md
+	$(BIN)/python -m benchmarks.inputs '$(FOLDER)'
+
+fuzz-inputs: $(READY)  ## read damaged copies of the public recordings in FOLDER
+	$(BIN)/python -m benchmarks.inputs_fuzz '$(FOLDER)'
 
 clean:  ## remove the environment and every cache
 	rm -rf .venv .mypy_cache .ruff_cache .pytest_cache .hypothesis build dist *.egg-info

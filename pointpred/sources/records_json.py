@@ -48,8 +48,8 @@ def _document(path: Path, text: str) -> tuple[Any, list[str]]:
     """The value of the whole file, or the list of the values of its lines, and notes."""
     try:
         return parse(text), []
-    except ValueError as error:
-        whole = error
+    except ValueError as error:  # not kept itself: it holds the text, and this frame would hold it
+        whole = _reason(error)
     lines = [(number, line) for number, line in enumerate(text.split("\n"), 1) if line.strip()]
     values: list[Any] = []
     for number, line in lines:
@@ -62,7 +62,7 @@ def _document(path: Path, text: str) -> tuple[Any, list[str]]:
                 return values, [f"line {number} is damaged and left aside: {_reason(error)}"]
             raise RecordingError(f"{path}: line {number} is no JSON: {_reason(error)}") from error
     if len(values) < 2 or len(values) < len(lines):
-        raise RecordingError(f"{path}: no JSON: {_reason(whole)}")
+        raise RecordingError(f"{path}: no JSON: {whole}")
     return values, []
 
 

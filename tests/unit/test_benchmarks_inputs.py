@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from benchmarks import inputs
+from benchmarks import inputs, inputs_fuzz
 from benchmarks.inputs_account import account
 from benchmarks.inputs_independent import delimited
 from pointpred.sources import read_any
@@ -123,3 +123,21 @@ def test_what_the_list_does_not_expect_fails(folder: Path, known: str, wrong: st
     page, code = run(folder, listed)
     assert code == 1
     assert page.count("not as expected") == 1
+
+
+def test_damaged_files_are_the_same_each_time_and_what_breaks_is_kept(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file = inputs.listed(write_list(folder))[0]
+    runs = [inputs_fuzz.fuzz(file, folder, 12, folder) for _ in range(2)]
+    assert runs[0].ends == runs[1].ends
+    assert not runs[0].broken
+    assert runs[0].ends["read"] > 0 < runs[0].ends["refused"]
+
+    def burst(*_: object) -> None:
+        raise ZeroDivisionError
+
+    monkeypatch.setattr(inputs_fuzz, "read_any", burst)
+    broken = inputs_fuzz.fuzz(file, folder, 2, folder).broken
+    assert len(broken) == 2
+    assert all("ZeroDivisionError" in line and Path(line.split(" (")[0]).exists() for line in broken)

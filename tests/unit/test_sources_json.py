@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import gc
 import io
 import json
 from pathlib import Path
@@ -171,6 +173,20 @@ def test_records_of_ever_new_fields_are_bounded(tmp_path: Path) -> None:
     ]
     with pytest.raises(RecordingError, match="cells"):
         columns_of(tmp_path / "own.json", rows)
+
+
+def test_the_text_of_a_refused_file_is_not_kept(tmp_path: Path) -> None:
+    """An error holds the whole text: where it is part of a cycle, a folder of such files fills the memory."""
+    path = tmp_path / "cut.json"
+    path.write_text('[{"t": 1, "x": 2', encoding="utf-8")
+    gc.collect()
+    gc.disable()
+    try:
+        with contextlib.suppress(RecordingError):
+            read_any(path)
+        assert not [one for one in gc.get_objects() if isinstance(one, json.JSONDecodeError)]
+    finally:
+        gc.enable()
 
 
 def test_what_begins_like_json_and_is_none(tmp_path: Path) -> None:
