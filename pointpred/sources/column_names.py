@@ -25,6 +25,8 @@ TIME_UNITS = {
     for word in words.split()
 }
 PIXELS = frozenset(("px", "pix", "pixel", "pixels"))
+INTERVALS = frozenset(_words("interval intervals delta diff difference duration dt between"))
+"""Words in the name of a column of times between samples, which is no clock."""
 TIMES = _words(
     "t time timestamp ts elapsed timestamps times elapsedtime timeelapsed datetime epoch unixtime mousetime",
     "eventtime timearray tarray timelist tlist timetrajectory",
@@ -131,6 +133,7 @@ def near(names: Sequence[str]) -> dict[str, str]:
         name
         for name, some in words.items()
         if any(word in CLOCKS or "time" in word or "stamp" in word for word in some)
+        and not INTERVALS.intersection(some)
     ]
     fits = {
         "t": times,

@@ -16,8 +16,8 @@ from pointpred.errors import ColumnsError, RecordingError
 from pointpred.recording import Provenance, Recording, Skip
 from pointpred.sources import tables, time_units
 from pointpred.sources.assembly import IntArray
-from pointpred.sources.column_mapping import KEYS, mapping, unit_refusal
-from pointpred.sources.column_names import unit_in
+from pointpred.sources.column_mapping import KEYS, command_for, mapping, unit_refusal
+from pointpred.sources.column_names import near, unit_in
 from pointpred.sources.json_cells import open_cells
 from pointpred.sources.list_rows import holds_lists, recording_of_lists, steps_of
 from pointpred.sources.reading import NEEDED, Reading
@@ -27,6 +27,10 @@ from pointpred.sources.trial_keys import codes_of
 
 MOSTLY = 0.5
 """A column of numbers in which a larger share of cells is none is the wrong column."""
+
+
+OFTEN, FEW = 0.2, 3
+"""A larger share, and more, of steps backwards is no clock that starts anew now and then."""
 
 
 class ColumnTable(msgspec.Struct, frozen=True):
@@ -82,7 +86,8 @@ def recording_of_table(path: Path, table: ColumnTable, reading: Reading) -> Reco
     for field in ("x", "y", "dx", "dy", *TARGET):
         if field in found:
             numbers, wrong = tables.finite_numbers(column(found[field]))
-            rows.values[field] = numbers * gains.get(field, 1.0) + 0.0  # no negative zero
+            with np.errstate(over="ignore"):  # what overflows is judged with its row
+                rows.values[field] = numbers * gains.get(field, 1.0) + 0.0  # no negative zero
             if field not in TARGET:
                 rows.blame(field, found[field], wrong, "a number")
     for field in NEEDED:
@@ -95,10 +100,13 @@ def recording_of_table(path: Path, table: ColumnTable, reading: Reading) -> Reco
             del found["buttons"]
         else:
             rows.values["buttons"] = pressed
+    keys = {key: pc.utf8_trim_whitespace(tables.words(column(found[key]))) for key in KEYS if key in found}
+    if "trial" not in keys:
+        _check_clock(path, names, found, rows.values["t"], keys.get("user"))
     return recording_of_rows(
         path,
         rows,
-        {key: pc.utf8_trim_whitespace(tables.words(column(found[key]))) for key in KEYS if key in found},
+        keys,
         {name: column(name) for name in names if name not in found.values()},
         reading,
         provenance=_provenance(table, reading, found, how),
@@ -205,6 +213,26 @@ def _check_numbers(
         found,
         reason=said,
     )
+
+
+def _check_clock(
+    path: Path, names: Sequence[str], found: dict[str, str], clock: FloatArray, users: Any
+) -> None:
+    """Raise ColumnsError where the time of a stream goes backwards so often that it holds intervals."""
+    if users is not None:
+        clock = clock[np.argsort(codes_of(pc.fill_null(users, ""))[0], kind="stable")]
+    steps = np.diff(clock[np.isfinite(clock)])
+    back = int(np.count_nonzero(steps < 0))
+    if back > max(OFTEN * len(steps), FEW):
+        rest = {field: name for field, name in found.items() if field != "t"}
+        likely = near([name for name in names if name not in found.values()]).get("t", "COLUMN")
+        raise ColumnsError(
+            f"{path}: the time (column {found['t']!r}) goes backwards in {back} of {len(steps)} steps: "
+            f"does it hold intervals? try: {command_for(path, rest | {'t': likely})}; where it is the time "
+            "of each trial, name the column of the trials: --columns trial=...",
+            names,
+            rest,
+        )
 
 
 def _part_alike(one: Any, other: Any) -> bool:

@@ -7,6 +7,7 @@ import re
 from pathlib import Path
 from typing import Any
 
+import msgspec
 import pyarrow as pa
 import pyarrow.compute as pc
 import pyarrow.csv as pacsv
@@ -42,7 +43,8 @@ def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
     """The cells of a delimited text as words; numbers have a point as their decimal mark.
 
     The text has no header where its first row holds numbers above numbers: columns are then called ``0``,
-    ``1`` and so on. A row with more or fewer cells than the others is a skip. Memory: the text, and its
+    ``1`` and so on. A row with more or fewer cells than the others is a skip; where many rows have the same
+    further cells, the others are filled up with empty ones. Memory: the text, and its
     cells once more. Raises RecordingError.
     """
     with open_utf8(path) as (file, _):
@@ -55,6 +57,13 @@ def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
         raise RecordingError(f"{path}: no rows below the header {', '.join(layout.columns)}")
     table, odd = _rows(path, body, layout)
     total = table.num_rows + len(odd)
+    filled = []
+    if len(odd) > MOST_ODD * total and (wider := _wider(body, layout, odd)) is not None:
+        filled = [
+            f"rows of {layout.width} cells filled up to {wider.width} with empty ones: {table.num_rows}"
+        ]
+        layout, body = wider, _padded(body, wider)
+        table, odd = _rows(path, body, layout)
     if len(odd) > MOST_ODD * total:
         row, cells = next(iter(odd.items()))
         raise RecordingError(
@@ -66,6 +75,7 @@ def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
     }
     notes = [] if layout.names is not None else ["no header: columns are named by their place from 0"]
     notes += [f"lines above the table left aside: {layout.above}"] if layout.above else []
+    notes += filled
     row_of = tables.rows_without(total, odd) if odd else None
     return ColumnTable(columns, "delimited text", tuple(notes), _skips(odd, layout.width), row_of)
 
@@ -117,6 +127,21 @@ def _rows(path: Path, body: bytes, layout: Layout) -> tuple[Any, dict[int, int]]
     except (pa.ArrowException, ValueError) as error:
         raise RecordingError(f"{path}: {' '.join(str(error).split())}") from error
     return table, odd
+
+
+def _wider(body: bytes, layout: Layout, odd: dict[int, int]) -> Layout | None:
+    """The layout of rows of two lengths: many go on where the others end. ``None`` where it is not so."""
+    [*widths] = set(odd.values())
+    if len(widths) != 1 or widths[0] < layout.width or b'"' in body or layout.separator == " ":
+        return None
+    return msgspec.structs.replace(layout, width=widths[0])
+
+
+def _padded(body: bytes, layout: Layout) -> bytes:
+    """The rows with empty cells at their ends, up to the width of the layout."""
+    mark, marks = layout.separator.encode(), layout.width - 1
+    lines = (line and line + mark * (marks - line.count(mark)) for line in body.splitlines())
+    return b"\n".join(lines) + b"\n"
 
 
 def _cells(path: Path, column: Any, layout: Layout) -> Any:

@@ -116,6 +116,7 @@ def _by(separator: str, numbered: Sequence[tuple[int, str]], comments: Sequence[
     start = next((at for at, row in enumerate(rows[:PREAMBLE]) if len(row) == width), None)
     if start is None:
         return None
+    start = _below_padding(rows, start)
     names: tuple[str, ...] | None
     if start and len(rows[start - 1]) == width - 1 and not any(map(is_number, rows[start - 1])):
         names, body = _short_names(rows[start - 1], rows[start]), start
@@ -129,6 +130,26 @@ def _by(separator: str, numbered: Sequence[tuple[int, str]], comments: Sequence[
         return None
     first = places[body] if body < len(places) else numbered[-1][0] + 1
     return Layout(separator, names, width, first, above)
+
+
+def _below_padding(rows: Sequence[Sequence[str]], start: int) -> int:
+    """The row that holds the names where a spreadsheet has padded the lines above to the width of all rows.
+
+    The rows then end in empty cells, which the row at ``start`` fills.
+    """
+    for at in range(start + 1, min(PREAMBLE, len(rows))):
+        below = rows[at + 1 :]
+        used = max(map(_filled, below), default=0)
+        if _filled(rows[start]) <= used:
+            return start
+        if _filled(rows[at]) == used and all(rows[at][:used]):
+            return at if _is_header(rows[at], below) else start
+    return start
+
+
+def _filled(row: Sequence[str]) -> int:
+    """Cells up to the last that is not empty."""
+    return max((place for place, cell in enumerate(row, 1) if cell), default=0)
 
 
 def _is_header(row: Sequence[str], below: Sequence[Sequence[str]]) -> bool:

@@ -19,6 +19,10 @@ FIELDS = ("t", "x", "y", "user", "trial", "buttons", "target_x", "target_y", "ta
 NEEDED = ("t", "x", "y")
 
 
+MOST_PX = 1e9
+"""Pixels in a unit: as many as a position may have."""
+
+
 class Reading(msgspec.Struct, frozen=True, kw_only=True):
     """How foreign recordings are read; own recordings carry all of this themselves.
 
@@ -33,8 +37,8 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
     For any table: ``columns`` names, for some of ``FIELDS``, the column that holds it, by its name or by its
     place counted from 0; what is not named is guessed from the usual names, or left unknown where t, x and y
     are all named. ``time_unit`` of the column t, ``iso`` for stamps of date and time; ``y_up`` where y grows
-    upwards; ``px_per_unit`` > 0 px in a unit of x, y and the target; ``records``: the path to the rows in a
-    file of nested objects, as ``data.trials``.
+    upwards; ``px_per_unit`` in (0, 1e9] px in a unit of x, y and the target; ``records``: the path to the
+    rows in a file of nested objects, as ``data.trials``.
     """
 
     cut: Cut | None = None
@@ -80,8 +84,8 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
             (
                 "px_per_unit",
                 self.px_per_unit,
-                self.px_per_unit is None or 0 < self.px_per_unit < float("inf"),
-                "above 0 px in a unit",
+                self.px_per_unit is None or 0 < self.px_per_unit <= MOST_PX,
+                f"above 0 and at most {MOST_PX:g} px in a unit",
             ),
             ("screen", self.screen, self.screen is None or min(self.screen) > 0, "above 0 px both ways"),
         )

@@ -172,7 +172,7 @@ def _cut(rows: Rows, table: FloatArray, users: Any, one_user: str, reading: Read
     out = int(np.count_nonzero(~usable))
     if out:
         row = int(np.flatnonzero(~usable)[0])
-        why = rows.faults.get(row, "t, x or y is empty")
+        why = rows.faults.get(row, "t, x or y is empty or too large")
         groups.notes.append(f"rows left out: {out}, the first is data row {rows.row_of[row]}: {why}")
     return groups
 

@@ -1,0 +1,79 @@
+"""Tables as other people's programs leave them: padded by a spreadsheet, of two lengths, without a clock."""
+
+from __future__ import annotations
+
+import warnings
+from pathlib import Path
+
+import pytest
+
+from pointpred.errors import ColumnsError, ParameterError
+from pointpred.sources import Reading, read_any
+from pointpred.sources.column_names import near
+from pointpred.sources.delimited_layout import layout_of
+
+MOVES = [f"{10 * i};{3 * i};{100 - i}" for i in range(30)]
+
+
+def write(folder: Path, *lines: str) -> Path:
+    """A file of these lines."""
+    path = folder / "odd.csv"
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    return path
+
+
+def test_names_below_lines_that_a_spreadsheet_has_padded_are_found(tmp_path: Path) -> None:
+    settings = ["width 1104;centre 552;task round;a 1;b 2;c 3", "26/03/2021;17:38:25;;;;", ";;;;;"]
+    path = write(tmp_path, *settings, "time_ms;x;y;;;", *(f"{move};;;" for move in MOVES))
+    [recording] = read_any(path)
+    assert len(recording.events) == 30
+    assert "lines above the table left aside: 3" in recording.notes
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ["t;x;y;note", *(f"{move};" for move in MOVES)],
+        ["t;x;y;note", *(f"{move};" for move in MOVES[:5]), "50;1;2;late", "60;1;3;"],
+        ["t;x;y", *MOVES[:3], "t;x;y", *MOVES[:3]],
+    ],
+    ids=["a column that is empty", "a cell that is filled once", "names once more"],
+)
+def test_the_first_line_stays_the_names_where_nothing_is_padded(lines: list[str]) -> None:
+    layout = layout_of("\n".join(lines))
+    assert layout is not None
+    assert (layout.first, layout.columns[:3]) == (1, ["t", "x", "y"])
+
+
+def test_rows_of_two_lengths_are_filled_up(tmp_path: Path) -> None:
+    lines = [f"{10 * i};{3 * i};{100 - i}" + (";inside" if i >= 60 and i % 2 else "") for i in range(140)]
+    [recording] = read_any(write(tmp_path, *lines), Reading(columns={"t": 0, "x": 1, "y": 2}, time_unit="ms"))
+    assert recording.events.x.tolist() == [3 * i for i in range(140)]
+    assert any("filled up to 4" in note and note.endswith(": 100") for note in recording.notes)
+
+
+def test_intervals_are_no_clock(tmp_path: Path) -> None:
+    steps = [8, 9, 7] * 10
+    lines = [f"{step};{i};{i};{sum(steps[: i + 1])}" for i, step in enumerate(steps)]
+    path = write(tmp_path, "time;x;y;rel_time", *lines)
+    with pytest.raises(ColumnsError, match=r"10 of 29 steps.*--columns t=rel_time,x=x,y=y"):
+        read_any(path, Reading(columns={"t": "time"}, time_unit="ms"))
+    assert near(["time_interval_s", "dt", "stamp"])["t"] == "stamp"
+
+
+def test_a_clock_of_each_user_may_start_anew(tmp_path: Path) -> None:
+    lines = [f"{name};{10 * i};{i};{i}" for i in range(8) for name in "dcba"]
+    lines += [f"{name};{10 * i};{i};{i}" for i in range(8) for name in "ab"]
+    [recording] = read_any(write(tmp_path, "user;t;x;y", *lines), Reading(time_unit="ms"))
+    assert (len(recording.trials), len(recording.events)) == (6, 48)
+
+
+def test_positions_that_overflow_are_left_out(tmp_path: Path) -> None:
+    path = write(tmp_path, "t;x;y", *MOVES, "300;1e305;3")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        [recording] = read_any(path, Reading(px_per_unit=1e6, time_unit="ms", cut="whole"))
+    assert len(recording.events) == 30
+    assert any("rows left out: 1, the first is data row 30" in note for note in recording.notes)
+    with pytest.raises(ParameterError, match="px_per_unit"):
+        Reading(px_per_unit=1e12)
