@@ -13,7 +13,9 @@ from pointpred.recording import Recording
 
 ROWS = re.compile(r"rows (\d+) to (\d+)")
 NUMBER = re.compile(r"-?\d+(\.\d+)?(e[+-]?\d+)?")
-NOTE = re.compile(r"(?:.*: )?((?:wheel |further )?(?:rows|frames|reports|samples)\b[^:]*): (\d+)")
+NOTE = re.compile(
+    r"(?:.*: )?((?:wheel |further )?(?:rows|frames|reports|samples)\b[^:]*left (?:out|aside)): (\d+)"
+)
 
 
 class Account(msgspec.Struct, frozen=True):
@@ -37,6 +39,7 @@ def account(rows: pd.DataFrame, recording: Recording) -> Account:
     keys = list(zip(rows["user"], rows["trial"], strict=True))
     place = {(trial.user, trial.trial): index for index, trial in enumerate(recording.trials)}
     owner = np.array([place.get(key, -1) for key in keys], dtype=np.int64)
+    owner[~rows[["t", "x", "y"]].notna().all(axis=1)] = -1  # a sample without a position belongs to no trial
     left = _left(rows, owner < 0, recording)
     lost = int(np.count_nonzero(owner < 0)) - sum(left.values())
     px = s = 0.0

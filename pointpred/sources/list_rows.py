@@ -22,6 +22,8 @@ PROBE = 200
 SERIES = ("t", "x", "y", "buttons")
 TARGET = ("target_x", "target_y", "target_w")
 
+NOTHING = (("", ""), (None, None))
+"""Positions that are none."""
 Column = Callable[[str], Any]
 
 
@@ -55,7 +57,8 @@ def recording_of_lists(
 ) -> Recording:
     """A trial a row: ``found`` names the columns; those in ``others`` become conditions.
 
-    A row without a list is counted in a note, one whose lists differ in length is a skip.
+    A row without a list is counted in a note, one whose lists differ in length is a skip. Samples before the
+    first position, which some programs leave empty until the pointer moves, are left out and counted.
     """
     cells = {field: columns(name).to_pylist() for field, name in found.items()}
     for field in TARGET:
@@ -72,9 +75,12 @@ def recording_of_lists(
     users = [_word(cell) or stem_of(path) for cell in cells.get("user", [None] * count)]
     trials = [_word(cell) or str(row) for row, cell in enumerate(cells.get("trial", [None] * count))]
     often = Counter(zip(users, trials, strict=True))
-    empty = 0
+    empty = before = 0
     for row in range(count):
         series = {field: _items(cells[field][row]) for field in SERIES if field in cells}
+        blank = _blank(series)
+        before += blank
+        series = {field: items[blank:] for field, items in series.items()}
         if not any(series[field] for field in ("t", "x", "y")):
             empty += 1
             continue
@@ -96,6 +102,8 @@ def recording_of_lists(
             scale=1.0 / per_second,
             gain=gain,
         )
+    if before:
+        lists.notes.append(f"samples before the first position left out: {before}")
     if empty:
         lists.notes.append(f"rows without lists of times and positions: {empty}")
     left = [name for name in others if name not in known]
@@ -109,6 +117,15 @@ def _items(cell: Any) -> list[Any]:
     if not isinstance(cell, str):
         return [] if cell is None else list(cell) if isinstance(cell, list) else [cell]
     return split(cell) if is_list(cell) else [cell] if cell.strip() else []
+
+
+def _blank(series: dict[str, list[Any]]) -> int:
+    """Samples before the first that has a position; 0 where the lists differ in length."""
+    xs, ys = series["x"], series["y"]
+    if not len(series["t"]) == len(xs) == len(ys):
+        return 0
+    held = (place for place, both in enumerate(zip(xs, ys, strict=True)) if both not in NOTHING)
+    return next(held, len(xs))
 
 
 def _from_first(times: Sequence[Any]) -> Sequence[Any]:

@@ -46,7 +46,8 @@ def is_list(cell: str) -> bool:
     if not inner or opened != closed:
         return False
     items = split(cell)
-    return opened or (len(items) > 1 and all(NUMBER.fullmatch(item) for item in items))
+    known = [item for item in items if item]
+    return opened or (len(known) > 1 and all(NUMBER.fullmatch(item) for item in known))
 
 
 class Lists:

@@ -52,6 +52,15 @@ def test_rows_of_two_lengths_are_filled_up(tmp_path: Path) -> None:
     assert any("filled up to 4" in note and note.endswith(": 100") for note in recording.notes)
 
 
+def test_samples_before_the_first_position_of_a_list_are_left_out(tmp_path: Path) -> None:
+    rows = ['one,"0,10,20,30",",,5,6",",,7,8"', 'two,"0,10,20","1,,3","1,,3"']
+    path = write(tmp_path, "trial,t_ms,x,y", *rows)
+    [recording] = read_any(path)
+    assert recording.events.table[:, :3].tolist() == [[0.0, 5.0, 7.0], [0.01, 6.0, 8.0]]
+    assert [skip.trial for skip in recording.skipped] == ["two"], "a hole within a movement"
+    assert "samples before the first position left out: 2" in recording.notes
+
+
 def test_intervals_are_no_clock(tmp_path: Path) -> None:
     steps = [8, 9, 7] * 10
     lines = [f"{step};{i};{i};{sum(steps[: i + 1])}" for i, step in enumerate(steps)]
