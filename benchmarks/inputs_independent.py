@@ -48,9 +48,9 @@ def lists(
         part = pd.DataFrame(dict(zip("txy", series, strict=True)))
         part["user"] = cells[user] if user else path.name.split(".")[0]
         part["trial"], part["row"] = cells[trial] if trial else str(row), row
+        part["t"] = (part["t"] - part["t"].iloc[:1].sum()) / per_second  # stamps since 1970 keep their digits
         parts.append(part)
-    rows = pd.concat(parts, ignore_index=True)
-    return rows.assign(t=rows["t"] / per_second)[COLUMNS]
+    return pd.concat(parts, ignore_index=True)[COLUMNS]
 
 
 def mousetrap(path: Path) -> pd.DataFrame:
