@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from contextlib import suppress
 
 import numpy as np
@@ -13,6 +14,7 @@ from pointpred import person as persons
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.predictors import AdaptiveKinematicPredictor
+from pointpred.predictors import adaptation_clock as clock
 from pointpred.predictors import adaptation_distances as distances
 from pointpred.predictors import adaptation_law as law
 from pointpred.stage import Slot
@@ -32,13 +34,26 @@ def number(slot: Slot) -> st.SearchStrategy[float]:
     return st.sampled_from([value for value in usual if slot.low <= value <= slot.high]) | plain
 
 
-def consistent(numbers: tuple[float, ...]) -> FloatArray:
-    """The numbers, with as much as ``doubt`` asks for: the distances held, and some doubt in them."""
+def consistent(numbers: Sequence[float]) -> FloatArray:
+    """The numbers, changed as little as ``doubt`` asks for: what is held fits, and belief sums to 1."""
     known = np.array(numbers)
-    at = law.DISTANCES + distances.DISTANCES
-    known[at : at + distances.KEPT] = np.maximum(known[at : at + distances.KEPT], distances.SHORTEST_PX)
-    unknown = law.DISTANCES + distances.BELIEF + distances.LAWS
-    known[unknown] = max(known[unknown], distances.FORGET * distances.UNKNOWN_SHARE)
+    far, long = known[law.DISTANCES : law.CLOCK], known[law.CLOCK : law.LEVELS]
+    far[distances.DISTANCES : distances.BELIEF] = np.maximum(
+        far[distances.DISTANCES : distances.BELIEF], distances.SHORTEST_PX
+    )
+    long[clock.HELD] = far[distances.HELD]
+    held = int(long[clock.HELD])
+    if held:
+        durations = long[clock.DURATIONS : clock.DURATIONS + held]
+        durations[:] = np.maximum(durations, 1e-6)
+        long[clock.MEDIAN] = np.median(durations)
+        belief = far[distances.BELIEF : distances.WEIGHTS]
+        belief[-1] = np.clip(belief[-1], distances.FORGET * distances.UNKNOWN_SHARE, 1.0)
+        others = belief[:-1].sum()
+        if others > 1e-9:
+            belief[:-1] *= (1.0 - belief[-1]) / others
+        else:
+            belief[:-1], belief[-1] = 0.0, 1.0
     return known
 
 
@@ -59,7 +74,7 @@ def way(x: float, y: float, seconds: float) -> EventColumns:
 
 @settings(max_examples=300)
 @given(KNOWN, MOVES)
-@example(np.array([slot.high for slot in SLOTS for _ in range(slot.count)]), [(500.0, 0.0, 0.5)] * 3)
+@example(consistent([slot.high for slot in SLOTS for _ in range(slot.count)]), [(500.0, 0.0, 0.5)] * 3)
 def test_an_accepted_person_never_breaks_the_law(
     known: FloatArray, moves: list[tuple[float, float, float]]
 ) -> None:
