@@ -138,11 +138,11 @@ def _below_padding(rows: Sequence[Sequence[str]], start: int) -> int:
     The rows then end in empty cells, which the row at ``start`` fills.
     """
     for at in range(start + 1, min(PREAMBLE, len(rows))):
-        below = rows[at + 1 :]
+        below = [row for row in rows[at + 1 :] if len(row) == len(rows[start])]
         used = max(map(_filled, below), default=0)
         if _filled(rows[start]) <= used:
             return start
-        if _filled(rows[at]) == used and all(rows[at][:used]):
+        if len(rows[at]) == len(rows[start]) and _filled(rows[at]) == used and all(rows[at][:used]):
             return at if _is_header(rows[at], below) else start
     return start
 

@@ -24,10 +24,11 @@ def write(folder: Path, *lines: str) -> Path:
 
 def test_names_below_lines_that_a_spreadsheet_has_padded_are_found(tmp_path: Path) -> None:
     settings = ["width 1104;centre 552;task round;a 1;b 2;c 3", "26/03/2021;17:38:25;;;;", ";;;;;"]
-    path = write(tmp_path, *settings, "time_ms;x;y;;;", *(f"{move};;;" for move in MOVES))
+    path = write(tmp_path, *settings, "time_ms;x;y;;;", *(f"{move};;;" for move in MOVES), "300;1")
     [recording] = read_any(path)
     assert len(recording.events) == 30
     assert "lines above the table left aside: 3" in recording.notes
+    assert [skip.row for skip in recording.skipped] == [30], "the last row is cut"
 
 
 @pytest.mark.parametrize(
