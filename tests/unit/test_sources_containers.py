@@ -31,7 +31,7 @@ from tests.unit.writing_containers import (
 T, X, Y = (np.array([row[at] for row in ROWS]) for at in range(3))
 
 
-@pytest.mark.parametrize("extension", ["json", "mat", "xlsx"])
+@pytest.mark.parametrize("extension", ["csv", "json", "mat", "xlsx"])
 def test_the_same_table_in_every_container(extension: str, tmp_path: Path) -> None:
     path = tmp_path / f"own.{extension}"
     WRITERS[extension](path)

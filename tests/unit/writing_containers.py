@@ -104,4 +104,16 @@ def write_xdf(path: Path, offset: float | None = None) -> None:
     path.write_bytes(b"".join(parts))
 
 
-WRITERS = {"json": write_json, "mat": write_matlab, "xlsx": write_workbook, "xdf": write_xdf}
+def write_delimited(path: Path) -> None:
+    """Semicolons and decimal commas."""
+    lines = [";".join(str(cell).replace(".", ",") for cell in row) for row in (NAMES, *ROWS)]
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+WRITERS = {
+    "csv": write_delimited,
+    "json": write_json,
+    "mat": write_matlab,
+    "xlsx": write_workbook,
+    "xdf": write_xdf,
+}
