@@ -20,9 +20,11 @@ for (const [name, left, top, width, height] of [["first", 100, 100, 200, 142], [
     `position:absolute;left:${left}px;top:${top}px;width:${width}px;height:${height}px`"""
 CONNECT = """import("/pointpred.js").then(({ connect }) => {
   window.heard = [];
+  window.known = 0;
   window.connection = connect(URL, OPTIONS);
   connection.on("choice", ({ id, p, action, reason, element }) =>
     heard.push([action, id, reason, element?.id, p]));
+  connection.on("targets", ({ count }) => { window.known = count; });
   for (const name of ["first", "second"]) connection.observe(document.getElementById(name));
 })"""
 NOWHERE = "'http://127.0.0.1:9'"
@@ -82,7 +84,7 @@ def test_a_finger_proposes_an_element_and_lifting_it_ends_that(page: Page, url: 
     page.call("Emulation.setTouchEmulationEnabled", enabled=True)
     connected(page, url)
     if url == "undefined":
-        page.evaluate("new Promise((done) => connection.on('targets', ({ count }) => count === 2 && done()))")
+        soon(lambda: page.evaluate("known") == 2, "the service knows both")
     page.call("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": 400, "y": 150}])
     assert heard(page)[:1] == [["propose", "second", "touch"]]
     page.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
@@ -201,7 +203,7 @@ def test_what_is_entered_stays_until_it_is_left_by_the_mouse_or_by_scrolling(pag
     connected(page, url, "{ encoding: 'json' }")
     if url == "undefined":
         page.evaluate("connection.configure({ precision: 1 })")  # nothing is predicted
-        page.evaluate("new Promise((done) => connection.on('targets', ({ count }) => count === 2 && done()))")
+        soon(lambda: page.evaluate("known") == 2, "the service knows both")
     mouse(page, 150, 120)
     answered(page)
     entered = ["propose", "first", "entered"]
