@@ -77,7 +77,7 @@ def recording_of_table(path: Path, table: ColumnTable, reading: Reading) -> Reco
     if any(holds_lists(column(found[field])) for field in NEEDED):
         return _of_lists(path, table, reading, column, found, notes)
     rows = Rows(count, np.arange(count, dtype=np.int64) if table.row_of is None else table.row_of)
-    iso = reading.time_unit == "iso" or (reading.time_unit is None and time_units.is_iso(column(found["t"])))
+    iso = time_units.is_stamps(column(found["t"]), reading.time_unit)
     rows.values["t"], wrong = time_units.clock(column(found["t"]), iso)
     rows.blame("t", found["t"], wrong, "a date and time" if iso else "a number")
     unit, how = ("iso", " as date and time") if iso else _unit(path, names, found, rows.values["t"], reading)

@@ -24,6 +24,7 @@ from pointpred.sources import (
     libinput,
     matlab,
     mousetrap,
+    parquet_table,
     pointing_dynamics,
     psychopy,
     recordings,
@@ -43,11 +44,8 @@ from pointpred.sources.writing import together
 Progress = Callable[[str, int, int], None]
 OWN = ("recorder", "own")
 """Formats of which each file is a recording of its own."""
-OWN_NAMES = (
-    {name.encode() for name in recordings.REQUIRED},
-    {b"user", b"trial", b"n_samples"},
-)
-"""The columns by which the samples and the trials of pointpred's own CSV are known without their mark."""
+OWN_NAMES = (set(recordings.REQUIRED), {"user", "trial", "n_samples"})
+"""The columns by which pointpred's own samples and trials are known without their mark."""
 
 
 class Format(msgspec.Struct, frozen=True):
@@ -87,11 +85,18 @@ def table_format(
 
 
 def _is_own(head: bytes) -> bool:
-    """Whether a file that begins with ``head`` is one of pointpred's own."""
+    """Whether a text that begins with ``head`` is one of pointpred's own."""
     first = head.split(b"\n", 1)[0]
-    named = first.replace(b'"', b"").replace(b"\r", b"").split(b",")
-    own = first.startswith(tables.MARK) or any(needed <= set(named) for needed in OWN_NAMES)
-    return head.startswith(tables.PARQUET_MAGIC) or own
+    named = first.decode("utf-8", "replace").replace('"', "").replace("\r", "").split(",")
+    return first.startswith(tables.MARK) or any(needed <= set(named) for needed in OWN_NAMES)
+
+
+def _is_own_parquet(path: Path, head: bytes) -> bool:
+    """Whether a file is pointpred's own Parquet: what it holds stands at its end."""
+    if not parquet_table.recognises(head):
+        return False
+    marked, names = tables.parquet_names(path)
+    return marked or any(needed <= names for needed in OWN_NAMES)
 
 
 FORMATS: tuple[Format, ...] = (
@@ -107,6 +112,7 @@ FORMATS: tuple[Format, ...] = (
         "pointpred Parquet or CSV",
         _is_own,
         lambda path, reading: recordings.read(path, reading=reading),
+        recognises_further=_is_own_parquet,
     ),
     Format("gofitts", gofitts.TITLE, gofitts.recognises, gofitts.read),
     Format("balabit", balabit.TITLE, balabit.recognises, balabit.read, streams=True),
@@ -129,6 +135,7 @@ FORMATS: tuple[Format, ...] = (
     table_format("matlab", matlab.TITLE, matlab.recognises, matlab.read, binary=True),
     table_format("xlsx", workbook.TITLE, workbook.recognises, workbook.read, binary=True),
     table_format("xdf", xdf.TITLE, xdf.recognises, xdf.read, binary=True),
+    table_format("parquet", parquet_table.TITLE, parquet_table.recognises, parquet_table.read, binary=True),
     table_format("json", records_json.TITLE, records_json.recognises, records_json.read),
     table_format("delimited", delimited.TITLE, delimited.recognises, delimited.read),
 )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Collection, Iterable, Sequence
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -65,9 +65,7 @@ def read_table(path: Path, text: Callable[[str], bool], separator: str = ",") ->
         if isinstance(error, RecordingError):
             raise
         raise RecordingError(f"{path}: {' '.join(str(error).split())}") from error
-    twice = sorted({name for name in names if names.count(name) > 1})
-    if twice:
-        raise RecordingError(f"{path}: column {twice[0]!r} occurs twice, expected every column once")
+    check_names(path, names)
     for name, column in zip(names, table.columns, strict=True):
         kind = column.type.value_type if pa.types.is_dictionary(column.type) else column.type
         if not any(fits(kind) for fits in PLAIN):
@@ -78,6 +76,22 @@ def read_table(path: Path, text: Callable[[str], bool], separator: str = ",") ->
         )
     unbroken(path, table, [name for name in names if not text(name)])
     return table, header
+
+
+def check_names(path: Path, names: Sequence[str]) -> None:
+    """Raise RecordingError where two columns have one name."""
+    twice = sorted({name for name in names if names.count(name) > 1})
+    if twice:
+        raise RecordingError(f"{path}: column {twice[0]!r} occurs twice, expected every column once")
+
+
+def parquet_names(path: Path) -> tuple[bool, set[str]]:
+    """Whether pointpred's header stands in a Parquet file, and its columns; neither where it is damaged."""
+    try:
+        with open_file(path) as opened, pq.ParquetFile(opened) as file:
+            return KEY in (file.metadata.metadata or {}), set(file.schema_arrow.names)
+    except UNREADABLE:
+        return False, set()
 
 
 def read_parquet(path: Path) -> tuple[Any, Header]:
@@ -177,6 +191,8 @@ def numbers(column: Any) -> tuple[FloatArray, dict[int, str]]:
     """A column as float64, NaN where a cell is empty, and the cells that are no numbers by their row."""
     if pa.types.is_dictionary(column.type):
         column = column.cast(column.type.value_type)
+    if pa.types.is_temporal(column.type):
+        column = pc.cast(column, pa.string())
     faults: dict[int, str] = {}
     if is_words(column):
         try:

@@ -23,12 +23,12 @@ LONG = 1e6
 DECIMAL = pa.decimal128(36, 12)
 
 
-def is_iso(column: Any) -> bool:
-    """Whether a column holds stamps of date and time: its first cell that is not empty is one."""
-    if pa.types.is_timestamp(column.type):
+def is_stamps(column: Any, unit: str | None) -> bool:
+    """Whether a column holds dates and times: by its type, else by ``unit``, else by its first cell."""
+    if pa.types.is_temporal(column.type):
         return True
-    if not tables.is_words(column):
-        return False
+    if unit is not None or not tables.is_words(column):
+        return unit == "iso"
     first = next((cell for cell in column.slice(0, 1000).to_pylist() if (cell or "").strip()), "")
     return bool(pc.match_substring_regex(pa.array([first]), ISO)[0].as_py())
 
@@ -105,7 +105,7 @@ def _decimals(column: Any, good: Any) -> FloatArray | None:
 def _stamps(column: Any) -> tuple[FloatArray, dict[int, str]]:
     """Stamps of date and time as ns from the first on; those without a zone count as they are."""
     faults: dict[int, str] = {}
-    if not pa.types.is_timestamp(column.type):
+    if not pa.types.is_temporal(column.type):
         words = pc.utf8_trim_whitespace(tables.words(column))
         good = pc.fill_null(pc.match_substring_regex(words, ISO), False)
         wrong = pc.and_(pc.invert(good), pc.not_equal(pc.fill_null(words, ""), ""))
@@ -121,5 +121,12 @@ def _stamps(column: Any) -> tuple[FloatArray, dict[int, str]]:
             pc.cast(aware, pa.timestamp("ns", "UTC")).cast(pa.int64()),
         )
     else:
-        column = pc.cast(pc.cast(column, pa.timestamp("ns", column.type.tz), safe=False), pa.int64())
+        column = pc.cast(pc.cast(column, _in_ns(column.type)), pa.int64())
     return _from_first(column), faults
+
+
+def _in_ns(kind: Any) -> Any:
+    """The type in ns that holds what a type of dates and times, times of day or durations holds."""
+    if pa.types.is_time(kind):
+        return pa.time64("ns")
+    return pa.duration("ns") if pa.types.is_duration(kind) else pa.timestamp("ns", getattr(kind, "tz", None))

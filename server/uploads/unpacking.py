@@ -74,7 +74,7 @@ def _check_parquet(body: bytes) -> None:
 
 
 def _words(schema: Any) -> list[str]:
-    """The columns of words; raises RecordingError for what is neither words nor numbers."""
+    """The columns of words; raises RecordingError for what is no words, numbers, dates or times."""
     import pyarrow as pa
 
     from pointpred.sources.tables import PLAIN
@@ -82,7 +82,7 @@ def _words(schema: Any) -> list[str]:
     found = []
     for field in schema:
         kind = field.type.value_type if pa.types.is_dictionary(field.type) else field.type
-        if not any(fits(kind) for fits in PLAIN):
+        if not any(fits(kind) for fits in (*PLAIN, pa.types.is_temporal)):
             raise RecordingError(
                 f"the recording: column {field.name!r} holds {kind}, expected words or numbers"
             )
