@@ -12,6 +12,8 @@ from pointpred.sources.column_names import guess, near, unit_in, words_of
 from pointpred.sources.reading import FIELDS, NEEDED, Reading
 
 KEYS = ("user", "trial")
+JOIN = "+"
+"""Between the columns that name a user or a trial together."""
 MOST_NAMES = 40
 """Columns that a message lists."""
 
@@ -49,6 +51,21 @@ def mapping(
         for field, some in choices.items()
     ]
     return {field: found[field] for field in FIELDS if field in found}, notes
+
+
+def parts_of(path: Path, names: Sequence[str], reading: Reading) -> dict[str, list[str]]:
+    """The columns that ``reading`` joins for user or trial, as in ``block+trial``, by how it writes them.
+
+    A column whose own name is written so is no join. Raises ColumnsError for a part that is no column.
+    """
+    told = (
+        {str(reading.columns[key]): key for key in KEYS if key in reading.columns} if reading.columns else {}
+    )
+    return {
+        name: [_named(path, names, key, part.strip()) for part in name.split(JOIN)]
+        for name, key in told.items()
+        if JOIN in name and name not in names
+    }
 
 
 def unit_refusal(

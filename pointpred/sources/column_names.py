@@ -36,6 +36,9 @@ XS = _words(
     "pagex screenx px xcoord coordx xcoordinate coordinatex xs xarray arrayx xlist listx",
     "xtrajectory trajectoryx xvalues xvals",
 )
+STUDY = ("block", "session", "run", "condition", "phase")
+COUNTS = frozenset(_words("id number num no nr index name count"))
+"""Words beside the one that says what a column counts."""
 CLOCKS = ("t", "ts", "clock")
 USUAL = {
     "user": "user users userid participant participantid participantnr subject subjectid subjectnr "
@@ -141,6 +144,16 @@ def near(names: Sequence[str]) -> dict[str, str]:
         "y": [name for name, some in words.items() if "y" in some],
     }
     return {field: some[0] for field, some in fits.items() if some}
+
+
+def parts_of_study(names: Sequence[str]) -> list[str]:
+    """The columns that part a study: its blocks, sessions, runs, conditions or phases, in this order.
+
+    >>> parts_of_study(["phase", "blockNum", "session_id", "blocked"])
+    ['blockNum', 'session_id', 'phase']
+    """
+    plain = {name: "".join(word for word in words_of(name) if word not in COUNTS) for name in names}
+    return sorted((name for name in names if plain[name] in STUDY), key=lambda name: STUDY.index(plain[name]))
 
 
 def _plain(name: str, units: frozenset[str]) -> str:

@@ -16,7 +16,7 @@ from pointpred.errors import ColumnsError, RecordingError
 from pointpred.recording import Provenance, Recording, Skip
 from pointpred.sources import tables, time_units
 from pointpred.sources.assembly import IntArray
-from pointpred.sources.column_mapping import KEYS, command_for, mapping, unit_refusal
+from pointpred.sources.column_mapping import KEYS, command_for, mapping, parts_of, unit_refusal
 from pointpred.sources.column_names import near, unit_in
 from pointpred.sources.json_cells import open_cells
 from pointpred.sources.list_rows import holds_lists, recording_of_lists, steps_of
@@ -24,6 +24,7 @@ from pointpred.sources.reading import NEEDED, Reading
 from pointpred.sources.table_buttons import buttons_of
 from pointpred.sources.table_trials import TARGET, Rows, recording_of_rows
 from pointpred.sources.trial_keys import codes_of
+from pointpred.sources.trial_restarts import joined
 
 MOSTLY = 0.5
 """A column of numbers in which a larger share of cells is none is the wrong column."""
@@ -62,6 +63,9 @@ def recording_of_table(path: Path, table: ColumnTable, reading: Reading) -> Reco
         raise RecordingError(
             f"{path}: columns of {min(sizes)} to {max(sizes)} rows, expected as many of each"
         )
+    for name, parts in parts_of(path, names, reading).items():
+        table.columns[name] = joined([as_arrow(table.columns[part]) for part in parts])
+    names = list(table.columns)
     arrays: dict[str, Any] = {}
 
     def column(name: str) -> Any:

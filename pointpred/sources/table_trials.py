@@ -18,6 +18,7 @@ from pointpred.sources.reading import Cut, Reading
 from pointpred.sources.segmentation import cut
 from pointpred.sources.table_conditions import conditions_of, one_value
 from pointpred.sources.trial_keys import codes_of, keys_of
+from pointpred.sources.trial_restarts import without_restarts
 
 TARGET = ("target_x", "target_y", "target_w")
 EVENT = ("t", "x", "y", "dx", "dy", "buttons")
@@ -78,7 +79,7 @@ def recording_of_rows(
             table[:, index] = rows.values[field]
     users, one_user = keys.get("user"), stem_of(path)
     if "trial" in keys:
-        groups = _by_column(rows, users, keys["trial"], one_user)
+        groups = _by_column(rows, users, keys["trial"], one_user, others)
     else:
         groups = _cut(rows, table, users, one_user, reading)
     kept = np.flatnonzero(groups.group >= 0)
@@ -122,13 +123,13 @@ def recording_of_rows(
     )
 
 
-def _by_column(rows: Rows, users: Any, trials: Any, one_user: str) -> Groups:
-    """Trials as the table names them; rows that belong to none are left out and counted."""
-    trial_codes, trial_names = codes_of(trials.fill_null(""))
+def _by_column(rows: Rows, users: Any, trials: Any, one_user: str, others: dict[str, Any]) -> Groups:
+    """Trials as the table names them, restarts apart; rows that belong to none are left out and counted."""
     if users is None:
         user_codes, user_names = np.zeros(rows.count, dtype=np.int64), [one_user]
     else:
         user_codes, user_names = codes_of(users.fill_null(""))
+    (trial_codes, trial_names), restarts = without_restarts(user_codes, trials, rows.values["t"], others)
     named = np.array([bool(name.strip()) for name in trial_names] or [True])[trial_codes]
     if users is not None:
         named &= np.array([bool(name.strip()) for name in user_names] or [True])[user_codes]
@@ -136,6 +137,7 @@ def _by_column(rows: Rows, users: Any, trials: Any, one_user: str) -> Groups:
     group = np.full(rows.count, -1, dtype=np.int64)
     group[kept], keys = keys_of((user_codes[kept], user_names), (trial_codes[kept], trial_names))
     notes = [] if users is not None else [f"one user, {one_user!r}: no column for users"]
+    notes += restarts
     out = rows.count - len(kept)
     if out:
         at = rows.row_of[np.flatnonzero(~named)[0]]

@@ -1,0 +1,96 @@
+"""Trial numbers that restart per block: joined columns, told or assumed, and runs of their own."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from pointpred.errors import ColumnsError
+from pointpred.recording import Recording
+from pointpred.sources import read_any
+
+
+def table(folder: Path, header: str, *runs: tuple[str, int]) -> Path:
+    """A table of runs of five samples, each with its first cells and the time at which it begins."""
+    lines = [f"{cells},{begin + 10 * i},{begin + i},{i}" for cells, begin in runs for i in range(5)]
+    path = folder / "study.csv"
+    path.write_text("\n".join([f"{header},t_ms,x,y", *lines, ""]), encoding="utf-8")
+    return path
+
+
+def trials(recording: Recording) -> list[tuple[str, str]]:
+    return [(trial.user, trial.trial) for trial in recording.trials]
+
+
+def begins(recording: Recording) -> list[float]:
+    return [float(recording.rows(at).x[0]) for at in range(len(recording.trials))]
+
+
+BLOCKS = [("a,1,1", 0), ("a,1,2", 100), ("a,2,1", 10), ("a,2,2", 110), ("b,1,1", 5), ("b,2,1", 7)]
+JOINED = [("a", "1+1"), ("a", "1+2"), ("a", "2+1"), ("a", "2+2"), ("b", "1+1"), ("b", "2+1")]
+
+
+@pytest.mark.parametrize("told", [None, "part+trial"])
+def test_columns_are_joined_as_told_or_where_a_usual_one_separates_the_runs(
+    told: str, tmp_path: Path
+) -> None:
+    path = table(tmp_path, "sid,part,trial" if told else "sid,block_nr,trial", *BLOCKS)
+    [recording] = read_any(path, columns={"trial": told} if told else None)
+    assert trials(recording) == JOINED
+    assert begins(recording) == [0, 100, 10, 110, 5, 7]
+    assert any("joined" in note for note in recording.notes) == (told is None)
+
+
+def test_a_clock_that_goes_on_hides_no_restart(tmp_path: Path) -> None:
+    path = table(tmp_path, "block,trial", ("1,1", 0), ("1,2", 100), ("2,1", 200), ("2,2", 300))
+    [recording] = read_any(path)
+    assert [name for _, name in trials(recording)] == ["1+1", "1+2", "2+1", "2+2"]
+
+
+def test_two_columns_separate_what_one_does_not(tmp_path: Path) -> None:
+    cells = ["1,1,1", "1,2,1", "2,1,1", "2,2,1"]
+    runs = [run for at, cell in enumerate(cells) for run in ((cell, at), (cell[:-1] + "2", 100 + at))]
+    [recording] = read_any(table(tmp_path, "session,block,trial", *runs))
+    assert len(set(trials(recording))) == 8
+    assert begins(recording) == [begin for _, begin in runs]
+
+
+def test_runs_that_nothing_separates_are_trials_of_their_own(tmp_path: Path) -> None:
+    runs = [("a,1", 0), ("a,2", 100), ("a,1", 10), ("a,1 (2)", 200), ("b,1", 5), ("a,1", 3), ("a,1 (2)", 300)]
+    [recording] = read_any(table(tmp_path, "sid,trial", *runs))
+    assert trials(recording)[:4] == [("a", "1"), ("a", "2"), ("a", "1 (2)'"), ("a", "1 (2)")]
+    assert trials(recording)[4:] == [("b", "1"), ("a", "1 (3)")]
+    assert len(recording.events) == 35
+    assert any("restart" in note for note in recording.notes)
+    assert recording.skipped == ()
+
+
+def test_users_whose_rows_alternate_are_no_restart(tmp_path: Path) -> None:
+    [recording] = read_any(table(tmp_path, "sid,block,trial", ("a,1,1", 0), ("b,1,1", 0), ("a,1,1", 100)))
+    assert trials(recording) == [("a", "1"), ("b", "1")]
+    assert not any("restart" in note for note in recording.notes)
+
+
+def test_a_column_that_varies_within_a_run_is_not_joined(tmp_path: Path) -> None:
+    runs = [("go,1", 0), ("hit,1", 50), ("go,2", 100), ("hit,2", 150)]
+    [recording] = read_any(table(tmp_path, "phase,trial", *runs))
+    assert trials(recording) == [("study", "1"), ("study", "2")]
+    [recording] = read_any(table(tmp_path, "phase,trial", *runs, *runs))
+    assert [name for _, name in trials(recording)] == ["1", "2", "1 (2)", "2 (2)"]
+
+
+def test_a_name_with_a_plus_wins_and_an_unknown_part_is_refused(tmp_path: Path) -> None:
+    path = table(tmp_path, "a,b,a+b", ("1,2,own", 0))
+    [recording] = read_any(path, columns={"trial": "a+b", "user": "b+a"})
+    assert trials(recording) == [("2+1", "own")]
+    with pytest.raises(ColumnsError, match="no column 'c' for trial"):
+        read_any(path, columns={"trial": "a+c"})
+
+
+def test_rows_without_one_of_the_joined_words_are_counted(tmp_path: Path) -> None:
+    [recording] = read_any(
+        table(tmp_path, "block,trial", ("1,1", 0), (",1", 9), ("x+1,1", 0)), columns={"trial": "block+trial"}
+    )
+    assert [name for _, name in trials(recording)] == ["1|1", "x+1|1"]
+    assert any("left out: 5" in note for note in recording.notes)
