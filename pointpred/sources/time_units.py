@@ -116,16 +116,29 @@ def _stamps(column: Any) -> tuple[FloatArray, dict[int, str]]:
         zoned = pc.match_substring_regex(words, ZONE)
         words = pc.replace_substring(pc.if_else(good, words, None), ",", ".")
         plain, aware = pc.if_else(zoned, None, words), pc.if_else(zoned, words, None)
-        column = pc.coalesce(
-            pc.cast(plain, pa.timestamp("ns")).cast(pa.int64()),
-            pc.cast(aware, pa.timestamp("ns", "UTC")).cast(pa.int64()),
-        )
+        column = pc.coalesce(_in_ns(plain, pa.timestamp("ns")), _in_ns(aware, pa.timestamp("ns", "UTC")))
     else:
-        column = pc.cast(pc.cast(column, _in_ns(column.type)), pa.int64())
+        words = column
+        column = _in_ns(column, _kind_in_ns(column.type))
+    impossible = pc.and_(pc.is_valid(words), pc.is_null(column))
+    for row in tables.as_array(pc.indices_nonzero(impossible)):
+        faults.setdefault(int(row), tables.short(str(words[int(row)].as_py())))
     return _from_first(column), faults
 
 
-def _in_ns(kind: Any) -> Any:
+def _in_ns(column: Any, kind: Any) -> Any:
+    """A column as int64 of a type in ns, nulls where a cell is no possible date or is too far from 1970."""
+    try:
+        return pc.cast(pc.cast(column, kind), pa.int64())
+    except pa.ArrowInvalid:
+        if len(column) == 1:
+            return pa.chunked_array([pa.nulls(1, pa.int64())])
+    middle = len(column) // 2
+    halves = (_in_ns(column.slice(0, middle), kind), _in_ns(column.slice(middle), kind))
+    return pa.chunked_array([chunk for half in halves for chunk in half.chunks])
+
+
+def _kind_in_ns(kind: Any) -> Any:
     """The type in ns that holds what a type of dates and times, times of day or durations holds."""
     if pa.types.is_time(kind):
         return pa.time64("ns")
