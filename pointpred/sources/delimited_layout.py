@@ -20,6 +20,7 @@ NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?|[+-]?(nan|inf)
 STAMP = re.compile(r"\d{4}-\d{2}-\d{2}[T ]\d{2}:\d{2}.*")
 LISTED = re.compile(r"[\s\d.,;|+-]*\d[\s\d.,;|+-]*")
 """Several numbers in one cell."""
+QUOTED = re.compile(r'"(?:[^"]|"")*"')
 DECLARED = re.compile(r"sep=(.)")
 """The first line that Excel writes and understands."""
 
@@ -70,7 +71,11 @@ def layout_of(text: str) -> Layout | None:
     numbered = numbered[declared is not None :][:LINES]
     if not numbered or numbered[0][1].lstrip()[:1] in ("{", "[", "<"):
         return None
+    below = numbered[1:] or numbered
+    outside = set(QUOTED.sub("", "\n".join(line for _, line in below)).replace("\t", "\t "))
     for separator in candidates:
+        if separator not in outside:
+            continue  # what stands inside quotes separates no cells
         found = _by(separator, numbered, comments)
         if found is not None:
             return found

@@ -87,3 +87,31 @@ def test_positions_that_overflow_are_left_out(tmp_path: Path) -> None:
     assert any("rows left out: 1, the first is data row 30" in note for note in recording.notes)
     with pytest.raises(ParameterError, match="px_per_unit"):
         Reading(px_per_unit=1e12)
+
+
+@pytest.mark.parametrize("header", [["trial,t_ms,x,y"], ['"a;b",t_ms,x,y'], []])
+def test_separators_inside_quotes_do_not_count(header: list[str], tmp_path: Path) -> None:
+    lists = ",".join(('"0;10;20"', '"1,5;2,5;3"', '"4;5;6"'))
+    path = write(tmp_path, *header, f"1,{lists}", f"2,{lists}")
+    [recording] = read_any(path, columns={"trial": 0, "t": 1, "x": 2, "y": 3}, time_unit="ms")
+    assert recording.events.x.tolist() == [1.5, 2.5, 3.0] * 2
+    assert recording.events.t.tolist() == [0.0, 0.01, 0.02] * 2
+
+
+def test_quotes_that_mean_inches_hide_no_separator(tmp_path: Path) -> None:
+    path = write(
+        tmp_path,
+        "screen;t;x;y",
+        *(f'"15""";{move}' for move in MOVES),
+        *(f'15";{move}' for move in MOVES[:1]),
+    )
+    layout = layout_of(path.read_text(encoding="utf-8"))
+    assert layout is not None
+    assert layout.separator == ";"
+
+
+def test_runs_of_tabs_separate_like_blanks() -> None:
+    lines = ["\t" * (1 + i % 3) + f"{10 * i}\t{3 * i}\t{100 - i}" for i in range(9)]
+    layout = layout_of("\n".join(["t_ms\tx\ty", *lines]))
+    assert layout is not None
+    assert (layout.separator, layout.columns) == (" ", ["t_ms", "x", "y"])
