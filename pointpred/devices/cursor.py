@@ -126,7 +126,11 @@ class CursorSource:
         if self._thread is not None:
             raise SourceError("this source is open already; make another")
         self.cursor = self._open()
-        self._before = (*self.cursor.position(), self.cursor.buttons())
+        try:
+            self._before = (*self.cursor.position(), self.cursor.buttons())
+        except SourceError:
+            self.cursor.close()
+            raise
         self._thread = threading.Thread(target=self._run, name="cursor", daemon=True)
         self._thread.start()
         return self

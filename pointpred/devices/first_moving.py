@@ -50,7 +50,7 @@ class FirstMoving:
         """Devices that cannot be opened, for whoever tells of them."""
         self._candidates, self._silence_s = candidates, silence_s
         self._followed: DeviceSource | None = None
-        self._moved = self._away = False  # the one that is followed
+        self._moved = self._away = False  # of the one that is followed: since it was plugged in
         self._listened: tuple[DeviceSource, ...] = ()
         self._named: set[str] = set()
         self._silent_s = 0.0
@@ -145,9 +145,10 @@ class FirstMoving:
         while True:
             if (followed := self._followed) is not None:
                 if reports := followed.take(0.0):  # it is back, or its last report: no button is pressed
+                    self._moved |= moves(reports)
                     return reports
                 if not self._away:
-                    self._away = True
+                    self._away, self._moved = True, False
                     self._listen()
             for source in self._listened:
                 if moving := from_motion(self._heard(source)):

@@ -168,7 +168,7 @@ def channels_of(name: str, count: int, labels: Sequence[str | None]) -> Channels
     if not any(labels):
         return Channels(0, 1)
     places: dict[str, int] = {}
-    for place, label in enumerate(labels):
+    for place, label in enumerate(labels[:count]):  # a description may name more than there are
         word = ASIDE.sub("", re.sub("[^a-z]", "", (label or "").lower()))
         word = "buttons" if word == "button" else word
         if word in KNOWN:

@@ -71,6 +71,13 @@ def test_looks_are_even_and_say_only_what_is_new() -> None:
         assert (cursor.closed, source.lost, source.plugged) == (True, 0, True)
 
 
+def test_a_cursor_that_cannot_be_read_at_first_is_let_go() -> None:
+    cursor = Still()
+    with pytest.raises(SourceError), CursorSource(lambda: cursor):
+        raise AssertionError("it opened")
+    assert cursor.closed
+
+
 @pytest.mark.parametrize("rate_hz", [0.0, 1001.0, float("nan")])
 def test_a_rate_out_of_bounds_is_refused(rate_hz: float) -> None:
     with pytest.raises(ParameterError, match="rate_hz"):

@@ -125,6 +125,20 @@ def test_the_followed_one_that_comes_back_is_followed_on() -> None:
         assert (source.path, other.closed) == ("event4", True)
 
 
+def test_the_followed_one_that_comes_back_and_rests_gives_way() -> None:
+    first, other = Mouse("event4"), Mouse("event5")
+    with first_of(first, other) as source:
+        first.put([STEP])
+        source.take(0.0)
+        first.plugged = False
+        source.take(0.0)
+        first.plugged = True
+        assert source.take(0.0) == []
+        other.put([STEP])
+        assert source.take(0.0) == [STEP]
+        assert source.path == "event5"
+
+
 def test_the_only_one_is_read_at_once_and_gives_way_while_it_has_never_moved() -> None:
     only, late = Mouse("event4"), Mouse("event5")
     here = [only]

@@ -148,7 +148,9 @@ def test_channels_are_known_by_their_labels(labels: list[str | None], expected: 
     assert channels_of("one", max(len(labels), 2), labels) == expected
 
 
-@pytest.mark.parametrize(("count", "labels"), [(1, ["x"]), (2, ["Fz", "Cz"]), (2, ["x", None])])
+@pytest.mark.parametrize(
+    ("count", "labels"), [(1, ["x"]), (2, ["Fz", "Cz"]), (2, ["x", None]), (2, ["x", "t", "y"])]
+)
 def test_a_stream_without_a_position_is_refused(count: int, labels: list[str | None]) -> None:
     with pytest.raises(SourceError):
         channels_of("one", count, labels)
