@@ -54,9 +54,10 @@ def _opened(path: Path) -> Iterator[Any]:
         size = sum(part.file_size for part in file.infolist())
     if size > MOST_UNPACKED:
         raise RecordingError(f"{path}: {size} bytes when unpacked, at most {MOST_UNPACKED} are read")
-    with warnings.catch_warnings():
+    # an open file: of a path openpyxl would want the ending
+    with warnings.catch_warnings(), path.open("rb") as content:
         warnings.simplefilter("ignore")  # on styles and extensions that hold no cells
-        book = load_workbook(path, read_only=True, data_only=True, keep_links=False)
+        book = load_workbook(content, read_only=True, data_only=True, keep_links=False)
         try:
             yield book
         finally:

@@ -67,6 +67,12 @@ def test_pandas_reads_the_same_cells_of_a_sheet(tmp_path: Path) -> None:
     assert frame.to_dict("list") == workbook.read(tmp_path / "own.xlsx").columns
 
 
+def test_a_workbook_is_known_by_its_content(tmp_path: Path) -> None:
+    write_workbook(tmp_path / "own.xlsx")
+    (tmp_path / "own.xlsx").rename(tmp_path / "export")
+    assert read_any(tmp_path / "export")[0].trials
+
+
 @pytest.mark.parametrize("extension", ["xlsx", "xdf"])
 def test_without_the_library_the_command_that_installs_it(
     extension: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
