@@ -10,7 +10,7 @@ import msgspec
 
 from pointpred.errors import RecordingError
 from pointpred.sources.column_table import ColumnTable
-from pointpred.sources.record_tables import RecordTable, check_depth, records, scalars, table_of
+from pointpred.sources.record_tables import MOST_DEPTH, RecordTable, check_depth, records, scalars, table_of
 
 EACH = "*"
 LEAST_COLUMNS = 3
@@ -104,7 +104,7 @@ def _follow(branch: Branch, names: list[str]) -> Iterator[Branch]:
         for item in branch.each():
             yield from _follow(item, names[1:])
     elif isinstance(value, dict):
-        for count in range(len(names), 0, -1):
+        for count in range(min(len(names), MOST_DEPTH), 0, -1):
             name = ".".join(names[:count])
             if name in value:
                 yield from _follow(branch.child(name, value[name]), names[count:])

@@ -14,7 +14,8 @@ import msgspec
 from pointpred.errors import RecordingError
 
 MOST_DEPTH = 32
-MOST_CELLS = 100_000_000
+MOST_CELLS = 40_000_000
+"""Python takes 8 bytes for one that is empty, and 40 for a number."""
 FEW = 16
 """An array of at most so many arrays, each longer than that, holds a column in each of them."""
 POINT, TRACKS = range(2, 5), 3
@@ -35,7 +36,7 @@ class Left(msgspec.Struct, frozen=True):
 class RecordTable:
     """Columns of one length that grow row by row; a field that a row lacks is ``None``.
 
-    ``left`` are the fields that are too deep for a cell. Raises RecordingError above 10^8 cells.
+    ``left`` are the fields that are too deep for a cell. Raises RecordingError above 4e7 cells.
     """
 
     def __init__(self) -> None:

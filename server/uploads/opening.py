@@ -7,11 +7,12 @@ from typing import Any
 
 import msgspec
 
-from pointpred.errors import ParameterError, PointpredError
+from pointpred.errors import ParameterError, PointpredError, RecordingError
 from pointpred.recording import Recording, Trial
 from pointpred.server.uploads.spooling import NAME, spooled
-from pointpred.server.uploads.unpacking import check_most, check_unpacked
+from pointpred.server.uploads.unpacking import NO_TEXT, check_most, check_unpacked
 from pointpred.sources import Reading, read_any
+from pointpred.sources.formats import format_of
 from pointpred.sources.reading import columns_of
 
 MOST_TRIALS = 5000
@@ -55,6 +56,9 @@ def recordings_of(body: bytes, reading: Reading) -> list[Recording]:
     check_unpacked(body)
     with spooled(body) as path:
         try:
+            form = format_of(path, reading)
+            if form is not None and form.binary:
+                raise RecordingError(NO_TEXT)  # its first bytes were made to look like text
             found = read_any(path, reading)
         except PointpredError as error:
             said = str(error).replace(f"score {path}", "score FILE").replace(str(path), "the recording")

@@ -16,6 +16,9 @@ MOST_ROWS = 500_000
 MOST_COLUMNS = 32
 MOST_UNPACKED = 2**27
 """Bytes; reading needs a few times as many."""
+MOST_TEXT = 2**25
+"""Bytes of unpacked text; reading it as JSON needs about twenty times as many."""
+NO_TEXT = "the recording is neither text nor Parquet; 'pointpred convert' reads other files"
 
 
 def check_unpacked(body: bytes) -> None:
@@ -30,9 +33,7 @@ def check_unpacked(body: bytes) -> None:
     if body.startswith(GZIP):
         body = _unpacked(body)
     if not body.startswith(UTF_16) and b"\0" in body[:HEAD_BYTES]:
-        raise RecordingError(
-            "the recording is neither text nor Parquet; 'pointpred convert' reads other files"
-        )
+        raise RecordingError(NO_TEXT)
     check_most("rows", max(body.count(b"\n"), body.count(b"\r")), MOST_ROWS + 1)
 
 
@@ -40,10 +41,10 @@ def _unpacked(body: bytes) -> bytes:
     """What gzip has packed, read no further than is allowed."""
     try:
         with gzip.GzipFile(fileobj=io.BytesIO(body)) as file:
-            unpacked = file.read(MOST_UNPACKED + 1)
+            unpacked = file.read(MOST_TEXT + 1)
     except DAMAGED as error:
         raise RecordingError(f"the recording: damaged gzip file: {error}") from None
-    check_most("bytes", len(unpacked), MOST_UNPACKED)
+    check_most("bytes", len(unpacked), MOST_TEXT)
     return unpacked
 
 

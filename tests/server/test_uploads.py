@@ -20,6 +20,7 @@ from pointpred.server.uploads import opening, unpacking, uploads
 from pointpred.server.uploads.scoring import score_body
 from pointpred.server.uploads.unpacking import MOST_ROWS, MOST_UNPACKED, check_unpacked
 from pointpred.server.uploads.uploads import UploadError
+from pointpred.sources import Reading
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, Running, running
 
@@ -204,6 +205,20 @@ def test_a_gzip_file_is_measured_as_it_is_unpacked() -> None:
     with pytest.raises(UploadError) as refusal:
         check_unpacked(bomb)
     assert refusal.value.code == "too_large"
+
+
+def test_text_of_few_lines_is_bounded_as_it_is_unpacked() -> None:
+    check_unpacked(gzip.compress(b"1" * unpacking.MOST_TEXT, 1))
+    with pytest.raises(UploadError) as refusal:
+        check_unpacked(gzip.compress(b"1" * (unpacking.MOST_TEXT + 1), 1))
+    assert refusal.value.code == "too_large"
+
+
+def test_a_binary_file_that_begins_like_text_is_refused() -> None:
+    body = b"MATLAB 5.0 MAT-file" + b" " * unpacking.HEAD_BYTES + b"\0" * 64
+    check_unpacked(body)
+    with pytest.raises(RecordingError, match="neither text nor Parquet"):
+        opening.recordings_of(body, Reading())
 
 
 def test_limits_fit_together() -> None:

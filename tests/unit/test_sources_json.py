@@ -16,7 +16,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pointpred.errors import RecordingError
-from pointpred.sources import Reading, format_of, read_any, records_json
+from pointpred.sources import Reading, format_of, read_any, record_paths, record_tables, records_json
 from pointpred.sources.column_names import guess
 from pointpred.sources.lists import is_list, split
 from tests.unit.writing_containers import NAMES, ROWS, TRIALS, nested
@@ -276,3 +276,17 @@ def test_tracks_as_json_in_the_cells_of_a_table(tmp_path: Path) -> None:
     for index, key in enumerate([("p1", 1), ("p2", 2)]):
         np.testing.assert_allclose(recording.rows(index).table[:, :3] * [1000, 1, 1], TRIALS[key], atol=1e-9)
     assert any("trajectory that are no JSON: 1" in note for note in recording.notes)
+
+
+def test_a_path_of_very_many_names_is_followed_in_little_work(tmp_path: Path) -> None:
+    class Names(dict[str, Any]):
+        looks = 0
+
+        def __contains__(self, name: object) -> bool:
+            self.looks += 1
+            return super().__contains__(name)
+
+    document = Names()
+    with pytest.raises(RecordingError):
+        record_paths.table_at(tmp_path, document, ".".join(["a"] * 16_000), "JSON")
+    assert document.looks <= record_tables.MOST_DEPTH
