@@ -8,18 +8,25 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 from pointpred.errors import ColumnsError
-from pointpred.sources.column_names import guess, near, unit_in, words_of
+from pointpred.sources.column_names import guess, near, words_of
 from pointpred.sources.reading import FIELDS, NEEDED, Reading
 
 KEYS = ("user", "trial")
 JOIN = "+"
 """Between the columns that name a user or a trial together."""
+UNITS = ("s", "ms", "us", "ns", "iso")
+Units = Callable[[str], Sequence[str]]
+"""The units of time that a column may have."""
 MOST_NAMES = 40
 """Columns that a message lists."""
 
 
 def mapping(
-    path: Path, names: Sequence[str], reading: Reading, same: Callable[[Sequence[str]], bool]
+    path: Path,
+    names: Sequence[str],
+    reading: Reading,
+    same: Callable[[Sequence[str]], bool],
+    units: Units,
 ) -> tuple[dict[str, str], list[str]]:
     """Field -> column, and notes on columns that could be meant but are left aside; raises ColumnsError.
 
@@ -41,11 +48,11 @@ def mapping(
     best = {field: name for field, name in usual.best.items() if field not in told} | told
     missing = [field for field in NEEDED if field not in found and field not in choices]
     if missing:
-        raise _refusal(path, names, f"no column for {', '.join(missing)}", best, reading)
+        raise _refusal(path, names, f"no column for {', '.join(missing)}", best, reading, units)
     for field in (*NEEDED, *KEYS):
         if field in choices:
             said = f"{field} may be {' or '.join(choices[field])}"
-            raise _refusal(path, names, said, best, reading)
+            raise _refusal(path, names, said, best, reading, units)
     notes = [
         f"{field} is not read: {' or '.join(some)} may be meant; name one with --columns {field}=..."
         for field, some in choices.items()
@@ -69,14 +76,19 @@ def parts_of(path: Path, names: Sequence[str], reading: Reading) -> dict[str, li
 
 
 def unit_refusal(
-    path: Path, names: Sequence[str], columns: Mapping[str, str], units: Sequence[str], reading: Reading
+    path: Path,
+    names: Sequence[str],
+    columns: Mapping[str, str],
+    units: Sequence[str],
+    reading: Reading,
+    frames: bool,
 ) -> ColumnsError:
-    """The refusal of a table whose clock may run in several units, or in none that a device has."""
+    """The refusal of a table whose clock may run in several ``units``, or in none that a device has."""
     why = f"may be {' or '.join(units)}" if units else "is not known"
     told = columns if reading.columns else {}
-    command = command_for(path, told, units[0] if units else "ms")
-    said = f"the unit of time (column {columns['t']!r}) {why}"
-    return ColumnsError(f"{path}: {said}; say it: {command}", names, columns, reason=said)
+    asked = "; do its numbers count frames, not time?" if frames else ""
+    said = f"the unit of time (column {columns['t']!r}) {why}{asked}"
+    return ColumnsError(f"{path}: {said}; say it: {_command(path, told, units)}", names, columns, reason=said)
 
 
 def command_for(path: Path, columns: Mapping[str, str], time_unit: str | None = None) -> str:
@@ -90,6 +102,13 @@ def command_for(path: Path, columns: Mapping[str, str], time_unit: str | None = 
     parts += ["--columns", pairs] if pairs else []
     parts += ["--time-unit", time_unit] if time_unit else []
     return shlex.join(parts)
+
+
+def _command(path: Path, columns: Mapping[str, str], units: Sequence[str]) -> str:
+    """The command with the unit of time where it is certain, else with a word in its place."""
+    if len(units) == 1:
+        return command_for(path, columns, units[0])
+    return f"{command_for(path, columns, 'UNIT')} (UNIT: {' or '.join(units or UNITS)})"
 
 
 def _named(path: Path, names: Sequence[str], field: str, column: str | int) -> str:
@@ -110,16 +129,17 @@ def _named(path: Path, names: Sequence[str], field: str, column: str | int) -> s
 
 
 def _refusal(
-    path: Path, names: Sequence[str], why: str, best: Mapping[str, str], reading: Reading
+    path: Path, names: Sequence[str], why: str, best: Mapping[str, str], reading: Reading, units: Units
 ) -> ColumnsError:
     free = [name for name in names if name not in best.values()]
     likely = {field: name for field, name in near(free).items() if field not in best} | dict(best)
     if not likely and list(names[:3]) == ["0", "1", "2"]:  # no header: the order that most programs write
         likely = dict(zip(NEEDED, names, strict=False))
     missing = {field: "COLUMN" for field in NEEDED if field not in likely}
-    unit = reading.time_unit or unit_in(likely.get("t", ""))
-    shown = unit if reading.time_unit or unit or "t" in missing else "ms"
-    command = command_for(path, likely | missing, shown)
+    fitting = units(likely["t"]) if "t" in likely else [reading.time_unit] if reading.time_unit else None
+    unit = fitting[0] if fitting and len(fitting) == 1 else None
+    told = likely | missing
+    command = command_for(path, told) if fitting is None else _command(path, told, fitting)
     return ColumnsError(f"{path}: {why}; it {_has(names)}; try: {command}", names, likely, unit, why)
 
 

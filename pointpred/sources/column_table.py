@@ -16,10 +16,11 @@ from pointpred.errors import ColumnsError, RecordingError
 from pointpred.recording import Provenance, Recording, Skip
 from pointpred.sources import tables, time_units
 from pointpred.sources.assembly import IntArray
+from pointpred.sources.clock_units import counts_frames, units_of
 from pointpred.sources.column_mapping import KEYS, command_for, mapping, parts_of, unit_refusal
-from pointpred.sources.column_names import near, unit_in
+from pointpred.sources.column_names import near
 from pointpred.sources.json_cells import open_cells
-from pointpred.sources.list_rows import holds_lists, recording_of_lists, steps_of
+from pointpred.sources.list_rows import holds_lists, recording_of_lists
 from pointpred.sources.reading import NEEDED, Reading
 from pointpred.sources.table_buttons import buttons_of
 from pointpred.sources.table_trials import TARGET, Rows, recording_of_rows
@@ -76,15 +77,18 @@ def recording_of_table(path: Path, table: ColumnTable, reading: Reading) -> Reco
     def same(some: Sequence[str]) -> bool:
         return all(_part_alike(column(some[0]), column(other)) for other in some[1:])
 
-    found, notes = mapping(path, names, reading, same)
+    def units(name: str) -> list[str]:
+        return units_of(name, column(name), reading.time_unit)[0]
+
+    found, notes = mapping(path, names, reading, same, units)
     count = sizes.pop() if sizes else 0
     if any(holds_lists(column(found[field])) for field in NEEDED):
         return _of_lists(path, table, reading, column, found, notes)
     rows = Rows(count, np.arange(count, dtype=np.int64) if table.row_of is None else table.row_of)
-    iso = time_units.is_stamps(column(found["t"]), reading.time_unit)
+    unit, how = _unit(path, names, found, column(found["t"]), reading)
+    iso = unit == "iso"
     rows.values["t"], wrong = time_units.clock(column(found["t"]), iso)
     rows.blame("t", found["t"], wrong, "a date and time" if iso else "a number")
-    unit, how = ("iso", " as date and time") if iso else _unit(path, names, found, rows.values["t"], reading)
     rows.per_second = time_units.PER_SECOND[unit]
     gains = _gains(reading)
     for field in ("x", "y", "dx", "dy", *TARGET):
@@ -134,7 +138,7 @@ def _of_lists(
         some = ", ".join(found[field] for field in lacking)
         said = f"t, x and y must be lists alike; {some} holds none"
         raise ColumnsError(f"{path}: {said}", names, found, reason=said)
-    unit, how = _unit(path, names, found, steps_of(column(found["t"])), reading)
+    unit, how = _unit(path, names, found, column(found["t"]), reading)
     gains = _gains(reading)
     return recording_of_lists(
         path,
@@ -189,16 +193,13 @@ def as_arrow(column: Any) -> Any:
 
 
 def _unit(
-    path: Path, names: Sequence[str], found: dict[str, str], clock: FloatArray, reading: Reading
+    path: Path, names: Sequence[str], found: dict[str, str], column: Any, reading: Reading
 ) -> tuple[str, str]:
     """The unit of time, and how it is known, as notes say it; raises ColumnsError where it is not known."""
-    named = reading.time_unit or unit_in(found["t"])
-    if named is not None:
-        return named, f" in {named}"
-    units = time_units.units_by_rate(clock)
+    units, how = units_of(found["t"], column, reading.time_unit)
     if len(units) != 1:
-        raise unit_refusal(path, names, found, units, reading)
-    return units[0], f" in {units[0]} (by its rate)"
+        raise unit_refusal(path, names, found, units, reading, counts_frames(column))
+    return units[0], how
 
 
 def _check_numbers(

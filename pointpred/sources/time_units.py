@@ -1,4 +1,4 @@
-"""A column of times as seconds: its unit by its cells or its rates, and no digit of a long clock lost."""
+"""A column of times as numbers in its unit: dates and times too, and no digit of a long clock lost."""
 
 from __future__ import annotations
 
@@ -16,8 +16,6 @@ PER_SECOND = {"s": 1.0, "ms": 1e3, "us": 1e6, "ns": 1e9, "iso": 1e9}
 ISO = r"^\s*\d{4}-\d{2}-\d{2}[T ]\d{2}:\d{2}(:\d{2}([.,]\d{1,9})?)?(Z|[+-]\d{2}:?\d{2})?\s*$"
 ZONE = r"(Z|[+-]\d{2}:?\d{2})\s*$"
 WHOLE = r"^\s*[+-]?(\d{1,18}|[1-8]\d{18})\s*$"
-SHORTEST_S, LONGEST_S = 1e-4, 0.2
-"""Bounds on the median interval between samples of a pointing device."""
 LONG = 1e6
 """A clock that has come further than this is read digit by digit: a float would round it."""
 DECIMAL = pa.decimal128(36, 12)
@@ -31,22 +29,6 @@ def is_stamps(column: Any, unit: str | None) -> bool:
         return unit == "iso"
     first = next((cell for cell in column.slice(0, 1000).to_pylist() if (cell or "").strip()), "")
     return bool(pc.match_substring_regex(pa.array([first]), ISO)[0].as_py())
-
-
-def units_by_rate(clock: FloatArray) -> list[str]:
-    """The units under which the median step forwards lies between 0.1 ms and 0.2 s.
-
-    >>> units_by_rate(np.arange(9) * 16.67), units_by_rate(np.arange(9) * 150.0)
-    (['ms'], ['ms', 'us'])
-    """
-    steps = np.diff(clock[np.isfinite(clock)])
-    steps = steps[steps > 0]
-    if not len(steps):
-        return []
-    middle = float(np.median(steps))
-    return [
-        unit for unit, per in PER_SECOND.items() if unit != "iso" and SHORTEST_S <= middle / per <= LONGEST_S
-    ]
 
 
 def clock(column: Any, iso: bool = False) -> tuple[FloatArray, dict[int, str]]:

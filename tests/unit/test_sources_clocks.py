@@ -9,6 +9,7 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
 
+from pointpred.errors import ColumnsError
 from pointpred.sources import read_any
 
 
@@ -47,3 +48,70 @@ def test_a_date_too_far_for_nanoseconds_costs_its_row(tmp_path: Path) -> None:
     [recording] = read_any(path)
     assert len(recording.events) == 19
     assert any("data row 4" in note and "2924" in note for note in recording.notes)
+
+
+def counted(step: float, start: float = 0.0, count: int = 40) -> list[str]:
+    """Times of equal steps."""
+    return [f"{start + i * step:.17g}" for i in range(count)]
+
+
+@pytest.mark.parametrize(
+    ("times", "unit"),
+    [
+        (counted(16.67), "ms"),
+        (counted(8), "ms"),
+        (counted(2), "ms"),
+        (counted(0.01667), "s"),
+        (counted(8333), "us"),
+        (counted(1, 1_700_000_000), "s"),
+        ([str(1_700_000_000 + i // 10) for i in range(40)], "s"),
+        (counted(0.02, 1_700_000_000), "s"),
+        (counted(150, 1_700_000_000_000), "ms"),
+        ([str(1_700_000_000_000_000_000 + 250_000_000 * i) for i in range(40)], "ns"),
+    ],
+)
+def test_a_unit_that_is_certain_is_taken(tmp_path: Path, times: list[str], unit: str) -> None:
+    [recording] = read_any(table(tmp_path, "time,x,y,trial", times, "a"))
+    assert f"t = time in {unit} (by its" in recording.notes[0]
+
+
+@pytest.mark.parametrize(
+    ("times", "units"),
+    [
+        (counted(0.25), "s or ms"),
+        (counted(1), "s or ms"),
+        (counted(150), "ms or us"),
+        (counted(0.02, 1_700_000_000_000), "ms or s"),
+        (counted(1e-7), "s or ms or us or ns or iso"),
+    ],
+    ids=["4 Hz", "frames", "150", "steps that contradict the size", "days"],
+)
+def test_a_unit_that_is_not_certain_is_asked_for(tmp_path: Path, times: list[str], units: str) -> None:
+    path = table(tmp_path, "time,x,y,trial", times, "a")
+    with pytest.raises(ColumnsError) as refusal:
+        read_any(path)
+    assert f"--time-unit UNIT (UNIT: {units})" in str(refusal.value)
+    assert refusal.value.time_unit is None
+    assert ("frames" in refusal.value.reason) == (times[1] == "1")
+    assert read_any(path, time_unit="s")
+
+
+@pytest.mark.parametrize(
+    ("times", "header", "command"),
+    [
+        (counted(0.02), "time", "--columns t=time,x=COLUMN,y=COLUMN --time-unit s"),
+        (counted(20), "time", "--columns t=time,x=COLUMN,y=COLUMN --time-unit ms"),
+        (counted(20), "time_us", "--columns t=time_us,x=COLUMN,y=COLUMN --time-unit us"),
+        (STAMPS, "time", "--columns t=time,x=COLUMN,y=COLUMN --time-unit iso"),
+        (counted(1), "time", "--columns t=time,x=COLUMN,y=COLUMN --time-unit UNIT (UNIT: s or ms)"),
+        (counted(20), "when", "--columns t=COLUMN,x=COLUMN,y=COLUMN"),
+    ],
+)
+def test_a_refusal_prints_a_unit_only_where_it_is_known(
+    tmp_path: Path, times: list[str], header: str, command: str
+) -> None:
+    with pytest.raises(ColumnsError) as refusal:
+        read_any(table(tmp_path, f"{header},across,up", times))
+    assert str(refusal.value).endswith(command)
+    unit = command.rpartition("--time-unit ")[2]
+    assert refusal.value.time_unit == (unit if unit in ("s", "ms", "us", "iso") else None)

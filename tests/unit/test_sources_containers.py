@@ -307,7 +307,7 @@ def test_claims_of_size_in_xdf_are_not_believed(tmp_path: Path) -> None:
     ("head", "word"),
     [
         (b"RDX3\nX\n", "write.csv"),
-        (gzip.compress(b"X\n\0\0\0\3" + bytes(99)), "write.csv"),
+        (gzip.compress(b"X\n\0\0\0\3" + bytes(99), mtime=0), "write.csv"),
         (b"$FL2@(#)", "CSV"),
         (b"PK\x03\x04", ""),
     ],
