@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from pointpred.devices.first_moving import SILENCE_S, FirstMoving
+from pointpred.devices.lsl_inlet import LslInlet
 from pointpred.devices.played import PlayedSource
 
 if TYPE_CHECKING:
@@ -34,6 +35,8 @@ def notes_of(session: LiveSession) -> Callable[[], str | None]:
 
 def silence(source: DeviceSource) -> str:
     """Which devices are listened to while nothing moves, which cannot be, and what to try."""
+    if isinstance(source, LslInlet):
+        return f"nothing moves in the stream {source.name!r}. Is the program that sends it still running?"
     devices: tuple[DeviceSource, ...] = (source,)
     closed: tuple[Found, ...] = ()
     if isinstance(source, FirstMoving):

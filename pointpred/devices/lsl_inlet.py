@@ -36,7 +36,10 @@ class Channels(msgspec.Struct, frozen=True):
 
 
 class StreamReport(Report, frozen=True, kw_only=True, gc=False):
-    """A sample on its way through a session; ``dx`` and ``dy`` are zero where the stream has not both."""
+    """A sample on its way through a session.
+
+    ``dx`` and ``dy`` are px since the sample before where the stream has not both: they say that it moves.
+    """
 
     event: PointerEvent
 
@@ -80,6 +83,7 @@ class LslInlet:
         """What was added to its first stamps to have them on this computer's clock of Lab Streaming Layer."""
         self._wait_s = wait_s
         self._inlet: Any = None
+        self._place: tuple[float, float] | None = None
 
     def __enter__(self) -> Self:
         lsl = library()
@@ -142,6 +146,7 @@ class LslInlet:
         x, y = float(values[places.x]), float(values[places.y])
         if not (isfinite(x) and isfinite(y)):
             return None
+        before, self._place = self._place or (x, y), (x, y)
         dx = dy = None
         if (
             places.dx is not None
@@ -152,7 +157,8 @@ class LslInlet:
         pressed = 0.0 if places.buttons is None else values[places.buttons]
         buttons = int(pressed) if isfinite(pressed) and pressed > 0 else 0
         event = PointerEvent(t, x, y, dx, dy, buttons)
-        return StreamReport(t, dx or 0.0, dy or 0.0, buttons, event=event)
+        moved = (x - before[0], y - before[1]) if dx is None or dy is None else (dx, dy)
+        return StreamReport(t, *moved, buttons, event=event)
 
 
 def channels_of(name: str, count: int, labels: Sequence[str | None]) -> Channels:

@@ -14,6 +14,7 @@ from typer.testing import CliRunner
 
 from pointpred import PointerEvent, build
 from pointpred.cli.app import app
+from pointpred.cli.live_notes import silence
 from pointpred.devices.lsl import ahead_s
 from pointpred.devices.lsl_inlet import Channels, LslInlet, StreamPath, channels_of
 from pointpred.devices.lsl_outlet import CHANNELS, LslOutlet
@@ -154,6 +155,26 @@ def test_channels_are_known_by_their_labels(labels: list[str | None], expected: 
 def test_a_stream_without_a_position_is_refused(count: int, labels: list[str | None]) -> None:
     with pytest.raises(SourceError):
         channels_of("one", count, labels)
+
+
+@pytest.mark.parametrize(
+    ("labels", "rows", "expected"),
+    [
+        (["x", "y"], [(5.0, 5.0), (5.0, 5.0), (7.0, 4.0)], [(0.0, 0.0), (0.0, 0.0), (2.0, -1.0)]),
+        (["x", "y", "dx", "dy"], [(5.0, 5.0, 0.0, 3.0), (9.0, 5.0, 0.0, 0.0)], [(0.0, 3.0), (0.0, 0.0)]),
+    ],
+)
+def test_a_stream_that_moves_is_known_to_move(labels: list[str], rows: Any, expected: Any) -> None:
+    inlet = LslInlet("one")
+    inlet._channels = channels_of("one", len(labels), labels)
+    reports = [inlet._report(row, 0.0) for row in rows]
+    assert [(report.dx, report.dy) for report in reports if report is not None] == expected
+
+
+def test_a_silent_stream_is_named_without_advice_on_mice() -> None:
+    words = silence(LslInlet("eye"))
+    assert "'eye'" in words
+    assert "devices list" not in words
 
 
 @pytest.mark.parametrize(
