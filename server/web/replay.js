@@ -122,10 +122,11 @@ async function take(coming) {
 
 async function openFiles(files, told = {}) {
   if (!files.length) return;
-  closeColumns();
+  if (told.columns === undefined) closeColumns(); // else what the form says may be refused: it stays until the file is open
   write(said, "Reading…");
   try {
     if (!(await take(opened(files, told)))) return;
+    closeColumns();
     await results.score(source.csv, [...choices[0].options].map(({ value }) => value), "", source.told);
   } catch (error) {
     const before = source === null ? "" : ` What was open before stays: ${source.title}.`;

@@ -25,9 +25,15 @@ def test_a_table_whose_columns_cannot_be_guessed_is_asked_about_and_opened(
     assert one.value(options) == ["", "clock", "across", "upwards", "who"]
     assert one.value("document.querySelector('#replay-column-t').value") == "clock"  # guessed
     assert one.value("document.activeElement.id") == "replay-column-x"
-    for field, column in {"x": "across", "y": "upwards", "user": "who", "unit": "ms"}.items():
+    for field, column in {"x": "across", "y": "across", "user": "who", "unit": "ms"}.items():
         one.choose(f"#replay-column-{field}", column)
     one.value("document.querySelector('#replay-column-up').click()")
+    one.value("document.querySelector('#replay-columns [type=submit]').click()")
+    one.wait(
+        "document.querySelector('#replay-source').textContent.startsWith('Not opened')"
+    )  # one column twice
+    assert not one.value("document.querySelector('#replay-columns').hidden")
+    one.choose("#replay-column-y", "upwards")
     one.value("document.querySelector('#replay-columns [type=submit]').click()")
     one.wait("document.querySelector('#replay-readout').textContent.includes('Movement 1 of 1, person ann')")
     assert one.value("document.querySelector('#replay-columns').hidden")
