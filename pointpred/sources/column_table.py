@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -56,127 +56,177 @@ def recording_of_table(path: Path, table: ColumnTable, reading: Reading) -> Reco
     Says in a note what was assumed. Raises ColumnsError, which names the columns and a mapping to try, where
     no mapping is certain, and RecordingError where a mapped column is not what it should be.
     """
+    mapped = _MappedTable(path, _opened(path, table, reading), reading)
+    return _of_lists(mapped) if mapped.holds_lists else _of_rows(mapped)
+
+
+class _MappedTable:
+    """A table whose columns are mapped to our fields: ``found`` field -> column; raises ColumnsError."""
+
+    def __init__(self, path: Path, table: ColumnTable, reading: Reading) -> None:
+        self.path, self.table, self.reading = path, table, reading
+        self.names = list(table.columns)
+        self._arrays: dict[str, Any] = {}
+        self.found, self.notes = mapping(path, self.names, reading, self._same, self._units)
+        gain = reading.px_per_unit or 1.0
+        turned = -gain if reading.y_up else gain
+        self.gains = {"x": gain, "y": turned, "target_x": gain, "target_y": turned, "target_w": gain}
+
+    def column(self, name: str) -> Any:
+        """A column as an Arrow array."""
+        if name not in self._arrays:
+            self._arrays[name] = as_arrow(self.table.columns[name])
+        return self._arrays[name]
+
+    def field(self, field: str) -> Any:
+        """The column of a field as an Arrow array."""
+        return self.column(self.found[field])
+
+    @property
+    def count(self) -> int:
+        """Rows."""
+        return len(self.field("t"))
+
+    @property
+    def others(self) -> list[str]:
+        """The columns that are mapped to no field."""
+        return [name for name in self.names if name not in self.found.values()]
+
+    @property
+    def holds_lists(self) -> bool:
+        """Whether a row is a trial."""
+        return any(holds_lists(self.field(field)) for field in NEEDED)
+
+    def unit(self) -> tuple[str, str]:
+        """The unit of time, and how it is known, as notes say it; raises ColumnsError where it is not."""
+        column = self.field("t")
+        units, how = units_of(self.found["t"], column, self.reading.time_unit)
+        if len(units) != 1:
+            frames = counts_frames(column)
+            raise unit_refusal(self.path, self.names, self.found, units, self.reading, frames)
+        return units[0], how
+
+    def refusal(self, said: str, more: str = "") -> ColumnsError:
+        """What to raise where the mapping does not fit the cells; ``more`` is no part of its reason."""
+        return ColumnsError(f"{self.path}: {said}{more}", self.names, self.found, reason=said)
+
+    def provenance(self, how: str) -> Provenance:
+        """What the table and ``reading`` say about the samples."""
+        reading = self.reading
+        return Provenance(
+            self.table.format,
+            unit="px" if reading.px_per_unit is None else f"units of {reading.px_per_unit:g} px",
+            origin="as in the file",
+            y_axis="up" if reading.y_up else "down",
+            clock=f"column {self.found['t']}{how}",
+            dpi=reading.dpi,
+            cpi=reading.cpi,
+        )
+
+    def all_notes(self, how: str) -> tuple[str, ...]:
+        """The notes of the table, the mapping, and what was assumed."""
+        pairs = (f"{field} = {name}" + (how if field == "t" else "") for field, name in self.found.items())
+        return (*self.table.notes, "columns: " + ", ".join(pairs), *self.notes)
+
+    def _units(self, name: str) -> list[str]:
+        """The units that a column of times may be in."""
+        return units_of(name, self.column(name), self.reading.time_unit)[0]
+
+    def _same(self, some: Sequence[str]) -> bool:
+        """Whether columns part the rows alike."""
+        return all(_part_alike(self.column(some[0]), self.column(other)) for other in some[1:])
+
+
+def _opened(path: Path, table: ColumnTable, reading: Reading) -> ColumnTable:
+    """The table with the tracks in its cells as columns, and the columns that ``reading`` joins."""
     columns, damage = open_cells(table.columns)
-    table = msgspec.structs.replace(table, columns=columns, notes=(*table.notes, *damage))
-    names = list(table.columns)
-    sizes = {len(column) for column in table.columns.values()}
+    sizes = {len(column) for column in columns.values()}
     if len(sizes) > 1:
         raise RecordingError(
             f"{path}: columns of {min(sizes)} to {max(sizes)} rows, expected as many of each"
         )
-    for name, parts in parts_of(path, names, reading).items():
-        table.columns[name] = joined([as_arrow(table.columns[part]) for part in parts])
-    names = list(table.columns)
-    arrays: dict[str, Any] = {}
+    for name, parts in parts_of(path, list(columns), reading).items():
+        columns[name] = joined([as_arrow(columns[part]) for part in parts])
+    return msgspec.structs.replace(table, columns=columns, notes=(*table.notes, *damage))
 
-    def column(name: str) -> Any:
-        if name not in arrays:
-            arrays[name] = as_arrow(table.columns[name])
-        return arrays[name]
 
-    def same(some: Sequence[str]) -> bool:
-        return all(_part_alike(column(some[0]), column(other)) for other in some[1:])
+def _of_lists(mapped: _MappedTable) -> Recording:
+    """The recording in a table with a trial a row; raises ColumnsError."""
+    lacking = [mapped.found[field] for field in NEEDED if not holds_lists(mapped.field(field))]
+    if lacking:
+        raise mapped.refusal(f"t, x and y must be lists alike; {', '.join(lacking)} holds none")
+    unit, how = mapped.unit()
+    return recording_of_lists(
+        mapped.path,
+        mapped.column,
+        mapped.found,
+        mapped.others,
+        per_second=time_units.PER_SECOND[unit],
+        gain=(mapped.gains["x"], mapped.gains["y"]),
+        provenance=mapped.provenance(how),
+        skipped=mapped.table.skipped,
+        notes=mapped.all_notes(how),
+    )
 
-    def units(name: str) -> list[str]:
-        return units_of(name, column(name), reading.time_unit)[0]
 
-    found, notes = mapping(path, names, reading, same, units)
-    count = sizes.pop() if sizes else 0
-    if any(holds_lists(column(found[field])) for field in NEEDED):
-        return _of_lists(path, table, reading, column, found, notes)
-    rows = Rows(count, np.arange(count, dtype=np.int64) if table.row_of is None else table.row_of)
-    unit, how = _unit(path, names, found, column(found["t"]), reading)
-    iso = unit == "iso"
-    rows.values["t"], wrong = time_units.clock(column(found["t"]), iso)
-    rows.blame("t", found["t"], wrong, "a date and time" if iso else "a number")
-    rows.per_second = time_units.PER_SECOND[unit]
-    gains = _gains(reading)
-    for field in ("x", "y", "dx", "dy", *TARGET):
-        if field in found:
-            numbers, wrong = tables.finite_numbers(column(found[field]))
-            with np.errstate(over="ignore"):  # what overflows is judged with its row
-                rows.values[field] = numbers * gains.get(field, 1.0) + 0.0  # no negative zero
-            if field not in TARGET:
-                rows.blame(field, found[field], wrong, "a number")
-    for field in NEEDED:
-        _check_numbers(path, names, found, field, rows.values[field], column(found[field]))
-    if "buttons" in found:
-        told = "buttons" in (reading.columns or {})
-        pressed = buttons_of(path, found["buttons"], column(found["buttons"]), told)
-        if pressed is None:
-            notes.append(f"column {found['buttons']} is left aside: its cells are not buttons")
-            del found["buttons"]
-        else:
-            rows.values["buttons"] = pressed
-    keys = {key: pc.utf8_trim_whitespace(tables.words(column(found[key]))) for key in KEYS if key in found}
+def _of_rows(mapped: _MappedTable) -> Recording:
+    """The recording in a table with a sample a row; raises ColumnsError."""
+    row_of = mapped.table.row_of
+    rows = Rows(mapped.count, np.arange(mapped.count, dtype=np.int64) if row_of is None else row_of)
+    how = _read_clock(mapped, rows)
+    _read_numbers(mapped, rows)
+    _read_buttons(mapped, rows)
+    keys = {
+        key: pc.utf8_trim_whitespace(tables.words(mapped.field(key))) for key in KEYS if key in mapped.found
+    }
     if "trial" not in keys:
-        _check_clock(path, names, found, rows.values["t"], keys.get("user"))
+        _check_clock(mapped, rows.values["t"], keys.get("user"))
     return recording_of_rows(
-        path,
+        mapped.path,
         rows,
         keys,
-        {name: column(name) for name in names if name not in found.values()},
-        reading,
-        provenance=_provenance(table, reading, found, how),
-        skipped=table.skipped,
-        notes=(*table.notes, _mapped(found, how), *notes),
+        {name: mapped.column(name) for name in mapped.others},
+        mapped.reading,
+        provenance=mapped.provenance(how),
+        skipped=mapped.table.skipped,
+        notes=mapped.all_notes(how),
     )
 
 
-def _of_lists(
-    path: Path,
-    table: ColumnTable,
-    reading: Reading,
-    column: Callable[[str], Any],
-    found: dict[str, str],
-    notes: Sequence[str],
-) -> Recording:
-    """The recording in a table with a trial a row; raises ColumnsError."""
-    names = list(table.columns)
-    lacking = [field for field in NEEDED if not holds_lists(column(found[field]))]
-    if lacking:
-        some = ", ".join(found[field] for field in lacking)
-        said = f"t, x and y must be lists alike; {some} holds none"
-        raise ColumnsError(f"{path}: {said}", names, found, reason=said)
-    unit, how = _unit(path, names, found, column(found["t"]), reading)
-    gains = _gains(reading)
-    return recording_of_lists(
-        path,
-        column,
-        found,
-        [name for name in names if name not in found.values()],
-        per_second=time_units.PER_SECOND[unit],
-        gain=(gains["x"], gains["y"]),
-        provenance=_provenance(table, reading, found, how),
-        skipped=table.skipped,
-        notes=(*table.notes, _mapped(found, how), *notes),
-    )
+def _read_clock(mapped: _MappedTable, rows: Rows) -> str:
+    """Put the times into ``rows``; returns how their unit is known, as notes say it."""
+    unit, how = mapped.unit()
+    rows.values["t"], wrong = time_units.clock(mapped.field("t"), unit == "iso")
+    rows.blame("t", mapped.found["t"], wrong, "a date and time" if unit == "iso" else "a number")
+    rows.per_second = time_units.PER_SECOND[unit]
+    return how
 
 
-def _gains(reading: Reading) -> dict[str, float]:
-    """What x, y and the target are multiplied by."""
-    gain = reading.px_per_unit or 1.0
-    turned = -gain if reading.y_up else gain
-    return {"x": gain, "y": turned, "target_x": gain, "target_y": turned, "target_w": gain}
+def _read_numbers(mapped: _MappedTable, rows: Rows) -> None:
+    """Put positions, counts and targets in px into ``rows``; raises ColumnsError where most are none."""
+    for field in ("x", "y", "dx", "dy", *TARGET):
+        if field in mapped.found:
+            numbers, wrong = tables.finite_numbers(mapped.field(field))
+            with np.errstate(over="ignore"):  # what overflows is judged with its row
+                rows.values[field] = numbers * mapped.gains.get(field, 1.0) + 0.0  # no negative zero
+            if field not in TARGET:
+                rows.blame(field, mapped.found[field], wrong, "a number")
+    for field in NEEDED:
+        _check_numbers(mapped, field, rows.values[field])
 
 
-def _mapped(found: dict[str, str], how: str) -> str:
-    """The mapping as a note."""
-    return "columns: " + ", ".join(
-        f"{field} = {name}" + (how if field == "t" else "") for field, name in found.items()
-    )
-
-
-def _provenance(table: ColumnTable, reading: Reading, found: dict[str, str], how: str) -> Provenance:
-    return Provenance(
-        table.format,
-        unit="px" if reading.px_per_unit is None else f"units of {reading.px_per_unit:g} px",
-        origin="as in the file",
-        y_axis="up" if reading.y_up else "down",
-        clock=f"column {found['t']}{how}",
-        dpi=reading.dpi,
-        cpi=reading.cpi,
-    )
+def _read_buttons(mapped: _MappedTable, rows: Rows) -> None:
+    """Put the buttons into ``rows``; a column that holds none although it is called so is left aside."""
+    if "buttons" not in mapped.found:
+        return
+    name = mapped.found["buttons"]
+    told = "buttons" in (mapped.reading.columns or {})
+    pressed = buttons_of(mapped.path, name, mapped.field("buttons"), told)
+    if pressed is None:
+        mapped.notes.append(f"column {name} is left aside: its cells are not buttons")
+        del mapped.found["buttons"]
+    else:
+        rows.values["buttons"] = pressed
 
 
 def as_arrow(column: Any) -> Any:
@@ -192,50 +242,34 @@ def as_arrow(column: Any) -> Any:
     return pa.chunked_array([array])
 
 
-def _unit(
-    path: Path, names: Sequence[str], found: dict[str, str], column: Any, reading: Reading
-) -> tuple[str, str]:
-    """The unit of time, and how it is known, as notes say it; raises ColumnsError where it is not known."""
-    units, how = units_of(found["t"], column, reading.time_unit)
-    if len(units) != 1:
-        raise unit_refusal(path, names, found, units, reading, counts_frames(column))
-    return units[0], how
-
-
-def _check_numbers(
-    path: Path, names: Sequence[str], found: dict[str, str], field: str, values: FloatArray, column: Any
-) -> None:
+def _check_numbers(mapped: _MappedTable, field: str, values: FloatArray) -> None:
     """Raise ColumnsError where most cells of a column are no numbers."""
-    bad = int(np.count_nonzero(~np.isfinite(values)))
-    if bad <= MOSTLY * len(values):
+    bad = np.flatnonzero(~np.isfinite(values))
+    if len(bad) <= MOSTLY * len(values):
         return
-    row = int(np.flatnonzero(~np.isfinite(values))[0])
-    cell = tables.short(str(column[row].as_py()))
-    said = f"{bad} of {len(values)} cells of the column {found[field]!r} ({field}) are no number"
-    raise ColumnsError(
-        f"{path}: {said}, such as {cell!r} in data row {row}: is it another column, or another unit of time?",
-        names,
-        found,
-        reason=said,
+    row = int(bad[0])
+    cell = tables.short(str(mapped.field(field)[row].as_py()))
+    raise mapped.refusal(
+        f"{len(bad)} of {len(values)} cells of the column {mapped.found[field]!r} ({field}) are no number",
+        f", such as {cell!r} in data row {row}: is it another column, or another unit of time?",
     )
 
 
-def _check_clock(
-    path: Path, names: Sequence[str], found: dict[str, str], clock: FloatArray, users: Any
-) -> None:
+def _check_clock(mapped: _MappedTable, clock: FloatArray, users: Any) -> None:
     """Raise ColumnsError where the time of a stream goes backwards so often that it holds intervals."""
     if users is not None:
         clock = clock[np.argsort(codes_of(pc.fill_null(users, ""))[0], kind="stable")]
     steps = np.diff(clock[np.isfinite(clock)])
     back = int(np.count_nonzero(steps < 0))
     if back > max(OFTEN * len(steps), FEW):
-        rest = {field: name for field, name in found.items() if field != "t"}
-        likely = near([name for name in names if name not in found.values()]).get("t", "COLUMN")
+        rest = {field: name for field, name in mapped.found.items() if field != "t"}
+        likely = near(mapped.others).get("t", "COLUMN")
         raise ColumnsError(
-            f"{path}: the time (column {found['t']!r}) goes backwards in {back} of {len(steps)} steps: "
-            f"does it hold intervals? try: {command_for(path, rest | {'t': likely})}; where it is the time "
+            f"{mapped.path}: the time (column {mapped.found['t']!r}) goes backwards in {back} of "
+            f"{len(steps)} steps: does it hold intervals? try: "
+            f"{command_for(mapped.path, rest | {'t': likely})}; where it is the time "
             "of each trial, name the column of the trials: --columns trial=...",
-            names,
+            mapped.names,
             rest,
         )
 

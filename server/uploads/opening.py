@@ -10,7 +10,7 @@ import msgspec
 from pointpred.errors import ParameterError, PointpredError, RecordingError
 from pointpred.recording import Recording, Trial
 from pointpred.server.uploads.spooling import NAME, spooled
-from pointpred.server.uploads.unpacking import NO_TEXT, check_most, check_unpacked
+from pointpred.server.uploads.unpacking import NO_TEXT, PARQUET, check_most, check_unpacked
 from pointpred.sources import Reading, read_any
 from pointpred.sources.formats import format_of
 from pointpred.sources.reading import columns_of
@@ -57,7 +57,7 @@ def recordings_of(body: bytes, reading: Reading) -> list[Recording]:
     with spooled(body) as path:
         try:
             form = format_of(path, reading)
-            if form is not None and form.binary:
+            if form is not None and form.binary and not body.startswith(PARQUET):
                 raise RecordingError(NO_TEXT)  # its first bytes were made to look like text
             found = read_any(path, reading)
         except PointpredError as error:
