@@ -28,6 +28,7 @@ from pointpred.cli.reading import (
     Unit,
     YUp,
     reading,
+    to_read,
 )
 from pointpred.cli.screen import check_target, results
 from pointpred.errors import ParameterError
@@ -134,6 +135,7 @@ def live(
         Path | None,
         typer.Option(
             metavar="FILE",
+            callback=to_read,
             help="Play this recording instead of reading a mouse; 'sample': the embedded one.",
             rich_help_panel=REPLAY,
         ),

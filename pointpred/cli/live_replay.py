@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from pointpred.cli.playing import complain, one_recording, speed_of
-from pointpred.cli.reading import SAMPLE, is_sample
-from pointpred.errors import ParameterError, RecordingError
+from pointpred.errors import RecordingError
 
 if TYPE_CHECKING:
     from pointpred.cli.live_outlets import Outlets
@@ -46,9 +45,6 @@ def replay_of(asked: Asked) -> Replay:
     from pointpred.replaying.choosing import chosen, named, unplayable
 
     speed = speed_of(asked.speed or "1")
-    if not asked.file.exists() and not is_sample(asked.file):
-        hint = f"'--replay {SAMPLE}' plays the embedded sample"
-        raise ParameterError(f"--replay {asked.file}: no such file; {hint}")
     recording = one_recording(asked.file, asked.reading)
     places = chosen(recording, asked.trials)
     skips = {k: skip for k in places if (skip := unplayable(recording, k)) is not None}
