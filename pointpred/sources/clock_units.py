@@ -58,7 +58,7 @@ def units_by_rate(times: FloatArray) -> list[str]:
     >>> units_by_rate(np.arange(9) * 16.67), units_by_rate(np.arange(9) * 150.0)
     (['ms'], ['ms', 'us'])
     """
-    steps = _forwards(times)
+    steps = forwards(times)
     if not len(steps):
         return []
     middle = float(np.median(steps))
@@ -74,11 +74,12 @@ def unit_by_size(numbers: FloatArray) -> str | None:
 
 def counts_frames(column: Any) -> bool:
     """Whether a column of times goes forwards by whole ones only, as the number of a frame or a row does."""
-    steps = _forwards(steps_of(column) if holds_lists(column) else clock(column)[0])
+    steps = forwards(steps_of(column) if holds_lists(column) else clock(column)[0])
     return bool(len(steps)) and bool(np.all(steps == 1))
 
 
-def _forwards(times: FloatArray) -> FloatArray:
+def forwards(times: FloatArray) -> FloatArray:
+    """The steps of a clock that go forwards."""
     steps: FloatArray = np.diff(times[np.isfinite(times)])
     return steps[steps > 0]
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -16,11 +16,12 @@ from pointpred.errors import ColumnsError, RecordingError
 from pointpred.recording import Provenance, Recording, Skip
 from pointpred.sources import tables, time_units
 from pointpred.sources.assembly import IntArray
+from pointpred.sources.clock_doubts import doubts, only_whole_seconds
 from pointpred.sources.clock_units import counts_frames, units_of
 from pointpred.sources.column_mapping import KEYS, command_for, mapping, parts_of, unit_refusal
 from pointpred.sources.column_names import near
 from pointpred.sources.json_cells import open_cells
-from pointpred.sources.list_rows import holds_lists, recording_of_lists
+from pointpred.sources.list_rows import holds_lists, recording_of_lists, steps_of
 from pointpred.sources.reading import NEEDED, Reading
 from pointpred.sources.table_buttons import buttons_of
 from pointpred.sources.table_trials import TARGET, Rows, recording_of_rows
@@ -156,6 +157,7 @@ def _of_lists(mapped: _MappedTable) -> Recording:
     if lacking:
         raise mapped.refusal(f"t, x and y must be lists alike; {', '.join(lacking)} holds none")
     unit, how = mapped.unit()
+    mapped.notes += doubts(mapped.found["t"], time_units.PER_SECOND[unit], steps_of(mapped.field("t")))
     return recording_of_lists(
         mapped.path,
         mapped.column,
@@ -179,8 +181,7 @@ def _of_rows(mapped: _MappedTable) -> Recording:
     keys = {
         key: pc.utf8_trim_whitespace(tables.words(mapped.field(key))) for key in KEYS if key in mapped.found
     }
-    if "trial" not in keys:
-        _check_clock(mapped, rows.values["t"], keys.get("user"))
+    _doubt_clock(mapped, rows, keys)
     return recording_of_rows(
         mapped.path,
         rows,
@@ -253,6 +254,19 @@ def _check_numbers(mapped: _MappedTable, field: str, values: FloatArray) -> None
         f"{len(bad)} of {len(values)} cells of the column {mapped.found[field]!r} ({field}) are no number",
         f", such as {cell!r} in data row {row}: is it another column, or another unit of time?",
     )
+
+
+def _doubt_clock(mapped: _MappedTable, rows: Rows, keys: Mapping[str, Any]) -> None:
+    """Note what the steps of the clock say against it; raise ColumnsError where it cuts no stream."""
+    times, users = rows.values["t"], keys.get("user")
+    if "trial" not in keys:
+        _check_clock(mapped, times, users)
+    mapped.notes += doubts(mapped.found["t"], rows.per_second, times, users)
+    if only_whole_seconds(times, rows.per_second, users):
+        said = f"the time (column {mapped.found['t']!r}) has only whole seconds, with several rows in each"
+        if "trial" not in keys:
+            raise mapped.refusal(said, ": too coarse to cut; is there another column of times?")
+        mapped.notes.append(f"{said}: a movement within one takes no time")
 
 
 def _check_clock(mapped: _MappedTable, clock: FloatArray, users: Any) -> None:

@@ -115,3 +115,50 @@ def test_a_refusal_prints_a_unit_only_where_it_is_known(
     assert str(refusal.value).endswith(command)
     unit = command.rpartition("--time-unit ")[2]
     assert refusal.value.time_unit == (unit if unit in ("s", "ms", "us", "iso") else None)
+
+
+@pytest.mark.parametrize(
+    ("times", "unit", "asked"),
+    [
+        (counted(0.02), "ms", "is it in s?"),
+        (counted(20), "ns", "is it in ms?"),
+        (counted(20), "s", "is it in ms?"),
+        (counted(1e-9), "s", "is it a time?"),
+        (counted(20), "ms", ""),
+    ],
+)
+def test_a_rate_that_no_pointer_has_is_noticed(
+    tmp_path: Path, times: list[str], unit: str, asked: str
+) -> None:
+    [recording] = read_any(table(tmp_path, f"time_{unit},x,y,trial", times, "a"))
+    assert [note.endswith(asked) for note in recording.notes if "median interval" in note] == (
+        [True] if asked else []
+    )
+
+
+def test_a_user_in_another_unit_is_noticed(tmp_path: Path) -> None:
+    rows = [
+        f"{user},{i * step},{i},{i},1" for user, step in (("a", 20), ("b", 0.02), ("c", 20)) for i in range(9)
+    ]
+    path = tmp_path / "users.csv"
+    path.write_text("\n".join(["user,t_ms,x,y,trial", *rows]) + "\n")
+    [recording] = read_any(path)
+    assert [note for note in recording.notes if "median interval" in note and "'b'" in note]
+
+
+def test_lists_in_another_unit_are_noticed(tmp_path: Path) -> None:
+    path = tmp_path / "lists.csv"
+    path.write_text('trial,t_ms,x,y\none,"0,0.02,0.04,0.06","1,2,3,4","1,2,3,4"\n')
+    [recording] = read_any(path)
+    assert any("median interval" in note for note in recording.notes)
+
+
+def test_stamps_of_whole_seconds_are_called_so(tmp_path: Path) -> None:
+    times = [f"2024-03-01T10:00:{i // 10:02d}" for i in range(60)]
+    with pytest.raises(ColumnsError) as refusal:
+        read_any(table(tmp_path, "timestamp,x,y", times))
+    assert "whole seconds" in refusal.value.reason
+    [recording] = read_any(table(tmp_path, "timestamp,x,y,trial", times, "a"))
+    assert any("whole seconds" in note for note in recording.notes)
+    [recording] = read_any(table(tmp_path, "timestamp,x,y", times[::10]))
+    assert not any("whole seconds" in note for note in recording.notes)
