@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Sequence
 
 import msgspec
@@ -180,3 +181,19 @@ def _pairs(names: Sequence[str]) -> list[tuple[str, str]]:
     ys = {_plain(name, PIXELS): name for name in reversed(names)}
     pairs = [(name, ys.get(_plain(name, PIXELS).replace("x", "y"))) for name in _in_order(names, XS, PIXELS)]
     return [(x, y) for x, y in pairs if y is not None]
+
+
+def distinct(names: Sequence[str]) -> list[str]:
+    """The names, none twice: one that stands at several places has its place from 0 behind it.
+
+    >>> distinct(["t", "x", "x", "x.1"])
+    ['t', 'x.1', 'x.2', 'x.1.3']
+    """
+    often = Counter(names)
+    taken: dict[str, None] = {}
+    for place, name in enumerate(names):
+        title = name if often[name] == 1 else f"{name}.{place}"
+        while title in taken:
+            title += f".{place}"
+        taken[title] = None
+    return list(taken)

@@ -12,6 +12,7 @@ from typing import Any
 import msgspec
 
 from pointpred.errors import RecordingError
+from pointpred.sources.column_names import distinct
 
 MOST_DEPTH = 32
 MOST_CELLS = 40_000_000
@@ -218,9 +219,8 @@ def by_position(rows: list[list[Any]], names: Sequence[str] | None = None) -> Re
             table.rows = width
             return table
         return None
-    taken = Counter(names or ())
-    titles = [name if taken[name] == 1 else f"{name}.{at}" for at, name in enumerate(names or ())]
-    titles += [str(at) for at in range(len(titles), width)]
+    given = names or ()
+    titles = distinct([*given, *map(str, range(len(given), width))])
     for row in rows:
         table.add(dict(zip(titles, row, strict=False)))
     return table.finish()

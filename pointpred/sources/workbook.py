@@ -12,6 +12,7 @@ from zipfile import ZipFile
 
 from pointpred.errors import RecordingError
 from pointpred.extras import require
+from pointpred.sources.column_names import distinct
 from pointpred.sources.column_table import ColumnTable
 from pointpred.sources.reading import AS_IS, Reading
 from pointpred.sources.record_tables import RecordTable
@@ -103,8 +104,7 @@ def _table(path: Path, sheet: Any) -> RecordTable:
 def _titles(cells: dict[int, Any]) -> list[str]:
     """A name for each column up to the last of the first row: its words, else its place from 0."""
     names = [cells.get(at) for at in range(max(cells) + 1)]
-    words = [name if isinstance(name, str) else str(at) for at, name in enumerate(names)]
-    return [name if words.count(name) == 1 else f"{name}.{at}" for at, name in enumerate(words)]
+    return distinct([name if isinstance(name, str) else str(at) for at, name in enumerate(names)])
 
 
 def _cell(value: Any) -> Any:

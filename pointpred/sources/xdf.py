@@ -16,6 +16,7 @@ import msgspec
 
 from pointpred.errors import RecordingError
 from pointpred.extras import require
+from pointpred.sources.column_names import distinct
 from pointpred.sources.column_table import ColumnTable
 from pointpred.sources.decoding import open_unpacked
 from pointpred.sources.reading import AS_IS, Reading
@@ -70,10 +71,7 @@ def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
     values, times, faults = _load(path, part, stream)
     names = [label or str(at) for at, label in enumerate(stream.labels[: stream.channels])]
     names += [str(at) for at in range(len(names), stream.channels)]
-    taken = [TIMES, *names]
-    columns = {TIMES: times} | {
-        name if taken.count(name) == 1 else f"{name}.{at}": values[:, at] for at, name in enumerate(names)
-    }
+    columns = {TIMES: times} | dict(zip(distinct([*names, TIMES])[:-1], values.T, strict=True))
     notes = [
         f"stream {stream.title}: clocks synchronized, jitter of the time stamps kept",
         *(f"stream left aside: {other.title}" for other in streams if other != stream),

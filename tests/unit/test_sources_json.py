@@ -290,3 +290,9 @@ def test_a_path_of_very_many_names_is_followed_in_little_work(tmp_path: Path) ->
     with pytest.raises(RecordingError):
         record_paths.table_at(tmp_path, document, ".".join(["a"] * 16_000), "JSON")
     assert document.looks <= record_tables.MOST_DEPTH
+
+
+def test_no_column_is_lost_where_names_occur_twice(tmp_path: Path) -> None:
+    names = ["t", "x", "y", "a", "a", "a.4"]
+    columns = columns_of(tmp_path / "own.json", [names, *([8.0 * at, at, 1, 2, 3, 4] for at in range(20))])
+    assert [cells[0] for cells in columns.values()] == [0.0, 0, 1, 2, 3, 4]
