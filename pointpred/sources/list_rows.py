@@ -14,6 +14,7 @@ from pointpred.recording import UNKNOWN, Provenance, Recording, Skip, Trial
 from pointpred.sources import tables
 from pointpred.sources.decoding import stem_of
 from pointpred.sources.lists import Lists, is_list, split
+from pointpred.sources.trial_tables import condition_name
 
 LONGEST_CONDITION = 200
 """Longer cells of other columns are no condition."""
@@ -163,5 +164,5 @@ def _condition(cells: dict[str, Any]) -> dict[str, str | float]:
         word = _word(cell)
         number = _number(cell)
         if word and len(word) <= LONGEST_CONDITION:
-            known[name] = number if abs(number) < float("inf") else word
+            known[condition_name(name)] = number if abs(number) < float("inf") else word
     return known

@@ -11,6 +11,7 @@ from pointpred.columns import FloatArray
 from pointpred.sources import tables
 from pointpred.sources.assembly import IntArray
 from pointpred.sources.trial_keys import codes_of
+from pointpred.sources.trial_tables import condition_name
 
 PROBE = 1000
 """Rows at which most columns that vary are known as such."""
@@ -54,7 +55,7 @@ def conditions_of(
         numbers, faults = tables.finite_numbers(pa.chunked_array([pa.array(cells, pa.string())]))
         for index, code in enumerate(of_trial.astype(np.int64).tolist()):
             if cells[code].strip():
-                known[index][name] = cells[code] if faults else float(numbers[code])
+                known[index][condition_name(name)] = cells[code] if faults else float(numbers[code])
     return known, varying
 
 

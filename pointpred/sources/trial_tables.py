@@ -87,6 +87,16 @@ def _misnamed(columns: dict[str, list[Any]], conditions: Sequence[str]) -> list[
     return notes
 
 
+def condition_name(column: str) -> str:
+    """What a column of another table is called among the conditions, so that they can be written.
+
+    >>> condition_name("trial"), condition_name("size, px")
+    ('trial_column', 'size px')
+    """
+    name = " ".join(column.replace(",", " ").replace('"', " ").split())
+    return f"{name}_column" if name in ("", *OWN) else name
+
+
 def trial_table(recording: Recording, sizes: IntArray) -> tuple[Any, dict[str, Any]]:
     """The trials of a recording as an Arrow table, and the header's part that tells words from numbers."""
     trials = recording.trials

@@ -8,7 +8,7 @@ import pytest
 
 from pointpred.errors import ColumnsError
 from pointpred.recording import Recording
-from pointpred.sources import read_any
+from pointpred.sources import read, read_any, write
 
 
 def table(folder: Path, header: str, *runs: tuple[str, int]) -> Path:
@@ -94,3 +94,11 @@ def test_rows_without_one_of_the_joined_words_are_counted(tmp_path: Path) -> Non
     )
     assert [name for _, name in trials(recording)] == ["1|1", "x+1|1"]
     assert any("left out: 5" in note for note in recording.notes)
+
+
+def test_columns_named_as_pointpreds_own_can_be_written_as_conditions(tmp_path: Path) -> None:
+    path = table(tmp_path, "block,trial,dataset", ("1,1,pilot", 0), ("2,1,pilot", 0))
+    [recording] = read_any(path, columns={"trial": "block+trial"})
+    again = read(write(recording, tmp_path / "again.csv")[0])
+    assert trials(again) == trials(recording) == [("study", "1+1"), ("study", "2+1")]
+    assert again.trials[1].condition == {"block": 2.0, "trial_column": 1.0, "dataset_column": "pilot"}
