@@ -71,13 +71,22 @@ def _print_remarks(one: dict[str, Any]) -> None:
         remarks().print(f"{one['name']}: {remark}", markup=False)
 
 
+def _is_file(skip: dict[str, Any]) -> bool:
+    """Whether a whole file was skipped: its reason begins with its path."""
+    whole = skip["row"] is None and skip["user"] is None
+    return whole and skip["reason"].partition(": ")[0].endswith(skip["trial"])
+
+
 def _remarks(one: dict[str, Any]) -> Iterator[str]:
     """What was mended, what was skipped and why, where a predictor failed."""
     yield from one["notes"]
-    reasons = Counter(skip["reason"] for skip in one["skipped"])
+    for skip in filter(_is_file, one["skipped"]):
+        yield f"not read: {skip['reason']}"
+    trials = [skip for skip in one["skipped"] if not _is_file(skip)]
+    reasons = Counter(skip["reason"] for skip in trials)
     told = reasons.most_common(REASONS_SHOWN)
     for reason, count in told:
-        first = next(skip for skip in one["skipped"] if skip["reason"] == reason)
+        first = next(skip for skip in trials if skip["reason"] == reason)
         row = "" if first["row"] is None else f", data row {first['row']} (counted from 0)"
         user = "" if first["user"] is None else f" of {first['user']}"
         yield f"skipped {count}: {reason} (first: trial {first['trial']}{user}{row})"

@@ -41,6 +41,8 @@ STUDY = ("block", "session", "run", "condition", "phase")
 COUNTS = frozenset(_words("id number num no nr index name count"))
 """Words beside the one that says what a column counts."""
 CLOCKS = ("t", "ts", "clock")
+VAGUE = ("state",)
+"""Names of columns that hold buttons only where their cells are words for buttons."""
 USUAL = {
     "user": "user users userid participant participantid participantnr subject subjectid subjectnr "
     "subjectnumber subj subjid sid pid ppid",

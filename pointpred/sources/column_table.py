@@ -22,6 +22,7 @@ from pointpred.sources.column_mapping import KEYS, command_for, mapping, parts_o
 from pointpred.sources.column_names import near
 from pointpred.sources.json_cells import open_cells
 from pointpred.sources.list_rows import holds_lists, recording_of_lists, steps_of
+from pointpred.sources.psychopy_units import gain_of
 from pointpred.sources.reading import NEEDED, Reading
 from pointpred.sources.table_buttons import buttons_of
 from pointpred.sources.table_trials import TARGET, Rows, recording_of_rows
@@ -41,7 +42,8 @@ class ColumnTable(msgspec.Struct, frozen=True):
 
     A cell is a str, a number, a bool, ``None``, a date and time, or a list of numbers (a row a trial);
     a column is a list, a numpy array or an Arrow array. ``format`` for the provenance. ``row_of``: the file's
-    row of each row where some were left out, which ``skipped`` names.
+    row of each row where some were left out, which ``skipped`` names. ``unsure``: columns of numbers that may
+    be read in two ways, and why.
     """
 
     columns: dict[str, Any]
@@ -49,6 +51,7 @@ class ColumnTable(msgspec.Struct, frozen=True):
     notes: tuple[str, ...] = ()
     skipped: tuple[Skip, ...] = ()
     row_of: IntArray | None = None
+    unsure: dict[str, str] = {}
 
 
 def recording_of_table(path: Path, table: ColumnTable, reading: Reading) -> Recording:
@@ -69,9 +72,10 @@ class _MappedTable:
         self.names = list(table.columns)
         self._arrays: dict[str, Any] = {}
         self.found, self.notes = mapping(path, self.names, reading, self._same, self._units)
-        gain = reading.px_per_unit or 1.0
-        turned = -gain if reading.y_up else gain
-        self.gains = {"x": gain, "y": turned, "target_x": gain, "target_y": turned, "target_w": gain}
+        self._check_sure()
+        across, down = gain_of(path, reading.unit or "pix", reading)
+        down = -down if reading.y_up else down
+        self.gains = {"x": across, "y": down, "target_x": across, "target_y": down, "target_w": across}
 
     def column(self, name: str) -> Any:
         """A column as an Arrow array."""
@@ -114,9 +118,10 @@ class _MappedTable:
     def provenance(self, how: str) -> Provenance:
         """What the table and ``reading`` say about the samples."""
         reading = self.reading
+        converted = reading.px_per_unit is not None or reading.unit not in (None, "pix")
         return Provenance(
             self.table.format,
-            unit="px" if reading.px_per_unit is None else f"units of {reading.px_per_unit:g} px",
+            unit=f"units of {self.gains['x']:g} px" if converted else "px",
             origin="as in the file",
             y_axis="up" if reading.y_up else "down",
             clock=f"column {self.found['t']}{how}",
@@ -128,6 +133,13 @@ class _MappedTable:
         """The notes of the table, the mapping, and what was assumed."""
         pairs = (f"{field} = {name}" + (how if field == "t" else "") for field, name in self.found.items())
         return (*self.table.notes, "columns: " + ", ".join(pairs), *self.notes)
+
+    def _check_sure(self) -> None:
+        """Raise ColumnsError where a column of numbers may be read in two ways."""
+        for field in (*NEEDED, *TARGET):
+            if why := self.table.unsure.get(self.found.get(field, "")):
+                more = "; write numbers with a decimal point and without thousands separators"
+                raise self.refusal(f"the column {self.found[field]!r} ({field}): {why}", more)
 
     def _units(self, name: str) -> list[str]:
         """The units that a column of times may be in."""
@@ -156,6 +168,8 @@ def _of_lists(mapped: _MappedTable) -> Recording:
     lacking = [mapped.found[field] for field in NEEDED if not holds_lists(mapped.field(field))]
     if lacking:
         raise mapped.refusal(f"t, x and y must be lists alike; {', '.join(lacking)} holds none")
+    if mapped.reading.cut is not None:
+        mapped.notes.append(f"cut {mapped.reading.cut!r} has no effect: a row of the table is a trial")
     unit, how = mapped.unit()
     mapped.notes += doubts(mapped.found["t"], time_units.PER_SECOND[unit], steps_of(mapped.field("t")))
     return recording_of_lists(

@@ -18,7 +18,8 @@ from pointpred.sources import tables
 from pointpred.sources.arrow_files import in_memory
 from pointpred.sources.column_table import ColumnTable
 from pointpred.sources.decoding import UTF_8, open_utf8
-from pointpred.sources.delimited_layout import Layout, layout_of
+from pointpred.sources.delimited_layout import Layout, is_row, layout_of
+from pointpred.sources.number_marks import plain_numbers
 from pointpred.sources.reading import AS_IS, Reading, row_name
 
 TITLE = "a table of samples (delimited text)"
@@ -26,8 +27,6 @@ HEAD = 1 << 16
 LARGEST_BLOCK = 1 << 25
 COMMENT = re.compile(rb"^[ \t]*#[^\r\n]*(\r\n|\n|\r|$)", re.MULTILINE)
 LINE = re.compile(rb"\r\n|\n|\r")
-COMMA_NUMBER = r"^\s*[+-]?(\d+,\d*|,\d+)([eE][+-]?\d+)?\s*$"
-POINT_NUMBER = r"^\s*[+-]?(\d+\.\d*|\.\d+)([eE][+-]?\d+)?\s*$"
 MOST_ODD = 0.2
 """A larger share of rows with another number of cells means that this is no table."""
 MOST_NAMED = 20
@@ -52,7 +51,7 @@ def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
     layout = _layout(text[:HEAD])
     if layout is None:
         raise RecordingError(f"{path}: no table: no separator gives rows of one length with numbers")
-    body = _body(text, layout)
+    body, comments = _body(text, layout)
     if not body.strip():
         raise RecordingError(f"{path}: no rows below the header {', '.join(layout.columns)}")
     table, odd = _rows(path, body, layout)
@@ -70,14 +69,17 @@ def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
             f"{path}: {len(odd)} of {total} rows have another number of cells: {row_name(row)} has {cells}, "
             f"expected {layout.width}"
         )
-    columns = {
-        name: _cells(path, column, layout) for name, column in zip(layout.columns, table.columns, strict=True)
-    }
+    for column in table.columns:
+        _check_quotes(path, column, layout)
+    marks = plain_numbers(dict(zip(layout.columns, table.columns, strict=True)), layout.separator)
     notes = [] if layout.names is not None else ["no header: columns are named by their place from 0"]
     notes += [f"lines above the table left aside: {layout.above}"] if layout.above else []
-    notes += filled
+    notes += [f"comment lines between the rows left out: {comments}"] if comments else []
+    notes += filled + marks.notes
     row_of = tables.rows_without(total, odd) if odd else None
-    return ColumnTable(columns, "delimited text", tuple(notes), _skips(odd, layout.width), row_of)
+    return ColumnTable(
+        marks.columns, "delimited text", tuple(notes), _skips(odd, layout.width), row_of, marks.unsure
+    )
 
 
 def _layout(head: bytes) -> Layout | None:
@@ -88,19 +90,28 @@ def _layout(head: bytes) -> Layout | None:
     return layout_of(text)
 
 
-def _body(text: bytes, layout: Layout) -> bytes:
-    """The rows alone, with one blank between cells where blanks separate them."""
+def _body(text: bytes, layout: Layout) -> tuple[bytes, int]:
+    """The rows alone, with one blank between cells where blanks separate them; the number of comments."""
     place = 0
     for _ in range(layout.first):
         found = LINE.search(text, place)
         place = len(text) if found is None else found.end()
     body = text[place:]
+    comments = 0
+
+    def kept(found: re.Match[bytes]) -> bytes:
+        nonlocal comments
+        if is_row(found[0].decode("utf-8", "replace"), layout.separator, layout.width):
+            return found[0]
+        comments += 1
+        return b""
+
     if b"#" in body:
-        body = COMMENT.sub(b"", body)
+        body = COMMENT.sub(kept, body)
     if layout.separator == " ":
         body = re.sub(rb"^[ \t]+|[ \t]+$", b"", re.sub(rb"[ \t]+", b" ", body), flags=re.MULTILINE)
         body = re.sub(rb"[ ]+\r", b"\r", body)
-    return body
+    return body, comments
 
 
 def _rows(path: Path, body: bytes, layout: Layout) -> tuple[Any, dict[int, int]]:
@@ -144,8 +155,8 @@ def _padded(body: bytes, layout: Layout) -> bytes:
     return b"\n".join(lines) + b"\n"
 
 
-def _cells(path: Path, column: Any, layout: Layout) -> Any:
-    """A column with points for decimal commas; raises RecordingError for a cell that swallowed rows."""
+def _check_quotes(path: Path, column: Any, layout: Layout) -> None:
+    """Raise RecordingError for a cell that swallowed rows."""
     broken = pc.match_substring(column, "\n")
     if pc.any(broken, min_count=0).as_py():
         for row in tables.as_array(pc.indices_nonzero(broken)).tolist():
@@ -154,14 +165,6 @@ def _cells(path: Path, column: Any, layout: Layout) -> Any:
                 raise RecordingError(
                     f"{path}: {row_name(row)}: {tables.short(cell)!r} holds rows: a quote that is not closed?"
                 )
-    if layout.separator == ",":
-        return column
-    commas = pc.match_substring_regex(column, COMMA_NUMBER)
-    if not pc.any(commas, min_count=0).as_py():
-        return column
-    if pc.any(pc.match_substring_regex(column, POINT_NUMBER), min_count=0).as_py():
-        return column
-    return pc.if_else(commas, pc.replace_substring(column, ",", "."), column)
 
 
 def _skips(odd: dict[int, int], width: int) -> tuple[Skip, ...]:

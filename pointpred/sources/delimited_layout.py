@@ -78,8 +78,30 @@ def layout_of(text: str) -> Layout | None:
             continue  # what stands inside quotes separates no cells
         found = _by(separator, numbered, comments)
         if found is not None:
-            return found
+            return _from_hash(found, lines)
     return None
+
+
+def is_row(line: str, separator: str, width: int) -> bool:
+    """Whether a line that begins with # is a row, as of a participant #2: of its length, with numbers.
+
+    >>> is_row("#2,10,20", ",", 3), is_row("# t,x,y", ",", 3), is_row("# block 2, left", ",", 3)
+    (True, False, False)
+    """
+    rows, _ = _split(separator, [(0, line.strip())])
+    return bool(rows) and len(rows[0]) == width and any(map(is_number, rows[0][1:]))
+
+
+def _from_hash(layout: Layout, lines: Sequence[str]) -> Layout:
+    """The layout with rows that begin with # directly below the names among its rows."""
+    first = layout.first
+    while first > 1 and lines[first - 1].lstrip().startswith("#"):
+        first -= 1
+    below = first < layout.first and any(
+        is_row(line, layout.separator, layout.width) for line in lines[first : layout.first]
+    )
+    named = bool(lines[first - 1].strip()) and not lines[first - 1].lstrip().startswith("#")
+    return msgspec.structs.replace(layout, first=first) if below and named else layout
 
 
 def is_number(cell: str) -> bool:

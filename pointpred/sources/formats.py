@@ -44,6 +44,8 @@ from pointpred.sources.writing import together
 Progress = Callable[[str, int, int], None]
 OWN = ("recorder", "own")
 """Formats of which each file is a recording of its own."""
+ONE_TABLE = ("parquet", "delimited")
+"""Formats of which a file holds one table, so that ``Reading.records`` has nothing to choose."""
 OWN_NAMES = (set(recordings.REQUIRED), {"user", "trial", "n_samples"})
 """The columns by which pointpred's own samples and trials are known without their mark."""
 
@@ -120,7 +122,7 @@ FORMATS: tuple[Format, ...] = (
         "pointing-dynamics", pointing_dynamics.TITLE, pointing_dynamics.recognises, pointing_dynamics.read
     ),
     Format("mousetrap", mousetrap.TITLE, mousetrap.recognises, mousetrap.read),
-    Format("psychopy", psychopy.TITLE, psychopy.recognises, psychopy.read, takes=("px_per_unit",)),
+    Format("psychopy", psychopy.TITLE, psychopy.recognises, psychopy.read, takes=("px_per_unit", "unit")),
     Format(
         "jspsych",
         jspsych.TITLE,
@@ -259,6 +261,11 @@ def _read(form: Format, path: Path, reading: Reading) -> Recording:
     notes = []
     if reading.cut is not None and not form.streams:
         notes.append(f"cut {reading.cut!r} has no effect: {form.title} has trials of its own")
+    if reading.records is not None and form.key in ONE_TABLE:
+        notes.append(f"records has no effect: {form.title} is one table")
+    beside = recordings.trials_beside(path) if form.tabular and recordings.is_samples(path) else None
+    if beside is not None:
+        notes.append(f"{beside.name} is not read: with columns, the file is read as any table")
     told = [] if form.tabular else _of_tables(reading, form)
     notes += [f"{name} has no effect: {form.title} says it itself" for name in told if name not in form.takes]
     return msgspec.structs.replace(recording, notes=(*recording.notes, *notes)) if notes else recording
@@ -266,7 +273,14 @@ def _read(form: Format, path: Path, reading: Reading) -> Recording:
 
 def _of_tables(reading: Reading, form: Format) -> list[str]:
     """What ``reading`` says that only tables take; of our own ones, the unit of time."""
-    names = ("columns", "y_up", "px_per_unit", "records", *(("time_unit",) if form.key != "own" else ()))
+    names = (
+        "columns",
+        "y_up",
+        "px_per_unit",
+        "records",
+        "unit",
+        *(("time_unit",) if form.key != "own" else ()),
+    )
     return [name for name in names if getattr(reading, name) not in (None, False)]
 
 

@@ -13,13 +13,15 @@ import pyarrow as pa
 from pointpred.recording import UNKNOWN, Provenance, Recording, Skip, Trial
 from pointpred.sources import tables
 from pointpred.sources.decoding import stem_of
-from pointpred.sources.lists import Lists, is_list, split
+from pointpred.sources.lists import CLOSING, Lists, is_list, split
 from pointpred.sources.trial_tables import condition_name
 
 LONGEST_CONDITION = 200
 """Longer cells of other columns are no condition."""
 PROBE = 200
 """Rows whose steps tell the unit of time."""
+LEAST_ITEMS = 3
+"""Two numbers in a cell may be one with a decimal comma."""
 SERIES = ("t", "x", "y", "buttons")
 TARGET = ("target_x", "target_y", "target_w")
 
@@ -34,8 +36,13 @@ def holds_lists(column: Any) -> bool:
         return True
     if not tables.is_words(column):
         return False
-    cells = (cell for cell in column.slice(0, PROBE).to_pylist() if cell and cell.strip())
-    return is_list(next(cells, ""))
+    cells = [cell for cell in column.slice(0, PROBE).to_pylist() if cell and cell.strip()]
+    return bool(cells) and is_list(cells[0]) and any(map(_is_long, cells))
+
+
+def _is_long(cell: str) -> bool:
+    """Whether a cell is a list for sure: in brackets, or of more than two items."""
+    return is_list(cell) and (cell.rstrip()[-1] in CLOSING or len(split(cell)) >= LEAST_ITEMS)
 
 
 def steps_of(column: Any) -> Any:

@@ -172,6 +172,11 @@ def check_free(path: str | Path) -> None:
         raise ParameterError(f"{taken[0]} exists; pass --force to replace it and {other.name}")
 
 
+def is_samples(path: Path) -> bool:
+    """Whether a file is named as a samples file of pointpred's own."""
+    return stem_of(path).endswith(SAMPLES)
+
+
 def trials_beside(path: Path) -> Path | None:
     """The trials file beside a samples file, where there is one."""
     stem = stem_of(path).removesuffix(SAMPLES)

@@ -12,6 +12,7 @@ from pointpred.columns import FloatArray
 from pointpred.errors import RecordingError
 from pointpred.sources import tables
 from pointpred.sources.assembly import MOST_BUTTONS
+from pointpred.sources.column_names import VAGUE, words_of
 from pointpred.sources.trial_keys import codes_of
 
 RELEASED = frozenset(("false", "no", "none", "up", "released", "release", "mouseup", "move", "mousemove"))
@@ -22,14 +23,18 @@ PRESSED = {
     "secondary": 2.0,
     "middle": 4.0,
 }
+BUTTON_WORDS = {*RELEASED, *PRESSED} - {"true", "false", "yes", "no", "none", "move"}
+"""Words that say of a column called ``state`` that it is the buttons' state."""
 
 
 def buttons_of(path: Path, name: str, column: Any, told: bool) -> FloatArray | None:
     """Pressed buttons as W3C pointer events number them, 0 where a cell is empty.
 
     A column that was ``told`` must hold buttons, RecordingError says which cell does not; of one that bears a
-    usual name the answer is ``None`` where it holds something else.
+    usual name the answer is ``None`` where it holds something else; ``state`` must hold words for buttons.
     """
+    if not told and words_of(name) in [[vague] for vague in VAGUE] and not _has_words(column):
+        return None
     if pa.types.is_boolean(column.type) or not tables.is_words(column):
         values = np.nan_to_num(tables.numbers(column)[0])
         bad = np.flatnonzero((values < 0) | (values > MOST_BUTTONS) | (values != np.floor(values)))
@@ -50,9 +55,21 @@ def buttons_of(path: Path, name: str, column: Any, told: bool) -> FloatArray | N
     )
 
 
+def _has_words(column: Any) -> bool:
+    """Whether cells are words that only a button has."""
+    if not tables.is_words(column):
+        return False
+    _, cells = codes_of(tables.words(column).fill_null(""))
+    return any(_word(cell) in BUTTON_WORDS for cell in cells)
+
+
+def _word(cell: str) -> str:
+    return cell.strip().lower().replace("_", "").replace(" ", "")
+
+
 def _pressed(cell: str) -> float:
     """The number of a cell, NaN where it means no buttons."""
-    word = cell.strip().lower().replace("_", "").replace(" ", "")
+    word = _word(cell)
     if not word or word in RELEASED:
         return 0.0
     if word in PRESSED:

@@ -80,6 +80,8 @@ def recording_of_rows(
     users, one_user = keys.get("user"), stem_of(path)
     if "trial" in keys:
         groups = _by_column(rows, users, keys["trial"], one_user, others)
+        if reading.cut is not None:
+            groups.notes.append(f"cut {reading.cut!r} has no effect: the table has a column for trials")
     else:
         groups = _cut(rows, table, users, one_user, reading)
     kept = np.flatnonzero(groups.group >= 0)
@@ -92,6 +94,13 @@ def recording_of_rows(
         one_value(rows.values[field][kept], group, sizes) if field in rows.values else np.full(sizes, np.nan)
         for field in TARGET
     ]
+    unclear = [
+        field
+        for field, values in zip(TARGET, targets, strict=True)
+        if field in rows.values and _holds_more(rows.values[field][kept], group, values)
+    ]
+    if unclear:
+        groups.notes.append(f"targets that vary within a trial are left unknown: {', '.join(unclear)}")
     known, varying = conditions_of({name: (column, kept) for name, column in others.items()}, group, sizes)
     trials = [
         Trial(
@@ -214,6 +223,11 @@ def _said(one: bool, user: str, methods: dict[str, int], reading: Reading, trial
     }
     how = " or ".join(words[method] for method in methods)
     return [*notes, f"no column for trials: {how}" + ("" if trials == 1 else f"; {trials} trials")]
+
+
+def _holds_more(values: FloatArray, group: IntArray, of_trial: FloatArray) -> bool:
+    """Whether a trial of which no one value is known has some."""
+    return bool((np.isfinite(values) & np.isnan(of_trial)[group]).any())
 
 
 def _bad_widths(widths: FloatArray) -> dict[int, str]:

@@ -1,0 +1,76 @@
+"""Tables of which something could get lost or be ignored: it is read, refused or said in a note."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from pointpred.errors import RecordingError
+from pointpred.recording import Recording
+from pointpred.sources import Reading, read_any
+
+ROWS = [(10 * i, 3 * i, 100 - i) for i in range(30)]
+
+
+def read(folder: Path, names: str, rows: list[str], reading: Reading | None = None) -> Recording:
+    """The recording in a table with these names of columns."""
+    path = folder / "study.csv"
+    path.write_text("\n".join([names, *rows]) + "\n", encoding="utf-8")
+    [recording] = read_any(path, reading or Reading())
+    return recording
+
+
+def rows(*more: str) -> list[str]:
+    """The rows of one movement with further cells, one after another in turn."""
+    return [
+        ",".join([*map(str, row), *([more[at % len(more)]] if more else [])]) for at, row in enumerate(ROWS)
+    ]
+
+
+@pytest.mark.parametrize("first", ["#1", "P1"])
+def test_a_participant_whose_name_begins_with_a_hash_is_read(first: str, tmp_path: Path) -> None:
+    lines = [f"{user},{line}" for user in (first, "#2", "P3") for line in rows()]
+    lines.insert(40, "# a pause, of a minute")
+    recording = read(tmp_path, "participant,t_ms,x,y", lines)
+    assert [trial.user for trial in recording.trials] == [first, "#2", "P3"]
+    assert recording.events.x.tolist() == [x for _, x, _ in ROWS] * 3
+    assert "comment lines between the rows left out: 1" in recording.notes
+
+
+def test_positions_in_cm_are_converted_by_the_dots_per_inch(tmp_path: Path) -> None:
+    recording = read(tmp_path, "t_ms,x,y", rows(), Reading(unit="cm", dpi=254))
+    assert recording.events.x.tolist() == pytest.approx([100 * x for _, x, _ in ROWS])
+    metres = read(tmp_path, "t_ms,x,y", rows(), Reading(unit="m", dpi=254))
+    assert metres.events.x.tolist() == pytest.approx([10000 * x for _, x, _ in ROWS])
+
+
+def test_a_unit_that_needs_more_than_that_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(RecordingError, match="--px-per-unit"):
+        read(tmp_path, "t_ms,x,y", rows(), Reading(unit="deg"))
+
+
+@pytest.mark.parametrize("reading", [Reading(cut="bursts"), Reading(records="data")], ids=["cut", "records"])
+def test_an_option_without_effect_is_said(reading: Reading, tmp_path: Path) -> None:
+    recording = read(tmp_path, "t_ms,x,y,trial", rows("1"), reading)
+    assert any("has no effect" in note for note in recording.notes)
+    assert not any("has no effect" in note for note in read(tmp_path, "t_ms,x,y,trial", rows("1")).notes)
+
+
+def test_a_target_that_varies_within_a_trial_is_said(tmp_path: Path) -> None:
+    recording = read(tmp_path, "t_ms,x,y,trial,target_x", rows("1,5", "1,6"))
+    assert any("vary within a trial" in note and "target_x" in note for note in recording.notes)
+
+
+def test_the_trials_file_that_columns_leave_aside_is_said(tmp_path: Path) -> None:
+    path = tmp_path / "study_samples.csv"
+    path.write_text("\n".join(["user,trial,t_s,x_px,y_px", *(f"u,1,{line}" for line in rows())]) + "\n")
+    path.with_name("study_trials.csv").write_text("user,trial,target_x\nu,1,30\n")
+    [recording] = read_any(path, columns={"t": "t_s"})
+    assert any("study_trials.csv is not read" in note for note in recording.notes)
+
+
+def test_a_state_of_0_and_1_is_no_button(tmp_path: Path) -> None:
+    assert not read(tmp_path, "t_ms,x,y,state", rows("0", "1")).events.table[:, 5].any()
+    assert read(tmp_path, "t_ms,x,y,state", rows("Move", "Drag")).events.table[:2, 5].tolist() == [0.0, 1.0]
+    assert read(tmp_path, "t_ms,x,y,trial,button", rows("1,1")).events.table[0, 5] == 1.0
