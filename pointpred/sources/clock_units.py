@@ -78,6 +78,22 @@ def counts_frames(column: Any) -> bool:
     return bool(len(steps)) and bool(np.all(steps == 1))
 
 
+def is_clock(column: Any) -> bool:
+    """Whether the first cells of a column are times that never go backwards, and forwards in most steps."""
+    head = column.slice(0, HEAD)
+    if holds_lists(head):
+        return False
+    times = clock(head, is_stamps(head, None))[0]
+    steps = np.diff(times[np.isfinite(times)])
+    return bool(np.all(steps >= 0)) and 2 * int(np.count_nonzero(steps)) > max(len(steps), len(head) // 2)
+
+
+def is_numbers(column: Any) -> bool:
+    """Whether most of the first cells of a column are numbers."""
+    head = column.slice(0, HEAD)
+    return not holds_lists(head) and 2 * int(np.isfinite(tables.finite_numbers(head)[0]).sum()) > len(head)
+
+
 def forwards(times: FloatArray) -> FloatArray:
     """The steps of a clock that go forwards."""
     steps: FloatArray = np.diff(times[np.isfinite(times)])

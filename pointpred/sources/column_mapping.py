@@ -6,8 +6,10 @@ import difflib
 import shlex
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 from pointpred.errors import ColumnsError
+from pointpred.sources.clock_units import is_clock, is_numbers, units_of
 from pointpred.sources.column_names import guess, near, words_of
 from pointpred.sources.reading import FIELDS, NEEDED, Reading
 
@@ -15,8 +17,8 @@ KEYS = ("user", "trial")
 JOIN = "+"
 """Between the columns that name a user or a trial together."""
 UNITS = ("s", "ms", "us", "ns", "iso")
-Units = Callable[[str], Sequence[str]]
-"""The units of time that a column may have."""
+Cells = Callable[[str], Any]
+"""The column of a name as an Arrow array."""
 MOST_NAMES = 40
 """Columns that a message lists."""
 
@@ -26,7 +28,7 @@ def mapping(
     names: Sequence[str],
     reading: Reading,
     same: Callable[[Sequence[str]], bool],
-    units: Units,
+    cells: Cells,
 ) -> tuple[dict[str, str], list[str]]:
     """Field -> column, and notes on columns that could be meant but are left aside; raises ColumnsError.
 
@@ -41,18 +43,23 @@ def mapping(
         raise ColumnsError(f"{path}: {said}; name a column once", names, told, reason=said)
     usual = guess([name for name in names if name not in told.values()])
     found = usual.columns | told
-    choices = {field: some for field, some in usual.choices.items() if field not in told}
+    choices = {
+        field: some
+        for field, some in (_alike(names, usual.columns) | usual.choices).items()
+        if field not in told
+    }
     for field in KEYS:
         if field in choices and same(choices[field]):
             found[field] = choices.pop(field)[0]
     best = {field: name for field, name in usual.best.items() if field not in told} | told
     missing = [field for field in NEEDED if field not in found and field not in choices]
     if missing:
-        raise _refusal(path, names, f"no column for {', '.join(missing)}", best, reading, units)
-    for field in (*NEEDED, *KEYS):
-        if field in choices:
-            said = f"{field} may be {' or '.join(choices[field])}"
-            raise _refusal(path, names, said, best, reading, units)
+        raise _refusal(path, names, f"no column for {', '.join(missing)}", best, reading, cells)
+    unclear = [
+        f"{field} may be {' or '.join(choices[field])}" for field in (*NEEDED, *KEYS) if field in choices
+    ]
+    if unclear:
+        raise _refusal(path, names, "; ".join(unclear), best, reading, cells)
     notes = [
         f"{field} is not read: {' or '.join(some)} may be meant; name one with --columns {field}=..."
         for field, some in choices.items()
@@ -129,18 +136,54 @@ def _named(path: Path, names: Sequence[str], field: str, column: str | int) -> s
 
 
 def _refusal(
-    path: Path, names: Sequence[str], why: str, best: Mapping[str, str], reading: Reading, units: Units
+    path: Path, names: Sequence[str], why: str, best: Mapping[str, str], reading: Reading, cells: Cells
 ) -> ColumnsError:
     free = [name for name in names if name not in best.values()]
     likely = {field: name for field, name in near(free).items() if field not in best} | dict(best)
-    if not likely and list(names[:3]) == ["0", "1", "2"]:  # no header: the order that most programs write
-        likely = dict(zip(NEEDED, names, strict=False))
+    if not likely and list(names[:3]) == ["0", "1", "2"]:  # no header
+        likely = _by_place(names, cells)
     missing = {field: "COLUMN" for field in NEEDED if field not in likely}
-    fitting = units(likely["t"]) if "t" in likely else [reading.time_unit] if reading.time_unit else None
+    told = reading.time_unit
+    fitting = (
+        units_of(likely["t"], cells(likely["t"]), told)[0] if "t" in likely else [told] if told else None
+    )
     unit = fitting[0] if fitting and len(fitting) == 1 else None
-    told = likely | missing
-    command = command_for(path, told) if fitting is None else _command(path, told, fitting)
+    shown = {
+        field: str(names.index(name)) for field, name in likely.items() if len(_same_name(names, name)) > 1
+    }
+    pairs = likely | shown | missing
+    command = command_for(path, pairs) if fitting is None else _command(path, pairs, fitting)
+    if shown:
+        command += "; columns of one name are told apart by their places, counted from 0"
     return ColumnsError(f"{path}: {why}; it {_has(names)}; try: {command}", names, likely, unit, why)
+
+
+def _by_place(names: Sequence[str], cells: Cells) -> dict[str, str]:
+    """What a table without a header may hold: the only column that is a clock, and the two right after it."""
+    clocks = [name for name in names if is_clock(cells(name))]
+    if len(clocks) != 1:
+        return {}
+    at = names.index(clocks[0])
+    free = [name for name in names if name != clocks[0]]
+    beside = free if len(free) == 2 else names[at + 1 : at + 3]
+    likely = dict(zip(NEEDED, (clocks[0], *beside), strict=False))
+    return (
+        likely if len(likely) == 3 and all(is_numbers(cells(name)) for name in beside) else {"t": clocks[0]}
+    )
+
+
+def _alike(names: Sequence[str], columns: Mapping[str, str]) -> dict[str, tuple[str, ...]]:
+    """The fields whose column has others of its name in the file."""
+    some = {field: _same_name(names, name) for field, name in columns.items()}
+    return {field: several for field, several in some.items() if len(several) > 1}
+
+
+def _same_name(names: Sequence[str], name: str) -> tuple[str, ...]:
+    """The columns of one name in a file: those after the first are called x.1, x.2 and so on."""
+    several = [name]
+    while f"{name}.{len(several)}" in names:
+        several.append(f"{name}.{len(several)}")
+    return tuple(several)
 
 
 def _has(names: Sequence[str]) -> str:

@@ -71,7 +71,7 @@ class _MappedTable:
         self.path, self.table, self.reading = path, table, reading
         self.names = list(table.columns)
         self._arrays: dict[str, Any] = {}
-        self.found, self.notes = mapping(path, self.names, reading, self._same, self._units)
+        self.found, self.notes = mapping(path, self.names, reading, self._same, self.column)
         self._check_sure()
         across, down = gain_of(path, reading.unit or "pix", reading)
         down = -down if reading.y_up else down
@@ -140,10 +140,6 @@ class _MappedTable:
             if why := self.table.unsure.get(self.found.get(field, "")):
                 more = "; write numbers with a decimal point and without thousands separators"
                 raise self.refusal(f"the column {self.found[field]!r} ({field}): {why}", more)
-
-    def _units(self, name: str) -> list[str]:
-        """The units that a column of times may be in."""
-        return units_of(name, self.column(name), self.reading.time_unit)[0]
 
     def _same(self, some: Sequence[str]) -> bool:
         """Whether columns part the rows alike."""
