@@ -11,7 +11,7 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.compute as pc
 
-from pointpred.columns import FloatArray
+from pointpred.columns import EventColumns, FloatArray
 from pointpred.errors import ColumnsError, RecordingError
 from pointpred.recording import Provenance, Recording, Skip
 from pointpred.sources import tables, time_units
@@ -61,7 +61,27 @@ def recording_of_table(path: Path, table: ColumnTable, reading: Reading) -> Reco
     no mapping is certain, and RecordingError where a mapped column is not what it should be.
     """
     mapped = _MappedTable(path, _opened(path, table, reading), reading)
-    return _of_lists(mapped) if mapped.holds_lists else _of_rows(mapped)
+    recording = _of_lists(mapped) if mapped.holds_lists else _of_rows(mapped)
+    doubtful = _doubtful_positions(recording.events, reading)
+    return msgspec.structs.replace(recording, notes=(*recording.notes, *doubtful))
+
+
+def _doubtful_positions(events: EventColumns, reading: Reading) -> list[str]:
+    """Notes where positions are hardly px from a screen's top downwards, and nobody said what they are."""
+    if not len(events):
+        return []
+    notes = []
+    if (
+        reading.px_per_unit is None
+        and reading.unit is None
+        and max(np.ptp(events.x), np.ptp(events.y)) <= 1.0
+    ):
+        notes.append(
+            "all positions lie within 1 px: are they shares of the screen, or metres? --px-per-unit converts"
+        )
+    if not reading.y_up and events.y.max() <= 0.0 and events.y.min() < 0.0 <= events.x.min():
+        notes.append("y is never above 0: does it grow upwards? --y-up turns it")
+    return notes
 
 
 class _MappedTable:

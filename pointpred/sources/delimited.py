@@ -18,7 +18,7 @@ from pointpred.sources import tables
 from pointpred.sources.arrow_files import in_memory
 from pointpred.sources.column_table import ColumnTable
 from pointpred.sources.decoding import UTF_8, open_utf8
-from pointpred.sources.delimited_layout import Layout, is_row, layout_of
+from pointpred.sources.delimited_layout import MOST_COLUMNS, Layout, is_row, layout_of
 from pointpred.sources.number_marks import plain_numbers
 from pointpred.sources.reading import AS_IS, Reading, row_name
 
@@ -51,6 +51,8 @@ def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
     layout = _layout(text[:HEAD])
     if layout is None:
         raise RecordingError(f"{path}: no table: no separator gives rows of one length with numbers")
+    if layout.width > MOST_COLUMNS:
+        raise RecordingError(f"{path}: more than {MOST_COLUMNS} columns, which is the most that are read")
     body, comments = _body(text, layout)
     if not body.strip():
         raise RecordingError(f"{path}: no rows below the header {', '.join(layout.columns)}")

@@ -9,10 +9,14 @@ from collections.abc import Sequence
 
 import msgspec
 
+from pointpred.sources.column_names import distinct
+
 LINES = 60
 """Lines that are looked at."""
 PREAMBLE = 20
 """Lines above the table that are passed over."""
+MOST_COLUMNS = 4096
+"""A row of more cells is refused by who reads it."""
 MOSTLY = 0.8
 """Share of the lines that must have as many cells as the most frequent count."""
 SEPARATORS = ("\t", ";", "|", ",", " ")
@@ -42,15 +46,10 @@ class Layout(msgspec.Struct, frozen=True):
     @property
     def columns(self) -> list[str]:
         """A name for each column, none twice: its place from 0 where it has none."""
-        found: list[str] = []
-        for place in range(self.width):
-            given = self.names[place].strip() if self.names is not None and place < len(self.names) else ""
-            name, count = given or str(place), 0
-            while name in found:
-                count += 1
-                name = f"{given or place}.{count}"
-            found.append(name)
-        return found
+        given = [name.strip() for name in self.names or ()]
+        return distinct(
+            [name or str(place) for place, name in enumerate(given + [""] * (self.width - len(given)))]
+        )
 
 
 def layout_of(text: str) -> Layout | None:
@@ -143,6 +142,8 @@ def _by(separator: str, numbered: Sequence[tuple[int, str]], comments: Sequence[
     start = next((at for at, row in enumerate(rows[:PREAMBLE]) if len(row) == width), None)
     if start is None:
         return None
+    if width > MOST_COLUMNS:
+        return Layout(separator, None, width, places[start], start)  # who reads it refuses it
     start = _below_padding(rows, start)
     names: tuple[str, ...] | None
     if start and len(rows[start - 1]) == width - 1 and not any(map(is_number, rows[start - 1])):

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-from pointpred.errors import ColumnsError, ParameterError
+from pointpred.errors import ColumnsError, ParameterError, RecordingError
 from pointpred.sources import Reading, read_any
 from pointpred.sources.column_names import near
 from pointpred.sources.delimited_layout import layout_of
@@ -115,3 +117,29 @@ def test_runs_of_tabs_separate_like_blanks() -> None:
     layout = layout_of("\n".join(["t_ms\tx\ty", *lines]))
     assert layout is not None
     assert (layout.separator, layout.columns) == (" ", ["t_ms", "x", "y"])
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "options", "doubt"),
+    [
+        (lambda i: 0.1 + 0.01 * i, lambda i: 0.2, {}, "--px-per-unit"),
+        (lambda i: 0.1 + 0.01 * i, lambda i: 0.2, {"px_per_unit": 1920.0}, None),
+        (lambda i: 10.0 + i, lambda i: -3.0 - i, {}, "--y-up"),
+        (lambda i: 10.0 + i, lambda i: -3.0 - i, {"y_up": True}, None),
+        (lambda i: 10.0 + i, lambda i: 3.0 + i, {}, None),
+    ],
+)
+def test_positions_that_are_hardly_px_from_the_top_are_doubted(
+    tmp_path: Path, x: Callable[[int], float], y: Callable[[int], float], options: Any, doubt: str | None
+) -> None:
+    path = tmp_path / "odd.csv"
+    path.write_text("t,x,y\n" + "".join(f"{i / 100},{x(i)},{y(i)}\n" for i in range(30)))
+    notes = " ".join(read_any(path, **options)[0].notes)
+    assert [one for one in ("--px-per-unit", "--y-up") if one in notes] == ([doubt] if doubt else [])
+
+
+def test_a_row_of_very_many_cells_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "wide.csv"
+    path.write_text(",".join(f"c{i}" for i in range(5000)) + "\n" + ("1," * 4999 + "2\n") * 3)
+    with pytest.raises(RecordingError, match="4096 columns"):
+        read_any(path)
