@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -15,6 +16,7 @@ from pointpred.extras import require
 from pointpred.sources.column_names import distinct
 from pointpred.sources.column_table import ColumnTable
 from pointpred.sources.reading import AS_IS, Reading
+from pointpred.sources.record_paths import CLEAR, EACH, LEAST_COLUMNS
 from pointpred.sources.record_tables import RecordTable
 
 TITLE = "workbook .xlsx"
@@ -22,7 +24,8 @@ ZIP, PART = b"PK\x03\x04", b"xl/"
 MOST_UNPACKED = 1 << 29
 MOST_ROWS = 1 << 20
 """As many as a sheet of Excel has."""
-LEAST_COLUMNS = 3
+SHEET = "sheet"
+"""The column that names the sheet of each row where all sheets are read."""
 
 
 def recognises(head: bytes) -> bool:
@@ -31,7 +34,10 @@ def recognises(head: bytes) -> bool:
 
 
 def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
-    """Read the sheet ``reading.records``, else the first one with a table of at least three columns.
+    """Read the sheet ``reading.records``, else the only one with a table of at least three columns.
+
+    Where several hold one, the largest is read if it has twice the samples of the next one. ``*`` reads all
+    sheets, whose names then are in the column ``sheet``.
 
     The first row with three cells names the columns; where it holds numbers alone, they are numbered from 0.
     Rows without any cell are left out. Cells of formulas have the values that were saved with the file.
@@ -66,18 +72,47 @@ def _opened(path: Path) -> Iterator[Any]:
 
 
 def _sheet(path: Path, sheets: dict[str, Any], wanted: str | None) -> ColumnTable:
-    """The sheet of that name, or the first that holds a table."""
-    if wanted is not None and wanted not in sheets:
-        raise RecordingError(f"{path}: no sheet {wanted!r}; --records takes one of {', '.join(sheets)}")
-    for title in [wanted] if wanted is not None else list(sheets):
-        table = _table(path, sheets[title])
-        if len(table.columns) >= LEAST_COLUMNS and table.rows:
-            others = [other for other in sheets if other != title]
-            note = f"records: {table.rows} rows of the sheet {title!r}"
-            note += f"; other sheets left aside: {', '.join(others)}" if others else ""
-            return ColumnTable(dict(table.columns), TITLE, (note,))
-    where = f"the sheet {wanted!r}" if wanted is not None else f"the sheets {', '.join(sheets)}"
-    raise RecordingError(f"{path}: no table of {LEAST_COLUMNS} columns or more in {where}")
+    """The sheet of that name, all of them, or the only one that holds most of the rows."""
+    if wanted not in (None, EACH, *sheets):
+        raise RecordingError(
+            f"{path}: no sheet {wanted!r}; --records takes one of {', '.join(sheets)}, or {EACH} for all"
+        )
+    titles = list(sheets) if wanted in (None, EACH) and wanted not in sheets else [str(wanted)]
+    tables = {title: _table(path, sheets[title]) for title in titles}
+    tables = {
+        title: table for title, table in tables.items() if len(table.columns) >= LEAST_COLUMNS and table.rows
+    }
+    if not tables:
+        where = f"the sheet {wanted!r}" if len(titles) == 1 else f"the sheets {', '.join(sheets)}"
+        raise RecordingError(f"{path}: no table of {LEAST_COLUMNS} columns or more in {where}")
+    if wanted == EACH and len(titles) > 1:
+        return _joined(tables)
+    title = _largest(path, tables)
+    others = [other for other in sheets if other != title]
+    note = f"records: {tables[title].rows} rows of the sheet {title!r}"
+    note += f"; other sheets left aside: {', '.join(others)}" if others else ""
+    return ColumnTable(dict(tables[title].columns), TITLE, (note,))
+
+
+def _joined(tables: dict[str, RecordTable]) -> ColumnTable:
+    """The rows of all sheets one below the other, with the name of their sheet."""
+    whole = RecordTable()
+    for title, table in tables.items():
+        whole.append(table, {SHEET: title})
+    note = f"records: {whole.rows} rows of the sheets {', '.join(tables)}; the column {SHEET} names them"
+    return ColumnTable(dict(whole.columns), TITLE, (note,))
+
+
+def _largest(path: Path, tables: dict[str, RecordTable]) -> str:
+    """The sheet with twice the samples of the next one; raises RecordingError where there is none."""
+    first, *more = sorted(tables, key=lambda title: tables[title].samples, reverse=True)
+    if more and tables[first].samples < CLEAR * tables[more[0]].samples:
+        shown = "; ".join(f"{title} ({table.rows} rows)" for title, table in tables.items())
+        raise RecordingError(
+            f"{path}: sheets hold tables: {shown}; choose one, as in: --records {shlex.quote(first)}, "
+            f"or read all, their names in the column {SHEET}: --records '{EACH}'"
+        )
+    return first
 
 
 def _table(path: Path, sheet: Any) -> RecordTable:
