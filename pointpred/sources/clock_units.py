@@ -9,12 +9,14 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.sources import tables
-from pointpred.sources.column_names import unit_in
+from pointpred.sources.column_names import has_other_unit, unit_in
 from pointpred.sources.list_rows import holds_lists, steps_of
 from pointpred.sources.time_units import PER_SECOND, clock, is_stamps
 
 SHORTEST_S, LONGEST_S = 1e-4, 1.5
 """Bounds on the median interval between samples: a fast mouse, and a slow protocol."""
+NEVER_S = 10.0
+"""No recording of a pointer has a longer median interval."""
 FIRST_S, LAST_S = 1e9, 4e9
 """The years 2001 to 2096 in seconds since 1970."""
 HEAD = 1000
@@ -28,6 +30,8 @@ def units_of(name: str, column: Any, time_unit: str | None) -> tuple[list[str], 
     named = time_unit or unit_in(name)
     if named is not None:
         return [named], f" in {named}"
+    if has_other_unit(name):
+        return [], ""
     if holds_lists(column):
         times = steps_of(column)
         return likely_units(times, times)
@@ -37,7 +41,8 @@ def units_of(name: str, column: Any, time_unit: str | None) -> tuple[list[str], 
 def likely_units(times: FloatArray, numbers: FloatArray) -> tuple[list[str], str]:
     """The units that fit the steps of ``times`` and the size of ``numbers``, the first of them as they stand.
 
-    A time since 1970 tells its unit, where that fits its steps; else both are possible.
+    A time since 1970 tells its unit, where that fits its steps; else both are possible. Where its steps would
+    last longer than any device's, it is none: the ms since a computer has started may be as large.
 
     >>> likely_units(np.arange(9) * 0.25, np.arange(9) * 0.25)[0]
     ['s', 'ms']
@@ -46,6 +51,8 @@ def likely_units(times: FloatArray, numbers: FloatArray) -> tuple[list[str], str
     (['s'], ' in s (by its size: a time since 1970)')
     """
     units, size = units_by_rate(times), unit_by_size(numbers)
+    if units and size and middle_step(times) > NEVER_S * PER_SECOND[size]:
+        size = None
     if size is not None and (size in units or not units):
         return [size], f" in {size} (by its size: a time since 1970)"
     units = units if size is None else [size, *units]
@@ -58,10 +65,7 @@ def units_by_rate(times: FloatArray) -> list[str]:
     >>> units_by_rate(np.arange(9) * 16.67), units_by_rate(np.arange(9) * 150.0)
     (['ms'], ['ms', 'us'])
     """
-    steps = forwards(times)
-    if not len(steps):
-        return []
-    middle = float(np.median(steps))
+    middle = middle_step(times)
     return [unit for unit in _UNITS if SHORTEST_S <= middle / PER_SECOND[unit] <= LONGEST_S]
 
 
@@ -89,9 +93,15 @@ def is_clock(column: Any) -> bool:
 
 
 def is_numbers(column: Any) -> bool:
-    """Whether most of the first cells of a column are numbers."""
+    """Whether most of the first cells of a column are numbers, and no lists."""
     head = column.slice(0, HEAD)
     return not holds_lists(head) and 2 * int(np.isfinite(tables.finite_numbers(head)[0]).sum()) > len(head)
+
+
+def middle_step(times: FloatArray) -> float:
+    """The median step forwards of a clock, 0 where there is none."""
+    steps = forwards(times)
+    return float(np.median(steps)) if len(steps) else 0.0
 
 
 def forwards(times: FloatArray) -> FloatArray:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from pointpred.errors import ColumnsError
-from pointpred.sources.clock_units import is_clock, is_numbers, units_of
+from pointpred.sources.clock_units import counts_frames, is_clock, is_numbers, units_of
 from pointpred.sources.column_names import guess, near, words_of
 from pointpred.sources.reading import FIELDS, NEEDED, Reading
 
@@ -144,9 +144,7 @@ def _refusal(
         likely = _by_place(names, cells)
     missing = {field: "COLUMN" for field in NEEDED if field not in likely}
     told = reading.time_unit
-    fitting = (
-        units_of(likely["t"], cells(likely["t"]), told)[0] if "t" in likely else [told] if told else None
-    )
+    fitting = _fitting(likely["t"], cells, told) if "t" in likely else [told] if told else None
     unit = fitting[0] if fitting and len(fitting) == 1 else None
     shown = {
         field: str(names.index(name)) for field, name in likely.items() if len(_same_name(names, name)) > 1
@@ -158,9 +156,15 @@ def _refusal(
     return ColumnsError(f"{path}: {why}; it {_has(names)}; try: {command}", names, likely, unit, why)
 
 
+def _fitting(name: str, cells: Cells, told: str | None) -> Sequence[str] | None:
+    """The units that a column of times may have, none where they have to be asked for, ``None`` for words."""
+    units = units_of(name, cells(name), told)[0]
+    return units if units or is_numbers(cells(name)) else None
+
+
 def _by_place(names: Sequence[str], cells: Cells) -> dict[str, str]:
     """What a table without a header may hold: the only column that is a clock, and the two right after it."""
-    clocks = [name for name in names if is_clock(cells(name))]
+    clocks = [name for name in names if is_clock(cells(name)) and not counts_frames(cells(name))]
     if len(clocks) != 1:
         return {}
     at = names.index(clocks[0])

@@ -25,6 +25,10 @@ TIME_UNITS = {
     }.items()
     for word in words.split()
 }
+OTHER_UNITS = frozenset(
+    _words("min mins minute minutes h hr hrs hour hours day days frame frames tick ticks")
+)
+"""Words at the end of the name of a clock that runs in a unit we do not read."""
 PIXELS = frozenset(("px", "pix", "pixel", "pixels"))
 INTERVALS = frozenset(_words("interval intervals delta diff difference duration dt between"))
 """Words in the name of a column of times between samples, which is no clock."""
@@ -86,6 +90,15 @@ def unit_in(name: str) -> str | None:
     words = words_of(name)
     alone = len(words) == 1 and len(words[0]) < 3 and words != ["ms"]
     return None if alone or not words else TIME_UNITS.get(words[-1])
+
+
+def has_other_unit(name: str) -> bool:
+    """Whether a column's name ends with a unit of time that is not read.
+
+    >>> has_other_unit("time_min"), has_other_unit("frame_time")
+    (True, False)
+    """
+    return not OTHER_UNITS.isdisjoint(words_of(name)[-1:])
 
 
 def guess(names: Sequence[str]) -> Guess:

@@ -17,7 +17,7 @@ from pointpred.recording import Provenance, Recording, Skip
 from pointpred.sources import tables, time_units
 from pointpred.sources.assembly import IntArray
 from pointpred.sources.clock_doubts import doubts, only_whole_seconds
-from pointpred.sources.clock_units import counts_frames, units_of
+from pointpred.sources.clock_units import HEAD, counts_frames, is_numbers, units_of
 from pointpred.sources.column_mapping import KEYS, command_for, mapping, parts_of, unit_refusal
 from pointpred.sources.column_names import near
 from pointpred.sources.json_cells import open_cells
@@ -126,6 +126,12 @@ class _MappedTable:
         """The unit of time, and how it is known, as notes say it; raises ColumnsError where it is not."""
         column = self.field("t")
         units, how = units_of(self.found["t"], column, self.reading.time_unit)
+        if not units and not is_numbers(column) and not holds_lists(column):
+            cell = next((str(cell) for cell in column.slice(0, HEAD).to_pylist() if cell is not None), "")
+            said = f"the cells of the column {self.found['t']!r} (t) are neither numbers nor dates and times"
+            raise self.refusal(
+                said, f", such as {tables.short(cell)!r}; dates are written 2024-03-01T10:00:00.123"
+            )
         if len(units) != 1:
             frames = counts_frames(column)
             raise unit_refusal(self.path, self.names, self.found, units, self.reading, frames)

@@ -67,6 +67,7 @@ def counted(step: float, start: float = 0.0, count: int = 40) -> list[str]:
         ([str(1_700_000_000 + i // 10) for i in range(40)], "s"),
         (counted(0.02, 1_700_000_000), "s"),
         (counted(150, 1_700_000_000_000), "ms"),
+        (counted(16, 1_214_935_989), "ms"),
         ([str(1_700_000_000_000_000_000 + 250_000_000 * i) for i in range(40)], "ns"),
     ],
 )
@@ -82,9 +83,10 @@ def test_a_unit_that_is_certain_is_taken(tmp_path: Path, times: list[str], unit:
         (counted(1), "s or ms"),
         (counted(150), "ms or us"),
         (counted(0.02, 1_700_000_000_000), "ms or s"),
+        (counted(5, 1_700_000_000), "s or ms"),
         (counted(1e-7), "s or ms or us or ns or iso"),
     ],
-    ids=["4 Hz", "frames", "150", "steps that contradict the size", "days"],
+    ids=["4 Hz", "frames", "150", "steps that contradict the size", "slow", "days"],
 )
 def test_a_unit_that_is_not_certain_is_asked_for(tmp_path: Path, times: list[str], units: str) -> None:
     path = table(tmp_path, "time,x,y,trial", times, "a")
@@ -162,3 +164,22 @@ def test_stamps_of_whole_seconds_are_called_so(tmp_path: Path) -> None:
     assert any("whole seconds" in note for note in recording.notes)
     [recording] = read_any(table(tmp_path, "timestamp,x,y", times[::10]))
     assert not any("whole seconds" in note for note in recording.notes)
+
+
+@pytest.mark.parametrize("header", ["time_min", "Time (h)", "time_frames"])
+def test_a_unit_that_is_not_read_is_not_taken_for_another(tmp_path: Path, header: str) -> None:
+    with pytest.raises(ColumnsError) as refusal:
+        read_any(table(tmp_path, f"{header},x,y", counted(0.01)), columns={"t": 0})
+    assert "--time-unit UNIT" in str(refusal.value)
+
+
+def test_words_are_no_clock_of_an_unknown_unit(tmp_path: Path) -> None:
+    times = [f"01.03.2024 10:00:{i:02d}" for i in range(20)]
+    with pytest.raises(ColumnsError) as refusal:
+        read_any(table(tmp_path, "time,x,y", times))
+    assert times[0] in str(refusal.value)
+    assert "--time-unit" not in str(refusal.value)
+    with pytest.raises(ColumnsError) as refusal:
+        read_any(table(tmp_path, "time,across,up", times))
+    assert "t=time" in str(refusal.value)
+    assert "--time-unit" not in str(refusal.value)

@@ -41,11 +41,20 @@ def test_users_of_one_name_that_are_the_same_are_one(tmp_path: Path) -> None:
         ([(20 * i, i % 5, -i) for i in range(20)], "t=0,x=1,y=2 --time-unit ms"),
         ([(i % 5, -i, 0.02 * i) for i in range(20)], "t=2,x=0,y=1 --time-unit s"),
         ([("move", 1 + i // 10, 20 * i, i % 5, -i) for i in range(20)], "t=2,x=3,y=4 --time-unit ms"),
+        ([(i, 20 * i, i % 5, -i) for i in range(20)], "t=1,x=2,y=3 --time-unit ms"),
         ([(20 * i, "move", i % 5, -i) for i in range(20)], "t=0,x=COLUMN,y=COLUMN --time-unit ms"),
         ([(20 * i, 3 * i, 5 * i) for i in range(20)], "t=COLUMN,x=COLUMN,y=COLUMN"),
         ([(i % 7, i % 5, -i) for i in range(20)], "t=COLUMN,x=COLUMN,y=COLUMN"),
     ],
-    ids=["first", "last", "behind words and trials", "words after it", "all may be", "none is"],
+    ids=[
+        "first",
+        "last",
+        "behind words and trials",
+        "behind the number of the row",
+        "words after it",
+        "all may be",
+        "none is",
+    ],
 )
 def test_without_a_header_the_clock_is_what_never_goes_backwards(
     tmp_path: Path, rows: list[tuple[object, ...]], pairs: str
