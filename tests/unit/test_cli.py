@@ -135,6 +135,16 @@ def test_the_traceback_is_there_for_who_asks(command, monkeypatch: pytest.Monkey
         main(["predictors", "hol"])
 
 
+def test_interrupt_while_modules_load_leaves_with_130(command, monkeypatch: pytest.MonkeyPatch) -> None:
+    class Loading:
+        @property
+        def main(self) -> None:
+            raise KeyboardInterrupt
+
+    monkeypatch.setitem(sys.modules, "pointpred.cli.app", Loading())
+    assert command("predictors") == (130, "", "pointpred: interrupted\n")
+
+
 def test_interrupt_leaves_with_130(command, monkeypatch: pytest.MonkeyPatch) -> None:
     def interrupted(name: str) -> None:
         raise KeyboardInterrupt
