@@ -1,10 +1,16 @@
 """pointpred predicts where a pointing movement will end while it is still going on."""
 
-from pointpred.columns import EventColumns, MotionColumns, PredictionColumns, RegionColumns
-from pointpred.events import Motion, PointerEvent, Prediction
-from pointpred.pipeline import Pipeline, run
-from pointpred.regions import Region
-from pointpred.registry import RECOMMENDED, REGISTRY, build
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from pointpred.columns import EventColumns, MotionColumns, PredictionColumns, RegionColumns
+    from pointpred.events import Motion, PointerEvent, Prediction
+    from pointpred.pipeline import Pipeline, run
+    from pointpred.regions import Region
+    from pointpred.registry import RECOMMENDED, REGISTRY, build
 
 __version__ = "0.1.0"
 
@@ -23,3 +29,20 @@ __all__ = [
     "build",
     "run",
 ]
+
+MODULES = ("columns", "events", "pipeline", "regions", "registry")
+"""Where the public names are; loaded when one is first used, so that the command can start before them."""
+
+
+if not TYPE_CHECKING:
+
+    def __getattr__(name: str) -> object:
+        if name in __all__ or name in MODULES:
+            for place in MODULES:
+                module = import_module(f"{__name__}.{place}")
+                globals().update({one: getattr(module, one) for one in __all__ if hasattr(module, one)})
+            return globals()[name]
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+    def __dir__() -> list[str]:
+        return sorted({*globals(), *__all__})
