@@ -286,8 +286,9 @@ def _check_numbers(mapped: _MappedTable, field: str, values: FloatArray) -> None
         return
     row = int(bad[0])
     cell = tables.short(str(mapped.field(field)[row].as_py()))
+    kind = "number or possible date" if field == "t" else "number"
     raise mapped.refusal(
-        f"{len(bad)} of {len(values)} cells of the column {mapped.found[field]!r} ({field}) are no number",
+        f"{len(bad)} of {len(values)} cells of the column {mapped.found[field]!r} ({field}) are no {kind}",
         f", such as {cell!r} in data row {row}: is it another column, or another unit of time?",
     )
 

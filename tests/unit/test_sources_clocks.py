@@ -38,6 +38,12 @@ def test_an_impossible_date_costs_its_row(tmp_path: Path, stamp: str) -> None:
     assert stamp in recording.skipped[0].reason
 
 
+def test_a_table_of_dates_that_cannot_be_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(ColumnsError, match="20 of 20 cells") as refusal:
+        read_any(table(tmp_path, "timestamp,x,y", [stamp.replace("03-01", "02-30") for stamp in STAMPS]))
+    assert "date" in refusal.value.reason
+
+
 def test_a_date_too_far_for_nanoseconds_costs_its_row(tmp_path: Path) -> None:
     start = datetime.datetime(2024, 3, 1)
     times = [start + datetime.timedelta(milliseconds=20 * i) for i in range(20)]
