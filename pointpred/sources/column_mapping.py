@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import difflib
 import shlex
+from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from pointpred.errors import ColumnsError
 from pointpred.sources.clock_units import counts_frames, is_clock, is_numbers, units_of
-from pointpred.sources.column_names import guess, near, words_of
+from pointpred.sources.column_names import Guess, guess, near, words_of
 from pointpred.sources.reading import FIELDS, NEEDED, Reading
 
 KEYS = ("user", "trial")
@@ -41,13 +42,9 @@ def mapping(
         name = min(twice)
         said = f"the column {name!r} is named twice"
         raise ColumnsError(f"{path}: {said}; name a column once", names, told, reason=said)
-    usual = guess([name for name in names if name not in told.values()])
+    usual = _guess([name for name in names if name not in told.values()], names)
     found = usual.columns | told
-    choices = {
-        field: some
-        for field, some in (_alike(names, usual.columns) | usual.choices).items()
-        if field not in told
-    }
+    choices = {field: some for field, some in usual.choices.items() if field not in told}
     for field in KEYS:
         if field in choices and same(choices[field]):
             found[field] = choices.pop(field)[0]
@@ -146,13 +143,8 @@ def _refusal(
     told = reading.time_unit
     fitting = _fitting(likely["t"], cells, told) if "t" in likely else [told] if told else None
     unit = fitting[0] if fitting and len(fitting) == 1 else None
-    shown = {
-        field: str(names.index(name)) for field, name in likely.items() if len(_same_name(names, name)) > 1
-    }
-    pairs = likely | shown | missing
+    pairs = likely | missing
     command = command_for(path, pairs) if fitting is None else _command(path, pairs, fitting)
-    if shown:
-        command += "; columns of one name are told apart by their places, counted from 0"
     return ColumnsError(f"{path}: {why}; it {_has(names)}; try: {command}", names, likely, unit, why)
 
 
@@ -176,18 +168,22 @@ def _by_place(names: Sequence[str], cells: Cells) -> dict[str, str]:
     )
 
 
-def _alike(names: Sequence[str], columns: Mapping[str, str]) -> dict[str, tuple[str, ...]]:
-    """The fields whose column has others of its name in the file."""
-    some = {field: _same_name(names, name) for field, name in columns.items()}
-    return {field: several for field, several in some.items() if len(several) > 1}
-
-
-def _same_name(names: Sequence[str], name: str) -> tuple[str, ...]:
-    """The columns of one name in a file: those after the first are called x.1, x.2 and so on."""
-    several = [name]
-    while f"{name}.{len(several)}" in names:
-        several.append(f"{name}.{len(several)}")
-    return tuple(several)
+def _guess(free: Sequence[str], names: Sequence[str]) -> Guess:
+    """The usual names among ``free``, where columns of one name, called after their places, are choices."""
+    plain = {name: name.removesuffix(f".{place}") for place, name in enumerate(names)}
+    often = Counter(plain[name] for name in free)
+    several: dict[str, list[str]] = {}
+    for name in free:
+        several.setdefault(plain[name] if often[plain[name]] > 1 else name, []).append(name)
+    usual = guess(list(several))
+    every = {
+        field: tuple(title for name in some for title in several[name])
+        for field, some in (usual.choices | {field: (name,) for field, name in usual.columns.items()}).items()
+    }
+    return Guess(
+        {field: some[0] for field, some in every.items() if len(some) == 1},
+        {field: some for field, some in every.items() if len(some) > 1},
+    )
 
 
 def _has(names: Sequence[str]) -> str:

@@ -23,8 +23,8 @@ def test_columns_of_one_name_are_refused(tmp_path: Path) -> None:
     path = write(tmp_path, [(20 * i, i, 2 * i, 500 + i, 90 - i) for i in range(20)], "t,x,y,x,y")
     with pytest.raises(ColumnsError) as refusal:
         read_any(path)
-    assert refusal.value.reason == "x may be x or x.1; y may be y or y.1"
-    assert "--columns t=t,x=1,y=2 --time-unit ms" in str(refusal.value)
+    assert refusal.value.reason == "x may be x.1 or x.3; y may be y.2 or y.4"
+    assert "--columns t=t,x=x.1,y=y.2 --time-unit ms" in str(refusal.value)
     [recording] = read_any(path, columns={"x": 3, "y": 4}, time_unit="ms")
     assert recording.events.x[0] == 500
 
