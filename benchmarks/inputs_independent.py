@@ -215,9 +215,24 @@ def _samples(
         rows["t"] = (exact - exact.iloc[0]).map(float) / float(per_second)
     rows["user"] = table[user].fillna("").str.strip() if user else path.name.split(".")[0]
     rows["trial"] = table[trial].fillna("").str.strip() if trial else ""
+    if trial:
+        rows["trial"] = _restarted(rows)
     if cut:
         rows.loc[rows[["t", "x", "y"]].notna().all(axis=1), "trial"] = _cut(rows.dropna(), cut)
     return rows[COLUMNS].astype({"t": float, "x": float, "y": float})
+
+
+def _restarted(rows: pd.DataFrame) -> pd.Series:
+    """The trial of each row; a run of rows that begins before the end of the last is a trial of its own."""
+    run = (rows[["user", "trial"]] != rows[["user", "trial"]].shift()).any(axis=1).cumsum()
+    spans = rows.groupby(run).agg(
+        user=("user", "first"), trial=("trial", "first"), begin=("t", "first"), end=("t", "last")
+    )
+    same = spans.groupby(["user", "trial"])
+    number = (spans["begin"] < same["end"].shift()).groupby([spans["user"], spans["trial"]]).cumsum()
+    again = (number > 0) & (spans["trial"] != "")
+    named = spans["trial"].where(~again, spans["trial"] + " (" + (number + 1).astype(str) + ")")
+    return run.map(named)
 
 
 def _cut(rows: pd.DataFrame, how: str) -> pd.Series:
