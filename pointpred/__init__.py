@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from importlib import import_module
+from importlib.util import find_spec
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -37,11 +38,13 @@ MODULES = ("columns", "events", "pipeline", "regions", "registry")
 if not TYPE_CHECKING:
 
     def __getattr__(name: str) -> object:
-        if name in __all__ or name in MODULES:
+        if name in __all__:
             for place in MODULES:
                 module = import_module(f"{__name__}.{place}")
                 globals().update({one: getattr(module, one) for one in __all__ if hasattr(module, one)})
             return globals()[name]
+        if not name.startswith("_") and find_spec(f"{__name__}.{name}") is not None:
+            return import_module(f"{__name__}.{name}")
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
     def __dir__() -> list[str]:
