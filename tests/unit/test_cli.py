@@ -15,6 +15,7 @@ import pytest
 import typer
 from typer.main import get_command
 
+import pointpred
 from pointpred import __version__
 from pointpred.cli import predictors as predictors_module
 from pointpred.cli.app import app
@@ -221,3 +222,10 @@ def test_the_package_loads_nothing_before_the_command_can_catch_an_interrupt() -
     code = "import sys, pointpred.cli; print({'numpy', 'numba', 'typer'} & set(sys.modules))"
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert run.stdout == "set()\n"
+
+
+def test_rooms_of_the_package_are_its_attributes() -> None:
+    package: Any = pointpred
+    assert package.__getattr__("targets") is sys.modules["pointpred.targets"]
+    with pytest.raises(AttributeError, match="no attribute 'nothing'"):
+        _ = package.nothing
