@@ -233,7 +233,8 @@ def test_a_person_made_by_hand_is_refused_or_predicts_finite_numbers(
     try:
         pipeline = build(NAME, person=persons.packed(SLOTS, values))
     except ParameterError as refused:
-        assert "person holds" in str(refused)  # noqa: PT017
+        if "person holds" not in str(refused):
+            raise
         return
     for one in MOVEMENTS[5:7]:  # the second with what the first taught
         table = run(pipeline, one).table

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -40,7 +41,9 @@ def german(value: float) -> str:
     ],
     ids=["1234,50", "1.234,50", "1,234.50", "1 234.50", "1 234,50"],
 )
-def test_numbers_that_can_be_read_in_one_way_are_read(written, separator: str, tmp_path: Path) -> None:  # type: ignore[no-untyped-def]
+def test_numbers_that_can_be_read_in_one_way_are_read(
+    written: Callable[[float], str], separator: str, tmp_path: Path
+) -> None:
     cells = [written(x) for x in XS]
     [recording] = read_any(table(tmp_path, separator, [str(t) for t in TIMES], cells, cells))
     assert recording.events.x.tolist() == XS
