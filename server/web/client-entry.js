@@ -4,8 +4,8 @@ const MOST_FINGERS = 16; // a finger whose end was never heard gives way to a ne
 
 /**
  * Proposes an observed element when the keyboard's focus or a finger comes to it, and when the mouse enters it while
- * nobody else says so. One that is proposed when the mouse is in it stays so until the mouse leaves it. Of elements inside
- * each other the innermost counts.
+ * nobody else says so, or comes to it from outside the page. One that is proposed when the mouse is in it stays so until
+ * the mouse leaves it. Of elements inside each other the innermost counts.
  */
 export class Entry {
   #observed; #proposals; #alone = true; #under = null; #focused = null; #fingers = new Map(); #held = new Map();
@@ -49,8 +49,9 @@ export class Entry {
   }
 
   #look(timeStamp, { under = this.#under, focused = this.#focused }) {
+    const arrives = this.#under === null && under !== null; // from outside: to a service its first event is no entry
     [this.#under, this.#focused] = [under, focused];
-    this.#hold("entered", "entered", this.#around(under), timeStamp / 1000);
+    this.#hold("entered", "entered", this.#around(under), timeStamp / 1000, this.#alone || arrives);
     this.#hold("focus", "focus", this.#around(focused), timeStamp / 1000);
     for (const [finger, element] of [...this.#fingers]) this.#hold(`touch ${finger}`, "touch", this.#around(element), timeStamp / 1000);
   }
@@ -74,11 +75,11 @@ export class Entry {
     return null;
   }
 
-  #hold(source, reason, now, t) {
+  #hold(source, reason, now, t, sure = true) {
     const before = this.#held.get(source);
     if (before?.id === now?.id) return;
     this.#held.delete(source);
-    const begins = now !== null && (reason !== "entered" || this.#alone || this.#proposals.stands(now.id));
+    const begins = now !== null && (sure || this.#proposals.stands(now.id));
     if (begins) this.#held.set(source, now);
     if (before) this.#proposals.end(source, before.id, { t });
     if (begins) this.#proposals.begin(source, { type: "choice", ...now, p: 1, action: "propose", t, reason });
