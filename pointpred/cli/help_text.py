@@ -30,6 +30,13 @@ def examples(command: Callable[..., Any] | None) -> list[str]:
     return [line.strip() for line in written.splitlines() if line.strip()]
 
 
+class _Argument(TyperArgument):
+    """An argument whose name says what it is: typer has no setting that leaves its type out."""
+
+    def display_type_rich(self, ctx: Any) -> None:
+        """No type."""
+
+
 class _Command(TyperCommand):
     """A command whose help ends with its examples, each on one line: a broken one could not be copied."""
 
@@ -54,15 +61,11 @@ def _named(parameters: list[Any]) -> list[Any]:
     for one in parameters:
         about = one.type_descriptor
         if isinstance(one, TyperArgument):
-            one.display_type_rich = _no_type  # type: ignore[method-assign]  # typer has no setting for it
+            one.__class__ = _Argument
         elif isinstance(one, TyperOption) and one.metavar is None and not about.is_choice:
             kind = get_args(about.annotation)[0] if about.is_list else about.annotation
             one.metavar = "" if one.is_flag else VALUES.get(kind)
     return parameters
-
-
-def _no_type(ctx: Any) -> None:
-    """An argument's name says what it is."""
 
 
 def teach(app: typer.Typer) -> None:

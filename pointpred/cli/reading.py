@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import re
 import sys
+from collections.abc import Callable
+from functools import wraps
+from inspect import Parameter, Signature, signature
 from pathlib import Path
 from shutil import copyfileobj
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, get_type_hints
 
 import typer
 
@@ -144,18 +147,18 @@ def recordings_in(file: Path, options: Reading, progress: Advance | None = None)
 
 
 def reading(
-    cut: str | None = None,
-    pause_s: float | None = None,
-    unit: str | None = None,
-    screen: str | None = None,
-    cpi: float | None = None,
-    dpi: float | None = None,
-    columns: str | None = None,
-    time_unit: str | None = None,
-    y_up: bool = False,
-    px_per_unit: float | None = None,
-    records: str | None = None,
-    target: str | None = None,
+    cut: Cut = None,
+    pause_s: PauseS = None,
+    unit: Unit = None,
+    screen: Screen = None,
+    cpi: Cpi = None,
+    dpi: Dpi = None,
+    columns: Columns = None,
+    time_unit: TimeUnit = None,
+    y_up: YUp = False,
+    px_per_unit: PxPerUnit = None,
+    records: Records = None,
+    target: Target = None,
 ) -> Reading:
     """The options given, as the sources want them; raises ParameterError."""
     from pointpred.sources import Reading
@@ -176,6 +179,32 @@ def reading(
         "target": target,
     }
     return Reading(**{name: value for name, value in options.items() if value is not None})
+
+
+def with_reading(command: Callable[..., None]) -> Callable[..., None]:
+    """Give a command the options of ``reading``, and what they say as its parameter ``reading``.
+
+    An option that the command declares itself, such as ``cpi``, is passed to both.
+    """
+    own = {name: one for name, one in _parameters(command).items() if name != "reading"}
+    options = _parameters(reading)
+
+    @wraps(command)
+    def run(**given: Any) -> None:
+        said = reading(**{name: given[name] for name in options})
+        command(**{name: given[name] for name in own}, reading=said)
+
+    # The interface of the command line is made from the signature and the annotations.
+    shown = own | {name: one for name, one in options.items() if name not in own}
+    run.__dict__["__signature__"] = Signature(list(shown.values()))
+    run.__annotations__ = {name: one.annotation for name, one in shown.items()}
+    return run
+
+
+def _parameters(function: Callable[..., Any]) -> dict[str, Parameter]:
+    """The parameters with their types, of which ``Reading`` is not looked up: its room is slow to load."""
+    types = get_type_hints(function, localns={"Reading": object}, include_extras=True)
+    return {name: one.replace(annotation=types[name]) for name, one in signature(function).parameters.items()}
 
 
 def _size(text: str) -> tuple[float, float]:

@@ -10,22 +10,7 @@ import typer
 
 from pointpred.cli.coefficients import named_file, with_coefficients
 from pointpred.cli.playing import SPEED, TRIAL, complain, one_recording, speed_of
-from pointpred.cli.reading import (
-    Columns,
-    Cpi,
-    Cut,
-    Dpi,
-    PauseS,
-    PxPerUnit,
-    Records,
-    Screen,
-    Target,
-    TimeUnit,
-    Unit,
-    YUp,
-    reading,
-    to_read,
-)
+from pointpred.cli.reading import Cpi, Dpi, to_read, with_reading
 from pointpred.cli.replay_tables import described, plain, print_played
 from pointpred.cli.screen import check_target, remarks, write_json
 from pointpred.errors import ParameterError, RecordingError
@@ -33,10 +18,12 @@ from pointpred.registry import RECOMMENDED
 
 if TYPE_CHECKING:
     from pointpred.recording import Recording
+    from pointpred.sources import Reading
 
 PAGE = "As the mouse of a page"
 
 
+@with_reading
 def replay(
     file: Annotated[
         Path | None,
@@ -81,18 +68,10 @@ def replay(
     token: Annotated[
         str | None, typer.Option(envvar="POINTPRED_TOKEN", help="The service's token, if it needs one.")
     ] = None,
-    cut: Cut = None,
-    pause_s: PauseS = None,
-    unit: Unit = None,
-    screen: Screen = None,
     cpi: Cpi = None,
     dpi: Dpi = None,
-    columns: Columns = None,
-    time_unit: TimeUnit = None,
-    y_up: YUp = False,
-    px_per_unit: PxPerUnit = None,
-    records: Records = None,
-    target: Target = None,
+    *,
+    reading: Reading,
 ) -> None:
     """Play a recording to a service, or as the mouse of a page in a browser.
 
@@ -115,10 +94,7 @@ def replay(
     if own is not None:
         with_coefficients([predictor], own[1])
     check_target(json)
-    told = reading(
-        cut, pause_s, unit, screen, cpi, dpi, columns, time_unit, y_up, px_per_unit, records, target
-    )
-    recording = one_recording(file, told)
+    recording = one_recording(file, reading)
     names = trial or []
     if devtools is not None:
         answer = _drive(devtools, url, recording, names, speed=pace, offset=shift, scale=scale)

@@ -10,24 +10,7 @@ import msgspec
 import typer
 
 from pointpred.cli.coefficients import Coefficients, with_coefficients
-from pointpred.cli.reading import (
-    Columns,
-    Cpi,
-    Cut,
-    Dpi,
-    PauseS,
-    PxPerUnit,
-    Records,
-    Screen,
-    Target,
-    TimeUnit,
-    Unit,
-    YUp,
-    reading,
-    recordings_in,
-    shown,
-    to_read,
-)
+from pointpred.cli.reading import Cpi, Dpi, recordings_in, shown, to_read, with_reading
 from pointpred.cli.screen import check_targets, remarks, write_json
 from pointpred.errors import ParameterError, PointpredError, RecordingError
 from pointpred.extras import require
@@ -41,6 +24,7 @@ Unread = dict[str, str]
 """Files that could not be read and recordings that could not be scored, and why."""
 
 
+@with_reading
 def score(
     files: Annotated[
         list[Path] | None,
@@ -69,18 +53,10 @@ def score(
     ] = None,
     seed: Annotated[int, typer.Option(min=0, help="Seed of the bootstrap intervals.")] = 0,
     coefficients: Coefficients = None,
-    cut: Cut = None,
-    pause_s: PauseS = None,
-    unit: Unit = None,
-    screen: Screen = None,
     cpi: Cpi = None,
     dpi: Dpi = None,
-    columns: Columns = None,
-    time_unit: TimeUnit = None,
-    y_up: YUp = False,
-    px_per_unit: PxPerUnit = None,
-    records: Records = None,
-    target: Target = None,
+    *,
+    reading: Reading,
 ) -> None:
     """Score predictors on recordings, compared with making no prediction.
 
@@ -100,14 +76,11 @@ def score(
     """
     names = chosen(predictors)
     check_targets({"--json": json, "--report": report}, files or ())
-    told = reading(
-        cut, pause_s, unit, screen, cpi, dpi, columns, time_unit, y_up, px_per_unit, records, target
-    )
     own = with_coefficients(names, coefficients)
     unread: Unread = {}
     if targets:
         settings = {"threads": threads, "seed": seed, "cpi": cpi, "dpi": dpi, "parameters": own}
-        _score_targets(files, told, names, json, report, **settings)
+        _score_targets(files, reading, names, json, report, **settings)
         return
     if report is not None:
         require("report", "a report")  # before minutes of scoring
@@ -116,7 +89,7 @@ def score(
     from pointpred.scoring import summary
 
     with following() as progress:
-        recordings = _read(files, told, unread) if files else _sample(unread)
+        recordings = _read(files, reading, unread) if files else _sample(unread)
         scored = run(
             recordings,
             names,
@@ -131,7 +104,7 @@ def score(
     if report is not None and scored:
         from pointpred.report import write_report
 
-        again = _read(files, told, None) if files else _sample(None)
+        again = _read(files, reading, None) if files else _sample(None)
         write_report(scored, report, recordings=again, cpi=cpi, dpi=dpi)
     described = [summary(one) for one in scored]
     if json is not None:
@@ -148,7 +121,7 @@ def score(
 
 def _score_targets(
     files: list[Path] | None,
-    told: Reading,
+    reading: Reading,
     names: list[str],
     json: Path | None,
     report: Path | None,
@@ -160,7 +133,7 @@ def _score_targets(
     from pointpred.cli.targets import described, print_targets
 
     unread: Unread = {}
-    recordings = _read(files, told, unread) if files else _sample(unread)
+    recordings = _read(files, reading, unread) if files else _sample(unread)
     sets = described(recordings, names, lambda one, error: _left_out(unread, one.name, error), **settings)
     if json is not None:
         write_json({"version": 1, "targets": sets, "unread": _unread(unread)}, json)
@@ -207,7 +180,7 @@ def _free_name(name: str, file: Path, taken: Mapping[str, Path]) -> str:
     return found
 
 
-def _read(files: list[Path], told: Reading, unread: Unread | None) -> Iterator[Recording]:
+def _read(files: list[Path], reading: Reading, unread: Unread | None) -> Iterator[Recording]:
     """The recordings one by one, so that only one is in memory; complains where a file cannot be read.
 
     The report reads them again (no ``unread``): what was complained about once is not said twice.
@@ -215,7 +188,7 @@ def _read(files: list[Path], told: Reading, unread: Unread | None) -> Iterator[R
     taken: dict[str, Path] = {}
     for file in files:
         try:
-            for recording in recordings_in(file, told):
+            for recording in recordings_in(file, reading):
                 name = _free_name(recording.name, file, taken)
                 if name != recording.name and unread is not None:
                     first = shown(taken[recording.name])
@@ -228,9 +201,9 @@ def _read(files: list[Path], told: Reading, unread: Unread | None) -> Iterator[R
                 _left_out(unread, shown(file), error)
 
 
-def read_all(files: list[Path], told: Reading) -> list[Recording]:
+def read_all(files: list[Path], reading: Reading) -> list[Recording]:
     """The recordings of files, each with a name of its own; complains where a file cannot be read."""
-    return list(_read(files, told, {}))
+    return list(_read(files, reading, {}))
 
 
 def _left_out(unread: Unread, name: str, error: Exception) -> None:

@@ -8,22 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 from rich.table import Table
 
-from pointpred.cli.reading import (
-    Columns,
-    Cpi,
-    Cut,
-    Dpi,
-    PauseS,
-    PxPerUnit,
-    Records,
-    Screen,
-    Target,
-    TimeUnit,
-    Unit,
-    YUp,
-    reading,
-    to_read,
-)
+from pointpred.cli.reading import to_read, with_reading
 from pointpred.cli.score import read_all
 from pointpred.cli.screen import check_targets, counted, plain, results, write_json
 from pointpred.errors import ParameterError, RecordingError
@@ -31,6 +16,7 @@ from pointpred.extras import require
 from pointpred.predictors import kinematic_coefficients
 
 if TYPE_CHECKING:
+    from pointpred.sources import Reading
     from pointpred.training.own import HeldOut, Trained
 
 HEADINGS = ("recording", "movements", "hold", "shipped", "yours", "yours / shipped (95 %)")
@@ -48,6 +34,7 @@ HELD_OUT = {
 }
 
 
+@with_reading
 def train(
     files: Annotated[
         list[Path], typer.Argument(callback=to_read, help="Recordings, as 'pointpred score' reads them.")
@@ -61,18 +48,8 @@ def train(
     json: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Write the scores as JSON; - for stdout.")
     ] = None,
-    cut: Cut = None,
-    pause_s: PauseS = None,
-    unit: Unit = None,
-    screen: Screen = None,
-    cpi: Cpi = None,
-    dpi: Dpi = None,
-    columns: Columns = None,
-    time_unit: TimeUnit = None,
-    y_up: YUp = False,
-    px_per_unit: PxPerUnit = None,
-    records: Records = None,
-    target: Target = None,
+    *,
+    reading: Reading,
 ) -> None:
     """Fit the coefficients of 'kinematic' to your own recordings, and score them beside the shipped ones.
 
@@ -94,14 +71,11 @@ def train(
         raise ParameterError(f"--out must name a file that ends in .npz, received {out}")
     kinematic_coefficients.check_writable(out)
     require("train", "training")  # before minutes of reading
-    told = reading(
-        cut, pause_s, unit, screen, cpi, dpi, columns, time_unit, y_up, px_per_unit, records, target
-    )
     from pointpred.cli.progress import following
     from pointpred.training.own import train_own
 
     with following() as advance:
-        recordings = [one for one in read_all(files, told) if one.trials]
+        recordings = [one for one in read_all(files, reading) if one.trials]
         if not recordings:
             raise RecordingError("no recording to learn from could be read; the reasons stand above")
         trained = train_own(

@@ -3,29 +3,16 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from pointpred.cli.reading import (
-    Columns,
-    Cpi,
-    Cut,
-    Dpi,
-    PauseS,
-    PxPerUnit,
-    Records,
-    Screen,
-    Target,
-    TimeUnit,
-    Unit,
-    YUp,
-    reading,
-    recordings_in,
-    to_read,
-)
+from pointpred.cli.reading import recordings_in, to_read, with_reading
 from pointpred.cli.screen import check_target, counted, remarks
 from pointpred.errors import ParameterError, RecordingError
+
+if TYPE_CHECKING:
+    from pointpred.sources import Reading
 
 Out = Annotated[Path, typer.Option(metavar="FILE", help="Samples file to write: .parquet or .csv.")]
 Force = Annotated[bool, typer.Option("--force", help="Replace files that exist.")]
@@ -64,24 +51,15 @@ def simulate(
     remarks().print(f"{trials_done}, {events}, simulated")
 
 
+@with_reading
 def convert(
     source: Annotated[
         Path, typer.Argument(callback=to_read, help="A file in any format pointpred reads, or a folder.")
     ],
     out: Out,
     force: Force = False,
-    cut: Cut = None,
-    pause_s: PauseS = None,
-    unit: Unit = None,
-    screen: Screen = None,
-    cpi: Cpi = None,
-    dpi: Dpi = None,
-    columns: Columns = None,
-    time_unit: TimeUnit = None,
-    y_up: YUp = False,
-    px_per_unit: PxPerUnit = None,
-    records: Records = None,
-    target: Target = None,
+    *,
+    reading: Reading,
 ) -> None:
     """Convert a recording to pointpred's own format, and list what was skipped and why.
 
@@ -102,10 +80,7 @@ def convert(
     _check(out, force or source.is_dir())
     from pointpred.sources import write_found
 
-    options = reading(
-        cut, pause_s, unit, screen, cpi, dpi, columns, time_unit, y_up, px_per_unit, records, target
-    )
-    told = write_found(recordings_in(source, options), out, replace=force)
+    told = write_found(recordings_in(source, reading), out, replace=force)
     for file in told.files:
         typer.echo(file)
     screen_out = remarks()
