@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import sys
-import threading
 import time
 from collections.abc import Callable, Sequence
-from types import TracebackType
 from typing import Protocol, Self
 
 from pointpred.devices.paths import Space
-from pointpred.devices.source import MOST_WAITING, BoundedQueue, Found, Report
+from pointpred.devices.reader import ReaderSource
+from pointpred.devices.source import MOST_WAITING, Found, Report
 from pointpred.errors import ParameterError, SourceError
 from pointpred.events import PointerEvent
 
@@ -77,7 +76,7 @@ class CursorPath:
         ]
 
 
-class CursorSource:
+class CursorSource(ReaderSource):
     """A ``DeviceSource`` that looks at the screen's cursor ``rate_hz`` times a second, on its own thread.
 
     Assumes that a look takes less than its share of the time. A look that finds place and buttons as before
@@ -108,14 +107,7 @@ class CursorSource:
         self.rate_hz = rate_hz
         self.clock = f"this computer's monotonic clock, at each of {rate_hz:g} looks a second"
         self._open, self._now, self._sleep = open_cursor, clock, sleep
-        self._queue = BoundedQueue(most)
-        self._stopping = threading.Event()
-        self._thread: threading.Thread | None = None
-
-    @property
-    def lost(self) -> int:
-        """Reports dropped because nobody took them in time."""
-        return self._queue.lost
+        super().__init__(most)
 
     @property
     def words(self) -> str:
@@ -123,51 +115,21 @@ class CursorSource:
         return self.cursor.words
 
     def __enter__(self) -> Self:
-        if self._thread is not None:
-            raise SourceError("this source is open already; make another")
+        self._check_unused()
         self.cursor = self._open()
         try:
             self._before = (*self.cursor.position(), self.cursor.buttons())
         except SourceError:
             self.cursor.close()
             raise
-        self._thread = threading.Thread(target=self._run, name="cursor", daemon=True)
-        self._thread.start()
+        self._start()
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.close()
+    def _let_go(self) -> None:
+        self.cursor.close()
 
-    def take(self, timeout_s: float) -> list[Report]:
-        """Everything that came since the last call; waits at most ``timeout_s`` until something came."""
-        if self._thread is None:
-            raise SourceError("the cursor is not open; use it in a 'with' statement")
-        return self._queue.take(timeout_s)
-
-    def close(self) -> None:
-        """Stop looking; may be called twice. What was read can still be taken."""
-        self._stopping.set()
-        if self._thread is not None:
-            self._thread.join()
-        self._queue.close()
-
-    def _run(self) -> None:
-        """The thread that looks; from its start on it alone uses the cursor."""
-        failure = None
-        try:
-            self._look()
-        except SourceError as error:
-            failure = error
-        except Exception as error:  # told by take: a thread has nobody else to tell
-            failure = SourceError(f"the cursor can no longer be read: {error}")
-            failure.__cause__ = error
-        finally:
-            self.cursor.close()
-            self._queue.close(failure)
-
-    def _look(self) -> None:
+    def _read_all(self) -> None:
+        """From the thread's start on it alone uses the cursor."""
         period_s, due = 1.0 / self.rate_hz, self._now()
         while not self._stopping.is_set():
             due = max(due + period_s, self._now())  # looks that were missed are not made up for

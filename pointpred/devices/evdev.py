@@ -4,17 +4,15 @@ from __future__ import annotations
 
 import os
 import select
-import threading
 import time
 from pathlib import Path
-from types import TracebackType
 from typing import Self
 
 from pointpred.devices import evdev_nodes
 from pointpred.devices.evdev_clock import Clock
 from pointpred.devices.evdev_decoding import EVENT, Frame, FrameDecoder, pressed
-from pointpred.devices.source import MOST_WAITING, BoundedQueue, Report
-from pointpred.errors import SourceError
+from pointpred.devices.reader import ReaderSource
+from pointpred.devices.source import MOST_WAITING, Report
 
 list_evdev = evdev_nodes.list_evdev
 
@@ -26,7 +24,7 @@ WATCH_S = 0.25
 """How often a node is looked for: one that is gone, or one that should come back."""
 
 
-class EvdevSource:
+class EvdevSource(ReaderSource):
     """Reports of one input node, stamped by the kernel; the desktop keeps its mouse.
 
     Assumes Linux. Motion that the kernel dropped (SYN_DROPPED) is lost: it is counted in ``resynchronised``
@@ -39,16 +37,14 @@ class EvdevSource:
 
     def __init__(self, path: str, *, most: int = MOST_WAITING) -> None:
         self.path, self.name, self.plugged = path, "", False
-        self._queue = BoundedQueue(most)
+        super().__init__(most)
         self._clock = Clock()
         self._decoder = FrameDecoder()
-        self._thread: threading.Thread | None = None
         self._file, self._stop, self._real = -1, -1, path
         self._unreadable = self._resynchronised = 0  # of devices that were here before
 
     def __enter__(self) -> Self:
-        if self._thread is not None:
-            raise SourceError(f"{self.path}: this source is open already; make another")
+        self._check_unused()
         self._node = evdev_nodes.check(self.path)
         self.name = self._node.name
         try:
@@ -56,24 +52,13 @@ class EvdevSource:
         except OSError as error:
             raise evdev_nodes.refusal(self._node, error) from error
         self._stopped, self._stop = os.pipe()
-        self._thread = threading.Thread(target=self._read, name=f"evdev {self.path}", daemon=True)
-        self._thread.start()
+        self._start()
         return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.close()
 
     @property
     def clock(self) -> str:
         """Which clock the kernel stamps with."""
         return self._clock.words
-
-    @property
-    def lost(self) -> int:
-        """Reports dropped because nobody took them in time."""
-        return self._queue.lost
 
     @property
     def unreadable(self) -> int:
@@ -90,18 +75,12 @@ class EvdevSource:
         """How often a clock that may be set was set."""
         return self._clock.steps
 
-    def take(self, timeout_s: float) -> list[Report]:
-        """Everything that came since the last call; waits at most ``timeout_s`` until something came."""
-        if self._thread is None:
-            raise SourceError(f"{self.path}: not open; use it in a 'with' statement")
-        return self._queue.take(timeout_s)
-
     def close(self) -> None:
         """Stop reading; may be called twice. What was read can still be taken."""
         if self._thread is None or self._stop < 0:
             return
         os.write(self._stop, b".")
-        self._thread.join()
+        super().close()
         os.close(self._stop)
         os.close(self._stopped)
         self._stop = -1
@@ -124,19 +103,14 @@ class EvdevSource:
         except OSError:
             return None
 
-    def _read(self) -> None:
-        """The reader thread: read while the device is there, wait while it is not."""
-        failure = None
-        try:
-            while not (self._read_device() if self.plugged else self._wait_for_device()):
-                pass
-        except Exception as error:  # told by take: a thread has nobody else to tell
-            failure = SourceError(f"{self.path}: reading ended: {error}")
-            failure.__cause__ = error
-        finally:
-            if self.plugged:
-                os.close(self._file)
-            self._queue.close(failure)
+    def _read_all(self) -> None:
+        """Read while the device is there, wait while it is not."""
+        while not (self._read_device() if self.plugged else self._wait_for_device()):
+            pass
+
+    def _let_go(self) -> None:
+        if self.plugged:
+            os.close(self._file)
 
     def _read_device(self) -> bool:
         """Read until the device is gone (false) or the source is closed (true)."""

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import threading
 import time
-from types import TracebackType
 from typing import Any, Self
 
 from pointpred.devices.hid_devices import HidDevice, choose, found, hid_devices, hidraw, list_hid
-from pointpred.devices.source import MOST_WAITING, BoundedQueue, Report
+from pointpred.devices.reader import ReaderSource
+from pointpred.devices.source import MOST_WAITING, Report
 from pointpred.errors import RecordingError, SourceError
 from pointpred.sources.report_descriptor import parse_descriptor
 from pointpred.sources.report_layout import ReportDescriptor
@@ -21,7 +20,7 @@ RETURN_S = 0.25
 """How often a device that is gone is looked for."""
 
 
-class HidSource:
+class HidSource(ReaderSource):
     """Reports of one HID mouse, stamped at the read by a thread of its own.
 
     Assumes Linux, and a mouse whose report descriptor has relative x or y. hidraw has no times: a stamp is as
@@ -49,42 +48,15 @@ class HidSource:
     ) -> None:
         self.path, self.name, self.plugged, self.unreadable = path or "", "", False, 0
         self._wanted = path, vendor, product
-        self._queue = BoundedQueue(most)
-        self._stopping = threading.Event()
-        self._thread: threading.Thread | None = None
+        super().__init__(most)
         self._buttons = 0
 
     def __enter__(self) -> Self:
-        if self._thread is not None:
-            raise SourceError(f"{self.path}: this source is open already; make another")
+        self._check_unused()
         self._device = choose(*self._wanted)
         self._open(self._device)
-        self._thread = threading.Thread(target=self._run, name=f"hid {self.path}", daemon=True)
-        self._thread.start()
+        self._start()
         return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.close()
-
-    @property
-    def lost(self) -> int:
-        """Reports dropped because nobody took them in time."""
-        return self._queue.lost
-
-    def take(self, timeout_s: float) -> list[Report]:
-        """Everything that came since the last call; waits at most ``timeout_s`` until something came."""
-        if self._thread is None:
-            raise SourceError("the HID source is not open; use it in a 'with' statement")
-        return self._queue.take(timeout_s)
-
-    def close(self) -> None:
-        """Stop reading; may be called twice. What was read can still be taken."""
-        self._stopping.set()
-        if self._thread is not None:
-            self._thread.join()
-        self._queue.close()
 
     def _open(self, device: HidDevice) -> None:
         """Open a device and learn its reports; raises SourceError."""
@@ -107,21 +79,20 @@ class HidSource:
         self._handle = handle
         self._device, self.path, self.name, self.plugged = device, device.path, device.name, True
 
-    def _run(self) -> None:
-        """The reader thread: read while the device is there, wait for it while it is not."""
-        failure = None
-        try:
-            while not self._stopping.is_set():
-                if self.plugged:
-                    self._read()
-                else:
-                    self._wait_for_return()
-        except Exception as error:  # told by take: a thread has nobody else to tell
-            failure = SourceError(f"{self._device.described}: reading ended: {error}")
-            failure.__cause__ = error
-        finally:
-            self._handle.close()
-            self._queue.close(failure)
+    @property
+    def _described(self) -> str:
+        return super()._described if self._thread is None else self._device.described
+
+    def _read_all(self) -> None:
+        """Read while the device is there, wait for it while it is not."""
+        while not self._stopping.is_set():
+            if self.plugged:
+                self._read()
+            else:
+                self._wait_for_return()
+
+    def _let_go(self) -> None:
+        self._handle.close()
 
     def _read(self) -> None:
         """One report, or none within WAIT_MS; the error of a device that has gone marks it unplugged."""
