@@ -127,7 +127,7 @@ def cursor_path(
     source: CursorSource, cpi: float | None, **given: str | bool | None
 ) -> tuple[CursorPath, Callable[[], None]]:
     """The path of a cursor that is followed itself; raises ParameterError for options that need counts."""
-    from pointpred.devices.cursor import CursorPath as Followed
+    from pointpred.devices.paths import PositionPath
 
     for name, value in given.items():
         if value not in (None, False, "auto", "screen"):
@@ -136,19 +136,19 @@ def cursor_path(
             )
     if cpi is not None:
         remarks().print("--cpi is not used: the cursor is followed, and it has no counts")
-    return Followed(source.words), _nothing
+    return PositionPath(source.words), _nothing
 
 
 def stream_path(source: LslInlet, **given: str | bool | None) -> tuple[CursorPath, Callable[[], None]]:
     """The path of a stream of positions; raises ParameterError for options that need a mouse."""
-    from pointpred.devices.lsl_inlet import StreamPath
+    from pointpred.devices.paths import PositionPath
 
     for name, value in given.items():
         if value not in (None, False, "auto"):
             raise ParameterError(
                 f"--{name.replace('_', '-')} is for a mouse, and --lsl reads a stream; drop one"
             )
-    return StreamPath(source.words), _nothing
+    return PositionPath(source.words, counts=source.counts), _nothing
 
 
 def resolution(source: DeviceSource, cpi: float | None, measured: bool, distance_cm: float) -> float | None:

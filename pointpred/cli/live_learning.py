@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from pointpred.devices.cursor import CursorPath as FollowedCursor
+from pointpred.devices.paths import PositionPath
 from pointpred.errors import EventError, SourceError
 from pointpred.transfer import TransferLearner, save_transfer
 
@@ -77,7 +77,7 @@ def learning_of(path: CursorPath, cpi: float | None, dpi: float) -> Learning | s
     """A learner where there is something to learn from, otherwise why there is none."""
     if path.space != "screen":
         return NEEDS_CURSOR
-    if isinstance(path, FollowedCursor):
+    if isinstance(path, PositionPath) and not path.counts:
         return NEEDS_COUNTS
     if cpi is None:
         return NEEDS_CPI

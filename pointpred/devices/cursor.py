@@ -7,9 +7,9 @@ import time
 from collections.abc import Callable, Sequence
 from typing import Protocol, Self
 
-from pointpred.devices.paths import Space
+from pointpred.devices.paths import PositionReport
 from pointpred.devices.reader import ReaderSource
-from pointpred.devices.source import MOST_WAITING, Found, Report
+from pointpred.devices.source import MOST_WAITING, Found
 from pointpred.errors import ParameterError, SourceError
 from pointpred.events import PointerEvent
 
@@ -46,34 +46,6 @@ class SystemCursor(Cursor, Protocol):
     def close(self) -> None:
         """Let it go; may be called twice."""
         ...
-
-
-class CursorReport(Report, frozen=True, kw_only=True, gc=False):
-    """Where the cursor was at a look. ``dx`` and ``dy`` are px since the look before: there are no counts."""
-
-    x: float
-    y: float
-
-
-class CursorPath:
-    """A ``CursorPath`` of positions that were read; events have no counts."""
-
-    space: Space = "screen"
-
-    def __init__(self, words: str) -> None:
-        self.words = words
-
-    def events(self, reports: Sequence[Report]) -> list[PointerEvent]:
-        """One event for each look that said something new.
-
-        >>> CursorPath("px").events([CursorReport(0.5, 1.0, 0.0, 1, x=8.0, y=9.0)])
-        [PointerEvent(t=0.5, x=8.0, y=9.0, dx=None, dy=None, buttons=1)]
-        """
-        return [
-            PointerEvent(report.t, report.x, report.y, buttons=report.buttons)
-            for report in reports
-            if isinstance(report, CursorReport)
-        ]
 
 
 class CursorSource(ReaderSource):
@@ -138,7 +110,8 @@ class CursorSource(ReaderSource):
             seen, t = (x, y, self.cursor.buttons()), self._now()
             if seen != self._before:
                 dx, dy = x - self._before[0], y - self._before[1]
-                self._queue.put(CursorReport(t, dx, dy, seen[2], x=x, y=y))
+                event = PointerEvent(t, x, y, buttons=seen[2])
+                self._queue.put(PositionReport(t, dx, dy, seen[2], event=event))
                 self._before = seen
 
 

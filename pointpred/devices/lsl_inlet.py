@@ -11,7 +11,7 @@ from typing import Any, Self
 import msgspec
 
 from pointpred.devices.lsl import PURPOSE, ahead_s, library
-from pointpred.devices.paths import Space
+from pointpred.devices.paths import PositionReport
 from pointpred.devices.source import Report
 from pointpred.errors import SourceError
 from pointpred.events import PointerEvent
@@ -33,28 +33,6 @@ class Channels(msgspec.Struct, frozen=True):
     dx: int | None = None
     dy: int | None = None
     buttons: int | None = None
-
-
-class StreamReport(Report, frozen=True, kw_only=True, gc=False):
-    """A sample on its way through a session.
-
-    ``dx`` and ``dy`` are px since the sample before where the stream has not both: they say that it moves.
-    """
-
-    event: PointerEvent
-
-
-class StreamPath:
-    """A ``CursorPath`` of positions that a stream says."""
-
-    space: Space = "screen"
-
-    def __init__(self, words: str) -> None:
-        self.words = words
-
-    def events(self, reports: Sequence[Report]) -> list[PointerEvent]:
-        """The event of each sample."""
-        return [report.event for report in reports if isinstance(report, StreamReport)]
 
 
 class LslInlet:
@@ -81,6 +59,8 @@ class LslInlet:
         """What its positions are; once it is open."""
         self.offset_s = 0.0
         """What was added to its first stamps to have them on this computer's clock of Lab Streaming Layer."""
+        self.counts = False
+        """Whether its samples have counts; once it is open."""
         self._wait_s = wait_s
         self._inlet: Any = None
         self._place: tuple[float, float] | None = None
@@ -105,6 +85,7 @@ class LslInlet:
         except RuntimeError as error:
             raise SourceError(f"{self.name}: the stream cannot be opened: {type(error).__name__}") from error
         self._ahead_s, self._inlet = ahead_s(lsl), inlet
+        self.counts = None not in (self._channels.dx, self._channels.dy)
         self.clock = (
             f"this computer's monotonic clock; the stamps of {about.hostname()} are corrected by "
             f"{1e3 * self.offset_s:+.3f} ms at first"
@@ -140,7 +121,7 @@ class LslInlet:
             self._inlet.close_stream()
         self._inlet = None
 
-    def _report(self, values: Sequence[float], t: float) -> StreamReport | None:
+    def _report(self, values: Sequence[float], t: float) -> PositionReport | None:
         """A sample as an event; ``None`` where its place is no number."""
         places = self._channels
         x, y = float(values[places.x]), float(values[places.y])
@@ -158,7 +139,7 @@ class LslInlet:
         buttons = int(pressed) if isfinite(pressed) and pressed > 0 else 0
         event = PointerEvent(t, x, y, dx, dy, buttons)
         moved = (x - before[0], y - before[1]) if dx is None or dy is None else (dx, dy)
-        return StreamReport(t, *moved, buttons, event=event)
+        return PositionReport(t, *moved, buttons, event=event)
 
 
 def channels_of(name: str, count: int, labels: Sequence[str | None]) -> Channels:

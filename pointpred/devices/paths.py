@@ -100,6 +100,29 @@ class TransferPath:
         return made
 
 
+class PositionReport(Report, frozen=True, kw_only=True, gc=False):
+    """Where something is. ``dx`` and ``dy`` say that it moves: counts, or px where it has no counts."""
+
+    event: PointerEvent
+
+
+class PositionPath:
+    """Positions that were read as such: a followed cursor's, or a stream's. ``counts``: events have them.
+
+    >>> PositionPath("px").events([PositionReport(0.5, 1.0, 0.0, event=PointerEvent(0.5, 8.0, 9.0))])
+    [PointerEvent(t=0.5, x=8.0, y=9.0, dx=None, dy=None, buttons=0)]
+    """
+
+    space: Space = "screen"
+
+    def __init__(self, words: str, *, counts: bool = False) -> None:
+        self.words, self.counts = words, counts
+
+    def events(self, reports: Sequence[Report]) -> list[PointerEvent]:
+        """The event of each report."""
+        return [report.event for report in reports if isinstance(report, PositionReport)]
+
+
 def event_of(report: Report, x: float, y: float) -> PointerEvent:
     """A report at a place."""
     return PointerEvent(report.t, x, y, float(report.dx), float(report.dy), report.buttons)

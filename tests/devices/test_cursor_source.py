@@ -11,10 +11,12 @@ from typing import Any
 import pytest
 
 from pointpred.cli import live_device
-from pointpred.devices.cursor import CursorPath, CursorSource, found_cursor, system_cursor
+from pointpred.cli.live_learning import NEEDS_COUNTS, NEEDS_CPI, Learning, learning_of
+from pointpred.devices.cursor import CursorSource, found_cursor, system_cursor
 from pointpred.devices.cursor_macos import MacCursor
 from pointpred.devices.cursor_windows import SCALED, WindowsCursor
 from pointpred.devices.cursor_x11 import ScreenCursor
+from pointpred.devices.paths import PositionPath
 from pointpred.errors import ParameterError, SourceError
 from tests.devices.screens import Screen, missing
 
@@ -61,7 +63,7 @@ def test_looks_are_even_and_say_only_what_is_new() -> None:
     cursor, clock = Still((5, 5, 0), (5, 5, 0), (7, 4, 0), (7, 4, 0), (7, 4, 1)), Time()
     with CursorSource(lambda: cursor, rate_hz=125.0, clock=clock, sleep=clock.sleep) as source:
         source._thread.join()  # type: ignore[union-attr]
-        events = CursorPath(source.words).events(source.take(0.0))
+        events = PositionPath(source.words).events(source.take(0.0))
         assert [(round(e.t, 9), e.x, e.y, e.dx, e.dy, e.buttons) for e in events] == [
             (0.016, 7.0, 4.0, None, None, 0),
             (0.032, 7.0, 4.0, None, None, 1),
@@ -231,9 +233,15 @@ def test_under_x11_it_follows_what_xdotool_does(screen: Screen) -> None:
     with CursorSource(lambda: ScreenCursor(screen.name)) as source:
         assert source.take(0.0) == []
         screen.place(700, 200)
-        (event,) = CursorPath(source.words).events(source.take(60.0))
+        (event,) = PositionPath(source.words).events(source.take(60.0))
         assert (event.x, event.y, event.dx, event.buttons) == (700.0, 200.0, None, 0)
         screen._say("mousedown 3")
-        (event,) = CursorPath(source.words).events(source.take(60.0))
+        (event,) = PositionPath(source.words).events(source.take(60.0))
         assert (event.x, event.y, event.buttons) == (700.0, 200.0, 2)
         screen._say("mouseup 3")
+
+
+def test_a_transfer_function_is_learned_where_positions_come_with_counts() -> None:
+    for counts, cpi, learned in ((False, 800.0, NEEDS_COUNTS), (True, None, NEEDS_CPI)):
+        assert learning_of(PositionPath("px", counts=counts), cpi, 96.0) == learned
+    assert isinstance(learning_of(PositionPath("px", counts=True), 800.0, 96.0), Learning)

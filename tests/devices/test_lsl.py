@@ -16,8 +16,9 @@ from pointpred import PointerEvent, build
 from pointpred.cli.app import app
 from pointpred.cli.live_notes import silence
 from pointpred.devices.lsl import ahead_s
-from pointpred.devices.lsl_inlet import Channels, LslInlet, StreamPath, channels_of
+from pointpred.devices.lsl_inlet import Channels, LslInlet, channels_of
 from pointpred.devices.lsl_outlet import CHANNELS, LslOutlet
+from pointpred.devices.paths import PositionPath
 from pointpred.devices.played import PlayedSource
 from pointpred.devices.sessions import LiveSession
 from pointpred.errors import ParameterError, SourceError
@@ -63,7 +64,7 @@ def test_positions_come_in_and_predictions_go_out_with_the_times_of_the_events(l
     outlet = sender(lsl, name, ["Buttons", "MouseY", "MouseX", "dx", "dy"])
     places = [(float(i), 0.5 * i * i) for i in range(30)]
     with LslInlet(name, wait_s=PATIENCE_S) as source:
-        session = LiveSession(source, StreamPath(source.words), build("linear"))
+        session = LiveSession(source, PositionPath(source.words), build("linear"))
         sent = LslOutlet("linear", source)
         session.watchers.append(sent.take)
         reader = lsl.StreamInlet(lsl.resolve_byprop("name", "pointpred", 1, PATIENCE_S)[0])
@@ -81,7 +82,7 @@ def test_positions_come_in_and_predictions_go_out_with_the_times_of_the_events(l
         ahead = ahead_s(lsl)
         assert [(event.x, event.y) for event in events] == places
         assert {(event.dx, event.dy, event.buttons) for event in events} == {(2.0, -1.0, 3)}
-        assert source.unreadable == 1
+        assert (source.unreadable, source.counts) == (1, True)
         off = [event.t - ahead - stamp for event, stamp in zip(events, stamps, strict=True)]
         assert max(map(abs, off)) < STAMP_S
         assert "monotonic" in source.clock
