@@ -7,6 +7,7 @@ from pathlib import Path
 
 from pointpred.cli.screen import check_target
 from pointpred.errors import ParameterError
+from pointpred.files import beside
 from pointpred.person import LARGEST, portable
 from pointpred.pipeline import Pipeline
 from pointpred.registry import REGISTRY, build
@@ -39,11 +40,11 @@ def save_person(file: Path, pipeline: Pipeline) -> str:
     pipeline.reset()
     if not pipeline.person:
         return "nothing was learned, nothing saved"
-    beside = file.with_name(f"{file.name}.part")
+    part = beside(file, "part")
     try:
-        with os.fdopen(os.open(beside, os.O_CREAT | os.O_WRONLY | os.O_TRUNC, 0o600), "wb") as opened:
+        with os.fdopen(os.open(part, os.O_CREAT | os.O_WRONLY | os.O_TRUNC, 0o600), "wb") as opened:
             opened.write(f"{pipeline.person}\n".encode())
-        beside.replace(file)
+        part.replace(file)
     finally:
-        beside.unlink(missing_ok=True)
+        part.unlink(missing_ok=True)
     return f"saved in {file}"

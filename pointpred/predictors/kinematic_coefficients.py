@@ -17,6 +17,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
+from pointpred.files import beside
 from pointpred.predictors import kinematic_calibration as calibration
 from pointpred.predictors import kinematic_features as features
 from pointpred.predictors import kinematic_net as net
@@ -64,32 +65,27 @@ def write(
         arrays[f"weights{number}"] = np.asarray(weights, np.float32)
         arrays[f"offset{number}"] = np.asarray(offset, np.float32)
     arrays["card"] = np.frombuffer(json.dumps(card, sort_keys=True).encode(), np.uint8)
-    beside = _beside(path)
+    part = beside(path, "part")
     try:
-        with beside.open("wb") as file:
+        with part.open("wb") as file:
             np.savez(file, **arrays)
-        beside.replace(path)
+        part.replace(path)
     finally:
-        beside.unlink(missing_ok=True)
+        part.unlink(missing_ok=True)
 
 
 def check_writable(path: Path) -> None:
     """Raise ParameterError now where ``write`` would fail later; leaves nothing behind."""
     if path.is_dir():
         raise ParameterError(f"cannot write {path}: it is a folder; name a file")
-    beside = _beside(path)
+    part = beside(path, "part")
     try:
-        beside.open("wb").close()
-        beside.unlink()
+        part.open("wb").close()
+        part.unlink()
     except OSError as error:
         raise ParameterError(
             f"cannot write {path}: {error.strerror}; name a file in a folder that can be written to"
         ) from error
-
-
-def _beside(path: Path) -> Path:
-    """The file that becomes ``path`` once it is written whole."""
-    return path.with_name(f"{path.name}.part")
 
 
 def read(path: Path | str) -> FloatArray:

@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from pointpred.errors import RecordingError
+from pointpred.files import beside
 
 
 @contextmanager
@@ -70,9 +71,8 @@ def _keep(path: Path) -> None:
 
 
 def _part(path: Path) -> Path:
-    return path.with_name(f"{path.name}.part")
+    return beside(path, "part")
 
 
 def _old(path: Path) -> Path:
-    """A name that nobody else gives a file."""
-    return path.with_name(f".{path.name}.{os.getpid()}.old")
+    return beside(path, "old")

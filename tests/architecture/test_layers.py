@@ -9,12 +9,24 @@ import pytest
 
 from tests.architecture.tree import ROOT, imports_of, module_of, package_files
 
-GROUND = {"errors", "extras", "compiled", "regions", "events", "columns", "recording", "stage", "person"}
+GROUND = {
+    "errors",
+    "extras",
+    "files",
+    "compiled",
+    "regions",
+    "events",
+    "columns",
+    "recording",
+    "stage",
+    "person",
+}
 MATHS = GROUND | {"regression", "differentiators", "transfer"}
 PIPELINE = MATHS | {"predictors", "pipeline", "registry"}
 MAY_IMPORT = {
     "errors": set(),
     "extras": {"errors"},
+    "files": set(),
     "compiled": set(),
     "regions": {"errors"},
     "events": {"errors", "regions"},
@@ -34,7 +46,7 @@ MAY_IMPORT = {
     "targets": GROUND,
     "scoring": PIPELINE | {"targets"},
     "report": PIPELINE | {"scoring"},
-    "sources": {"errors", "extras", "events", "columns", "recording"},
+    "sources": {"errors", "extras", "files", "events", "columns", "recording"},
     "devices": MATHS | {"sources"},
     "datasets": PIPELINE | {"simulation", "sources"},
     "training": PIPELINE | {"scoring", "sources", "pointpred"},

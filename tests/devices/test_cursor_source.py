@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ctypes
 import sys
-from collections.abc import Iterator
 from types import ModuleType, SimpleNamespace
 from typing import Any
 
@@ -18,7 +17,7 @@ from pointpred.devices.cursor_windows import SCALED, WindowsCursor
 from pointpred.devices.cursor_x11 import ScreenCursor
 from pointpred.devices.paths import PositionPath
 from pointpred.errors import ParameterError, SourceError
-from tests.devices.screens import Screen, missing
+from tests.devices.screens import Screen
 
 
 class Still:
@@ -218,14 +217,6 @@ def test_macos_without_quartz_says_what_to_install(monkeypatch: pytest.MonkeyPat
     with pytest.raises(SourceError, match="pip install pyobjc-framework-Quartz"):
         system_cursor()
     assert not found_cursor().openable
-
-
-@pytest.fixture
-def screen() -> Iterator[Screen]:
-    if why := missing():
-        pytest.skip(why)
-    with Screen() as made:
-        yield made
 
 
 def test_under_x11_it_follows_what_xdotool_does(screen: Screen) -> None:

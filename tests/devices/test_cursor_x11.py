@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import numpy as np
 import pytest
 
@@ -16,18 +14,10 @@ from pointpred.errors import SourceError
 from pointpred.transfer import ConstantGain, SigmoidGain, TransferLearner
 from tests.devices import live_hand
 from tests.devices.evdev_mice import PLAIN, plug, told
-from tests.devices.screens import HEIGHT, NOBODYS, WIDTH, Screen, missing
+from tests.devices.screens import HEIGHT, NOBODYS, WIDTH, Screen
 from tests.devices.umockdev import Testbed
 
 SEED, LOOKS = 31, 4
-
-
-@pytest.fixture
-def screen() -> Iterator[Screen]:
-    if why := missing():
-        pytest.skip(why)
-    with Screen() as made:
-        yield made
 
 
 # python-xlib leaves the socket of a refused connection to the garbage collector

@@ -6,7 +6,6 @@ import json
 import signal
 import subprocess
 import time
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -17,20 +16,12 @@ from pointpred.transfer import ConstantGain, PixelTransfer, named_transfer
 from tests.devices.evdev_mice import PLAIN, plug, write
 from tests.devices.live_fakes import reach
 from tests.devices.live_process import READING, started, until_said
-from tests.devices.screens import HEIGHT, WIDTH, Screen, missing
+from tests.devices.screens import HEIGHT, WIDTH, Screen
 from tests.devices.umockdev import Testbed
 
 START = WIDTH // 4, HEIGHT // 4
 CPI, DPI = 2000.0, 96.0
 WAYS = [(way, 0.4 * way) for way in np.linspace(60.0, 3600.0, 9)]
-
-
-@pytest.fixture
-def screen() -> Iterator[Screen]:
-    if why := missing():
-        pytest.skip(why)
-    with Screen() as made:
-        yield made
 
 
 def drag(bed: Testbed, node: str, screen: Screen, ways: list[tuple[float, float]]) -> int:

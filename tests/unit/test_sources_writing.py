@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from pointpred.errors import RecordingError
+from pointpred.files import beside
 from pointpred.sources import convert, read_any, recordings, tables, writing
 from pointpred.sources.writing import together
 
@@ -70,7 +71,7 @@ def test_a_file_that_cannot_take_its_place_brings_back_the_others(
     replace = Path.replace
 
     def refuse(file: Path, target: Path) -> Path:
-        if file.name == f"{names[at - 1]}.part":
+        if file == beside(tmp_path / names[at - 1], "part"):
             raise PermissionError(13, "opened by another program")
         return replace(file, target)
 
@@ -135,3 +136,10 @@ def test_notes_of_a_folder_name_their_file(tmp_path: Path) -> None:
         "two_samples.csv",
         "jspsych.json",
     }
+
+
+def test_a_file_that_somebody_calls_part_is_not_touched(tmp_path: Path) -> None:
+    other = tmp_path / "study_samples.csv.part"
+    other.write_text("somebody's", encoding="utf-8")
+    convert(FITTS, tmp_path / "study.csv")
+    assert other.read_text(encoding="utf-8") == "somebody's"

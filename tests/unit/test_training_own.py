@@ -16,6 +16,7 @@ import pytest
 
 from pointpred import build, run
 from pointpred.errors import ParameterError, RecordingError
+from pointpred.files import beside
 from pointpred.predictors import kinematic_coefficients
 from pointpred.predictors import kinematic_net as net
 from pointpred.recording import Recording
@@ -259,7 +260,8 @@ def test_the_command_trains_and_score_uses_what_it_wrote(
 @pytest.mark.usefixtures("quick")
 def test_wrong_uses_say_what_was_expected(command: Callable[..., Any], file: Path, tmp_path: Path) -> None:
     (tmp_path / "text.npz").write_text("none")
-    (tmp_path / "held.npz.part").mkdir()  # in the place of the file that is written first
+    beside(tmp_path / "held.npz", "part").mkdir()  # in the place of the file that is written first
+    (tmp_path / "me.npz.part").write_text("somebody's")
     for code, arguments in (
         (2, ["train", file, "--out", tmp_path / "me.csv"]),
         (2, ["train", file, "--out", kinematic_coefficients.OWN]),
@@ -278,6 +280,7 @@ def test_wrong_uses_say_what_was_expected(command: Callable[..., Any], file: Pat
         assert (left.code, left.err.count("\n") >= 1) == (code, True), arguments
         assert "Traceback" not in left.err
     assert not (tmp_path / "me.npz").exists()
+    assert (tmp_path / "me.npz.part").read_text() == "somebody's"
 
 
 def test_training_without_recordings_is_one_line(tmp_path: Path) -> None:
