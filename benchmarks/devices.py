@@ -15,7 +15,7 @@ from benchmarks.arguments import words
 from benchmarks.devices_live import Live, measure
 from benchmarks.markdown import filled, table
 from benchmarks.service import machine
-from pointpred.sources.report_descriptor import parse_descriptor
+from pointpred.hid.report_descriptor import parse_descriptor
 from tests.devices.mice import ENCODERS
 from tests.devices.umockdev import missing
 

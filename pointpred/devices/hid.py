@@ -9,8 +9,8 @@ from pointpred.devices.hid_devices import HidDevice, choose, found, hid_devices,
 from pointpred.devices.reader import ReaderSource
 from pointpred.devices.source import MOST_WAITING, Report
 from pointpred.errors import RecordingError, SourceError
-from pointpred.sources.report_descriptor import parse_descriptor
-from pointpred.sources.report_layout import ReportDescriptor
+from pointpred.hid.report_decoder import ReportDecoder
+from pointpred.hid.report_descriptor import parse_descriptor
 
 __all__ = ["HidSource", "list_hid"]
 
@@ -66,7 +66,7 @@ class HidSource(ReaderSource):
         handle: Any = hidraw().device()
         try:
             handle.open_path(device.path.encode())
-            self._reports: ReportDescriptor = parse_descriptor(bytes(handle.get_report_descriptor()))
+            self._reports: ReportDecoder = parse_descriptor(bytes(handle.get_report_descriptor()))
         except RecordingError as error:
             handle.close()
             raise SourceError(f"{device.described}: {error}") from error

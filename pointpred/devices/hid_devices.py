@@ -15,7 +15,7 @@ import msgspec
 from pointpred.devices.source import Found
 from pointpred.devices.udev import hid_rule, permission_advice
 from pointpred.errors import RecordingError, SourceError
-from pointpred.sources.report_descriptor import parse_descriptor
+from pointpred.hid.report_descriptor import parse_descriptor
 
 KEEPERS = {"win32": "Windows", "cygwin": "Windows", "darwin": "macOS"}
 """Systems that open every mouse for themselves and let no program read its reports."""

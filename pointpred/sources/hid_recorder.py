@@ -10,13 +10,13 @@ import numpy as np
 
 from pointpred.columns import EventColumns
 from pointpred.errors import RecordingError
+from pointpred.hid.report_decoder import ReportDecoder
+from pointpred.hid.report_descriptor import parse_descriptor
 from pointpred.recording import Recording
 from pointpred.sources.decoding import read_text, stem_of
 from pointpred.sources.evdev_frames import Frames, recording
 from pointpred.sources.joining import join
 from pointpred.sources.reading import AS_IS, Reading
-from pointpred.sources.report_descriptor import parse_descriptor
-from pointpred.sources.report_layout import ReportDescriptor
 from pointpred.sources.unreadable import Unreadable
 
 TITLE = "hid-recorder"
@@ -29,7 +29,7 @@ class _Device(msgspec.Struct):
     """One device of a file: its name, its descriptor and its pointer events so far."""
 
     name: str = ""
-    descriptor: ReportDescriptor | None = None
+    descriptor: ReportDecoder | None = None
     events: list[tuple[int, int, int, int]] = []
     rows: list[int] = []
     aside: int = 0

@@ -134,7 +134,7 @@ UNIFYING = (
         0xC52B,
     )
 )
-SYZBOT = Mouse(  # BadReportDescriptorMouse: generated garbage, features without a size
+SYZBOT = Mouse(  # BadReportDecoderMouse: generated garbage, features without a size
     "garbage", bytes.fromhex("9601000601002a90a02700000000b3813e25031bdde840503b5d8c3dda")
 )
 

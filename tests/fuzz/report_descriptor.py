@@ -6,7 +6,7 @@ An input is two bytes with the length of the descriptor, the descriptor, and a r
 from __future__ import annotations
 
 from pointpred.errors import RecordingError
-from pointpred.sources.report_descriptor import parse_descriptor
+from pointpred.hid.report_descriptor import parse_descriptor
 from tests.fuzz import naive
 
 MOST_EXPANDED = 200_000

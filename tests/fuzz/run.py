@@ -10,7 +10,9 @@ import sys
 
 import atheris
 
-DECODER = [f"pointpred.sources.report_{part}" for part in ("descriptor", "items", "layout")]
+DECODER = [
+    f"pointpred.hid.{module}" for module in ("report_descriptor", "descriptor_items", "report_decoder")
+]
 
 with atheris.instrument_imports(include=DECODER):
     from tests.fuzz.report_descriptor import check

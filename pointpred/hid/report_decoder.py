@@ -1,13 +1,26 @@
-"""Reports of a HID mouse: which bits hold x, y, the wheels and the buttons, and their values."""
+"""Input reports of a HID mouse: which bits hold x, y, the wheels and the buttons, and their values."""
 
 from __future__ import annotations
+
+from typing import NamedTuple
 
 import msgspec
 
 from pointpred.errors import RecordingError
 
-Decoded = tuple[int, int, int, int, int, int]
-"""dx, dy, pressed buttons, the mask of buttons the report speaks about, wheel, horizontal wheel."""
+
+class ReportValues(NamedTuple):
+    """Values of a report: counts moved, pressed buttons (W3C bits), and steps of the two wheels.
+
+    ``mask`` holds the bits of every button that the report has a field for; the others are unchanged.
+    """
+
+    dx: int
+    dy: int
+    buttons: int
+    mask: int
+    wheel: int
+    pan: int
 
 
 class Field(msgspec.Struct, frozen=True):
@@ -30,7 +43,7 @@ class Field(msgspec.Struct, frozen=True):
 ABSENT = (0, 0, 0)
 
 
-class Layout(msgspec.Struct, frozen=True):
+class ReportLayout(msgspec.Struct, frozen=True):
     """The fields of one report; ``buttons`` by their bit in W3C pointer events; ``size`` in bytes."""
 
     size: int
@@ -42,28 +55,29 @@ class Layout(msgspec.Struct, frozen=True):
 
     @property
     def points(self) -> bool:
-        """Whether it speaks about motion or buttons, not of wheels alone."""
+        """Whether the report has motion or buttons, not wheels alone."""
         return bool(self.x or self.y or self.buttons)
 
 
-class ReportDescriptor:
-    """Layouts by report ID (0 where reports carry none); ``numbered`` when the first byte is the ID.
+class ReportDecoder:
+    """Decodes the input reports of one device.
 
+    ``layouts`` by report ID (0 where reports have none); ``numbered`` when the first byte is the ID;
     ``longest`` is the size in bytes of the longest input report of the device, the mouse's or another's.
     """
 
     __slots__ = ("_plans", "layouts", "longest", "numbered")
 
-    def __init__(self, numbered: bool, layouts: dict[int, Layout], longest: int) -> None:
+    def __init__(self, numbered: bool, layouts: dict[int, ReportLayout], longest: int) -> None:
         self.numbered, self.layouts, self.longest = numbered, layouts, longest
         self._plans = {number: _plan(layout) for number, layout in layouts.items()}
 
-    def layout_of(self, report: bytes) -> Layout | None:
+    def layout_of(self, report: bytes) -> ReportLayout | None:
         """The layout of a report; ``None`` for reports without motion, wheel and button."""
         return self.layouts.get(report[0] if self.numbered and report else 0)
 
-    def decode(self, report: bytes) -> Decoded | None:
-        """What a report says; ``None`` for reports without motion, wheel and button.
+    def decode(self, report: bytes) -> ReportValues | None:
+        """The values of a report; ``None`` for reports without motion, wheel and button.
 
         Fields the report does not have are 0. Longer reports than described are read as described.
         Raises RecordingError when the report is shorter than its descriptor says.
@@ -73,7 +87,9 @@ class ReportDescriptor:
             return None
         size, x, y, wheel, pan, runs, mask = plan
         if len(report) < size:
-            raise RecordingError(f"report of {len(report)} bytes, expected {size}")
+            raise RecordingError(
+                f"report of {len(report)} bytes, expected {size}", code="short_report", value=len(report)
+            )
         whole = int.from_bytes(report, "little")
         pressed = 0
         for shift, bits, table in runs:
@@ -85,14 +101,14 @@ class ReportDescriptor:
         s, m, g = wheel
         turned = (whole >> s & m ^ g) - g
         s, m, g = pan
-        return dx, dy, pressed, mask, turned, (whole >> s & m ^ g) - g
+        return ReportValues(dx, dy, pressed, mask, turned, (whole >> s & m ^ g) - g)
 
 
 _Parts = tuple[int, int, int]
 _Plan = tuple[int, _Parts, _Parts, _Parts, _Parts, tuple[tuple[int, int, tuple[int, ...]], ...], int]
 
 
-def _plan(layout: Layout) -> _Plan:
+def _plan(layout: ReportLayout) -> _Plan:
     """A layout as plain numbers, and its buttons as a table for each run of neighbouring bits."""
     axes = (layout.x, layout.y, layout.wheel, layout.pan)
     x, y, wheel, pan = (field.parts() if field else ABSENT for field in axes)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from pointpred.errors import RecordingError
-from pointpred.sources.report_items import GLOBAL, LOCAL, MAIN, Item, short_items
-from pointpred.sources.report_layout import Field, Layout, ReportDescriptor
+from pointpred.hid.descriptor_items import GLOBAL, LOCAL, MAIN, Item, bad_descriptor, short_items
+from pointpred.hid.report_decoder import Field, ReportDecoder, ReportLayout
 
 GENERIC_DESKTOP, BUTTON, CONSUMER = 0x01, 0x09, 0x0C
 AXES = {
@@ -27,23 +27,24 @@ WIDEST = 32
 """Bits of the widest field that is read."""
 
 
-def parse_descriptor(data: bytes) -> ReportDescriptor:
-    """Where the relative x, y, wheels and buttons lie, from a report descriptor's bytes.
+def parse_descriptor(data: bytes) -> ReportDecoder:
+    """Read a report descriptor: where relative x, y, the wheels and the buttons lie in the reports.
 
     Assumes variable input fields of up to 32 bits; a field is signed when its logical minimum is negative.
     Absolute x and y (tablets, touch) and array buttons are not taken. Output and feature reports lie apart
-    and are passed over, the resolution multiplier of a wheel among them: wheels count the device's own steps.
-    Raises RecordingError, naming the byte, when the bytes are no descriptor; and when nothing in it moves.
+    and are skipped, the resolution multiplier of a wheel among them: wheels count the device's own steps.
+    Raises RecordingError: code ``not_a_mouse`` for a descriptor without relative x or y, else
+    ``bad_descriptor`` with the place of the wrong byte as ``value``.
     Reference: USB HID 1.11, section 6.2.2.
 
     >>> head = "05010902a1010901a100"
     >>> three_buttons = "05091901290315002501950375018102950175058101"
     >>> two_bytes = "0501093009311581257f750895028106c0c0"
     >>> parse_descriptor(bytes.fromhex(head + three_buttons + two_bytes)).decode(bytes([1, 5, 0xFF]))
-    (5, -1, 1, 7, 0, 0)
+    ReportValues(dx=5, dy=-1, buttons=1, mask=7, wheel=0, pan=0)
     """
     if len(data) > LONGEST:
-        raise RecordingError(f"report descriptor of {len(data)} bytes, expected at most {LONGEST}")
+        raise bad_descriptor(f"report descriptor of {len(data)} bytes, expected at most {LONGEST}", LONGEST)
     state = _State()
     for item in short_items(data):
         if item.kind == MAIN:
@@ -53,17 +54,21 @@ def parse_descriptor(data: bytes) -> ReportDescriptor:
         elif item.kind == LOCAL:
             state.set_local(item)
     if state.depth:
-        raise RecordingError(f"report descriptor ends at byte {len(data)}, {state.depth} collections open")
+        raise bad_descriptor(
+            f"report descriptor ends at byte {len(data)}, {state.depth} collections open", len(data)
+        )
     sizes = {number: (bits + 7) // 8 for number, bits in state.reached.items()}
     layouts = {}
     for number in state.axes.keys() | state.buttons.keys():
         if number or not state.numbered:  # where reports are numbered, those without a number never come
             axes = state.axes.get(number, {})
             x, y, wheel, pan = (axes.get(name) for name in AXES.values())
-            layouts[number] = Layout(sizes[number], x, y, wheel, pan, state.buttons.get(number, {}))
+            layouts[number] = ReportLayout(sizes[number], x, y, wheel, pan, state.buttons.get(number, {}))
     if not any(layout.x or layout.y for layout in layouts.values()):
-        raise RecordingError("report descriptor without relative x or y, expected a mouse's")
-    return ReportDescriptor(state.numbered, layouts, max(sizes.values()))
+        raise RecordingError(
+            "report descriptor without relative x or y, expected a mouse's", code="not_a_mouse"
+        )
+    return ReportDecoder(state.numbered, layouts, max(sizes.values()))
 
 
 class _Range(NamedTuple):
@@ -76,7 +81,7 @@ class _Range(NamedTuple):
 
 
 class _State:
-    """The item state table of HID 1.11 and what has been found with it."""
+    """The item state table of HID 1.11, and the fields read so far."""
 
     def __init__(self) -> None:
         self.page = self.minimum = self.maximum = self.size = self.count = self.report = 0
@@ -101,7 +106,9 @@ class _State:
             self.size = self._within(item, "a field", "bits", MOST_BITS)
         elif item.tag == 0x8:
             if not 0 < item.unsigned < 256:
-                raise RecordingError(f"report ID {item.unsigned} at byte {item.at}, expected 1 to 255")
+                raise bad_descriptor(
+                    f"report ID {item.unsigned} at byte {item.at}, expected 1 to 255", item.at
+                )
             self.report, self.numbered = item.unsigned, True
             self.reached.setdefault(self.report, 8)
         elif item.tag == 0x9:
@@ -110,7 +117,7 @@ class _State:
             self.pushed.append((self.page, self.minimum, self.maximum, self.size, self.count, self.report))
         elif item.tag == 0xB:
             if not self.pushed:
-                raise RecordingError(f"report descriptor pops more than it pushes at byte {item.at}")
+                raise bad_descriptor(f"report descriptor pops more than it pushes at byte {item.at}", item.at)
             self.page, self.minimum, self.maximum, self.size, self.count, self.report = self.pushed.pop()
 
     def set_local(self, item: Item) -> None:
@@ -134,20 +141,20 @@ class _State:
         if item.tag == INPUT:
             bits = self.size * self.count
             if not item.unsigned & CONSTANT and item.unsigned & VARIABLE and 0 < self.size <= WIDEST:
-                self._take(item)
+                self._add_fields(item)
             self.reached[self.report] += bits
             if self.reached[self.report] > 8 * LONGEST_REPORT:
-                raise RecordingError(f"report of more than {LONGEST_REPORT} bytes at byte {item.at}")
+                raise bad_descriptor(f"report of more than {LONGEST_REPORT} bytes at byte {item.at}", item.at)
         elif item.tag == COLLECTION:
             self.depth += 1
         elif item.tag == END_COLLECTION:
             self.depth -= 1
             if self.depth < 0:
-                raise RecordingError(f"collection ended that never began at byte {item.at}")
+                raise bad_descriptor(f"a collection ends at byte {item.at} that never began", item.at)
         self.usages, self.lowest, self.branch = [], None, 0
 
-    def _take(self, item: Item) -> None:
-        """Take the fields of an input item that are relative axes or buttons."""
+    def _add_fields(self, item: Item) -> None:
+        """Add the fields of an input item that are relative axes or buttons."""
         at = self.reached[self.report]
         index = 0
         for page, first, last, _ in self._paged():
@@ -161,8 +168,9 @@ class _State:
                     self.buttons.setdefault(self.report, {}).setdefault(BUTTONS[usage], field)
                 elif usage in AXES and item.unsigned & RELATIVE:
                     if self.maximum < self.minimum:
-                        raise RecordingError(
-                            f"field from {self.minimum} to {self.maximum} at byte {item.at}, expected a range"
+                        raise bad_descriptor(
+                            f"field from {self.minimum} to {self.maximum} at byte {item.at} is no range",
+                            item.at,
                         )
                     self.axes.setdefault(self.report, {}).setdefault(AXES[usage], field)
             index += max(0, last - first + 1)
@@ -180,7 +188,7 @@ class _State:
     @staticmethod
     def _within(item: Item, what: str, of: str, most: int) -> int:
         if item.unsigned > most:
-            raise RecordingError(
-                f"{what} with {item.unsigned} {of} at byte {item.at}, expected at most {most}"
+            raise bad_descriptor(
+                f"{what} with {item.unsigned} {of} at byte {item.at}, expected at most {most}", item.at
             )
         return item.unsigned

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pointpred.sources.report_descriptor import parse_descriptor
+from pointpred.hid.report_descriptor import parse_descriptor
 from tests.devices.mice import ENCODERS, SYZBOT, Encode, Mouse
 from tests.fuzz.report_descriptor import check, joined
 

@@ -3,8 +3,8 @@
 import pytest
 
 from pointpred.errors import RecordingError
-from pointpred.sources.report_descriptor import parse_descriptor
-from pointpred.sources.report_layout import Field
+from pointpred.hid.report_decoder import Field
+from pointpred.hid.report_descriptor import parse_descriptor
 
 BOOT = (
     "05 01 09 02 a1 01 09 01 a1 00 05 09 19 01 29 03 15 00 25 01 95 03 75 01 81 02 95 01 75 05 81 01"
@@ -44,8 +44,9 @@ def test_a_wheel_after_x_and_y() -> None:
         1,
         0,
     )  # buttons 1, 5; 7 has no W3C bit
-    with pytest.raises(RecordingError, match="report of 3 bytes, expected 4"):
+    with pytest.raises(RecordingError, match="3 bytes, expected 4") as refused:
         mouse.decode(bytes(3))
+    assert (refused.value.code, refused.value.value) == ("short_report", 3)
 
 
 def test_a_field_without_negative_minimum_is_not_signed() -> None:
@@ -129,25 +130,30 @@ def test_reserved_items_and_fields_of_no_size_are_passed_over() -> None:
 
 
 @pytest.mark.parametrize(
-    ("data", "message"),
+    ("data", "at"),
     [
-        ("05 01 09 02 a1 01 09 30 16 81", "ends inside the item at byte 8"),
-        ("05 01 09 06 a1 01 c0", "without relative x or y"),
-        ("05 01 09 30 15 00 26 ff 7f 75 10 95 01 81 02", "without relative x or y"),  # a tablet: absolute
-        ("05 01 b4", "pops more than it pushes at byte 2"),
-        ("77 ff ff ff 7f", "a field with 2147483647 bits at byte 0, expected at most 256"),
-        ("05 01 96 01 30", "an item with 12289 fields at byte 2, expected at most 12288"),
-        ("76 00 01 96 00 30 81 01", "report of more than 16384 bytes at byte 6"),
-        ("05 01 85 00", "report ID 0 at byte 2, expected 1 to 255"),
-        ("a1 01 c0 c0", "collection ended that never began at byte 3"),
-        ("05 01 09 02 a1 01 a1 00 c0", "ends at byte 9, 1 collections open"),
-        ("05 01 09 30 15 05 25 01 75 08 95 01 81 06", "field from 5 to 1 at byte 12"),
-        ("fe", "ends inside the item at byte 0"),
-        ("fe 03 f0 aa bb", "ends inside the item at byte 0"),
-        ("c0" * 4097, "report descriptor of 4097 bytes, expected at most 4096"),
-        ("", "without relative x or y"),
+        ("05 01 09 02 a1 01 09 30 16 81", 8),  # ends inside an item
+        ("05 01 b4", 2),  # pops more than it pushes
+        ("77 ff ff ff 7f", 0),  # a field of too many bits
+        ("05 01 96 01 30", 2),  # an item of too many fields
+        ("76 00 01 96 00 30 81 01", 6),  # a report too long
+        ("05 01 85 00", 2),  # report ID 0
+        ("a1 01 c0 c0", 3),  # a collection ends that never began
+        ("05 01 09 02 a1 01 a1 00 c0", 9),  # a collection never ends
+        ("05 01 09 30 15 05 25 01 75 08 95 01 81 06", 12),  # from 5 to 1
+        ("fe", 0),
+        ("fe 03 f0 aa bb", 0),
+        ("c0" * 4097, 4096),
     ],
 )
-def test_broken_descriptors(data: str, message: str) -> None:
-    with pytest.raises(RecordingError, match=message):
+def test_broken_descriptors(data: str, at: int) -> None:
+    with pytest.raises(RecordingError, match=r"\d") as refused:
         parse_descriptor(bytes.fromhex(data))
+    assert (refused.value.code, refused.value.value) == ("bad_descriptor", at)
+
+
+@pytest.mark.parametrize("data", ["05 01 09 06 a1 01 c0", "05 01 09 30 15 00 26 ff 7f 75 10 95 01 81 02", ""])
+def test_a_keyboard_a_tablet_and_no_bytes_are_no_mouse(data: str) -> None:
+    with pytest.raises(RecordingError, match="without relative x or y") as refused:
+        parse_descriptor(bytes.fromhex(data))
+    assert refused.value.code == "not_a_mouse"

@@ -12,6 +12,11 @@ MAIN, GLOBAL, LOCAL = 0, 1, 2
 LONG_ITEM = 0xFE
 
 
+def bad_descriptor(message: str, at: int) -> RecordingError:
+    """The error about a descriptor whose byte ``at`` is wrong."""
+    return RecordingError(message, code="bad_descriptor", field="report_descriptor", value=at)
+
+
 class Item(NamedTuple):
     """A short item: the byte where it begins, its tag and type, its value both ways, its bytes of data."""
 
@@ -24,7 +29,7 @@ class Item(NamedTuple):
 
 
 def short_items(data: bytes) -> Iterator[Item]:
-    """Every short item of a descriptor; long items are passed over.
+    """Every short item of a descriptor; long items are skipped.
 
     Raises RecordingError, naming the byte, when the descriptor ends inside an item.
     Reference: USB HID 1.11, sections 6.2.2.1 to 6.2.2.3.
@@ -41,7 +46,7 @@ def short_items(data: bytes) -> Iterator[Item]:
             size = 2 + data[at + 1] if at + 1 < len(data) else 2
         value = data[at + 1 : at + 1 + size]
         if len(value) < size:
-            raise RecordingError(f"report descriptor ends inside the item at byte {at}")
+            raise bad_descriptor(f"report descriptor ends inside the item at byte {at}", at)
         if not long:
             unsigned, signed = int.from_bytes(value, "little"), int.from_bytes(value, "little", signed=True)
             yield Item(at, prefix >> 4, prefix >> 2 & 3, unsigned, signed, size)
