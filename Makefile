@@ -32,16 +32,16 @@ bench: $(READY)  ## print the cost of each pipeline, and of the service beside a
 	$(BIN)/python -m benchmarks.service
 
 docs: $(READY)  ## write the generated parts of the pages again, and the README's score table
-	$(BIN)/python -m benchmarks.pages scores
+	$(BIN)/python -m pages scores
 
 results: $(READY)  ## write docs/results.md from the recordings in POINTPRED_RECORDINGS and the sample
-	$(BIN)/python -m benchmarks.results
+	$(BIN)/python -m pages.results.measure
 
 train: $(READY)  ## fit kinematic's coefficients to the recordings in POINTPRED_RECORDINGS
 	$(BIN)/python -m pointpred.training
 
 crossvalidate: $(READY)  ## score kinematic on people and sets held out, and write docs/kinematic.md
-	$(BIN)/python -m pointpred.training validate docs/kinematic.md
+	$(BIN)/python -m pages.kinematic.measure
 
 sample: $(READY)  ## generate the embedded sample again (same bytes)
 	$(BIN)/python -m pointpred.datasets.generate
@@ -51,10 +51,10 @@ fuzz: $(READY)  ## fuzz the HID decoder for ten minutes; new inputs are kept in 
 	$(BIN)/python -m tests.fuzz.run -max_total_time=600 -max_len=600 -artifact_prefix=tests/fuzz/ tests/fuzz/corpus
 
 inputs: $(READY)  ## read the public recordings in FOLDER twice and write docs/inputs.md
-	$(BIN)/python -m benchmarks.inputs '$(FOLDER)'
+	$(BIN)/python -m pages.inputs.measure '$(FOLDER)'
 
 fuzz-inputs: $(READY)  ## read damaged copies of the public recordings in FOLDER
-	$(BIN)/python -m benchmarks.inputs_fuzz '$(FOLDER)'
+	$(BIN)/python -m tests.fuzz.inputs '$(FOLDER)'
 
 clean:  ## remove the environment and every cache
 	rm -rf .venv .mypy_cache .ruff_cache .pytest_cache .hypothesis build dist *.egg-info

@@ -13,8 +13,8 @@ from pathlib import Path
 
 from benchmarks.arguments import words
 from benchmarks.devices_live import Live, measure
-from benchmarks.markdown import filled, table
 from benchmarks.service import machine
+from pages.markdown import filled, table
 from pointpred.hid.report_descriptor import parse_descriptor
 from tests.devices.mice import ENCODERS
 from tests.devices.umockdev import missing

@@ -24,8 +24,8 @@ from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Subprotocol
 
 from benchmarks.arguments import words
-from benchmarks.markdown import filled, table
 from benchmarks.service import machine
+from pages.markdown import filled, table
 from pointpred.registry import RECOMMENDED
 from pointpred.server.protocol.client_messages import SUBPROTOCOL
 

@@ -7,8 +7,8 @@ import time
 
 import numpy as np
 
-from benchmarks.markdown import table
 from benchmarks.per_event import reach
+from pages.markdown import table
 from pointpred import Pipeline, build
 from pointpred.columns import EventColumns, FloatArray
 

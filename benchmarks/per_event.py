@@ -22,8 +22,8 @@ from pathlib import Path
 import numpy as np
 
 from benchmarks.arguments import words
-from benchmarks.markdown import filled
 from benchmarks.naive_kep import NaiveKep
+from pages.markdown import filled
 from pointpred import REGISTRY, EventColumns, Pipeline, build, run
 from pointpred.cli.screen import counted
 from pointpred.scoring import prepare, replay

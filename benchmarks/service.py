@@ -23,7 +23,7 @@ from urllib.error import HTTPError
 from urllib.request import urlopen
 
 from benchmarks.arguments import words
-from benchmarks.markdown import filled, table
+from pages.markdown import filled, table
 
 PAGE = Path(__file__).parent.parent / "docs" / "service-cost.md"
 TURNS_SECONDS = 15.0

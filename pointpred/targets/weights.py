@@ -1,4 +1,4 @@
-"""Coefficients of the evidence, fitted by ``python -m benchmarks.targets``; not to be edited by hand."""
+"""Coefficients of the evidence, fitted by ``python -m pages.targets.measure``; not to be edited by hand."""
 
 from __future__ import annotations
 

@@ -6,6 +6,7 @@ is one person, movements are, in stretches of their order. Users of one name are
 
 from __future__ import annotations
 
+import tempfile
 from collections.abc import Callable
 from pathlib import Path
 from typing import Literal
@@ -18,15 +19,16 @@ from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.extras import require
 from pointpred.pipeline import Pipeline
-from pointpred.predictors import kinematic_coefficients
+from pointpred.predictors import KinematicPredictor, kinematic_coefficients
 from pointpred.recording import Recording
+from pointpred.registry import build
 from pointpred.scoring import score
 from pointpred.scoring.bootstrap import ratio_intervals
 from pointpred.training import calibrate
-from pointpred.training.fitting import Settings, of_file
+from pointpred.training.calibrate import Held
+from pointpred.training.fitting import Fitted, Settings, of_file
 from pointpred.training.people import FOLDS, VARIANTS, School, numbered, school
 from pointpred.training.train import Nets, card_of, folds, save, table_of, taught
-from pointpred.training.validate import known_by_set, of_users, pipeline_of
 
 GENTLE = Settings(passes=4, batch=512, rate=3e-4)
 """How the package's network is fitted further to few movements: more would be learnt by heart."""
@@ -220,3 +222,30 @@ def _judged(
 
 def _named(name: str, pipeline: Pipeline) -> Pipeline:
     return Pipeline(name, pipeline.differentiator, pipeline.predictor)
+
+
+def pipeline_of(fitted: Fitted, table: FloatArray) -> Pipeline:
+    """``kinematic`` with other coefficients; they pass through a file, as the package's own do."""
+    with tempfile.TemporaryDirectory() as where:
+        path = Path(where) / "coefficients.npz"
+        save(path, fitted, table, {})
+        predictor = KinematicPredictor(coefficients=path)
+    return Pipeline("kinematic", build("hold").differentiator, predictor)
+
+
+def known_by_set(school: School, fitted: Fitted, users: set[int], settings: Settings) -> dict[int, Held]:
+    """What a network claims of the people it did not know, set by set."""
+    found = {}
+    for number, part in enumerate(school.own):
+        rows = np.isin(part.user, list(users))
+        if rows.any():
+            found[number] = calibrate.held(fitted, part.only(rows), settings)
+    return found
+
+
+def of_users(recording: Recording, names: list[str]) -> Recording:
+    """The trials of some people, named set and user."""
+    chosen = [k for k, trial in enumerate(recording.trials) if f"{recording.name} {trial.user}" in names]
+    return Recording.of(
+        recording.name, [recording.rows(k) for k in chosen], [recording.trials[k] for k in chosen]
+    )

@@ -19,7 +19,8 @@ def package_files() -> list[Path]:
 
 def own_files() -> list[Path]:
     """Every Python file of the project."""
-    return sorted([*package_files(), *(ROOT / "tests").rglob("*.py"), *(ROOT / "benchmarks").rglob("*.py")])
+    others = [path for room in ("tests", "benchmarks", "pages") for path in (ROOT / room).rglob("*.py")]
+    return sorted([*package_files(), *others])
 
 
 def module_of(path: Path) -> str:

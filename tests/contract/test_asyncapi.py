@@ -15,10 +15,10 @@ import numpy as np
 import pytest
 import yaml
 
-from benchmarks.asyncapi import document, keys_of
-from benchmarks.asyncapi_examples import EVENT_ROWS
-from benchmarks.asyncapi_live import EXAMPLES
-from benchmarks.pages import ROOT
+from pages.__main__ import ROOT
+from pages.asyncapi.document import document, keys_of
+from pages.asyncapi.examples import EVENT_ROWS
+from pages.asyncapi.live import EXAMPLES
 from pointpred.server.protocol.client_messages import KNOWN, ClientMessage
 from pointpred.server.protocol.decoding import decode_text, table_of_bytes
 from pointpred.server.protocol.live_messages import live_schemas

@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from benchmarks.markdown import filled
-from benchmarks.pages import PARTS, ROOT, WHOLE, rendered
+from pages.__main__ import PARTS, ROOT, WHOLE, rendered
+from pages.markdown import filled
 from pointpred.differentiators import DIFFERENTIATORS, HomogeneousDifferentiator
 from pointpred.registry import REGISTRY, build, parameters
 
@@ -52,7 +52,7 @@ def test_links_inside_the_project_lead_somewhere(page: Path) -> None:
         assert (page.parent / link).exists(), f"{page.name} links to {link}"
 
 
-NAMED = re.compile(r"`((?:pointpred|server|datasets|tests|benchmarks|docs)/[a-z0-9_/.-]+\.[a-z]+)")
+NAMED = re.compile(r"`((?:pointpred|server|datasets|tests|benchmarks|pages|docs)/[a-z0-9_/.-]+\.[a-z]+)")
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda path: path.name)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from benchmarks.transfer_trials import CPI, DPI, best_polynomial, gain_error, simulate_trials
+from pages.transfer.trials import CPI, DPI, best_polynomial, gain_error, simulate_trials
 from pointpred.devices import cursor_x11
 from pointpred.devices.cursor_x11 import ScreenCursor
 from pointpred.devices.pairing import Pairing

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from benchmarks.markdown import filled
+from pages.markdown import filled
 from pointpred.errors import CertificateError, InfeasibleError
 from pointpred.observers import (
     NonlinearRegressor,
@@ -112,7 +112,7 @@ def test_example_6_converges_although_the_condition_of_theorem_3_3_3_fails() -> 
 def test_the_table_of_example_7_is_that_of_the_data() -> None:
     if not os.environ.get("POINTPRED_RECORDINGS"):
         pytest.skip("POINTPRED_RECORDINGS is not set")
-    from benchmarks.observers_5_7 import recursion, sniffer, starts
+    from pages.observers.examples_5_7 import recursion, sniffer, starts
 
     data = sniffer()
     if data is None:

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from benchmarks.transfer_trials import (
+from pages.transfer.trials import (
     best_polynomial,
     gain_error,
     identify,

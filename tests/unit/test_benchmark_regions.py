@@ -7,10 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from benchmarks import regions, regions_page
-from benchmarks.held_out import HeldOut
-from benchmarks.regions_page import LEVELS, SHARES, Drawn
-from benchmarks.regions_played import served
+from pages.held_out import HeldOut
+from pages.regions import measure as regions
+from pages.regions import tables as regions_page
+from pages.regions.played import served
+from pages.regions.tables import LEVELS, SHARES, Drawn
 from pointpred import EventColumns, run
 from pointpred.columns import RegionColumns
 from pointpred.predictors import kinematic_coefficients

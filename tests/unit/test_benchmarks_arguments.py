@@ -13,11 +13,11 @@ from benchmarks import per_event
 from benchmarks.arguments import words
 
 ROOT = Path(__file__).parents[2]
-SERVANTS = {"devices_live", "service_load", "service_server"}
+SERVANTS = {"benchmarks/devices_live", "benchmarks/service_load", "benchmarks/service_server"}
 """Started by other benchmarks, never by hand."""
 RUN = {
-    path.stem: path.read_text(encoding="utf-8")
-    for path in (ROOT / "benchmarks").glob("*.py")
+    path.relative_to(ROOT).with_suffix("").as_posix(): path.read_text(encoding="utf-8")
+    for path in [*(ROOT / "benchmarks").glob("*.py"), *(ROOT / "pages").rglob("*.py")]
     if 'if __name__ == "__main__":' in path.read_text(encoding="utf-8")
 }
 
@@ -54,7 +54,7 @@ def test_a_benchmark_understands_what_it_tells_itself(monkeypatch: pytest.Monkey
     monkeypatch.setattr(sys, "argv", told)
     said: list[str] = []
     monkeypatch.setattr("builtins.print", said.append)
-    exec(RUN["per_event"].split('if __name__ == "__main__":')[1].strip(), vars(per_event).copy())
+    exec(RUN["benchmarks/per_event"].split('if __name__ == "__main__":')[1].strip(), vars(per_event).copy())
     assert said == ['{"plain": true}']
 
 

@@ -1,4 +1,4 @@
-"""``benchmarks.inputs`` accounts for every row of a file, and says what differs."""
+"""``pages.inputs.measure`` accounts for every row of a file, and says what differs."""
 
 from __future__ import annotations
 
@@ -8,10 +8,11 @@ from typing import Any
 
 import pytest
 
-from benchmarks import inputs, inputs_fuzz
-from benchmarks.inputs_account import account
-from benchmarks.inputs_independent import delimited
+from pages.inputs import measure as inputs
+from pages.inputs.account import account
+from pages.inputs.independent import delimited
 from pointpred.sources import read_any
+from tests.fuzz import inputs as inputs_fuzz
 
 ROWS = ["ms,px,py,who,n"]
 ROWS += [f"{10 * i},{3 * i},{i % 4},anna,one" for i in range(6)]

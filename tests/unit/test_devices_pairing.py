@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from benchmarks.transfer_trials import CPI, DPI, gain_error, simulate_trials
+from pages.transfer.trials import CPI, DPI, gain_error, simulate_trials
 from pointpred.columns import EventColumns
 from pointpred.devices.pairing import Pairing
 from pointpred.devices.pairing_delay import estimate_delay

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pages.kinematic.tables import FALLS_SHORT, card_lines
 from pointpred import REGISTRY, EventColumns, Motion, Pipeline, build, run
 from pointpred.columns import FloatArray
 from pointpred.datasets import sample
@@ -16,7 +17,6 @@ from pointpred.errors import ParameterError
 from pointpred.predictors import KinematicPredictor, kinematic_coefficients
 from pointpred.predictors import kinematic_features as features
 from pointpred.scoring import prepare
-from pointpred.training.page import FALLS_SHORT, card_lines
 
 X, Y, SXX, SXY, SYY, LEFT, PHASE, TAIL, SPREAD = range(1, 10)
 

@@ -7,8 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from benchmarks import held_out, results_scores
-from benchmarks.held_out import HeldOut
+from pages import held_out
+from pages.held_out import HeldOut
+from pages.results import scores as results_scores
 from pointpred import EventColumns
 from pointpred.predictors import kinematic_coefficients
 from pointpred.recording import Recording, Trial

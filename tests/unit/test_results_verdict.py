@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from benchmarks.results_verdict import recorded, verdict
+from pages.results.verdict import recorded, verdict
 from pointpred.errors import ParameterError
 
 

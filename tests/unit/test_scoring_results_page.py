@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from benchmarks import results, results_page
+from pages.results import measure as results
+from pages.results import page as results_page
 from pointpred import EventColumns
 from pointpred.recording import Recording, Trial
 from pointpred.scoring import score, summary

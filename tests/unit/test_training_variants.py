@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from pointpred import EventColumns
 from pointpred.recording import Recording, Trial
-from pointpred.training.__main__ import page_asked
+from pointpred.training.__main__ import parse_arguments
 from pointpred.training.variants import varied
 
 
@@ -32,11 +31,11 @@ def test_variants_are_as_large_and_as_fast_as_they_should_be() -> None:
         assert logs.mean() == pytest.approx(0.5, abs=0.05)
 
 
-def test_words_are_understood_before_anything_is_trained(monkeypatch: pytest.MonkeyPatch) -> None:
-    for told, wanted in (([], None), (["validate", "page.md"], Path("page.md"))):
-        monkeypatch.setattr(sys, "argv", ["training", *told])
-        assert page_asked() == wanted
-    for wrong in (["--help"], ["rubbish"], ["validate"], ["validate", "a", "b"]):
-        monkeypatch.setattr(sys, "argv", ["training", *wrong])
-        with pytest.raises(SystemExit):
-            page_asked()
+@pytest.mark.parametrize(("arguments", "code"), [(["--help"], 0), (["rubbish"], 2), (["validate"], 2)])
+def test_wrong_arguments_end_before_training(
+    arguments: list[str], code: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "argv", ["training", *arguments])
+    with pytest.raises(SystemExit) as ended:
+        parse_arguments()
+    assert ended.value.code == code

@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 import pytest
 
-from benchmarks.transfer_trials import CPI, DPI, simulate_trials
+from pages.transfer.trials import CPI, DPI, simulate_trials
 from pointpred.errors import EventError, ParameterError
 from pointpred.events import PointerEvent
 from pointpred.transfer import (

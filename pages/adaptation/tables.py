@@ -1,0 +1,136 @@
+"""Tables and figure of docs/adaptation.md."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+import msgspec
+import numpy as np
+
+from pages import DOCS
+from pages.markdown import filled, table
+from pointpred.columns import FloatArray
+from pointpred.report.style import GREY, MARKERS, PALETTE, canvas, legend_outside, picture
+from pointpred.scoring import calibration, time_left
+from pointpred.scoring.results import PredictorErrors
+
+PAGE, FIGURE = DOCS / "adaptation.md", DOCS / "figures" / "adaptation.svg"
+FLOOR, PLAIN, WHOLE, PART = "hold", "kinematic", "kinematic-adaptive", "without the distances"
+STAGES = ((0, 5, "1-5"), (5, 10, "6-10"), (10, 20, "11-20"), (20, 10**9, "21+"))
+EDGES = (0, 1, 2, 3, 5, 8, 12, 20, 48, 150, 10**9)
+
+
+class Measured(msgspec.Struct):
+    """A set: errors of each predictor, a row a trial, the number of each trial in its user's order."""
+
+    name: str
+    order: list[FloatArray]
+    errors: dict[str, list[PredictorErrors]]
+    template: dict[bool, dict[str, list[FloatArray]]]
+    """In the protocol of template matching, clean or all: errors at each share of the way."""
+
+
+def column(one: Measured, name: str, field: str) -> FloatArray:
+    """One measure of one predictor, a row a trial."""
+    return np.concatenate([np.asarray(getattr(errors, field)) for errors in one.errors[name]])
+
+
+def ratio(one: Measured, name: str, over: str, low: int = 0, high: int = 10**9) -> float:
+    """Mean time-averaged error over that of another, of the trials low .. high of each person."""
+    order = np.concatenate(one.order)
+    rows = (order >= low) & (order < high)
+    if not rows.any():
+        return float("nan")
+    own, other = (column(one, who, "time_averaged")[rows].mean() for who in (name, over))
+    return float(own / other)
+
+
+def number(value: float) -> str:
+    """Three digits; nothing where there is none."""
+    return "" if np.isnan(value) else f"{value:.3f}"
+
+
+def by_trial(sets: Sequence[Measured]) -> str:
+    """Error over `hold`, by how many movements of the person came before."""
+    rows = []
+    for one in sets:
+        users = int((np.concatenate(one.order) == 0).sum())
+        for name in (PLAIN, WHOLE, PART):
+            cells = [number(ratio(one, name, FLOOR, low, high)) for low, high, _ in STAGES]
+            label = f"`{name}`" if name != PART else name
+            rows.append((one.name, str(users), label, *cells, number(ratio(one, name, FLOOR))))
+    return table(("set", "people", "predictor", *(label for _, _, label in STAGES), "all"), rows)
+
+
+def claims(sets: Sequence[Measured]) -> str:
+    """Regions and the time left, before and after."""
+    rows = []
+    for one in sets:
+        cells: list[str] = []
+        for name in (PLAIN, WHOLE):
+            inside = np.nanmean(column(one, name, "calibration"), axis=0)[calibration.INSIDE :][:3]
+            cells.append(" / ".join(f"{100 * share:.0f}" for share in inside))
+        for name in (PLAIN, WHOLE):
+            left = np.nanmean(column(one, name, "time_left"), axis=0)
+            error, clock = left[time_left.ERROR], left[time_left.CLOCK]
+            cells.append(f"{1000 * error:.0f} ({error / clock:.2f})")
+        for name in (PLAIN, WHOLE):
+            left = np.nanmean(column(one, name, "time_left"), axis=0)[time_left.INSIDE :][:2]
+            cells.append(" / ".join(f"{100 * share:.0f}" for share in left))
+        rows.append((one.name, *cells))
+    header = (
+        "set",
+        "regions",
+        "adapted",
+        "time left, ms (over the clock)",
+        "adapted",
+        "intervals",
+        "adapted",
+    )
+    return table(header, rows)
+
+
+def templates(sets: Sequence[Measured]) -> str:
+    """The protocol of template matching."""
+    rows = []
+    for one in sets:
+        for monotone, reads in one.template.items():
+            for name, parts in reads.items():
+                errors = np.concatenate(parts)
+                means = [f"{mean:.0f}" for mean in errors.mean(axis=0)]
+                rule = "never nearer" if monotone else "all"
+                label = f"`{name}`" if name in (PLAIN, WHOLE, FLOOR) else name
+                rows.append((one.name, rule, str(len(errors)), label, *means))
+    return table(("set", "trials", "number", "predictor", "50 %", "75 %", "90 %"), rows)
+
+
+def figure(sets: Sequence[Measured]) -> None:
+    """Error of the adapted over the unadapted, by how many movements came before."""
+    with canvas(width=6.5, height=4.3) as (drawing, (axes,)):
+        for place, one in enumerate(sets):
+            order = np.concatenate(one.order)
+            xs, ys = [], []
+            for low, high in pairwise(EDGES):
+                rows = (order >= low) & (order < high)
+                if rows.any():
+                    xs.append(float(order[rows].mean()) + 1.0)
+                    ys.append(ratio(one, WHOLE, PLAIN, low, high))
+            colour, marker = PALETTE[place % len(PALETTE)], MARKERS[place % len(MARKERS)]
+            dash = "solid" if place < len(PALETTE) else "dotted"
+            axes.plot(xs, ys, color=colour, marker=marker, linestyle=dash, markersize=4, label=one.name)
+        axes.axhline(1.0, color=GREY, linewidth=0.8)
+        axes.set(xscale="log", xlabel="movement of the person", ylabel="error over that of kinematic")
+        axes.xaxis.set_major_formatter("{x:g}")
+        legend_outside(drawing, axes, columns=4)
+        made = picture(drawing, "error over that of kinematic, by movement", "")
+    FIGURE.write_text(made.svg, encoding="utf-8")
+
+
+def written(sets: Sequence[Measured]) -> None:
+    """Fill the page and draw the figure."""
+    page = PAGE.read_text(encoding="utf-8")
+    for name, made in (("by trial", by_trial), ("claims", claims), ("templates", templates)):
+        page = filled(page, name, made(sets))
+    PAGE.write_text(page, encoding="utf-8")
+    figure(sets)

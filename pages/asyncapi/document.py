@@ -1,0 +1,176 @@
+"""Write the AsyncAPI 3 document of the WebSocket from the message types: part of ``make docs``."""
+
+from __future__ import annotations
+
+from typing import Any, get_args
+
+import msgspec
+import numpy as np
+import yaml
+
+import pointpred
+from pages.asyncapi import examples, words
+from pages.asyncapi.live import live_channel, live_messages, live_operations
+from pointpred.events import PHASES
+from pointpred.server.protocol.client_messages import SUBPROTOCOL, ClientMessage
+from pointpred.server.protocol.live_messages import live_schemas
+from pointpred.server.protocol.records import EVENT, NO_COUNTS, PREDICTION, pack
+from pointpred.server.protocol.schemas import schemas
+from pointpred.server.protocol.server_messages import ServerMessage
+
+CHANNEL = {"$ref": "#/channels/stream"}
+REPLIES = {
+    "hello": ["welcome"],
+    "events": ["prediction", "binaryPredictions", "cursor", "choice"],
+    "binaryEvents": ["prediction", "binaryPredictions", "cursor", "choice"],
+    "targets": ["targetsTaken", "choice"],
+    "trial": ["score", "choice"],
+    "configure": ["welcome", "choice"],
+    "reset": ["choice"],
+    "person": ["knownPerson", "choice"],
+    "bye": [],
+}
+
+
+def document() -> dict[str, Any]:
+    """The whole description."""
+    components = schemas()[1] | live_schemas()
+    messages = _messages()
+    return {
+        "asyncapi": "3.0.0",
+        "info": {
+            "title": "pointpred",
+            "version": pointpred.__version__,
+            "description": words.ABOUT,
+            "license": {"name": "Apache-2.0"},
+        },
+        "defaultContentType": "application/json",
+        "servers": {
+            "local": {
+                "host": "127.0.0.1:8765",
+                "protocol": "ws",
+                "description": "What `pointpred serve` prints; a token is needed where one is set.",
+                "security": [{"$ref": f"#/components/securitySchemes/{name}"} for name in words.SECURITY],
+            }
+        },
+        "channels": {
+            "stream": {
+                "address": "/v1/stream",
+                "summary": "One pointing session.",
+                "messages": {name: {"$ref": f"#/components/messages/{name}"} for name in messages},
+                "bindings": {"ws": {"method": "GET", "bindingVersion": "0.1.0"}},
+                "x-subprotocol": SUBPROTOCOL,
+                "x-close-codes": words.CLOSES,
+                "x-error-codes": words.CODES,
+            },
+            "live": live_channel(),
+        },
+        "operations": {**_operations(), **live_operations()},
+        "components": {
+            "messages": {**messages, **live_messages()},
+            "schemas": {name: _draft7(schema) for name, schema in components.items()},
+            "securitySchemes": words.SECURITY,
+        },
+    }
+
+
+def render() -> str:
+    """The document as YAML."""
+    text: str = yaml.dump(document(), Dumper=_Dumper, sort_keys=False, allow_unicode=True, width=110)
+    return text
+
+
+class _Dumper(yaml.SafeDumper):
+    """YAML without anchors, with texts of several lines as they are."""
+
+    def ignore_aliases(self, data: Any) -> bool:
+        return True
+
+
+def _text(dumper: yaml.SafeDumper, text: str) -> yaml.ScalarNode:
+    return dumper.represent_scalar("tag:yaml.org,2002:str", text, style="|" if "\n" in text else None)
+
+
+_Dumper.add_representer(str, _text)
+
+
+def keys_of(union: Any) -> list[tuple[str, type[msgspec.Struct]]]:
+    """A key for each message of a union: its type on the wire, where that is not taken."""
+    keys = {"PredictionMessage": "prediction", "TargetsTaken": "targetsTaken", "TrialMark": "trial"}
+    keys |= {"KnownPerson": "knownPerson"}
+    named = {"ErrorMessage": "error"} | keys
+    return [(named.get(kind.__name__, kind.__name__.lower()), kind) for kind in get_args(union)]
+
+
+def _messages() -> dict[str, Any]:
+    messages = {}
+    for union, shown in ((ClientMessage, examples.CLIENT), (ServerMessage, examples.SERVER)):
+        for (key, kind), ours in zip(keys_of(union), shown, strict=True):
+            name = "goodbye" if key in messages else key
+            messages[name] = {
+                "name": str(kind.__struct_config__.tag),
+                "summary": (kind.__doc__ or "").strip().splitlines()[0],
+                "contentType": "application/json",
+                "payload": {"$ref": f"#/components/schemas/{kind.__name__}"},
+                "examples": [{"payload": msgspec.to_builtins(one)} for one in ours],
+            }
+    packed = np.array(examples.EVENT_ROWS, dtype=EVENT).tobytes()
+    rows = np.array([examples.PREDICTION_ROW, examples.NO_PREDICTION_ROW])
+    messages["binaryEvents"] = _binary(
+        words.EVENTS.format(none=NO_COUNTS), [(name, EVENT[name].str) for name in EVENT.names or ()], packed
+    )
+    phases = ", ".join(f"{code} {name}" for code, name in enumerate(PHASES))
+    messages["binaryPredictions"] = _binary(
+        words.PREDICTIONS.format(phases=phases),
+        [(name, "<f8") for name in ("t", "x", "y", "sxx", "sxy", "syy", "remaining_s")]
+        + [("phase", PREDICTION["phase"].str), ("tail", PREDICTION["tail"].str)],
+        pack(rows),
+    )
+    return messages
+
+
+def _binary(summary: str, fields: list[tuple[str, str]], example: bytes) -> dict[str, Any]:
+    layout, offset = [], 0
+    for name, kind in fields:
+        layout.append({"field": name, "type": kind.lstrip("<|"), "offset": offset})
+        offset += np.dtype(kind).itemsize
+    return {
+        "summary": summary,
+        "contentType": "application/octet-stream",
+        "payload": {"type": "string", "contentEncoding": "base16", "description": f"{offset} bytes a record"},
+        "examples": [{"summary": "two records, in hexadecimal", "payload": example.hex()}],
+        "x-record-bytes": offset,
+        "x-layout": layout,
+    }
+
+
+def _operations() -> dict[str, Any]:
+    def refs(names: list[str]) -> list[dict[str, str]]:
+        return [{"$ref": f"#/channels/stream/messages/{name}"} for name in names]
+
+    operations: dict[str, Any] = {}
+    for name, answers in REPLIES.items():
+        said = {"action": "receive", "channel": CHANNEL, "messages": refs([name])}
+        if answers:
+            said["reply"] = {"channel": CHANNEL, "messages": refs([*answers, "error"])}
+        operations[f"hear{name[0].upper()}{name[1:]}"] = said
+    for name in ("error", "goodbye"):
+        operations[f"say{name.capitalize()}"] = {
+            "action": "send",
+            "channel": CHANNEL,
+            "messages": refs([name]),
+        }
+    return operations
+
+
+def _draft7(schema: Any) -> Any:
+    """Tuples as JSON Schema draft 7, on which AsyncAPI stands, writes them."""
+    if isinstance(schema, list):
+        return [_draft7(one) for one in schema]
+    if not isinstance(schema, dict):
+        return schema
+    changed = {key: _draft7(value) for key, value in schema.items()}
+    if "prefixItems" in changed:
+        changed["additionalItems"] = changed.pop("items", True)
+        changed["items"] = changed.pop("prefixItems")
+    return changed

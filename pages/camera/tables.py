@@ -1,0 +1,106 @@
+"""Tables of docs/camera.md that take no Monte Carlo: the print audited, designs, and what a step costs."""
+
+from __future__ import annotations
+
+import time
+from typing import Any
+
+import numpy as np
+
+from pages.markdown import table
+from pointpred.camera import (
+    SCENARIOS,
+    DepthObserver,
+    PointFilter,
+    camera_box,
+    camera_system,
+    depth,
+    point_law,
+    printed,
+    trajectory,
+)
+from pointpred.camera.samples import observed
+from pointpred.errors import InfeasibleError
+from pointpred.observers.unknown_input.observer import UnknownInputObserver
+
+FOCAL, RATE_HZ = 800.0, 33.0
+START = {"start_chi": 4.0, "start_eta": -1.6}
+
+
+def residuals() -> str:
+    """How far printed equations are from the derivative of the trajectory, beside the corrected ones."""
+    truth = trajectory(SCENARIOS["paper"], np.arange(331) / RATE_HZ)
+    expected = printed.derivatives(truth)
+    (x, y), (wx, wy, _), (vx, vy, _) = truth.image.T, truth.w.T, truth.v.T
+    chi, eta = truth.chi, truth.eta
+    corrected = truth.a[:, 2] * chi + wy * vx * chi - wx * vy * chi + eta**2 + truth.turn * eta
+    system, point = camera_system(), {"w_x": 0.05, "w_y": -0.06}
+    _, t = printed.decoupling_matrices(0.05, -0.06)
+    least = float(np.linalg.eigvalsh(printed.P)[0])
+    rows = [
+        ("chi' in (12)", "right", _tiny(chi * (eta + y * wx - x * wy) - expected[:, 2])),
+        ("chi' in (14)", _share(printed.chi_rate_14(truth) - expected[:, 2], expected[:, 2]), "as (12)"),
+        (
+            "eta' in (12), (14)",
+            _share(printed.eta_rate_12(truth) - expected[:, 3], expected[:, 3]),
+            _tiny(corrected - expected[:, 3]),
+        ),
+        ("T F, below (23)", _tiny(t @ system.f(point)), _tiny(system.t(point) @ system.f(point))),
+        ("least eigenvalue of P, demanded >= 1e-12", f"{least:.2g}", "P >= I by scale"),
+    ]
+    return table(("what", "largest error as printed", "corrected"), rows)
+
+
+def designs() -> str:
+    """What can be designed: certificates at two thirds of the largest sigma, and refusals."""
+    bounds = {"turn": (-0.02, 0.02), "a_z": (-0.1, 0.1), "w": (-0.06, 0.06), "dw": (-0.1, 0.1)}
+    rows = []
+    for eta in ((-2.0, -0.2), (-2.0, -0.05), (-2.0, -0.03), (-2.0, -0.015), (-0.4, 0.1)):
+        box, sigma = camera_box(eta, **bounds), max(4.0 / 3.0 * -(eta[1] + 0.02), 0.01)
+        start = time.perf_counter()
+        try:
+            one = UnknownInputObserver.design(camera_system(), box, sigma).certificate
+            said = (f"{one.largest_sigma:.3g}", f"{one.phi1:.3g}", f"{one.phi2:.3g}", f"{one.margin:.1e}")
+        except InfeasibleError as none:
+            said = ("none" if "no sigma" in str(none) else "?", "refused", "-", "-")
+        seconds = time.perf_counter() - start
+        rows.append((f"[{eta[0]:g}, {eta[1]:g}]", f"{sigma:.3g}", *said, f"{seconds:.2f}"))
+    header = ("eta 1/s", "sigma 1/s", "largest", "phi1", "phi2 s", "margin", "seconds")
+    return table(header, rows)
+
+
+def costs() -> str:
+    """Microseconds a step of the compiled laws, through ``step`` alone, ``update`` and a table."""
+    samples = observed(trajectory(SCENARIOS["paper"], np.arange(3301) / 330.0), focal_px=FOCAL)
+    rows, values, records = [], samples.table.tolist(), samples.samples()
+    out = np.empty(point_law.WIDTH)
+    stages: list[tuple[str, Any, Any]] = [
+        ("observer", DepthObserver(focal_px=FOCAL, **START), depth.step),
+        ("filter (peer)", PointFilter(focal_px=FOCAL), lambda memory, *v: point_law.step(memory, *v, out)),
+    ]
+    for name, stage, step in stages:
+        ways = {
+            "step": lambda step=step, stage=stage: [step(stage._memory, *row) for row in values],
+            "update": lambda stage=stage: [stage.update(record) for record in records],
+            "table": lambda stage=stage: stage.run(samples),
+        }
+        cells = []
+        for run in ways.values():
+            times = []
+            for _ in range(15):
+                stage.reset()
+                start = time.perf_counter()
+                run()
+                times.append(time.perf_counter() - start)
+            cells.append(f"{1e6 * min(times) / len(values):.2f}")
+        rows.append((name, *cells))
+    return table(("us a sample", "step", "update", "in a table"), rows)
+
+
+def _share(error: Any, of: Any) -> str:
+    """An error, and how large it is beside the largest value of what it is an error of."""
+    return f"{_tiny(error)}, {np.abs(error).max() / np.abs(of).max():.0%} of the largest"
+
+
+def _tiny(values: Any) -> str:
+    return f"{np.abs(values).max():.2g}"

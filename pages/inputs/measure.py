@@ -1,0 +1,221 @@
+"""Public recordings, each beside an independent reading: ``python -m pages.inputs.measure FOLDER``.
+
+``inputs.toml`` lists the files. They are fetched by hand into FOLDER, where each lies at
+``OWNER+NAME/PATH``; the project ships none of them. Writes the table of ``docs/inputs.md``; with
+``--partial`` also where files are missing or differ from those of the list. Ends in an error where rows
+are lost, values differ or a file is refused without a reason in the list.
+"""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import shlex
+import sys
+import tomllib
+import warnings
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from pages import DOCS
+from pages.inputs.account import Account, account
+from pages.inputs.independent import LAYOUTS
+from pages.markdown import filled, table
+from pointpred.errors import PointpredError
+from pointpred.sources import read_any
+from pointpred.sources.reading import Reading
+
+LIST = Path(__file__).with_name("inputs.toml")
+PAGE = DOCS / "inputs.md"
+HEADER = (
+    "file",
+    "what it is",
+    "options",
+    "trials",
+    "rows read",
+    "rows left out, and why",
+    "largest difference",
+)
+MOST_REASONS = 4
+
+
+class File(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A public file: where it is from, the options a user passes, how it is read independently.
+
+    ``layout`` names a function of ``inputs_independent``, ``told`` are its arguments; ``refused`` says why a
+    file is expected to be refused.
+    """
+
+    repository: str
+    commit: str
+    path: str
+    sha256: str
+    licence: str
+    what: str
+    options: dict[str, Any] = {}
+    layout: str = ""
+    told: dict[str, Any] = {}
+    refused: str = ""
+
+    def under(self, folder: Path) -> Path:
+        """Where the file lies in a folder."""
+        return folder / self.repository.replace("/", "+") / self.path
+
+
+class Outcome(msgspec.Struct, frozen=True):
+    """What became of a file: its account, or a refusal; ``astray``: read although none expects it."""
+
+    file: File
+    account: Account | None = None
+    refusal: str = ""
+    astray: bool = False
+
+    @property
+    def good(self) -> bool:
+        """Whether the file was read as independently, or refused for a reason in the list."""
+        return self.account.agrees if self.account else bool(self.file.refused) and not self.astray
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("folder", type=Path, metavar="FOLDER")
+    parser.add_argument("--partial", action="store_true", help="write the page although files are missing")
+    parser.add_argument("--list", type=Path, default=LIST, help="the files, instead of inputs.toml")
+    parser.add_argument("--page", type=Path, default=PAGE, help="the page, instead of docs/inputs.md")
+    given = parser.parse_args(arguments)
+    files = listed(given.list)
+    absent = missing(files, given.folder)
+    for line in absent:
+        print(line, file=sys.stderr)
+    if absent and not given.partial:
+        raise SystemExit(
+            f"{len(absent)} of {len(files)} files are missing: --partial writes the page without"
+        )
+    present = [
+        file for file in files if not any(line.startswith(f"{file.under(given.folder)}:") for line in absent)
+    ]
+    outcomes = []
+    for number, file in enumerate(present, 1):
+        outcomes.append(outcome(file, given.folder))
+        print(f"{number} of {len(present)} {file.path}: {brief(outcomes[-1])}", file=sys.stderr)
+    given.page.write_text(
+        filled(given.page.read_text(encoding="utf-8"), "files", text(outcomes)), encoding="utf-8"
+    )
+    raise SystemExit(not all(one.good for one in outcomes))
+
+
+def listed(path: Path) -> list[File]:
+    """The files of a list."""
+    return msgspec.convert(tomllib.loads(path.read_text(encoding="utf-8"))["file"], list[File])
+
+
+def missing(files: Sequence[File], folder: Path) -> list[str]:
+    """A line for each file that the folder lacks or holds in another version."""
+    lines = []
+    for file in files:
+        path = file.under(folder)
+        if not path.is_file():
+            lines.append(
+                f"{path}: missing; it is {file.path} of github.com/{file.repository} at {file.commit}"
+            )
+        elif hashlib.sha256(path.read_bytes()).hexdigest() != file.sha256:
+            lines.append(f"{path}: another file than the list's, whose SHA-256 is {file.sha256}")
+    return lines
+
+
+def outcome(file: File, folder: Path) -> Outcome:
+    """Read a file as a user does and independently; what is no error of ours goes through."""
+    path = file.under(folder)
+    try:
+        [recording] = read_any(path, reading_of(file))
+    except PointpredError as error:
+        return Outcome(file, refusal=str(error).removeprefix(f"{path}: ").replace(str(path), path.name))
+    if not file.layout:
+        return Outcome(file, refusal=f"{len(recording.trials)} trials are read", astray=True)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # pandas on columns of mixed kinds, which are not used
+        rows = LAYOUTS[file.layout](path, **file.told)
+    return Outcome(file, account(rows, recording))
+
+
+def reading_of(file: File) -> Reading:
+    """The options as a ``Reading``."""
+    return msgspec.convert(file.options, Reading)
+
+
+def options_of(file: File) -> str:
+    """The options as a user writes them on the command line."""
+    words = []
+    for name, value in file.options.items():
+        said = str(value)
+        if isinstance(value, dict):
+            said = ",".join(f"{field}={column}" for field, column in value.items())
+        elif isinstance(value, list):
+            said = "x".join(map(str, value))
+        words += [f"--{name.replace('_', '-')}"] if value is True else [f"--{name.replace('_', '-')}", said]
+    return f"`{shlex.join(words)}`" if words else "none"
+
+
+def brief(one: Outcome) -> str:
+    """An outcome in one line."""
+    if one.account is None:
+        return f"{'refused' if one.good else 'NOT AS EXPECTED'}: {one.refusal[:150]}"
+    found = one.account
+    said = f"{found.trials} trials, {found.read} rows, {sum(found.left.values())} left out"
+    return said if found.agrees else f"{said}, {found.lost} LOST, {found.px:g} px, {found.s:g} s"
+
+
+def text(outcomes: Sequence[Outcome]) -> str:
+    """The generated part of the page: totals and the table."""
+    return f"{totals(outcomes)}\n\n{table(HEADER, [row(one) for one in outcomes])}"
+
+
+def row(one: Outcome) -> tuple[str, ...]:
+    """A file's row of the table."""
+    file = one.file
+    url = f"https://github.com/{file.repository}/blob/{file.commit}/{file.path}".replace(" ", "%20")
+    head = (
+        f"[{Path(file.path).name}]({url}), {file.repository} ({file.licence})",
+        file.what,
+        options_of(file),
+    )
+    found = one.account
+    if found is None:
+        why = f"refused: {file.refused}" if one.good else "**not as expected**"
+        return (*head, why, "0", short(one.refusal), "-")
+    reasons = sorted(found.left.items(), key=lambda item: -item[1])
+    said = [f"{count} {reason}" for reason, count in reasons[:MOST_REASONS]]
+    more = sum(count for _, count in reasons[MOST_REASONS:])
+    left = "; ".join([*said, f"{more} for other reasons"] if more else said) or "0"
+    lost = f"**{found.lost} rows lost**; " if found.lost else ""
+    return (*head, str(found.trials), str(found.read), left, f"{lost}{found.px:.1g} px, {found.s:.1g} s")
+
+
+def short(words: str) -> str:
+    """A refusal without the list of formats or columns, which is long."""
+    return words if len(words) <= 160 else f"{words[:157]}..."
+
+
+def totals(outcomes: Sequence[Outcome]) -> str:
+    """One paragraph of totals."""
+    read = [one.account for one in outcomes if one.account]
+    sources = len({one.file.repository for one in outcomes})
+    plain = sum(1 for one in outcomes if one.account and not one.file.options)
+    left, lost = sum(sum(one.left.values()) for one in read), sum(one.lost for one in read)
+    px, s = max((one.px for one in read), default=0.0), max((one.s for one in read), default=0.0)
+    return (
+        f"{len(outcomes)} files of {sources} sources: {len(read)} are read, {plain} without an option, and "
+        f"{len(outcomes) - len(read)} are refused. {sum(one.trials for one in read)} trials with "
+        f"{sum(one.read for one in read)} rows are read, {left} rows are left out for a reason that is said, "
+        f"and {lost} rows are lost without a word. The largest differences from the independent readings are "
+        f"{px:.1g} px and {s:.1g} s."
+    )
+
+
+if __name__ == "__main__":
+    main()

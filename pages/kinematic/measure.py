@@ -1,0 +1,137 @@
+"""Score `kinematic` on people and sets that it was not fitted to: ``python -m pages.kinematic.measure``."""
+
+from __future__ import annotations
+
+import sys
+import time
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from benchmarks.arguments import words
+from pages import DOCS
+from pointpred.columns import FloatArray
+from pointpred.predictors import kinematic_features as features
+from pointpred.scoring import SetScore, score
+from pointpred.training import calibrate, people
+from pointpred.training.__main__ import in_one_thread
+from pointpred.training.calibrate import Held
+from pointpred.training.fitting import Fitted, Settings
+from pointpred.training.own import known_by_set, of_users, pipeline_of
+from pointpred.training.people import Say, School
+from pointpred.training.train import Nets, folds, taught
+
+
+class Verdict(msgspec.Struct, frozen=True):
+    """One set scored with networks that did not know its people, or did not know it at all."""
+
+    score: SetScore
+    known: Held
+    """Claims, calibrated, and how they turned out."""
+    clock: tuple[float, float]
+    """Error of the time left in s, and that of a clock that knows the set's median time."""
+
+
+class Validation(msgspec.Struct, frozen=True):
+    """Both ways of holding out, a verdict a set."""
+
+    users_out: tuple[Verdict, ...]
+    set_out: tuple[Verdict, ...]
+
+
+def validate(school: School, settings: Settings, say: Say, nets: Nets | None = None) -> Validation:
+    """Hold out users in folds, and each set in turn; the project's scorer judges.
+
+    The table of a fold comes from the people of the other folds, that of a set left out from the people
+    of the other sets. ``nets``: those of ``folds`` where they are known already.
+    """
+    nets = folds(school, settings, say) if nets is None else nets
+    known = [known_by_set(school, fitted, users, settings) for users, fitted in nets]
+    tables = []
+    for place in range(len(nets)):
+        others = [one for k, row in enumerate(known) if k != place for one in row.values()]
+        tables.append(calibrate.calibrated(calibrate.joined(others)))
+    users_out, set_out = [], []
+    for number, recording in enumerate(school.recordings):
+        runs = [
+            _judged(school, number, users, fitted, table, settings)
+            for (users, fitted), table in zip(nets, tables, strict=True)
+            if np.isin(school.own[number].user, list(users)).any()
+        ]
+        users_out.append(_merged(runs))
+        say(f"{recording.name}: users held out {ratio(users_out[-1].score):.3f} of hold")
+    everybody = set(school.users.values())
+    for number, recording in enumerate(school.recordings):
+        others = [one for row in known for k, one in row.items() if k != number]
+        fitted = taught(school, set(), number, settings)
+        table = calibrate.calibrated(calibrate.joined(others))
+        set_out.append(_judged(school, number, everybody, fitted, table, settings))
+        say(f"{recording.name}: set left out {ratio(set_out[-1].score):.3f} of hold")
+    return Validation(tuple(users_out), tuple(set_out))
+
+
+def ratio(score: SetScore) -> float:
+    """Time-averaged error over that of ``hold``."""
+    hold, own = score.predictors
+    return float(own.time_averaged.mean() / hold.time_averaged.mean())
+
+
+def _judged(
+    school: School, number: int, users: set[int], fitted: Fitted, table: FloatArray, settings: Settings
+) -> Verdict:
+    """A set's trials by some people, scored with a network that did not know these."""
+    own = school.own[number]
+    mine = own.only(np.isin(own.user, list(users)))
+    names = [name for name, user in school.users.items() if user in users]
+    part = of_users(school.recordings[number], names)
+    (scored,) = score([part], [pipeline_of(fitted, table)])
+    whole = own.left_s / np.maximum(1.0 - own.share, 1e-6)
+    _, first = np.unique(own.trial, return_index=True)
+    since = mine.features[:, features.NAMES.index("time")].astype(np.float64)
+    clock = np.maximum(float(np.median(whole[first])) - since, 0.0)
+    left = calibrate.time_left(fitted, mine)
+    errors = [float((mine.weight * np.abs(said - mine.left_s)).sum()) for said in (left, clock)]
+    known = calibrate.applied(calibrate.held(fitted, mine, settings), table)
+    return Verdict(scored, known, (errors[0], errors[1]))
+
+
+def _merged(runs: list[Verdict]) -> Verdict:
+    """The parts of one set together; its trials stand in the order of the parts."""
+    first = runs[0].score
+    predictors = []
+    for place in range(len(first.predictors)):
+        parts = [run.score.predictors[place] for run in runs]
+        changed: dict[str, Any] = {}
+        for name in parts[0].__struct_fields__:
+            arrays = [getattr(part, name) for part in parts]
+            if all(isinstance(array, np.ndarray) for array in arrays):
+                changed[name] = np.concatenate(arrays)
+            elif any(isinstance(array, np.ndarray) for array in arrays):
+                changed[name] = None  # told of some people only
+        predictors.append(msgspec.structs.replace(parts[0], **changed))
+    trials = tuple(trial for run in runs for trial in run.score.trials)
+    together = msgspec.structs.replace(first, trials=trials, predictors=tuple(predictors))
+    clocks = np.array([run.clock for run in runs]).sum(axis=0)
+    known = calibrate.joined([run.known for run in runs])
+    return Verdict(together, known, (float(clocks[0]), float(clocks[1])))
+
+
+def main() -> None:
+    """Validate and write docs/kinematic.md; progress goes to the error stream."""
+    from pages.kinematic import tables
+
+    began = time.monotonic()
+
+    def say(what: str) -> None:
+        print(f"{time.monotonic() - began:6.1f} s  {what}", file=sys.stderr, flush=True)
+
+    settings = Settings()
+    school = people.school(people.read_sets(people.folder()), settings.seed, say)
+    (DOCS / "kinematic.md").write_text(tables.page(validate(school, settings, say)), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    words(__doc__)
+    in_one_thread("pages.kinematic.measure")
+    main()

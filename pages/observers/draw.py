@@ -1,0 +1,48 @@
+"""Draw the figures of docs/observers, and print what a design and a step of an observer cost.
+
+``python -m pages.observers.draw [example-1 example-2 ...]``: all of them unless some are named.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from importlib import import_module
+from importlib.util import find_spec
+from pathlib import Path
+
+from benchmarks.arguments import words
+from pages import DOCS
+
+FIGURES = DOCS / "observers" / "figures"
+PARTS = ("examples_1_4", "examples_5_7", "examples_8_9")
+"""Modules with ``FIGURES``, functions by the name of a figure, or with a ``main`` that draws its own."""
+
+
+def figures() -> dict[str, Callable[[Path], None]]:
+    """Every figure's name with the function that draws it into a file."""
+    found: dict[str, Callable[[Path], None]] = {}
+    for part in PARTS:
+        if find_spec(f"pages.observers.{part}"):
+            module = import_module(f"pages.observers.{part}")
+            found |= (
+                module.FIGURES
+                if hasattr(module, "FIGURES")
+                else {part: lambda file, whole=module.main: whole()}
+            )
+    return found
+
+
+def main(names: list[str]) -> None:
+    drawn = figures()
+    for name in names or drawn:
+        file = FIGURES / f"{name}.svg"
+        drawn[name](file)
+        print(f"drew {name}")
+    if not names:
+        from benchmarks.observers_cost import main as cost
+
+        cost()
+
+
+if __name__ == "__main__":
+    main(words(__doc__, named="figure"))

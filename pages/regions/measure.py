@@ -1,0 +1,102 @@
+"""How often the drawn regions hold the endpoint, on the wire: ``python -m pages.regions.measure [FOLDER]``.
+
+Plays the movements of every person in POINTPRED_RECORDINGS, in the order of recording, to a session of the
+service whose coefficients did not know the person. Decodes the frames as the Python client does, and looks
+whether the endpoint lies inside the ellipse of each level. One person of each set is played over a real
+socket as well: every number must be the same. Writes the tables of docs/regions.md. FOLDER: coefficients as
+``python -m pages.held_out FOLDER`` writes them; unless given, those of the cache, fitted where they are
+missing.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+
+from benchmarks.arguments import words
+from pages.held_out import HeldOut, held_out, stored
+from pages.regions.played import KnownService, hello_of, in_session, over_socket, served
+from pages.regions.tables import LEVELS, MIDDLE, SHARES, Drawn, written
+from pointpred import PredictionColumns
+from pointpred.columns import FloatArray
+from pointpred.recording import Recording
+from pointpred.scoring import Prepared, prepare, resolution
+from pointpred.scoring.moments import moments
+from pointpred.training import people
+
+NAMES = ("kinematic", "kinematic-adaptive")
+
+
+def drawn(name: str, coefficients: HeldOut, recording: Recording, service: KnownService, url: str) -> Drawn:
+    """What is drawn along the movements of a set, by coefficients that did not know the person."""
+    prepared, pipelines = prepare(recording), coefficients.of_people(name, recording)
+    hello = hello_of(name, prepared.events, resolution(recording, None, None))
+    who, order, columns, alike = [], [], [], False
+    for user, trials in turns(prepared):
+        movements = [prepared.rows(k) for k in trials]
+        answers = list(in_session(pipelines[user], hello, movements))
+        if not alike:
+            service.pipeline, alike = pipelines[user], True
+            same(answers, list(over_socket(url, hello, movements)))
+        who += [user] * len(trials)
+        order += range(len(trials))
+        columns += [read(prepared, k, one) for k, one in zip(trials, answers, strict=True)]
+    inside, size, way = (np.array(column) for column in zip(*columns, strict=True))
+    return Drawn(recording.name, name, np.array(who), np.array(order), inside, size, way)
+
+
+def turns(prepared: Prepared) -> Iterator[tuple[str, list[int]]]:
+    """The movements of each person, in the order of recording."""
+    users = [one.trial.user for one in prepared.trials]
+    for user in dict.fromkeys(users):
+        yield user, [k for k, own in enumerate(users) if own == user]
+
+
+def same(answers: list[PredictionColumns], others: list[PredictionColumns]) -> None:
+    """End the run where the socket gave another number than the session."""
+    for one, other in zip(answers, others, strict=True):
+        if not np.array_equal(one.table, other.table, equal_nan=True):
+            raise SystemExit("the socket gives other numbers than the session without one")
+
+
+def read(prepared: Prepared, k: int, answers: PredictionColumns) -> tuple[FloatArray, FloatArray, float]:
+    """One movement: whether each ellipse holds the endpoint, their sizes half-way, and the way then left."""
+    events = prepared.rows(k)
+    rows = np.empty(len(SHARES), np.int64)
+    arrival = int(prepared.arrivals[k] - prepared.offsets[k])
+    moments(events.table, 0, arrival, len(events) - 1, np.array(SHARES), rows)
+    end, then = (events.x[-1], events.y[-1]), PredictionColumns(answers.table[rows])
+    regions = [then.region(level).table for level in LEVELS]
+    inside = np.stack([holds(one, *end) for one in regions], axis=-1)
+    sizes = np.array([np.sqrt(one[MIDDLE, 2] * one[MIDDLE, 3]) for one in regions])
+    here = events.table[rows[MIDDLE], 1:3]
+    return inside, sizes, float(np.hypot(end[0] - here[0], end[1] - here[1]))
+
+
+def holds(regions: FloatArray, x: float, y: float) -> FloatArray:
+    """1 where an ellipse, a row of ``RegionColumns``, holds a point, NaN where there is none."""
+    at_x, at_y, major, minor, angle = regions.T
+    along = (x - at_x) * np.cos(angle) + (y - at_y) * np.sin(angle)
+    across = (y - at_y) * np.cos(angle) - (x - at_x) * np.sin(angle)
+    far = (along / major) ** 2 + (across / minor) ** 2
+    return np.where(np.isnan(far), np.nan, (far <= 1.0).astype(np.float64))
+
+
+def main(coefficients: HeldOut, recordings: list[Recording]) -> None:
+    """Play everything, and write the page."""
+    found = []
+    with served() as (service, url):
+        for recording in recordings:
+            for name in NAMES:
+                found.append(drawn(name, coefficients, recording, service, url))
+                print(f"{recording.name} {name}: {len(found[-1].order)}", file=sys.stderr, flush=True)
+    written(found)
+
+
+if __name__ == "__main__":
+    given = words(__doc__, named="folder", most=1)
+    folder = people.folder()
+    main(stored(Path(given[0])) if given else held_out(folder), people.read_sets(folder))

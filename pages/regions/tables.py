@@ -1,0 +1,96 @@
+"""Tables of docs/regions.md: how often what is drawn holds the endpoint, and how large it is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from pages import DOCS
+from pages.markdown import filled, table
+from pointpred.columns import BoolArray, FloatArray
+
+PAGE = DOCS / "regions.md"
+LEVELS, SHARES = (0.5, 0.8), (0.3, 0.5, 0.7)
+"""The ellipses that are drawn, and when: shares of the time from onset to arrival."""
+LEARNT = 20
+"""Movements of a person after which an adaptive predictor is judged once more."""
+MIDDLE = SHARES.index(0.5)
+EVERY = "all"
+
+
+class Drawn(msgspec.Struct, frozen=True):
+    """A set and a predictor, a row a movement."""
+
+    set: str
+    predictor: str
+    people: NDArray[np.str_]
+    order: NDArray[np.int64]
+    """Place among the movements of the person, from 0."""
+    inside: FloatArray
+    """(movements, shares, levels): 1 where the ellipse holds the endpoint, NaN where none is drawn."""
+    size: FloatArray
+    """(movements, levels): root of the product of the half axes at half of the time, px."""
+    way: FloatArray
+    """From the cursor to the endpoint at half of the time, px."""
+
+
+def pooled(sets: Sequence[Drawn]) -> Drawn:
+    """All movements of all sets, each counted once."""
+    columns = {
+        name: np.concatenate([getattr(one, name) for one in sets]) for name in Drawn.__struct_fields__[3:]
+    }
+    people = np.concatenate([np.char.add(f"{one.set} ", one.people) for one in sets])
+    return Drawn(EVERY, sets[0].predictor, people, **columns)
+
+
+def coverage(sets: Sequence[Drawn]) -> str:
+    """Shares inside, %, of all movements and of those after the first ones of each person."""
+    rows = []
+    for one in (*sets, pooled(sets)):
+        for label, some in parts(one):
+            people = len(set(one.people[some].tolist()))
+            shares = [share(one.inside[some, :, k]) for k in range(len(LEVELS))]
+            rows.append((one.set, label, str(people), str(int(some.sum())), *shares))
+    times = " / ".join(f"{100 * share:.0f}" for share in SHARES)
+    held = (f"in the {100 * level:.0f} % ellipse at {times} % of the time" for level in LEVELS)
+    return table(("set", "movements", "people", "number", *held), rows)
+
+
+def parts(one: Drawn) -> list[tuple[str, BoolArray]]:
+    """All movements, and those after the person's first ones where there are any."""
+    later = one.order >= LEARNT
+    every = ("all", np.ones(len(one.order), np.bool_))
+    return [every, (f"after {LEARNT}", later)] if later.any() else [every]
+
+
+def share(inside: FloatArray) -> str:
+    """Shares of a column each, %; a dash where nothing is drawn at any movement."""
+    return " / ".join(_mean(inside[:, k], lambda mean: f"{100 * mean:.0f}") for k in range(inside.shape[1]))
+
+
+def sizes(sets: Sequence[Drawn]) -> str:
+    """Median size at half of the time, beside the way that is left."""
+    rows = []
+    for one in (*sets, pooled(sets)):
+        half = [f"{np.nanmedian(one.size[:, k]):.0f}" for k in range(len(LEVELS))]
+        rows.append((one.set, *half, f"{np.median(one.way):.0f}"))
+    names = (f"{100 * level:.0f} % ellipse, px" for level in LEVELS)
+    return table(("set", *names, "from the cursor to the endpoint, px"), rows)
+
+
+def _mean(values: FloatArray, text: Callable[[float], str]) -> str:
+    there = values[~np.isnan(values)]
+    return text(float(there.mean())) if len(there) else "-"
+
+
+def written(found: Sequence[Drawn]) -> None:
+    """Fill the page."""
+    page = PAGE.read_text(encoding="utf-8")
+    for name in dict.fromkeys(one.predictor for one in found):
+        mine = [one for one in found if one.predictor == name]
+        page = filled(page, f"coverage {name}", coverage(mine))
+        page = filled(page, f"sizes {name}", sizes(mine))
+    PAGE.write_text(page, encoding="utf-8")
