@@ -26,8 +26,8 @@ from websockets.typing import Subprotocol
 from benchmarks.arguments import words
 from benchmarks.service import machine
 from pages.markdown import filled, table
+from pointpred.protocol.client_messages import SUBPROTOCOL
 from pointpred.registry import RECOMMENDED
-from pointpred.server.protocol.client_messages import SUBPROTOCOL
 
 ROOT = Path(__file__).parent.parent
 PAGE = ROOT / "docs" / "first-start.md"

@@ -6,7 +6,7 @@ from typing import Any, Literal
 
 from pydantic import BaseModel, Field
 
-from pointpred.server.protocol.server_messages import Code
+from pointpred.protocol.server_messages import Code
 
 
 class Error(BaseModel):

@@ -12,13 +12,13 @@ from urllib.parse import parse_qs
 
 from uvicorn.protocols.utils import ClientDisconnected
 
+from pointpred.protocol.client_messages import SUBPROTOCOL
+from pointpred.protocol.server_messages import Code, ErrorMessage, encode
 from pointpred.server.compiling.needs import needs
 from pointpred.server.connections.early import Early, Message
 from pointpred.server.connections.talk import LAST_S, Receive, Send, Talk
 from pointpred.server.hosts import admits_origin, header
 from pointpred.server.logs import place_of
-from pointpred.server.protocol.client_messages import SUBPROTOCOL
-from pointpred.server.protocol.server_messages import Code, ErrorMessage, encode
 from pointpred.server.service import Service
 from pointpred.server.sessions.conversation import FAILED
 from pointpred.server.sessions.session import Session

@@ -7,7 +7,7 @@ from collections.abc import Awaitable, Callable, Collection, Iterable, Mapping, 
 from ipaddress import ip_address
 from typing import Any
 
-from pointpred.server.protocol.server_messages import ErrorMessage, encode
+from pointpred.protocol.server_messages import ErrorMessage, encode
 
 LOOPBACK = frozenset({"127.0.0.1", "localhost", "::1"})
 HOST = re.compile(r"(?:\[([0-9a-f:.]+)\]|([^\s:/@\[\]?#]+))(?::[0-9]{0,5})?")

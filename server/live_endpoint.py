@@ -7,12 +7,12 @@ import logging
 
 from uvicorn.protocols.utils import ClientDisconnected
 
+from pointpred.protocol.server_messages import ErrorMessage, encode
 from pointpred.server.connections.talk import Receive, Send, Talk
 from pointpred.server.endpoint import Scope, StreamEndpoint, shows_token, turn_away
 from pointpred.server.hosts import admits_origin
 from pointpred.server.live.feed import LiveFeed
 from pointpred.server.logs import place_of
-from pointpred.server.protocol.server_messages import ErrorMessage, encode
 from pointpred.server.sessions.conversation import FAILED
 
 log = logging.getLogger("pointpred.service")

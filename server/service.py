@@ -7,6 +7,7 @@ import logging
 import secrets
 from concurrent.futures import ThreadPoolExecutor
 
+from pointpred.protocol.client_messages import Hello
 from pointpred.registry import RECOMMENDED
 from pointpred.server.compiling.compiling import Compiling
 from pointpred.server.connections.talk import Talk
@@ -14,7 +15,6 @@ from pointpred.server.live.feed import LiveFeed
 from pointpred.server.live.viewer import Viewer
 from pointpred.server.metrics import Counted, Metrics
 from pointpred.server.origins import RefusedOrigins
-from pointpred.server.protocol.client_messages import Hello
 from pointpred.server.recorder.recorder import Recorder
 from pointpred.server.sessions.conversation import Conversation
 from pointpred.server.sessions.session import Session

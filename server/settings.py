@@ -14,9 +14,9 @@ from pydantic import BeforeValidator, Field, field_validator
 from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 
 from pointpred.predictors import kinematic_coefficients
+from pointpred.protocol.server_messages import Limits
 from pointpred.server.hosts import is_address
 from pointpred.server.origins import well_formed
-from pointpred.server.protocol.server_messages import Limits
 
 
 def _parts(value: Any) -> Any:

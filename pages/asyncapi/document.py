@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, get_args
+from typing import Any
 
 import msgspec
 import numpy as np
@@ -12,11 +12,10 @@ import pointpred
 from pages.asyncapi import examples, words
 from pages.asyncapi.live import live_channel, live_messages, live_operations
 from pointpred.events import PHASES
-from pointpred.server.protocol.client_messages import SUBPROTOCOL, ClientMessage
-from pointpred.server.protocol.live_messages import live_schemas
-from pointpred.server.protocol.records import EVENT, NO_COUNTS, PREDICTION, pack
-from pointpred.server.protocol.schemas import schemas
-from pointpred.server.protocol.server_messages import ServerMessage
+from pointpred.protocol.client_messages import CLIENT_MESSAGES, SUBPROTOCOL
+from pointpred.protocol.live_messages import LIVE_MESSAGES
+from pointpred.protocol.records import EVENT, NO_COUNTS, PREDICTION, pack_predictions
+from pointpred.protocol.server_messages import SERVER_MESSAGES
 
 CHANNEL = {"$ref": "#/channels/stream"}
 REPLIES = {
@@ -34,7 +33,7 @@ REPLIES = {
 
 def document() -> dict[str, Any]:
     """The whole description."""
-    components = schemas()[1] | live_schemas()
+    components = schemas()
     messages = _messages()
     return {
         "asyncapi": "3.0.0",
@@ -94,26 +93,47 @@ def _text(dumper: yaml.SafeDumper, text: str) -> yaml.ScalarNode:
 _Dumper.add_representer(str, _text)
 
 
-def keys_of(union: Any) -> list[tuple[str, type[msgspec.Struct]]]:
-    """A key for each message of a union: its type on the wire, where that is not taken."""
-    keys = {"PredictionMessage": "prediction", "TargetsTaken": "targetsTaken", "TrialMark": "trial"}
-    keys |= {"KnownPerson": "knownPerson"}
-    named = {"ErrorMessage": "error"} | keys
-    return [(named.get(kind.__name__, kind.__name__.lower()), kind) for kind in get_args(union)]
+def schemas() -> dict[str, Any]:
+    """The components of all messages as JSON schemas."""
+    components: dict[str, Any] = {}
+    for kinds in (CLIENT_MESSAGES + SERVER_MESSAGES, LIVE_MESSAGES):
+        ref = "#/components/schemas/{name}"
+        components |= msgspec.json.schema_components(dict.fromkeys(kinds), ref_template=ref)[1]
+    return components
+
+
+def keys() -> tuple[dict[str, type[msgspec.Struct]], dict[str, type[msgspec.Struct]]]:
+    """The messages of the client and of the server by their keys: the type on the wire, where it is free."""
+    client = {str(kind.__struct_config__.tag): kind for kind in CLIENT_MESSAGES}
+    server: dict[str, type[msgspec.Struct]] = {}
+    for kind in SERVER_MESSAGES:
+        tag, name = str(kind.__struct_config__.tag), kind.__name__
+        server[tag if tag not in client else f"{name[0].lower()}{name[1:]}"] = kind
+    server["goodbye"] = server.pop("bye")
+    return client, server
+
+
+def example_of(kind: type[msgspec.Struct]) -> msgspec.Struct:
+    """A message of which nobody wrote an example: each field as the first of its ``Meta(examples=...)``."""
+    fields = msgspec.json.schema_components([kind])[1][kind.__name__]
+    shown = {
+        name: field["examples"][0] for name, field in fields["properties"].items() if "examples" in field
+    }
+    return msgspec.convert(shown | {"type": kind.__struct_config__.tag}, kind)
 
 
 def _messages() -> dict[str, Any]:
-    messages = {}
-    for union, shown in ((ClientMessage, examples.CLIENT), (ServerMessage, examples.SERVER)):
-        for (key, kind), ours in zip(keys_of(union), shown, strict=True):
-            name = "goodbye" if key in messages else key
-            messages[name] = {
-                "name": str(kind.__struct_config__.tag),
-                "summary": (kind.__doc__ or "").strip().splitlines()[0],
-                "contentType": "application/json",
-                "payload": {"$ref": f"#/components/schemas/{kind.__name__}"},
-                "examples": [{"payload": msgspec.to_builtins(one)} for one in ours],
-            }
+    messages: dict[str, Any] = {}
+    client, server = keys()
+    for key, kind in (client | server).items():
+        shown = examples.MESSAGES.get(key) or (example_of(kind),)
+        messages[key] = {
+            "name": str(kind.__struct_config__.tag),
+            "summary": (kind.__doc__ or "").strip().splitlines()[0],
+            "contentType": "application/json",
+            "payload": {"$ref": f"#/components/schemas/{kind.__name__}"},
+            "examples": [{"payload": msgspec.to_builtins(one)} for one in shown],
+        }
     packed = np.array(examples.EVENT_ROWS, dtype=EVENT).tobytes()
     rows = np.array([examples.PREDICTION_ROW, examples.NO_PREDICTION_ROW])
     messages["binaryEvents"] = _binary(
@@ -124,7 +144,7 @@ def _messages() -> dict[str, Any]:
         words.PREDICTIONS.format(phases=phases),
         [(name, "<f8") for name in ("t", "x", "y", "sxx", "sxy", "syy", "remaining_s")]
         + [("phase", PREDICTION["phase"].str), ("tail", PREDICTION["tail"].str)],
-        pack(rows),
+        pack_predictions(rows),
     )
     return messages
 

@@ -6,10 +6,10 @@ from typing import Any
 
 import msgspec
 
+from pointpred.protocol.client_messages import SUBPROTOCOL
+from pointpred.protocol.live_messages import Attached, Curve, Status
 from pointpred.registry import RECOMMENDED
 from pointpred.server.live_endpoint import NO_DEVICE
-from pointpred.server.protocol.client_messages import SUBPROTOCOL
-from pointpred.server.protocol.live_messages import Attached, Curve, Status
 from pointpred.transfer import GainCurve
 from pointpred.transfer.curve import Comparison
 

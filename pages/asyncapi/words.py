@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pointpred.server.protocol.client_messages import SUBPROTOCOL
+from pointpred.protocol.client_messages import SUBPROTOCOL
 
 ABOUT = f"""One pointing session over a WebSocket: pointer events in, predictions of the endpoint out.
 

@@ -12,11 +12,12 @@ import numpy as np
 
 from pointpred import EventColumns, Pipeline, PredictionColumns
 from pointpred.client import connect
-from pointpred.client.wire import encode, frames, packable, row_of, unpack_predictions
+from pointpred.protocol.client_messages import Device, Hello, Reset, Screen
+from pointpred.protocol.frames import event_frames, packable, row_of
+from pointpred.protocol.records import unpack_predictions
+from pointpred.protocol.server_messages import PredictionMessage, encode
 from pointpred.server.hosts import HostRule
 from pointpred.server.listening.listening import listen, make_server
-from pointpred.server.protocol.client_messages import Device, Hello, Reset, Screen
-from pointpred.server.protocol.server_messages import PredictionMessage
 from pointpred.server.service import Service
 from pointpred.server.sessions.session import Session
 from pointpred.server.settings import Settings
@@ -76,7 +77,7 @@ def in_session(
     for second, events in enumerate(movements, 1):  # a service takes only so many messages a second
         session.receive(encode(Reset()).decode(), float(second))
         rows: list[list[float]] = []
-        for frame, _ in frames(events, hello.encoding, SETTINGS.limits):
+        for frame, _ in event_frames(events, hello.encoding, SETTINGS.limits):
             session.receive(frame, float(second))
             for answer in session.outbox.take():
                 rows += rows_of(answer)

@@ -24,8 +24,8 @@ from pointpred.errors import ParameterError, SourceError
 
 if TYPE_CHECKING:
     from pointpred.devices.sessions import LiveSession, Pair
+    from pointpred.protocol.live_messages import Curve
     from pointpred.server.live.feed import LiveFeed
-    from pointpred.server.protocol.live_messages import Curve
     from pointpred.server.recorder.live_recording import LiveRecording
     from pointpred.transfer import GainCurve
 
@@ -188,13 +188,13 @@ class Outlets:
 
 def curve_message(words: str, curve: GainCurve | None = None) -> Curve:
     """What viewers hear of the transfer function."""
-    from pointpred.server.protocol.live_messages import Curve
+    from pointpred.protocol.live_messages import Curve
 
     return Curve(words, curve)
 
 
 def _recording(session: LiveSession, wanted: Wanted) -> LiveRecording:
-    from pointpred.server.protocol.client_messages import Device, Hello, Screen
+    from pointpred.protocol.client_messages import Device, Hello, Screen
     from pointpred.server.recorder.live_recording import LiveRecording
 
     assert wanted.record is not None
@@ -207,8 +207,8 @@ def _recording(session: LiveSession, wanted: Wanted) -> LiveRecording:
 
 
 def _feed(session: LiveSession, wanted: Wanted) -> LiveFeed:
+    from pointpred.protocol.live_messages import Attached
     from pointpred.server.live.feed import LiveFeed
-    from pointpred.server.protocol.live_messages import Attached
 
     source = session.source
     about = Attached(

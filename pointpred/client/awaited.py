@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections import deque
 
 from pointpred.columns import FloatArray
-from pointpred.server.protocol.decoding import check_numbers
-from pointpred.server.protocol.refusals import RefusedError
-from pointpred.server.protocol.server_messages import ErrorMessage
+from pointpred.protocol.decoding import check_numbers
+from pointpred.protocol.errors import ProtocolError
+from pointpred.protocol.server_messages import ErrorMessage
 
 NEVER = float("-inf")
 
@@ -30,7 +30,7 @@ class _Frame:
         """Whether the service's own check lets every number pass."""
         try:
             check_numbers(self.table)
-        except RefusedError:
+        except ProtocolError:
             return False
         return True
 

@@ -15,20 +15,21 @@ from websockets.sync.client import connect as dial
 from websockets.typing import Subprotocol
 
 from pointpred.client.dialogue import Dialogue
-from pointpred.client.wire import Row, address, authorization, encode
+from pointpred.client.wire import Row, address, authorization
 from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.errors import SourceError
 from pointpred.events import PointerEvent
-from pointpred.server.protocol.assisted_messages import Cursor
-from pointpred.server.protocol.client_messages import SUBPROTOCOL, Bye, Goal, Target
-from pointpred.server.protocol.server_messages import (
+from pointpred.protocol.client_messages import SUBPROTOCOL, Bye, Goal, Target
+from pointpred.protocol.server_messages import (
     Choice,
+    Cursor,
     KnownPerson,
     Limits,
     PredictionMessage,
     Score,
     TargetsTaken,
     Welcome,
+    encode,
 )
 
 Answer = TypeVar("Answer")

@@ -10,21 +10,11 @@ import msgspec
 import numpy as np
 
 from pointpred.client.awaited import Awaited
-from pointpred.client.wire import (
-    Frame,
-    Row,
-    columns_of,
-    encode,
-    frames,
-    row_of,
-    unpack_predictions,
-)
+from pointpred.client.wire import Row, columns_of
 from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.errors import ParameterError, PointpredError
 from pointpred.events import PointerEvent
-from pointpred.registry import RECOMMENDED
-from pointpred.server.protocol.assisted_messages import Cursor
-from pointpred.server.protocol.client_messages import (
+from pointpred.protocol.client_messages import (
     VERSION,
     ClientMessage,
     Configure,
@@ -38,18 +28,19 @@ from pointpred.server.protocol.client_messages import (
     Targets,
     TrialMark,
 )
-from pointpred.server.protocol.server_messages import (
+from pointpred.protocol.decoding import decode_server_message
+from pointpred.protocol.frames import Frame, event_frames, message_of, row_of
+from pointpred.protocol.records import unpack_predictions
+from pointpred.protocol.server_messages import (
     Choice,
+    Cursor,
     ErrorMessage,
     Likely,
     PredictionMessage,
-    ServerMessage,
     Welcome,
+    encode,
 )
-from pointpred.server.sessions.answers import message as message_of
-
-_decode = msgspec.json.Decoder(ServerMessage).decode
-
+from pointpred.registry import RECOMMENDED
 
 KEPT_NOTICES = 100
 """The newest notices that are kept; ``noticed`` counts them all."""
@@ -103,7 +94,7 @@ class Dialogue:
         """Frames to send, one after another; what they ask for counts as asked once it is taken."""
         if self.welcome is None:
             raise ParameterError("events may be sent after the service has said welcome")
-        for frame, part in frames(columns_of(events), self.hello.encoding, self.welcome.limits):
+        for frame, part in event_frames(columns_of(events), self.hello.encoding, self.welcome.limits):
             self._awaited.ask(part.table, each=self.hello.reply == "event")
             yield frame
 
@@ -142,13 +133,13 @@ class Dialogue:
         self._awaited.restart()
         return self._text(Reset())
 
-    def heard(self, frame: Frame) -> ServerMessage | None:
+    def heard(self, frame: Frame) -> msgspec.Struct | None:
         """Take in a frame: ``None`` for what is kept, such as predictions; raises ServiceError."""
         if isinstance(frame, bytes):
             for row in unpack_predictions(frame):
                 self._predicted(row)
             return None
-        message: ServerMessage = _decode(frame)
+        message = decode_server_message(frame)
         if isinstance(message, PredictionMessage):
             self._predicted(row_of(message), message.targets)
             return None

@@ -7,11 +7,11 @@ from collections.abc import Sequence
 from msgspec import structs
 
 from pointpred.pipeline import Pipeline
+from pointpred.protocol.scores import score_of
+from pointpred.protocol.server_messages import Score
 from pointpred.recording import Recording
 from pointpred.registry import build
 from pointpred.scoring import prepare, replay
-from pointpred.server.protocol.server_messages import Score
-from pointpred.server.sessions.trials import score_of as score_of
 
 
 def local_scores(

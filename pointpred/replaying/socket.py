@@ -13,17 +13,17 @@ import msgspec
 import numpy as np
 
 from pointpred.client import Connection, connect
-from pointpred.client.wire import packable
 from pointpred.columns import EventColumns, FloatArray, PredictionColumns
 from pointpred.pipeline import Pipeline, run
+from pointpred.protocol.client_messages import Goal
+from pointpred.protocol.frames import packable
+from pointpred.protocol.server_messages import Score
+from pointpred.protocol.token_bucket import TokenBucket
 from pointpred.recording import Recording, Skip
 from pointpred.registry import RECOMMENDED, build
 from pointpred.replaying.choosing import chosen, unplayable
 from pointpred.replaying.local import local_scores
 from pointpred.replaying.pacing import due
-from pointpred.server.protocol.client_messages import Goal
-from pointpred.server.protocol.server_messages import Score
-from pointpred.server.rate import Rate
 
 Progress = Callable[[str, int, int], None]
 SHARE = 0.9
@@ -127,7 +127,7 @@ class _Player:
         self.pipeline = pipeline
         self.speed = speed
         most = SHARE * connection.limits.max_events_per_s
-        self._rate = Rate(most, time.monotonic())
+        self._rate = TokenBucket(most, time.monotonic())
 
     def play(self, recording: Recording, k: int, local: Score) -> ReplayedTrial:
         """One trial, marked; its answers beside those of the batch."""

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from pointpred.protocol.client_messages import Configure, Hello, Targets, TrialMark
+from pointpred.protocol.decoding import decode_client_message
+from pointpred.protocol.errors import ProtocolError
 from pointpred.server.compiling.parts import ASSISTANCE, TARGETS, TRIALS, differentiator
-from pointpred.server.protocol.client_messages import Configure, Hello, Targets, TrialMark
-from pointpred.server.protocol.decoding import decode_text
-from pointpred.server.protocol.refusals import RefusedError
 
 
 def needs(frame: str | bytes) -> list[str]:
@@ -13,8 +13,8 @@ def needs(frame: str | bytes) -> list[str]:
     if isinstance(frame, bytes):
         return []
     try:
-        message = decode_text(frame)
-    except RefusedError:
+        message = decode_client_message(frame)
+    except ProtocolError:
         return []  # the session says what is wrong
     if isinstance(message, Hello | Configure):
         names = [] if message.predictor is None else [message.predictor]

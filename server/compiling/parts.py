@@ -15,9 +15,9 @@ from pointpred.differentiators import DIFFERENTIATORS, HomogeneousDifferentiator
 from pointpred.events import PointerEvent
 from pointpred.pipeline import refused, run
 from pointpred.predictors import Predictor, adaptation
+from pointpred.protocol.records import EVENT, unpack_events, unpack_records
 from pointpred.registry import RECOMMENDED, REGISTRY, build
 from pointpred.scoring import metrics
-from pointpred.server.protocol.records import EVENT, take_apart, unpack
 from pointpred.server.sessions.session import Session
 from pointpred.server.settings import Settings
 from pointpred.targets import Chooser, around, choosing
@@ -89,7 +89,9 @@ def _pieces() -> Iterable[Part]:
         Part(of_anybody, lambda: beneath().advance(MOTION), (beneath.step,)),
         Part(of_a_person, _adapt, (adaptation.conclude, adaptation.adapted)),
         Part(together, partial(_follow, whole), (whole.step, whole.loop), (of_anybody, of_a_person)),
-        Part(motions, _move, (HomogeneousDifferentiator.step, HomogeneousDifferentiator.loop, take_apart)),
+        Part(
+            motions, _move, (HomogeneousDifferentiator.step, HomogeneousDifferentiator.loop, unpack_records)
+        ),
     )
 
 
@@ -109,7 +111,7 @@ def _follow(kind: Callable[[], Predictor]) -> None:
 
 
 def _move() -> None:
-    table = unpack(bytes(EVENT.itemsize))
+    table = unpack_events(bytes(EVENT.itemsize))
     differentiator = build(RECOMMENDED).differentiator
     differentiator.update(PointerEvent(0.0, 5.0, 2.0))
     motions = differentiator.fresh().walk(np.zeros(1, np.bool_), table)

@@ -9,10 +9,11 @@ from concurrent.futures import Executor
 from time import perf_counter
 from typing import Any, Protocol
 
+from pointpred.protocol.frames import Frame
+from pointpred.protocol.server_messages import Code, Score
 from pointpred.server.connections.eager import begin
-from pointpred.server.protocol.server_messages import Code, Score
 from pointpred.server.sessions.conversation import Close
-from pointpred.server.sessions.outbox import Frame, Outbox
+from pointpred.server.sessions.outbox import Outbox
 from pointpred.server.sessions.stream import Work
 from pointpred.server.sessions.trials import Scoring
 

@@ -13,8 +13,8 @@ from uvicorn.protocols.websockets.websockets_sansio_impl import WebSocketsSansIO
 from websockets.frames import Frame, Opcode
 from websockets.protocol import State
 
-from pointpred.server.protocol.server_messages import Code, ErrorMessage, encode
-from pointpred.server.rate import Rate
+from pointpred.protocol.server_messages import Code, ErrorMessage, encode
+from pointpred.protocol.token_bucket import TokenBucket
 
 LINGER_S = 5.0
 """A client may read its last frames and say goodbye for so long."""
@@ -49,7 +49,7 @@ class CuttingProtocol(WebSocketsSansIOProtocol):
         """Begin, with a bound on what may wait to be written."""
         super().connection_made(transport)
         self.transport.set_write_buffer_limits(high=WAITING_BYTES)
-        self._controls = Rate(CONTROLS_PER_S, self.loop.time())
+        self._controls = TokenBucket(CONTROLS_PER_S, self.loop.time())
 
     def connection_lost(self, exc: Exception | None) -> None:
         """Nothing is left to cut."""

@@ -10,11 +10,11 @@ from itertools import islice
 
 from pointpred.devices.sessions import LiveState, Pair
 from pointpred.events import PointerEvent, Prediction
+from pointpred.protocol.client_messages import Events
+from pointpred.protocol.frames import Frame
+from pointpred.protocol.live_messages import Attached, Curve, Status
+from pointpred.protocol.server_messages import PredictionMessage, Region, encode
 from pointpred.server.live.viewer import Viewer
-from pointpred.server.protocol.client_messages import Events
-from pointpred.server.protocol.live_messages import Attached, Curve, Status
-from pointpred.server.protocol.server_messages import PredictionMessage, Region, encode
-from pointpred.server.sessions.outbox import Frame
 
 FRAME_S = 1 / 120
 """Viewers hear at most so often: what came meanwhile goes as one frame, with its newest prediction."""

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Protocol
 
-from pointpred.server.protocol.client_messages import Bye
-from pointpred.server.protocol.decoding import decode_text
-from pointpred.server.protocol.live_messages import Attached, Curve, Status
-from pointpred.server.protocol.refusals import RefusedError
-from pointpred.server.protocol.server_messages import Limits, encode
+from pointpred.protocol.client_messages import Bye
+from pointpred.protocol.decoding import decode_client_message
+from pointpred.protocol.errors import ProtocolError
+from pointpred.protocol.live_messages import Attached, Curve, Status
+from pointpred.protocol.server_messages import Limits, encode
 from pointpred.server.sessions.allowance import Allowance
 from pointpred.server.sessions.conversation import SLOW, Conversation
 
@@ -49,9 +49,9 @@ class Viewer(Conversation):
             self._allowance.check_size(frame)
             if isinstance(frame, bytes):
                 self._allowance.take_message(now)
-                raise RefusedError("out_of_place", f"{READ_ONLY}a binary frame")
+                raise ProtocolError("out_of_place", f"{READ_ONLY}a binary frame")
             self._hear(frame, now)
-        except RefusedError as refused:
+        except ProtocolError as refused:
             self.refuse(refused.answer)
             if refused.close is not None:
                 self.shut(refused.close, refused.answer.message)
@@ -68,17 +68,17 @@ class Viewer(Conversation):
             self._tell()
 
     def _hear(self, text: str, now: float) -> None:
-        """Raises RefusedError for everything but a goodbye."""
+        """Raises ProtocolError for everything but a goodbye."""
         try:
-            message = decode_text(text)
-        except RefusedError:
+            message = decode_client_message(text)
+        except ProtocolError:
             self._allowance.take_unusable(text, now)
             raise
         if isinstance(message, Bye):
             self.shut(1000, message.reason or "bye")
             return
         self._allowance.take_message(now)
-        raise RefusedError("out_of_place", f"{READ_ONLY}{message.__struct_config__.tag!r}")
+        raise ProtocolError("out_of_place", f"{READ_ONLY}{message.__struct_config__.tag!r}")
 
     def _tell(self) -> None:
         shown = self._shown

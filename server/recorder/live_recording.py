@@ -13,8 +13,8 @@ from msgspec.structs import replace
 from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.devices.sessions import Pair
 from pointpred.events import PHASES, Prediction
+from pointpred.protocol.client_messages import Hello
 from pointpred.recording import Provenance
-from pointpred.server.protocol.client_messages import Hello
 from pointpred.server.recorder.files import SessionFiles
 from pointpred.server.recorder.recorder import Recorder, about_of
 from pointpred.sources.appended import LIVE

@@ -17,9 +17,9 @@ from typing import Any
 
 import msgspec
 
+from pointpred.protocol.client_messages import Hello
 from pointpred.recording import Provenance
 from pointpred.server.logs import place_of
-from pointpred.server.protocol.client_messages import Hello
 from pointpred.server.recorder.batch import Item, rows_of
 from pointpred.server.recorder.files import SessionFiles, Write, warm_rows
 from pointpred.server.recorder.recordings import name_of, prepare

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import msgspec
 
 from pointpred.columns import EventColumns, PredictionColumns
-from pointpred.server.protocol.client_messages import Goal, Hello
+from pointpred.protocol.client_messages import Goal, Hello
 from pointpred.server.recorder.batch import Item
 from pointpred.server.recorder.files import SessionFiles
 

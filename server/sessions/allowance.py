@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from pointpred.server.protocol.client_messages import Target
-from pointpred.server.protocol.refusals import RefusedError
-from pointpred.server.protocol.server_messages import Limits
-from pointpred.server.rate import Rate
+from pointpred.protocol.client_messages import Target
+from pointpred.protocol.errors import ProtocolError
+from pointpred.protocol.server_messages import Limits
+from pointpred.protocol.token_bucket import TokenBucket
 
 MESSAGES_PER_S = 500
 """Messages other than events, a second: a display's refreshing twice over, and some."""
@@ -16,14 +16,14 @@ TARGETS_AN_EVENT = 64
 
 
 class Allowance:
-    """The limits of one session; every check raises RefusedError."""
+    """The limits of one session; every check raises ProtocolError."""
 
     def __init__(self, limits: Limits, now: float) -> None:
         self.limits = limits
         self.burden = 1
         """What an event counts."""
-        self.rate = Rate(limits.max_events_per_s, now)
-        self._messages = Rate(MESSAGES_PER_S, now)
+        self.rate = TokenBucket(limits.max_events_per_s, now)
+        self._messages = TokenBucket(MESSAGES_PER_S, now)
 
     def check_size(self, frame: str | bytes) -> None:
         """The bytes of a frame; the session ends where it holds more."""
@@ -33,24 +33,24 @@ class Allowance:
             size = len(frame.encode(errors="surrogatepass"))
         if size > most:
             words = f"a frame holds at most {most} bytes, received {size}"
-            raise RefusedError("too_large", words, close=1009)
+            raise ProtocolError("too_large", words, close=1009)
 
     def take(self, count: int, now: float) -> None:
         """The events of a frame, and of the last second; a frame without any counts as one."""
         most = self.limits.max_events_per_frame
         if count > most:
             words = f"a frame holds at most {most} events, received {count}"
-            raise RefusedError("too_large", words, "$.events", close=1009)
+            raise ProtocolError("too_large", words, "$.events", close=1009)
         if not self.rate.allows((count or 1) * self.burden, now):
             words = f"at most {self.limits.max_events_per_s // self.burden} events a second"
             words += " with so many targets" if self.burden > 1 else ""
-            raise RefusedError("too_fast", words, close=1008)
+            raise ProtocolError("too_fast", words, close=1008)
 
     def take_message(self, now: float, count: int = 1) -> None:
         """A message other than events; the session ends where there are more in a second."""
         if not self._messages.allows(count, now):
             words = f"at most {MESSAGES_PER_S} messages a second beside events; a long one counts more"
-            raise RefusedError("too_fast", words, close=1008)
+            raise ProtocolError("too_fast", words, close=1008)
 
     def take_unusable(self, frame: str, now: float) -> None:
         """A text that is no message."""
@@ -60,9 +60,9 @@ class Allowance:
         """How many targets, and that each has a name of its own."""
         count, most = len(targets), self.limits.max_targets
         if count > most:
-            raise RefusedError("too_many", f"at most {most} targets, received {count}", "$.targets")
+            raise ProtocolError("too_many", f"at most {most} targets, received {count}", "$.targets")
         seen: set[str] = set()
         for place, target in enumerate(targets):
             if target.id in seen:
-                raise RefusedError("bad_field", f"id {target.id!r} occurs twice", f"$.targets[{place}].id")
+                raise ProtocolError("bad_field", f"id {target.id!r} occurs twice", f"$.targets[{place}].id")
             seen.add(target.id)

@@ -11,14 +11,14 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.errors import EventError
 from pointpred.events import LARGEST
+from pointpred.protocol.client_messages import Assist, Configure, Hello
+from pointpred.protocol.decoding import check_numbers
+from pointpred.protocol.errors import ProtocolError
+from pointpred.protocol.frames import Frame
+from pointpred.protocol.server_messages import Cursor, ErrorMessage, Likely, encode
 from pointpred.regions import as_normal
-from pointpred.server.protocol.assisted_messages import Assist, Cursor
-from pointpred.server.protocol.client_messages import Configure, Hello
-from pointpred.server.protocol.decoding import check_numbers
-from pointpred.server.protocol.refusals import RefusedError
-from pointpred.server.protocol.server_messages import ErrorMessage, Likely, encode
 from pointpred.server.sessions.building import NO_COEFFICIENTS, cpi_of, dpi_of
-from pointpred.server.sessions.outbox import Frame, Outbox
+from pointpred.server.sessions.outbox import Outbox
 from pointpred.server.sessions.stream import Stream
 from pointpred.server.sessions.watch import Watch
 from pointpred.transfer import ConstantGain, GuardedTransfer, SigmoidGain
@@ -26,7 +26,7 @@ from pointpred.transfer.assisted_guarded import UNGUIDED
 
 
 def stream_of(hello: Hello, coefficients: Mapping[str, Path] = NO_COEFFICIENTS) -> Stream:
-    """The stream that a client asks for; raises RefusedError."""
+    """The stream that a client asks for; raises ProtocolError."""
     if hello.assist is None:
         return Stream(hello, coefficients=coefficients)
     return AssistedStream(hello, hello.assist, coefficients=coefficients)
@@ -46,7 +46,7 @@ class AssistedStream(Stream):
         watch: Watch | None = None,
         coefficients: Mapping[str, Path] = NO_COEFFICIENTS,
     ) -> None:
-        """Raises RefusedError as ``Stream`` does, and where the device's counts per inch are not said."""
+        """Raises ProtocolError as ``Stream`` does, and where the device's counts per inch are not said."""
         super().__init__(hello, watch, coefficients)
         self.transfer = _transfer(hello, assist)
         self.place: tuple[float, float] | None = None
@@ -60,7 +60,7 @@ class AssistedStream(Stream):
         silent = np.isnan(table[:, 3])
         if silent.any():
             where = f"$.events[{int(silent.argmax())}][3]"
-            raise RefusedError("bad_field", "assistance needs counts: dx and dy must be numbers", where)
+            raise ProtocolError("bad_field", "assistance needs counts: dx and dy must be numbers", where)
         error, kept = self._without_late(table)
         if len(kept):
             kept, predictions = self._moved(kept)
@@ -91,7 +91,7 @@ class AssistedStream(Stream):
         return True
 
     def configure(self, message: Configure) -> None:
-        """As ``Stream.configure``; ``assist`` replaces what was asked for, raises RefusedError."""
+        """As ``Stream.configure``; ``assist`` replaces what was asked for, raises ProtocolError."""
         transfer = None if message.assist is None else _transfer(self.hello, message.assist)
         super().configure(message)
         if transfer is not None:
@@ -164,7 +164,7 @@ def _transfer(hello: Hello, assist: Assist) -> GuardedTransfer:
     cpi = cpi_of(hello)
     if cpi is None:
         words = "assistance needs the counts per inch of the device"
-        raise RefusedError("bad_field", words, "$.device.cpi")
+        raise ProtocolError("bad_field", words, "$.device.cpi")
     function = ConstantGain(assist.gain) if assist.function == "constant" else SigmoidGain()
     return GuardedTransfer(function, cpi=cpi, dpi=dpi_of(hello), rho=assist.rho, strength=assist.strength)
 

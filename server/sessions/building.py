@@ -11,9 +11,9 @@ from pointpred.errors import ParameterError
 from pointpred.person import restore
 from pointpred.pipeline import Pipeline
 from pointpred.predictors import kinematic_coefficients
+from pointpred.protocol.client_messages import Hello, Setting
+from pointpred.protocol.errors import ProtocolError
 from pointpred.registry import REGISTRY, build, parameters, takes
-from pointpred.server.protocol.client_messages import Hello, Setting
-from pointpred.server.protocol.refusals import RefusedError
 from pointpred.stage import defaults
 
 DPI = 96.0
@@ -40,15 +40,15 @@ def pipeline_of(hello: Hello, coefficients: Mapping[str, Path] = NO_COEFFICIENTS
 
     ``coefficients``: the files that a client may ask for by name; it never names a path.
 
-    Raises RefusedError, naming what is known, for an unknown predictor, a wrong parameter or a person that
+    Raises ProtocolError, naming what is known, for an unknown predictor, a wrong parameter or a person that
     the predictor cannot take.
     """
     if hello.predictor not in REGISTRY:
         words = f"unknown predictor {hello.predictor!r}; known: {', '.join(REGISTRY)}"
-        raise RefusedError("unknown_predictor", words, "$.predictor")
+        raise ProtocolError("unknown_predictor", words, "$.predictor")
     for name, place in ELSEWHERE.items():
         if name in hello.parameters:
-            raise RefusedError("bad_field", f"{name} is said as {place}", f"$.parameters.{name}")
+            raise ProtocolError("bad_field", f"{name} is said as {place}", f"$.parameters.{name}")
     try:
         settings: dict[str, Any] = {name: _whole(value) for name, value in hello.parameters.items()}
         if COEFFICIENTS in settings and takes(hello.predictor, COEFFICIENTS):
@@ -56,29 +56,29 @@ def pipeline_of(hello: Hello, coefficients: Mapping[str, Path] = NO_COEFFICIENTS
         pipeline = build(hello.predictor, cpi=cpi_of(hello), dpi=dpi_of(hello), **settings)
         _check_substeps(pipeline, settings)
     except ParameterError as error:
-        raise RefusedError("bad_field", str(error), _place(str(error), hello)) from None
+        raise ProtocolError("bad_field", str(error), _place(str(error), hello)) from None
     except (TypeError, ValueError) as error:
         given = list(hello.parameters)
         path = f"$.parameters.{given[0]}" if len(given) == 1 else "$.parameters"
-        raise RefusedError("bad_field", f"a parameter is of a wrong type: {error}", path) from None
+        raise ProtocolError("bad_field", f"a parameter is of a wrong type: {error}", path) from None
     try:
         restore(pipeline.predictor, hello.person)
     except ParameterError as error:
-        raise RefusedError("bad_field", str(error), "$.person") from None
+        raise ProtocolError("bad_field", str(error), "$.person") from None
     return pipeline
 
 
 def _file_of(name: Setting, coefficients: Mapping[str, Path]) -> Path:
-    """The file of coefficients that the service calls by a name; raises RefusedError, which names no path."""
+    """The file of coefficients of a name; raises ProtocolError, which does not contain the path."""
     path = f"$.parameters.{COEFFICIENTS}"
     if not isinstance(name, str) or name not in coefficients:
         known = ", ".join(sorted(coefficients)) or "none; the service names them when it is started"
-        raise RefusedError("bad_field", f"unknown coefficients {name!r}; known: {known}", path)
+        raise ProtocolError("bad_field", f"unknown coefficients {name!r}; known: {known}", path)
     try:
         kinematic_coefficients.read(coefficients[name])
     except ParameterError:
         words = f"the coefficients {name!r} cannot be read any more; ask who runs the service"
-        raise RefusedError("bad_field", words, path) from None
+        raise ProtocolError("bad_field", words, path) from None
     return coefficients[name]
 
 

@@ -7,9 +7,9 @@ from typing import Any, NamedTuple
 
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.server.protocol.client_messages import Goal, Target
-from pointpred.server.protocol.refusals import RefusedError
-from pointpred.server.protocol.server_messages import Choice, Likely
+from pointpred.protocol.client_messages import Goal, Target
+from pointpred.protocol.errors import ProtocolError
+from pointpred.protocol.server_messages import Choice, Likely
 from pointpred.server.sessions.outbox import Outbox
 from pointpred.targets import Choice as Change
 from pointpred.targets import Chooser
@@ -49,12 +49,12 @@ class Choices:
         self._chooser.configure(precision=min(max(precision, PRECISION.low), PRECISION.high))
 
     def replace(self, targets: Sequence[Target]) -> None:
-        """Take other targets; a proposal of one that is gone is retracted. Raises RefusedError."""
+        """Take other targets; a proposal of one that is gone is retracted. Raises ProtocolError."""
         rectangles = [Rectangle(one.id, one.x, one.y, one.width, one.height, one.weight) for one in targets]
         try:
             changes = self._chooser.replace(rectangles)
         except ParameterError as error:
-            raise RefusedError("bad_field", str(error), "$.targets") from None
+            raise ProtocolError("bad_field", str(error), "$.targets") from None
         self._targets = targets
         self.say([(self._last_t, change) for change in changes])
 

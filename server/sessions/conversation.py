@@ -7,8 +7,8 @@ from typing import Literal
 
 from msgspec import Struct
 
-from pointpred.server.protocol.client_messages import Bye
-from pointpred.server.protocol.server_messages import Code, ErrorMessage, Limits, Score, ServerMessage, encode
+from pointpred.protocol.client_messages import Bye
+from pointpred.protocol.server_messages import Code, ErrorMessage, Limits, Score, ServerMessage, encode
 from pointpred.server.sessions.outbox import Outbox
 from pointpred.server.sessions.stream import Stream, Work
 from pointpred.server.sessions.trials import Scoring
@@ -95,7 +95,7 @@ class Conversation:
         if self.state != "closed":
             self.shut(1006, "the connection was lost")
 
-    def say(self, message: ServerMessage) -> None:
+    def say(self, message: ServerMessage | Bye) -> None:
         """Say something that must not be lost."""
         self.outbox.say(encode(message).decode())
 

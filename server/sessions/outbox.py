@@ -7,9 +7,9 @@ predictions. The connection therefore goes by the time since the client last rea
 
 from __future__ import annotations
 
-from pointpred.server.protocol.server_messages import Choice, ErrorMessage, encode
+from pointpred.protocol.frames import Frame
+from pointpred.protocol.server_messages import Choice, ErrorMessage, encode
 
-Frame = str | bytes
 MOST_CHOICES = 64
 """At most so many choices wait to be read; of more, only those that still change what is proposed stay."""
 

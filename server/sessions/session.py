@@ -11,7 +11,7 @@ from pathlib import Path
 
 from pointpred.columns import FloatArray
 from pointpred.errors import EventError
-from pointpred.server.protocol.client_messages import (
+from pointpred.protocol.client_messages import (
     VERSION,
     Bye,
     ClientMessage,
@@ -24,10 +24,10 @@ from pointpred.server.protocol.client_messages import (
     Targets,
     TrialMark,
 )
-from pointpred.server.protocol.decoding import decode_text, row_of, table_of_bytes, table_of_rows
-from pointpred.server.protocol.records import EVENT, unpack_one
-from pointpred.server.protocol.refusals import RefusedError, short
-from pointpred.server.protocol.server_messages import ErrorMessage, KnownPerson, Limits, TargetsTaken, Welcome
+from pointpred.protocol.decoding import decode_client_message, row_of, table_of_bytes, table_of_rows
+from pointpred.protocol.errors import ProtocolError, short
+from pointpred.protocol.records import EVENT, unpack_event
+from pointpred.protocol.server_messages import ErrorMessage, KnownPerson, Limits, TargetsTaken, Welcome
 from pointpred.server.sessions.allowance import TARGETS_AN_EVENT, Allowance
 from pointpred.server.sessions.assisted import stream_of
 from pointpred.server.sessions.building import NO_COEFFICIENTS
@@ -79,7 +79,7 @@ class Session(Conversation):
                 self._take_bytes(frame, now)
             else:
                 self._handle(self._decode(frame, now), now)
-        except RefusedError as refused:
+        except ProtocolError as refused:
             self.refuse(refused.answer)
             if refused.close is not None:
                 self.shut(refused.close, refused.answer.message)
@@ -92,14 +92,14 @@ class Session(Conversation):
         """Predict from one packed event; False, and nothing taken, where there is more to say about it."""
         if not self._allowance.rate.allows(1, now):
             return False
-        if not stream.feed_one(unpack_one(frame), self.outbox):
+        if not stream.feed_one(unpack_event(frame), self.outbox):
             self._allowance.rate.give_back(1)
             return False
         self.state = "streaming"
         return True
 
     def _take_bytes(self, frame: bytes, now: float) -> None:
-        """Packed events; raises RefusedError."""
+        """Packed events; raises ProtocolError."""
         stream = self.stream
         self._allowance.take(len(frame) // RECORD, now)
         if stream is None:
@@ -107,7 +107,7 @@ class Session(Conversation):
         self._predict(stream, table_of_bytes(frame))
 
     def _take_rows(self, stream: Stream, rows: list[EventRow], now: float) -> None:
-        """Events in JSON; raises RefusedError."""
+        """Events in JSON; raises ProtocolError."""
         self._allowance.take(len(rows), now)
         if len(rows) == 1 and stream.feed_one(row_of(rows[0]), self.outbox):
             self.state = "streaming"
@@ -123,15 +123,15 @@ class Session(Conversation):
             self.refuse(error, dropped)
 
     def _decode(self, text: str, now: float) -> ClientMessage:
-        """A message; raises RefusedError, a text that is none having been counted."""
+        """A message; raises ProtocolError, a text that is none having been counted."""
         try:
-            return decode_text(text)
-        except RefusedError:
+            return decode_client_message(text)
+        except ProtocolError:
             self._allowance.take_unusable(text, now)
             raise
 
     def _handle(self, message: ClientMessage, now: float) -> None:
-        """Answer one message; raises RefusedError."""
+        """Answer one message; raises ProtocolError."""
         stream = self.stream
         if isinstance(message, Events) and stream is not None:
             self._take_rows(stream, message.events, now)
@@ -165,9 +165,9 @@ class Session(Conversation):
 
     def _greet(self, hello: Hello, now: float) -> None:
         if self.stream is not None:
-            raise RefusedError("out_of_place", f"expected 'hello' once, the session is {self.state}")
+            raise ProtocolError("out_of_place", f"expected 'hello' once, the session is {self.state}")
         if hello.version != VERSION:
-            raise RefusedError(
+            raise ProtocolError(
                 "bad_field", f"version must be {VERSION}, received {hello.version}", "$.version"
             )
         self.stream = stream_of(hello, self._coefficients)
@@ -179,5 +179,5 @@ class Session(Conversation):
         self.say(Welcome(VERSION, self.name, stream.hello.predictor, self.limits))
 
 
-def _out_of_place(what: str) -> RefusedError:
-    return RefusedError("out_of_place", f"expected 'hello' first, received {what}")
+def _out_of_place(what: str) -> ProtocolError:
+    return ProtocolError("out_of_place", f"expected 'hello' first, received {what}")

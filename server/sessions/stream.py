@@ -12,14 +12,14 @@ from msgspec import structs
 from pointpred.columns import EventColumns, FloatArray, PredictionColumns
 from pointpred.person import portable, restore
 from pointpred.pipeline import run
-from pointpred.server.protocol.client_messages import Configure, Goal, Hello, Target
-from pointpred.server.protocol.decoding import check_numbers
-from pointpred.server.protocol.refusals import RefusedError
-from pointpred.server.protocol.server_messages import ErrorMessage, Likely
-from pointpred.server.sessions import answers
+from pointpred.protocol.client_messages import Configure, Goal, Hello, Target
+from pointpred.protocol.decoding import check_numbers
+from pointpred.protocol.errors import ProtocolError
+from pointpred.protocol.frames import Frame, prediction_frames, row_encoder
+from pointpred.protocol.server_messages import ErrorMessage, Likely
 from pointpred.server.sessions.building import NO_COEFFICIENTS, cpi_of, dpi_of, pipeline_of
 from pointpred.server.sessions.choices import Choices, Taken
-from pointpred.server.sessions.outbox import Frame, Outbox
+from pointpred.server.sessions.outbox import Outbox
 from pointpred.server.sessions.trials import Scoring, TrialKeeper, with_account
 from pointpred.server.sessions.watch import Watch
 
@@ -39,7 +39,7 @@ class Stream:
         watch: Watch | None = None,
         coefficients: Mapping[str, Path] = NO_COEFFICIENTS,
     ) -> None:
-        """Raises RefusedError for an unknown predictor, a wrong parameter or a person that cannot be taken.
+        """Raises ProtocolError for an unknown predictor, a wrong parameter or a person that cannot be taken.
 
         ``coefficients``: the files that the client may ask for by name.
         """
@@ -56,14 +56,14 @@ class Stream:
         self.work: Work | None = None
         """What is to be run before the next frame is taken in, and what it returns after it."""
         self._binary = hello.encoding == "binary"
-        self._frame = answers.frame_of(binary=self._binary)
+        self._frame = row_encoder(binary=self._binary)
         self._last_t = NEVER
         self._trial = TrialKeeper()
 
     def feed(self, table: FloatArray, outbox: Outbox) -> tuple[ErrorMessage | None, int]:
         """Predict; events before the last one are dropped, the rest of the frame is kept.
 
-        Returns what to say of the dropped ones, and how many they are. Raises RefusedError, nothing changed,
+        Returns what to say of the dropped ones, and how many they are. Raises ProtocolError, nothing changed,
         where a number cannot be used.
         """
         error, kept, count = None, table, len(table)
@@ -102,7 +102,7 @@ class Stream:
         self, predictions: FloatArray, likely: list[list[Likely]] | None = None
     ) -> tuple[list[Frame], int]:
         each = self.hello.reply == "event"
-        return answers.frames(predictions, binary=self._binary, each=each, likely=likely)
+        return prediction_frames(predictions, binary=self._binary, each=each, likely=likely)
 
     def feed_one(self, row: Sequence[float], outbox: Outbox) -> bool:
         """``feed`` for the one event of most frames, without a table: the same steps, the same answer.
@@ -121,7 +121,7 @@ class Stream:
         return True
 
     def configure(self, message: Configure) -> None:
-        """Another predictor or other parameters begin without memory; raises RefusedError, nothing changed.
+        """Another predictor or other parameters begin without memory; raises ProtocolError, nothing changed.
 
         Parameters add to those said before, but another predictor begins with its own. What is known of the
         person stays while the predictor has the same name and learns. A running trial goes on, and is scored
@@ -152,7 +152,7 @@ class Stream:
             self.watch.configure(hello)
 
     def take_targets(self, targets: list[Target], outbox: Outbox) -> None:
-        """Replace the set of targets; raises RefusedError, nothing changed."""
+        """Replace the set of targets; raises ProtocolError, nothing changed."""
         choices = self.choices or Choices(outbox, self.precision)
         choices.replace(targets)
         self.choices = choices if targets else None
@@ -165,7 +165,7 @@ class Stream:
     def person(self, known: str | None) -> str:
         """What is known of the person; of ``known``, where it is given, the session begins anew knowing that.
 
-        Raises RefusedError for what the predictor cannot take, nothing changed.
+        Raises ProtocolError for what the predictor cannot take, nothing changed.
         """
         if known is not None:
             self.pipeline = self._build(structs.replace(self.hello, person=known))
@@ -180,10 +180,10 @@ class Stream:
             self.watch.trial("start", goal)
 
     def end_trial(self, goal: Goal | None) -> Scoring:
-        """What makes the score of the trial; raises RefusedError where none was started."""
+        """What makes the score of the trial; raises ProtocolError where none was started."""
         if not self._trial.running:
             words = "expected 'trial' with action 'start' before 'end'"
-            raise RefusedError("out_of_place", words, "$.action")
+            raise ProtocolError("out_of_place", words, "$.action")
         if self.watch:
             self.watch.trial("end", goal)
         account = self.choices.account(goal or self._trial.goal) if self.choices else {}
@@ -193,7 +193,7 @@ class Stream:
     def _check_assist(self, message: Configure) -> None:
         if message.assist is not None:
             words = "expected assistance to be asked for in 'hello'; it may be changed afterwards"
-            raise RefusedError("out_of_place", words, "$.assist")
+            raise ProtocolError("out_of_place", words, "$.assist")
 
     def _forget(self) -> None:
         self._last_t = NEVER

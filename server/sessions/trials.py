@@ -12,12 +12,12 @@ from msgspec import structs
 
 from pointpred.columns import EventColumns, FloatArray
 from pointpred.pipeline import Pipeline
+from pointpred.protocol.client_messages import Goal
+from pointpred.protocol.scores import score_of
+from pointpred.protocol.server_messages import Score
 from pointpred.recording import Recording, Trial
 from pointpred.registry import build
-from pointpred.scoring import Prepared, prepare, replay
-from pointpred.scoring.results import PATH_FRACTIONS, TIME_FRACTIONS, PredictorErrors
-from pointpred.server.protocol.client_messages import Goal
-from pointpred.server.protocol.server_messages import Score
+from pointpred.scoring import prepare, replay
 
 MOST_EVENTS = 100_000
 """A longer trial is not scored: 12 s at 8 kHz, and memory stays bounded."""
@@ -81,21 +81,3 @@ def _scored(
 def with_account(scoring: Scoring, account: dict[str, Any]) -> Score:
     """A score, and what came of the proposals."""
     return structs.replace(scoring(), **account)
-
-
-def score_of(prepared: Prepared, row: int, errors: PredictorErrors, floor: PredictorErrors) -> Score:
-    """The measures of one trial of those prepared, beside those of no prediction."""
-    own, none = float(errors.time_averaged[row]), float(floor.time_averaged[row])
-    return Score(
-        prepared.trials[row].events,
-        time_averaged_px=own,
-        hold_px=none,
-        skill=1.0 - own / none if none > 0.0 else None,
-        by_time=_named(TIME_FRACTIONS, errors.by_time[row]),
-        by_path=_named(PATH_FRACTIONS, errors.by_path[row]),
-    )
-
-
-def _named(fractions: tuple[float, ...], errors: FloatArray) -> dict[str, float]:
-    pairs = zip(fractions, errors.tolist(), strict=True)
-    return {f"{share:g}": value for share, value in pairs if value == value}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Protocol
 
 from pointpred.columns import EventColumns, PredictionColumns
-from pointpred.server.protocol.client_messages import Goal, Hello
+from pointpred.protocol.client_messages import Goal, Hello
 
 
 class Watch(Protocol):

@@ -10,7 +10,7 @@ from typing import Protocol
 from fastapi import Request
 from starlette.requests import ClientDisconnect
 
-from pointpred.server.protocol.server_messages import Code
+from pointpred.protocol.server_messages import Code
 
 MOST_BYTES = 16 * 2**20
 """A larger recording is scored by ``pointpred score``."""

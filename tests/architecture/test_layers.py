@@ -51,9 +51,11 @@ MAY_IMPORT = {
     "devices": MATHS | {"hid", "sources"},
     "datasets": PIPELINE | {"simulation", "sources"},
     "training": PIPELINE | {"scoring", "sources", "pointpred"},
-    "server": PIPELINE | {"targets", "simulation", "scoring", "sources", "datasets", "devices", "pointpred"},
-    "client": {"errors", "events", "columns", "registry", "server"},
-    "replaying": PIPELINE | {"scoring", "server", "client"},
+    "protocol": PIPELINE | {"targets", "scoring"},
+    "server": PIPELINE
+    | {"protocol", "targets", "simulation", "scoring", "sources", "datasets", "devices", "pointpred"},
+    "client": {"errors", "events", "columns", "registry", "protocol"},
+    "replaying": PIPELINE | {"scoring", "protocol", "client"},
     "cli": PIPELINE
     | {
         "targets",
@@ -66,6 +68,7 @@ MAY_IMPORT = {
         "devices",
         "observers",
         "camera",
+        "protocol",
         "server",
         "client",
         "replaying",

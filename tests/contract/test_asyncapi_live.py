@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import json
-from typing import Any, get_args
+from typing import Any
 
 import msgspec
 import pytest
 
+from pointpred.protocol.live_messages import LIVE_MESSAGES, Attached, Curve, Status
 from pointpred.server.live_endpoint import NO_DEVICE
-from pointpred.server.protocol.live_messages import Attached, Curve, LiveMessage, Status
 from tests.contract.test_asyncapi import DOCUMENT, MESSAGES, OPERATIONS, at, refs
 from tests.server.live_attached import attached
 from tests.server.test_live_stream import hear, look
@@ -19,7 +19,7 @@ KINDS: dict[str, Any] = {"device": Attached, "status": Status, "transfer": Curve
 
 
 def test_every_kind_of_message_is_in_the_channel_and_said_or_heard() -> None:
-    tags = {kind.__struct_config__.tag for kind in get_args(LiveMessage)}
+    tags = {kind.__struct_config__.tag for kind in LIVE_MESSAGES}
     assert {MESSAGES[key]["name"] for key in CHANNEL["messages"]} == tags
 
     def told(operation: dict[str, Any]) -> list[str]:

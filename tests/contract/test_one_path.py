@@ -16,7 +16,7 @@ from pointpred import REGISTRY, EventColumns, PredictionColumns, build, run
 from pointpred.columns import FloatArray
 from pointpred.datasets import sample
 from pointpred.events import PHASES
-from pointpred.server.protocol.server_messages import Limits
+from pointpred.protocol.server_messages import Limits
 from pointpred.server.sessions.session import Session
 from tests.server.running import PATIENCE_S, Running, running
 

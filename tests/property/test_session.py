@@ -6,18 +6,18 @@ import json
 from math import isnan
 from typing import Any
 
-import msgspec
 from hypothesis import given
 from hypothesis import strategies as st
 
 from pointpred import REGISTRY
-from pointpred.server.protocol.server_messages import ErrorMessage, Limits, Score, ServerMessage
+from pointpred.protocol.decoding import decode_server_message
+from pointpred.protocol.server_messages import ErrorMessage, Limits, Score
 from pointpred.server.sessions.session import Session
 from tests.unit.talking import NO_COUNTS, PREDICTION, events, hello, packed
 
 CODES = {1000, 1001, 1008, 1009, 1011, 1013}
 LIMITS = Limits(max_frame_bytes=4096, max_events_per_frame=20, max_events_per_s=200, max_targets=3)
-decode = msgspec.json.Decoder(ServerMessage).decode
+decode = decode_server_message
 
 number = st.floats(allow_nan=True) | st.integers() | st.sampled_from([0, 1e9, 1e9 + 1, -1e9, 5e-324])
 value = number | st.none() | st.booleans() | st.text(max_size=5)

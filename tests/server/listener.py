@@ -21,9 +21,9 @@ from websockets.http11 import Request, Response
 from websockets.sync.server import ServerConnection, serve
 from websockets.typing import Subprotocol
 
+from pointpred.protocol.client_messages import SUBPROTOCOL
+from pointpred.protocol.server_messages import Limits
 from pointpred.server.http_answers import SAFE
-from pointpred.server.protocol.client_messages import SUBPROTOCOL
-from pointpred.server.protocol.server_messages import Limits
 from pointpred.server.sessions.session import Session
 
 WEB = Path(__file__).parents[2] / "server" / "web"

@@ -12,8 +12,8 @@ from pointpred import build
 from pointpred.devices.paths import MotorPath
 from pointpred.devices.sessions import LiveSession
 from pointpred.devices.source import Report
+from pointpred.protocol.live_messages import Attached
 from pointpred.server.live.feed import LiveFeed
-from pointpred.server.protocol.live_messages import Attached
 from pointpred.server.service import Service
 from tests.devices.live_fakes import FakeMouse, reach
 from tests.server.running import PATIENCE_S, Running, running

@@ -9,8 +9,8 @@ import numpy as np
 from pointpred import build, run
 from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.datasets import sample
+from pointpred.protocol.client_messages import Device, Goal, Hello, Screen
 from pointpred.recording import Recording
-from pointpred.server.protocol.client_messages import Device, Goal, Hello, Screen
 from pointpred.server.recorder.recorder import Recorder
 from pointpred.server.recorder.session import SessionRecorder
 

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from pointpred.columns import EventColumns
+from pointpred.protocol.server_messages import Limits
 from pointpred.replaying import Page, drive_mouse
-from pointpred.server.protocol.server_messages import Limits
 from tests.server import browser
 from tests.server.listener import Listener, soon
 

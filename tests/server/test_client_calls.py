@@ -16,13 +16,10 @@ import pytest
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.server import ServerConnection, serve
 
-from pointpred.client import AsyncConnection, Connection, ServiceError, connect, connect_async, dialogue, wire
+from pointpred.client import AsyncConnection, Connection, ServiceError, connect, connect_async
 from pointpred.client.dialogue import KEPT_NOTICES, Dialogue
 from pointpred.errors import ParameterError, SourceError
-from pointpred.replaying import local
-from pointpred.server.protocol import records, server_messages
-from pointpred.server.protocol.server_messages import ErrorMessage, Limits, PredictionMessage, Welcome, encode
-from pointpred.server.sessions import answers, trials
+from pointpred.protocol.server_messages import ErrorMessage, Limits, PredictionMessage, Welcome, encode
 from tests.server.listener import Listener, soon
 
 WELCOME = encode(Welcome(1, "here", "hold", Limits())).decode()
@@ -231,11 +228,3 @@ def test_a_message_of_just_the_limit_is_sent() -> None:
             else:
                 with pytest.raises(ParameterError, match=f"at most {most} bytes, received {size}"):
                     connection.targets(many(3))
-
-
-def test_what_both_sides_know_is_written_once() -> None:
-    for name in ("EVENT", "PREDICTION", "NO_COUNTS"):
-        assert getattr(wire, name) is getattr(records, name)
-    assert wire.encode is server_messages.encode
-    assert dialogue.message_of is answers.message
-    assert local.score_of is trials.score_of

@@ -14,8 +14,7 @@ from hypothesis import strategies as st
 
 from pointpred.client import ServiceError, connect, connect_async
 from pointpred.client.dialogue import Dialogue
-from pointpred.client.wire import encode
-from pointpred.server.protocol.server_messages import Limits, Welcome
+from pointpred.protocol.server_messages import Limits, Welcome, encode
 from pointpred.server.sessions.session import Session
 from tests.server.listener import Listener
 

@@ -6,9 +6,9 @@ import asyncio
 from collections.abc import MutableMapping
 from typing import Any
 
+from pointpred.protocol.server_messages import Limits
 from pointpred.server.connections.early import Early
 from pointpred.server.connections.talk import Talk
-from pointpred.server.protocol.server_messages import Limits
 from pointpred.server.sessions.session import Session
 
 Message = MutableMapping[str, Any]

@@ -13,7 +13,7 @@ import pytest
 from pointpred import build
 from pointpred.devices.paths import MotorPath
 from pointpred.devices.sessions import LiveSession
-from pointpred.server.protocol.client_messages import Device, Hello, Screen
+from pointpred.protocol.client_messages import Device, Hello, Screen
 from pointpred.server.recorder.live_recording import LiveRecording
 from pointpred.sources import read
 from tests.devices.live_fakes import FakeMouse, reach

@@ -17,9 +17,9 @@ from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Subprotocol
 
 import pointpred.server.connections.talk
+from pointpred.protocol.client_messages import SUBPROTOCOL
+from pointpred.protocol.live_messages import Curve
 from pointpred.server.live.feed import MOST_WAITING
-from pointpred.server.protocol.client_messages import SUBPROTOCOL
-from pointpred.server.protocol.live_messages import Curve
 from pointpred.transfer import TransferLearner
 from tests.server.listener import soon
 from tests.server.live_attached import ATTACHED, Attachment, attached

@@ -12,10 +12,12 @@ import pytest
 
 from pointpred import EventColumns, PointerEvent, build, client, run
 from pointpred.client import ServiceError
-from pointpred.client.wire import address, pack_events, packable, unpack_predictions
+from pointpred.client.wire import address
 from pointpred.datasets import sample
 from pointpred.errors import EventError, ParameterError, SourceError
-from pointpred.server.protocol.server_messages import Limits, PredictionMessage, Score
+from pointpred.protocol.frames import packable
+from pointpred.protocol.records import pack_events, unpack_predictions
+from pointpred.protocol.server_messages import Limits, PredictionMessage, Score
 from tests.server.listener import Listener
 from tests.server.running import PATIENCE_S
 

@@ -13,9 +13,9 @@ import pytest
 
 from pointpred.columns import EventColumns
 from pointpred.datasets import sample
+from pointpred.protocol.client_messages import Hello
 from pointpred.recording import Recording
 from pointpred.scoring import score
-from pointpred.server.protocol.client_messages import Hello
 from pointpred.server.recorder.recorder import Recorder
 from pointpred.server.recorder.recordings import listing
 from pointpred.sources import read, read_any

@@ -15,7 +15,7 @@ import pytest
 
 from pointpred.datasets import sample
 from pointpred.errors import SourceError
-from pointpred.server.protocol.client_messages import Goal
+from pointpred.protocol.client_messages import Goal
 from pointpred.server.recorder.recorder import Recorder
 from pointpred.server.recorder.recordings import listing
 from pointpred.sources import read

@@ -17,10 +17,10 @@ from websockets.sync.client import ClientConnection
 
 import pointpred.server.connections.talk
 import pointpred.server.listening.cutting
+from pointpred.protocol.server_messages import Limits
 from pointpred.server.connections.talk import Talk
 from pointpred.server.listening import listening
 from pointpred.server.logs import JsonLines, PlainLines
-from pointpred.server.protocol.server_messages import Limits
 from pointpred.server.sessions.conversation import Close
 from pointpred.server.sessions.session import Session
 from tests.server.hurried import HurriedLoop

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from struct import Struct
 from typing import Any
 
-from pointpred.server.protocol.server_messages import Limits
+from pointpred.protocol.server_messages import Limits
 from pointpred.server.sessions.session import Session
 
 EVENT = Struct("<dddhhH")

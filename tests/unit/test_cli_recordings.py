@@ -12,7 +12,7 @@ from pointpred import build, run
 from pointpred.cli import recordings as module
 from pointpred.columns import EventColumns
 from pointpred.datasets import sample
-from pointpred.server.protocol.client_messages import Goal, Hello
+from pointpred.protocol.client_messages import Goal, Hello
 from pointpred.server.recorder.recorder import Recorder
 
 

@@ -25,7 +25,7 @@ assert len(kept) > 20, kept
 from pointpred.registry import REGISTRY
 from pointpred.server.uploads.scoring import score_body
 from pointpred.server.sessions.session import Session
-from pointpred.server.protocol.server_messages import Limits
+from pointpred.protocol.server_messages import Limits
 from pointpred.server.compiling.compiling import compile_all
 from tests.unit.talking import events, packed
 

@@ -14,10 +14,10 @@ from scipy import stats
 
 from pointpred import Prediction, PredictionColumns, Region
 from pointpred.errors import ParameterError
+from pointpred.protocol.server_messages import PredictionMessage as Told
+from pointpred.protocol.server_messages import Region as Sent
 from pointpred.regions import as_normal, reach
 from pointpred.scoring import calibration
-from pointpred.server.protocol.server_messages import PredictionMessage as Told
-from pointpred.server.protocol.server_messages import Region as Sent
 from pointpred.training import calibrate
 
 NONE = float("nan")

@@ -14,7 +14,7 @@ from pointpred import PointerEvent, build
 from pointpred.cli.serve import settings_of
 from pointpred.errors import ParameterError
 from pointpred.predictors import kinematic_coefficients
-from pointpred.server.protocol.server_messages import Limits
+from pointpred.protocol.server_messages import Limits
 from pointpred.server.sessions.session import Session
 from pointpred.server.settings import Settings, named_files
 from tests.unit.talking import Talk, events, hello

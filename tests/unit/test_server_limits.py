@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from pointpred.server.rate import Rate
+from pointpred.protocol.token_bucket import TokenBucket
 from pointpred.server.sessions.allowance import MESSAGES_PER_S
 from tests.unit.talking import Talk, events, hello, packed
 
@@ -135,7 +135,7 @@ def test_a_session_may_send_its_rate_for_ever() -> None:
 
 
 def test_the_budget_holds_no_more_than_one_second() -> None:
-    rate = Rate(100, 0.0)
+    rate = TokenBucket(100, 0.0)
     assert rate.allows(100, 0.0)
     assert not rate.allows(1, 0.005)
     assert rate.allows(100, 50.0)
@@ -144,7 +144,7 @@ def test_the_budget_holds_no_more_than_one_second() -> None:
 
 
 def test_a_refusal_takes_nothing_and_a_clock_that_stands_gives_nothing() -> None:
-    rate = Rate(10, 0.0)
+    rate = TokenBucket(10, 0.0)
     assert not rate.allows(11, 0.0)
     assert rate.allows(10, 0.0)
     assert not rate.allows(1, -5.0)

@@ -8,8 +8,15 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pointpred.server.protocol.records import EVENT, PREDICTION, pack, pack_one, unpack, unpack_one
-from pointpred.server.sessions.answers import text_of
+from pointpred.protocol.frames import prediction_text
+from pointpred.protocol.records import (
+    EVENT,
+    PREDICTION,
+    pack_prediction,
+    pack_predictions,
+    unpack_event,
+    unpack_events,
+)
 from tests.unit import talking
 
 real = st.floats(allow_nan=True, allow_infinity=True)
@@ -32,10 +39,10 @@ def plain(values: tuple[float, ...]) -> list[float]:
 @given(st.lists(record, max_size=6))
 def test_events_are_unpacked_as_struct_says(records: list[tuple[Any, ...]]) -> None:
     frame = b"".join(talking.EVENT.pack(*one) for one in records)
-    assert unpack(frame).shape == (len(records), 6)
-    assert same(unpack(frame), [plain(one) for one in records])
+    assert unpack_events(frame).shape == (len(records), 6)
+    assert same(unpack_events(frame), [plain(one) for one in records])
     for one in records:
-        assert same(unpack_one(talking.EVENT.pack(*one)), plain(one))
+        assert same(unpack_event(talking.EVENT.pack(*one)), plain(one))
 
 
 @given(st.lists(st.tuples(*[real] * 7, phase, real, real), max_size=6))
@@ -48,8 +55,8 @@ def test_predictions_are_packed_as_struct_says(rows: list[tuple[float, ...]]) ->
         else talking.PREDICTION.pack(*row[:7], int(row[7]), math.nan if math.isnan(row[3]) else row[8])
         for row in table.tolist()
     )
-    assert pack(table) == wanted
-    assert b"".join(pack_one(row) for row in table.tolist()) == wanted
+    assert pack_predictions(table) == wanted
+    assert b"".join(pack_prediction(row) for row in table.tolist()) == wanted
 
 
 def test_the_records_have_the_sizes_of_the_contract() -> None:
@@ -59,5 +66,5 @@ def test_the_records_have_the_sizes_of_the_contract() -> None:
 
 def test_numbers_of_laws_that_run_as_plain_python_are_said_in_json() -> None:
     row = (np.float64(0.1), *(np.float64(k) for k in range(1, 7)), 1.0, np.float64("nan"), np.float64("nan"))
-    said = json.loads(text_of(row))
+    said = json.loads(prediction_text(row))
     assert (said["t"], said["x"], said["region"]["sxx"], said["remaining_s"]) == (0.1, 1.0, 3.0, 6.0)

@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from pointpred import REGISTRY
-from pointpred.server.protocol.server_messages import Limits
+from pointpred.protocol.server_messages import Limits
 from pointpred.server.sessions.conversation import HELLO_S
 from tests.unit.talking import EVENT, PREDICTION, Talk, events, hello, packed
 

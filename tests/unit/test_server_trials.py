@@ -10,10 +10,10 @@ import pytest
 
 from pointpred import EventColumns, PredictionColumns, build, run
 from pointpred.datasets import sample
+from pointpred.protocol.client_messages import Goal, Hello
+from pointpred.protocol.server_messages import Limits
 from pointpred.recording import Recording
 from pointpred.scoring import prepare, replay
-from pointpred.server.protocol.client_messages import Goal, Hello
-from pointpred.server.protocol.server_messages import Limits
 from pointpred.server.sessions.session import Session
 from pointpred.server.sessions.trials import MOST_EVENTS, TrialKeeper
 from tests.unit.talking import Talk, events, hello, packed

@@ -1,10 +1,10 @@
-"""How many events a client may send: a budget that refills with time and holds one second's worth."""
+"""The limit on events a second: a budget that refills with time and holds one second's worth."""
 
 from __future__ import annotations
 
 
-class Rate:
-    """A token bucket: ``most`` events a second, and as many at once."""
+class TokenBucket:
+    """``most`` events a second, and as many at once."""
 
     def __init__(self, most: float, now: float) -> None:
         self.most = float(most)

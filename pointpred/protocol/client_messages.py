@@ -1,29 +1,37 @@
-"""What a client may say in ``pointpred.v1``."""
+"""What a client may send in ``pointpred.v1``: one struct a message, whose fields carry their bounds.
+
+A new message is a subclass of ``ClientMessage`` here, and a handler in the session of the server: decoding,
+checks, schemas and the documentation follow from the subclass, its docstring and its fields.
+"""
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
 
-from msgspec import Struct
+from msgspec import Meta, Struct
 
+from pointpred.events import CPI, DPI, LARGEST, LATEST_S
+from pointpred.person import LARGEST as LARGEST_PERSON
 from pointpred.registry import RECOMMENDED
-from pointpred.server.protocol.assisted_messages import Assist
-from pointpred.server.protocol.fields import (
-    Bounded,
-    Buttons,
-    Cpi,
-    Dpi,
-    Extent,
-    Known,
-    Moment,
-    Name,
-    Positive,
-    Share,
-    Weight,
-)
+from pointpred.targets.rectangles import SMALLEST_PX
 
 VERSION = 1
 SUBPROTOCOL = "pointpred.v1"
+
+Moment = Annotated[float, Meta(ge=-LATEST_S, le=LATEST_S)]
+Bounded = Annotated[float, Meta(ge=-LARGEST, le=LARGEST)]
+Positive = Annotated[float, Meta(gt=0.0, le=LARGEST)]
+Extent = Annotated[float, Meta(ge=SMALLEST_PX, le=LARGEST)]
+Weight = Annotated[float, Meta(ge=0.0, le=LARGEST)]
+Share = Annotated[float, Meta(ge=0.0, le=1.0)]
+Cpi = Annotated[float, Meta(ge=CPI[0], le=CPI[1])]
+Dpi = Annotated[float, Meta(ge=DPI[0], le=DPI[1])]
+Buttons = Annotated[int, Meta(ge=0, le=65535)]
+Name = Annotated[str, Meta(min_length=1, max_length=128)]
+Knowledge = Annotated[str, Meta(max_length=LARGEST_PERSON)]
+"""What is known of a person, as ``Pipeline.person`` gives it."""
+Rho = Annotated[float, Meta(ge=0.0, le=1e4)]
+Gain = Annotated[float, Meta(ge=0.0, le=1e3)]
 
 Reply = Literal["frame", "event"]
 Encoding = Literal["json", "binary"]
@@ -51,7 +59,24 @@ class Screen(Struct, forbid_unknown_fields=True):
     dpi: Dpi = 96.0
 
 
-class Hello(Struct, tag="hello", forbid_unknown_fields=True):
+class Assist(Struct, forbid_unknown_fields=True):
+    """The service moves the cursor: counts through ``function``, helped towards the predicted endpoint.
+
+    ``strength``: longest help as a share of the hand's own motion, 0 is the function alone; ``rho`` 1/s;
+    ``gain`` of the constant function, the sigmoid one has its own.
+    """
+
+    strength: Share = 0.5
+    rho: Rho = 8.0
+    function: Literal["constant", "sigmoid"] = "constant"
+    gain: Gain = 4.0
+
+
+class ClientMessage(Struct, forbid_unknown_fields=True):
+    """A message from the client; its type on the wire is the subclass's tag."""
+
+
+class Hello(ClientMessage, tag="hello"):
     """First message of a session: which predictor, on what device and screen, and how to answer.
 
     ``person``: what another session said that it knows of the person; "" knows nobody.
@@ -65,10 +90,10 @@ class Hello(Struct, tag="hello", forbid_unknown_fields=True):
     reply: Reply = "frame"
     encoding: Encoding = "json"
     assist: Assist | None = None
-    person: Known = ""
+    person: Knowledge = ""
 
 
-class Events(Struct, tag="events", forbid_unknown_fields=True):
+class Events(ClientMessage, tag="events"):
     """Pointer events in the order of their times."""
 
     events: list[EventRow]
@@ -88,7 +113,7 @@ class Target(Struct, forbid_unknown_fields=True, omit_defaults=True):
     weight: Weight = 1.0
 
 
-class Targets(Struct, tag="targets", forbid_unknown_fields=True):
+class Targets(ClientMessage, tag="targets"):
     """Replaces the set of targets."""
 
     targets: list[Target]
@@ -102,14 +127,14 @@ class Goal(Struct, forbid_unknown_fields=True):
     width: Positive
 
 
-class TrialMark(Struct, tag="trial", forbid_unknown_fields=True):
+class TrialMark(ClientMessage, tag="trial"):
     """Ground truth: a movement starts here, or it has ended; ``target`` where it is known."""
 
     action: Literal["start", "end"]
     target: Goal | None = None
 
 
-class Configure(Struct, tag="configure", forbid_unknown_fields=True):
+class Configure(ClientMessage, tag="configure"):
     """Changes what is given and leaves the rest; another predictor begins without memory."""
 
     predictor: str | None = None
@@ -119,22 +144,22 @@ class Configure(Struct, tag="configure", forbid_unknown_fields=True):
     assist: Assist | None = None
 
 
-class Reset(Struct, tag="reset", forbid_unknown_fields=True):
+class Reset(ClientMessage, tag="reset"):
     """Forget every event: the next one starts a movement."""
 
 
-class Person(Struct, tag="person", forbid_unknown_fields=True):
+class Person(ClientMessage, tag="person"):
     """Asks what finished movements taught of the person; with ``person``, begins anew knowing that."""
 
-    person: Known | None = None
+    person: Knowledge | None = None
 
 
-class Bye(Struct, tag="bye", forbid_unknown_fields=True):
+class Bye(ClientMessage, tag="bye"):
     """The end of a session; the server says why."""
 
     reason: str = ""
 
 
-ClientMessage = Hello | Events | Targets | TrialMark | Configure | Reset | Person | Bye
-KNOWN = ("hello", "events", "targets", "trial", "configure", "reset", "person", "bye")
-"""What a client may say."""
+CLIENT_MESSAGES: tuple[type[ClientMessage], ...] = tuple(ClientMessage.__subclasses__())
+CLIENT_TYPES: tuple[str, ...] = tuple(str(kind.__struct_config__.tag) for kind in CLIENT_MESSAGES)
+"""The types of message that a client may send, as they stand on the wire."""

@@ -1,4 +1,4 @@
-"""Why a text is no message: what was wrong, where, and the value received."""
+"""Why a frame is refused: what is wrong, where, and the value received."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from typing import Any
 
 import msgspec
 
-from pointpred.server.protocol.client_messages import KNOWN, Setting
-from pointpred.server.protocol.server_messages import Code, ErrorMessage
+from pointpred.protocol.client_messages import CLIENT_TYPES, Setting
+from pointpred.protocol.server_messages import Code, ErrorMessage
 
 WORDS_MOST = 1000
 """What an error quotes of a client's frame is no longer than this."""
@@ -23,7 +23,7 @@ _field = re.compile(r"(missing required|contains unknown) field `(?P<name>.*)`$"
 _step = re.compile(r"\.(?P<key>[^.\[]+)|\[(?P<index>\d+)\]")
 
 
-class RefusedError(Exception):
+class ProtocolError(Exception):
     """What came cannot be used; ``answer`` says so, ``close`` is the close code where the session ends."""
 
     def __init__(
@@ -42,7 +42,7 @@ def short(words: str, most: int = WORDS_MOST) -> str:
     return words.encode(errors="replace").decode()
 
 
-def not_fitting(text: str, words: str) -> RefusedError:
+def not_fitting(text: str, words: str) -> ProtocolError:
     """JSON, but no message; ``words`` are the decoder's."""
     found = _place.search(words)
     path = found["path"] if found else "$"
@@ -52,20 +52,20 @@ def not_fitting(text: str, words: str) -> RefusedError:
     value = _loaded(text)
     if path == "$.type":
         code: Code = "bad_field" if words.startswith("Expected") else "unknown_type"
-        return RefusedError(code, f"{words}; known: {', '.join(KNOWN)}", path)
+        return ProtocolError(code, f"{words}; known: {', '.join(CLIENT_TYPES)}", path)
     if path.startswith("$.parameters["):
         path = _wrong_parameter(value)
     if not field and " got " not in words:
         words = f"{words}, received {_at(value, path)}"
-    return RefusedError("bad_field", words, path)
+    return ProtocolError("bad_field", words, path)
 
 
-def not_json(text: str, reason: str) -> RefusedError:
+def not_json(text: str, reason: str) -> ProtocolError:
     """Many encoders write NaN, which JSON does not know: then the place of the number helps more."""
     path = _not_finite(_loaded(text))
     if path is None:
-        return RefusedError("bad_json", f"expected JSON: {reason}")
-    return RefusedError("bad_field", "expected a finite number, received NaN or an infinity", f"${path}")
+        return ProtocolError("bad_json", f"expected JSON: {reason}")
+    return ProtocolError("bad_field", "expected a finite number, received NaN or an infinity", f"${path}")
 
 
 def _loaded(text: str) -> Any:

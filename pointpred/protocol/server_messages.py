@@ -1,4 +1,4 @@
-"""What a client hears in ``pointpred.v1``."""
+"""What the server sends in ``pointpred.v1``: one struct a message."""
 
 from __future__ import annotations
 
@@ -8,10 +8,9 @@ import msgspec
 from msgspec import UNSET, Struct, UnsetType, field
 
 from pointpred.events import NORMAL
+from pointpred.protocol.client_messages import Bye
 from pointpred.regions import Region as Ellipse
 from pointpred.regions import probability, region_of
-from pointpred.server.protocol.assisted_messages import Cursor
-from pointpred.server.protocol.client_messages import Bye
 
 Code = Literal[
     "bad_json",
@@ -43,7 +42,11 @@ class Limits(Struct, frozen=True):
     idle_s: float = 60.0
 
 
-class Welcome(Struct, tag="welcome"):
+class ServerMessage(Struct):
+    """A message from the server; its type on the wire is the subclass's tag."""
+
+
+class Welcome(ServerMessage, tag="welcome"):
     """The answer to ``hello``."""
 
     version: int
@@ -71,7 +74,7 @@ class Likely(Struct):
     p: float
 
 
-class PredictionMessage(Struct, tag="prediction"):
+class PredictionMessage(ServerMessage, tag="prediction"):
     """Where the movement will end as seen at ``t``; null fields where nothing is justified.
 
     ``targets``: the likeliest five, best first; absent from a session without targets.
@@ -94,7 +97,19 @@ class PredictionMessage(Struct, tag="prediction"):
         return region_of(level, self.x, self.y, scale.sxx, scale.sxy, scale.syy, tail)
 
 
-class Choice(Struct, tag="choice"):
+class Cursor(ServerMessage, tag="cursor"):
+    """Where the cursor is after the events up to ``t``, px, in a session that asked for assistance.
+
+    ``added_px``: the length of all that help has added since the session began.
+    """
+
+    t: float
+    x: float
+    y: float
+    added_px: float
+
+
+class Choice(ServerMessage, tag="choice"):
     """A target is proposed, or no longer; ``p`` is its share at ``t``, the time of the event that decided.
 
     ``reason``: why it is proposed. *predicted*: the movement heads for it; *entered*: the cursor has gone
@@ -108,19 +123,19 @@ class Choice(Struct, tag="choice"):
     reason: Literal["predicted", "entered"] | None = None
 
 
-class TargetsTaken(Struct, tag="targets"):
+class TargetsTaken(ServerMessage, tag="targets"):
     """The set of targets now holds so many."""
 
     count: int
 
 
-class KnownPerson(Struct, tag="person"):
+class KnownPerson(ServerMessage, tag="person"):
     """What finished movements taught of the person, for ``hello`` of another session; "" for nobody."""
 
     person: str
 
 
-class Score(Struct, tag="score"):
+class Score(ServerMessage, tag="score"):
     """How good the predictions of the trial were, px; ``skill`` is 1 - error / error of no prediction.
 
     With targets, and the trial's own known: ``fired`` proposals; ``hit``, whether one of the trial's target
@@ -141,7 +156,7 @@ class Score(Struct, tag="score"):
     lead_s: float | None = None
 
 
-class ErrorMessage(Struct, tag="error"):
+class ErrorMessage(ServerMessage, tag="error"):
     """What was wrong, where, and whether the session goes on."""
 
     code: Code
@@ -150,9 +165,7 @@ class ErrorMessage(Struct, tag="error"):
     recoverable: bool = True
 
 
-ServerMessage = (
-    Welcome | PredictionMessage | Cursor | Choice | TargetsTaken | KnownPerson | Score | ErrorMessage | Bye
-)
+SERVER_MESSAGES: tuple[type[Struct], ...] = (*ServerMessage.__subclasses__(), Bye)
 
 # Laws that run as plain Python answer in numpy's floats.
 encode = msgspec.json.Encoder(enc_hook=float).encode

@@ -8,7 +8,7 @@ from struct import Struct
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import FloatArray
+from pointpred.columns import FloatArray, PredictionColumns
 from pointpred.compiled import law
 
 EVENT = np.dtype([("t", "<f8"), ("x", "<f8"), ("y", "<f8"), ("dx", "<i2"), ("dy", "<i2"), ("buttons", "<u2")])
@@ -25,7 +25,7 @@ _one_prediction = Struct("<dddddddBd")
 
 
 @law
-def take_apart(records: RecordArray, table: FloatArray) -> None:
+def unpack_records(records: RecordArray, table: FloatArray) -> None:
     """The fields of each record into a row of the table."""
     for i in range(len(table)):
         record = records[i]
@@ -39,15 +39,15 @@ def take_apart(records: RecordArray, table: FloatArray) -> None:
             table[i, 3] = table[i, 4] = np.nan
 
 
-def unpack(frame: bytes) -> FloatArray:
+def unpack_events(frame: bytes) -> FloatArray:
     """The events of a frame as the table of ``EventColumns``; the frame holds whole records."""
     records = np.frombuffer(frame, EVENT)
     table = np.empty((len(records), 6))
-    take_apart(records, table)
+    unpack_records(records, table)
     return table
 
 
-def unpack_one(frame: bytes) -> tuple[float, float, float, float, float, float]:
+def unpack_event(frame: bytes) -> tuple[float, float, float, float, float, float]:
     """The only event of a frame, as a row of the same table."""
     t, x, y, dx, dy, buttons = _one_event.unpack(frame)
     if dx == NO_COUNTS or dy == NO_COUNTS:
@@ -55,7 +55,19 @@ def unpack_one(frame: bytes) -> tuple[float, float, float, float, float, float]:
     return t, x, y, float(dx), float(dy), float(buttons)
 
 
-def pack(table: FloatArray) -> bytes:
+def pack_events(table: FloatArray) -> bytes:
+    """Rows of ``EventColumns`` as records."""
+    packed = np.empty(len(table), EVENT)
+    none = np.isnan(table[:, 3:5]).any(axis=1)
+    for column, name in enumerate(("t", "x", "y")):
+        packed[name] = table[:, column]
+    for column, name in enumerate(("dx", "dy"), start=3):
+        packed[name] = np.where(none, NO_COUNTS, table[:, column])
+    packed["buttons"] = table[:, 5]
+    return packed.tobytes()
+
+
+def pack_predictions(table: FloatArray) -> bytes:
     """The rows of ``PredictionColumns`` as records."""
     packed = np.empty(len(table), PREDICTION)
     none = np.isnan(table[:, 1])
@@ -66,9 +78,20 @@ def pack(table: FloatArray) -> bytes:
     return packed.tobytes()
 
 
-def pack_one(row: Sequence[float]) -> bytes:
+def pack_prediction(row: Sequence[float]) -> bytes:
     """One row of ``PredictionColumns`` as a record."""
     t, x, y, sxx, sxy, syy, remaining_s, phase, tail, _ = row
     if x != x:
         return _one_prediction.pack(t, NONE, NONE, NONE, NONE, NONE, NONE, 0, NONE)
     return _one_prediction.pack(t, x, y, sxx, sxy, syy, remaining_s, int(phase), tail if sxx == sxx else NONE)
+
+
+def unpack_predictions(frame: bytes) -> list[list[float]]:
+    """The records of a frame as rows of ``PredictionColumns``."""
+    packed = np.frombuffer(frame, PREDICTION)
+    table = np.full((len(packed), len(PredictionColumns.names)), NONE)
+    table[:, :7] = packed["numbers"]
+    table[:, 7] = np.where(np.isnan(table[:, 1]), NONE, packed["phase"])
+    table[:, 8] = packed["tail"]
+    rows: list[list[float]] = table.tolist()
+    return rows

@@ -1,14 +1,13 @@
-"""The messages of ``/v1/live``: what is said of the device attached to this machine."""
+"""The messages of ``/v1/live``: what the server sends about the device attached to this machine."""
 
 from __future__ import annotations
 
-from typing import Any, Literal
+from typing import Literal
 
-import msgspec
 from msgspec import Struct
 
-from pointpred.server.protocol.client_messages import Bye, Events
-from pointpred.server.protocol.server_messages import ErrorMessage, PredictionMessage
+from pointpred.protocol.client_messages import Bye, Events
+from pointpred.protocol.server_messages import ErrorMessage, PredictionMessage
 from pointpred.transfer import GainCurve
 
 
@@ -60,11 +59,5 @@ class Curve(Struct, tag="transfer"):
     curve: GainCurve | None = None
 
 
-LiveMessage = Attached | Events | PredictionMessage | Status | Curve | ErrorMessage | Bye
-"""What a viewer hears; ``events`` in the shape that clients of ``/v1/stream`` send."""
-
-
-def live_schemas() -> dict[str, Any]:
-    """The components of the messages as JSON schemas."""
-    _, components = msgspec.json.schema_components([LiveMessage], ref_template="#/components/schemas/{name}")
-    return components
+LIVE_MESSAGES = (Attached, Events, PredictionMessage, Status, Curve, ErrorMessage, Bye)
+"""What the server sends to a viewer; ``events`` in the shape that clients of ``/v1/stream`` send."""

@@ -1,32 +1,50 @@
-"""From what came over the wire to a message or a table of events; what is wrong with it, and where."""
+"""A frame from a client as a message or a table of events; what is wrong with it, and where."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import reduce
+from operator import or_
+from typing import Any
 
 import msgspec
 import numpy as np
+from msgspec import Struct
 
 from pointpred.columns import FloatArray
 from pointpred.events import LARGEST, LATEST_S
-from pointpred.server.protocol.client_messages import ClientMessage, EventRow
-from pointpred.server.protocol.records import EVENT, NONE, unpack
-from pointpred.server.protocol.refusals import RefusedError, not_fitting, not_json
+from pointpred.protocol.client_messages import CLIENT_MESSAGES, ClientMessage, EventRow
+from pointpred.protocol.errors import ProtocolError, not_fitting, not_json
+from pointpred.protocol.records import EVENT, NONE, unpack_events
+from pointpred.protocol.server_messages import SERVER_MESSAGES
 
-_decoder = msgspec.json.Decoder(ClientMessage)
+
+def _any_of(kinds: tuple[type[Struct], ...]) -> Any:
+    """The union of the messages, as a decoder wants it."""
+    return reduce(or_, kinds)
+
+
+_from_client = msgspec.json.Decoder(_any_of(CLIENT_MESSAGES))
+_from_server = msgspec.json.Decoder(_any_of(SERVER_MESSAGES))
 _fields = ("t", "x", "y")
 _most = (LATEST_S, LARGEST, LARGEST)
 
 
-def decode_text(text: str) -> ClientMessage:
-    """A message from JSON text; raises RefusedError with the path of what is wrong."""
+def decode_client_message(text: str) -> ClientMessage:
+    """A message from a client's JSON text; raises ProtocolError with the path of what is wrong."""
     try:
-        message: ClientMessage = _decoder.decode(text)
+        message: ClientMessage = _from_client.decode(text)
         return message
     except msgspec.ValidationError as error:
         raise not_fitting(text, str(error)) from None
     except (msgspec.DecodeError, UnicodeError, RecursionError) as error:
         raise not_json(text, str(error)) from None
+
+
+def decode_server_message(text: str) -> Struct:
+    """A message from the server's JSON text; raises msgspec.DecodeError for what is none."""
+    message: Struct = _from_server.decode(text)
+    return message
 
 
 def row_of(row: EventRow) -> tuple[float, float, float, float, float, float]:
@@ -41,11 +59,11 @@ def table_of_rows(rows: Sequence[EventRow]) -> FloatArray:
 
 
 def table_of_bytes(frame: bytes) -> FloatArray:
-    """The table of a frame of packed events; raises RefusedError."""
+    """The table of a frame of packed events; raises ProtocolError."""
     if len(frame) % EVENT.itemsize:
         words = f"a binary frame holds records of {EVENT.itemsize} bytes, received {len(frame)} bytes"
-        raise RefusedError("bad_field", words, "$")
-    return unpack(frame)
+        raise ProtocolError("bad_field", words, "$")
+    return unpack_events(frame)
 
 
 def check_numbers(table: FloatArray) -> None:
@@ -62,4 +80,4 @@ def check_numbers(table: FloatArray) -> None:
         value = float(table[row, field])
         most = _most[field]
         words = f"{_fields[field]} must lie in [{-most:g}, {most:g}], received {value!r}"
-    raise RefusedError("bad_field", words, f"$.events[{row}][{field}]")
+    raise ProtocolError("bad_field", words, f"$.events[{row}][{field}]")

@@ -1,1 +1,0 @@
-"""What is said on the wire: messages, binary records, and how frames are read and refused."""
