@@ -15,10 +15,10 @@ import numpy as np
 import pytest
 import yaml
 
+from pages.__main__ import ROOT
 from pages.asyncapi.document import document, keys, schemas
 from pages.asyncapi.examples import EVENT_ROWS
 from pages.asyncapi.live import EXAMPLES
-from pages.__main__ import ROOT
 from pointpred.protocol.client_messages import CLIENT_TYPES
 from pointpred.protocol.decoding import decode_client_message, table_of_bytes
 from pointpred.protocol.records import EVENT, PREDICTION
