@@ -14,7 +14,7 @@ from pages.markdown import filled, table
 from pages.sets import folder, recordings
 from pointpred import build
 from pointpred.pipeline import Pipeline
-from pointpred.scoring import document, score
+from pointpred.scoring import score, summarise
 
 PAGE = DOCS / "differentiators.md"
 PREDICTORS = ("minimum-jerk", "switched-direction")
@@ -42,9 +42,9 @@ def main() -> None:
     found, unread = folder(), {}
     shares: dict[str, dict[str, float]] = {}
     for recording in recordings(found, unread):
-        for one in document(score([recording], patterns()))["sets"]:
-            for predictor in one["predictors"]:
-                shares.setdefault(predictor["name"], {})[one["name"]] = predictor["time_averaged"]["of_hold"]
+        for one in map(summarise, score([recording], patterns())):
+            for predictor in one.predictors:
+                shares.setdefault(predictor.name, {})[one.name] = predictor.time_averaged.of_hold
     sets = list(shares.pop("hold"))
     rows = []
     for name, values in shares.items():

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
+from math import nan
 
 from pages.kinematic.measure import Validation, Verdict
 from pointpred.predictors import kinematic_coefficients
-from pointpred.scoring import summary
+from pointpred.scoring import summarise
 from pointpred.scoring.results import PATH_FRACTIONS, TIME_FRACTIONS
+from pointpred.scoring.summary import Measure, PredictorSummary, SetSummary
 from pointpred.training import calibrate
 
 HEAD = """# The learned predictor, `kinematic`
@@ -76,7 +77,7 @@ def page(validation: Validation) -> str:
 
 
 def _tables(verdicts: tuple[Verdict, ...]) -> list[str]:
-    documents = [summary(verdict.score) for verdict in verdicts]
+    documents = [summarise(verdict.score) for verdict in verdicts]
     return [
         "Time-averaged error as a share of that of `hold`, with the 95 % interval over people (over trials "
         "where a set has one person).\n\n" + _errors(documents),
@@ -97,36 +98,35 @@ def _table(head: list[str], rows: list[list[str]]) -> str:
     return "\n".join("| " + " | ".join(line) + " |" for line in lines)
 
 
-def _ours(document: dict[str, Any]) -> dict[str, Any]:
-    found: dict[str, Any] = next(one for one in document["predictors"] if one["name"] == "kinematic")
-    return found
+def _ours(document: SetSummary) -> PredictorSummary:
+    return next(one for one in document.predictors if one.name == "kinematic")
 
 
-def _share(measure: dict[str, Any]) -> str:
-    low, high = measure["interval"]
-    return f"{measure['of_hold']:.3f} ({low:.3f}-{high:.3f})"
+def _share(measure: Measure) -> str:
+    low, high = measure.interval or (nan, nan)
+    return f"{measure.of_hold:.3f} ({low:.3f}-{high:.3f})"
 
 
-def _errors(documents: list[dict[str, Any]]) -> str:
+def _errors(documents: list[SetSummary]) -> str:
     rows = []
     for document in documents:
         ours = _ours(document)
-        clean = ours["groups"].get("clean_trials")
+        clean = ours.groups.get("clean_trials")
         rows.append(
             [
-                document["name"],
-                str(document["users"]),
-                str(document["trials"]),
-                _share(ours["time_averaged"]),
-                _share(clean["time_averaged"]) if clean else "",
+                document.name,
+                str(document.users),
+                str(document.trials),
+                _share(ours.time_averaged),
+                _share(clean.time_averaged) if clean else "",
             ]
         )
     return _table(["set", "users", "trials", "all trials", "clean trials"], rows)
 
 
-def _series(documents: list[dict[str, Any]], name: str, fractions: tuple[float, ...]) -> str:
+def _series(documents: list[SetSummary], name: str, fractions: tuple[float, ...]) -> str:
     rows = [
-        [document["name"], *(f"{_ours(document)[name][str(f)]['of_hold']:.2f}" for f in fractions)]
+        [document.name, *(f"{getattr(_ours(document), name)[f].of_hold:.2f}" for f in fractions)]
         for document in documents
     ]
     return _table(["set", *(f"{f:.0%}" for f in fractions)], rows)

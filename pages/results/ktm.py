@@ -18,8 +18,8 @@ from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
 from pointpred.scoring import ktm_protocol as protocol
 from pointpred.scoring import prepare, resolution
-from pointpred.scoring.bootstrap import ratio_intervals
 from pointpred.scoring.ktm_protocol import Drawn, Read
+from pointpred.scoring.summary.bootstrap import ratio_intervals
 
 Json = dict[str, Any]
 

@@ -12,6 +12,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+import msgspec
+
 from benchmarks.arguments import words
 from pages import DOCS, held_out, sets
 from pages import __main__ as pages
@@ -27,7 +29,7 @@ from pointpred.report.choice import highlighted
 from pointpred.report.claims import inside_curves, time_left_bars
 from pointpred.report.figures import cost, curves
 from pointpred.report.style import Picture
-from pointpred.scoring import summary
+from pointpred.scoring import SetSummary, summary
 
 Json = dict[str, Any]
 SEED = 0
@@ -43,10 +45,11 @@ def described(recording: Recording, predictors: Sequence[str], held: HeldOut) ->
     return one
 
 
-def drawings(one: Json) -> dict[str, Picture | None]:
+def drawings(described: Json) -> dict[str, Picture | None]:
     """The figures of a set by what they show; ``None`` where there is nothing to show."""
-    told = [p for p in one["predictors"] if not p["name"].endswith(held_out.PEOPLE_OUT)]
-    shown = highlighted(one | {"predictors": told})
+    one = msgspec.convert(described, SetSummary, str_keys=True)
+    told = tuple(p for p in one.predictors if not p.name.endswith(held_out.PEOPLE_OUT))
+    shown = highlighted(msgspec.structs.replace(one, predictors=told))
     return {
         "by-time": curves(one, shown, "by_time", "of_hold"),
         "by-path": curves(one, shown, "by_path", "of_hold"),

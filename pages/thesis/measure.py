@@ -21,9 +21,9 @@ from pointpred import Pipeline, build
 from pointpred.columns import FloatArray
 from pointpred.recording import Recording
 from pointpred.scoring import Prepared, SetScore, prepare, score
-from pointpred.scoring.conditions import groups_of
 from pointpred.scoring.results import AXIS_FRACTIONS, PredictorErrors
 from pointpred.scoring.statistics import axis_anova, axis_profile
+from pointpred.scoring.summary.groups import groups_of
 from pointpred.scoring.trials import resolution
 from pointpred.simulation import thesis_setup
 from pointpred.sources import read

@@ -18,9 +18,10 @@ from pointpred.registry import REGISTRY, build
 
 if TYPE_CHECKING:
     from pointpred.recording import Recording
+    from pointpred.scoring import Unread
     from pointpred.sources import Reading
 
-Unread = dict[str, str]
+Reasons = dict[str, str]
 """Files that could not be read and recordings that could not be scored, and why."""
 
 
@@ -77,7 +78,7 @@ def score(
     names = chosen(predictors)
     check_targets({"--json": json, "--report": report}, files or ())
     own = with_coefficients(names, coefficients)
-    unread: Unread = {}
+    unread: Reasons = {}
     if targets:
         settings = {"threads": threads, "seed": seed, "cpi": cpi, "dpi": dpi, "parameters": own}
         _score_targets(files, reading, names, json, report, **settings)
@@ -85,8 +86,8 @@ def score(
     if report is not None:
         require("report", "a report")  # before minutes of scoring
     from pointpred.cli.progress import following
+    from pointpred.scoring import document
     from pointpred.scoring import score as run
-    from pointpred.scoring import summary
 
     with following() as progress:
         recordings = _read(files, reading, unread) if files else _sample(unread)
@@ -106,16 +107,16 @@ def score(
 
         again = _read(files, reading, None) if files else _sample(None)
         write_report(scored, report, recordings=again, cpi=cpi, dpi=dpi)
-    described = [summary(one) for one in scored]
+    scores = document(scored, _unread(unread))
     if json is not None:
-        write_json({"version": 1, "sets": described, "unread": _unread(unread)}, json)
+        write_json(scores, json)
     if json is None or str(json) != "-":
         from pointpred.cli.tables import print_sets
 
-        print_sets(described, drawn=report is not None)
+        print_sets(scores.sets, drawn=report is not None)
     if report is not None and scored:
         remarks().print(f"report written: {report}", markup=False)
-    if not any(one["trials"] for one in described):
+    if not any(one.trials for one in scores.sets):
         raise RecordingError("no trial could be scored; see the reasons above")
 
 
@@ -131,22 +132,25 @@ def _score_targets(
     if report is not None:
         raise ParameterError("--report draws errors, not choices: leave it out with --targets")
     from pointpred.cli.targets import described, print_targets
+    from pointpred.scoring.summary.document import VERSION
+    from pointpred.scoring.target_choice import TargetDocument
 
-    unread: Unread = {}
+    unread: Reasons = {}
     recordings = _read(files, reading, unread) if files else _sample(unread)
     sets = described(recordings, names, lambda one, error: _left_out(unread, one.name, error), **settings)
     if json is not None:
-        write_json({"version": 1, "targets": sets, "unread": _unread(unread)}, json)
+        write_json(TargetDocument(VERSION, tuple(sets), tuple(_unread(unread))), json)
     if json is None or str(json) != "-":
         print_targets(sets)
     if not sets:
         raise RecordingError("no trial could be scored; see the reasons above")
 
 
-def _unread(unread: Unread) -> list[dict[str, str]]:
+def _unread(reasons: Reasons) -> list[Unread]:
+    from pointpred.scoring import Unread
     from pointpred.sources.naming import readable
 
-    return [{"file": readable(file), "reason": readable(why)} for file, why in unread.items()]
+    return [Unread(readable(file), readable(why)) for file, why in reasons.items()]
 
 
 def chosen(text: str) -> list[str]:
@@ -161,7 +165,7 @@ def chosen(text: str) -> list[str]:
     return names
 
 
-def _sample(unread: Unread | None) -> Iterator[Recording]:
+def _sample(unread: Reasons | None) -> Iterator[Recording]:
     """The recording that is always there; says so unless it is read again (no ``unread``)."""
     from pointpred.datasets import sample
 
@@ -180,7 +184,7 @@ def _free_name(name: str, file: Path, taken: Mapping[str, Path]) -> str:
     return found
 
 
-def _read(files: list[Path], reading: Reading, unread: Unread | None) -> Iterator[Recording]:
+def _read(files: list[Path], reading: Reading, unread: Reasons | None) -> Iterator[Recording]:
     """The recordings one by one, so that only one is in memory; complains where a file cannot be read.
 
     The report reads them again (no ``unread``): what was complained about once is not said twice.
@@ -206,7 +210,7 @@ def read_all(files: list[Path], reading: Reading) -> list[Recording]:
     return list(_read(files, reading, {}))
 
 
-def _left_out(unread: Unread, name: str, error: Exception) -> None:
+def _left_out(unread: Reasons, name: str, error: Exception) -> None:
     """Complain about a file that cannot be read or a recording that cannot be scored, and remember it."""
     expected = isinstance(error, PointpredError | OSError)
     reason = str(error) if expected else f"{type(error).__name__}: {error}"

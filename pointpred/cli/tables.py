@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Iterator, Sequence
 
 from rich.table import Table
 
 from pointpred.cli.screen import NARROW, counted, remarks, results
+from pointpred.recording import Skip
 from pointpred.scoring import HEADINGS, footnotes, rows
+from pointpred.scoring.summary import SetSummary
 
 IN_NARROW = {
     "predictor": "predictor",
@@ -24,19 +25,19 @@ IN_NARROW = {
 REASONS_SHOWN = 5
 
 
-def print_sets(described: list[dict[str, Any]], *, drawn: bool = False) -> None:
+def print_sets(described: Sequence[SetSummary], *, drawn: bool = False) -> None:
     """Print a table a set; remarks about skipped trials and mended rows go to stderr.
 
     ``drawn``: a report was written too.
     """
     for one in described:
-        if one["trials"]:
+        if one.trials:
             results().print(title(one), style="bold", markup=False)
             results().print(_table(one))
             for note in footnotes(one):
                 results().print(note, style="red", markup=False)
         _print_remarks(one)
-    if any(one["trials"] for one in described):
+    if any(one.trials for one in described):
         results().print(
             "Errors are shares of the error of hold (no prediction), time-averaged in the first column; "
             "below 1 is better.\nAll measures, in px as well: --json FILE"
@@ -45,17 +46,17 @@ def print_sets(described: list[dict[str, Any]], *, drawn: bool = False) -> None:
         )
 
 
-def title(one: dict[str, Any]) -> str:
+def title(one: SetSummary) -> str:
     """What the table is about, in one line."""
-    floor = one["predictors"][0]["time_averaged"]["px"]
-    skipped = f", {len(one['skipped'])} skipped" if one["skipped"] else ""
-    noun = "person" if one["users"] == 1 else "people"
-    people = f"{one['users']} {'simulated ' if one['simulated'] else ''}{noun}"
-    trials = counted(one["trials"], "trial")
-    return f"{one['name']}: {trials}{skipped}, {people}; hold is {floor:.1f} {one['unit']} off"
+    floor = one.predictors[0].time_averaged.px
+    skipped = f", {len(one.skipped)} skipped" if one.skipped else ""
+    noun = "person" if one.users == 1 else "people"
+    people = f"{one.users} {'simulated ' if one.simulated else ''}{noun}"
+    trials = counted(one.trials, "trial")
+    return f"{one.name}: {trials}{skipped}, {people}; hold is {floor:.1f} {one.unit} off"
 
 
-def _table(one: dict[str, Any]) -> Table:
+def _table(one: SetSummary) -> Table:
     table = Table(box=None, pad_edge=False)
     names = {heading: heading for heading in HEADINGS} if results().width >= NARROW else IN_NARROW
     shown = [i for i, heading in enumerate(HEADINGS) if heading in names]
@@ -66,35 +67,35 @@ def _table(one: dict[str, Any]) -> Table:
     return table
 
 
-def _print_remarks(one: dict[str, Any]) -> None:
+def _print_remarks(one: SetSummary) -> None:
     for remark in _remarks(one):
-        remarks().print(f"{one['name']}: {remark}", markup=False)
+        remarks().print(f"{one.name}: {remark}", markup=False)
 
 
-def _is_file(skip: dict[str, Any]) -> bool:
+def _is_file(skip: Skip) -> bool:
     """Whether a whole file was skipped: its reason begins with its path."""
-    whole = skip["row"] is None and skip["user"] is None
-    return whole and skip["reason"].partition(": ")[0].endswith(skip["trial"])
+    whole = skip.row is None and skip.user is None
+    return whole and skip.reason.partition(": ")[0].endswith(skip.trial)
 
 
-def _remarks(one: dict[str, Any]) -> Iterator[str]:
+def _remarks(one: SetSummary) -> Iterator[str]:
     """What was mended, what was skipped and why, where a predictor failed."""
-    yield from one["notes"]
-    for skip in filter(_is_file, one["skipped"]):
-        yield f"not read: {skip['reason']}"
-    trials = [skip for skip in one["skipped"] if not _is_file(skip)]
-    reasons = Counter(skip["reason"] for skip in trials)
+    yield from one.notes
+    for skip in filter(_is_file, one.skipped):
+        yield f"not read: {skip.reason}"
+    skipped = [skip for skip in one.skipped if not _is_file(skip)]
+    reasons = Counter(skip.reason for skip in skipped)
     told = reasons.most_common(REASONS_SHOWN)
     for reason, count in told:
-        first = next(skip for skip in trials if skip["reason"] == reason)
-        row = "" if first["row"] is None else f", data row {first['row']} (counted from 0)"
-        user = "" if first["user"] is None else f" of {first['user']}"
-        yield f"skipped {count}: {reason} (first: trial {first['trial']}{user}{row})"
+        first = next(skip for skip in skipped if skip.reason == reason)
+        row = "" if first.row is None else f", data row {first.row} (counted from 0)"
+        user = "" if first.user is None else f" of {first.user}"
+        yield f"skipped {count}: {reason} (first: trial {first.trial}{user}{row})"
     rest = reasons.total() - sum(count for _, count in told)
     if rest:
         yield f"skipped {rest} more for other reasons; --json lists each"
-    for predictor in one["predictors"]:
-        failed = predictor["failed"]
+    for predictor in one.predictors:
+        failed = predictor.failed
         if failed:
-            first = f"{failed[0]['reason']} (first: trial {failed[0]['trial']})"
-            yield f"{predictor['name']} failed in {counted(len(failed), 'trial')}: {first}"
+            trials = counted(len(failed), "trial")
+            yield f"{predictor.name} failed in {trials}: {failed[0].reason} (first: trial {failed[0].trial})"

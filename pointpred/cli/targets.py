@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from rich.table import Table
 
 from pointpred.cli.screen import counted, results
+from pointpred.scoring.results import TIME_FRACTIONS
 
 if TYPE_CHECKING:
     from pointpred.recording import Recording
+    from pointpred.scoring.target_choice import ChoiceSummary, TargetSummary
 
-DIAL = "0.5"
+DIAL = 0.5
 """The precision that is shown: the one that sessions begin with."""
-SHOWN = ("0.2", "0.3", "0.4", "0.5", "0.6", "0.7", "0.8", "0.9")
-HEADINGS = ("predictor", *(f"{float(time):.0%}" for time in SHOWN))
+HEADINGS = ("predictor", *(f"{time:.0%}" for time in TIME_FRACTIONS))
 DECIDED = (
     "predictor",
     "right",
@@ -32,9 +33,9 @@ def described(
     predictors: list[str],
     failed: Callable[[Recording, Exception], None],
     **settings: Any,
-) -> list[dict[str, Any]]:
+) -> list[TargetSummary]:
     """The summary of each kind of layout of each recording; what cannot be scored is told to ``failed``."""
-    from pointpred.scoring.target_choice import score_targets, target_summary
+    from pointpred.scoring.target_choice import score_targets, summarise_targets
 
     found = []
     for recording in recordings:
@@ -43,17 +44,17 @@ def described(
         except Exception as error:  # as in ``score``: the other recordings are scored all the same
             failed(recording, error)
             continue
-        found += [target_summary(one) for one in scored]
+        found += [summarise_targets(one) for one in scored]
     return found
 
 
-def print_targets(sets: list[dict[str, Any]]) -> None:
+def print_targets(sets: Sequence[TargetSummary]) -> None:
     """Two tables a set: shares right by time, and decisions at the usual precision."""
     for one in sets:
-        title = f"{one['name']}: {counted(one['trials'], 'movement')}, {one['layout']}"
+        title = f"{one.name}: {counted(one.trials, 'movement')}, {one.layout}"
         results().print(title, style="bold", markup=False)
-        results().print(_table(HEADINGS, [_right(predictor) for predictor in one["predictors"]]))
-        results().print(_table(DECIDED, [_decided(predictor) for predictor in one["predictors"]]))
+        results().print(_table(HEADINGS, [_right(predictor) for predictor in one.predictors]))
+        results().print(_table(DECIDED, [_decided(predictor) for predictor in one.predictors]))
     if sets:
         results().print(
             "First table: movements whose likeliest target is the right one, by share of the time.\n"
@@ -73,20 +74,20 @@ def _table(headings: tuple[str, ...], rows: list[tuple[str, ...]]) -> Table:
     return table
 
 
-def _right(predictor: dict[str, Any]) -> tuple[str, ...]:
-    return predictor["name"], *(_share(predictor["right"][time]) for time in SHOWN)
+def _right(predictor: ChoiceSummary) -> tuple[str, ...]:
+    return predictor.name, *(_share(predictor.right[time]) for time in TIME_FRACTIONS)
 
 
-def _decided(predictor: dict[str, Any]) -> tuple[str, ...]:
-    one = predictor["decisions"][DIAL]
+def _decided(predictor: ChoiceSummary) -> tuple[str, ...]:
+    one = predictor.decisions[DIAL]
     return (
-        predictor["name"],
-        _share(one["precision"]),
-        _share(one["before_entry"]),
-        _ms(one["lead_entry_s"]),
-        _ms(one["lead_click_s"]),
-        _number(one["proposals"]),
-        _number(one["retractions"]),
+        predictor.name,
+        _share(one.precision),
+        _share(one.before_entry),
+        _ms(one.lead_entry_s),
+        _ms(one.lead_click_s),
+        _number(one.proposals),
+        _number(one.retractions),
     )
 
 

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 from pointpred.report.style import HOLD, MOST_LINES
 from pointpred.scoring.results import SetScore
-
-Json = dict[str, Any]
+from pointpred.scoring.summary import SetSummary
 
 SWITCHED = ("switched-printed", "switched")
 KEP = ("kep-quartic-gated", "kep-quartic", "kep-quadratic-gated", "kep-quadratic")
@@ -21,12 +19,12 @@ def pair(names: Sequence[str]) -> tuple[str, ...]:
     return tuple(name for name in firsts if name)
 
 
-def highlighted(described: Json) -> tuple[str, ...]:
+def highlighted(described: SetSummary) -> tuple[str, ...]:
     """At most MOST_LINES names, best first: the thesis's pair and those with the lowest error."""
     shares = {
-        p["name"]: p["time_averaged"]["of_hold"]
-        for p in described["predictors"]
-        if p["name"] != HOLD and p["time_averaged"]["of_hold"] is not None
+        p.name: p.time_averaged.of_hold
+        for p in described.predictors
+        if p.name != HOLD and p.time_averaged.of_hold is not None
     }
     ordered = sorted(shares, key=shares.__getitem__)
     kept = {*pair(ordered)}

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Any
 
 from pointpred.errors import ParameterError
 from pointpred.extras import require
@@ -31,11 +30,9 @@ from pointpred.report.tables import (
 from pointpred.report.worst import Drawing, draw_worst, worst
 from pointpred.scoring.results import SetScore
 from pointpred.scoring.statistics import axis_anova, axis_profile
-from pointpred.scoring.summary import summary
+from pointpred.scoring.summary import SetSummary, summarise
 from pointpred.scoring.table import footnotes
 from pointpred.scoring.trials import prepare, resolution
-
-Json = dict[str, Any]
 
 MOST_BOXES = 4
 LONGEST_SENTENCE = 1000
@@ -66,8 +63,8 @@ def write_report(
     require("report", "a report")
     if not scores:
         raise ParameterError("a report needs at least one scored set, received none")
-    described = [ranked(summary(score)) for score in scores]
-    best = {one["name"]: (*highlighted(one), HOLD)[0] for one in described}
+    described = [ranked(summarise(score)) for score in scores]
+    best = {one.name: (*highlighted(one), HOLD)[0] for one in described}
     known = {score.name: score for score in scores}
     drawings = {}
     for recording in recordings:
@@ -82,11 +79,11 @@ def write_report(
         for place, (score, one) in enumerate(zip(scores, described, strict=True))
     ]
     title = "Endpoint prediction: scores" + (" (simulated)" if all(s.simulated for s in scores) else "")
-    contents = [(one["name"], conclusion(one)) for one in described] if len(described) > 1 else []
+    contents = [(one.name, conclusion(one)) for one in described] if len(described) > 1 else []
     Path(path).write_text(page(title, contents, "\n".join(body)), encoding="utf-8")
 
 
-def _set_html(place: int, score: SetScore, described: Json, drawings: Sequence[Drawing] | None) -> str:
+def _set_html(place: int, score: SetScore, described: SetSummary, drawings: Sequence[Drawing] | None) -> str:
     """One set: what it shows in a sentence, a chart and a table; all the rest in parts that are closed."""
     anchor = f"set-{place}"
     tag = ' <span class="tag">simulated people</span>' if score.simulated else ""
@@ -123,47 +120,47 @@ def _figures(drawn: Sequence[Picture | None]) -> str:
     return f'<div class="figures">{shown}</div>' if shown else ""
 
 
-def _along(described: Json, shown: Sequence[str]) -> str:
+def _along(described: SetSummary, shown: Sequence[str]) -> str:
     """Errors against time and path: curves, then the numbers."""
     tables = series_table(described, "by_time") + series_table(described, "by_path")
     return _figures(_curves(described, shown)) + tables
 
 
-def _groups(described: Json) -> str:
-    if not described["groups"]:
+def _groups(described: SetSummary) -> str:
+    if not described.groups:
         return ""
-    clean = [clean_against_all(described)] if "clean_trials" in described["groups"] else []
+    clean = [clean_against_all(described)] if "clean_trials" in described.groups else []
     return _figures(clean) + groups_table(described)
 
 
-def _claims(described: Json) -> list[Picture | None]:
+def _claims(described: SetSummary) -> list[Picture | None]:
     inside = [inside_curves(described, kind) for kind in ("calibration", "time_left")]
     return [*inside, time_left_bars(described)]
 
 
-def _what(described: Json) -> str:
+def _what(described: SetSummary) -> str:
     """Sizes, skipped trials and what the reader of the recording mended."""
-    failed = [(p["name"], skip) for p in described["predictors"] for skip in p["failed"]]
-    notes = "".join(f"<li>{text(note, 400)}</li>" for note in described["notes"])
+    failed = [(p.name, skip) for p in described.predictors for skip in p.failed]
+    notes = "".join(f"<li>{text(note, 400)}</li>" for note in described.notes)
     parts = [
-        f"<p>Trials: {described['trials']}; people: {described['users']}; events: {described['events']}; "
-        f"predictors: {len(described['predictors'])}.</p>",
+        f"<p>Trials: {described.trials}; people: {described.users}; events: {described.events}; "
+        f"predictors: {len(described.predictors)}.</p>",
         f"<ul>{notes}</ul>" if notes else "",
         skipped_table(described),
     ]
     if failed:
-        rows = [(text(name), text(s["trial"]), text(s["reason"])) for name, s in failed[:20]]
-        caption = f"{described['name']}: failures: {len(failed)}, scored as if nothing had been answered"
+        rows = [(text(name), text(s.trial), text(s.reason)) for name, s in failed[:20]]
+        caption = f"{described.name}: failures: {len(failed)}, scored as if nothing had been answered"
         parts.append(table(caption, ("predictor", "trial", "reason"), rows, words=True))
     return "".join(parts)
 
 
-def _curves(described: Json, shown: Sequence[str]) -> list[Picture]:
+def _curves(described: SetSummary, shown: Sequence[str]) -> list[Picture]:
     kinds = (("by_time", "of_hold"), ("by_time", "px"), ("by_path", "of_hold"), ("by_path", "px"))
     return [curves(described, shown, kind, quantity) for kind, quantity in kinds]
 
 
-def _single_axis(score: SetScore, described: Json, shown: Sequence[str]) -> str:
+def _single_axis(score: SetScore, described: SetSummary, shown: Sequence[str]) -> str:
     """The thesis's protocol: curve, groups, box plots."""
     known = {predictor.name: predictor for predictor in score.predictors}
     chosen = list(dict.fromkeys((*pair(list(known)), *shown)))[: MOST_BOXES - 1]
@@ -172,10 +169,10 @@ def _single_axis(score: SetScore, described: Json, shown: Sequence[str]) -> str:
         curves(described, shown, "single_axis"),
         boxes(score.name, boxed, shown, simulated=score.simulated, unit=score.unit),
     ]
-    groups = [key for key in GROUPS if key in described["groups"]]
+    groups = [key for key in GROUPS if key in described.groups]
     if groups:
         drawn.append(group_curves(described, shown, groups))
-    order = [predictor["name"] for predictor in described["predictors"]]
+    order = [predictor.name for predictor in described.predictors]
     below = "below it with outliers replaced by the quartile bound"
     caption = f"{score.name}: single-axis MAE in {score.unit}, {below}"
     return _figures(drawn) + mae_table(caption, [axis_profile(known[name]) for name in order])

@@ -5,12 +5,11 @@ from __future__ import annotations
 import html
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from typing import Any
 
 from pointpred.report.style import HOLD
 from pointpred.scoring.results import PATH_FRACTIONS, TIME_FRACTIONS
+from pointpred.scoring.summary import Measure, PredictorSummary, SetSummary
 
-Json = dict[str, Any]
 LONGEST = 80
 
 
@@ -57,9 +56,9 @@ def number(value: float | None, digits: int = 2) -> str:
     return "–" if value is None else f"{value:.{digits}f}"
 
 
-def cell(measure: Json, unit: str) -> str:
+def cell(measure: Measure, unit: str) -> str:
     """Share of hold above the error itself."""
-    return f"{number(measure['of_hold'])}<small>{number(measure['px'], 1)} {unit}</small>"
+    return f"{number(measure.of_hold)}<small>{number(measure.px, 1)} {unit}</small>"
 
 
 def section(anchor: str, title: str, body: str) -> str:
@@ -71,80 +70,73 @@ def section(anchor: str, title: str, body: str) -> str:
     )
 
 
-def summary_table(described: Json) -> str:
+def summary_table(described: SetSummary) -> str:
     """Time-averaged error with interval, coverage and cost, a row a predictor; failures, if any."""
-    failures = any(predictor["failed"] for predictor in described["predictors"])
-    rows = [_summary_row(predictor, failures) for predictor in described["predictors"]]
-    head = ("predictor", f"error, {described['unit']}", "error/hold", "95% interval", "answered", "µs/event")
-    caption = f"{described['name']}: time-averaged error, the lowest first; hold is no prediction"
+    failures = any(predictor.failed for predictor in described.predictors)
+    rows = [_summary_row(predictor, failures) for predictor in described.predictors]
+    head = ("predictor", f"error, {described.unit}", "error/hold", "95% interval", "answered", "µs/event")
+    caption = f"{described.name}: time-averaged error, the lowest first; hold is no prediction"
     return table(caption, (*head, *["failed"] * failures), rows, marked=_reference(described))
 
 
-def _summary_row(predictor: Json, failures: bool) -> tuple[str, ...]:
+def _summary_row(predictor: PredictorSummary, failures: bool) -> tuple[str, ...]:
     """Hold has no interval: it is what the others are compared with."""
-    averaged = predictor["time_averaged"]
-    bounds = None if predictor["name"] == HOLD else averaged["interval"]
+    averaged = predictor.time_averaged
+    bounds = None if predictor.name == HOLD else averaged.interval
     return (
-        text(predictor["name"]) + ("<small>fitted to this set</small>" if predictor["seen"] else ""),
-        number(averaged["px"], 1),
-        number(averaged["of_hold"]),
+        text(predictor.name) + ("<small>fitted to this set</small>" if predictor.seen else ""),
+        number(averaged.px, 1),
+        number(averaged.of_hold),
         "–" if bounds is None else f"{bounds[0]:.2f} to {bounds[1]:.2f}",
-        "–" if predictor["coverage"] is None else f"{predictor['coverage']:.0%}",
-        number(predictor["us_per_event"]),
-        *[str(len(predictor["failed"]))] * failures,
+        "–" if predictor.coverage is None else f"{predictor.coverage:.0%}",
+        number(predictor.us_per_event),
+        *[str(len(predictor.failed))] * failures,
     )
 
 
-def series_table(described: Json, kind: str) -> str:
+def series_table(described: SetSummary, kind: str) -> str:
     """Error at each fraction of the time (``by_time``) or of the path (``by_path``)."""
     fractions, what = {"by_time": (TIME_FRACTIONS, "time"), "by_path": (PATH_FRACTIONS, "path")}[kind]
     rows = [
-        (text(p["name"]), *(cell(p[kind][str(fraction)], described["unit"]) for fraction in fractions))
-        for p in described["predictors"]
+        (text(p.name), *(cell(getattr(p, kind)[fraction], described.unit) for fraction in fractions))
+        for p in described.predictors
     ]
     return table(
-        f"{described['name']}: error at shares of the {what}, as a share of hold and in {described['unit']}",
+        f"{described.name}: error at shares of the {what}, as a share of hold and in {described.unit}",
         (f"share of the {what}", *(f"{fraction:.0%}" for fraction in fractions)),
         rows,
         marked=_reference(described),
     )
 
 
-def _reference(described: Json) -> frozenset[int]:
-    return frozenset(i for i, p in enumerate(described["predictors"]) if p["name"] == HOLD)
+def _reference(described: SetSummary) -> frozenset[int]:
+    return frozenset(i for i, p in enumerate(described.predictors) if p.name == HOLD)
 
 
-def groups_table(described: Json) -> str:
+def groups_table(described: SetSummary) -> str:
     """The time-averaged error in each group of trials, and how the trials were told apart."""
-    groups = described["groups"]
-    head = [f"{text(group['label'])}<small>trials: {group['trials']}</small>" for group in groups.values()]
+    groups = described.groups
+    head = [f"{text(group.label)}<small>trials: {group.trials}</small>" for group in groups.values()]
     rows = [
-        (text(p["name"]), *(cell(p["groups"][key]["time_averaged"], described["unit"]) for key in groups))
-        for p in described["predictors"]
+        (text(p.name), *(cell(p.groups[key].time_averaged, described.unit) for key in groups))
+        for p in described.predictors
     ]
-    caption = (
-        f"{described['name']}: time-averaged error by group, as a share of hold and in {described['unit']}"
-    )
-    basis = "".join(
-        f"<li>{text(group['label'])}: {text(group['basis'], 200)}</li>" for group in groups.values()
-    )
+    caption = f"{described.name}: time-averaged error by group, as a share of hold and in {described.unit}"
+    basis = "".join(f"<li>{text(group.label)}: {text(group.basis, 200)}</li>" for group in groups.values())
     return table(caption, ("predictor", *head), rows, marked=_reference(described)) + f"<ul>{basis}</ul>"
 
 
-def skipped_table(described: Json, most: int = 20) -> str:
+def skipped_table(described: SetSummary, most: int = 20) -> str:
     """Trials left out, by reason; single trials where they are few."""
-    skipped = described["skipped"]
+    skipped = described.skipped
     if not skipped:
         return "<p>No trial was skipped.</p>"
-    caption = f"{described['name']}: trials skipped: {len(skipped)}"
+    caption = f"{described.name}: trials skipped: {len(skipped)}"
     if len(skipped) <= most:
-        rows = [
-            (text(s["user"] or "–"), text(s["trial"]), text(s["reason"]), number(s["row"], 0))
-            for s in skipped
-        ]
+        rows = [(text(s.user or "–"), text(s.trial), text(s.reason), number(s.row, 0)) for s in skipped]
         return table(caption, ("user", "trial", "reason", "data row, from 0"), rows, words=True)
-    counted = Counter(s["reason"] for s in skipped)
-    first = {reason: next(s["trial"] for s in skipped if s["reason"] == reason) for reason in counted}
+    counted = Counter(s.reason for s in skipped)
+    first = {reason: next(s.trial for s in skipped if s.reason == reason) for reason in counted}
     common = counted.most_common(most)
     grouped = [(text(reason), str(count), text(first[reason])) for reason, count in common]
     rest = len(skipped) - sum(count for _, count in common)

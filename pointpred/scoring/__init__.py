@@ -14,7 +14,16 @@ from pointpred.recording import Recording
 from pointpred.registry import build
 from pointpred.scoring.replay import replay
 from pointpred.scoring.results import PredictorErrors, ScoredTrial, SetScore
-from pointpred.scoring.summary import FLOOR, document, summary
+from pointpred.scoring.summary import (
+    FLOOR,
+    Document,
+    PredictorSummary,
+    SetSummary,
+    Unread,
+    document,
+    summarise,
+)
+from pointpred.scoring.summary.bootstrap import DRAWS
 from pointpred.scoring.table import HEADINGS, footnotes, rows
 from pointpred.scoring.trials import Prepared, prepare, resolution
 
@@ -26,19 +35,30 @@ IN_COUNTS = ("positions are counts of the device and not pixels: what is called 
 __all__ = [
     "FLOOR",
     "HEADINGS",
+    "Document",
     "PredictorErrors",
+    "PredictorSummary",
     "Prepared",
     "Progress",
     "ScoredTrial",
     "SetScore",
+    "SetSummary",
+    "Unread",
     "document",
     "footnotes",
     "prepare",
     "replay",
     "rows",
     "score",
+    "summarise",
     "summary",
 ]
+
+
+def summary(score: SetScore, *, draws: int = DRAWS) -> dict[str, Any]:
+    """``summarise`` as plain dictionaries."""
+    plain: dict[str, Any] = msgspec.to_builtins(summarise(score, draws=draws), str_keys=True)
+    return plain
 
 
 def score(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import msgspec
 import numpy as np
@@ -14,6 +14,8 @@ from pointpred.predictors.ktm import TEMPLATES_MOST
 from pointpred.predictors.ktm_library import profile_of
 from pointpred.recording import Skip
 from pointpred.registry import build
+from pointpred.scoring.summary.bootstrap import ratio_intervals
+from pointpred.scoring.summary.document import Interval, interval
 from pointpred.scoring.trials import Prepared
 
 FRACTIONS = (0.50, 0.75, 0.90)
@@ -60,6 +62,78 @@ class Read(msgspec.Struct, frozen=True):
     def skill(self, floor: Read) -> FloatArray:
         """1 - mean error / mean error of ``floor``."""
         return 1.0 - self.mean_px() / floor.mean_px()
+
+
+class ReadSummary(msgspec.Struct, frozen=True):
+    """The numbers of one predictor; mappings by each of FRACTIONS of the straight distance."""
+
+    name: str
+    px: dict[float, float]
+    """Mean error, px."""
+    of_distance: dict[float, float]
+    """Mean error over mean distance."""
+    hits: dict[float, float]
+    """Share of trials whose error is at most HIT_PX."""
+    skill: dict[float, float]
+    """1 - mean error over that of ``hold``."""
+    of_library: dict[float, float]
+    """Mean error over that of template matching with the library."""
+    interval: dict[float, Interval]
+    """Of ``of_library``, over people, or over trials where there is one person."""
+
+
+class DrawSummary(msgspec.Struct, frozen=True):
+    """What was tested on one set by one rule of drawing, and what came of it."""
+
+    monotone: bool
+    """Whether only movements that never come nearer to their start again were tested, as published."""
+    tested: int
+    """Trials tested."""
+    users: int
+    templates: tuple[int, int] | None
+    """Fewest and most templates of a library; ``None`` where there is no library."""
+    left_out: int
+    """Trials and users that take no part."""
+    distance_px: float | None
+    """Mean straight distance, px."""
+    predictors: tuple[ReadSummary, ...]
+    """``hold``, template matching with the library, the others; empty where nothing was tested."""
+
+
+def summarise_draw(drawn: Drawn, reads: Sequence[Read], *, monotone: bool) -> DrawSummary:
+    """The numbers of what was read on the drawn trials: ``hold`` first, then the library, then others."""
+    sizes = [len(library) - 1 for library in drawn.libraries.values()]
+    users = [drawn.prepared.trials[k].trial.user for k in drawn.tested]
+    floor, matched = reads[:2] if drawn.tested else (None, None)
+    return DrawSummary(
+        monotone,
+        len(drawn.tested),
+        len(drawn.libraries),
+        (min(sizes), max(sizes)) if sizes else None,
+        len(drawn.left_out),
+        None if floor is None else float(floor.distances.mean()),
+        ()
+        if floor is None or matched is None
+        else tuple(_summarise(one, floor, matched, users) for one in reads),
+    )
+
+
+def _summarise(one: Read, floor: Read, matched: Read, users: Sequence[str]) -> ReadSummary:
+    bounds = ratio_intervals(one.errors, matched.errors, users)
+
+    def by_share(values: FloatArray) -> dict[float, float]:
+        return dict(zip(FRACTIONS, values.tolist(), strict=True))
+
+    pairs = zip(FRACTIONS, bounds.low, bounds.high, strict=True)
+    return ReadSummary(
+        one.name,
+        by_share(one.mean_px()),
+        by_share(one.share()),
+        by_share(one.hits()),
+        by_share(one.skill(floor)),
+        by_share(one.mean_px() / matched.mean_px()),
+        {share: interval(low, high) for share, low, high in pairs},
+    )
 
 
 def never_nearer(rows: EventColumns) -> bool:

@@ -10,7 +10,7 @@ import numpy as np
 from pointpred.columns import BoolArray, FloatArray
 from pointpred.errors import ParameterError
 from pointpred.scoring.anova import LEAST_USERS, Effect, anova, balance, cell_means
-from pointpred.scoring.conditions import factors_of
+from pointpred.scoring.factors import factors_of
 from pointpred.scoring.results import AXIS_FRACTIONS, PredictorErrors, SetScore
 
 WHISKER = 1.5

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
-
-Json = dict[str, Any]
+from pointpred.scoring.summary import PredictorSummary, SetSummary
 
 HEADINGS = (
     "predictor",
@@ -28,32 +25,32 @@ HEADINGS = (
 SEEN = "fitted to people of this set: too good; see docs/results.md"
 
 
-def footnotes(described: Json) -> list[str]:
+def footnotes(described: SetSummary) -> list[str]:
     """What must be known of a predictor before its row is believed, a line each."""
-    return [f"{one['name']}: {SEEN}" for one in described["predictors"] if one["seen"]]
+    return [f"{one.name}: {SEEN}" for one in described.predictors if one.seen]
 
 
-def rows(described: Json) -> list[tuple[str, ...]]:
+def rows(described: SetSummary) -> list[tuple[str, ...]]:
     """The table of a set from its ``summary``: a row of text a predictor, a cell for each of HEADINGS."""
-    several = described["trials"] > 1  # one trial drawn again and again is no interval
-    return [_row(predictor, several) for predictor in described["predictors"]]
+    several = described.trials > 1  # one trial drawn again and again is no interval
+    return [_row(predictor, several) for predictor in described.predictors]
 
 
-def _row(predictor: Json, several: bool) -> tuple[str, ...]:
-    interval = predictor["time_averaged"]["interval"] if several else None
-    clean = predictor["groups"].get("clean_trials", {}).get("time_averaged", {})
-    chosen: Sequence[Json] = [
-        *(predictor["by_time"][fraction] for fraction in ("0.3", "0.5", "0.7", "0.9")),
-        *(predictor["by_path"][fraction] for fraction in ("0.5", "0.75", "0.9")),
+def _row(predictor: PredictorSummary, several: bool) -> tuple[str, ...]:
+    interval = predictor.time_averaged.interval if several else None
+    clean = predictor.groups.get("clean_trials")
+    chosen = [
+        *(predictor.by_time[fraction] for fraction in (0.3, 0.5, 0.7, 0.9)),
+        *(predictor.by_path[fraction] for fraction in (0.5, 0.75, 0.9)),
     ]
     return (
-        predictor["name"],
-        _text(predictor["time_averaged"]["of_hold"]),
+        predictor.name,
+        _text(predictor.time_averaged.of_hold),
         "-" if interval is None else f"{interval[0]:.2f} to {interval[1]:.2f}",
-        _text(clean.get("of_hold")),
-        *(_text(cell["of_hold"]) for cell in chosen),
-        "-" if predictor["coverage"] is None else f"{predictor['coverage']:.0%}",
-        _text(predictor["us_per_event"]),
+        _text(None if clean is None else clean.time_averaged.of_hold),
+        *(_text(cell.of_hold) for cell in chosen),
+        "-" if predictor.coverage is None else f"{predictor.coverage:.0%}",
+        _text(predictor.us_per_event),
     )
 
 

@@ -23,7 +23,7 @@ from pointpred.predictors import KinematicPredictor, kinematic_coefficients
 from pointpred.recording import Recording
 from pointpred.registry import build
 from pointpred.scoring import score
-from pointpred.scoring.bootstrap import ratio_intervals
+from pointpred.scoring.summary.bootstrap import ratio_intervals
 from pointpred.training import calibrate
 from pointpred.training.calibrate import Held
 from pointpred.training.fitting import Fitted, Settings, of_file

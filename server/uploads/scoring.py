@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 from pointpred.errors import ParameterError
 from pointpred.registry import REGISTRY
-from pointpred.scoring import score, summary
+from pointpred.scoring import Document, document, score
 from pointpred.server.uploads.opening import reading_of, recordings_of
 
 NOTHING: Mapping[str, str] = {}
 
 
-def score_body(body: bytes, names: tuple[str, ...], told: Mapping[str, str] = NOTHING) -> dict[str, Any]:
+def score_body(body: bytes, names: tuple[str, ...], told: Mapping[str, str] = NOTHING) -> Document:
     """The document of ``pointpred score --json`` for one file; ``told`` as a query says it of a table.
 
     Raises ParameterError for an unknown predictor, and what ``recordings_of`` raises.
@@ -22,4 +21,4 @@ def score_body(body: bytes, names: tuple[str, ...], told: Mapping[str, str] = NO
     if unknown:
         raise ParameterError(f"unknown predictor {unknown[0]!r}; known: {', '.join(REGISTRY)}")
     scores = score(recordings_of(body, reading_of(told)), names or tuple(REGISTRY), threads=1)
-    return {"version": 1, "sets": [summary(one) for one in scores], "unread": []}
+    return document(scores)

@@ -14,6 +14,7 @@ from pointpred.scoring.ktm_protocol import (
     Read,
     draw,
     never_nearer,
+    summarise_draw,
     with_library,
     without_library,
 )
@@ -142,3 +143,18 @@ def test_the_summary_of_errors() -> None:
     assert one.share().tolist() == [0.25, 0.0625, 0.1]
     assert one.skill(floor).tolist() == [0.5, 0.75, 0.0]
     assert one.hits().tolist() == [0.5, 0.0, 0.5]
+
+
+def test_the_summary_holds_the_numbers_of_what_was_read() -> None:
+    drawn = draw(reaches(["ann", "bob"] * 12), only_monotone=False, share=0.5, least=5)
+    reads = [without_library(drawn, build("hold")), with_library(drawn)]
+    one = summarise_draw(drawn, reads, monotone=False)
+    assert (one.tested, one.users, one.templates) == (12, 2, (11, 11))
+    hold, matched = one.predictors
+    assert list(hold.px.values()) == reads[0].mean_px().tolist()
+    assert set(hold.skill.values()) == {0.0}
+    assert set(matched.of_library.values()) == {1.0}
+    low, high = hold.interval[0.5] or (0.0, 0.0)
+    assert low <= hold.of_library[0.5] <= high
+    nobody = draw(reaches(["ann"] * 3))
+    assert summarise_draw(nobody, [], monotone=True).predictors == ()

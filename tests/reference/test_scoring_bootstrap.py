@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from pointpred.scoring.bootstrap import ratio_intervals
+from pointpred.scoring.summary import bootstrap
+from pointpred.scoring.summary.bootstrap import ratio_intervals
 
 
 def test_one_trial_a_person_agrees_with_scipy() -> None:
@@ -102,7 +103,7 @@ def test_blocks_change_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     random = np.random.default_rng(11)
     above, below = random.gamma(2.0, 10.0, (60, 1)), random.gamma(3.0, 10.0, (60, 1))
     whole = ratio_intervals(above, below, ["ann"] * 60)
-    monkeypatch.setattr("pointpred.scoring.bootstrap.BLOCK", 500)
+    monkeypatch.setattr(bootstrap, "BLOCK", 500)
     parts = ratio_intervals(above, below, ["ann"] * 60)
     assert np.array_equal(whole.low, parts.low)
     assert np.array_equal(whole.high, parts.high)

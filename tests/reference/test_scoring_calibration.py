@@ -12,7 +12,7 @@ from pointpred import EventColumns, build
 from pointpred.columns import PredictionColumns
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording, Trial
-from pointpred.scoring import prepare, replay, score, summary
+from pointpred.scoring import prepare, replay, score, summarise
 from pointpred.scoring.calibration import CLAIMED, INSIDE, RANKED, calibrate, ranked_score
 
 COVARIANCE = np.array([[900.0, -500.0], [-500.0, 1600.0]])
@@ -95,8 +95,8 @@ def test_claims_are_weighed_by_time_and_silence_is_no_claim(recording: Recording
 
 
 def test_the_summary_says_how_often_regions_held(recording: Recording) -> None:
-    hold, regions = summary(score([recording], [pipeline(COVARIANCE)])[0], draws=20)["predictors"]
-    assert hold["calibration"] is None
-    assert regions["calibration"]["claimed"] == 1.0
-    assert list(regions["calibration"]["inside"]) == ["0.5", "0.8", "0.95"]
-    assert regions["calibration"]["inside"]["0.8"] == pytest.approx(0.8, abs=0.02)
+    hold, regions = summarise(score([recording], [pipeline(COVARIANCE)])[0], draws=20).predictors
+    assert hold.calibration is None
+    assert regions.calibration.claimed == 1.0
+    assert list(regions.calibration.inside) == [0.5, 0.8, 0.95]
+    assert regions.calibration.inside[0.8] == pytest.approx(0.8, abs=0.02)

@@ -12,7 +12,7 @@ from pointpred import EventColumns, build
 from pointpred.columns import PredictionColumns
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording, Trial
-from pointpred.scoring import prepare, replay, score, student, summary
+from pointpred.scoring import prepare, replay, score, student, summarise
 from pointpred.scoring.calibration import INSIDE, LEVELS, RANKED
 from pointpred.scoring.moments import DECILES
 from pointpred.scoring.results import TIME_FRACTIONS
@@ -125,14 +125,14 @@ def test_silence_is_no_claim_at_its_deciles() -> None:
 
 
 def test_intervals_of_the_time_left_hold_what_they_say() -> None:
-    told = summary(score([RECORDING], [pipeline()])[0], draws=50)["predictors"][1]["time_left"]
-    assert list(told["inside"].values()) == pytest.approx(LEVELS, abs=0.01)
-    assert told["claimed"] == 1.0
-    by_time = [list(cell["inside"].values()) for cell in told["by_time"].values()]
+    told = summarise(score([RECORDING], [pipeline()])[0], draws=50).predictors[1].time_left
+    assert list(told.inside.values()) == pytest.approx(LEVELS, abs=0.01)
+    assert told.claimed == 1.0
+    by_time = [list(cell.inside.values()) for cell in told.by_time.values()]
     assert np.mean(by_time, axis=0) == pytest.approx(LEVELS, abs=0.02)
     # The mean of |1 - exp(s z)|, integrated, times the mean time left, which is half of the whole.
     share = integrate.quad(lambda z: abs(1.0 - np.exp(SPREAD * z)) * stats.norm.pdf(z), -10.0, 10.0)[0]
-    assert told["s"] == pytest.approx(share * 0.5 * ARRIVAL_S, rel=0.02)
+    assert told.s == pytest.approx(share * 0.5 * ARRIVAL_S, rel=0.02)
 
 
 def steady(durations: list[float]) -> Recording:
@@ -204,16 +204,16 @@ def test_hits_are_those_of_plain_geometry() -> None:
 def test_without_a_target_there_is_no_hit() -> None:
     known = steady([0.5, 1.0])
     assert replay(prepare(known), build("hold")).hits is None
-    assert summary(score([known], [])[0], draws=20)["predictors"][0]["hits"] is None
+    assert summarise(score([known], [])[0], draws=20).predictors[0].hits is None
 
 
 def test_the_summary_counts_trials_with_a_target_and_gives_intervals() -> None:
-    one = summary(score([RECORDING], [pipeline()])[0], draws=200)["predictors"][1]
-    assert one["hits"]["trials"] == 300
-    cell = one["hits"]["by_time"]["0.5"]
-    low, high = cell["interval"]
-    assert low < cell["share"] < high
-    decile = one["calibration"]["by_time"]["0.4"]
-    assert decile["trials"] == 300
-    low, high = decile["interval"]["0.8"]
-    assert low < decile["inside"]["0.8"] < high
+    one = summarise(score([RECORDING], [pipeline()])[0], draws=200).predictors[1]
+    assert one.hits.trials == 300
+    cell = one.hits.by_time[0.5]
+    low, high = cell.interval
+    assert low < cell.share < high
+    decile = one.calibration.by_time[0.4]
+    assert decile.trials == 300
+    low, high = decile.interval[0.8]
+    assert low < decile.inside[0.8] < high

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pointpred.scoring import rows, score, summary
+from pointpred.scoring import rows, score, summarise
 from pointpred.sources.recordings import read
 
 FOLDER = os.environ.get("POINTPRED_RECORDINGS")
@@ -33,7 +33,7 @@ def test_trial_counts_add_up_and_the_floor_falls_towards_the_end(path: Path) -> 
     assert hold.failed == ()
     means = hold.by_time.mean(axis=0)
     assert (np.diff(means) < 0.0).all()
-    described = summary(scored, draws=50)
-    assert described["predictors"][0]["time_averaged"]["of_hold"] == 1.0
-    assert described["trials"] == len(scored.trials)
+    described = summarise(scored, draws=50)
+    assert described.predictors[0].time_averaged.of_hold == 1.0
+    assert described.trials == len(scored.trials)
     assert rows(described)[0][0] == "hold"

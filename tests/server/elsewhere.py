@@ -148,8 +148,9 @@ def scored(file: Path) -> dict[str, Any]:
         main(["score", str(file), "--predictors", "hold", "--json", str(target)])
     except SystemExit as end:
         code = end.code
-    documents = json.loads(target.read_bytes()), score_body(file.read_bytes(), ("hold",))
-    return {"code": code, "trials": [document["sets"][0]["trials"] for document in documents]}
+    trials = [json.loads(target.read_bytes())["sets"][0]["trials"]]
+    trials += [one.trials for one in score_body(file.read_bytes(), ("hold",)).sets]
+    return {"code": code, "trials": trials}
 
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
+import msgspec
 import numpy as np
 import pytest
 from httpx2 import get, post
@@ -23,7 +24,7 @@ from pointpred.cli.serve import serve
 from pointpred.columns import EventColumns
 from pointpred.recording import Recording, Trial
 from pointpred.registry import RECOMMENDED, REGISTRY, describe
-from pointpred.scoring import score, summary
+from pointpred.scoring import score, summarise
 from pointpred.server.settings import Settings
 from pointpred.sources import read, write
 from tests.server.running import HELLO, PATIENCE_S, Running, running
@@ -59,7 +60,7 @@ def test_a_posted_recording_is_scored_as_on_the_command_line(service: Running, r
     )
     assert answer.status_code == 200
     (told,) = answer.json()["sets"]
-    expected = json.loads(json.dumps(summary(score([read(recording)], ["hold", "switched"])[0])))
+    expected = json.loads(msgspec.json.encode(summarise(score([read(recording)], ["hold", "switched"])[0])))
     for ours, theirs in zip(told["predictors"], expected["predictors"], strict=True):
         assert ours["time_averaged"] == theirs["time_averaged"]
         assert ours["by_path"] == theirs["by_path"]

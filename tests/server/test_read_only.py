@@ -43,8 +43,8 @@ def test_a_recording_is_scored_where_no_file_can_be_made(
 
 def scores() -> Any:
     """What a body is scored with, the time it took left aside."""
-    (told,) = score_body(CSV, ("hold",))["sets"]
-    return told["name"], told["trials"], told["predictors"][0]["time_averaged"]
+    (told,) = score_body(CSV, ("hold",)).sets
+    return told.name, told.trials, told.predictors[0].time_averaged
 
 
 def test_in_memory_and_in_a_folder_the_scores_are_the_same(monkeypatch: pytest.MonkeyPatch) -> None:

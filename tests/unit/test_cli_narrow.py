@@ -16,7 +16,7 @@ from pointpred.datasets import listing
 from pointpred.devices.udev import RELOAD, RULES_FILE, hid_rule, permission_advice
 from pointpred.recording import Recording, Trial
 from pointpred.registry import REGISTRY
-from pointpred.scoring import HEADINGS, rows, score, summary
+from pointpred.scoring import HEADINGS, rows, score, summarise
 from pointpred.sources import write
 
 COLUMNS = 80
@@ -49,7 +49,7 @@ def lines_of(text: str) -> list[str]:
 
 @pytest.mark.usefixtures("terminal")
 def test_scores_have_a_line_each(capsys: pytest.CaptureFixture[str]) -> None:
-    described = summary(score([recording(3)], list(REGISTRY))[0])
+    described = summarise(score([recording(3)], list(REGISTRY))[0])
     tables.print_sets([described])
     lines = lines_of(capsys.readouterr().out)
     first = next(i for i, line in enumerate(lines) if line.startswith("predictor "))
@@ -107,7 +107,7 @@ def test_lines_to_copy_are_never_wrapped(capsys: pytest.CaptureFixture[str]) -> 
 def test_one_trial_has_no_interval() -> None:
     place = HEADINGS.index("95 % interval")
     for trials, wanted in ((1, False), (2, True)):
-        cells = [row[place] for row in rows(summary(score([recording(trials)], ["hold", "linear"])[0]))]
+        cells = [row[place] for row in rows(summarise(score([recording(trials)], ["hold", "linear"])[0]))]
         assert [cell != "-" for cell in cells] == [wanted, wanted]
 
 

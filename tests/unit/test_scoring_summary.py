@@ -16,6 +16,7 @@ from pointpred.predictors import KinematicPredictor, kinematic_coefficients
 from pointpred.recording import Recording, Skip, Trial
 from pointpred.scoring import (
     HEADINGS,
+    Document,
     PredictorErrors,
     ScoredTrial,
     SetScore,
@@ -23,8 +24,9 @@ from pointpred.scoring import (
     footnotes,
     rows,
     score,
-    summary,
+    summarise,
 )
+from pointpred.scoring.summary import Measure
 
 USERS = ["ann", "ann", "bob", "bob", "eve"]
 CLEAN = [True, False, True, True, False]
@@ -59,34 +61,36 @@ HOLD, HALF = errors("hold", 1.0), errors("half", 0.5)
 
 
 def test_hold_has_ratio_one_and_no_skill() -> None:
-    hold = summary(scored(HOLD, HALF))["predictors"][0]
-    cells = [hold["time_averaged"], *hold["by_time"].values(), *hold["by_path"].values()]
-    assert [(c["of_hold"], c["skill"], c["interval"]) for c in cells] == [(1.0, 0.0, [1.0, 1.0])] * 16
+    hold = summarise(scored(HOLD, HALF)).predictors[0]
+    cells = [hold.time_averaged, *hold.by_time.values(), *hold.by_path.values()]
+    assert [(c.of_hold, c.skill, c.interval) for c in cells] == [(1.0, 0.0, (1.0, 1.0))] * 16
 
 
 def test_half_the_error_is_half_whoever_is_drawn() -> None:
-    half = summary(scored(HOLD, HALF))["predictors"][1]
-    for cell in [half["time_averaged"], *half["by_time"].values(), *half["by_path"].values()]:
-        assert cell["of_hold"] == pytest.approx(0.5)
-        assert cell["skill"] == pytest.approx(0.5)
-        assert cell["interval"] == pytest.approx([0.5, 0.5])
+    half = summarise(scored(HOLD, HALF)).predictors[1]
+    for cell in [half.time_averaged, *half.by_time.values(), *half.by_path.values()]:
+        assert cell.of_hold == pytest.approx(0.5)
+        assert cell.skill == pytest.approx(0.5)
+        assert cell.interval == pytest.approx([0.5, 0.5])
 
 
 def test_the_ratio_is_of_means_over_trials_not_the_mean_of_ratios() -> None:
     other = errors("other", 1.0, seed=5)
-    cell = summary(scored(HOLD, other))["predictors"][1]["by_path"]["0.75"]
-    assert cell["px"] == pytest.approx(other.by_path[:, 3].mean())
-    assert cell["of_hold"] == pytest.approx(other.by_path[:, 3].mean() / HOLD.by_path[:, 3].mean())
-    low, high = cell["interval"]
-    assert low < cell["of_hold"] < high
+    cell = summarise(scored(HOLD, other)).predictors[1].by_path[0.75]
+    assert cell.px == pytest.approx(other.by_path[:, 3].mean())
+    assert cell.of_hold == pytest.approx(other.by_path[:, 3].mean() / HOLD.by_path[:, 3].mean())
+    low, high = cell.interval
+    assert low < cell.of_hold < high
 
 
 def test_names_of_the_public_document() -> None:
-    written = document([scored(HOLD, HALF)])
-    assert json.loads(json.dumps(written, allow_nan=False)) == written
-    assert written["version"] == 1
+    data = msgspec.json.encode(document([scored(HOLD, HALF)]))
+    assert msgspec.json.encode(msgspec.json.decode(data, type=Document)) == data
+    written = json.loads(data)
+    assert list(written) == ["version", "sets", "unread"]
+    assert (written["version"], written["unread"]) == (1, [])
     one = written["sets"][0]
-    assert (one["name"], one["trials"], one["users"], one["events"]) == ("set", 5, 3, 200)
+    assert [one[key] for key in ("name", "trials", "users", "events")] == ["set", 5, 3, 200]
     assert one["skipped"] == [{"trial": "7", "reason": "two clocks", "row": 12, "user": None}]
     half = one["predictors"][1]
     assert half["failed"] == [
@@ -99,36 +103,38 @@ def test_names_of_the_public_document() -> None:
 
 def test_groups_stand_beside_all_trials() -> None:
     other = errors("other", 1.0, seed=5)
-    one = summary(scored(HOLD, other))
-    groups = one["predictors"][1]["groups"]
+    one = summarise(scored(HOLD, other))
+    groups = one.predictors[1].groups
     for name, mask in {
         "clean_trials": np.array(CLEAN),
         "with_submovements": np.array(DIVIDED),
         "without_submovements": ~np.array(DIVIDED),
     }.items():
-        assert one["groups"][name]["trials"] == mask.sum()
-        assert groups[name]["time_averaged"]["px"] == pytest.approx(other.time_averaged[mask].mean())
+        assert one.groups[name].trials == mask.sum()
+        assert groups[name].time_averaged.px == pytest.approx(other.time_averaged[mask].mean())
         ratio = other.time_averaged[mask].mean() / HOLD.time_averaged[mask].mean()
-        assert groups[name]["time_averaged"]["of_hold"] == pytest.approx(ratio)
+        assert groups[name].time_averaged.of_hold == pytest.approx(ratio)
 
 
 def test_every_person_has_a_line() -> None:
     other = errors("other", 1.0, seed=5)
-    by_user = summary(scored(HOLD, other))["predictors"][1]["by_user"]
-    assert {user: cell["trials"] for user, cell in by_user.items()} == {"ann": 2, "bob": 2, "eve": 1}
-    assert by_user["eve"]["of_hold"] == pytest.approx(other.time_averaged[4] / HOLD.time_averaged[4])
+    by_user = summarise(scored(HOLD, other)).predictors[1].by_user
+    assert {user: cell.trials for user, cell in by_user.items()} == {"ann": 2, "bob": 2, "eve": 1}
+    assert by_user["eve"].of_hold == pytest.approx(other.time_averaged[4] / HOLD.time_averaged[4])
 
 
 def test_what_is_resampled_is_said() -> None:
-    several = summary(scored(HOLD))["interval"]
-    assert several == {"level": 0.95, "resampled": "users", "draws": 2000, "seed": 3}
+    several = summarise(scored(HOLD)).interval
+    assert msgspec.structs.asdict(several) == {
+        "level": 0.95, "resampled": "users", "draws": 2000, "seed": 3
+    }  # fmt: skip
     alone = scored(HOLD)
     alone = SetScore("set", (alone.trials[0],) * 5, (), (HOLD,))
-    assert summary(alone)["interval"]["resampled"] == "trials"
+    assert summarise(alone).interval.resampled == "trials"
 
 
 def test_rows_show_what_the_summary_holds() -> None:
-    table = rows(summary(scored(HOLD, HALF)))
+    table = rows(summarise(scored(HOLD, HALF)))
     assert [len(row) for row in table] == [len(HEADINGS)] * 2
     assert table[0][:4] == ("hold", "1.00", "1.00 to 1.00", "1.00")
     assert table[1] == ("half", "0.50", "0.50 to 0.50", *["0.50"] * 8, "65%", "0.25")
@@ -138,15 +144,14 @@ def test_a_set_without_trials_has_numbers_nowhere_and_no_warning() -> None:
     nothing = PredictorErrors(
         "hold", *(np.empty(s) for s in (0, (0, 8), (0, 7), (0, 20), 0)), us_per_event=np.nan
     )
-    one = summary(SetScore("none", (), (Skip("1", "has no events"),), (nothing,)))
-    assert one["predictors"][0]["time_averaged"] == dict.fromkeys(("px", "of_hold", "skill", "interval"))
+    one = summarise(SetScore("none", (), (Skip("1", "has no events"),), (nothing,)))
+    assert one.predictors[0].time_averaged == Measure(None, None, None, None)
     assert rows(one) == [("hold", *["-"] * 12)]
-    json.dumps(one, allow_nan=False)
 
 
 def test_without_hold_nothing_can_be_said() -> None:
     with pytest.raises(ParameterError, match="needs the predictor 'hold'"):
-        summary(scored(HALF))
+        summarise(scored(HALF))
 
 
 def test_what_has_learned_from_the_set_is_called_so() -> None:
@@ -155,7 +160,7 @@ def test_what_has_learned_from_the_set_is_called_so() -> None:
 
     def seen(name: str, *pipelines: str | Pipeline) -> list[bool]:
         one = Recording.of(name, [path], [Trial("ann", "1")])
-        return [p["seen"] for p in summary(score([one], pipelines)[0])["predictors"]]
+        return [p.seen for p in summarise(score([one], pipelines)[0]).predictors]
 
     learned = ("kalman", "kinematic", "kinematic-adaptive")
     for known in kinematic_coefficients.card()["sets"]:
@@ -179,8 +184,8 @@ def test_other_coefficients_saw_what_their_own_card_says(tmp_path: Path) -> None
 
 def test_a_footnote_names_who_has_learned_from_the_set() -> None:
     learned = msgspec.structs.replace(HALF, name="learned", seen=True)
-    described = summary(scored(HOLD, HALF, learned))
+    described = summarise(scored(HOLD, HALF, learned))
     assert footnotes(described) == [
         "learned: fitted to people of this set: too good; see docs/results.md",
     ]
-    assert footnotes(summary(scored(HOLD, HALF))) == []
+    assert footnotes(summarise(scored(HOLD, HALF))) == []

@@ -14,7 +14,7 @@ from pointpred.columns import EventColumns
 from pointpred.datasets import sample
 from pointpred.recording import Recording, Trial
 from pointpred.scoring import target_replay as replaying
-from pointpred.scoring.target_choice import ASKS, NEAREST, score_targets, target_summary
+from pointpred.scoring.target_choice import ASKS, NEAREST, score_targets, summarise_targets
 from pointpred.scoring.target_layouts import circle, grids, layouts
 from pointpred.scoring.trials import prepare
 from pointpred.simulation.circle import positions
@@ -120,10 +120,10 @@ def test_nearest_is_right_where_plain_geometry_says_so() -> None:
         until = rows.t[0] + 0.5 * (rows.t[arrival - first] - rows.t[0])
         x, y = rows.table[rows.t <= until][-1, 1:3]
         right.append(np.hypot(layout.table[:, 0] - x, layout.table[:, 1] - y).argmin() == layout.right)
-    described = target_summary(scored)
-    assert described["nearest_centre"]["0.5"] == pytest.approx(np.mean(right))
-    assert described["predictors"][0]["name"] == NEAREST
-    assert described["predictors"][0]["right"]["0.5"] == pytest.approx(np.mean(right))
+    described = summarise_targets(scored)
+    assert described.nearest_centre[0.5] == pytest.approx(np.mean(right))
+    assert described.predictors[0].name == NEAREST
+    assert described.predictors[0].right[0.5] == pytest.approx(np.mean(right))
 
 
 def test_what_comes_later_does_not_change_a_choice() -> None:

@@ -7,7 +7,7 @@ from msgspec.structs import replace
 from pointpred.report import write_report
 from pointpred.report.claims import inside_curves, time_left_bars
 from pointpred.scoring.moments import DECILES
-from pointpred.scoring.summary import summary
+from pointpred.scoring.summary import summarise
 
 
 @pytest.fixture(scope="module")
@@ -33,7 +33,7 @@ def claiming(make_score):
 
 @pytest.fixture(scope="module")
 def described(claiming):
-    return summary(claiming, draws=50)
+    return summarise(claiming, draws=50)
 
 
 def test_those_who_claim_are_drawn_and_no_others(described):
@@ -53,7 +53,7 @@ def test_the_time_left_stands_beside_the_clock(described):
 
 
 def test_nothing_is_drawn_without_claims(make_score):
-    silent = summary(make_score(people=2, repeats=1), draws=20)
+    silent = summarise(make_score(people=2, repeats=1), draws=20)
     assert inside_curves(silent, "calibration") is None
     assert inside_curves(silent, "time_left") is None
     assert time_left_bars(silent) is None

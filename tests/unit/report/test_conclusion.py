@@ -4,10 +4,11 @@ import re
 from html.parser import HTMLParser
 
 import pytest
+from msgspec.structs import replace
 
 from pointpred.report import write_report
 from pointpred.report.conclusion import conclusion, ranked
-from pointpred.scoring.summary import summary
+from pointpred.scoring.summary import summarise
 
 
 class Outline(HTMLParser):
@@ -60,7 +61,7 @@ def test_a_sentence_a_chart_and_a_table_come_first_and_the_rest_is_closed(page):
 
 
 def test_every_table_of_predictors_is_sorted_by_the_error_and_holds_hold(page, score):
-    errors = {p["name"]: p["time_averaged"]["px"] for p in summary(score)["predictors"]}
+    errors = {p.name: p.time_averaged.px for p in summarise(score).predictors}
     wanted = sorted(errors, key=errors.get)
     lists = [[row[0] for row in rows[1:]] for rows in Outline(page).tables]
     lists = [names for names in lists if set(names) & set(errors)]
@@ -70,69 +71,75 @@ def test_every_table_of_predictors_is_sorted_by_the_error_and_holds_hold(page, s
 
 
 def test_the_sentence_s_numbers_are_those_of_the_document(page, score):
-    described = summary(score)
-    best = min((p for p in described["predictors"] if p["name"] != "hold"), key=error)
+    described = summarise(score)
+    best = min((p for p in described.predictors if p.name != "hold"), key=error)
     said = re.search(r'class="conclusion">(.*?)</p>', page).group(1)
-    measure = best["time_averaged"]
-    low, high = measure["interval"]
-    assert said.startswith(best["name"])
+    measure = best.time_averaged
+    low, high = measure.interval
+    assert said.startswith(best.name)
     assert re.findall(r"-?\d+(?:\.\d+)?", said) == [
-        f"{measure['px']:.1f}",
-        f"{100 * (1 - measure['of_hold']):.0f}",
+        f"{measure.px:.1f}",
+        f"{100 * (1 - measure.of_hold):.0f}",
         "95",
         f"{100 * (1 - high):.0f}",
         f"{100 * (1 - low):.0f}",
-        str(described["trials"]),
-        str(described["users"]),
+        str(described.trials),
+        str(described.users),
     ]
 
 
 def error(predictor):
-    return predictor["time_averaged"]["px"]
+    return predictor.time_averaged.px
+
+
+def with_measure(described, **changes):
+    """The same set, in which the second predictor has another time-averaged error."""
+    hold, second = described.predictors
+    second = replace(second, time_averaged=replace(second.time_averaged, **changes))
+    return replace(described, predictors=(hold, second))
 
 
 def test_a_predictor_that_is_not_surely_better_is_not_called_so(make_score):
-    described = summary(make_score(names=("hold", "kalman"), people=3, repeats=1))
-    measure = described["predictors"][1]["time_averaged"]
-    measure |= {"of_hold": 0.97, "interval": [0.9, 1.04]}
-    assert "chance" in conclusion(described)
-    assert "10 % less" in conclusion(described)
-    assert "4 % more" in conclusion(described)
-    measure["interval"] = [0.9, 0.99]
-    assert "chance" not in conclusion(described)
+    described = summarise(make_score(names=("hold", "kalman"), people=3, repeats=1))
+    doubtful = with_measure(described, of_hold=0.97, interval=(0.9, 1.04))
+    assert "chance" in conclusion(doubtful)
+    assert "10 % less" in conclusion(doubtful)
+    assert "4 % more" in conclusion(doubtful)
+    assert "chance" not in conclusion(with_measure(described, of_hold=0.97, interval=(0.9, 0.99)))
 
 
 def test_where_none_beats_no_prediction_this_is_said_first(make_score):
-    described = summary(make_score(names=("hold", "kep-quadratic", "ktm")))
-    hold, *others = described["predictors"]
+    described = summarise(make_score(names=("hold", "kep-quadratic", "ktm")))
+    hold, *others = described.predictors
     assert all(error(one) > error(hold) for one in others)
     nearest = min(others, key=error)
     said = conclusion(described)
     assert said.startswith("No predictor")
-    assert nearest["name"] in said
-    assert f"{100 * (nearest['time_averaged']['of_hold'] - 1):.0f} % more" in said
+    assert nearest.name in said
+    assert f"{100 * (nearest.time_averaged.of_hold - 1):.0f} % more" in said
 
 
 def test_a_predictor_fitted_to_these_people_does_not_win(make_score):
-    described = summary(make_score())
-    by_name = {one["name"]: one for one in described["predictors"]}
+    described = summarise(make_score())
+    by_name = {one.name: one for one in described.predictors}
     assert conclusion(described).startswith("kinematic ")
-    by_name["kinematic"]["seen"] = True
+    fitted = replace(by_name["kinematic"], seen=True)
+    others = tuple(one for one in described.predictors if one.name != "kinematic")
+    described = replace(described, predictors=(*others, fitted))
     said = conclusion(described)
-    assert said.startswith(ranked(described)["predictors"][1]["name"])
+    assert said.startswith(ranked(described).predictors[1].name)
     assert "kinematic" in said.rpartition("fitted")[2]
-    by_name["hold"]["seen"] = False
-    alone = described | {"predictors": [by_name["hold"], by_name["kinematic"]]}
+    alone = replace(described, predictors=(by_name["hold"], fitted))
     assert conclusion(alone).startswith("kinematic ")
     assert "fitted" in conclusion(alone)
 
 
 def test_one_trial_and_hold_alone_have_their_own_words(make_score):
-    described = summary(make_score(names=("hold", "linear"))) | {"trials": 1, "users": 1}
-    described["predictors"][1]["time_averaged"]["interval"] = None
+    described = replace(summarise(make_score(names=("hold", "linear"))), trials=1, users=1)
+    described = with_measure(described, interval=None)
     assert "no interval" in conclusion(described)
     assert "1 trial of one person" in conclusion(described)
-    assert "Only hold" in conclusion(summary(make_score(names=("hold",))))
+    assert "Only hold" in conclusion(summarise(make_score(names=("hold",))))
 
 
 def test_several_sets_are_listed_with_their_conclusions(make_score, tmp_path):

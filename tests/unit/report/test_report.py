@@ -18,7 +18,7 @@ from pointpred.report.worst import worst
 from pointpred.scoring import prepare
 from pointpred.scoring import score as run
 from pointpred.scoring.results import SetScore
-from pointpred.scoring.summary import summary
+from pointpred.scoring.summary import summarise
 
 VOID = {"meta", "img", "br", "link", "hr", "input"}
 
@@ -125,11 +125,11 @@ def test_the_numbers_are_those_of_the_summary(make_score, tmp_path):
     score = make_score(people=3, repeats=1, names=("hold", "linear"))
     write_report([score], tmp_path / "out.html")
     words = Page((tmp_path / "out.html").read_text()).words
-    averaged = summary(score)["predictors"][1]["time_averaged"]
+    averaged = summarise(score).predictors[1].time_averaged
     place = words.index("linear")  # the first is that of the table
-    low, high = averaged["interval"]
+    low, high = averaged.interval
     assert words[place + 1 : place + 4] == [
-        f"{averaged['px']:.1f}", f"{averaged['of_hold']:.2f}", f"{low:.2f} to {high:.2f}"
+        f"{averaged.px:.1f}", f"{averaged.of_hold:.2f}", f"{low:.2f} to {high:.2f}"
     ]  # fmt: skip
 
 
@@ -150,7 +150,7 @@ def test_a_set_without_trials_says_so(make_score, tmp_path):
 
 
 def test_at_most_six_are_told_apart_and_the_thesis_s_pair_is_compared(score, make_score):
-    names = highlighted(summary(score, draws=20))
+    names = highlighted(summarise(score, draws=20))
     assert len(names) == 6
     assert "hold" not in names
     assert {"switched-printed", "kep-quartic-gated", "kinematic"} <= set(names)

@@ -7,10 +7,11 @@ from scipy import stats
 
 from pointpred.errors import ParameterError
 from pointpred.recording import Trial
-from pointpred.scoring.conditions import factors_of, groups_of
+from pointpred.scoring.factors import factors_of
 from pointpred.scoring.results import AXIS_FRACTIONS, ScoredTrial, SetScore
 from pointpred.scoring.statistics import axis_anova, axis_profile, box, replace_outliers
-from pointpred.scoring.summary import summary
+from pointpred.scoring.summary import summarise
+from pointpred.scoring.summary.groups import groups_of
 
 samples = st.lists(st.floats(0.0, 1e4), min_size=1, max_size=60).map(np.array)
 
@@ -60,9 +61,9 @@ def test_an_empty_box_is_refused():
 
 
 def test_profile_agrees_with_the_summary(score):
-    described = {p["name"]: p for p in summary(score, draws=20)["predictors"]}
+    described = {p.name: p for p in summarise(score, draws=20).predictors}
     for predictor in score.predictors:
-        px = [cell["px"] for cell in described[predictor.name]["single_axis"].values()]
+        px = [cell.px for cell in described[predictor.name].single_axis.values()]
         assert axis_profile(predictor).mae == pytest.approx(px)
 
 

@@ -10,7 +10,7 @@ from pointpred.registry import REGISTRY
 from pointpred.report import write_report
 from pointpred.report.figures import cost, curves
 from pointpred.report.style import FAINT, STYLES, line_style
-from pointpred.scoring.summary import summary
+from pointpred.scoring.summary import summarise
 
 
 def test_every_name_of_the_registry_has_a_look_of_its_own():
@@ -28,13 +28,13 @@ def test_a_look_does_not_depend_on_the_rank():
 
 @pytest.fixture(scope="module")
 def described(make_score):
-    return summary(make_score(), draws=20)
+    return summarise(make_score(), draws=20)
 
 
 def test_thin_lines_are_named(described):
     drawn = curves(described, ["linear", "kalman"], "by_time")
     assert "Thin lines: switched-printed, kep-quartic-gated, kep-quadratic, kinematic," in drawn.caption
-    assert "Thin" not in curves(described, [p["name"] for p in described["predictors"]], "by_time").caption
+    assert "Thin" not in curves(described, [p.name for p in described.predictors], "by_time").caption
 
 
 def test_shares_by_path_end_where_hold_is_right(described):
@@ -46,7 +46,7 @@ def test_shares_by_path_end_where_hold_is_right(described):
 
 def test_costs_are_told_apart_by_a_legend_of_all(described):
     svg = cost(described).svg
-    assert all(svg.count(f">{p['name']}") == 1 for p in described["predictors"])
+    assert all(svg.count(f">{p.name}") == 1 for p in described.predictors)
     colour = matplotlib.colors.to_hex(line_style("kalman", ["kalman"])["color"])
     assert colour in svg.lower()
 

@@ -1,0 +1,211 @@
+"""What a scoring run prints and sends, as typed records: the JSON document of ``pointpred score --json``.
+
+``None`` stands where a number means nothing: a mean over no trials, a share of an error of 0. Mappings by a
+share of the time or of the path have that share as their key, and its digits as the key in JSON. Read a
+document with ``msgspec.json.decode(data, type=Document)``.
+"""
+
+from __future__ import annotations
+
+from math import isfinite, nan
+
+import msgspec
+
+from pointpred.recording import Skip
+
+VERSION = 1
+
+Number = float | None
+Interval = tuple[float, float] | None
+"""Lower and upper bound of a bootstrap interval; ``None`` where there is none."""
+
+
+def number(value: float) -> Number:
+    """A finite number, or ``None``."""
+    return float(value) if isfinite(value) else None
+
+
+def interval(low: float, high: float) -> Interval:
+    """Both bounds, or ``None`` where one is not finite."""
+    return (float(low), float(high)) if isfinite(low) and isfinite(high) else None
+
+
+def or_nan(value: Number) -> float:
+    """The number, NaN for ``None``."""
+    return nan if value is None else value
+
+
+class Measure(msgspec.Struct, frozen=True):
+    """One error of a predictor: the mean over trials, beside that of ``hold``."""
+
+    px: Number
+    """Mean error, px, or counts of the device where the set's ``unit`` is ``counts``."""
+    of_hold: Number
+    """Mean error over the mean error of ``hold`` on the same trials."""
+    skill: Number
+    """1 - ``of_hold``."""
+    interval: Interval
+    """Of ``of_hold``; ``None`` on the single axis, which the analysis of variance covers."""
+
+
+class InsideAtTime(msgspec.Struct, frozen=True):
+    """Claims read at one share of the time; mappings have a key for each level of probability."""
+
+    trials: int
+    """Trials with a claim at that moment."""
+    inside: dict[float, Number]
+    """Share of them that ended inside the region or the interval claimed."""
+    interval: dict[float, Interval]
+    """Of ``inside``."""
+
+
+class Calibration(msgspec.Struct, frozen=True):
+    """How often predicted regions held the endpoint, over the trials in which any was claimed."""
+
+    claimed: Number
+    """Share of the time with a region, over all trials."""
+    inside: dict[float, Number]
+    """Share of that time with the endpoint inside the region of each level."""
+    ranked_score_px: Number
+    """Continuous ranked probability score, px, mean of both axes."""
+    by_time: dict[float, InsideAtTime] | None
+    """By share of the time from onset to arrival."""
+
+
+class TimeLeft(msgspec.Struct, frozen=True):
+    """Error of the predicted time left, beside a clock that knows the set's median movement time."""
+
+    claimed: Number
+    """Share of the time with a claim; elsewhere the clock is scored."""
+    s: Number
+    """Time-averaged absolute error, s."""
+    clock_s: Number
+    """That of the clock, s."""
+    of_clock: Number
+    """Their ratio."""
+    interval: Interval
+    """Of ``of_clock``."""
+    inside: dict[float, Number] | None
+    """Share of the time with the arrival inside the interval of each level; ``None`` without intervals."""
+    by_time: dict[float, InsideAtTime] | None
+    """By share of the time from onset to arrival."""
+
+
+class HitShare(msgspec.Struct, frozen=True):
+    """Share of trials whose prediction lies in the target, at one share of the time."""
+
+    share: Number
+    interval: Interval
+
+
+class Hits(msgspec.Struct, frozen=True):
+    """How often the predicted point lies in the target."""
+
+    trials: int
+    """Trials whose target is known."""
+    by_time: dict[float, HitShare]
+
+
+class Measures(msgspec.Struct, frozen=True):
+    """Everything that is measured of one predictor on one group of trials."""
+
+    time_averaged: Measure
+    by_time: dict[float, Measure]
+    """By share of the time from onset to arrival."""
+    by_path: dict[float, Measure]
+    """By share of the way along the line from start to end."""
+    single_axis: dict[float, Measure]
+    """By share of the way along the longer axis: the error along that axis alone."""
+    calibration: Calibration | None
+    """``None`` where no region was claimed."""
+    time_left: TimeLeft | None
+    """``None`` where no time was claimed."""
+    hits: Hits | None
+    """``None`` where no target is known."""
+
+
+class UserError(msgspec.Struct, frozen=True):
+    """Time-averaged error of one person."""
+
+    trials: int
+    px: Number
+    of_hold: Number
+
+
+class PredictorSummary(msgspec.Struct, frozen=True):
+    """One predictor on one set; the measures of all trials stand beside the name, as in ``Measures``."""
+
+    name: str
+    seen: bool
+    """Whether the predictor was fitted to people of this set: its errors are then too low."""
+    coverage: Number
+    """Share of events with a prediction; elsewhere the cursor's position was scored."""
+    us_per_event: Number
+    """Processor time of the whole pipeline, microseconds an event."""
+    failed: tuple[Skip, ...]
+    """Trials in which the pipeline failed, scored as if it had not answered."""
+    time_averaged: Measure
+    by_time: dict[float, Measure]
+    by_path: dict[float, Measure]
+    single_axis: dict[float, Measure]
+    calibration: Calibration | None
+    time_left: TimeLeft | None
+    hits: Hits | None
+    groups: dict[str, Measures]
+    """The same for each group of ``SetSummary.groups``."""
+    by_user: dict[str, UserError]
+
+
+class Resampling(msgspec.Struct, frozen=True):
+    """How every interval of a set was made."""
+
+    level: float
+    resampled: str
+    """``users``, or ``trials`` where there is one person."""
+    draws: int
+    seed: int
+
+
+class GroupSummary(msgspec.Struct, frozen=True):
+    """A group of trials."""
+
+    label: str
+    basis: str
+    """How its trials were told apart."""
+    trials: int
+
+
+class SetSummary(msgspec.Struct, frozen=True):
+    """One scored recording."""
+
+    name: str
+    simulated: bool
+    """Whether the people were simulated."""
+    unit: str
+    """Of positions and errors: ``px``, or ``counts`` where the recording holds no cursor."""
+    trials: int
+    users: int
+    events: int
+    skipped: tuple[Skip, ...]
+    notes: tuple[str, ...]
+    """What the reader of the recording mended."""
+    interval: Resampling
+    groups: dict[str, GroupSummary]
+    """Groups beside all trials."""
+    predictors: tuple[PredictorSummary, ...]
+    """``hold`` first."""
+
+
+class Unread(msgspec.Struct, frozen=True):
+    """A file that could not be read, or a recording that could not be scored."""
+
+    file: str
+    reason: str
+
+
+class Document(msgspec.Struct, frozen=True):
+    """What ``pointpred score --json`` writes and ``POST /v1/score`` answers."""
+
+    version: int
+    sets: tuple[SetSummary, ...]
+    unread: tuple[Unread, ...] = ()
