@@ -34,13 +34,13 @@ bench: $(READY)  ## print the cost of each pipeline, and of the service beside a
 docs: $(READY)  ## write the generated parts of the pages again, and the README's score table
 	$(BIN)/python -m pages scores
 
-results: $(READY)  ## write docs/results.md from the recordings in POINTPRED_RECORDINGS and the sample
+results: $(READY)  ## write docs/evidence/results.md from the recordings in POINTPRED_RECORDINGS and the sample
 	$(BIN)/python -m pages.results.measure
 
 train: $(READY)  ## fit kinematic's coefficients to the recordings in POINTPRED_RECORDINGS
 	$(BIN)/python -m pointpred.training
 
-crossvalidate: $(READY)  ## score kinematic on people and sets held out, and write docs/kinematic.md
+crossvalidate: $(READY)  ## score kinematic on people and sets held out, and write docs/evidence/kinematic.md
 	$(BIN)/python -m pages.kinematic.measure
 
 sample: $(READY)  ## generate the embedded sample again (same bytes)
@@ -50,7 +50,7 @@ fuzz: $(READY)  ## fuzz the HID decoder for ten minutes; new inputs are kept in 
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check 'atheris>=3.0'
 	$(BIN)/python -m tests.fuzz.run -max_total_time=600 -max_len=600 -artifact_prefix=tests/fuzz/ tests/fuzz/corpus
 
-inputs: $(READY)  ## read the public recordings in FOLDER twice and write docs/inputs.md
+inputs: $(READY)  ## read the public recordings in FOLDER twice and write docs/evidence/inputs.md
 	$(BIN)/python -m pages.inputs.measure '$(FOLDER)'
 
 fuzz-inputs: $(READY)  ## read damaged copies of the public recordings in FOLDER

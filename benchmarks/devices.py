@@ -1,4 +1,4 @@
-"""What live devices cost: ``python -m benchmarks.devices`` prints tables and writes docs/devices-cost.md.
+"""What live devices cost: ``python -m benchmarks.devices`` writes docs/evidence/devices-cost.md.
 
 ``realtime`` after it runs the mouse and its reader before everything else, on a machine that others use.
 """
@@ -19,7 +19,7 @@ from pointpred.hid.report_descriptor import parse_descriptor
 from tests.devices.mice import ENCODERS
 from tests.devices.umockdev import missing
 
-PAGE = Path(__file__).parent.parent / "docs" / "devices-cost.md"
+PAGE = Path(__file__).parent.parent / "docs" / "evidence" / "devices-cost.md"
 REALTIME = "realtime"
 ROUNDS, CALLS = 15, 20_000
 RUNS = ((1000.0, 20.0), (8000.0, 60.0))

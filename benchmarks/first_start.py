@@ -1,4 +1,4 @@
-"""The first hour's first minutes: ``python -m benchmarks.first_start`` writes docs/first-start.md.
+"""The first hour's first minutes: ``python -m benchmarks.first_start`` writes docs/evidence/first-start.md.
 
 A fresh clone of the last commit in a temporary folder, a home and a compile cache that are empty, an
 environment with nothing but a path; then what ``make run`` does: install, start, and start again. Seconds are
@@ -30,7 +30,7 @@ from pointpred.protocol.client_messages import SUBPROTOCOL
 from pointpred.registry import RECOMMENDED
 
 ROOT = Path(__file__).parent.parent
-PAGE = ROOT / "docs" / "first-start.md"
+PAGE = ROOT / "docs" / "evidence" / "first-start.md"
 PROCESSORS = 2
 RATE_HZ = 125.0
 PATIENCE_S = 900.0

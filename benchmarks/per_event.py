@@ -1,4 +1,4 @@
-"""What one event costs: ``make bench`` prints the table and writes it into docs/cost.md.
+"""What one event costs: ``make bench`` prints the table and writes it into docs/evidence/cost.md.
 
 Every pipeline is measured in the same run, in turns, so that a slow moment of the machine hits all alike:
 streaming (``update`` an event), frames of 32 events, whole trials; beside them the plain-Python run of the
@@ -29,7 +29,7 @@ from pointpred.cli.screen import counted
 from pointpred.scoring import prepare, replay
 from pointpred.simulation import thesis_setup
 
-PAGE = Path(__file__).parent.parent / "docs" / "cost.md"
+PAGE = Path(__file__).parent.parent / "docs" / "evidence" / "cost.md"
 PLAIN = "plain"
 """What the process is told that measures the laws as plain Python."""
 ROUNDS = 5

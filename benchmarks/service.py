@@ -1,4 +1,4 @@
-"""What the service costs: ``python -m benchmarks.service`` prints tables and writes docs/service-cost.md.
+"""What the service costs: ``python -m benchmarks.service`` writes docs/evidence/service-cost.md.
 
 A server in a process of its own, a load generator in another, loopback between them. Prediction and echo
 take turns of a twentieth of a second, and the median ratio of neighbours counts. Of rounds that have no
@@ -25,7 +25,7 @@ from urllib.request import urlopen
 from benchmarks.arguments import words
 from pages.markdown import filled, table
 
-PAGE = Path(__file__).parent.parent / "docs" / "service-cost.md"
+PAGE = Path(__file__).parent.parent / "docs" / "evidence" / "service-cost.md"
 TURNS_SECONDS = 15.0
 ROUNDS, SECONDS = 5, 1.0
 PACED_ROUNDS, PACED_SECONDS = 10, 3.0

@@ -103,22 +103,22 @@ def _shown(default: object) -> str:
 
 
 PARTS: dict[str, dict[str, Callable[[], str]]] = {
-    "docs/predictors.md": {
+    "docs/reference/predictors.md": {
         "which": lambda: which(DOCS),
         "predictors": predictors,
         "parameters": parameters,
         "gains": gains,
         "differentiators": differentiators,
     },
-    "docs/service.md": {"settings": settings},
-    "README.md": {"recorded": lambda: recorded(DOCS / "results.md")},
+    "docs/guide/service.md": {"settings": settings},
+    "README.md": {"recorded": lambda: recorded(DOCS / "evidence" / "results.md")},
 }
 """What the tests compare with the code: page, part, and the function that writes it."""
 
 
 WHOLE: dict[str, Callable[[], str]] = {
-    "docs/asyncapi.yaml": asyncapi.render,
-    "docs/openapi.json": openapi.render,
+    "docs/reference/asyncapi.yaml": asyncapi.render,
+    "docs/reference/openapi.json": openapi.render,
 }
 """Files that are written as a whole."""
 

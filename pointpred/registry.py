@@ -124,13 +124,13 @@ REGISTRY: dict[str, Entry] = {
             "kinematic",
             KinematicPredictor,
             "learned from people: endpoint, region, tail and time left from the movement so far",
-            "docs/kinematic.md",
+            "docs/evidence/kinematic.md",
         ),
         Entry(
             "kinematic-adaptive",
             AdaptiveKinematicPredictor,
             "kinematic, corrected by what the person's earlier movements taught",
-            "docs/adaptation.md",
+            "docs/guide/adaptation.md",
         ),
     )
 }

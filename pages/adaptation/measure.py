@@ -1,8 +1,8 @@
 """What adaptation is worth on people whom no coefficient saw: ``python -m pages.adaptation.measure``.
 
 Trains the learned predictor with each fifth of the people of POINTPRED_RECORDINGS left out in turn, lets it
-predict these with and without adaptation, every person's trials in order of recording, and writes the tables
-and the figure of docs/adaptation.md. Takes minutes; POINTPRED_FOLDS names a folder that keeps coefficients.
+predict these with and without adaptation, every person's trials in order of recording. Takes minutes;
+POINTPRED_FOLDS names a folder that keeps coefficients.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Tables and figure of docs/adaptation.md."""
+"""Tables and figure of docs/guide/adaptation.md."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from pointpred.report.style import GREY, MARKERS, PALETTE, canvas, legend_outsid
 from pointpred.scoring import calibration, time_left
 from pointpred.scoring.results import PredictorErrors
 
-PAGE, FIGURE = DOCS / "adaptation.md", DOCS / "figures" / "adaptation.svg"
+PAGE, FIGURE = DOCS / "guide" / "adaptation.md", DOCS / "figures" / "adaptation.svg"
 FLOOR, PLAIN, WHOLE, PART = "hold", "kinematic", "kinematic-adaptive", "without the distances"
 STAGES = ((0, 5, "1-5"), (5, 10, "6-10"), (10, 20, "11-20"), (20, 10**9, "21+"))
 EDGES = (0, 1, 2, 3, 5, 8, 12, 20, 48, 150, 10**9)

@@ -1,4 +1,4 @@
-"""The figure of docs/assistance.md: when help helps and when it harms."""
+"""The figure of docs/guide/assistance.md: when help helps and when it harms."""
 
 from __future__ import annotations
 

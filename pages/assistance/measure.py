@@ -1,6 +1,6 @@
 """What right and wrong assistance does to simulated people: ``python -m pages.assistance.measure``.
 
-Fills the tables of docs/assistance.md and draws its figure; seeded, a minute or two, progress on stderr.
+Seeded; takes a minute or two, progress on stderr.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from pages.assistance.movements import (
 from pages.markdown import filled, table
 from pointpred import RECOMMENDED, build
 
-PAGE, FIGURE = DOCS / "assistance.md", DOCS / "figures" / "assistance.svg"
+PAGE, FIGURE = DOCS / "guide" / "assistance.md", DOCS / "figures" / "assistance.svg"
 STRENGTH, RHO = 0.5, 8.0
 ANGLES, FACTORS = (0.0, 5.0, 10.0, 20.0, 45.0), (0.5, 0.7, 0.85, 1.0, 1.15, 1.3, 1.5)
 PREDICTORS = ("hold", "minimum-jerk", "switched", "switched-direction", "kinematic", RECOMMENDED)

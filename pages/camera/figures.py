@@ -1,4 +1,4 @@
-"""The figures of docs/camera.md."""
+"""The figures of docs/guide/camera.md."""
 
 from __future__ import annotations
 

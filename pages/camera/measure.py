@@ -1,4 +1,4 @@
-"""Measure the camera's observer beside its peer: ``python -m pages.camera.measure`` fills docs/camera.md."""
+"""Measure the camera's observer beside its peer: ``python -m pages.camera.measure``."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from pointpred.camera import (
 from pointpred.camera.samples import observed
 from pointpred.cli.progress import following
 
-PAGE = DOCS / "camera.md"
+PAGE = DOCS / "guide" / "camera.md"
 FIGURES = PAGE.parent / "figures"
 FOCAL, RUNS, RATE_HZ, LENGTH_S = 800.0, 24, 33.0, 10.0
 GUESSED_S = 63.0

@@ -1,4 +1,4 @@
-"""Tables of docs/camera.md that take no Monte Carlo: the print audited, designs, and what a step costs."""
+"""Tables on the camera that take no Monte Carlo: the print audited, designs, and what a step costs."""
 
 from __future__ import annotations
 

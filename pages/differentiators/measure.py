@@ -25,7 +25,7 @@ from pointpred.differentiators.bounds import BOUNDS, measure, named
 from pointpred.differentiators.signals import SIGNALS, Signal, exact, minimum_jerk, quantised
 from pointpred.errors import ParameterError
 
-PAGE = DOCS / "differentiators.md"
+PAGE = DOCS / "evidence" / "differentiators.md"
 WEIGHT = 0.3
 """What a relative acceleration error counts beside a relative velocity error."""
 

@@ -16,7 +16,7 @@ from pointpred import build
 from pointpred.pipeline import Pipeline
 from pointpred.scoring import score, summarise
 
-PAGE = DOCS / "differentiators.md"
+PAGE = DOCS / "evidence" / "differentiators.md"
 PREDICTORS = ("minimum-jerk", "switched-direction")
 PRINTED = {"gain_lambda": 5.0, "gain_xi": 2.0, "alpha": -0.2}
 CHOICES: dict[str, dict[str, Any]] = {

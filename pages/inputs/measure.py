@@ -1,7 +1,7 @@
 """Public recordings, each beside an independent reading: ``python -m pages.inputs.measure FOLDER``.
 
 ``inputs.toml`` lists the files. They are fetched by hand into FOLDER, where each lies at
-``OWNER+NAME/PATH``; the project ships none of them. Writes the table of ``docs/inputs.md``; with
+``OWNER+NAME/PATH``; the project ships none of them. Writes the table of ``docs/evidence/inputs.md``; with
 ``--partial`` also where files are missing or differ from those of the list. Ends in an error where rows
 are lost, values differ or a file is refused without a reason in the list.
 """
@@ -29,7 +29,7 @@ from pointpred.sources import read_any
 from pointpred.sources.reading import Reading
 
 LIST = Path(__file__).with_name("inputs.toml")
-PAGE = DOCS / "inputs.md"
+PAGE = DOCS / "evidence" / "inputs.md"
 HEADER = (
     "file",
     "what it is",
@@ -86,7 +86,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument("folder", type=Path, metavar="FOLDER")
     parser.add_argument("--partial", action="store_true", help="write the page although files are missing")
     parser.add_argument("--list", type=Path, default=LIST, help="the files, instead of inputs.toml")
-    parser.add_argument("--page", type=Path, default=PAGE, help="the page, instead of docs/inputs.md")
+    parser.add_argument(
+        "--page", type=Path, default=PAGE, help="the page, instead of docs/evidence/inputs.md"
+    )
     given = parser.parse_args(arguments)
     files = listed(given.list)
     absent = missing(files, given.folder)

@@ -118,7 +118,7 @@ def _merged(runs: list[Verdict]) -> Verdict:
 
 
 def main() -> None:
-    """Validate and write docs/kinematic.md; progress goes to the error stream."""
+    """Validate and write docs/evidence/kinematic.md; progress goes to the error stream."""
     from pages.kinematic import tables
 
     began = time.monotonic()
@@ -128,7 +128,9 @@ def main() -> None:
 
     settings = Settings()
     school = people.school(people.read_sets(people.folder()), settings.seed, say)
-    (DOCS / "kinematic.md").write_text(tables.page(validate(school, settings, say)), encoding="utf-8")
+    (DOCS / "evidence" / "kinematic.md").write_text(
+        tables.page(validate(school, settings, say)), encoding="utf-8"
+    )
 
 
 if __name__ == "__main__":

@@ -1,8 +1,8 @@
-"""Template matching in its own protocol, beside any predictor: writes ``docs/ktm.md``.
+"""Template matching in its own protocol, beside any predictor: writes ``docs/evidence/ktm.md``.
 
 ``python -m pages.ktm.measure [name ...]`` takes the embedded sample and every set in the folder that
 POINTPRED_RECORDINGS names. Beside template matching stand the names given, all of the registry without any;
-what was trained on a set stands in docs/results.md instead, with coefficients that did not see it.
+what was trained on a set stands in docs/evidence/results.md instead, with coefficients that did not see it.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from pointpred.scoring import ktm_protocol as protocol
 from pointpred.scoring import prepare, resolution
 from pointpred.scoring.ktm_protocol import Drawn, Read
 
-PAGE = DOCS / "ktm.md"
+PAGE = DOCS / "evidence" / "ktm.md"
 HEADER = ("predictor", *(f"{share:.0%}" for share in protocol.FRACTIONS), "of the distance", "skill", "hits")
 FLOOR = "hold"
 

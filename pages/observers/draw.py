@@ -1,4 +1,4 @@
-"""Draw the figures of docs/observers, and print what a design and a step of an observer cost.
+"""Draw the figures of docs/guide/observers, and print what a design and a step of an observer cost.
 
 ``python -m pages.observers.draw [example-1 example-2 ...]``: all of them unless some are named.
 """
@@ -13,7 +13,7 @@ from pathlib import Path
 from benchmarks.arguments import words
 from pages import DOCS
 
-FIGURES = DOCS / "observers" / "figures"
+FIGURES = DOCS / "guide" / "observers" / "figures"
 PARTS = ("examples_1_4", "examples_5_7", "examples_8_9")
 """Modules with ``FIGURES``, functions by the name of a figure, or with a ``main`` that draws its own."""
 

@@ -36,7 +36,7 @@ from pointpred.observers.reduced_order.examples import (
     vapours,
 )
 
-PAGES = DOCS / "observers"
+PAGES = DOCS / "guide" / "observers"
 NAMES = ("tank temperature", "gas temperature", "tank pressure", "gas pressure")
 
 

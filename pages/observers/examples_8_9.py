@@ -1,4 +1,4 @@
-"""Draw the figures of docs/observers, examples 8 and 9: ``python -m pages.observers.examples_8_9``."""
+"""Draw the figures of docs/guide/observers, examples 8 and 9: ``python -m pages.observers.examples_8_9``."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from pointpred.observers import (
     simulate,
 )
 
-FOLDER = DOCS / "observers" / "figures"
+FOLDER = DOCS / "guide" / "observers" / "figures"
 W1, W2, U = sp.symbols("w1 w2 u")
 OSCILLATOR = SymbolicGenerator((W1, W2), (W2, -W1))
 END_S, PERIOD_S = 30.0, 0.01

@@ -1,4 +1,4 @@
-"""Which predictor to take, with the numbers of docs/results.md and docs/cost.md: part of ``make docs``."""
+"""Which predictor to take, with the numbers of the results: part of ``make docs``."""
 
 from __future__ import annotations
 
@@ -30,8 +30,8 @@ CASES = (
 
 def which(docs: Path) -> str:
     """The table of cases, and a sentence on what the recommended predictor has shown."""
-    shares, _ = recorded_shares(docs / "results.md")
-    costs = streaming_us(docs / "cost.md")
+    shares, _ = recorded_shares(docs / "evidence" / "results.md")
+    costs = streaming_us(docs / "evidence" / "cost.md")
     rows = [
         (when, f"`{name}`", f"{min(shares[name]):.2f} to {max(shares[name]):.2f}", f"{costs[name]:.1f}")
         for when, name in CASES
@@ -43,7 +43,7 @@ def which(docs: Path) -> str:
 
 def _wins(docs: Path) -> int:
     """On how many recorded sets the recommended one is best: two digits of the tables do not tell."""
-    page = docs / "results.md"
+    page = docs / "evidence" / "results.md"
     found = re.search(rf"`{RECOMMENDED}` \((\d+)\)", page.read_text(encoding="utf-8"))
     return int(found[1]) if found else 0
 

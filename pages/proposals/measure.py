@@ -1,4 +1,4 @@
-"""Measure a page's proposals with the defaults, and write docs/targets.md and docs/browser.md.
+"""Measure a page's proposals with the defaults, and write docs/guide/targets.md and docs/guide/browser.md.
 
 ``python -m pages.proposals.measure`` lays cards, links and a menu under recorded movements, so that each
 movement ends in one of them, and says what a page would have heard. The recommended predictor's coefficients

@@ -3,7 +3,7 @@
 Plays the movements of every person in POINTPRED_RECORDINGS, in the order of recording, to a session of the
 service whose coefficients did not know the person. Decodes the frames as the Python client does, and looks
 whether the endpoint lies inside the ellipse of each level. One person of each set is played over a real
-socket as well: every number must be the same. Writes the tables of docs/regions.md. FOLDER: coefficients as
+socket as well: every number must be the same. FOLDER: coefficients as
 ``python -m pages.held_out FOLDER`` writes them; unless given, those of the cache, fitted where they are
 missing.
 """

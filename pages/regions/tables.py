@@ -1,4 +1,4 @@
-"""Tables of docs/regions.md: how often what is drawn holds the endpoint, and how large it is."""
+"""Tables of docs/guide/regions.md: how often what is drawn holds the endpoint, and how large it is."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from pages import DOCS
 from pages.markdown import filled, table
 from pointpred.columns import BoolArray, FloatArray
 
-PAGE = DOCS / "regions.md"
+PAGE = DOCS / "guide" / "regions.md"
 LEVELS, SHARES = (0.5, 0.8), (0.3, 0.5, 0.7)
 """The ellipses that are drawn, and when: shares of the time from onset to arrival."""
 LEARNT = 20

@@ -1,4 +1,4 @@
-"""Score every predictor on every set at hand and write ``docs/results.md``: ``make results``.
+"""Score every predictor on every set at hand and write ``docs/evidence/results.md``: ``make results``.
 
 Sets are the embedded sample and the recordings in the folder that POINTPRED_RECORDINGS names. A set that is
 absent, or that cannot be read, is left out, and the page says so. What has learned from recordings is judged
@@ -82,7 +82,7 @@ def write(folder: Path | None, predictors: Sequence[str], docs: Path, *, choices
     chosen = results_targets.measured(list(sets.recordings(folder, {})), held) if choices else []
     known = {entry.name: entry for entry in listing()}
     absent = [name for name in known if name not in {one["name"] for one in found}]
-    page = docs / "results.md"
+    page = docs / "evidence" / "results.md"
     text = results_page.page(found, drawn, known, absent, unread, results_targets.section(chosen))
     page.write_text(text, encoding="utf-8")
     return page

@@ -1,4 +1,4 @@
-"""The text of ``docs/results.md``, from the summaries of all sets."""
+"""The text of ``docs/evidence/results.md``, from the summaries of all sets."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the numbers of docs/results.md say together, in words made from them; the README's line on people."""
+"""What the numbers of the results say together, in words made from them; the README's line on people."""
 
 from __future__ import annotations
 
@@ -126,7 +126,7 @@ def cautious(people: Sequence[Json]) -> list[str]:
 
 
 def recorded_shares(page: Path) -> tuple[Shares, list[str]]:
-    """The first table of docs/results.md: shares of hold's error on the recorded sets, and who has learned.
+    """The first table of the results: shares of hold's error on the recorded sets, and who has learned.
 
     What has learned stands there by its scores on sets that it did not see. Raises ParameterError where the
     page holds no recorded set.
@@ -146,7 +146,7 @@ def recorded_shares(page: Path) -> tuple[Shares, list[str]]:
 
 
 def recorded(page: Path) -> str:
-    """The README's warning about simulated people, from the first table of docs/results.md."""
+    """The README's warning about simulated people, from the first table of docs/evidence/results.md."""
     shares, learners = recorded_shares(page)
     worse = sum(max(values) > 1.0 for values in shares.values())
     fitted = " and ".join(
@@ -157,5 +157,5 @@ def recorded(page: Path) -> str:
     return (
         f"These people are simulated and easier to predict. Real people, {sets}: {learned}"
         f"and {worse} of {len(shares)} predictors do worse than no prediction on at least one set "
-        "([all numbers](docs/results.md))."
+        "([all numbers](docs/evidence/results.md))."
     )

@@ -1,4 +1,4 @@
-"""The figures of docs/simulation.md; every title says that its people are simulated."""
+"""The figures of docs/evidence/simulation.md; every title says that its people are simulated."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Compare the simulated people with recorded ones: ``python -m pages.simulation.measure``.
 
-Writes docs/simulation.md and its figures. Recordings come from the folder named by POINTPRED_RECORDINGS; a
+Recordings come from the folder named by POINTPRED_RECORDINGS; a
 set that is absent is left out of the table, and the page says so.
 """
 
@@ -144,7 +144,7 @@ def main() -> None:
     ):
         page = page.replace(f"{{{name}}}", text)
     simulation_figures.draw(simulated, DOCS / "figures")
-    (DOCS / "simulation.md").write_text(page, encoding="utf-8")
+    (DOCS / "evidence" / "simulation.md").write_text(page, encoding="utf-8")
     print(page)
 
 

@@ -1,7 +1,7 @@
 """What each part of ``switched-direction`` is worth: ``python -m pages.switched.measure``.
 
 Scores the predictor and versions of it that lack one part each, on the embedded sample and on the
-recordings that POINTPRED_RECORDINGS names, and writes the tables and the figure of docs/switched.md.
+recordings that POINTPRED_RECORDINGS names, and writes the tables and the figure of docs/evidence/switched.md.
 ``python -m pages.switched.measure search`` repeats the search for its constants instead.
 """
 
@@ -27,7 +27,7 @@ from pointpred.scoring import SetScore, resolution, score
 from pointpred.scoring.results import TIME_FRACTIONS, PredictorErrors
 from pointpred.sources import read
 
-PAGE = DOCS / "switched.md"
+PAGE = DOCS / "evidence" / "switched.md"
 NAME = "switched-direction"
 OTHERS = ("switched", "switched-printed", "minimum-jerk", "kalman")
 SETS = ("freihaut2021", "pvplib23714", "cryslacks", "kh2017", "humanmovemouse", "gofitts_demo", "jrcalgo")

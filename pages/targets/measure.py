@@ -1,4 +1,4 @@
-"""Measure choices among targets and write docs/targets.md: ``python -m pages.targets.measure``.
+"""Measure choices among targets and write docs/guide/targets.md: ``python -m pages.targets.measure``.
 
 Evidence and learned predictor are fitted anew for each set without that set; the last fit of the evidence,
 on all sets as predicted by networks that did not know them, is what comes with pointpred. Recordings come
@@ -28,7 +28,7 @@ from pointpred.targets import Chooser, around
 from pointpred.targets.evidence import NEAR
 from pointpred.training.people import folder
 
-PAGE = DOCS / "targets.md"
+PAGE = DOCS / "guide" / "targets.md"
 SHOWN = tuple(name for name in ("kalman", "minimum-jerk", "kinematic") if name in REGISTRY)
 TIMES = ("0.2", "0.3", "0.4", "0.5", "0.6", "0.7", "0.8", "0.9")
 LEAST_LEAD_S = 0.05

@@ -1,7 +1,7 @@
 """The thesis's comparison of section 2.6.3, on simulated people: ``python -m pages.thesis.measure``.
 
 Simulates its setup (10 people, 2 distances, 2 widths, 2 transfer functions, 12 movements each: 960 trials at
-1 kHz and 2000 CPI), scores the longer axis against the path, and writes docs/thesis.md with its figures.
+1 kHz and 2000 CPI), scores the longer axis against the path.
 With recordings at hand it also measures what the print leaves open.
 """
 
@@ -28,7 +28,7 @@ from pointpred.scoring.trials import resolution
 from pointpred.simulation import thesis_setup
 from pointpred.sources import read
 
-PAGE = DOCS / "thesis.md"
+PAGE = DOCS / "evidence" / "thesis.md"
 SEED = 1
 CPI = 2000.0
 OURS, THEIRS = "switched-printed", "kep-quartic-gated"

@@ -1,6 +1,6 @@
 """Identify the thesis's two transfer functions from simulated counts: ``python -m pages.transfer.measure``.
 
-Prints the errors and writes docs/transfer.md with its two figures (thesis figures 2.6 and 2.7).
+Prints the errors and writes docs/evidence/transfer.md with its two figures (thesis figures 2.6 and 2.7).
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ def report() -> None:
         fast=averaged_gain(truths["sigmoid"], 0.3),
         floor=max(float(np.median(k)) for k in known),
     )
-    (DOCS / "transfer.md").write_text(page)
+    (DOCS / "evidence" / "transfer.md").write_text(page)
 
 
 def draw(truths: dict[str, TransferFunction]) -> None:

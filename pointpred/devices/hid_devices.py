@@ -20,8 +20,8 @@ from pointpred.hid.report_descriptor import parse_descriptor
 KEEPERS = {"win32": "Windows", "cygwin": "Windows", "darwin": "macOS"}
 """Systems that open every mouse for themselves and let no program read its reports."""
 BROWSER = (
-    "run 'pointpred serve' and use a browser: its page reads the pointer, and docs/browser.md names the "
-    "browser client for pages of your own"
+    "run 'pointpred serve' and use a browser: its page reads the pointer, and docs/guide/browser.md names "
+    "the browser client for pages of your own"
 )
 CLASS = Path("/sys/class/hidraw")
 

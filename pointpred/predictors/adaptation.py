@@ -118,7 +118,7 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     Memory: 1146 floats. Costs 1 to 4 us an event more than ``kinematic``. Raises ParameterError,
     and EventError from ``update``.
 
-    Reference: none; docs/adaptation.md. Prior knowledge of repeated distances: Pasqual, Wobbrock 2014.
+    Reference: none; docs/guide/adaptation.md. Prior knowledge of repeated distances: Pasqual, Wobbrock 2014.
 
     >>> from pointpred import PointerEvent, build
     >>> pipeline, ends = build("kinematic-adaptive"), []

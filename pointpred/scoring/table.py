@@ -22,7 +22,7 @@ HEADINGS = (
 """Columns of the table of a set. All but the last two are errors as a share of the error of ``hold``."""
 
 
-SEEN = "fitted to people of this set: too good; see docs/results.md"
+SEEN = "fitted to people of this set: too good; see docs/evidence/results.md"
 
 
 def footnotes(described: SetSummary) -> list[str]:

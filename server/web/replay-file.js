@@ -1,4 +1,4 @@
-// Pointpred's own recordings as CSV, read in the page: docs/recordings.md describes the columns.
+// Pointpred's own recordings as CSV, read in the page: docs/reference/recordings.md describes the columns.
 
 import { count } from "./elements.js";
 

@@ -24,7 +24,7 @@ from pointpred.protocol.decoding import decode_client_message, table_of_bytes
 from pointpred.protocol.records import EVENT, PREDICTION
 from pointpred.protocol.server_messages import Code
 
-DOCUMENT: dict[str, Any] = yaml.safe_load((ROOT / "docs/asyncapi.yaml").read_text(encoding="utf-8"))
+DOCUMENT: dict[str, Any] = yaml.safe_load((ROOT / "docs/reference/asyncapi.yaml").read_text(encoding="utf-8"))
 CHANNEL = DOCUMENT["channels"]["stream"]
 MESSAGES = DOCUMENT["components"]["messages"]
 OPERATIONS = DOCUMENT["operations"]

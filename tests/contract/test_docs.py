@@ -22,7 +22,7 @@ def test_generated_parts_are_current(path: str) -> None:
 
 
 def test_every_predictor_and_parameter_is_listed() -> None:
-    page = (ROOT / "docs/predictors.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs/reference/predictors.md").read_text(encoding="utf-8")
     for name in REGISTRY:
         assert f"### {name}\n" in page
         for parameter in parameters(name):
@@ -33,7 +33,7 @@ def test_every_predictor_and_parameter_is_listed() -> None:
 
 @pytest.mark.parametrize("name", REGISTRY)
 def test_the_gains_on_the_page_are_those_that_build_gives(name: str) -> None:
-    page = (ROOT / "docs/predictors.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs/reference/predictors.md").read_text(encoding="utf-8")
     section = page.partition(f"### {name}\n")[2].partition("###")[0].partition("<!-- end -->")[0]
     said = {key: float(value) for key, value in re.findall(r"`(gain_\w+|alpha)` (-?[\d.]+\d|\d)", section)}
     assert set(said) == {"gain_lambda", "gain_xi", "alpha"}
@@ -62,9 +62,13 @@ def test_files_named_on_a_page_exist(page: Path) -> None:
 
 
 def test_every_page_can_be_reached_from_the_first() -> None:
-    index = (ROOT / "docs/index.md").read_text(encoding="utf-8")
-    pages = {path.name for path in (ROOT / "docs").glob("*.md")} - {"index.md"}
-    assert {page for page in pages if f"]({page})" not in index} == set()
+    reached, waiting = set[Path](), [ROOT / "docs/README.md"]
+    while waiting:
+        page = waiting.pop()
+        reached.add(page)
+        links = re.findall(r"\]\(([^)#:]+\.md)(?:#[^)]*)?\)", page.read_text(encoding="utf-8"))
+        waiting += {(page.parent / link).resolve() for link in links} - reached
+    assert set((ROOT / "docs").rglob("*.md")) - reached == set()
 
 
 def test_every_correction_names_a_test_that_exists() -> None:

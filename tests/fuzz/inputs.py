@@ -5,7 +5,7 @@ or ``--each``, by a generator whose seed is the file's SHA-256; half of the dama
 options of the list, half with a mapping made of random columns, fields, units and paths. Reading must end in
 a recording that is in order or in an error of pointpred's own that names the file, within 5 s of the
 processor and 1 GiB. What does not is kept in a folder that is named, and the command ends in an error.
-Writes its part of ``docs/inputs.md``. Linux only.
+Writes its part of ``docs/evidence/inputs.md``. Linux only.
 """
 
 from __future__ import annotations
@@ -95,7 +95,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument("--each", type=int, default=EACH, help="damaged copies of a file")
     parser.add_argument("--seed", default="", help="other damages than those of the page")
     parser.add_argument("--only", default="", help="files whose path holds this")
-    parser.add_argument("--page", type=Path, default=PAGE, help="the page, instead of docs/inputs.md")
+    parser.add_argument(
+        "--page", type=Path, default=PAGE, help="the page, instead of docs/evidence/inputs.md"
+    )
     given = parser.parse_args(arguments)
     files = [file for file in listed(LIST) if file.under(given.folder).is_file() and given.only in file.path]
     kept = Path(tempfile.mkdtemp(prefix="broken-"))

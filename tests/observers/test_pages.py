@@ -1,4 +1,4 @@
-"""The pages of docs/observers are run, their links lead somewhere, and each can be reached."""
+"""The pages of docs/guide/observers are run, their links lead somewhere, and each can be reached."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-FOLDER = Path(__file__).parents[2] / "docs" / "observers"
+FOLDER = Path(__file__).parents[2] / "docs" / "guide" / "observers"
 PAGES = sorted(FOLDER.glob("*.md"))
 
 
@@ -24,5 +24,5 @@ def test_links_lead_somewhere(page: Path) -> None:
 
 
 def test_every_page_can_be_reached_from_the_index() -> None:
-    index = (FOLDER / "index.md").read_text(encoding="utf-8")
-    assert {page.name for page in PAGES if f"]({page.name})" not in index} == {"index.md"}
+    index = (FOLDER / "README.md").read_text(encoding="utf-8")
+    assert {page.name for page in PAGES if f"]({page.name})" not in index} == {"README.md"}

@@ -152,7 +152,7 @@ def test_a_service_that_cannot_be_reached_is_warned_of_once(tmp_path: Path) -> N
 
 
 def test_the_ten_lines_of_the_docs_light_up_a_card(tmp_path: Path) -> None:
-    text = (Path(__file__).parents[2] / "docs" / "browser.md").read_text(encoding="utf-8")
+    text = (Path(__file__).parents[2] / "docs" / "guide" / "browser.md").read_text(encoding="utf-8")
     lines = text.partition("```html\n")[2].partition("```")[0]
     with (
         page_elsewhere() as origin,

@@ -28,7 +28,7 @@ GAVE_WAY = encode(ErrorMessage("slow", "1 predictions gave way")).decode()
 LAST = encode(ErrorMessage("idle", "nothing was heard for 60 s", None, recoverable=False)).decode()
 PATIENCE_S = 300.0
 """For what is bound to come, however busy the machine is and whatever it compiles first."""
-PAGE = Path(__file__).parents[2] / "docs" / "python-client.md"
+PAGE = Path(__file__).parents[2] / "docs" / "guide" / "python-client.md"
 
 
 @contextmanager

@@ -15,7 +15,7 @@ from pointpred.server.service import Service
 from pointpred.server.settings import Settings
 
 HERE = "http://127.0.0.1:8765"
-COMMITTED = Path(__file__).parents[2] / "docs" / "openapi.json"
+COMMITTED = Path(__file__).parents[2] / "docs" / "reference" / "openapi.json"
 ERROR = {"$ref": "#/components/schemas/Error"}
 SHAPE = {"type", "code", "message", "path", "recoverable"}
 OPEN = ("/healthz", "/readyz", "/pointpred.js", "/v1/origin")

@@ -19,7 +19,7 @@ from pointpred.server.recorder.recorder import Recorder
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, running
 
-PAGE = Path(__file__).parents[2] / "docs" / "service.md"
+PAGE = Path(__file__).parents[2] / "docs" / "guide" / "service.md"
 
 
 def test_the_page_names_every_metric_and_no_other() -> None:

@@ -23,7 +23,7 @@ from tests.server.page_browser import Visitor, until
 
 pytestmark = browser.needed
 
-DOCUMENT = Path(__file__).parents[2] / "docs" / "page.md"
+DOCUMENT = Path(__file__).parents[2] / "docs" / "guide" / "page.md"
 
 WRITTEN = """
 window.region = window.lit = null; window.sockets = [];

@@ -105,4 +105,4 @@ def test_the_commands_allow_the_origin_that_serves_the_page() -> None:
 
 
 def test_the_readme_and_the_page_on_the_browser_client_show_the_same_cards() -> None:
-    assert blocks("html") == blocks("html", of="docs/browser.md")
+    assert blocks("html") == blocks("html", of="docs/guide/browser.md")

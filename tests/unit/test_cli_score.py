@@ -72,7 +72,7 @@ def test_a_faulty_row_is_counted_as_the_messages_say(command, tmp_path: Path) ->
 def test_scores_on_what_was_learned_from_carry_a_warning(command, good: Path, tmp_path: Path) -> None:
     known, page = tmp_path / "kh2017_samples.csv", tmp_path / "out.html"
     known.write_text(good.read_text().replace("walk", "kh2017"))
-    warning = "kinematic: fitted to people of this set: too good; see docs/results.md"
+    warning = "kinematic: fitted to people of this set: too good; see docs/evidence/results.md"
     left = command("score", known, "--predictors", "kinematic", "--report", page)
     assert warning in left.out
     assert warning in page.read_text()

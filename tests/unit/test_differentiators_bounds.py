@@ -63,7 +63,9 @@ def test_quantised_signals_are_whole_counts_off_by_half_a_count(signal: str) -> 
 
 
 def test_the_page_prints_these_bounds() -> None:
-    page = (Path(__file__).parents[2] / "docs" / "differentiators.md").read_text(encoding="utf-8")
+    page = (Path(__file__).parents[2] / "docs" / "evidence" / "differentiators.md").read_text(
+        encoding="utf-8"
+    )
     rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in page.splitlines()]
     printed = {(row[0], row[1]): row[2:6] for row in rows if len(row) == 8 and "(" in row[2]}
     printed.pop(("differentiator", "signal"), None)

@@ -21,7 +21,7 @@ from pointpred.scoring.replay import replay
 
 X, Y, SXX, SXY, SYY, LEFT, PHASE, TAIL, SPREAD = range(1, 10)
 NAME = "kinematic-adaptive"
-PAGE = Path(__file__).parents[2] / "docs" / "adaptation.md"
+PAGE = Path(__file__).parents[2] / "docs" / "guide" / "adaptation.md"
 SUDDEN = (
     r"is predicted with (.*?) of the error.* fourth with (.*?), .* sixth with (.*?); .* ended with (.*?)\. "
 )

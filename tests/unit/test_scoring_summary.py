@@ -186,6 +186,6 @@ def test_a_footnote_names_who_has_learned_from_the_set() -> None:
     learned = msgspec.structs.replace(HALF, name="learned", seen=True)
     described = summarise(scored(HOLD, HALF, learned))
     assert footnotes(described) == [
-        "learned: fitted to people of this set: too good; see docs/results.md",
+        "learned: fitted to people of this set: too good; see docs/evidence/results.md",
     ]
     assert footnotes(summarise(scored(HOLD, HALF))) == []

@@ -67,6 +67,6 @@ def test_a_report_says_what_it_compares_and_nothing_twice(make_score, tmp_path):
     assert "Models compared: the thesis's two, switched-printed and kep-quartic-gated." in page
     assert page.count("No trial was skipped") + page.count("trials skipped") == 1
     assert '<th scope="col">with sub-movements' in page
-    assert "docs/scoring.md" in page
+    assert "docs/guide/scoring.md" in page
     write_report([make_score(people=3, repeats=1, names=("hold", "linear", "kalman"))], tmp_path / "b.html")
     assert "the thesis's two, " not in (tmp_path / "b.html").read_text()
