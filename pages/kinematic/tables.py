@@ -33,8 +33,9 @@ FALLS_SHORT = """## What falls short
   87 and 77 % at 80 and 90 % of the time, and 82 to 87 % in its first half. Those of 50 and 80 %, the only
   ones fitted, hold 51 to 63 and 68 to 89 %.
 - The time left is worse than the clock on 6 of 7 sets with people held out, on cryslacks 2.75 times, and on 5
-  with sets left out; with what is known of the person ([adaptation.md](../guide/adaptation.md)) it beats the clock on
-  each. (Taken at the moments that training draws; results.md takes every event.)
+  with sets left out; with what is known of the person
+  ([adaptation.md](../guide/adaptation.md)) it beats the clock on each.
+  (Taken at the moments that training draws; results.md takes every event.)
 - Template matching that holds all other movements of the person has a lower time-averaged error on
   freihaut2021 and kh2017, where distances repeat. What is known of the person makes up for it, but for
   0.2 % on kh2017 with the set left out ([results.md](results.md)).
