@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
 Reasons = dict[str, str]
 """Files that could not be read and recordings that could not be scored, and why."""
+WORST = 6
+"""Trials with the largest errors that a report draws of each set."""
 
 
 @with_reading
@@ -90,7 +92,7 @@ def score(
     from pointpred.scoring import score as run
 
     with following() as progress:
-        recordings = _read(files, reading, unread) if files else _sample(unread)
+        recordings = _read(files, reading, unread) if files else _sample()
         scored = run(
             recordings,
             names,
@@ -101,12 +103,12 @@ def score(
             seed=seed,
             parameters=own,
             failed=lambda recording, error: _left_out(unread, recording.name, error),
+            worst=0 if report is None else WORST,
         )
     if report is not None and scored:
         from pointpred.report import write_report
 
-        again = _read(files, reading, None) if files else _sample(None)
-        write_report(scored, report, recordings=again, cpi=cpi, dpi=dpi)
+        write_report(scored, report)
     scores = document(scored, _unread(unread))
     if json is not None:
         write_json(scores, json)
@@ -136,7 +138,7 @@ def _score_targets(
     from pointpred.scoring.target_choice import TargetDocument
 
     unread: Reasons = {}
-    recordings = _read(files, reading, unread) if files else _sample(unread)
+    recordings = _read(files, reading, unread) if files else _sample()
     sets = described(recordings, names, lambda one, error: _left_out(unread, one.name, error), **settings)
     if json is not None:
         write_json(TargetDocument(VERSION, tuple(sets), tuple(_unread(unread))), json)
@@ -165,12 +167,11 @@ def chosen(text: str) -> list[str]:
     return names
 
 
-def _sample(unread: Reasons | None) -> Iterator[Recording]:
-    """The recording that is always there; says so unless it is read again (no ``unread``)."""
+def _sample() -> Iterator[Recording]:
+    """The recording that is always there."""
     from pointpred.datasets import sample
 
-    if unread is not None:
-        remarks().print("No recording given: scoring the embedded sample of simulated people.")
+    remarks().print("No recording given: scoring the embedded sample of simulated people.")
     yield sample()
 
 
@@ -184,25 +185,21 @@ def _free_name(name: str, file: Path, taken: Mapping[str, Path]) -> str:
     return found
 
 
-def _read(files: list[Path], reading: Reading, unread: Reasons | None) -> Iterator[Recording]:
-    """The recordings one by one, so that only one is in memory; complains where a file cannot be read.
-
-    The report reads them again (no ``unread``): what was complained about once is not said twice.
-    """
+def _read(files: list[Path], reading: Reading, unread: Reasons) -> Iterator[Recording]:
+    """The recordings one by one, so that only one is in memory; complains where a file cannot be read."""
     taken: dict[str, Path] = {}
     for file in files:
         try:
             for recording in recordings_in(file, reading):
                 name = _free_name(recording.name, file, taken)
-                if name != recording.name and unread is not None:
+                if name != recording.name:
                     first = shown(taken[recording.name])
                     said = f"{shown(file)} is called {name!r} here: {recording.name!r} is {first}"
                     remarks().print(said, markup=False)
                 taken[name] = file
                 yield msgspec.structs.replace(recording, name=name)
         except (PointpredError, OSError) as error:
-            if unread is not None:
-                _left_out(unread, shown(file), error)
+            _left_out(unread, shown(file), error)
 
 
 def read_all(files: list[Path], reading: Reading) -> list[Recording]:

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 from pointpred.errors import ParameterError
 from pointpred.extras import require
-from pointpred.pipeline import Pipeline
-from pointpred.recording import Recording
-from pointpred.registry import build
 from pointpred.report.boxes import boxes
 from pointpred.report.choice import compared, highlighted, pair
 from pointpred.report.claims import inside_curves, time_left_bars
@@ -27,12 +24,11 @@ from pointpred.report.tables import (
     table,
     text,
 )
-from pointpred.report.worst import Drawing, draw_worst, worst
-from pointpred.scoring.results import SetScore
+from pointpred.report.worst import draw_worst
+from pointpred.scoring.results import SetScore, WorstTrial
 from pointpred.scoring.statistics import axis_anova, axis_profile
 from pointpred.scoring.summary import SetSummary, summarise
 from pointpred.scoring.table import footnotes
-from pointpred.scoring.trials import prepare, resolution
 
 MOST_BOXES = 4
 LONGEST_SENTENCE = 1000
@@ -44,46 +40,27 @@ GROUPS = (
 def write_report(
     scores: Sequence[SetScore],
     path: str | Path,
-    *,
-    recordings: Iterable[Recording] = (),
-    pipelines: Mapping[str, Pipeline] | None = None,
-    cpi: float | None = None,
-    dpi: float | None = None,
 ) -> None:
     """Write what was scored, every table and figure, the statistics and the protocol to ``path``.
 
-    The same scores give the same bytes. ``recordings`` are those that were scored, found by name, one by one
-    from a generator if need be: with them the worst trials of the best predictor are drawn, for which it is
-    replayed with ``cpi`` and ``dpi`` as they were given to ``score``; ``pipelines`` are patterns for names
-    that the registry does not build as they were scored. Names in recordings are not trusted: they are
-    escaped. Raises ParameterError for an empty list or a set scored without ``hold``, RecordingError for a
-    recording with other trials than the score, MissingExtraError where the extra ``report`` is not installed,
-    and OSError when the file cannot be written.
+    The same scores give the same bytes. The worst trials are drawn where ``score`` was asked to keep them.
+    Names in recordings are not trusted: they are escaped. Raises ParameterError for an empty list or a set
+    scored without ``hold``, MissingExtraError where the extra ``report`` is not installed, and OSError when
+    the file cannot be written.
     """
     require("report", "a report")
     if not scores:
         raise ParameterError("a report needs at least one scored set, received none")
     described = [ranked(summarise(score)) for score in scores]
-    best = {one.name: (*highlighted(one), HOLD)[0] for one in described}
-    known = {score.name: score for score in scores}
-    drawings = {}
-    for recording in recordings:
-        if recording.name in known and known[recording.name].trials:
-            settings = resolution(recording, cpi, dpi)
-            name = best[recording.name]
-            pipeline = (pipelines or {}).get(name) or build(name, **settings)
-            prepared = prepare(recording, **settings)
-            drawings[recording.name] = worst(known[recording.name], prepared, pipeline)
     body = [
-        _set_html(place, score, one, drawings.get(score.name))
-        for place, (score, one) in enumerate(zip(scores, described, strict=True))
+        _set_html(place, score, one) for place, (score, one) in enumerate(zip(scores, described, strict=True))
     ]
     title = "Endpoint prediction: scores" + (" (simulated)" if all(s.simulated for s in scores) else "")
     contents = [(one.name, conclusion(one)) for one in described] if len(described) > 1 else []
     Path(path).write_text(page(title, contents, "\n".join(body)), encoding="utf-8")
 
 
-def _set_html(place: int, score: SetScore, described: SetSummary, drawings: Sequence[Drawing] | None) -> str:
+def _set_html(place: int, score: SetScore, described: SetSummary) -> str:
     """One set: what it shows in a sentence, a chart and a table; all the rest in parts that are closed."""
     anchor = f"set-{place}"
     tag = ' <span class="tag">simulated people</span>' if score.simulated else ""
@@ -101,7 +78,7 @@ def _set_html(place: int, score: SetScore, described: SetSummary, drawings: Sequ
         "Cost": _figures([cost(described)]),
         "Single axis": _single_axis(score, described, shown),
         "Statistics": _statistics(score),
-        "Worst trials": _worst(score, (*shown, HOLD)[0], drawings),
+        "Worst trials": _worst(score),
     }
     return "".join(
         [
@@ -186,20 +163,21 @@ def _statistics(score: SetScore) -> str:
     return statistics_html(score.name, axis_anova(score, models), profiles, thesis=thesis)
 
 
-def _worst(score: SetScore, name: str, drawings: Sequence[Drawing] | None) -> str:
-    """The worst trials of one predictor, drawn where the recording is at hand."""
-    if drawings is None:
-        return "<p>Not drawn: the recording was not given to the report.</p>"
-    rows = [_worst_row(i, drawing) for i, drawing in enumerate(drawings)]
+def _worst(score: SetScore) -> str:
+    """The worst trials of the best predictor, where they were kept."""
+    if score.worst is None:
+        return "<p>Not drawn: no trials were kept when the set was scored.</p>"
+    name, trials = score.worst.predictor, score.worst.trials
+    rows = [_worst_row(i, trial) for i, trial in enumerate(trials)]
     unit = f"[{score.unit}]"
     head = ("panel", "user", "trial", f"distance {unit}", "time [s]", f"error {unit}", "answered")
-    figure = draw_worst(score.name, name, drawings, simulated=score.simulated, unit=score.unit)
+    figure = draw_worst(score.name, score.worst, simulated=score.simulated, unit=score.unit)
     return _figures([figure]) + table(
         f"{score.name}: trials with the largest time-averaged error of {name}", head, rows
     )
 
 
-def _worst_row(place: int, drawing: Drawing) -> tuple[str, ...]:
+def _worst_row(place: int, drawing: WorstTrial) -> tuple[str, ...]:
     about = drawing.trial.trial
     answered = float((drawing.answers.x == drawing.answers.x).mean())
     return (

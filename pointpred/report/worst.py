@@ -2,69 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
-import msgspec
 import numpy as np
 
-from pointpred.columns import EventColumns, PredictionColumns
-from pointpred.errors import ParameterError, RecordingError
-from pointpred.pipeline import Pipeline
 from pointpred.report.style import GREY, INK, PALETTE, Picture, canvas, picture
-from pointpred.scoring.replay import answers_to
-from pointpred.scoring.results import ScoredTrial, SetScore
-from pointpred.scoring.trials import Prepared
+from pointpred.scoring.results import WorstTrial, WorstTrials
 
-COUNT = 6
 MIDDLE = np.linspace(0.3, 0.85, 64)
 """The part of matplotlib's plasma that stands out from a light page and from a dark one."""
 
 
-class Drawing(msgspec.Struct, frozen=True):
-    """One trial to draw: its events from the onset on and the answers given to them."""
-
-    trial: ScoredTrial
-    events: EventColumns
-    answers: PredictionColumns
-    error_px: float
-    """Time-averaged."""
-
-
-def worst(score: SetScore, prepared: Prepared, pipeline: Pipeline, count: int = COUNT) -> tuple[Drawing, ...]:
-    """The trials with the largest time-averaged error, replayed; trials in which the pipeline failed are not.
-
-    ``prepared`` is the recording that was scored. Raises RecordingError when it holds other trials and
-    ParameterError when the pipeline was not scored.
-    """
-    names = [one.trial.trial for one in prepared.trials]
-    if names != [one.trial.trial for one in score.trials]:
-        raise RecordingError(
-            f"{prepared.name} holds {len(names)} trials that are not the {len(score.trials)} of the score"
-        )
-    scored = {one.name: one for one in score.predictors}
-    if pipeline.name not in scored:
-        raise ParameterError(f"{pipeline.name!r} was not scored on {score.name}; scored: {', '.join(scored)}")
-    errors = scored[pipeline.name]
-    failed = {(skip.user, skip.trial) for skip in errors.failed}
-    order = np.argsort(-errors.time_averaged, kind="stable").tolist()
-    chosen = [k for k in order if (score.trials[k].trial.user, names[k]) not in failed][:count]
-    return tuple(
-        Drawing(
-            score.trials[k],
-            prepared.rows(k),
-            answers_to(prepared, pipeline, k),
-            float(errors.time_averaged[k]),
-        )
-        for k in chosen
-    )
-
-
-def draw_worst(
-    name: str, predictor: str, drawings: Sequence[Drawing], *, simulated: bool = False, unit: str = "px"
-) -> Picture:
+def draw_worst(name: str, worst: WorstTrials, *, simulated: bool = False, unit: str = "px") -> Picture:
     """A panel a trial: path, predicted endpoints coloured by time, true endpoint, target where known."""
-    title = f"Worst trials of {predictor}" + (" (simulated)" if simulated else "")
+    drawings = worst.trials
+    title = f"Worst trials of {worst.predictor}" + (" (simulated)" if simulated else "")
     rows = (len(drawings) + 1) // 2
     with canvas(rows, 2, width=8.0, height=0.9 + 3.0 * rows) as (figure, panels):
         colours = None
@@ -93,7 +45,7 @@ def draw_worst(
         )
 
 
-def _panel(axes: Any, drawing: Drawing) -> Any:
+def _panel(axes: Any, drawing: WorstTrial) -> Any:
     """One trial; returns what the colour bar explains."""
     from matplotlib import colormaps
     from matplotlib.colors import LinearSegmentedColormap

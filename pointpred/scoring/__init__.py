@@ -26,6 +26,7 @@ from pointpred.scoring.summary import (
 from pointpred.scoring.summary.bootstrap import DRAWS
 from pointpred.scoring.table import HEADINGS, footnotes, rows
 from pointpred.scoring.trials import Prepared, prepare, resolution
+from pointpred.scoring.worst import worst_trials
 
 Progress = Callable[[str, int, int], None]
 """Called with the set's name, the events replayed so far and all events to replay for it."""
@@ -72,6 +73,7 @@ def score(
     seed: int = 0,
     failed: Callable[[Recording, Exception], None] | None = None,
     parameters: Mapping[str, Mapping[str, Any]] | None = None,
+    worst: int = 0,
 ) -> list[SetScore]:
     """Score predictors on recordings, each recording on its own: distances differ, errors are never pooled.
 
@@ -80,7 +82,8 @@ def score(
     what a recording says of itself. ``threads``: one a processor unless given. ``seed`` fixes the resampling
     behind the intervals. Raises ParameterError for an unknown name or a name given twice, and for a ``cpi``
     or ``dpi`` out of bounds. Recordings may come one by one from a generator; one that cannot be scored is
-    told to ``failed`` and the others are scored, or its error is raised where nobody listens.
+    told to ``failed`` and the others are scored, or its error is raised where nobody listens. ``worst``:
+    how many trials with the largest errors of the best predictor are kept to be drawn.
 
     >>> from pointpred.columns import EventColumns
     >>> from pointpred.recording import Trial
@@ -101,7 +104,7 @@ def score(
     scores = []
     for recording in recordings:
         try:
-            scores.append(_score(recording, chosen, known, threads, progress, cpi, dpi, seed))
+            scores.append(_score(recording, chosen, known, threads, progress, cpi, dpi, seed, worst))
         except Exception as error:
             if failed is None:
                 raise
@@ -118,6 +121,7 @@ def _score(
     cpi: float | None,
     dpi: float | None,
     seed: int,
+    worst: int,
 ) -> SetScore:
     """Score one recording."""
     settings = resolution(recording, cpi, dpi)
@@ -134,7 +138,7 @@ def _score(
         if progress is not None:
             progress(recording.name, done, total)
 
-    return SetScore(
+    scored = SetScore(
         recording.name,
         prepared.trials,
         prepared.skipped,
@@ -150,6 +154,10 @@ def _score(
         notes=(*recording.notes, *IN_COUNTS[:counted]),
         unit="counts" if counted else "px",
     )
+    if not worst:
+        return scored
+    patterns = {pipeline.name: pipeline for pipeline in pipelines}
+    return msgspec.structs.replace(scored, worst=worst_trials(scored, prepared, patterns, worst))
 
 
 def _seen(pipeline: Pipeline, name: str) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import msgspec
 
-from pointpred.columns import FloatArray
+from pointpred.columns import EventColumns, FloatArray, PredictionColumns
 from pointpred.recording import Skip, Trial
 
 PATH_FRACTIONS = (0.10, 0.25, 0.50, 0.75, 0.90, 0.95, 1.00)
@@ -63,6 +63,25 @@ class PredictorErrors(msgspec.Struct, frozen=True):
     """Whether the predictor was fitted to people of a set of this name: its errors are too low."""
 
 
+class WorstTrial(msgspec.Struct, frozen=True):
+    """One trial with the answers of one predictor, to be drawn."""
+
+    trial: ScoredTrial
+    events: EventColumns
+    """From the onset on."""
+    answers: PredictionColumns
+    """A row an event."""
+    error_px: float
+    """Time-averaged."""
+
+
+class WorstTrials(msgspec.Struct, frozen=True):
+    """The trials with the largest errors of one predictor, the worst first."""
+
+    predictor: str
+    trials: tuple[WorstTrial, ...]
+
+
 class SetScore(msgspec.Struct, frozen=True):
     """One recording scored with several predictors."""
 
@@ -78,3 +97,5 @@ class SetScore(msgspec.Struct, frozen=True):
     """What the reader of the recording saw and mended."""
     unit: str = "px"
     """Of positions and errors: ``"counts"`` where the recording holds a device's counts and no cursor."""
+    worst: WorstTrials | None = None
+    """Of the best predictor; ``None`` where ``score`` was not asked for them."""

@@ -9,6 +9,7 @@ import pytest
 
 from pointpred.columns import EventColumns
 from pointpred.recording import Recording, Trial
+from pointpred.sources import read_any
 from pointpred.sources import recordings as own
 
 T = [0.0, 0.1, 0.2, 0.3]
@@ -109,6 +110,23 @@ def test_json_to_a_file_leaves_the_table(command, good: Path, tmp_path: Path) ->
     left = command("score", good, "--predictors", "hold", "--json", tmp_path / "out.json")
     assert "hold" in left.out
     assert json.loads((tmp_path / "out.json").read_text())["sets"][0]["name"] == "walk"
+
+
+def test_a_report_reads_each_recording_once(
+    command, good: Path, bad: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    read: list[Path] = []
+
+    def counted(file: Path, *rest: object) -> object:
+        read.append(file)
+        return read_any(file, *rest)
+
+    monkeypatch.setattr("pointpred.sources.read_any", counted)
+    report = tmp_path / "out.html"
+    left = command("score", good, bad, "--predictors", "linear", "--report", report)
+    assert left.code == 0
+    assert read == [good, bad]
+    assert "Worst trials of" in report.read_text(encoding="utf-8")
 
 
 def test_nothing_scored_is_1_and_says_why(command, bad: Path) -> None:

@@ -8,14 +8,13 @@ import numpy as np
 import pytest
 
 from pointpred import build
+from pointpred import run as pipeline_run
 from pointpred.columns import EventColumns
-from pointpred.errors import ParameterError, RecordingError
+from pointpred.errors import ParameterError
 from pointpred.recording import Provenance, Recording, Trial
 from pointpred.report import write_report
 from pointpred.report.choice import compared, highlighted
 from pointpred.report.style import Picture, canvas, picture
-from pointpred.report.worst import worst
-from pointpred.scoring import prepare
 from pointpred.scoring import score as run
 from pointpred.scoring.results import SetScore
 from pointpred.scoring.summary import summarise
@@ -175,21 +174,27 @@ def recording():
 
 
 def test_worst_trials_are_replayed_and_drawn(recording, tmp_path):
-    (scored,) = run([recording], ["linear"])
-    drawings = worst(scored, prepare(recording), build("linear"), count=2)
-    assert [drawing.trial.trial.trial for drawing in drawings] == ["1", "2"]
-    assert drawings[0].error_px == scored.predictors[1].time_averaged[1]
-    assert len(drawings[0].events) == len(drawings[0].answers) == drawings[0].trial.events
-    write_report([scored], tmp_path / "out.html", recordings=iter([recording]))
+    (scored,) = run([recording], ["linear"], worst=2)
+    assert scored.worst.predictor == "linear"
+    assert [one.trial.trial.trial for one in scored.worst.trials] == ["1", "2"]
+    first = scored.worst.trials[0]
+    assert first.error_px == scored.predictors[1].time_averaged[1]
+    assert len(first.events) == len(first.answers) == first.trial.events
+    write_report([scored], tmp_path / "out.html")
     page = (tmp_path / "out.html").read_text()
-    assert "Worst trials of" in page
+    assert "Worst trials of linear" in page
     assert "Not drawn" not in page
 
 
-def test_worst_trials_of_another_recording_are_refused(recording):
-    (scored,) = run([recording], ["linear"])
-    other = Recording.of("walks", [walk(400.0, 0.0)], [Trial("bob", "7")])
-    with pytest.raises(RecordingError, match="not the 3 of the score"):
-        worst(scored, prepare(other), build("linear"))
-    with pytest.raises(ParameterError, match="'kalman' was not scored"):
-        worst(scored, prepare(recording), build("kalman"))
+def test_worst_trials_are_those_of_the_pipeline_that_was_scored(recording):
+    """A pattern with parameters of its own is replayed as it was scored, not as the registry builds it."""
+    ours = build("linear", horizon_s=0.3)
+    (scored,) = run([recording], [ours], worst=1)
+    (one,) = scored.worst.trials
+    assert one.answers.table.tobytes() == pipeline_run(ours.fresh(), one.events).table.tobytes()
+    assert run([recording], ["linear"])[0].worst is None
+
+
+def test_hold_stands_in_where_nothing_else_was_scored(recording):
+    (scored,) = run([recording], [], worst=6)
+    assert (scored.worst.predictor, len(scored.worst.trials)) == ("hold", 3)
