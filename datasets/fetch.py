@@ -16,7 +16,7 @@ import msgspec
 
 from pointpred.datasets.catalogue import DataSet, RemoteFile, find
 from pointpred.errors import ParameterError, SourceError
-from pointpred.stage import Parameter, check
+from pointpred.parameter import Parameter, check
 
 CHUNK = 1 << 16
 MOST_BYTES = 500 * 2**20

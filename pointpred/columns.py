@@ -13,8 +13,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pointpred.errors import EventError
-from pointpred.events import PHASES, Motion, PointerEvent, Prediction
+from pointpred.events import Motion, PointerEvent, Prediction
 from pointpred.regions import Region, probability, region_of
+from pointpred.rows import EventRow, MotionRow, PredictionRow, event_of, event_row, motion_of, prediction_of
 
 FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
@@ -75,7 +76,7 @@ class Columns(Generic[Record]):
 class EventColumns(Columns[PointerEvent]):
     """Pointer events as columns, with ``begin`` marking the rows before which a stage is reset."""
 
-    names = ("t", "x", "y", "dx", "dy", "buttons")
+    names = EventRow._fields
 
     def __init__(self, table: ArrayLike, begin: BoolArray | None = None) -> None:
         super().__init__(table)
@@ -118,12 +119,7 @@ class EventColumns(Columns[PointerEvent]):
     @classmethod
     def of_events(cls, events: Iterable[PointerEvent]) -> Self:
         """Columns from records."""
-        none = float("nan")
-        rows = [
-            (e.t, e.x, e.y, none if e.dx is None else e.dx, none if e.dy is None else e.dy, e.buttons)
-            for e in events
-        ]
-        return cls(np.array(rows, dtype=np.float64).reshape(-1, 6))
+        return cls(np.array([event_row(event) for event in events], dtype=np.float64).reshape(-1, 6))
 
     def events(self) -> Iterator[PointerEvent]:
         """The rows as records."""
@@ -134,8 +130,7 @@ class EventColumns(Columns[PointerEvent]):
         return self[start:stop]
 
     def _record(self, row: list[float]) -> PointerEvent:
-        t, x, y, dx, dy, buttons = row
-        return PointerEvent(t, x, y, dx if dx == dx else None, dy if dy == dy else None, int(buttons))
+        return event_of(tuple(row))
 
     def _rows(self, some: slice) -> Self:
         return type(self)(self.table[some], self.begin[some])
@@ -147,15 +142,14 @@ class EventColumns(Columns[PointerEvent]):
 class MotionColumns(Columns[Motion]):
     """Motions as columns."""
 
-    names = ("t", "x", "y", "vx", "vy", "ax", "ay", "settled", "start", "counts")
+    names = MotionRow._fields
 
     def motions(self) -> Iterator[Motion]:
         """The rows as records."""
         return iter(self)
 
     def _record(self, row: list[float]) -> Motion:
-        t, x, y, vx, vy, ax, ay, settled, start, counts = row
-        return Motion(t, x, y, vx, vy, ax, ay, bool(settled), bool(start), bool(counts))
+        return motion_of(tuple(row))
 
 
 class RegionColumns(Columns[Region | None]):
@@ -170,7 +164,7 @@ class RegionColumns(Columns[Region | None]):
 class PredictionColumns(Columns[Prediction | None]):
     """Predictions as columns; a row without a prediction is NaN but for ``t`` and the phase."""
 
-    names = ("t", "x", "y", "sxx", "sxy", "syy", "remaining_s", "phase", "tail", "remaining_spread")
+    names = PredictionRow._fields
 
     def predictions(self) -> Iterator[Prediction | None]:
         """The rows as records, ``None`` where nothing was justified."""
@@ -181,12 +175,12 @@ class PredictionColumns(Columns[Prediction | None]):
         level = probability(level)
         claimed = self.table[:, [1, 2, 3, 4, 5, 8]].tolist()
         regions = [region_of(level, *row) for row in claimed]
-        none = (float("nan"),) * len(RegionColumns.names)
+        none = (np.nan,) * len(RegionColumns.names)
         rows = [none if one is None else (one.x, one.y, one.major, one.minor, one.angle) for one in regions]
         return RegionColumns(np.array(rows, dtype=np.float64).reshape(-1, len(RegionColumns.names)))
 
     def _record(self, row: list[float]) -> Prediction | None:
-        return prediction_of(row[0], tuple(row[1:]))
+        return prediction_of(tuple(row))
 
 
 def _numbers(values: ArrayLike, name: str) -> FloatArray:
@@ -198,20 +192,3 @@ def _numbers(values: ArrayLike, name: str) -> FloatArray:
         return array.astype(np.float64, copy=False)
     except (TypeError, ValueError) as wrong:
         raise EventError(f"{name} needs numbers: {wrong}") from wrong
-
-
-def prediction_of(t: float, values: tuple[float, ...]) -> Prediction | None:
-    """A prediction from a row of ``PredictionColumns`` after its time; ``None`` where x is NaN."""
-    x, y, sxx, sxy, syy, remaining_s, phase, tail, spread = values
-    if x != x:
-        return None
-    return Prediction(
-        t,
-        x,
-        y,
-        (sxx, sxy, syy) if sxx == sxx else None,
-        PHASES[int(phase)],
-        remaining_s if remaining_s == remaining_s else None,
-        tail if tail == tail else None,
-        spread if spread == spread else None,
-    )

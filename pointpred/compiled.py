@@ -57,11 +57,24 @@ def law(function: Function) -> Function:
         if sealed:
             _only_read(compiled, plain)
         if folder is not None:
+            _key_by_signature(compiled)
             _distrust(compiled)
     finally:
         config.CACHE_DIR = elsewhere
     _fingerprints[id(compiled)] = fingerprint
     return cast(Function, compiled)
+
+
+def _key_by_signature(compiled: Any) -> None:
+    """Find a law in its folder by its signature and machine: the folder's name is the digest of its code.
+
+    numba's own key also pickles what a closure refers to; a compiled law pickles differently in each process.
+    """
+
+    def key(signature: Any, target: Any) -> tuple[Any, ...]:
+        return signature, target.magic_tuple()
+
+    compiled._cache._index_key = key
 
 
 @cache
@@ -190,6 +203,7 @@ def _fingerprint(function: FunctionType) -> str:
     """A digest of a law's code, the laws it calls and the constants it reads."""
     code = function.__code__
     parts = [function.__module__, code.co_code.hex(), _constants(code)]
+    parts += [_value(cell.cell_contents) for cell in function.__closure__ or ()]
     for name in code.co_names:
         value = function.__globals__.get(name)
         if isinstance(value, ModuleType):

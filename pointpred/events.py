@@ -22,6 +22,7 @@ LARGEST = 1e9
 """Bound on the magnitude of positions (px), counts and buttons: beyond it arithmetic means nothing."""
 NORMAL = float("nan")
 """The tail of a normal law in columns, frames and laws; records say ``None``."""
+METRES_PER_INCH = 0.0254
 CPI, DPI = (1.0, 1e6), (1.0, 1e5)
 """Bounds on the counts per inch of a device and the pixels per inch of a screen."""
 ROUNDING_S = 1e-6

@@ -2,28 +2,35 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Self
 
 from pointpred.columns import BoolArray, EventColumns, FloatArray, PredictionColumns
 from pointpred.compiled import law
 from pointpred.differentiators import Differentiator
+from pointpred.differentiators.differentiator import row_of
+from pointpred.errors import EventError
 from pointpred.events import PointerEvent, Prediction
 from pointpred.person import person_of
 from pointpred.predictors import Predictor
-from pointpred.predictors.predictor import PHASE
+from pointpred.rows import REFUSED, Row, TenFloats, prediction_of
 
 
 @law
-def refused(motions: FloatArray, predictions: FloatArray) -> bool:
-    """Whether a stage refused a row: the time of its motion, or the phase, is NaN."""
-    for i in range(len(motions)):
-        if motions[i, 0] != motions[i, 0] or predictions[i, PHASE] != predictions[i, PHASE]:
-            return True
-    return False
+def has_refusal(rows: FloatArray) -> bool:
+    """Whether a stage refused a row: its time is NaN."""
+    count = 0
+    for i in range(len(rows)):
+        count += 1 if rows[i, 0] != rows[i, 0] else 0
+    return count > 0
 
 
 class Pipeline:
-    """A ``Stage[PointerEvent, Prediction | None]``: the differentiator's motion feeds the predictor."""
+    """A ``Stage[PointerEvent, Prediction | None]``: the differentiator's motion feeds the predictor.
+
+    ``advance`` takes one row and ``advance_all`` a table; ``update`` and ``run`` do the same for records and
+    columns. Where an event is refused, or a law fails, nothing has changed.
+    """
 
     def __init__(self, name: str, differentiator: Differentiator, predictor: Predictor) -> None:
         self.name = name
@@ -36,45 +43,57 @@ class Pipeline:
         Raises EventOrderError when time runs backwards and EventError when a value is not finite or out of
         range; the pipeline is then unchanged.
         """
-        kept = self.differentiator.remembered()  # it has moved on when the predictor refuses its motion
-        motion = self.differentiator.consume(event)
-        try:
-            return self.predictor.consume(motion)
-        except Exception:
-            self.differentiator.recall(kept)
-            raise
+        answer = self.advance(row_of(event))
+        if answer is None:
+            raise self._reason(lambda: self.predictor.update(self.differentiator.update(event)))
+        return prediction_of(answer)
 
-    def advance(
-        self, t: float, x: float, y: float, dx: float, dy: float, buttons: float
-    ) -> tuple[float, ...] | None:
-        """``update`` in plain numbers, NaN for what is missing: a row of ``PredictionColumns``.
+    def advance(self, row: Row) -> TenFloats | None:
+        """``update`` in rows: an ``EventRow`` in, the floats of a ``PredictionRow`` out.
 
         ``None`` where the event is refused; nothing has changed then, and ``update`` says why.
         """
-        kept = self.differentiator.remembered()
-        motion = self.differentiator.advance(t, x, y, dx, dy, buttons)
-        if motion[0] != motion[0]:
-            return None
+        memory = self.differentiator.remembered()  # it has moved on when the predictor refuses its motion
+        answer: TenFloats = REFUSED
         try:
-            return self.predictor.advance(motion)
-        except Exception:
-            self.differentiator.recall(kept)
-            raise
+            answer = self.predictor.advance(self.differentiator.advance(row))
+        finally:
+            if answer[0] != answer[0]:
+                self.differentiator.recall(memory)
+        return answer if answer[0] == answer[0] else None
 
     def advance_all(self, begin: BoolArray, table: FloatArray) -> FloatArray | None:
-        """``run`` in plain tables, for frames so short that records around them would be felt.
+        """``advance`` over a table, resetting before each row marked ``begin``.
 
         ``None`` where a row is refused; nothing has changed then, and ``run`` says why.
         """
         stages = (self.differentiator, self.predictor)
-        kept = [stage.remembered() for stage in stages]
-        motions = self.differentiator.walk(begin, table)
-        predictions = self.predictor.walk(begin, motions)
-        if not refused(motions, predictions):
-            return predictions
-        for stage, memory in zip(stages, kept, strict=True):
-            stage.recall(memory)
-        return None
+        memories = [stage.remembered() for stage in stages]
+        answers: FloatArray | None = None
+        try:
+            answers = self.predictor.walk(begin, self.differentiator.walk(begin, table))
+            if has_refusal(answers):
+                answers = None
+        finally:
+            if answers is None:
+                for stage, memory in zip(stages, memories, strict=True):
+                    stage.recall(memory)
+        return answers
+
+    def refusal(self, columns: EventColumns) -> EventError:
+        """Why ``advance_all`` refuses a table of events; it names the row."""
+        return self._reason(lambda: self.predictor.run(self.differentiator.run(columns), columns.begin))
+
+    def _reason(self, attempt: Callable[[], object]) -> EventError:
+        """Why the stages refuse what was attempted; they are afterwards as they were."""
+        memory = self.differentiator.remembered()
+        try:
+            attempt()
+        except EventError as reason:
+            return reason
+        finally:
+            self.differentiator.recall(memory)
+        raise AssertionError("the stages take one by one what the pipeline refused")
 
     @property
     def learns(self) -> bool:
@@ -108,10 +127,7 @@ def run(pipeline: Pipeline, columns: EventColumns) -> PredictionColumns:
     Continues from the pipeline's memory, so chunks equal the whole; a row marked ``begin`` resets first.
     Raises EventOrderError or EventError naming the row; nothing is then consumed.
     """
-    kept = pipeline.differentiator.remembered()
-    motions = pipeline.differentiator.run(columns)
-    try:
-        return pipeline.predictor.run(motions, columns.begin)
-    except Exception:
-        pipeline.differentiator.recall(kept)
-        raise
+    table = pipeline.advance_all(columns.begin, columns.table)
+    if table is None:
+        raise pipeline.refusal(columns)
+    return PredictionColumns(table)

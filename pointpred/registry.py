@@ -9,6 +9,7 @@ import msgspec
 
 from pointpred.differentiators import DIFFERENTIATORS
 from pointpred.errors import ParameterError
+from pointpred.parameter import Parameter
 from pointpred.person import restore
 from pointpred.pipeline import Pipeline
 from pointpred.predictors import (
@@ -25,7 +26,7 @@ from pointpred.predictors import (
     SwitchedPredictor,
     TemplatePredictor,
 )
-from pointpred.stage import Parameter, defaults, settable
+from pointpred.stage import CompiledStage
 
 
 class Entry(msgspec.Struct, frozen=True):
@@ -139,17 +140,16 @@ REGISTRY: dict[str, Entry] = {
 def parameters(name: str) -> dict[str, tuple[Parameter, Any]]:
     """Every parameter of a name with its value unless set otherwise, predictor's first."""
     entry = _entry(name)
-    found: dict[str, tuple[Parameter, Any]] = {}
-    for stage in (entry.predictor, DIFFERENTIATORS[entry.differentiator]):
-        for parameter in stage.parameters:
-            value = (GAINS | entry.preset).get(parameter.name, defaults(stage)[parameter.name])
-            found[parameter.name] = (parameter, value)
-    return found
+    preset = GAINS | entry.preset
+    stages = (entry.predictor, DIFFERENTIATORS[entry.differentiator])
+    return {
+        one.name: (one, preset.get(one.name, one.default)) for stage in stages for one in stage.parameters
+    }
 
 
 def takes(name: str, parameter: str) -> bool:
     """Whether the predictor of a name has a parameter; raises ParameterError for an unknown name."""
-    return parameter in settable(_entry(name).predictor)
+    return parameter in _names(_entry(name).predictor)
 
 
 def describe(name: str) -> dict[str, Any]:
@@ -195,28 +195,31 @@ def build(
     entry = _entry(name)
     chosen = parameters.pop("differentiator", entry.differentiator)
     if not isinstance(chosen, str) or chosen not in DIFFERENTIATORS:
-        raise ParameterError(_unknown("differentiator", chosen, list(DIFFERENTIATORS)))
-    stages = (entry.predictor, DIFFERENTIATORS[chosen])
-    own = [settable(stage) for stage in stages]
-    known = [*own[0], *own[1]]
-    for given in parameters:
-        if given not in known:
-            raise ParameterError(_unknown(f"parameter of {name}", given, known))
-    settings = {k: v for k, v in (GAINS | entry.preset).items() if k in known} | parameters
-    predictor, differentiator = ({k: settings[k] for k in names if k in settings} for names in own)
-    differentiator |= {"cpi": cpi, "dpi": dpi}
-    made = stages[0](**predictor)
-    restore(made, person)
-    return Pipeline(name, stages[1](**differentiator), made)
+        raise _unknown("differentiator", "differentiator", chosen, list(DIFFERENTIATORS))
+    own, shared = _names(entry.predictor), _names(DIFFERENTIATORS[chosen])
+    for word in parameters:
+        if word not in own + shared:
+            raise _unknown(f"parameter of {name}", word, word, own + shared)
+    settings = GAINS | entry.preset | parameters | {"cpi": cpi, "dpi": dpi}
+    predictor = entry.predictor(**{key: settings[key] for key in own if key in settings})
+    restore(predictor, person)
+    differentiator = DIFFERENTIATORS[chosen](**{key: settings[key] for key in shared if key in settings})
+    return Pipeline(name, differentiator, predictor)
+
+
+def _names(stage: type[CompiledStage]) -> list[str]:
+    return [one.name for one in stage.declarations]
 
 
 def _entry(name: str) -> Entry:
     if not isinstance(name, str) or name not in REGISTRY:
-        raise ParameterError(_unknown("predictor", name, list(REGISTRY)))
+        raise _unknown("predictor", "predictor", name, list(REGISTRY))
     return REGISTRY[name]
 
 
-def _unknown(kind: str, name: object, known: list[str]) -> str:
+def _unknown(kind: str, field: str, name: object, known: list[str]) -> ParameterError:
+    """The error for a word that names nothing, with a code such as ``unknown_predictor``."""
     near = difflib.get_close_matches(str(name), known, 1)
     hint = f"; did you mean {near[0]!r}?" if near else "."
-    return f"unknown {kind} {name!r}{hint} Known: {', '.join(known)}"
+    message = f"unknown {kind} {name!r}{hint} Known: {', '.join(known)}"
+    return ParameterError(message, code=f"unknown_{kind.split()[0]}", field=field, value=name)

@@ -1,22 +1,22 @@
 """The contract between the rooms: a stage consumes one sample and returns its answer.
 
-Each law is one function ``step(memory, sample...)`` on a flat float64 array: parameters first, then what
-the stage remembers, which is all zeros while it remembers nothing. ``update`` calls the step once; ``loop``
-calls the same step over a table. There is no second implementation.
+Each law is one function ``step(memory, row)`` on a flat float64 array: parameters first, then what the stage
+remembers, which is all zeros while it remembers nothing. ``advance`` calls the step once; the loop that
+``loop_of`` makes of it calls the same step over a table. There is no second implementation.
 """
 
 from __future__ import annotations
 
 import copy
-import inspect
 from collections.abc import Callable
-from typing import Any, ClassVar, Protocol, Self, TypeVar, runtime_checkable
+from typing import Any, ClassVar, Protocol, Self, TypeVar, dataclass_transform, runtime_checkable
 
 import msgspec
 import numpy as np
 
 from pointpred.columns import BoolArray, FloatArray
-from pointpred.errors import ParameterError
+from pointpred.compiled import law
+from pointpred.parameter import Option, Parameter, complete, declared, option, parameter
 
 In = TypeVar("In", contravariant=True)
 Out = TypeVar("Out", covariant=True)
@@ -39,16 +39,6 @@ class Stage(Protocol[In, Out]):
         ...
 
 
-class Parameter(msgspec.Struct, frozen=True):
-    """What a user may set: its unit, its closed bounds and what it does."""
-
-    name: str
-    unit: str
-    low: float
-    high: float
-    meaning: str
-
-
 class Slot(msgspec.Struct, frozen=True):
     """A run of numbers that a stage knows of its person: their name, how many, the closed bounds of each."""
 
@@ -60,11 +50,69 @@ class Slot(msgspec.Struct, frozen=True):
     """Whether each is a whole number, such as how many of something are held."""
 
 
+def offsets(*sizes: int) -> tuple[int, ...]:
+    """Where parts of these sizes lie in a memory, one behind the other; the last number is where they end.
+
+    >>> THRESHOLD, BOUND, PAST, END = offsets(1, 1, 24)
+    >>> THRESHOLD, BOUND, PAST, END
+    (0, 1, 2, 26)
+    """
+    ends = [0]
+    for size in sizes:
+        ends.append(ends[-1] + size)
+    return tuple(ends)
+
+
+@law
+def learn_nothing(memory: FloatArray) -> None:
+    """What most stages do when a movement ends."""
+
+
+def loop_of(
+    step: Callable[..., Any], row_of: Callable[..., Any], conclude: Callable[..., None] = learn_nothing
+) -> Callable[..., None]:
+    """The compiled loop around a law ``step(memory, row, *shared) -> row`` over a table.
+
+    ``row_of(rows, i)`` takes a row out of the table as a tuple. A row marked ``begin`` forgets the memory
+    from ``first`` on, after ``conclude(memory)`` has learned from the movement that it ends.
+    """
+
+    @law
+    def loop(
+        memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray, *shared: Any
+    ) -> None:
+        for i in range(len(rows)):
+            if begin[i]:
+                conclude(memory)
+                memory[first:] = 0.0
+            answer = step(memory, row_of(rows, i), *shared)
+            for j in range(len(answer)):
+                out[i, j] = answer[j]
+
+    return loop
+
+
+def loop_into(step: Callable[..., Any]) -> Callable[..., None]:
+    """The compiled loop around a law ``step(memory, row, out)`` on arrays, for rows of any width."""
+
+    @law
+    def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
+        for i in range(len(rows)):
+            if begin[i]:
+                memory[first:] = 0.0
+            step(memory, rows[i], out[i])
+
+    return loop
+
+
+@dataclass_transform(kw_only_default=True, field_specifiers=(parameter, option))
 class CompiledStage:
     """What all stages share whose law is compiled: the flat memory, reset, fresh, and the walk over rows.
 
-    A child names its ``parameters`` (checked against the bounds), its ``loop`` over a table, and the width
-    of the rows the loop writes.
+    A child declares what may be set by ``parameter`` and ``option``; its constructor takes these keywords,
+    checks them, and keeps each as an attribute. It gives its ``step``, the ``loop`` over a table, the
+    ``width`` of the rows that the loop writes, and ``states``, how many floats the step remembers.
+    ``shared`` are arrays that the law reads behind the row and nobody writes to.
 
     A stage that learns its person keeps what it knows between the parameters and the movement's memory:
     ``learned`` floats, all zero while it knows nothing. ``reset`` and a row marked ``begin`` forget the
@@ -76,17 +124,40 @@ class CompiledStage:
     law fail or answer NaN.
     """
 
+    declarations: ClassVar[tuple[Parameter | Option, ...]] = ()
     parameters: ClassVar[tuple[Parameter, ...]] = ()
+    """The declarations that are numbers."""
+    states: int = 0
     width: int
     loop: ClassVar[Callable[..., None]]
+    shared: tuple[FloatArray, ...] = ()
     learned: int = 0
     conclude: ClassVar[Callable[..., None]] = staticmethod(lambda memory: None)
     slots: ClassVar[tuple[Slot, ...]] = ()
     doubt: ClassVar[Callable[..., str]] = staticmethod(lambda known: "")
     """What is wrong with learned floats that are each within their bounds, in words; empty for nothing."""
 
-    def __init__(self, settings: list[float] | FloatArray, states: int) -> None:
-        """Lay out the memory: ``settings`` first, ``learned`` zeros, then ``states`` zeros."""
+    def __init_subclass__(cls) -> None:
+        super().__init_subclass__()
+        cls.declarations = declared(vars(cls), cls.declarations)
+        if "parameters" not in vars(cls):
+            cls.parameters = tuple(one for one in cls.declarations if isinstance(one, Parameter))
+
+    def __init__(self, **values: Any) -> None:
+        """Check the values and lay out the memory; raises ParameterError."""
+        self.declare(**values)
+        self.lay_out(self.settings(), self.states)
+
+    def declare(self, **values: Any) -> None:
+        """Check the values of the declarations, and keep them as attributes; raises ParameterError."""
+        self.__dict__.update(complete(type(self).__name__, type(self).declarations, values))
+
+    def settings(self) -> list[float] | FloatArray:
+        """What stands first in the memory: the parameters in the order of their declarations."""
+        return [one.number(getattr(self, one.name)) for one in type(self).parameters]
+
+    def lay_out(self, settings: list[float] | FloatArray, states: int) -> None:
+        """Make the memory: ``settings`` first, ``learned`` zeros, then ``states`` zeros."""
         self._first = len(settings) + self.learned
         self._memory = np.zeros(self._first + states)
         self._memory[: len(settings)] = settings
@@ -126,31 +197,5 @@ class CompiledStage:
     def walk(self, begin: BoolArray, rows: FloatArray) -> FloatArray:
         """Run the law over rows, resetting before each row marked ``begin``; continues from the memory."""
         out = np.full((len(rows), self.width), np.nan)
-        type(self).loop(self._memory, self._first, begin, rows, out)
+        type(self).loop(self._memory, self._first, begin, rows, out, *self.shared)
         return out
-
-
-def check(parameters: tuple[Parameter, ...], values: dict[str, Any]) -> None:
-    """Raise ParameterError for a value that is not a number within its bounds."""
-    for parameter in parameters:
-        value = values[parameter.name]
-        unit = f" {parameter.unit}" if parameter.unit else ""
-        if isinstance(value, bool) or not isinstance(value, int | float | np.integer | np.floating):
-            kind = f"a number ({parameter.unit})" if unit else "a number"
-            raise ParameterError(f"{parameter.name} must be {kind}, received {value!r}")
-        if not parameter.low <= value <= parameter.high:
-            raise ParameterError(
-                f"{parameter.name} must lie in [{parameter.low:g}, {parameter.high:g}]{unit}, "
-                f"received {value!r}"
-            )
-
-
-def defaults(stage: type[CompiledStage]) -> dict[str, Any]:
-    """The default of each parameter of a stage, read from its constructor."""
-    signature = inspect.signature(stage.__init__)
-    return {p.name: signature.parameters[p.name].default for p in stage.parameters}
-
-
-def settable(stage: type[CompiledStage]) -> tuple[str, ...]:
-    """Everything a stage's constructor accepts: its parameters, and choices that are no numbers."""
-    return tuple(name for name in inspect.signature(stage.__init__).parameters if name != "self")

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import BoolArray, FloatArray, MotionColumns, PredictionColumns
+from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
 from pointpred.predictors import SwitchedDirectionPredictor, submovement
 from pointpred.registry import parameters
@@ -46,25 +46,25 @@ class _Whole(SwitchedDirectionPredictor):
 class Held(_Whole):
     """The doubled endpoint is held after the peak, as in the thesis's ballistic phase."""
 
-    def run(self, motions: MotionColumns, begin: BoolArray) -> PredictionColumns:
+    def walk(self, begin: BoolArray, rows: FloatArray) -> FloatArray:
         """A whole table of movements at once."""
-        answers = super().run(motions, begin).table
-        hold_after_peaks(motions.table, begin, settings()["rise"], np.zeros(submovement.STATES), answers)
-        return PredictionColumns(answers)
+        answers = super().walk(begin, rows)
+        hold_after_peaks(rows, begin, settings()["rise"], np.zeros(submovement.STATES), answers)
+        return answers
 
 
 class AxisWise(_Whole):
     """The law for each axis on its own, with the axis' own sub-movements."""
 
-    def run(self, motions: MotionColumns, begin: BoolArray) -> PredictionColumns:
+    def walk(self, begin: BoolArray, rows: FloatArray) -> FloatArray:
         """A whole table of movements at once."""
         answers: list[FloatArray] = []
         for other in reversed(AXES):
-            one = motions.table.copy()
+            one = rows.copy()
             one[:, other] = 0.0
-            answers.append(SwitchedDirectionPredictor(**settings()).run(MotionColumns(one), begin).table)
+            answers.append(SwitchedDirectionPredictor(**settings()).walk(begin, one))
         answers[0][:, 2] = answers[1][:, 2]
-        return PredictionColumns(answers[0])
+        return answers[0]
 
 
 def settings() -> dict[str, float]:

@@ -11,7 +11,7 @@ from pointpred.camera.samples import FOCAL, CameraColumns, CameraSample
 from pointpred.columns import BoolArray, Columns, FloatArray
 from pointpred.compiled import law
 from pointpred.observers.unknown_input.observer import UnknownInputObserver
-from pointpred.stage import Parameter, check
+from pointpred.parameter import Parameter, check
 
 NONE = float("nan")
 LARGEST_RATE = 1e3
@@ -233,7 +233,7 @@ class DepthObserver(CameraStage):
             half = 0.5 * observer.certificate.sigma
             box = [bound for pair in list(observer.box.bounds.values())[:5] for bound in pair]
         settings = [float(focal_px), half, float(start_chi), float(start_eta), float(gap_s), *box]
-        super().__init__(settings, STATES)
+        self.lay_out(settings, STATES)
         self.focal_px, self.half_sigma = float(focal_px), half
 
     def update(self, sample: CameraSample, /) -> Depth:

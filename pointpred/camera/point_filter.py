@@ -11,7 +11,7 @@ from pointpred.camera import point_law
 from pointpred.camera.camera_stage import CameraStage
 from pointpred.camera.samples import FOCAL, CameraColumns, CameraSample
 from pointpred.columns import BoolArray, FloatArray
-from pointpred.stage import Parameter, check
+from pointpred.parameter import Parameter, check
 
 
 class PointEstimate(msgspec.Struct, frozen=True):
@@ -122,7 +122,7 @@ class PointFilter(CameraStage):
             float(gyro_noise) ** 2,
             float(accel_noise) ** 2,
         ]
-        super().__init__([float(focal_px), *variances, float(share), float(gap_s)], point_law.STATES)
+        self.lay_out([float(focal_px), *variances, float(share), float(gap_s)], point_law.STATES)
 
     def update(self, sample: CameraSample, /) -> PointEstimate | None:
         """Consume one sample; ``None`` before the start. A refused sample changes nothing."""

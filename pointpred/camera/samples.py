@@ -9,7 +9,7 @@ from pointpred.camera.scenario import Scenario, Trajectory, trajectory
 from pointpred.columns import Columns
 from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
-from pointpred.stage import Parameter, check
+from pointpred.parameter import Parameter, check
 
 FOCAL = Parameter("focal_px", "px", 1.0, 1e6, "focal length: image plane to px")
 NOISE = (

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from pointpred.camera.samples import CameraColumns
 from pointpred.errors import EventError, ParameterError
 from pointpred.extras import missing_extra
-from pointpred.stage import Parameter, check
+from pointpred.parameter import Parameter, check
 
 Image = NDArray[np.uint8]
 

@@ -6,7 +6,8 @@ from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
 from pointpred.errors import EventError
 from pointpred.events import LATEST_S
-from pointpred.stage import CompiledStage, Parameter, check
+from pointpred.parameter import Parameter, check
+from pointpred.stage import CompiledStage
 
 NONE = float("nan")
 SPREAD_START = 1.0
@@ -113,7 +114,7 @@ class UnknownInputFilter(CompiledStage):
 
     def __init__(self, *, noise: float, density: float = 3e-4) -> None:
         check(self.parameters, {"noise": noise, "density": density})
-        super().__init__([float(noise) ** 2, float(density)], STATES)
+        self.lay_out([float(noise) ** 2, float(density)], STATES)
 
     def update(self, row: tuple[float, ...], /) -> tuple[float, float, float, float]:
         """Consume one row; a refused one changes nothing."""

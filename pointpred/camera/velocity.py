@@ -11,10 +11,9 @@ from pointpred.camera.samples import FOCAL, CameraColumns, CameraSample
 from pointpred.camera.unknown_input_filter import UnknownInputFilter, flow
 from pointpred.columns import FloatArray
 from pointpred.differentiators import DIFFERENTIATORS, Differentiator
-from pointpred.differentiators.sampling import METRES_PER_INCH
 from pointpred.errors import ParameterError
-from pointpred.events import PointerEvent
-from pointpred.stage import Parameter, check
+from pointpred.events import METRES_PER_INCH, PointerEvent
+from pointpred.parameter import Parameter, check
 
 NONE = float("nan")
 NOISE_PX = Parameter("noise_px", "px", 1e-3, 1e3, "standard deviation of a coordinate in the image")

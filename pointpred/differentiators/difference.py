@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-from pointpred.columns import BoolArray, FloatArray
+from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.differentiators import sampling
-from pointpred.differentiators.differentiator import REFUSED_ROW, Differentiator
-from pointpred.stage import Parameter, check
+from pointpred.differentiators.differentiator import Differentiator, loop_over_events
+from pointpred.parameter import parameter
+from pointpred.rows import REFUSED, EventRow, TenFloats
+from pointpred.stage import offsets
 
-SHORTEST_S = sampling.SETTINGS
-AT = SHORTEST_S + 1  # sampling state
-TIME = AT + sampling.STATES  # of the position differenced last
-UX = TIME + 1  # that position
-VX = UX + 2
-AX = VX + 2
-SPAN_S = AX + 2  # the time over which the last velocity was taken
-STATES = sampling.STATES + 8
+# The parameters: those of sampling, the shortest interval. The state: that of sampling; time and position of
+# the last difference; velocity, acceleration; the time over which that velocity was taken.
+_, SHORTEST_S, AT, TIME, UX, VX, AX, SPAN_S, LENGTH = offsets(
+    sampling.SETTINGS, 1, sampling.STATES, 1, 2, 2, 2, 1
+)
 
 
 @law
@@ -29,45 +28,27 @@ def advance(memory: FloatArray, axis: int, u: float, dt: float) -> None:
 
 
 @law
-def step(
-    memory: FloatArray, t: float, x: float, y: float, dx: float, dy: float, buttons: float
-) -> tuple[float, float, float, float, float, float, float, float, float, float]:
+def step(memory: FloatArray, event: EventRow) -> TenFloats:
     """One event through the differences of both axes."""
-    verdict, _, _, _, start = sampling.accept(memory, AT, t, x, y, dx, dy, buttons)
+    verdict, _, _, _, start = sampling.accept(memory, AT, event)
     if verdict == sampling.REFUSED:
-        return REFUSED_ROW
+        return REFUSED
     if verdict == sampling.RESTARTED:
         memory[TIME : SPAN_S + 1] = 0.0
-        memory[TIME] = t
-    dt = t - memory[TIME]
+        memory[TIME] = memory[AT + sampling.T]
+    dt = memory[AT + sampling.T] - memory[TIME]
     if verdict == sampling.MOVED and dt >= memory[SHORTEST_S]:
         advance(memory, 0, memory[AT + sampling.U], dt)
         advance(memory, 1, memory[AT + sampling.V], dt)
-        memory[TIME] = t
+        memory[TIME] = memory[AT + sampling.T]
         memory[SPAN_S] = dt
-    return (
-        t,
-        x,
-        y,
-        memory[VX],
-        memory[VX + 1],
-        memory[AX],
-        memory[AX + 1],
-        sampling.settled(memory, AT, 3.0, 2.0 * memory[SHORTEST_S]),
-        1.0 if start else 0.0,
-        memory[AT + sampling.COUNTS],
-    )
+    velocity = memory[VX], memory[VX + 1]
+    acceleration = memory[AX], memory[AX + 1]
+    settled = sampling.settled(memory, AT, 3.0, 2.0 * memory[SHORTEST_S])
+    return sampling.motion(memory, AT, event, velocity, acceleration, settled, start)
 
 
-@law
-def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
-    """The same step over a table."""
-    for i in range(len(rows)):
-        if begin[i]:
-            memory[first:] = 0.0
-        motion = step(memory, rows[i, 0], rows[i, 1], rows[i, 2], rows[i, 3], rows[i, 4], rows[i, 5])
-        for j in range(len(motion)):
-            out[i, j] = motion[j]
+loop = loop_over_events(step)
 
 
 class BackwardDifferentiator(Differentiator):
@@ -95,22 +76,8 @@ class BackwardDifferentiator(Differentiator):
     (0.3, 20.0)
     """
 
-    parameters = (
-        *sampling.PARAMETERS,
-        Parameter("shortest_s", "s", 1e-6, 1e-1, "shortest interval differenced"),
-    )
+    shortest_s: float = parameter("s", 1e-6, 1e-1, "shortest interval differenced", default=1e-4)
     step = staticmethod(step)
     loop = staticmethod(loop)
     at = AT
-
-    def __init__(
-        self,
-        *,
-        shortest_s: float = 1e-4,
-        cpi: float | None = None,
-        dpi: float = 96.0,
-        gap_s: float = 0.1,
-        pause_s: float = 0.3,
-    ) -> None:
-        check(self.parameters, {"shortest_s": shortest_s, **sampling.named(cpi, dpi, gap_s, pause_s)})
-        super().__init__([*sampling.settings(cpi, dpi, gap_s, pause_s), float(shortest_s)], STATES)
+    states = LENGTH - AT

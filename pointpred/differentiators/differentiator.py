@@ -3,32 +3,82 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import ClassVar
+from typing import Any, ClassVar
 
-from pointpred.columns import EventColumns, MotionColumns
+from pointpred.columns import EventColumns, FloatArray, MotionColumns
+from pointpred.compiled import law
 from pointpred.differentiators import sampling
-from pointpred.errors import EventError
-from pointpred.events import Motion, PointerEvent
-from pointpred.stage import CompiledStage
-
-NONE = float("nan")
-REFUSED_ROW = (NONE, NONE, NONE, NONE, NONE, NONE, NONE, 0.0, 0.0, 0.0)
-"""What a step returns for an event it refuses; its memory is then unchanged."""
-
+from pointpred.errors import EventError, ParameterError
+from pointpred.events import CPI, DPI, METRES_PER_INCH, Motion, PointerEvent
+from pointpred.parameter import parameter
+from pointpred.rows import MotionRow, Row, SixFloats, TenFloats, event_row, motion_of
+from pointpred.stage import CompiledStage, loop_of
 
 PLAIN = frozenset({float, int, type(None)})
 """Kinds of the fields of an event that need no second look."""
 
 
-class Differentiator(CompiledStage):
-    """A ``Stage[PointerEvent, Motion]`` around a compiled ``step(memory, t, x, y, dx, dy, buttons)``.
+@law
+def event_at(rows: FloatArray, i: int) -> SixFloats:
+    """A row of a table of events as a tuple."""
+    r = rows[i]
+    return r[0], r[1], r[2], r[3], r[4], r[5]
 
-    A child gives ``step``, ``loop`` and ``at``, the place of the sampling state in the memory.
+
+def loop_over_events(step: Callable[..., Any]) -> Callable[..., None]:
+    """The loop of a differentiator's law over a table of events; see ``loop_of``."""
+    return loop_of(step, event_at)
+
+
+class Differentiator(CompiledStage):
+    """A ``Stage[PointerEvent, Motion]`` around a compiled ``step(memory, event) -> motion``.
+
+    Both are rows: an ``EventRow`` in, the floats of a ``MotionRow`` out, with t NaN where the event is
+    refused. A child gives ``step``, ``loop`` and ``at``, the place of the sampling state in the memory.
+
+    ``cpi``: with it the motor motion comes from the events' counts; without, from the cursor and ``dpi``.
     """
 
-    width = 10
-    at: int
-    step: ClassVar[Callable[..., tuple[float, ...]]]
+    width = len(MotionRow._fields)
+    at: ClassVar[int]
+    step: ClassVar[Callable[..., TenFloats]]
+
+    cpi: float | None = parameter(
+        "counts per inch",
+        *CPI,
+        "resolution of the device; None: counts are not used",
+        default=None,
+        absent=0.0,
+    )
+    dpi: float = parameter(
+        "px per inch", *DPI, "resolution of the screen, used where counts are not", default=96.0
+    )
+    gap_s: float = parameter(
+        "s", 1e-3, 1e3, "a longer gap between events means that the device was still", default=0.1
+    )
+    pause_s: float = parameter(
+        "s", 1e-3, 1e3, "the first event after a longer pause starts a movement", default=0.3
+    )
+
+    def declare(self, **values: Any) -> None:
+        """Check the values, each on its own, and that no pause is shorter than a gap."""
+        super().declare(**values)
+        if self.pause_s < self.gap_s:
+            raise ParameterError(
+                f"pause_s must be at least gap_s = {self.gap_s:g} s, received {self.pause_s:g} s",
+                field="pause_s",
+                value=self.pause_s,
+            )
+
+    def settings(self) -> list[float] | FloatArray:
+        """What stands first in the memory: m per count or 0, m per px, gap and pause in s; then ``own``."""
+        per_count = 0.0 if self.cpi is None else METRES_PER_INCH / self.cpi
+        return [per_count, METRES_PER_INCH / self.dpi, self.gap_s, self.pause_s, *self.own()]
+
+    def own(self) -> list[float]:
+        """The settings behind the shared ones: those that the child declares, in their order."""
+        shared = Differentiator.parameters
+        return [one.number(getattr(self, one.name)) for one in type(self).parameters[len(shared) :]]
 
     def update(self, event: PointerEvent, /) -> Motion:
         """Consume one event and return the motion after it.
@@ -36,52 +86,31 @@ class Differentiator(CompiledStage):
         Raises EventOrderError when time runs backwards and EventError when a value is not finite or out of
         range; the memory is then unchanged.
         """
-        t, x, y, vx, vy, ax, ay, settled, start, counts = self.consume(event)
-        return Motion(t, x, y, vx, vy, ax, ay, settled == 1.0, start == 1.0, counts == 1.0)
+        motion = self.advance(row_of(event))
+        if motion[0] != motion[0]:
+            raise self.refusal(event)
+        return motion_of(motion)
 
-    def consume(self, event: PointerEvent) -> tuple[float, ...]:
-        """``update``, with the motion as the plain row that a pipeline hands to its predictor."""
-        try:
-            dx, dy = event.dx, event.dy
-            kinds = {type(event.t), type(event.x), type(event.y), type(dx), type(dy), type(event.buttons)}
-            if (not kinds <= PLAIN and not _numbers(event)) or dx != dx or dy != dy:
-                raise TypeError("a value that is no number, or NaN for a count")
-            row = type(self).step(
-                self._memory,
-                float(event.t),
-                float(event.x),
-                float(event.y),
-                NONE if dx is None else float(dx),
-                NONE if dy is None else float(dy),
-                float(event.buttons),
-            )
-        except (TypeError, ValueError, OverflowError) as unusable:
-            raise sampling.explain(event, None) from unusable
-        except AttributeError as missing:
-            raise EventError(f"an event must be a PointerEvent, received {event!r:.80}") from missing
-        if row[0] != row[0]:
-            raise sampling.explain(event, self._last_t())
-        return row
-
-    def advance(
-        self, t: float, x: float, y: float, dx: float, dy: float, buttons: float
-    ) -> tuple[float, ...]:
-        """``consume`` for plain numbers, NaN for what is missing; t is NaN where the event is refused."""
-        return type(self).step(self._memory, t, x, y, dx, dy, buttons)
+    def advance(self, row: Row) -> TenFloats:
+        """``update`` in rows; t is NaN where the event is refused, and nothing has changed then."""
+        return type(self).step(self._memory, row)
 
     def run(self, events: EventColumns) -> MotionColumns:
         """Consume a table of events; when a row is refused the error names it and nothing is consumed."""
-        kept = self._memory.copy()
+        kept = self.remembered()
         motions = MotionColumns(self.walk(events.begin, events.table))
         refused = motions.t != motions.t
         if refused.any():
-            row = int(refused.argmax())
-            self._memory = kept
-            raise self.explain_row(events, row)
+            self.recall(kept)
+            raise self.refusal_of_row(events, int(refused.argmax()))
         return motions
 
-    def explain_row(self, events: EventColumns, row: int) -> Exception:
-        """Why a row of a table was refused."""
+    def refusal(self, event: PointerEvent) -> EventError:
+        """Why ``update`` refuses an event."""
+        return sampling.refusal(event, self._last_t())
+
+    def refusal_of_row(self, events: EventColumns, row: int) -> EventError:
+        """Why ``run`` refuses a row of a table."""
         begins = events.begin[: row + 1].nonzero()[0]
         first = int(begins[-1]) if len(begins) else 0
         before = events.t[first:row]
@@ -89,8 +118,11 @@ class Differentiator(CompiledStage):
             last_t: float | None = float(before[-1])
         else:
             last_t = None if len(begins) else self._last_t()
-        reason = sampling.explain(_record(events, row), last_t)
-        return type(reason)(f"row {row}: {reason}")
+        # The row as it stands, with buttons that may be no whole number at all.
+        t, x, y, dx, dy, buttons = events.table[row].tolist()
+        event = PointerEvent(t, x, y, None if dx != dx else dx, None if dy != dy else dy, buttons)
+        reason = sampling.refusal(event, last_t)
+        return type(reason)(f"row {row}: {reason}", field=reason.field, value=reason.value)
 
     def _last_t(self) -> float | None:
         """The time of the last event, ``None`` before the first."""
@@ -98,13 +130,21 @@ class Differentiator(CompiledStage):
         return float(self._memory[self.at + sampling.T]) if started else None
 
 
+def row_of(event: PointerEvent) -> SixFloats:
+    """The row of an event that a user made; raises EventError where a field is no number."""
+    try:
+        dx, dy = event.dx, event.dy
+        kinds = {type(event.t), type(event.x), type(event.y), type(dx), type(dy), type(event.buttons)}
+        if (not kinds <= PLAIN and not _numbers(event)) or dx != dx or dy != dy:
+            raise sampling.refusal(event, None)
+        return event_row(event)
+    except OverflowError as unusable:
+        raise sampling.refusal(event, None) from unusable
+    except AttributeError as missing:
+        raise EventError(f"an event must be a PointerEvent, received {event!r:.80}") from missing
+
+
 def _numbers(event: PointerEvent) -> bool:
     """Whether every field is a number, or a count that is missing."""
     counts = [count for count in (event.dx, event.dy) if count is not None]
     return all(map(sampling.is_number, (event.t, event.x, event.y, *counts, event.buttons)))
-
-
-def _record(events: EventColumns, row: int) -> PointerEvent:
-    """A row as it stands, with buttons that may be no whole number at all."""
-    t, x, y, dx, dy, buttons = events.table[row].tolist()
-    return PointerEvent(t, x, y, None if dx != dx else dx, None if dy != dy else dy, buttons)

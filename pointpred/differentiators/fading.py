@@ -4,23 +4,23 @@ from __future__ import annotations
 
 from math import exp
 
-from pointpred.columns import BoolArray, FloatArray
+from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.differentiators import sampling
-from pointpred.differentiators.differentiator import REFUSED_ROW, Differentiator
-from pointpred.stage import Parameter, check
+from pointpred.differentiators.differentiator import Differentiator, loop_over_events
+from pointpred.parameter import parameter
+from pointpred.rows import REFUSED, EventRow, TenFloats
+from pointpred.stage import offsets
 
 UNDETERMINED = 1e-9
 """Share of a pivot's diagonal below which the samples do not determine the coefficient."""
 LEAST_WEIGHT = 1e-30
 """Weights never fade further in one step, so that two samples far apart still give a line."""
 
-MEMORY_S = sampling.SETTINGS
-AT = MEMORY_S + 1  # sampling state
-TIME = AT + sampling.STATES  # S0 ... S4: sums of w s^k, s = (t_i - t) / memory_s of each sample, not positive
-WAY = TIME + 5  # R0 R1 R2 of x, then of y: sums of w s^k (u_i - u)
-FIT = WAY + 6  # velocity of x, y, acceleration of x, y
-STATES = sampling.STATES + 15
+# The parameters: those of sampling, the memory in s. The state: that of sampling; S0 ... S4, sums of w s^k
+# with s = (t_i - t) / memory_s of each sample, not positive; R0 R1 R2 of x, then of y, sums of w s^k
+# (u_i - u); velocity of x and y, acceleration of x and y.
+_, MEMORY_S, AT, TIME, WAY, FIT, LENGTH = offsets(sampling.SETTINGS, 1, sampling.STATES, 5, 6, 4)
 
 
 @law
@@ -72,13 +72,11 @@ def fit(memory: FloatArray) -> None:
 
 
 @law
-def step(
-    memory: FloatArray, t: float, x: float, y: float, dx: float, dy: float, buttons: float
-) -> tuple[float, float, float, float, float, float, float, float, float, float]:
+def step(memory: FloatArray, event: EventRow) -> TenFloats:
     """One event through the fits of both axes."""
-    verdict, dt, before_u, before_v, start = sampling.accept(memory, AT, t, x, y, dx, dy, buttons)
+    verdict, dt, before_u, before_v, start = sampling.accept(memory, AT, event)
     if verdict == sampling.REFUSED:
-        return REFUSED_ROW
+        return REFUSED
     if verdict == sampling.RESTARTED:
         memory[TIME : FIT + 4] = 0.0
         memory[TIME] = 1.0
@@ -86,29 +84,13 @@ def step(
         moved_u, moved_v = memory[AT + sampling.U] - before_u, memory[AT + sampling.V] - before_v
         absorb(memory, dt / memory[MEMORY_S], moved_u, moved_v)
         fit(memory)
-    return (
-        t,
-        x,
-        y,
-        memory[FIT],
-        memory[FIT + 1],
-        memory[FIT + 2],
-        memory[FIT + 3],
-        sampling.settled(memory, AT, 3.0, memory[MEMORY_S]),
-        1.0 if start else 0.0,
-        memory[AT + sampling.COUNTS],
-    )
+    velocity = memory[FIT], memory[FIT + 1]
+    acceleration = memory[FIT + 2], memory[FIT + 3]
+    settled = sampling.settled(memory, AT, 3.0, memory[MEMORY_S])
+    return sampling.motion(memory, AT, event, velocity, acceleration, settled, start)
 
 
-@law
-def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
-    """The same step over a table."""
-    for i in range(len(rows)):
-        if begin[i]:
-            memory[first:] = 0.0
-        motion = step(memory, rows[i, 0], rows[i, 1], rows[i, 2], rows[i, 3], rows[i, 4], rows[i, 5])
-        for j in range(len(motion)):
-            out[i, j] = motion[j]
+loop = loop_over_events(step)
 
 
 class FadingMemoryDifferentiator(Differentiator):
@@ -139,22 +121,10 @@ class FadingMemoryDifferentiator(Differentiator):
     (-0.3752, -0.6)
     """
 
-    parameters = (
-        *sampling.PARAMETERS,
-        Parameter("memory_s", "s", 1e-3, 1.0, "time in which the weight of a sample falls to 1/e"),
+    memory_s: float = parameter(
+        "s", 1e-3, 1.0, "time in which the weight of a sample falls to 1/e", default=0.01
     )
     step = staticmethod(step)
     loop = staticmethod(loop)
     at = AT
-
-    def __init__(
-        self,
-        *,
-        memory_s: float = 0.01,
-        cpi: float | None = None,
-        dpi: float = 96.0,
-        gap_s: float = 0.1,
-        pause_s: float = 0.3,
-    ) -> None:
-        check(self.parameters, {"memory_s": memory_s, **sampling.named(cpi, dpi, gap_s, pause_s)})
-        super().__init__([*sampling.settings(cpi, dpi, gap_s, pause_s), float(memory_s)], STATES)
+    states = LENGTH - AT

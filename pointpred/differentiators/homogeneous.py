@@ -4,17 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import ceil
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
-from pointpred.columns import BoolArray, FloatArray
+from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.differentiators import sampling
-from pointpred.differentiators.differentiator import REFUSED_ROW, Differentiator
+from pointpred.differentiators.differentiator import Differentiator, loop_over_events
 from pointpred.differentiators.poles import check_gains, check_step
 from pointpred.errors import ParameterError
-from pointpred.stage import Parameter, check
+from pointpred.events import METRES_PER_INCH
+from pointpred.parameter import option, parameter
+from pointpred.rows import REFUSED, EventRow, TenFloats
+from pointpred.stage import offsets
 
 ORDER_MOST = 8
 SUBSTEPS_MOST = 10_000
@@ -23,16 +26,15 @@ SETTLING_SPEED_M_S = 0.3
 """Speed of the hand from which the settling time is told."""
 CHATTER_MOST_M_S = 0.05
 """Speed that a device at rest may seem to have at the longest Euler step: a sixth of a usual reach."""
-STEPS_M = (0.0254 / 2000.0, 0.0254 / 96.0)
+STEPS_M = (METRES_PER_INCH / 2000.0, METRES_PER_INCH / 96.0)
 """Displacements after which that is looked at: a count of a 2000 CPI mouse, a pixel at 96 dpi."""
 
-# Parameters, after those of sampling.
-ORDER, ALPHA, STEP_S, HOLD, SETTLE_S, GAIN = 4, 5, 6, 7, 8, 9
-AT = GAIN + ORDER_MOST  # sampling state
-ZX = AT + sampling.STATES  # estimates of u, u', ... in m, m/s, ...
-ZY = ZX + ORDER_MOST
-SLOPE = ZY + ORDER_MOST  # last z_n' of x and y: the acceleration when the order is 2
-STATES = sampling.STATES + 2 * ORDER_MOST + 2
+# The parameters: those of sampling, order, degree, longest step, whether the position is held between
+# samples, settling time, gains. The state: that of sampling; the estimates of u, u', ... in m, m/s, ... of x,
+# then of y; the last z_n' of both, which is the acceleration when the order is 2.
+_, ORDER, ALPHA, STEP_S, HOLD, SETTLE_S, GAIN, AT, ZX, ZY, SLOPE, LENGTH = offsets(
+    sampling.SETTINGS, 1, 1, 1, 1, 1, ORDER_MOST, sampling.STATES, ORDER_MOST, ORDER_MOST, 2
+)
 
 
 @law
@@ -58,13 +60,11 @@ def advance(memory: FloatArray, z: int, before: float, now: float, h: float, ste
 
 
 @law
-def step(
-    memory: FloatArray, t: float, x: float, y: float, dx: float, dy: float, buttons: float
-) -> tuple[float, float, float, float, float, float, float, float, float, float]:
+def step(memory: FloatArray, event: EventRow) -> TenFloats:
     """One event through the differentiator of both axes."""
-    verdict, dt, before_u, before_v, start = sampling.accept(memory, AT, t, x, y, dx, dy, buttons)
+    verdict, dt, before_u, before_v, start = sampling.accept(memory, AT, event)
     if verdict == sampling.REFUSED:
-        return REFUSED_ROW
+        return REFUSED
     if verdict == sampling.RESTARTED:
         memory[ZX : SLOPE + 2] = 0.0
     elif verdict == sampling.MOVED:
@@ -73,29 +73,16 @@ def step(
         memory[SLOPE] = advance(memory, ZX, before_u, memory[AT + sampling.U], h, steps)
         memory[SLOPE + 1] = advance(memory, ZY, before_v, memory[AT + sampling.V], h, steps)
     second = memory[ORDER] == 2.0
-    return (
-        t,
-        x,
-        y,
-        memory[ZX + 1],
-        memory[ZY + 1],
+    velocity = memory[ZX + 1], memory[ZY + 1]
+    acceleration = (
         memory[SLOPE] if second else memory[ZX + 2],
         memory[SLOPE + 1] if second else memory[ZY + 2],
-        sampling.settled(memory, AT, memory[ORDER] + 1.0, memory[SETTLE_S]),
-        1.0 if start else 0.0,
-        memory[AT + sampling.COUNTS],
     )
+    settled = sampling.settled(memory, AT, memory[ORDER] + 1.0, memory[SETTLE_S])
+    return sampling.motion(memory, AT, event, velocity, acceleration, settled, start)
 
 
-@law
-def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
-    """The same step over a table."""
-    for i in range(len(rows)):
-        if begin[i]:
-            memory[first:] = 0.0
-        motion = step(memory, rows[i, 0], rows[i, 1], rows[i, 2], rows[i, 3], rows[i, 4], rows[i, 5])
-        for j in range(len(motion)):
-            out[i, j] = motion[j]
+loop = loop_over_events(step)
 
 
 @law
@@ -162,60 +149,73 @@ class HomogeneousDifferentiator(Differentiator):
     0.53
     """
 
-    parameters = (
-        *sampling.PARAMETERS,
-        Parameter("order", "", 2, ORDER_MOST, "number of estimated quantities: position, velocity, ..."),
-        Parameter("gain_lambda", "1/s", 1e-3, 1e4, "slowest pole of the linear law"),
-        Parameter("gain_xi", "", 1e-3, 1e2, "ratio of neighbouring poles"),
-        Parameter("alpha", "", -0.5, 0.0, "degree of homogeneity: 0 linear, -1/order sliding mode"),
-        Parameter("step_s", "s", 1e-5, 1e-1, "longest Euler step; longer gaps are cut into sub-steps"),
+    order: int = parameter(
+        "", 2, ORDER_MOST, "number of estimated quantities: position, velocity, ...", default=4, whole=True
+    )
+    gain_lambda: float = parameter("1/s", 1e-3, 1e4, "slowest pole of the linear law", default=5.0)
+    gain_xi: float = parameter("", 1e-3, 1e2, "ratio of neighbouring poles", default=2.0)
+    alpha: float = parameter(
+        "", -0.5, 0.0, "degree of homogeneity: 0 linear, -1/order sliding mode", default=-0.2
+    )
+    step_s: float = parameter(
+        "s", 1e-5, 1e-1, "longest Euler step; longer gaps are cut into sub-steps", default=0.0015
+    )
+    gains: Sequence[float] | None = option("the gains themselves, instead of the poles", default=None)
+    between: Literal["line", "hold"] = option(
+        "the position between two samples: 'line' or 'hold'", default="line"
     )
     step = staticmethod(step)
     loop = staticmethod(loop)
     at = AT
+    states = LENGTH - AT
 
-    def __init__(
-        self,
-        *,
-        order: int = 4,
-        gain_lambda: float = 5.0,
-        gain_xi: float = 2.0,
-        alpha: float = -0.2,
-        gains: Sequence[float] | None = None,
-        step_s: float = 0.0015,
-        between: Literal["line", "hold"] = "line",
-        cpi: float | None = None,
-        dpi: float = 96.0,
-        gap_s: float = 0.1,
-        pause_s: float = 0.3,
-    ) -> None:
-        values = {"order": order, "gain_lambda": gain_lambda, "gain_xi": gain_xi, "alpha": alpha}
-        check(self.parameters, {**values, "step_s": step_s, **sampling.named(cpi, dpi, gap_s, pause_s)})
-        if order != int(order):
-            raise ParameterError(f"order must be a whole number, received {order!r}")
-        order = int(order)
-        if alpha * order < -1.0 - 1e-12:
-            raise ParameterError(f"alpha must lie in [-1/order, 0] = [{-1 / order:g}, 0], received {alpha!r}")
-        if between not in ("line", "hold"):
-            raise ParameterError(f"between must be 'line' or 'hold', received {between!r}")
-        if gap_s > SUBSTEPS_MOST * step_s:
-            longest_s = SUBSTEPS_MOST * step_s
+    def declare(self, **values: Any) -> None:
+        """Check each value, and which of them go together."""
+        super().declare(**values)
+        self.order = int(self.order)
+        lowest, alpha = -1.0 / self.order, self.alpha
+        if alpha * self.order < -1.0 - 1e-12:
             raise ParameterError(
-                f"gap_s must be at most {SUBSTEPS_MOST} sub-steps = {longest_s:g} s, received {gap_s!r}"
+                f"alpha must lie in [-1/order, 0] = [{lowest:g}, 0], received {alpha!r}",
+                field="alpha",
+                value=alpha,
             )
-        chosen = check_gains(gains, order) if gains is not None else _gains(gain_lambda, gain_xi, order)
-        check_step(chosen, step_s)
+        if self.between not in ("line", "hold"):
+            raise ParameterError(
+                f"between must be 'line' or 'hold', received {self.between!r}",
+                field="between",
+                value=self.between,
+            )
+        longest_s = SUBSTEPS_MOST * self.step_s
+        if self.gap_s > longest_s:
+            raise ParameterError(
+                f"gap_s must be at most {SUBSTEPS_MOST} sub-steps = {longest_s:g} s, received {self.gap_s!r}",
+                field="gap_s",
+                value=self.gap_s,
+            )
+        given = self.gains
+        chosen = (
+            gains(self.gain_lambda, self.gain_xi, self.order)
+            if given is None
+            else check_gains(given, self.order)
+        )
+        check_step(chosen, self.step_s)
         self.gains = tuple(chosen)
+
+    def own(self) -> list[float]:
+        """Order, degree, longest step, whether the position is held, room for the settling time, gains."""
+        chosen = self.gains or ()
         padded = [*chosen, *([0.0] * (ORDER_MOST - len(chosen)))]
-        own = [float(order), float(alpha), float(step_s), 1.0 if between == "hold" else 0.0, 0.0, *padded]
-        super().__init__([*sampling.settings(cpi, dpi, gap_s, pause_s), *own], STATES)
-        h = min(step_s, 1e-3)
-        if alpha < 0.0:
-            _check_rest(self._memory, alpha, step_s)
+        held = 1.0 if self.between == "hold" else 0.0
+        return [float(self.order), float(self.alpha), float(self.step_s), held, 0.0, *padded]
+
+    def lay_out(self, settings: list[float] | FloatArray, states: int) -> None:
+        """Make the memory, and measure how long the law takes to settle and whether it comes to rest."""
+        super().lay_out(settings, states)
+        h = min(self.step_s, 1e-3)
+        if self.alpha < 0.0:
+            _check_rest(self._memory, self.alpha, self.step_s)
         self._memory[SETTLE_S] = settling(self._memory.copy(), SETTLING_SPEED_M_S, h, round(2.0 / h))
-
-
-_gains = gains  # the constructor's parameter of the same name hides the function
 
 
 def _check_rest(memory: FloatArray, alpha: float, step_s: float) -> None:

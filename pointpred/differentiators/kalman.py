@@ -2,41 +2,39 @@
 
 from __future__ import annotations
 
-from pointpred.columns import BoolArray, FloatArray
+from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.differentiators import constant_acceleration, sampling
-from pointpred.differentiators.differentiator import REFUSED_ROW, Differentiator
-from pointpred.stage import Parameter, check
+from pointpred.differentiators.differentiator import Differentiator, loop_over_events
+from pointpred.parameter import parameter
+from pointpred.rows import REFUSED, EventRow, TenFloats
+from pointpred.stage import offsets
 
 START_SPEED_M_S = 0.3
 START_ACCELERATION_M_S2 = 5.0
 """Standard deviations of what the hand may be doing at a restart."""
 SETTLED_RADIANS = 4.0
 
-JERK_DENSITY, NOISE = sampling.SETTINGS, sampling.SETTINGS + 1  # m^2/s^5, m^2
-AT = NOISE + 1  # sampling state
-X = AT + sampling.STATES  # position, velocity, acceleration of x, then of y
-COVARIANCE = X + 6  # p00 p01 p02 p11 p12 p22, the same for both axes
-STATES = sampling.STATES + 12
+# The parameters: those of sampling, the density in m^2/s^5, the noise in m^2. The state: that of sampling;
+# position, velocity, acceleration of x, then of y; p00 p01 p02 p11 p12 p22, the same for both axes.
+_, JERK_DENSITY, NOISE, AT, X, COVARIANCE, LENGTH = offsets(sampling.SETTINGS, 1, 1, sampling.STATES, 6, 6)
 
 
 @law
 def settle_s(memory: FloatArray) -> float:
     """Time that the stationary filter takes at the mean rate so far: 4 / (q / (r T))^(1/6)."""
-    intervals = max(memory[AT + sampling.SEEN] - 1.0, 1.0)
+    intervals = max(memory[AT + sampling.SAMPLES] - 1.0, 1.0)
     period = (memory[AT + sampling.T] - memory[AT + sampling.SINCE]) / intervals
     response_s: float = (memory[NOISE] * period / memory[JERK_DENSITY]) ** (1.0 / 6.0)
     return SETTLED_RADIANS * response_s
 
 
 @law
-def step(
-    memory: FloatArray, t: float, x: float, y: float, dx: float, dy: float, buttons: float
-) -> tuple[float, float, float, float, float, float, float, float, float, float]:
+def step(memory: FloatArray, event: EventRow) -> TenFloats:
     """One event through the filter of both axes."""
-    verdict, dt, _, _, start = sampling.accept(memory, AT, t, x, y, dx, dy, buttons)
+    verdict, dt, _, _, start = sampling.accept(memory, AT, event)
     if verdict == sampling.REFUSED:
-        return REFUSED_ROW
+        return REFUSED
     if verdict == sampling.RESTARTED:
         memory[X : COVARIANCE + 6] = 0.0
         memory[COVARIANCE] = memory[NOISE]
@@ -49,29 +47,13 @@ def step(
         constant_acceleration.correct(memory, X, COVARIANCE, memory[NOISE], memory[AT + sampling.U])
         constant_acceleration.correct(memory, X + 3, COVARIANCE, memory[NOISE], memory[AT + sampling.V])
         constant_acceleration.narrow(memory, COVARIANCE, memory[NOISE])
-    return (
-        t,
-        x,
-        y,
-        memory[X + 1],
-        memory[X + 4],
-        memory[X + 2],
-        memory[X + 5],
-        sampling.settled(memory, AT, 4.0, settle_s(memory)),
-        1.0 if start else 0.0,
-        memory[AT + sampling.COUNTS],
-    )
+    velocity = memory[X + 1], memory[X + 4]
+    acceleration = memory[X + 2], memory[X + 5]
+    settled = sampling.settled(memory, AT, 4.0, settle_s(memory))
+    return sampling.motion(memory, AT, event, velocity, acceleration, settled, start)
 
 
-@law
-def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
-    """The same step over a table."""
-    for i in range(len(rows)):
-        if begin[i]:
-            memory[first:] = 0.0
-        motion = step(memory, rows[i, 0], rows[i, 1], rows[i, 2], rows[i, 3], rows[i, 4], rows[i, 5])
-        for j in range(len(motion)):
-            out[i, j] = motion[j]
+loop = loop_over_events(step)
 
 
 class KalmanDifferentiator(Differentiator):
@@ -102,26 +84,13 @@ class KalmanDifferentiator(Differentiator):
     0.529
     """
 
-    parameters = (
-        *sampling.PARAMETERS,
-        Parameter("jerk_density", "m^2/s^5", 1e-3, 1e9, "spectral density of the jerk"),
-        Parameter("noise_m", "m", 1e-8, 1e-1, "standard deviation of a measured position"),
-    )
+    jerk_density: float = parameter("m^2/s^5", 1e-3, 1e9, "spectral density of the jerk", default=30.0)
+    noise_m: float = parameter("m", 1e-8, 1e-1, "standard deviation of a measured position", default=1e-4)
     step = staticmethod(step)
     loop = staticmethod(loop)
     at = AT
+    states = LENGTH - AT
 
-    def __init__(
-        self,
-        *,
-        jerk_density: float = 30.0,
-        noise_m: float = 1e-4,
-        cpi: float | None = None,
-        dpi: float = 96.0,
-        gap_s: float = 0.1,
-        pause_s: float = 0.3,
-    ) -> None:
-        own = {"jerk_density": jerk_density, "noise_m": noise_m}
-        check(self.parameters, {**own, **sampling.named(cpi, dpi, gap_s, pause_s)})
-        shared = sampling.settings(cpi, dpi, gap_s, pause_s)
-        super().__init__([*shared, float(jerk_density), float(noise_m) ** 2], STATES)
+    def own(self) -> list[float]:
+        """The density and the variance of a position."""
+        return [float(self.jerk_density), float(self.noise_m) ** 2]

@@ -4,18 +4,19 @@ from __future__ import annotations
 
 from math import cos, exp, sin, sqrt
 
-from pointpred.columns import BoolArray, FloatArray
+from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.differentiators import sampling
-from pointpred.differentiators.differentiator import REFUSED_ROW, Differentiator
-from pointpred.stage import Parameter, check
+from pointpred.differentiators.differentiator import Differentiator, loop_over_events
+from pointpred.parameter import parameter
+from pointpred.rows import REFUSED, EventRow, TenFloats
+from pointpred.stage import offsets
 
 SETTLED_RADIANS = 5.0
 
-DECAY, FREQUENCY, SETTLE_S = sampling.SETTINGS, sampling.SETTINGS + 1, sampling.SETTINGS + 2
-AT = SETTLE_S + 1  # sampling state
-X = AT + sampling.STATES  # velocity and acceleration of x, then of y
-STATES = sampling.STATES + 4
+# The parameters: those of sampling, decay and frequency of the observer's error, the time it takes to settle.
+# The state: that of sampling; velocity and acceleration of x, then of y.
+_, DECAY, FREQUENCY, SETTLE_S, AT, X, LENGTH = offsets(sampling.SETTINGS, 1, 1, 1, sampling.STATES, 4)
 
 
 @law
@@ -36,41 +37,23 @@ def follow(memory: FloatArray, x: int, slope: float, dt: float) -> None:
 
 
 @law
-def step(
-    memory: FloatArray, t: float, x: float, y: float, dx: float, dy: float, buttons: float
-) -> tuple[float, float, float, float, float, float, float, float, float, float]:
+def step(memory: FloatArray, event: EventRow) -> TenFloats:
     """One event through the observers of both axes."""
-    verdict, dt, before_u, before_v, start = sampling.accept(memory, AT, t, x, y, dx, dy, buttons)
+    verdict, dt, before_u, before_v, start = sampling.accept(memory, AT, event)
     if verdict == sampling.REFUSED:
-        return REFUSED_ROW
+        return REFUSED
     if verdict == sampling.RESTARTED:
         memory[X : X + 4] = 0.0
     elif verdict == sampling.MOVED:
         follow(memory, X, (memory[AT + sampling.U] - before_u) / dt, dt)
         follow(memory, X + 2, (memory[AT + sampling.V] - before_v) / dt, dt)
-    return (
-        t,
-        x,
-        y,
-        memory[X],
-        memory[X + 2],
-        memory[X + 1],
-        memory[X + 3],
-        sampling.settled(memory, AT, 3.0, memory[SETTLE_S]),
-        1.0 if start else 0.0,
-        memory[AT + sampling.COUNTS],
-    )
+    velocity = memory[X], memory[X + 2]
+    acceleration = memory[X + 1], memory[X + 3]
+    settled = sampling.settled(memory, AT, 3.0, memory[SETTLE_S])
+    return sampling.motion(memory, AT, event, velocity, acceleration, settled, start)
 
 
-@law
-def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
-    """The same step over a table."""
-    for i in range(len(rows)):
-        if begin[i]:
-            memory[first:] = 0.0
-        motion = step(memory, rows[i, 0], rows[i, 1], rows[i, 2], rows[i, 3], rows[i, 4], rows[i, 5])
-        for j in range(len(motion)):
-            out[i, j] = motion[j]
+loop = loop_over_events(step)
 
 
 class ReducedOrderDifferentiator(Differentiator):
@@ -101,27 +84,17 @@ class ReducedOrderDifferentiator(Differentiator):
     0.529
     """
 
-    parameters = (
-        *sampling.PARAMETERS,
-        Parameter("bandwidth", "rad/s", 1.0, 1e4, "distance of the observer's poles from the origin"),
-        Parameter("damping", "", 0.1, 1.0, "cosine of their angle from the negative real axis"),
+    bandwidth: float = parameter(
+        "rad/s", 1.0, 1e4, "distance of the observer's poles from the origin", default=60.0
     )
+    damping: float = parameter("", 0.1, 1.0, "cosine of their angle from the negative real axis", default=0.5)
     step = staticmethod(step)
     loop = staticmethod(loop)
     at = AT
+    states = LENGTH - AT
 
-    def __init__(
-        self,
-        *,
-        bandwidth: float = 60.0,
-        damping: float = 0.5,
-        cpi: float | None = None,
-        dpi: float = 96.0,
-        gap_s: float = 0.1,
-        pause_s: float = 0.3,
-    ) -> None:
-        own = {"bandwidth": bandwidth, "damping": damping}
-        check(self.parameters, {**own, **sampling.named(cpi, dpi, gap_s, pause_s)})
-        decay, frequency = damping * bandwidth, bandwidth * sqrt(max(1.0 - damping**2, 0.0))
-        shared = sampling.settings(cpi, dpi, gap_s, pause_s)
-        super().__init__([*shared, decay, frequency, SETTLED_RADIANS / decay], STATES)
+    def own(self) -> list[float]:
+        """The error's decay in 1/s and frequency in rad/s, and the settling time in s."""
+        decay = self.damping * self.bandwidth
+        frequency = self.bandwidth * sqrt(max(1.0 - self.damping**2, 0.0))
+        return [decay, frequency, SETTLED_RADIANS / decay]

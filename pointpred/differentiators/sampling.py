@@ -12,35 +12,25 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.errors import EventError, EventOrderError, ParameterError
-from pointpred.events import CPI, DPI, LARGEST, LATEST_S, ROUNDING_S, PointerEvent
-from pointpred.stage import Parameter, check
-
-METRES_PER_INCH = 0.0254
+from pointpred.errors import EventError, EventOrderError
+from pointpred.events import LARGEST, LATEST_S, ROUNDING_S, PointerEvent
+from pointpred.rows import EventRow, TenFloats
 
 # Parameters, first in the memory of every differentiator.
-METRES_PER_COUNT, METRES_PER_PX, GAP_S, PAUSE_S = 0, 1, 2, 3
-SETTINGS = 4
+METRES_PER_COUNT, METRES_PER_PX, GAP_S, PAUSE_S, SETTINGS = range(5)
 
 # State, relative to `at`: started, time, cursor, buttons, motor position since the restart (m), samples since
 # the restart, whether the last motor increment came from counts, time of the restart, motor position that the
-# law saw last (without what was merged since).
-STARTED, T, X, Y, BUTTONS, U, V, SEEN, COUNTS, SINCE, SEEN_U, SEEN_V = 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11
-STATES = 12
+# law used last (without what was merged since).
+STARTED, T, X, Y, BUTTONS, U, V, SAMPLES, COUNTS, SINCE, LAST_U, LAST_V, STATES = range(13)
 
 REFUSED, MERGED, RESTARTED, MOVED = -1, 0, 1, 2
 
-PARAMETERS = (
-    Parameter("cpi", "counts per inch", *CPI, "resolution of the device; None: counts are not used"),
-    Parameter("dpi", "px per inch", *DPI, "resolution of the screen, used where counts are not"),
-    Parameter("gap_s", "s", 1e-3, 1e3, "a longer gap between events means that the device was still"),
-    Parameter("pause_s", "s", 1e-3, 1e3, "the first event after a longer pause starts a movement"),
-)
-
 
 @law
-def usable(t: float, x: float, y: float, dx: float, dy: float, buttons: float) -> bool:
+def usable(event: EventRow) -> bool:
     """Whether the values make an event: all within their bounds, buttons whole, counts both or none (NaN)."""
+    t, x, y, dx, dy, buttons = event
     if not (abs(t) <= LATEST_S and abs(x) <= LARGEST and abs(y) <= LARGEST and 0.0 <= buttons <= LARGEST):
         return False
     if buttons != floor(buttons):
@@ -49,16 +39,15 @@ def usable(t: float, x: float, y: float, dx: float, dy: float, buttons: float) -
 
 
 @law
-def accept(
-    memory: FloatArray, at: int, t: float, x: float, y: float, dx: float, dy: float, buttons: float
-) -> tuple[int, float, float, float, bool]:
-    """Take one event in: (verdict, dt in s, motor position the law saw last in m, movement started).
+def accept(memory: FloatArray, at: int, event: EventRow) -> tuple[int, float, float, float, bool]:
+    """Take one event in: (verdict, dt in s, motor position that the law used last in m, movement started).
 
-    A refused event changes nothing. A merged one has changed the motor position, which the law sees at the
+    A refused event changes nothing. A merged one has changed the motor position, which the law uses at the
     next later time. After a restart the motor position is 0: the law starts there, at rest.
     """
+    t, x, y, dx, dy, buttons = event
     started = memory[at + STARTED] == 1.0
-    if not usable(t, x, y, dx, dy, buttons) or (started and t < memory[at + T]):
+    if not usable(event) or (started and t < memory[at + T]):
         return REFUSED, 0.0, 0.0, 0.0, False
     dt = t - memory[at + T]
     released = int(memory[at + BUTTONS]) & ~int(buttons) != 0
@@ -66,10 +55,10 @@ def accept(
     counted = dx == dx and memory[METRES_PER_COUNT] > 0.0
     merged = started and dt == 0.0
     # What shares the time of a restart belongs to the place where the device starts, not to a movement.
-    restarted = not started or dt > memory[GAP_S] + ROUNDING_S or (merged and memory[at + SEEN] == 1.0)
+    restarted = not started or dt > memory[GAP_S] + ROUNDING_S or (merged and memory[at + SAMPLES] == 1.0)
     if restarted:
         memory[at + U], memory[at + V] = 0.0, 0.0
-        memory[at + SEEN_U], memory[at + SEEN_V] = 0.0, 0.0
+        memory[at + LAST_U], memory[at + LAST_V] = 0.0, 0.0
         memory[at + SINCE] = t
     elif counted:
         memory[at + U] += dx * memory[METRES_PER_COUNT]
@@ -82,13 +71,13 @@ def accept(
     memory[at + BUTTONS] = buttons
     memory[at + COUNTS] = 1.0 if counted else 0.0
     if restarted:
-        memory[at + SEEN] = 1.0
+        memory[at + SAMPLES] = 1.0
         return RESTARTED, dt, 0.0, 0.0, start
     if merged:
         return MERGED, 0.0, 0.0, 0.0, start
-    before_u, before_v = memory[at + SEEN_U], memory[at + SEEN_V]
-    memory[at + SEEN_U], memory[at + SEEN_V] = memory[at + U], memory[at + V]
-    memory[at + SEEN] += 1.0
+    before_u, before_v = memory[at + LAST_U], memory[at + LAST_V]
+    memory[at + LAST_U], memory[at + LAST_V] = memory[at + U], memory[at + V]
+    memory[at + SAMPLES] += 1.0
     return MOVED, dt, before_u, before_v, start
 
 
@@ -96,12 +85,24 @@ def accept(
 def settled(memory: FloatArray, at: int, samples: float, settle_s: float) -> float:
     """1 once there are ``samples`` samples over ``settle_s`` s since the restart, else 0."""
     long_enough = memory[at + T] - memory[at + SINCE] >= settle_s
-    return 1.0 if long_enough and memory[at + SEEN] >= samples else 0.0
+    return 1.0 if long_enough and memory[at + SAMPLES] >= samples else 0.0
 
 
-def settings(cpi: float | None, dpi: float, gap_s: float, pause_s: float) -> list[float]:
-    """The shared parameters as they stand first in the memory."""
-    return [0.0 if cpi is None else METRES_PER_INCH / cpi, METRES_PER_INCH / dpi, gap_s, pause_s]
+@law
+def motion(
+    memory: FloatArray,
+    at: int,
+    event: EventRow,
+    velocity: tuple[float, float],
+    acceleration: tuple[float, float],
+    settled: float,
+    start: bool,
+) -> TenFloats:
+    """The row of the motion after an accepted event: m/s and m/s^2 of the hand along x and y."""
+    t, x, y, _, _, _ = event
+    vx, vy = velocity
+    ax, ay = acceleration
+    return t, x, y, vx, vy, ax, ay, settled, 1.0 if start else 0.0, memory[at + COUNTS]
 
 
 def is_number(value: object) -> bool:
@@ -109,8 +110,8 @@ def is_number(value: object) -> bool:
     return isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool)
 
 
-def explain(event: PointerEvent, last_t: float | None) -> EventError:
-    """Why an event was refused, in words; ``last_t`` is the time it must not precede, if there is one."""
+def refusal(event: PointerEvent, last_t: float | None) -> EventError:
+    """Why an event was refused; ``last_t`` is the time it must not precede, if there is one."""
     for name in ("t", "x", "y", "dx", "dy", "buttons"):
         value = getattr(event, name)
         if value is None and name in ("dx", "dy"):
@@ -118,22 +119,16 @@ def explain(event: PointerEvent, last_t: float | None) -> EventError:
         high = LATEST_S if name == "t" else LARGEST
         low = 0.0 if name == "buttons" else -high
         if not is_number(value):
-            return EventError(f"{name} must be a number, received {value!r}")
+            return EventError(f"{name} must be a number, received {value!r}", field=name, value=value)
         if not low <= value <= high:
-            return EventError(f"{name} must lie in [{low:g}, {high:g}], received {value!r}")
+            message = f"{name} must lie in [{low:g}, {high:g}], received {value!r}"
+            return EventError(message, field=name, value=value)
         if name == "buttons" and value != int(value):
-            return EventError(f"buttons must be a whole number, received {value!r}")
+            return EventError(f"{name} must be a whole number, received {value!r}", field=name, value=value)
     if (event.dx is None) != (event.dy is None):
-        return EventError(f"dx and dy come together or not at all, received {event.dx!r} and {event.dy!r}")
+        message = f"dx and dy come together or not at all, received {event.dx!r} and {event.dy!r}"
+        return EventError(message, field="dx", value=event.dx)
     if last_t is not None and event.t < last_t:
-        return EventOrderError(f"t must not run backwards: received {event.t!r} s after {last_t!r} s")
+        message = f"t must not run backwards: received {event.t!r} s after {last_t!r} s"
+        return EventOrderError(message, field="t", value=event.t)
     return EventError(f"event refused: {event!r}")
-
-
-def named(cpi: float | None, dpi: float, gap_s: float, pause_s: float) -> dict[str, float]:
-    """The shared parameters by name, checked: each on its own, and no pause shorter than a gap."""
-    values = {"cpi": 1.0 if cpi is None else cpi, "dpi": dpi, "gap_s": gap_s, "pause_s": pause_s}
-    check(PARAMETERS, values)
-    if pause_s < gap_s:
-        raise ParameterError(f"pause_s must be at least gap_s = {gap_s:g} s, received {pause_s:g} s")
-    return values

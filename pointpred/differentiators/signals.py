@@ -8,7 +8,7 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import EventColumns, FloatArray
-from pointpred.differentiators.sampling import METRES_PER_INCH
+from pointpred.events import METRES_PER_INCH
 
 DPI = 96.0
 CPI = 2000.0

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+from typing import Any
 
-from pointpred.columns import BoolArray, FloatArray
+from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.errors import ParameterError
+from pointpred.parameter import parameter
 from pointpred.predictors import adaptation_law, kinematic, movement
 from pointpred.predictors import kinematic_sight as sight
 from pointpred.predictors.kinematic import KinematicPredictor
-from pointpred.predictors.predictor import Predictor
-from pointpred.stage import Parameter, check
+from pointpred.predictors.predictor import loop_over_motions
+from pointpred.rows import MotionRow, Row, TenFloats
 
 # Settings, what is known of the person, the movement as the learned predictor and as the adaptation sees it.
 ADAPT, DISTANCES, SHORTEST_PX, SETTINGS = 0, 1, 2, 3
@@ -29,58 +29,27 @@ def conclude(memory: FloatArray) -> None:
 
 
 @law
-def adapted(
-    memory: FloatArray, answer: tuple[float, float, float, float, float, float, float, float, float]
-) -> tuple[float, float, float, float, float, float, float, float, float]:
+def adapted(memory: FloatArray, answer: TenFloats) -> TenFloats:
     """What the learned predictor says, corrected for the person."""
     return adaptation_law.adapted(memory, PERSON, MOVEMENT, memory[DISTANCES], answer)
 
 
 @law
-def step(
-    memory: FloatArray,
-    coefficients: FloatArray,
-    t: float,
-    x: float,
-    y: float,
-    vx: float,
-    vy: float,
-    ax: float,
-    ay: float,
-    settled: float,
-    start: float,
-) -> tuple[float, float, float, float, float, float, float, float, float]:
+def step(memory: FloatArray, motion: Row, coefficients: FloatArray) -> TenFloats:
     """The learned predictor's step, then what is known of the person."""
+    m = MotionRow(*motion)
     own = memory[SIGHT:MOVEMENT]
-    answer = kinematic.step(own, coefficients, t, x, y, vx, vy, ax, ay, settled, start)
-    if memory[ADAPT] == 0.0 or answer[6] != answer[6]:
+    answer = kinematic.step(own, motion, coefficients)
+    if memory[ADAPT] == 0.0 or answer[0] != answer[0]:
         return answer
-    if start == 1.0:
+    if m.start == 1.0:
         conclude(memory)
     t0, x0, y0 = own[movement.T0], own[movement.X0], own[movement.Y0]
-    adaptation_law.follow(memory, MOVEMENT, t, x, y, t0, x0, y0)
+    adaptation_law.follow(memory, MOVEMENT, m.t, m.x, m.y, t0, x0, y0)
     return adapted(memory, answer)
 
 
-@law
-def loop(
-    memory: FloatArray,
-    coefficients: FloatArray,
-    first: int,
-    begin: BoolArray,
-    rows: FloatArray,
-    out: FloatArray,
-) -> None:
-    """The same step over a table."""
-    for i in range(len(rows)):
-        if begin[i]:
-            conclude(memory)
-            memory[first:] = 0.0
-        r = rows[i]
-        answer = step(memory, coefficients, r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8])
-        out[i, 0] = r[0]
-        for j in range(len(answer)):
-            out[i, j + 1] = answer[j]
+loop = loop_over_motions(step, conclude)
 
 
 class AdaptiveKinematicPredictor(KinematicPredictor):
@@ -134,12 +103,19 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     (True, True)
     """
 
-    parameters = (
-        Parameter("adapt", "", 0, 1, "1: learn from each finished movement; 0: exactly `kinematic`"),
-        Parameter(
-            "distances", "", 0, 1, "1: ask the last distances; 0: only bias, widths, tempo and the clock"
-        ),
-        Parameter("shortest_px", "px", 0.0, 1e6, "straight distance of the shortest movement that teaches"),
+    adapt: int = parameter(
+        "", 0, 1, "1: learn from each finished movement; 0: exactly `kinematic`", default=1, whole=True
+    )
+    distances: int = parameter(
+        "",
+        0,
+        1,
+        "1: ask the last distances; 0: only bias, widths, tempo and the clock",
+        default=1,
+        whole=True,
+    )
+    shortest_px: float = parameter(
+        "px", 0.0, 1e6, "straight distance of the shortest movement that teaches", default=10.0
     )
     step = staticmethod(step)
     loop = staticmethod(loop)
@@ -147,19 +123,8 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     slots = adaptation_law.SLOTS
     doubt = staticmethod(adaptation_law.doubt)
 
-    def __init__(
-        self,
-        *,
-        adapt: int = 1,
-        distances: int = 1,
-        shortest_px: float = 10.0,
-        coefficients: Path | str | None = None,
-    ) -> None:
-        given = {"adapt": adapt, "distances": distances, "shortest_px": shortest_px}
-        check(self.parameters, given)
-        for name in ("adapt", "distances"):
-            if given[name] != int(given[name]):
-                raise ParameterError(f"{name} must be 0 or 1, received {given[name]!r}")
-        self._use(coefficients)
-        self.learned = adaptation_law.LEARNED if adapt else 0
-        Predictor.__init__(self, list(given.values()), LENGTH - SETTINGS - self.learned)
+    def declare(self, **values: Any) -> None:
+        """Check the values; without adaptation nothing of the person is remembered."""
+        super().declare(**values)
+        self.learned = adaptation_law.LEARNED if self.adapt else 0
+        self.states = LENGTH - SETTINGS - self.learned

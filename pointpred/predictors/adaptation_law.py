@@ -14,6 +14,7 @@ from pointpred.predictors import adaptation_clock as clock
 from pointpred.predictors import adaptation_distances as distances
 from pointpred.predictors import adaptation_levels as levels
 from pointpred.predictors import adaptation_stages as stages
+from pointpred.rows import TenFloats
 
 # What is known of the person, relative to `known`: the stages, the distances, the durations, the levels.
 DISTANCES = stages.LEARNED
@@ -155,10 +156,10 @@ def adapted(
     known: int,
     at: int,
     ask: float,
-    answer: tuple[float, float, float, float, float, float, float, float, float],
-) -> tuple[float, float, float, float, float, float, float, float, float]:
+    answer: TenFloats,
+) -> TenFloats:
     """The prediction as it is for this person; as given where it claims too little or has no direction."""
-    px, py, sxx, sxy, syy, left, phase, tail, spread = answer
+    t, px, py, sxx, sxy, syy, left, phase, tail, spread = answer
     x, y = memory[at + X], memory[at + Y]
     away_x, away_y = x - memory[at + X0], y - memory[at + Y0]
     reached = hypot(away_x, away_y)
@@ -200,4 +201,4 @@ def adapted(
     sxy = (wide2 - broad2) * ux * uy + cross * (ux * ux - uy * uy)
     syy = wide2 * uy * uy + 2.0 * cross * ux * uy + broad2 * ux * ux
     levels.keep(memory, at + STATED, memory[at + T], x, y, (px, py, sxx, sxy, syy, tail))
-    return px, py, sxx, sxy, syy, left, phase, tail, spread
+    return t, px, py, sxx, sxy, syy, left, phase, tail, spread

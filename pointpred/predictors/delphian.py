@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from math import hypot
+from math import hypot, nan
 
 import numpy as np
 
-from pointpred.columns import BoolArray, FloatArray
+from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.differentiators import Differentiator
 from pointpred.errors import ParameterError
+from pointpred.parameter import parameter
 from pointpred.predictors import movement
-from pointpred.predictors.predictor import NONE, REFUSED, Predictor
+from pointpred.predictors.predictor import Predictor, loop_over_motions
 from pointpred.recording import Recording
-from pointpred.stage import Parameter, check
+from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
 
 SLOPE, OFFSET, FALL, AT = 0, 1, 2, 3
 # Where the speed was highest, its direction from the start, and whether it has fallen since.
@@ -22,53 +23,33 @@ STATES = movement.STATES + 5
 
 
 @law
-def step(
-    memory: FloatArray,
-    t: float,
-    x: float,
-    y: float,
-    vx: float,
-    vy: float,
-    ax: float,
-    ay: float,
-    settled: float,
-    start: float,
-) -> tuple[float, float, float, float, float, float, float]:
+def step(memory: FloatArray, motion: Row) -> TenFloats:
     """Remember the peak; once the speed has fallen from it, the line says how far it is from there."""
+    m = MotionRow(*motion)
     before = memory[AT + movement.PEAK]
-    accepted, new, _ = movement.follow(memory, AT, t, x, y, vx, vy, ax, ay, start)
+    accepted, new, _ = movement.follow(memory, AT, m)
     if not accepted:
         return REFUSED
-    phase = movement.phase(memory, AT, vx, vy)
+    phase = movement.phase(memory, AT, m)
     if new:
         memory[AT + movement.STATES :] = 0.0
-    peak, speed = memory[AT + movement.PEAK], hypot(vx, vy)
+    peak, speed = memory[AT + movement.PEAK], hypot(m.vx, m.vy)
     if new or peak > before:
-        away_x, away_y = x - memory[AT + movement.X0], y - memory[AT + movement.Y0]
+        away_x, away_y = m.x - memory[AT + movement.X0], m.y - memory[AT + movement.Y0]
         away = hypot(away_x, away_y)
-        memory[PEAK_X], memory[PEAK_Y], memory[FALLEN] = x, y, 0.0
+        memory[PEAK_X], memory[PEAK_Y], memory[FALLEN] = m.x, m.y, 0.0
         memory[UNIT_X] = away_x / away if away > 0.0 else 0.0
         memory[UNIT_Y] = away_y / away if away > 0.0 else 0.0
     elif speed < (1.0 - memory[FALL]) * peak and peak >= movement.STILL_M_S:
         memory[FALLEN] = 1.0
     if memory[FALLEN] == 0.0 or (memory[UNIT_X] == 0.0 and memory[UNIT_Y] == 0.0):
-        return NONE, NONE, NONE, NONE, NONE, NONE, phase
+        return endpoint(m.t, nan, nan, phase)
     ahead = max(memory[SLOPE] * peak + memory[OFFSET], 0.0)
     end_x, end_y = memory[PEAK_X] + ahead * memory[UNIT_X], memory[PEAK_Y] + ahead * memory[UNIT_Y]
-    return end_x, end_y, NONE, NONE, NONE, NONE, phase
+    return endpoint(m.t, end_x, end_y, phase)
 
 
-@law
-def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
-    """The same step over a table."""
-    for i in range(len(rows)):
-        if begin[i]:
-            memory[first:] = 0.0
-        r = rows[i]
-        answer = step(memory, r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8])
-        out[i, 0] = r[0]
-        for j in range(len(answer)):
-            out[i, j + 1] = answer[j]
+loop = loop_over_motions(step)
 
 
 class DelphianPredictor(Predictor):
@@ -96,17 +77,16 @@ class DelphianPredictor(Predictor):
     290.0
     """
 
-    parameters = (
-        Parameter("slope_px_s_m", "px s/m", 0.0, 1e5, "distance left at the peak for each m/s of its speed"),
-        Parameter("offset_px", "px", -1e4, 1e4, "distance left at a peak without speed"),
-        Parameter("fall", "", 0.0, 0.9, "share by which the speed must fall for a peak to be known"),
+    slope_px_s_m: float = parameter(
+        "px s/m", 0.0, 1e5, "distance left at the peak for each m/s of its speed", default=56.0
+    )
+    offset_px: float = parameter("px", -1e4, 1e4, "distance left at a peak without speed", default=111.0)
+    fall: float = parameter(
+        "", 0.0, 0.9, "share by which the speed must fall for a peak to be known", default=0.05
     )
     step = staticmethod(step)
     loop = staticmethod(loop)
-
-    def __init__(self, *, slope_px_s_m: float = 56.0, offset_px: float = 111.0, fall: float = 0.05) -> None:
-        check(self.parameters, {"slope_px_s_m": slope_px_s_m, "offset_px": offset_px, "fall": fall})
-        super().__init__([float(slope_px_s_m), float(offset_px), float(fall)], STATES)
+    states = STATES
 
 
 def fit_line(recording: Recording, differentiator: Differentiator) -> tuple[float, float]:

@@ -2,45 +2,26 @@
 
 from __future__ import annotations
 
-from pointpred.columns import BoolArray, FloatArray
+from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.predictors import movement
-from pointpred.predictors.predictor import NONE, REFUSED, Predictor
+from pointpred.predictors.predictor import Predictor, loop_over_motions
+from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
 
 AT = 0
 
 
 @law
-def step(
-    memory: FloatArray,
-    t: float,
-    x: float,
-    y: float,
-    vx: float,
-    vy: float,
-    ax: float,
-    ay: float,
-    settled: float,
-    start: float,
-) -> tuple[float, float, float, float, float, float, float]:
+def step(memory: FloatArray, motion: Row) -> TenFloats:
     """The cursor's position is the answer."""
-    accepted, _, _ = movement.follow(memory, AT, t, x, y, vx, vy, ax, ay, start)
+    m = MotionRow(*motion)
+    accepted, _, _ = movement.follow(memory, AT, m)
     if not accepted:
         return REFUSED
-    return x, y, NONE, NONE, NONE, NONE, movement.phase(memory, AT, vx, vy)
+    return endpoint(m.t, m.x, m.y, movement.phase(memory, AT, m))
 
 
-@law
-def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
-    """The same step over a table."""
-    for i in range(len(rows)):
-        if begin[i]:
-            memory[first:] = 0.0
-        r = rows[i]
-        answer = step(memory, r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8])
-        out[i, 0] = r[0]
-        for j in range(len(answer)):
-            out[i, j + 1] = answer[j]
+loop = loop_over_motions(step)
 
 
 class HoldPredictor(Predictor):
@@ -57,6 +38,4 @@ class HoldPredictor(Predictor):
 
     step = staticmethod(step)
     loop = staticmethod(loop)
-
-    def __init__(self) -> None:
-        super().__init__([], movement.STATES)
+    states = movement.STATES

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from pointpred.columns import BoolArray, FloatArray
+from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.differentiators import constant_acceleration
 from pointpred.events import ROUNDING_S
+from pointpred.parameter import parameter
 from pointpred.predictors import movement
-from pointpred.predictors.predictor import NONE, REFUSED, Predictor
-from pointpred.stage import Parameter, check
+from pointpred.predictors.predictor import Predictor, loop_over_motions
+from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
 
 PRIOR_SPEED = 100.0
 """Standard deviation (px/s) of the velocity before a movement's first sample."""
@@ -59,53 +60,30 @@ def expect(memory: FloatArray, dt: float, x: float, y: float) -> None:
 
 
 @law
-def step(
-    memory: FloatArray,
-    t: float,
-    x: float,
-    y: float,
-    vx: float,
-    vy: float,
-    ax: float,
-    ay: float,
-    settled: float,
-    start: float,
-) -> tuple[float, float, float, float, float, float, float]:
+def step(memory: FloatArray, motion: Row) -> TenFloats:
     """One position through the filter of both axes, and its state carried over the horizon."""
+    m = MotionRow(*motion)
     last_x, last_y = memory[AT + movement.X], memory[AT + movement.Y]
-    accepted, new, dt = movement.follow(memory, AT, t, x, y, vx, vy, ax, ay, start)
+    accepted, new, dt = movement.follow(memory, AT, m)
     if not accepted:
         return REFUSED
     x0, y0 = memory[AT + movement.X0], memory[AT + movement.Y0]
     if new or dt > memory[GAP_S] + ROUNDING_S:
-        expect_rest(memory, x - x0, y - y0)
+        expect_rest(memory, m.x - x0, m.y - y0)
     elif dt > 0.0:
         expect(memory, dt, last_x - x0, last_y - y0)
     h = memory[HORIZON_S]
-    px, vx_px, ax_px = corrected(memory, MEAN_X, x - x0)
-    py, vy_px, ay_px = corrected(memory, MEAN_Y, y - y0)
-    return (
+    px, vx_px, ax_px = corrected(memory, MEAN_X, m.x - x0)
+    py, vy_px, ay_px = corrected(memory, MEAN_Y, m.y - y0)
+    return endpoint(
+        m.t,
         x0 + px + h * (vx_px + 0.5 * h * ax_px),
         y0 + py + h * (vy_px + 0.5 * h * ay_px),
-        NONE,
-        NONE,
-        NONE,
-        NONE,
-        movement.phase(memory, AT, vx, vy),
+        movement.phase(memory, AT, m),
     )
 
 
-@law
-def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
-    """The same step over a table."""
-    for i in range(len(rows)):
-        if begin[i]:
-            memory[first:] = 0.0
-        r = rows[i]
-        answer = step(memory, r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8])
-        out[i, 0] = r[0]
-        for j in range(len(answer)):
-            out[i, j + 1] = answer[j]
+loop = loop_over_motions(step)
 
 
 class KalmanPredictor(Predictor):
@@ -138,28 +116,16 @@ class KalmanPredictor(Predictor):
     1020.0
     """
 
-    parameters = (
-        Parameter("horizon_s", "s", 0.0, 1.0, "how far ahead the filter's state is carried"),
-        Parameter("cursor_jerk_density", "px^2/s^5", 1.0, 1e18, "spectral density of the cursor's jerk"),
-        Parameter("cursor_noise_px", "px", 1e-3, 1e3, "standard deviation of a cursor position"),
-        Parameter("gap_s", "s", 1e-3, 1e3, "a longer gap between events means that the device was still"),
+    horizon_s: float = parameter("s", 0.0, 1.0, "how far ahead the filter's state is carried", default=0.025)
+    cursor_jerk_density: float = parameter(
+        "px^2/s^5", 1.0, 1e18, "spectral density of the cursor's jerk", default=1e10
+    )
+    cursor_noise_px: float = parameter(
+        "px", 1e-3, 1e3, "standard deviation of a cursor position", default=1.0
+    )
+    gap_s: float = parameter(
+        "s", 1e-3, 1e3, "a longer gap between events means that the device was still", default=0.1
     )
     step = staticmethod(step)
     loop = staticmethod(loop)
-
-    def __init__(
-        self,
-        *,
-        horizon_s: float = 0.025,
-        cursor_jerk_density: float = 1e10,
-        cursor_noise_px: float = 1.0,
-        gap_s: float = 0.1,
-    ) -> None:
-        values = {
-            "horizon_s": horizon_s,
-            "cursor_jerk_density": cursor_jerk_density,
-            "cursor_noise_px": cursor_noise_px,
-            "gap_s": gap_s,
-        }
-        check(self.parameters, values)
-        super().__init__([float(value) for value in values.values()], STATES)
+    states = STATES

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from math import hypot
+from math import hypot, nan
 
-from pointpred.columns import BoolArray, FloatArray
+from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.errors import ParameterError
+from pointpred.parameter import parameter
 from pointpred.predictors import kep_zero, movement
-from pointpred.predictors.predictor import NONE, REFUSED, Predictor
+from pointpred.predictors.predictor import Predictor, loop_over_motions
 from pointpred.regression import least_squares
-from pointpred.stage import Parameter, check
+from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
 
 DEGREE, REACH, CHANGE_MOST, AT = 0, 1, 2, 3
 FIT = AT + movement.STATES
@@ -41,7 +41,7 @@ def remaining(memory: FloatArray, travelled: float) -> float:
     """Distance in px from where the cursor is to where the fitted speed returns to zero, else NaN."""
     degree = int(memory[DEGREE])
     if not (travelled > 0.0 and least_squares.solve(memory, FIT, degree + 1, EXCITATION_LEAST, COEFFICIENTS)):
-        return NONE
+        return nan
     # The distance travelled is the unit of what follows.
     c0, c1 = memory[COEFFICIENTS], memory[COEFFICIENTS + 1] * travelled
     c2 = memory[COEFFICIENTS + 2] * travelled**2
@@ -69,52 +69,32 @@ def judge(memory: FloatArray, length: float, x: float, y: float) -> None:
 
 
 @law
-def step(
-    memory: FloatArray,
-    t: float,
-    x: float,
-    y: float,
-    vx: float,
-    vy: float,
-    ax: float,
-    ay: float,
-    settled: float,
-    start: float,
-) -> tuple[float, float, float, float, float, float, float]:
+def step(memory: FloatArray, motion: Row) -> TenFloats:
     """Add the motion to the fit and look for its zero ahead."""
-    accepted, new, dt = movement.follow(memory, AT, t, x, y, vx, vy, ax, ay, start)
+    m = MotionRow(*motion)
+    accepted, new, dt = movement.follow(memory, AT, m)
     if not accepted:
         return REFUSED
     travelled = memory[AT + movement.PATH]
     if new:
         memory[FIT:] = 0.0
     if new or dt > 0.0:
-        add(memory, travelled, hypot(vx, vy))
-    away_x, away_y = x - memory[AT + movement.X0], y - memory[AT + movement.Y0]
+        add(memory, travelled, hypot(m.vx, m.vy))
+    away_x, away_y = m.x - memory[AT + movement.X0], m.y - memory[AT + movement.Y0]
     away = hypot(away_x, away_y)
-    end_x, end_y = NONE, NONE
+    end_x, end_y = nan, nan
     if away > 0.0:
         ahead = remaining(memory, travelled)
-        end_x, end_y = x + ahead * (away_x / away), y + ahead * (away_y / away)
+        end_x, end_y = m.x + ahead * (away_x / away), m.y + ahead * (away_y / away)
         if dt > 0.0:
             judge(memory, travelled + ahead, end_x, end_y)
     if memory[CHANGE_MOST] > 0.0:
         held = memory[HELD] == 1.0
-        end_x, end_y = memory[HELD_X] if held else NONE, memory[HELD_Y] if held else NONE
-    return end_x, end_y, NONE, NONE, NONE, NONE, movement.phase(memory, AT, vx, vy)
+        end_x, end_y = memory[HELD_X] if held else nan, memory[HELD_Y] if held else nan
+    return endpoint(m.t, end_x, end_y, movement.phase(memory, AT, m))
 
 
-@law
-def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
-    """The same step over a table."""
-    for i in range(len(rows)):
-        if begin[i]:
-            memory[first:] = 0.0
-        r = rows[i]
-        answer = step(memory, r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8])
-        out[i, 0] = r[0]
-        for j in range(len(answer)):
-            out[i, j + 1] = answer[j]
+loop = loop_over_motions(step)
 
 
 class KinematicEndpointPredictor(Predictor):
@@ -156,17 +136,15 @@ class KinematicEndpointPredictor(Predictor):
     200.0
     """
 
-    parameters = (
-        Parameter("degree", "", 2, DEGREE_MOST, "degree of the polynomial of speed over distance"),
-        Parameter("reach", "", 1e-3, 1e6, "farthest zero ahead, as a multiple of the distance travelled"),
-        Parameter("change_most", "", 1e-6, 1.0, "relative change between samples of an accepted prediction"),
+    degree: int = parameter(
+        "", 2, DEGREE_MOST, "degree of the polynomial of speed over distance", default=4, whole=True
+    )
+    reach: float = parameter(
+        "", 1e-3, 1e6, "farthest zero ahead, as a multiple of the distance travelled", default=10.0
+    )
+    change_most: float | None = parameter(
+        "", 1e-6, 1.0, "relative change between samples of an accepted prediction", default=None, absent=0.0
     )
     step = staticmethod(step)
     loop = staticmethod(loop)
-
-    def __init__(self, *, degree: int = 4, reach: float = 10.0, change_most: float | None = None) -> None:
-        values = {"degree": degree, "reach": reach}
-        check(self.parameters, {**values, "change_most": 1.0 if change_most is None else change_most})
-        if degree != int(degree):
-            raise ParameterError(f"degree must be a whole number, received {degree!r}")
-        super().__init__([float(degree), float(reach), 0.0 if change_most is None else change_most], STATES)
+    states = STATES

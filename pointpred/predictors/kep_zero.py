@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from math import sqrt
+from math import nan, sqrt
 
 from pointpred.compiled import law
 
-NONE = float("nan")
 STEPS_MOST = 80
 """Bound on the cost of a zero: some six steps suffice, some forty where two zeros nearly meet."""
 
@@ -64,7 +63,7 @@ def between(c0: float, c1: float, c2: float, c3: float, c4: float, low: float, h
 def first_zero(c0: float, c1: float, c2: float, c3: float, c4: float, far: float) -> float:
     """Smallest w in (0, far] where c0 + c1 w + ... + c4 w^4 comes down to zero from c0 > 0, else NaN."""
     if not c0 > 0.0:
-        return NONE
+        return nan
     bend_1, bend_2 = bend(c2, c3, c4, far)
     left = 0.0
     for bound in (bend_1, bend_2, far):
@@ -74,4 +73,4 @@ def first_zero(c0: float, c1: float, c2: float, c3: float, c4: float, far: float
             if value(c0, c1, c2, c3, c4, right) <= 0.0:
                 return between(c0, c1, c2, c3, c4, left, right)
             left = right
-    return NONE
+    return nan

@@ -8,17 +8,18 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import BoolArray, FloatArray
+from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.parameter import option
 from pointpred.predictors import kinematic_calibration as calibration
 from pointpred.predictors import kinematic_coefficients, movement
 from pointpred.predictors import kinematic_features as features
 from pointpred.predictors import kinematic_net as net
 from pointpred.predictors import kinematic_sight as sight
-from pointpred.predictors.predictor import NONE, Predictor
+from pointpred.predictors.predictor import Predictor, loop_over_motions
+from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
 
 AT = 0
-REFUSED = (NONE, NONE, NONE, NONE, NONE, NONE, NONE, NONE, NONE)
 
 
 @law
@@ -28,34 +29,23 @@ def bounded(value: float, bounds: tuple[float, float]) -> float:
 
 
 @law
-def step(
-    memory: FloatArray,
-    coefficients: FloatArray,
-    t: float,
-    x: float,
-    y: float,
-    vx: float,
-    vy: float,
-    ax: float,
-    ay: float,
-    settled: float,
-    start: float,
-) -> tuple[float, float, float, float, float, float, float, float, float]:
+def step(memory: FloatArray, motion: Row, coefficients: FloatArray) -> TenFloats:
     """Features, network, calibration, and back to the screen."""
+    m = MotionRow(*motion)
     seen = np.empty(features.FEATURES)
-    accepted, reach, ux, uy = sight.see(memory, AT, t, x, y, vx, vy, ax, ay, start, seen)
+    accepted, reach, ux, uy = sight.see(memory, AT, m, seen)
     if not accepted:
         return REFUSED
-    phase = movement.phase(memory, AT, vx, vy)
+    phase = movement.phase(memory, AT, m)
     if reach == 0.0:
-        return x, y, NONE, NONE, NONE, NONE, phase, NONE, NONE
+        return endpoint(m.t, m.x, m.y, phase)
     said = np.empty(net.OUTPUTS)
     table = net.outputs(coefficients, seen, said)
     along, across = said[net.ALONG], said[net.ACROSS] * net.side(seen)
     for i in range(net.BASES):
         along += said[net.BASIS + i] * seen[net.BASIS_ALONG[i]]
         across += said[net.BASIS + i] * seen[net.BASIS_ACROSS[i]]
-    since = t - memory[AT + movement.T0]
+    since = m.t - memory[AT + movement.T0]
     left = (since + net.HEAD_START_S) * bounded(said[net.LEFT], net.LEFT_LOGS)
     share = since / (since + left)
     widen = reach * calibration.factor(coefficients, table, share, calibration.WIDTH)
@@ -64,8 +54,9 @@ def step(
     tail = bounded(said[net.TAIL], net.TAIL_LOGS)
     spread = bounded(said[net.SPREAD], net.SPREAD_LOGS)
     return (
-        x + reach * (along * ux - across * uy),
-        y + reach * (along * uy + across * ux),
+        m.t,
+        m.x + reach * (along * ux - across * uy),
+        m.y + reach * (along * uy + across * ux),
         wide * ux * ux + broad * uy * uy,
         (wide - broad) * ux * uy,
         wide * uy * uy + broad * ux * ux,
@@ -76,24 +67,7 @@ def step(
     )
 
 
-@law
-def loop(
-    memory: FloatArray,
-    coefficients: FloatArray,
-    first: int,
-    begin: BoolArray,
-    rows: FloatArray,
-    out: FloatArray,
-) -> None:
-    """The same step over a table."""
-    for i in range(len(rows)):
-        if begin[i]:
-            memory[first:] = 0.0
-        r = rows[i]
-        answer = step(memory, coefficients, r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8])
-        out[i, 0] = r[0]
-        for j in range(len(answer)):
-            out[i, j + 1] = answer[j]
+loop = loop_over_motions(step)
 
 
 class KinematicPredictor(Predictor):
@@ -130,40 +104,29 @@ class KinematicPredictor(Predictor):
     (True, True)
     """
 
+    coefficients: Path | str | None = option(
+        "the file of other coefficients, as `pointpred train` writes it", default=None
+    )
     step = staticmethod(step)
     loop = staticmethod(loop)
+    states = sight.STATES
 
-    def __init__(self, *, coefficients: Path | str | None = None) -> None:
-        self._use(coefficients)
-        super().__init__([], sight.STATES)
-
-    def _use(self, coefficients: Path | str | None) -> None:
-        """The coefficients of a file, those of the package for ``None``; raises ParameterError."""
-        source = kinematic_coefficients.OWN if coefficients is None else coefficients
-        self._coefficients = kinematic_coefficients.read(source)
+    def declare(self, **values: Any) -> None:
+        """Check the values and read the coefficients: those of the package for ``None``."""
+        super().declare(**values)
+        source = kinematic_coefficients.OWN if self.coefficients is None else self.coefficients
+        self.shared = (kinematic_coefficients.read(source),)
         self._source = Path(source)
-        self._known = kinematic_coefficients.sets(source)  # the file may be gone when it is asked for
+        self._sets = kinematic_coefficients.sets(source)  # the file may be gone when it is asked for
 
     def saw(self, name: str) -> bool:
         """Whether the coefficients were fitted to people of the set of this name."""
-        return name in self._known
-
-    def advance(self, row: tuple[float, ...]) -> tuple[float, ...]:
-        """``consume``, with the prediction as a row of ``PredictionColumns``."""
-        t, x, y, vx, vy, ax, ay, settled, start, _ = row
-        values = type(self).step(self._memory, self._coefficients, t, x, y, vx, vy, ax, ay, settled, start)
-        return self.accepted(row, values)
-
-    def walk(self, begin: BoolArray, rows: FloatArray) -> FloatArray:
-        """Run the law over rows, resetting before each row marked ``begin``; continues from the memory."""
-        out = np.empty((len(rows), self.width))
-        type(self).loop(self._memory, self._coefficients, self._first, begin, rows, out)
-        return out
+        return name in self._sets
 
     def __getstate__(self) -> dict[str, Any]:
         """Where the coefficients stand, not the coefficients."""
-        return {name: value for name, value in self.__dict__.items() if name != "_coefficients"}
+        return {name: value for name, value in self.__dict__.items() if name != "shared"}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)
-        self._coefficients = kinematic_coefficients.read(self._source)
+        self.shared = (kinematic_coefficients.read(self._source),)

@@ -8,6 +8,8 @@ from pointpred.predictors import kinematic_features as features
 from pointpred.predictors import kinematic_history as history
 from pointpred.predictors import kinematic_track as track
 from pointpred.predictors import movement
+from pointpred.predictors.predictor import motion_at
+from pointpred.rows import MotionRow
 
 # State, relative to `at`: the movement; what is tracked and the head of the history, the same before the last
 # time; the history.
@@ -30,30 +32,19 @@ def rewind(memory: FloatArray, at: int, again: bool) -> None:
 
 
 @law
-def see(
-    memory: FloatArray,
-    at: int,
-    t: float,
-    x: float,
-    y: float,
-    vx: float,
-    vy: float,
-    ax: float,
-    ay: float,
-    start: float,
-    out: FloatArray,
-) -> tuple[bool, float, float, float]:
+def see(memory: FloatArray, at: int, m: MotionRow, out: FloatArray) -> tuple[bool, float, float, float]:
     """Take one motion in and fill the features: (accepted, reach, direction)."""
     known, last_t = memory[at + movement.KNOWN], memory[at + movement.T]
-    accepted, new, _ = movement.follow(memory, at, t, x, y, vx, vy, ax, ay, start)
+    accepted, new, _ = movement.follow(memory, at, m)
     if not accepted:
         return False, 0.0, 0.0, 0.0
-    if new or t == memory[at + movement.T0]:
+    if new or m.t == memory[at + movement.T0]:
         memory[at + TRACK : at + HISTORY] = 0.0
         history.begin(memory, at + HISTORY)
     else:
-        rewind(memory, at, known == 1.0 and t == last_t)
-    since, rx, ry = t - memory[at + movement.T0], x - memory[at + movement.X0], y - memory[at + movement.Y0]
+        rewind(memory, at, known == 1.0 and m.t == last_t)
+    since = m.t - memory[at + movement.T0]
+    rx, ry = m.x - memory[at + movement.X0], m.y - memory[at + movement.Y0]
     before = at + TRACK
     history.extend(
         memory,
@@ -67,8 +58,10 @@ def see(
     )
     path = history.travelled(memory, at + HISTORY, rx, ry)
     _, _, path_before = history.past(memory, at + HISTORY, since, rx, ry, path, track.SPAN_S)
-    track.advance(memory, before, since, rx, ry, path, (path - path_before) / track.SPAN_S, vx, vy, ax, ay)
-    reach, ux, uy = features.features(memory, before, at + HISTORY, since, vx, vy, ax, ay, out)
+    track.advance(
+        memory, before, since, rx, ry, path, (path - path_before) / track.SPAN_S, m.vx, m.vy, m.ax, m.ay
+    )
+    reach, ux, uy = features.features(memory, before, at + HISTORY, since, m.vx, m.vy, m.ax, m.ay, out)
     return True, reach, ux, uy
 
 
@@ -80,6 +73,5 @@ def see_all(
     for i in range(len(rows)):
         if begin[i]:
             memory[:] = 0.0
-        r = rows[i]
-        _, reach, ux, uy = see(memory, 0, r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[8], out[i])
+        _, reach, ux, uy = see(memory, 0, MotionRow(*motion_at(rows, i)), out[i])
         frames[i, 0], frames[i, 1], frames[i, 2] = reach, ux, uy

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import copy
-from math import hypot
+from math import hypot, nan
 
 import numpy as np
 
-from pointpred.columns import BoolArray, FloatArray
+from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.errors import ParameterError
+from pointpred.parameter import option, parameter
 from pointpred.predictors import ktm_matching as matching
 from pointpred.predictors import movement
-from pointpred.predictors.predictor import NONE, REFUSED, Predictor
-from pointpred.stage import Parameter, check
+from pointpred.predictors.predictor import Predictor, loop_over_motions
+from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
 
 TEMPLATES_MOST = 1000
 
@@ -49,33 +50,23 @@ def resample(memory: FloatArray, at: int, since: float, x_before: float, y_befor
 
 
 @law
-def step(
-    memory: FloatArray,
-    t: float,
-    x: float,
-    y: float,
-    vx: float,
-    vy: float,
-    ax: float,
-    ay: float,
-    settled: float,
-    start: float,
-) -> tuple[float, float, float, float, float, float, float]:
+def step(memory: FloatArray, motion: Row) -> TenFloats:
     """Follow the speed profile and go as far as the template that is most like it."""
+    m = MotionRow(*motion)
     at = matching.known(memory) + matching.LEARNED
     ended = distance(memory, at)
     x_before, y_before = memory[at + movement.X], memory[at + movement.Y]
-    accepted, new, dt = movement.follow(memory, at, t, x, y, vx, vy, ax, ay, start)
+    accepted, new, dt = movement.follow(memory, at, m)
     if not accepted:
         return REFUSED
-    phase = movement.phase(memory, at, vx, vy)
+    phase = movement.phase(memory, at, m)
     if new:
         matching.keep(memory, at, ended)
         memory[at + movement.STATES :] = 0.0
         memory[at + matching.POINTS] = 1.0
         matching.sample(memory, at, 0.0)
-    if new or t == memory[at + movement.T0]:
-        memory[at + matching.GRID_X], memory[at + matching.GRID_Y] = x, y
+    if new or m.t == memory[at + movement.T0]:
+        memory[at + matching.GRID_X], memory[at + matching.GRID_Y] = m.x, m.y
     if dt > 0.0:
         memory[at + matching.POINTS] += 1.0
         resample(memory, at, dt, x_before, y_before)
@@ -84,24 +75,13 @@ def step(
     if memory[at + matching.POINTS] >= matching.POINTS_LEAST:
         best = matching.winner(memory, at, 1.0 if dt > 0.0 else 0.0)
     if best < 0 or not away > 0.0:
-        return NONE, NONE, NONE, NONE, NONE, NONE, phase
+        return endpoint(m.t, nan, nan, phase)
     ahead = memory[matching.template(memory, best) + matching.DISTANCE] / away - 1.0
     x0, y0 = memory[at + movement.X0], memory[at + movement.Y0]
-    return x + ahead * (x - x0), y + ahead * (y - y0), NONE, NONE, NONE, NONE, phase
+    return endpoint(m.t, m.x + ahead * (m.x - x0), m.y + ahead * (m.y - y0), phase)
 
 
-@law
-def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
-    """The same step over a table."""
-    for i in range(len(rows)):
-        if begin[i]:
-            conclude(memory)
-            memory[first:] = 0.0
-        r = rows[i]
-        answer = step(memory, r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8])
-        out[i, 0] = r[0]
-        for j in range(len(answer)):
-            out[i, j + 1] = answer[j]
+loop = loop_over_motions(step, conclude)
 
 
 class TemplatePredictor(Predictor):
@@ -147,39 +127,33 @@ class TemplatePredictor(Predictor):
     (300.0, 300.0)
     """
 
-    parameters = (
-        Parameter("templates", "", 0, TEMPLATES_MOST, "movements of the session that are remembered"),
-        Parameter("longest_s", "s", 0.2, 30.0, "longest movement that becomes a template"),
-        Parameter("shortest_px", "px", 0.0, 1e6, "straight distance of the shortest"),
+    templates: int = parameter(
+        "", 0, TEMPLATES_MOST, "movements of the session that are remembered", default=64, whole=True
     )
+    longest_s: float = parameter("s", 0.2, 30.0, "longest movement that becomes a template", default=3.0)
+    shortest_px: float = parameter("px", 0.0, 1e6, "straight distance of the shortest", default=10.0)
+    library: FloatArray | None = option("templates that stay, as `templates_of` makes them", default=None)
     step = staticmethod(step)
     loop = staticmethod(loop)
     conclude = staticmethod(conclude)
 
-    def __init__(
-        self,
-        *,
-        templates: int = 64,
-        longest_s: float = 3.0,
-        shortest_px: float = 10.0,
-        library: FloatArray | None = None,
-    ) -> None:
-        check(self.parameters, {"templates": templates, "longest_s": longest_s, "shortest_px": shortest_px})
-        if templates != int(templates):
-            raise ParameterError(f"templates must be a whole number, received {templates!r}")
-        longest = samples_of(longest_s)
-        given = _given(library, longest_s)
-        if templates + len(given) > TEMPLATES_MOST:
+    def settings(self) -> FloatArray:
+        """The numbers, the kernel and the library; how much is learned and remembered follows from them."""
+        library, longest = _checked(self.library, self.longest_s), samples_of(self.longest_s)
+        templates = int(self.templates)
+        if templates + len(library) > TEMPLATES_MOST:
             raise ParameterError(
-                f"at most {TEMPLATES_MOST} templates, received {len(given)} in the library beside {templates}"
+                f"at most {TEMPLATES_MOST} templates, received {len(library)} in the library and {templates}",
+                field="templates",
+                value=templates,
             )
-        wide = np.zeros((len(given), matching.SPEEDS + longest))
-        wide[:, : given.shape[1]] = given
+        wide = np.zeros((len(library), matching.SPEEDS + longest))
+        wide[:, : library.shape[1]] = library
         self.learned = templates * wide.shape[1] + matching.LEARNED if templates else 0
-        settings = [templates, len(given), longest, shortest_px, *matching.KERNEL]
-        states = matching.PROFILE + longest + (templates + len(given)) * matching.MATCH
-        states += 0 if templates else matching.LEARNED
-        super().__init__(np.concatenate([settings, wide.ravel()]), states)
+        self.states = matching.PROFILE + longest + (templates + len(library)) * matching.MATCH
+        self.states += 0 if templates else matching.LEARNED
+        numbers = [templates, len(library), longest, self.shortest_px, *matching.KERNEL]
+        return np.concatenate([numbers, wide.ravel()])
 
     def held(self) -> FloatArray:
         """The templates it would compare with after a reset, in the order in which ties are decided."""
@@ -196,7 +170,7 @@ def samples_of(longest_s: float) -> int:
     return int((longest_s + matching.STAMP_S) / matching.STEP_S) + 1
 
 
-def _given(library: FloatArray | None, longest_s: float) -> FloatArray:
+def _checked(library: FloatArray | None, longest_s: float) -> FloatArray:
     """The library, checked."""
     if library is None:
         return np.empty((0, matching.SPEEDS))

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from pointpred.columns import BoolArray, FloatArray
+from math import nan
+
+from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.events import ROUNDING_S
+from pointpred.parameter import parameter
 from pointpred.predictors import movement
-from pointpred.predictors.predictor import NONE, REFUSED, Predictor
-from pointpred.stage import Parameter, check
+from pointpred.predictors.predictor import Predictor, loop_over_motions
+from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
 
 KEPT_MOST = 8
 
@@ -45,44 +48,24 @@ def before(memory: FloatArray, t: float) -> tuple[bool, float, float, float]:
 
 
 @law
-def step(
-    memory: FloatArray,
-    t: float,
-    x: float,
-    y: float,
-    vx: float,
-    vy: float,
-    ax: float,
-    ay: float,
-    settled: float,
-    start: float,
-) -> tuple[float, float, float, float, float, float, float]:
+def step(memory: FloatArray, motion: Row) -> TenFloats:
     """Carry the mean velocity of the window on over the horizon."""
-    accepted, new, _ = movement.follow(memory, AT, t, x, y, vx, vy, ax, ay, start)
+    m = MotionRow(*motion)
+    accepted, new, _ = movement.follow(memory, AT, m)
     if not accepted:
         return REFUSED
     if new:
         memory[KEPT] = 0.0
-    phase = movement.phase(memory, AT, vx, vy)
-    known, before_t, before_x, before_y = before(memory, t)
-    remember(memory, t, x, y)
+    phase = movement.phase(memory, AT, m)
+    known, before_t, before_x, before_y = before(memory, m.t)
+    remember(memory, m.t, m.x, m.y)
     if not known:
-        return NONE, NONE, NONE, NONE, NONE, NONE, phase
-    ahead = memory[HORIZON_S] / max(t - before_t, memory[WINDOW_S] / KEPT_MOST)
-    return x + ahead * (x - before_x), y + ahead * (y - before_y), NONE, NONE, NONE, NONE, phase
+        return endpoint(m.t, nan, nan, phase)
+    ahead = memory[HORIZON_S] / max(m.t - before_t, memory[WINDOW_S] / KEPT_MOST)
+    return endpoint(m.t, m.x + ahead * (m.x - before_x), m.y + ahead * (m.y - before_y), phase)
 
 
-@law
-def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
-    """The same step over a table."""
-    for i in range(len(rows)):
-        if begin[i]:
-            memory[first:] = 0.0
-        r = rows[i]
-        answer = step(memory, r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8])
-        out[i, 0] = r[0]
-        for j in range(len(answer)):
-            out[i, j + 1] = answer[j]
+loop = loop_over_motions(step)
 
 
 class LinearPredictor(Predictor):
@@ -113,13 +96,8 @@ class LinearPredictor(Predictor):
     195.0
     """
 
-    parameters = (
-        Parameter("horizon_s", "s", 0.0, 1.0, "how far ahead the velocity is carried on"),
-        Parameter("window_s", "s", 1e-3, 1.0, "over how long the velocity is averaged"),
-    )
+    horizon_s: float = parameter("s", 0.0, 1.0, "how far ahead the velocity is carried on", default=0.12)
+    window_s: float = parameter("s", 1e-3, 1.0, "over how long the velocity is averaged", default=0.12)
     step = staticmethod(step)
     loop = staticmethod(loop)
-
-    def __init__(self, *, horizon_s: float = 0.12, window_s: float = 0.12) -> None:
-        check(self.parameters, {"horizon_s": horizon_s, "window_s": window_s})
-        super().__init__([float(horizon_s), float(window_s)], STATES)
+    states = STATES

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from math import hypot, sqrt
+from math import hypot, nan, sqrt
 
-from pointpred.columns import BoolArray, FloatArray
+from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.predictors import movement
-from pointpred.predictors.predictor import NONE, REFUSED, Predictor
+from pointpred.predictors.predictor import Predictor, loop_over_motions
+from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
 
 AT = 0
 
@@ -20,50 +21,33 @@ def progress(ratio: float) -> tuple[float, float]:
 
 
 @law
-def step(
-    memory: FloatArray,
-    t: float,
-    x: float,
-    y: float,
-    vx: float,
-    vy: float,
-    ax: float,
-    ay: float,
-    settled: float,
-    start: float,
-) -> tuple[float, float, float, float, float, float, float]:
+def step(memory: FloatArray, motion: Row) -> TenFloats:
     """Divide the way done by the share that the speed says is done."""
-    accepted, _, _ = movement.follow(memory, AT, t, x, y, vx, vy, ax, ay, start)
+    m = MotionRow(*motion)
+    accepted, _, _ = movement.follow(memory, AT, m)
     if not accepted:
         return REFUSED
-    phase = movement.phase(memory, AT, vx, vy)
+    phase = movement.phase(memory, AT, m)
     peak = memory[AT + movement.PEAK]
     if peak < movement.STILL_M_S:
-        return NONE, NONE, NONE, NONE, NONE, NONE, phase
-    tau, done = progress(hypot(vx, vy) / peak)
+        return endpoint(m.t, nan, nan, phase)
+    tau, done = progress(hypot(m.vx, m.vy) / peak)
     ahead = (1.0 - done) / done
     return (
-        x + ahead * (x - memory[AT + movement.X0]),
-        y + ahead * (y - memory[AT + movement.Y0]),
-        NONE,
-        NONE,
-        NONE,
-        (t - memory[AT + movement.T0]) * (1.0 - tau) / tau,
+        m.t,
+        m.x + ahead * (m.x - memory[AT + movement.X0]),
+        m.y + ahead * (m.y - memory[AT + movement.Y0]),
+        nan,
+        nan,
+        nan,
+        (m.t - memory[AT + movement.T0]) * (1.0 - tau) / tau,
         phase,
+        nan,
+        nan,
     )
 
 
-@law
-def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
-    """The same step over a table."""
-    for i in range(len(rows)):
-        if begin[i]:
-            memory[first:] = 0.0
-        r = rows[i]
-        answer = step(memory, r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8])
-        out[i, 0] = r[0]
-        for j in range(len(answer)):
-            out[i, j + 1] = answer[j]
+loop = loop_over_motions(step)
 
 
 class MinimumJerkPredictor(Predictor):
@@ -98,6 +82,4 @@ class MinimumJerkPredictor(Predictor):
 
     step = staticmethod(step)
     loop = staticmethod(loop)
-
-    def __init__(self) -> None:
-        super().__init__([], movement.STATES)
+    states = movement.STATES

@@ -6,6 +6,7 @@ from math import hypot, inf
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.rows import MotionRow
 
 STILL_M_S = 0.002
 """Below this speed of the hand nothing moves: two counts a second of a coarse mouse."""
@@ -13,33 +14,22 @@ CORRECTIVE_FRACTION = 0.2
 """A movement slower than this share of its peak is corrective (thesis 2.5.6: a fifth)."""
 
 # State, relative to `at`: known, last sample, first sample of the movement, peak speed, px travelled.
-KNOWN, T, X, Y, T0, X0, Y0, PEAK, PATH = 0, 1, 2, 3, 4, 5, 6, 7, 8
-STATES = 9
+KNOWN, T, X, Y, T0, X0, Y0, PEAK, PATH, STATES = range(10)
 
 STILL, BALLISTIC, CORRECTIVE = 0.0, 1.0, 2.0
 
 
 @law
-def follow(
-    memory: FloatArray,
-    at: int,
-    t: float,
-    x: float,
-    y: float,
-    vx: float,
-    vy: float,
-    ax: float,
-    ay: float,
-    start: float,
-) -> tuple[bool, bool, float]:
+def follow(memory: FloatArray, at: int, m: MotionRow) -> tuple[bool, bool, float]:
     """Take one motion in: (accepted, a movement starts here, dt in s since the motion before).
 
     Not accepted, and the memory unchanged: a value that is not finite, or a time before the last one.
     """
-    size = abs(t) + abs(x) + abs(y) + abs(vx) + abs(vy) + abs(ax) + abs(ay)
+    t, x, y = m.t, m.x, m.y
+    size = abs(t) + abs(x) + abs(y) + abs(m.vx) + abs(m.vy) + abs(m.ax) + abs(m.ay)
     if not size < inf or (memory[at + KNOWN] == 1.0 and t < memory[at + T]):
         return False, False, 0.0
-    new = start == 1.0 or memory[at + KNOWN] == 0.0
+    new = m.start == 1.0 or memory[at + KNOWN] == 0.0
     dt = 0.0 if new else t - memory[at + T]
     if new or t == memory[at + T0]:  # of events at one time, the later position replaces
         memory[at + T0], memory[at + X0], memory[at + Y0] = t, x, y
@@ -50,14 +40,14 @@ def follow(
         memory[at + PEAK] = 0.0
     memory[at + KNOWN] = 1.0
     memory[at + T], memory[at + X], memory[at + Y] = t, x, y
-    memory[at + PEAK] = max(memory[at + PEAK], hypot(vx, vy))
+    memory[at + PEAK] = max(memory[at + PEAK], hypot(m.vx, m.vy))
     return True, new, dt
 
 
 @law
-def phase(memory: FloatArray, at: int, vx: float, vy: float) -> float:
+def phase(memory: FloatArray, at: int, m: MotionRow) -> float:
     """The phase by speed alone: still, ballistic above a fifth of the peak, corrective below."""
-    speed = hypot(vx, vy)
+    speed = hypot(m.vx, m.vy)
     if speed < STILL_M_S:
         return STILL
     return BALLISTIC if speed >= CORRECTIVE_FRACTION * memory[at + PEAK] else CORRECTIVE

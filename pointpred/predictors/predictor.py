@@ -3,35 +3,39 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import ClassVar
+from typing import Any, ClassVar
 
-import msgspec
-import numpy as np
-
-from pointpred.columns import BoolArray, MotionColumns, PredictionColumns, prediction_of
+from pointpred.columns import BoolArray, FloatArray, MotionColumns, PredictionColumns
+from pointpred.compiled import law
 from pointpred.errors import EventError
 from pointpred.events import Motion, Prediction
-from pointpred.stage import CompiledStage
+from pointpred.rows import MotionRow, PredictionRow, Row, TenFloats, motion_row, prediction_of
+from pointpred.stage import CompiledStage, learn_nothing, loop_of
 
-NONE = float("nan")
-REFUSED = (NONE, NONE, NONE, NONE, NONE, NONE, NONE)
-"""What a step returns for a motion it refuses: even the phase is NaN; its memory is then unchanged."""
 
-PHASE = 7
-CLAIMS = 9
-"""What a step returns that also claims a tail or a spread of the remaining time."""
+@law
+def motion_at(rows: FloatArray, i: int) -> TenFloats:
+    """A row of a table of motions as a tuple."""
+    r = rows[i]
+    return r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8], r[9]
+
+
+def loop_over_motions(
+    step: Callable[..., Any], conclude: Callable[..., None] = learn_nothing
+) -> Callable[..., None]:
+    """The loop of a predictor's law over a table of motions; see ``loop_of``."""
+    return loop_of(step, motion_at, conclude)
 
 
 class Predictor(CompiledStage):
-    """A ``Stage[Motion, Prediction | None]`` around a compiled law.
+    """A ``Stage[Motion, Prediction | None]`` around a compiled ``step(memory, motion) -> prediction``.
 
-    ``step(memory, t, x, y, vx, vy, ax, ay, settled, start)`` returns (x, y, sxx, sxy, syy, remaining_s,
-    phase), and after them (tail, remaining_spread) if it claims either; x is NaN where nothing is justified,
-    the phase is NaN where the motion is refused.
+    Both are rows: a ``MotionRow`` in, the floats of a ``PredictionRow`` out, with x NaN where nothing is
+    justified and t NaN where the motion is refused.
     """
 
-    width = 10
-    step: ClassVar[Callable[..., tuple[float, ...]]]
+    width = len(PredictionRow._fields)
+    step: ClassVar[Callable[..., TenFloats]]
 
     def update(self, motion: Motion, /) -> Prediction | None:
         """Consume one motion and return the prediction after it, or ``None`` where none is justified.
@@ -39,37 +43,30 @@ class Predictor(CompiledStage):
         Raises EventError for a motion that is not finite or lies before the last; nothing is then changed.
         """
         try:
-            row = tuple(map(float, msgspec.structs.astuple(motion)))
-        except (TypeError, ValueError, OverflowError) as unusable:
+            row = motion_row(motion)
+        except (TypeError, ValueError, OverflowError, AttributeError) as unusable:
             raise EventError(f"motion must be numbers, received {motion!r}") from unusable
-        return self.consume(row)
-
-    def consume(self, row: tuple[float, ...]) -> Prediction | None:
-        """``update`` for a motion that is still the plain row a differentiator made."""
         answer = self.advance(row)
-        return prediction_of(answer[0], answer[1:])
+        if answer[0] != answer[0]:
+            raise unusable_motion(row)
+        return prediction_of(answer)
 
-    def advance(self, row: tuple[float, ...]) -> tuple[float, ...]:
-        """``consume``, with the prediction as a row of ``PredictionColumns``."""
-        t, x, y, vx, vy, ax, ay, settled, start, _ = row
-        values = type(self).step(self._memory, t, x, y, vx, vy, ax, ay, settled, start)
-        if values[6] == values[6] and len(values) != CLAIMS:
-            return (t, *values, NONE, NONE)  # ``accepted``, without the call: this runs for every event
-        return self.accepted(row, values)
-
-    def accepted(self, row: tuple[float, ...], values: tuple[float, ...]) -> tuple[float, ...]:
-        """What a step returned as a row of ``PredictionColumns``; raises EventError where it refused."""
-        if values[6] != values[6]:
-            raise EventError(f"motion must be finite and not before the last one, received {row!r}")
-        return (row[0], *values) if len(values) == CLAIMS else (row[0], *values, NONE, NONE)
+    def advance(self, row: Row) -> TenFloats:
+        """``update`` in rows; t is NaN where the motion is refused, and nothing has changed then."""
+        return type(self).step(self._memory, row, *self.shared)
 
     def run(self, motions: MotionColumns, begin: BoolArray) -> PredictionColumns:
         """Consume a table of motions; when a row is refused the error names it and nothing is consumed."""
-        kept = self._memory.copy()
+        kept = self.remembered()
         table = self.walk(begin, motions.table)
-        refused = np.isnan(table[:, PHASE])
+        refused = table[:, 0] != table[:, 0]
         if refused.any():
-            self._memory = kept
-            row = int(refused.argmax())
-            raise EventError(f"row {row}: motion must be finite and not before the last one")
+            self.recall(kept)
+            i = int(refused.argmax())
+            raise EventError(f"row {i}: {unusable_motion(tuple(motions.table[i].tolist()))}")
         return PredictionColumns(table)
+
+
+def unusable_motion(row: Row) -> EventError:
+    """The error for a motion that a law refuses."""
+    return EventError(f"a motion must be finite and not before the last one, received {MotionRow(*row)}")

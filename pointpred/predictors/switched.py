@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from pointpred.columns import BoolArray, FloatArray
+from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.parameter import parameter
 from pointpred.predictors import movement
-from pointpred.predictors.predictor import NONE, REFUSED, Predictor
+from pointpred.predictors.predictor import Predictor, loop_over_motions
 from pointpred.regression import drem
-from pointpred.stage import Parameter, check
+from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
 
 UNKNOWNS = 3  # theta = (1/b2, b1/b2, T)
 
@@ -52,42 +53,22 @@ def advance(memory: FloatArray, axis: int, t: float, place: float, v: float, a: 
 
 
 @law
-def step(
-    memory: FloatArray,
-    t: float,
-    x: float,
-    y: float,
-    vx: float,
-    vy: float,
-    ax: float,
-    ay: float,
-    settled: float,
-    start: float,
-) -> tuple[float, float, float, float, float, float, float]:
+def step(memory: FloatArray, motion: Row) -> TenFloats:
     """Both axes, each in its own phase (Remark 2.5.1)."""
-    accepted, new, _ = movement.follow(memory, AT, t, x, y, vx, vy, ax, ay, start)
+    m = MotionRow(*motion)
+    accepted, new, _ = movement.follow(memory, AT, m)
     if not accepted:
         return REFUSED
     if new:
         memory[X_AXIS:] = 0.0
     x0, y0 = memory[AT + movement.X0], memory[AT + movement.Y0]
-    since = t - memory[AT + movement.T0]  # so that the clock's origin leaves no trace in the delays
-    end_x = x0 + advance(memory, X_AXIS, since, x - x0, vx, ax)
-    end_y = y0 + advance(memory, Y_AXIS, since, y - y0, vy, ay)
-    return end_x, end_y, NONE, NONE, NONE, NONE, movement.phase(memory, AT, vx, vy)
+    since = m.t - memory[AT + movement.T0]  # so that the clock's origin leaves no trace in the delays
+    end_x = x0 + advance(memory, X_AXIS, since, m.x - x0, m.vx, m.ax)
+    end_y = y0 + advance(memory, Y_AXIS, since, m.y - y0, m.vy, m.ay)
+    return endpoint(m.t, end_x, end_y, movement.phase(memory, AT, m))
 
 
-@law
-def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
-    """The same step over a table."""
-    for i in range(len(rows)):
-        if begin[i]:
-            memory[first:] = 0.0
-        r = rows[i]
-        answer = step(memory, r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8])
-        out[i, 0] = r[0]
-        for j in range(len(answer)):
-            out[i, j + 1] = answer[j]
+loop = loop_over_motions(step)
 
 
 class SwitchedPredictor(Predictor):
@@ -116,22 +97,14 @@ class SwitchedPredictor(Predictor):
     792
     """
 
-    parameters = (
-        Parameter(
-            "threshold", "share of peak speed", 0.0, 10.0, "below it an axis is corrective; above 1: always"
-        ),
-        Parameter("bound", "share of displacement", 0.0, 10.0, "largest step of the corrective estimate"),
-        Parameter("delay_s", "s", 1e-3, 1.0, "delay between the copies of the regression"),
-        Parameter("gamma", "1/s", 0.0, 1e9, "rate of the regression at full excitation"),
+    threshold: float = parameter(
+        "share of peak speed", 0.0, 10.0, "below it an axis is corrective; above 1: always", default=0.2
     )
+    bound: float = parameter(
+        "share of displacement", 0.0, 10.0, "largest step of the corrective estimate", default=0.1
+    )
+    delay_s: float = parameter("s", 1e-3, 1.0, "delay between the copies of the regression", default=0.1)
+    gamma: float = parameter("1/s", 0.0, 1e9, "rate of the regression at full excitation", default=1e4)
     step = staticmethod(step)
     loop = staticmethod(loop)
-
-    def __init__(
-        self, *, threshold: float = 0.2, bound: float = 0.1, delay_s: float = 0.1, gamma: float = 1e4
-    ) -> None:
-        check(
-            self.parameters,
-            {"threshold": threshold, "bound": bound, "delay_s": delay_s, "gamma": gamma},
-        )
-        super().__init__([threshold, bound, delay_s, gamma], STATES)
+    states = STATES

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from math import hypot
 
-from pointpred.columns import BoolArray, FloatArray
+from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.parameter import parameter
 from pointpred.predictors import movement, submovement
-from pointpred.predictors.predictor import NONE, REFUSED, Predictor
-from pointpred.stage import Parameter, check
+from pointpred.predictors.predictor import Predictor, loop_over_motions
+from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
 
 RISE, TYPICAL_S, OWN, TURN, WATCHED, STOPPING, AT = 0, 1, 2, 3, 4, 5, 6
 UNIT = AT + movement.STATES
@@ -55,49 +56,29 @@ def approach(memory: FloatArray, px_m: float, x: float, y: float, speed: float) 
 
 
 @law
-def step(
-    memory: FloatArray,
-    t: float,
-    x: float,
-    y: float,
-    vx: float,
-    vy: float,
-    ax: float,
-    ay: float,
-    settled: float,
-    start: float,
-) -> tuple[float, float, float, float, float, float, float]:
+def step(memory: FloatArray, motion: Row) -> TenFloats:
     """Follow the sub-movement and add what is left of it in the direction of the hand."""
-    accepted, new, dt = movement.follow(memory, AT, t, x, y, vx, vy, ax, ay, start)
+    m = MotionRow(*motion)
+    accepted, new, dt = movement.follow(memory, AT, m)
     if not accepted:
         return REFUSED
     if new:
         memory[VX : SQUARE + 1] = 0.0
-    if new or t == memory[AT + movement.T0]:
-        submovement.begin(memory, UNIT, x, y)
-    speed = hypot(vx, vy)
-    submovement.follow(memory, UNIT, memory[RISE], x, y, speed)
-    phase = movement.phase(memory, AT, vx, vy)
-    px_m = gain(memory, dt, x - memory[AT + movement.X0], y - memory[AT + movement.Y0], vx, vy)
-    rate = approach(memory, px_m, x, y, speed) if px_m > 0.0 and speed > movement.STILL_M_S else 0.0
+    if new or m.t == memory[AT + movement.T0]:
+        submovement.begin(memory, UNIT, m.x, m.y)
+    speed = hypot(m.vx, m.vy)
+    submovement.follow(memory, UNIT, memory[RISE], m.x, m.y, speed)
+    phase = movement.phase(memory, AT, m)
+    px_m = gain(memory, dt, m.x - memory[AT + movement.X0], m.y - memory[AT + movement.Y0], m.vx, m.vy)
+    rate = approach(memory, px_m, m.x, m.y, speed) if px_m > 0.0 and speed > movement.STILL_M_S else 0.0
     ahead_s = 1.0 / rate if rate > 0.0 else 0.0
-    braking = -(ax * vx + ay * vy)
+    braking = -(m.ax * m.vx + m.ay * m.vy)
     if braking > 0.0 and ahead_s * braking > memory[STOPPING] * speed * speed:
         ahead_s = memory[STOPPING] * speed * speed / braking
-    return x + ahead_s * px_m * vx, y + ahead_s * px_m * vy, NONE, NONE, NONE, NONE, phase
+    return endpoint(m.t, m.x + ahead_s * px_m * m.vx, m.y + ahead_s * px_m * m.vy, phase)
 
 
-@law
-def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
-    """The same step over a table."""
-    for i in range(len(rows)):
-        if begin[i]:
-            memory[first:] = 0.0
-        r = rows[i]
-        answer = step(memory, r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8])
-        out[i, 0] = r[0]
-        for j in range(len(answer)):
-            out[i, j + 1] = answer[j]
+loop = loop_over_motions(step)
 
 
 class SwitchedDirectionPredictor(Predictor):
@@ -134,36 +115,20 @@ class SwitchedDirectionPredictor(Predictor):
     160.0
     """
 
-    parameters = (
-        Parameter(
-            "rise", "share of peak speed", 0.0, 10.0, "a rise out of a valley by more is a sub-movement"
-        ),
-        Parameter("typical_s", "s", 1e-4, 10.0, "time constant of a typical approach at its peak"),
-        Parameter("own", "", 0.0, 1.0, "share of the sub-movement's own time in its time constant"),
-        Parameter("turn", "", 0.0, 1.0, "power of speed over peak speed that says how much the peak counts"),
-        Parameter("watched", "", 0.0, 10.0, "weight of the rate seen since the peak"),
-        Parameter("stopping", "", 0.0, 1e6, "way left at most, in speed^2 / deceleration"),
+    rise: float = parameter(
+        "share of peak speed", 0.0, 10.0, "a rise out of a valley by more is a sub-movement", default=0.6
     )
+    typical_s: float = parameter(
+        "s", 1e-4, 10.0, "time constant of a typical approach at its peak", default=0.045
+    )
+    own: float = parameter(
+        "", 0.0, 1.0, "share of the sub-movement's own time in its time constant", default=0.4
+    )
+    turn: float = parameter(
+        "", 0.0, 1.0, "power of speed over peak speed that says how much the peak counts", default=0.6
+    )
+    watched: float = parameter("", 0.0, 10.0, "weight of the rate seen since the peak", default=0.65)
+    stopping: float = parameter("", 0.0, 1e6, "way left at most, in speed^2 / deceleration", default=0.5)
     step = staticmethod(step)
     loop = staticmethod(loop)
-
-    def __init__(
-        self,
-        *,
-        rise: float = 0.6,
-        typical_s: float = 0.045,
-        own: float = 0.4,
-        turn: float = 0.6,
-        watched: float = 0.65,
-        stopping: float = 0.5,
-    ) -> None:
-        values = {
-            "rise": rise,
-            "typical_s": typical_s,
-            "own": own,
-            "turn": turn,
-            "watched": watched,
-            "stopping": stopping,
-        }
-        check(self.parameters, values)
-        super().__init__([float(value) for value in values.values()], STATES)
+    states = STATES

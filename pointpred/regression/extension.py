@@ -10,9 +10,10 @@ import msgspec
 
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
+from pointpred.parameter import Parameter, check
 from pointpred.regression import drem
 from pointpred.regression.recursive_least_squares import moment, sample
-from pointpred.stage import CompiledStage, Parameter, check
+from pointpred.stage import CompiledStage
 
 DELAY_S, GAMMA, AT = 0, 1, 2
 
@@ -69,7 +70,7 @@ class DynamicRegressorExtension(CompiledStage):
         if count != int(count):
             raise ParameterError(f"count must be a whole number, received {count!r}")
         self.count = int(count)
-        super().__init__([float(delay_s), float(gamma)], drem.states(self.count))
+        self.lay_out([float(delay_s), float(gamma)], drem.states(self.count))
 
     def update(self, regressor: Sequence[float] | FloatArray, output: float, t: float) -> Estimate | None:
         """Take in output = regressor . theta at ``t`` s; ``None`` while the history is too short.

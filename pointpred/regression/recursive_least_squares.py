@@ -12,8 +12,9 @@ from numpy.typing import ArrayLike
 
 from pointpred.columns import FloatArray
 from pointpred.errors import EventError, EventOrderError, ParameterError
+from pointpred.parameter import Parameter, check
 from pointpred.regression import least_squares
-from pointpred.stage import CompiledStage, Parameter, check
+from pointpred.stage import CompiledStage
 
 # Parameters, then the state: known, last time, the triangle.
 FORGETTING, RATE, LEAST, RIDGE = 0, 1, 2, 3
@@ -100,7 +101,7 @@ class RecursiveLeastSquares(CompiledStage):
             raise ParameterError("start needs a ridge above 0: the exact start draws to nothing")
         self._start = np.zeros(self.count) if start is None else starting(self.count, start)
         settings = [float(forgetting), float(forgetting_rate), float(least_excitation), float(ridge)]
-        super().__init__(settings, 2 + least_squares.states(self.count))
+        self.lay_out(settings, 2 + least_squares.states(self.count))
 
     def update(self, regressor: Sequence[float] | FloatArray, output: float, t: float | None = None) -> None:
         """Take in output = regressor . theta at ``t`` s; ``None``: no time has passed since the last sample.

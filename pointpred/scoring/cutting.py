@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.differentiators import sampling
+from pointpred.differentiators.differentiator import event_at
+from pointpred.rows import EventRow
 
 ONSET_PX = 3.0
 """A movement has begun once the cursor has left this circle around the trial's first position for good."""
@@ -34,8 +36,7 @@ def fault(rows: FloatArray, first: int, stop: int) -> tuple[int, int]:
     if stop == first:
         return EMPTY, first
     for i in range(first, stop):
-        r = rows[i]
-        if not sampling.usable(r[0], r[1], r[2], r[3], r[4], r[5]):
+        if not sampling.usable(EventRow(*event_at(rows, i))):
             return UNUSABLE, i
         if i > first and rows[i, 0] < rows[i - 1, 0]:
             return BACKWARD, i

@@ -11,10 +11,10 @@ import numpy as np
 
 from pointpred.columns import EventColumns
 from pointpred.errors import ParameterError
+from pointpred.parameter import Parameter, check
 from pointpred.recording import Provenance, Recording, Trial
 from pointpred.simulation import movement, plan
 from pointpred.simulation.person import Person, people
-from pointpred.stage import Parameter, check
 from pointpred.transfer import ConstantGain, SigmoidGain, TransferFunction
 
 TARGETS = 13

@@ -11,10 +11,10 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.events import PointerEvent
+from pointpred.parameter import Parameter, check
 from pointpred.pipeline import Pipeline
 from pointpred.simulation import loop, movement, plan, slots
 from pointpred.simulation.person import Person
-from pointpred.stage import Parameter, check
 from pointpred.transfer import assisted_guard, known, pixels
 from pointpred.transfer.assisted_guarded import GUARD_PARAMETERS, guidance
 

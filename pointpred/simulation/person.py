@@ -8,7 +8,7 @@ import msgspec
 import numpy as np
 
 from pointpred.errors import ParameterError
-from pointpred.stage import Parameter, check
+from pointpred.parameter import Parameter, check
 
 
 class Person(msgspec.Struct, frozen=True):

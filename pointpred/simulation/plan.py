@@ -8,11 +8,11 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
+from pointpred.events import METRES_PER_INCH
 from pointpred.simulation import slots
 from pointpred.simulation.person import Person
 from pointpred.transfer import TransferFunction
 
-METRES_PER_INCH = 0.0254
 PATIENCE_S = 5.0
 """After this long a person clicks where the cursor is."""
 SMALLEST_PIECE_S = 0.16

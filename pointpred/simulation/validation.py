@@ -8,9 +8,9 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray, MotionColumns
+from pointpred.parameter import Parameter, check
 from pointpred.predictors import SwitchedPredictor
 from pointpred.simulation import loop, slots
-from pointpred.stage import Parameter, check
 from pointpred.transfer import Arctan, TransferFunction
 
 

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
+from pointpred.events import METRES_PER_INCH
 from pointpred.recording import Provenance, Recording, Trial
 from pointpred.sources import tables
 from pointpred.sources.assembly import assemble
@@ -14,7 +15,6 @@ from pointpred.sources.reading import AS_IS, Reading, user_of
 
 TITLE = "Pointing Dynamics Dataset CSV"
 NEEDED = ("time", "y", "target", "widthm")
-METRES_PER_INCH = 0.0254
 
 
 def recognises(head: bytes) -> bool:

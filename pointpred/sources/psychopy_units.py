@@ -10,6 +10,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import RecordingError
+from pointpred.events import METRES_PER_INCH
 from pointpred.sources.reading import Reading, Unit
 
 LEAST_PX = 2.0
@@ -46,7 +47,7 @@ def gain_of(path: Path, unit: Unit, reading: Reading) -> tuple[float, float]:
     if unit == "pix":
         return 1.0, 1.0
     if unit in ("cm", "m"):
-        gain = reading.dpi / (2.54 if unit == "cm" else 0.0254)
+        gain = reading.dpi / (100.0 * METRES_PER_INCH if unit == "cm" else METRES_PER_INCH)
         return gain, gain
     if unit == "deg":
         raise RecordingError(

@@ -11,7 +11,7 @@ import numpy as np
 from pointpred.columns import FloatArray, PredictionColumns
 from pointpred.errors import EventError, EventOrderError
 from pointpred.events import PointerEvent, Prediction
-from pointpred.stage import Parameter, check
+from pointpred.parameter import Parameter, check
 from pointpred.targets import cursor, decision, posterior
 from pointpred.targets.choosing import ENTERED, INSIDE, OUTSIDE, RELEASED, step, walk
 from pointpred.targets.given import refuse, usable, write

@@ -9,7 +9,8 @@ from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
 from pointpred.errors import EventError
 from pointpred.events import LARGEST
-from pointpred.stage import CompiledStage, Parameter, check
+from pointpred.parameter import Parameter, check
+from pointpred.stage import CompiledStage
 from pointpred.transfer import known, pixels
 
 RHO, STRENGTH, PIXELS = 0, 1, 2
@@ -102,7 +103,7 @@ class AssistedTransfer(CompiledStage):
         check(self.parameters, values | {"period_s": period_s, "gap_s": gap_s})
         self.function = function
         own = pixels.settings(function, cpi, dpi, period_s, gap_s)
-        super().__init__([float(rho), float(strength), *own], pixels.STATES)
+        self.lay_out([float(rho), float(strength), *own], pixels.STATES)
 
     def update(
         self, report: tuple[float, float, float], off_px: tuple[float, float] | None = None, /

@@ -8,8 +8,9 @@ from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
 from pointpred.errors import EventError
 from pointpred.events import LARGEST, Prediction
+from pointpred.parameter import Parameter, check
 from pointpred.regions import as_normal
-from pointpred.stage import CompiledStage, Parameter, check
+from pointpred.stage import CompiledStage
 from pointpred.transfer import assisted_guard, known, pixels
 
 PIXELS = assisted_guard.SETTINGS
@@ -115,7 +116,7 @@ class GuardedTransfer(CompiledStage):
         check(self.parameters, guard | {"cpi": cpi, "dpi": dpi, "period_s": period_s, "gap_s": gap_s})
         self.function = function
         own = pixels.settings(function, cpi, dpi, period_s, gap_s)
-        super().__init__([*map(float, guard.values()), *own], STATES)
+        self.lay_out([*map(float, guard.values()), *own], STATES)
 
     def advance(
         self, t: float, dx: float, dy: float, guidance: tuple[float, float, float, float, float] = UNGUIDED

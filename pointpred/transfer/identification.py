@@ -10,14 +10,14 @@ import numpy as np
 
 from pointpred.columns import EventColumns
 from pointpred.errors import EventError, ParameterError
-from pointpred.events import PointerEvent
+from pointpred.events import METRES_PER_INCH, PointerEvent
+from pointpred.parameter import Parameter, check
 from pointpred.regression.recursive_least_squares import fit
-from pointpred.stage import CompiledStage, Parameter, check
+from pointpred.stage import CompiledStage
 from pointpred.transfer import bands, windows
 from pointpred.transfer.known import COEFFICIENTS_MOST
 from pointpred.transfer.polynomial import PolynomialFunction
 
-METRES_PER_INCH = 0.0254
 NONE = float("nan")
 
 
@@ -105,9 +105,7 @@ class PolynomialIdentifier(CompiledStage):
         self.speed_low, self.band_width = speed_low, (speed_high - speed_low) / bands.BANDS
         metres = [METRES_PER_INCH / cpi, METRES_PER_INCH / dpi]
         first = [float(self.count), 0.0 if offset else 1.0, *metres]
-        super().__init__(
-            [*first, window_s, gap_s, forgetting, self.speed_low, self.band_width], windows.STATES
-        )
+        self.lay_out([*first, window_s, gap_s, forgetting, self.speed_low, self.band_width], windows.STATES)
 
     def update(self, event: PointerEvent, /) -> None:
         """Consume one report with counts and the cursor's position after it.

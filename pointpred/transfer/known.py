@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.errors import EventError, ParameterError
-from pointpred.stage import Parameter, check
+from pointpred.parameter import Parameter, check
 
 # The kind, then its numbers, zeros behind them.
 CONSTANT, SIGMOID, ARCTAN, POLYNOMIAL, HELD = 1.0, 2.0, 3.0, 4.0, 5.0

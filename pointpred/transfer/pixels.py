@@ -10,11 +10,11 @@ import numpy as np
 from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
 from pointpred.errors import EventError
-from pointpred.events import LARGEST, LATEST_S
-from pointpred.stage import CompiledStage, Parameter, check
+from pointpred.events import LARGEST, LATEST_S, METRES_PER_INCH
+from pointpred.parameter import Parameter, check
+from pointpred.stage import CompiledStage
 from pointpred.transfer import known
 
-METRES_PER_INCH = 0.0254
 NONE = float("nan")
 
 # Remainders of x and y in px, relative to `at`: all that carrying needs.
@@ -125,7 +125,7 @@ class PixelTransfer(CompiledStage):
         values: dict[str, Any] = {"cpi": cpi, "dpi": dpi, "period_s": period_s, "gap_s": gap_s}
         check(self.parameters, values)
         self.function = function
-        super().__init__(settings(function, cpi, dpi, period_s, gap_s), STATES)
+        self.lay_out(settings(function, cpi, dpi, period_s, gap_s), STATES)
 
     def update(self, report: tuple[float, float, float], /) -> tuple[float, float]:
         """Consume one report (t in s, dx and dy in counts) and return the whole pixels moved.

@@ -8,8 +8,7 @@ import numpy as np
 
 from pointpred.columns import EventColumns, FloatArray, MotionColumns
 from pointpred.errors import EventError, ParameterError
-
-METRES_PER_INCH = 0.0254
+from pointpred.events import METRES_PER_INCH
 
 
 class Differentiating(Protocol):

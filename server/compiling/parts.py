@@ -13,7 +13,7 @@ from pointpred.columns import EventColumns
 from pointpred.compiled import awaits_compiling
 from pointpred.differentiators import DIFFERENTIATORS, HomogeneousDifferentiator
 from pointpred.events import PointerEvent
-from pointpred.pipeline import refused, run
+from pointpred.pipeline import has_refusal, run
 from pointpred.predictors import Predictor, adaptation
 from pointpred.protocol.records import EVENT, unpack_events, unpack_records
 from pointpred.registry import RECOMMENDED, REGISTRY, build
@@ -102,7 +102,7 @@ MOTION = (0.0, 5.0, 2.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 1.0)
 def _adapt() -> None:
     memory = np.zeros(adaptation.LENGTH)
     adaptation.conclude(memory)
-    adaptation.adapted(memory, (5.0, 2.0, 1.0, 0.0, 1.0, 0.1, 1.0, 1.0, 1.0))
+    adaptation.adapted(memory, (0.0, 5.0, 2.0, 1.0, 0.0, 1.0, 0.1, 1.0, 1.0, 1.0))
 
 
 def _follow(kind: Callable[[], Predictor]) -> None:
@@ -115,7 +115,7 @@ def _move() -> None:
     differentiator = build(RECOMMENDED).differentiator
     differentiator.update(PointerEvent(0.0, 5.0, 2.0))
     motions = differentiator.fresh().walk(np.zeros(1, np.bool_), table)
-    refused(motions, np.zeros((1, 10)))
+    has_refusal(motions)
 
 
 def predict(name: str, differentiator: str | None = None) -> None:

@@ -77,7 +77,7 @@ class AssistedStream(Stream):
         prediction: tuple[float, ...] | None = None
         try:
             place = self._step(t, *self.place, dx, dy)
-            prediction = None if place is None else self.pipeline.advance(t, *place, dx, dy, buttons)
+            prediction = None if place is None else self.pipeline.advance((t, *place, dx, dy, buttons))
         finally:
             if prediction is None:
                 self.transfer.recall(kept)
@@ -114,7 +114,7 @@ class AssistedStream(Stream):
         try:
             for i, (t, x, y, dx, dy, buttons) in enumerate(table.tolist()):
                 place = self._step(t, x, y, dx, dy)
-                answer = None if place is None else self.pipeline.advance(t, *place, dx, dy, buttons)
+                answer = None if place is None else self.pipeline.advance((t, *place, dx, dy, buttons))
                 if place is None or answer is None:
                     raise EventError(f"t = {t!r} s with counts {dx!r}, {dy!r} cannot be used")
                 moved[i, 1:3], predictions[i] = place, answer

@@ -7,14 +7,14 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from pointpred.differentiators import HomogeneousDifferentiator
 from pointpred.errors import ParameterError
 from pointpred.person import restore
 from pointpred.pipeline import Pipeline
 from pointpred.predictors import kinematic_coefficients
 from pointpred.protocol.client_messages import Hello, Setting
 from pointpred.protocol.errors import ProtocolError
-from pointpred.registry import REGISTRY, build, parameters, takes
-from pointpred.stage import defaults
+from pointpred.registry import REGISTRY, build, takes
 
 DPI = 96.0
 COEFFICIENTS = "coefficients"
@@ -54,7 +54,7 @@ def pipeline_of(hello: Hello, coefficients: Mapping[str, Path] = NO_COEFFICIENTS
         if COEFFICIENTS in settings and takes(hello.predictor, COEFFICIENTS):
             settings[COEFFICIENTS] = _file_of(settings[COEFFICIENTS], coefficients)
         pipeline = build(hello.predictor, cpi=cpi_of(hello), dpi=dpi_of(hello), **settings)
-        _check_substeps(pipeline, settings)
+        _check_substeps(pipeline)
     except ParameterError as error:
         raise ProtocolError("bad_field", str(error), _place(str(error), hello)) from None
     except (TypeError, ValueError) as error:
@@ -82,16 +82,19 @@ def _file_of(name: Setting, coefficients: Mapping[str, Path]) -> Path:
     return coefficients[name]
 
 
-def _check_substeps(pipeline: Pipeline, settings: Mapping[str, Any]) -> None:
-    """Whoever predicts offline may wait for an event; here every session would wait with this one."""
-    usual = defaults(type(pipeline.differentiator))
-    if "step_s" not in usual:
+def _check_substeps(pipeline: Pipeline) -> None:
+    """Raise ParameterError where one event may cost so much that every other session would wait for it."""
+    differentiator = pipeline.differentiator
+    if not isinstance(differentiator, HomogeneousDifferentiator):
         return
-    known = {name: value for name, (_, value) in parameters(pipeline.name).items()}
-    gap_s, step_s = (float({**usual, **known, **settings}[name]) for name in ("gap_s", "step_s"))
+    gap_s, step_s = differentiator.gap_s, differentiator.step_s
     if gap_s > SUBSTEPS_MOST * step_s:
-        words = f"step_s must be at least gap_s / {SUBSTEPS_MOST} = {gap_s / SUBSTEPS_MOST:g} s in a session"
-        raise ParameterError(f"{words}, received step_s = {step_s!r} s with gap_s = {gap_s!r} s")
+        raise ParameterError(
+            f"step_s must be at least gap_s / {SUBSTEPS_MOST} = {gap_s / SUBSTEPS_MOST:g} s in a session, "
+            f"received step_s = {step_s!r} s with gap_s = {gap_s!r} s",
+            field="step_s",
+            value=step_s,
+        )
 
 
 def _whole(value: Setting) -> Setting:

@@ -112,7 +112,7 @@ class Stream:
         """
         if self.watch or self._trial.running or self.choices:
             return False
-        prediction = self.pipeline.advance(*row)
+        prediction = self.pipeline.advance(tuple(row))
         if prediction is None:
             return False
         self.events += 1

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from pointpred import EventColumns
 from pointpred.differentiators import DIFFERENTIATORS, sampling
+from pointpred.rows import event_row
 
 NAMES = list(DIFFERENTIATORS)
 INTERVALS = st.sampled_from([0.0, 1e-9, 1e-6, 2.0**-13, 0.001, 0.008, 1 / 60, 0.09, 0.11, 0.31, 5.0])
@@ -46,7 +47,7 @@ def test_chunks_equal_the_whole_streaming_equals_columns_and_nothing_is_nan(
     for row, begins, event in zip(whole, events.begin, events.events(), strict=True):
         if begins:
             streamed.reset()
-        assert np.array_equal(row, np.array(streamed.consume(event), dtype=np.float64))
+        assert np.array_equal(row, np.array(streamed.advance(event_row(event)), dtype=np.float64))
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -83,7 +84,7 @@ def test_mirroring_and_exchanging_the_axes_does_the_same_to_the_motion(
 @given(events=tables())
 def test_motor_position_is_the_sum_of_what_was_moved_since_the_restart(events: EventColumns) -> None:
     memory = np.zeros(sampling.SETTINGS + sampling.STATES)
-    memory[: sampling.SETTINGS] = sampling.settings(800.0, 96.0, 0.1, 0.3)
+    memory[: sampling.SETTINGS] = 0.0254 / 800.0, 0.0254 / 96.0, 0.1, 0.3
     at = sampling.SETTINGS
     sums: list[float] = []
     seen = 0.0

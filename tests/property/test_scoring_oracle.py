@@ -10,12 +10,12 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from pointpred import EventColumns, build
-from pointpred.columns import PredictionColumns
-from pointpred.pipeline import Pipeline
+from pointpred import EventColumns
+from pointpred.columns import BoolArray, FloatArray, MotionColumns
 from pointpred.recording import Recording, Trial
 from pointpred.scoring import prepare, replay
 from pointpred.scoring.results import AXIS_FRACTIONS, PATH_FRACTIONS, TIME_FRACTIONS, PredictorErrors
+from tests.scripted import Scripted, pipeline_with
 
 Row = tuple[float, float, float, int]
 
@@ -27,20 +27,17 @@ def opinion(t: float, x: float, y: float) -> tuple[float, float] | None:
     return x + 90.0 * sin(57.0 * t), y - 40.0 * cos(13.0 * t + y)
 
 
-class Opinionated:
-    def fresh(self) -> Opinionated:
-        return self
-
-    def run(self, motions: Any, begin: Any) -> PredictionColumns:
+class Opinionated(Scripted):
+    def answers(self, motions: MotionColumns, begin: BoolArray) -> FloatArray:
         table = np.full((len(motions), 10), np.nan)
         for i, (t, x, y) in enumerate(motions.table[:, :3].tolist()):
             answer = opinion(t, x, y)
             if answer is not None:
                 table[i, 1:3] = answer
-        return PredictionColumns(table)
+        return table
 
 
-PIPELINE = Pipeline("opinionated", build("hold").differentiator, Opinionated())  # type: ignore[arg-type]
+PIPELINE = pipeline_with("opinionated", Opinionated())
 
 
 def dist(a: Row, b: Row) -> float:

@@ -9,36 +9,35 @@ import pytest
 from scipy import integrate, stats
 
 from pointpred import EventColumns, build
-from pointpred.columns import PredictionColumns
+from pointpred.columns import BoolArray, FloatArray, MotionColumns
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording, Trial
 from pointpred.scoring import prepare, replay, score, summarise
 from pointpred.scoring.calibration import CLAIMED, INSIDE, RANKED, calibrate, ranked_score
+from tests.scripted import Scripted, pipeline_with
 
 COVARIANCE = np.array([[900.0, -500.0], [-500.0, 1600.0]])
 
 
-class Regions:
+class Regions(Scripted):
     """Predicts points drawn around the end (300, -200) with a known covariance, and claims another."""
 
     def __init__(self, claimed: np.ndarray, silent: bool = False) -> None:
+        super().__init__()
         self.claimed, self.silent = claimed, silent
 
-    def fresh(self) -> Regions:
-        return self
-
-    def run(self, motions: Any, begin: Any) -> PredictionColumns:
+    def answers(self, motions: MotionColumns, begin: BoolArray) -> FloatArray:
         random = np.random.default_rng(len(motions))
         table = np.full((len(motions), 10), np.nan)
         table[:, 1:3] = random.multivariate_normal([300.0, -200.0], COVARIANCE, len(motions))
         table[:, 3:6] = self.claimed[0, 0], self.claimed[0, 1], self.claimed[1, 1]
         if self.silent:
             table[::2, 3:6] = np.nan
-        return PredictionColumns(table)
+        return table
 
 
 def pipeline(claimed: np.ndarray, **settings: Any) -> Pipeline:
-    return Pipeline("regions", build("hold").differentiator, Regions(claimed, **settings))  # type: ignore[arg-type]
+    return pipeline_with("regions", Regions(claimed, **settings))
 
 
 @pytest.fixture(scope="module")

@@ -9,33 +9,30 @@ import pytest
 from scipy import integrate, stats
 
 from pointpred import EventColumns, build
-from pointpred.columns import PredictionColumns
+from pointpred.columns import BoolArray, FloatArray, MotionColumns
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording, Trial
 from pointpred.scoring import prepare, replay, score, student, summarise
 from pointpred.scoring.calibration import INSIDE, LEVELS, RANKED
 from pointpred.scoring.moments import DECILES
 from pointpred.scoring.results import TIME_FRACTIONS
+from tests.scripted import Scripted, pipeline_with
 
 END = np.array([300.0, -200.0])
 SHAPE = np.array([[900.0, -500.0], [-500.0, 1600.0]])
 TAIL, SPREAD, WHOLE_S = 3.0, 0.4, 0.998
 
 
-class Claiming:
+class Claiming(Scripted):
     """Points drawn around the end by a Student law; times left drawn around the truth by a log-normal one."""
-
-    learns = False
 
     def __init__(
         self, *, tail: float | None = TAIL, late_factor: float = 1.0, silent_from: float = 2.0
     ) -> None:
+        super().__init__()
         self.tail, self.late_factor, self.silent_from = tail, late_factor, silent_from
 
-    def fresh(self) -> Claiming:
-        return self
-
-    def run(self, motions: Any, begin: Any) -> PredictionColumns:
+    def answers(self, motions: MotionColumns, begin: BoolArray) -> FloatArray:
         random = np.random.default_rng(round(motions.t[0]))
         passed = motions.t - np.repeat(
             motions.t[begin], np.diff(np.append(np.flatnonzero(begin), len(motions)))
@@ -51,11 +48,11 @@ class Claiming:
         table[:, 9] = SPREAD
         table[passed > self.silent_from, 3:] = np.nan
         table[:, 7] = 1.0
-        return PredictionColumns(table)
+        return table
 
 
 def pipeline(**settings: Any) -> Pipeline:
-    return Pipeline("claiming", build("hold").differentiator, Claiming(**settings))  # type: ignore[arg-type]
+    return pipeline_with("claiming", Claiming(**settings))
 
 
 def reaches(count: int = 300) -> Recording:
@@ -144,21 +141,17 @@ def steady(durations: list[float]) -> Recording:
     return Recording.of("steady", parts, [Trial("ann", str(i)) for i in range(len(durations))])
 
 
-class Says:
+class Says(Scripted):
     """Says one time left, always."""
 
-    learns = False
-
     def __init__(self, seconds: float) -> None:
+        super().__init__()
         self.seconds = seconds
 
-    def fresh(self) -> Says:
-        return self
-
-    def run(self, motions: Any, begin: Any) -> PredictionColumns:
+    def answers(self, motions: MotionColumns, begin: BoolArray) -> FloatArray:
         table = np.full((len(motions), 10), np.nan)
         table[:, 1], table[:, 2], table[:, 6], table[:, 7] = motions.x, motions.y, self.seconds, 1.0
-        return PredictionColumns(table)
+        return table
 
 
 def test_the_clock_knows_the_median_of_the_set_and_nothing_else() -> None:

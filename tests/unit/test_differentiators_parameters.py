@@ -18,7 +18,6 @@ from pointpred.differentiators import (
     KalmanDifferentiator,
 )
 from pointpred.errors import ParameterError
-from pointpred.stage import defaults
 
 REFUSED: list[tuple[type, dict[str, Any], str]] = [
     (HomogeneousDifferentiator, {"order": 1}, r"order must lie in \[2, 8\].*received 1"),
@@ -71,7 +70,7 @@ def test_a_name_that_is_no_word_is_refused(wrong: Any) -> None:
 def test_every_default_lies_within_its_bounds_and_is_documented(name: str) -> None:
     kind = DIFFERENTIATORS[name]
     for parameter in kind.parameters:
-        value = defaults(kind)[parameter.name]
+        value = parameter.default
         assert value is None or parameter.low <= value <= parameter.high
         assert parameter.name in (kind.__doc__ or "")
         assert parameter.meaning

@@ -11,8 +11,9 @@ import pytest
 from pointpred import EventColumns, build, run
 from pointpred.compiled import law
 from pointpred.pipeline import Pipeline
-from pointpred.predictors.predictor import NONE, Predictor
+from pointpred.predictors.predictor import Predictor, loop_over_motions
 from pointpred.recording import Recording, Trial
+from pointpred.rows import Row, TenFloats, endpoint
 from pointpred.scoring import chunks, prepare, replay
 from pointpred.scoring.replay import answers_to
 
@@ -27,35 +28,14 @@ def conclude(memory: Any) -> None:
 
 
 @law
-def step(
-    memory: Any,
-    t: float,
-    x: float,
-    y: float,
-    vx: float,
-    vy: float,
-    ax: float,
-    ay: float,
-    settled: float,
-    start: float,
-) -> tuple[float, float, float, float, float, float, float]:
+def step(memory: Any, motion: Row) -> TenFloats:
     """The cursor, moved right by one px for each finished movement."""
     memory[LAST_X] = 1.0
-    return x + memory[MOVEMENTS], y, NONE, NONE, NONE, NONE, 0.0
+    t, x, y = motion[:3]
+    return endpoint(t, x + memory[MOVEMENTS], y, 0.0)
 
 
-@law
-def loop(memory: Any, first: int, begin: Any, rows: Any, out: Any) -> None:
-    """The same step over a table."""
-    for i in range(len(rows)):
-        if begin[i]:
-            conclude(memory)
-            memory[first:] = 0.0
-        r = rows[i]
-        answer = step(memory, r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8])
-        out[i, 0] = r[0]
-        for j in range(len(answer)):
-            out[i, j + 1] = answer[j]
+loop = loop_over_motions(step, conclude)
 
 
 class Counter(Predictor):
@@ -65,9 +45,7 @@ class Counter(Predictor):
     step = staticmethod(step)
     loop = staticmethod(loop)
     conclude = staticmethod(conclude)
-
-    def __init__(self) -> None:
-        super().__init__([], 1)
+    states = 1
 
 
 def learner() -> Pipeline:
@@ -110,12 +88,12 @@ def test_a_trial_that_fails_keeps_what_the_others_teach() -> None:
     prepared = prepare(walks(["ann"] * 4))
 
     class Moody(Counter):
-        def run(self, motions: Any, begin: Any) -> Any:
-            if (motions.t == prepared.rows(1).t[3]).any() and len(motions) == len(prepared.rows(1)):
+        def walk(self, begin: Any, rows: Any) -> Any:
+            if (rows[:, 0] == prepared.rows(1).t[3]).any() and len(rows) == len(prepared.rows(1)):
                 raise RuntimeError("lost its way")
             if begin.sum() > 1:
                 raise RuntimeError("one at a time")
-            return super().run(motions, begin)
+            return super().walk(begin, rows)
 
     scored = replay(prepared, Pipeline("moody", build("hold").differentiator, Moody()))
     assert [skip.trial for skip in scored.failed] == ["1"]

@@ -9,12 +9,13 @@ import numpy as np
 import pytest
 
 from pointpred import REGISTRY, EventColumns, build, run, scoring
-from pointpred.columns import PredictionColumns
+from pointpred.columns import BoolArray, FloatArray, MotionColumns
 from pointpred.errors import ParameterError
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Provenance, Recording, Skip, Trial
 from pointpred.scoring import chunks, metrics, prepare, replay, score
 from pointpred.scoring.results import PredictorErrors
+from tests.scripted import Scripted, pipeline_with
 
 
 def walks(trials: int, seed: int = 3, **fields: Any) -> Recording:
@@ -32,27 +33,25 @@ def walks(trials: int, seed: int = 3, **fields: Any) -> Recording:
     return Recording.of("walks", parts, [Trial(f"u{i % 3}", str(i)) for i in range(trials)], **fields)
 
 
-class Answers:
+class Answers(Scripted):
     """A predictor whose answers a function of the motions gives."""
 
     def __init__(self, answer: Any) -> None:
+        super().__init__()
         self.answer = answer
-
-    def fresh(self) -> Answers:
-        return self
 
     def reset(self) -> None:
         pass
 
-    def run(self, motions: Any, begin: Any) -> PredictionColumns:
+    def answers(self, motions: MotionColumns, begin: BoolArray) -> FloatArray:
         table = np.full((len(motions), 10), np.nan)
         table[:, 0] = motions.t
         table[:, 1:3] = self.answer(motions)
-        return PredictionColumns(table)
+        return table
 
 
 def scripted(answer: Any) -> Pipeline:
-    return Pipeline("scripted", build("hold").differentiator, Answers(answer))  # type: ignore[arg-type]
+    return pipeline_with("scripted", Answers(answer))
 
 
 def same(one: PredictorErrors, other: PredictorErrors) -> bool:

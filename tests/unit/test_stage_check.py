@@ -3,7 +3,7 @@
 import pytest
 
 from pointpred.errors import ParameterError
-from pointpred.stage import Parameter, check
+from pointpred.parameter import Parameter, check
 
 
 @pytest.mark.parametrize(

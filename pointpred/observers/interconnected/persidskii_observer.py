@@ -15,7 +15,8 @@ from pointpred.observers.interconnected.generator import Generator
 from pointpred.observers.matrices import matrix
 from pointpred.observers.nonlinearity import nonlinearity
 from pointpred.observers.persidskii import Persidskii
-from pointpred.stage import CompiledStage, Parameter, check
+from pointpred.parameter import Parameter, check
+from pointpred.stage import CompiledStage
 
 
 class PersidskiiObserver(CompiledStage):
@@ -98,7 +99,7 @@ class PersidskiiObserver(CompiledStage):
         shape = [q, k, self.inputs, len(out), float(time == "discrete"), step_s, gap_s]
         settings = np.concatenate([np.array(shape, np.float64), *(part.ravel() for part in parts)])
         self._time_at = len(settings)
-        super().__init__(settings, law.floats(q, k, self.inputs))
+        self.lay_out(settings, law.floats(q, k, self.inputs))
 
     def update(self, t: float, inputs: ArrayLike = ()) -> FloatArray:
         """Take in the inputs measured at ``t`` (s, or the index) and return what is known at t.

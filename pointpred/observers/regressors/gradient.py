@@ -14,9 +14,10 @@ from numpy.typing import ArrayLike
 from pointpred.columns import FloatArray
 from pointpred.errors import EventError, ParameterError
 from pointpred.observers.regressors import gradient_law as law
+from pointpred.parameter import Parameter, check
 from pointpred.regression import RecursiveLeastSquares
 from pointpred.regression.recursive_least_squares import moment, starting
-from pointpred.stage import CompiledStage, Parameter, check
+from pointpred.stage import CompiledStage
 
 __all__ = ["GradientRegressor", "RecursiveLeastSquares"]
 
@@ -83,7 +84,7 @@ class GradientRegressor(CompiledStage):
         first = np.zeros(self.count) if start is None else starting(self.count, start)
         shape = np.array([float(self.count), float(self.outputs), kind])
         settings = np.concatenate([shape, first, positive(self.count, gain).ravel()])
-        super().__init__(settings, law.states(self.count, self.outputs))
+        self.lay_out(settings, law.states(self.count, self.outputs))
 
     def update(self, regressor: ArrayLike, output: ArrayLike, t: float | None = None) -> FloatArray:
         """Take in output = regressor theta at ``t`` s and return the estimate.

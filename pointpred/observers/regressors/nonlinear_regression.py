@@ -12,8 +12,9 @@ from pointpred.observers.nonlinearity import KNOWN
 from pointpred.observers.regressors import nonlinear_law as law
 from pointpred.observers.regressors.excitation import increasing, samples
 from pointpred.observers.regressors.gradient import joined
+from pointpred.parameter import Parameter, check
 from pointpred.regression.recursive_least_squares import moment, starting
-from pointpred.stage import CompiledStage, Parameter, check
+from pointpred.stage import CompiledStage
 
 MONOTONE = tuple(name for name, one in KNOWN.items() if one.low >= 0.0 and np.isfinite(one.high))
 """Nonlinearities that do not fall and are nowhere infinitely steep."""
@@ -71,7 +72,7 @@ class NonlinearRegressor(CompiledStage):
         self.width = self.count
         shape = np.array([self.count, self.outputs, gain, KNOWN[f].code, max(1.0, KNOWN[f].high)])
         first = np.zeros(self.count) if start is None else starting(self.count, start)
-        super().__init__(np.concatenate([shape, first]), law.states(self.count, self.outputs))
+        self.lay_out(np.concatenate([shape, first]), law.states(self.count, self.outputs))
 
     def update(self, regressor: ArrayLike, weight: float, output: ArrayLike, t: float) -> FloatArray:
         """Take in a sample at ``t`` s, ``weight`` being D1, and return the estimate.

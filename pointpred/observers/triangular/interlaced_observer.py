@@ -16,8 +16,9 @@ from pointpred.observers.triangular.interlaced_certificate import InterlacedCert
 from pointpred.observers.triangular.polynomials import symbolic
 from pointpred.observers.triangular.program import ROW, program
 from pointpred.observers.triangular.system import SymbolicSteadyState
+from pointpred.parameter import Parameter, check
 from pointpred.regression.recursive_least_squares import moment
-from pointpred.stage import CompiledStage, Parameter, check
+from pointpred.stage import CompiledStage
 
 
 class InterlacedEstimate(msgspec.Struct, frozen=True):
@@ -88,7 +89,7 @@ class InterlacedObserver(CompiledStage):
         self.steady, self.certificate = steady, certificate
         self._states, self._outputs = q, p
         self.width = q + maps.outputs
-        super().__init__(flat, law.states(q, p) + maps.computed)
+        self.lay_out(flat, law.states(q, p) + maps.computed)
 
     @classmethod
     def design(

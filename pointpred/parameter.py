@@ -1,0 +1,121 @@
+"""What a user may set of a stage: declared once, in the class, and read from there by everybody else.
+
+The declaration gives the default, the check, the order in the memory, ``describe`` and the docs::
+
+    class LinearPredictor(Predictor):
+        horizon_s: float = parameter("s", 0.0, 1.0, "how far ahead the velocity goes on", default=0.12)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from pointpred.errors import ParameterError
+
+REQUIRED: Any = ...
+"""The default of a parameter that has none."""
+
+
+class Parameter(msgspec.Struct, frozen=True):
+    """A number that a user may set: its unit, its closed bounds, what it does, and its default."""
+
+    name: str
+    unit: str
+    low: float
+    high: float
+    meaning: str
+    default: Any = REQUIRED
+    whole: bool = False
+    """Whether it must be a whole number."""
+    absent: float | None = None
+    """What stands in the memory for ``None``; ``None`` itself: a number is needed."""
+
+    def check(self, value: Any) -> None:
+        """Raise ParameterError for a value that is not a number within the bounds."""
+        if value is None and self.absent is not None:
+            return
+        unit = f" {self.unit}" if self.unit else ""
+        if isinstance(value, bool) or not isinstance(value, int | float | np.integer | np.floating):
+            kind = f"a number ({self.unit})" if unit else "a number"
+            raise self._error(f"{self.name} must be {kind}, received {value!r}", value)
+        if not self.low <= value <= self.high:
+            bounds = f"[{self.low:g}, {self.high:g}]{unit}"
+            raise self._error(f"{self.name} must lie in {bounds}, received {value!r}", value)
+        if self.whole and value != int(value):
+            raise self._error(f"{self.name} must be a whole number, received {value!r}", value)
+
+    def number(self, value: Any) -> float:
+        """A checked value as it stands in the memory."""
+        return float(self.absent if value is None and self.absent is not None else value)
+
+    def _error(self, message: str, value: object) -> ParameterError:
+        return ParameterError(message, field=self.name, value=value)
+
+
+class Option(msgspec.Struct, frozen=True):
+    """Something a user may set that is not a number, such as a file or one of several words."""
+
+    name: str
+    meaning: str
+    default: Any = REQUIRED
+
+
+def parameter(
+    unit: str,
+    low: float,
+    high: float,
+    meaning: str,
+    *,
+    default: Any = REQUIRED,
+    whole: bool = False,
+    absent: float | None = None,
+) -> Any:
+    """Declare a number as an attribute of a stage's class; the attribute's name is the parameter's."""
+    return Parameter("", unit, low, high, meaning, default, whole, absent)
+
+
+def option(meaning: str, *, default: Any = REQUIRED) -> Any:
+    """Declare something else that may be set as an attribute of a stage's class."""
+    return Option("", meaning, default)
+
+
+def declared(
+    own: Mapping[str, Any], inherited: tuple[Parameter | Option, ...]
+) -> tuple[Parameter | Option, ...]:
+    """The declarations of a class body, behind those of its parent that it does not replace."""
+    mine = [
+        msgspec.structs.replace(value, name=name)
+        for name, value in own.items()
+        if isinstance(value, Parameter | Option)
+    ]
+    replaced = {one.name for one in mine}
+    return (*(one for one in inherited if one.name not in replaced), *mine)
+
+
+def complete(
+    owner: str, declarations: tuple[Parameter | Option, ...], given: dict[str, Any]
+) -> dict[str, Any]:
+    """Every declared value by name: what is given, else its default; raises ParameterError."""
+    names = [one.name for one in declarations]
+    if unknown := [name for name in given if name not in names]:
+        message = f"{owner} has no parameter {unknown[0]!r}; it has {', '.join(names) or 'none'}"
+        raise ParameterError(message, code="unknown_parameter", field=unknown[0], value=given[unknown[0]])
+    values = {}
+    for one in declarations:
+        value = given.get(one.name, one.default)
+        if value is REQUIRED:
+            raise ParameterError(f"{owner} needs {one.name}", field=one.name)
+        if isinstance(one, Parameter):
+            one.check(value)
+        values[one.name] = value
+    return values
+
+
+def check(parameters: tuple[Parameter, ...], values: dict[str, Any]) -> None:
+    """Raise ParameterError for a value that is not a number within its bounds."""
+    for one in parameters:
+        one.check(values[one.name])
