@@ -135,13 +135,13 @@ def row_of(event: PointerEvent) -> SixFloats:
     try:
         dx, dy = event.dx, event.dy
         kinds = {type(event.t), type(event.x), type(event.y), type(dx), type(dy), type(event.buttons)}
-        if (not kinds <= PLAIN and not _numbers(event)) or dx != dx or dy != dy:
-            raise sampling.refusal(event, None)
-        return event_row(event)
-    except OverflowError as unusable:
+        if (kinds <= PLAIN or _numbers(event)) and dx == dx and dy == dy:
+            return event_row(event)
+    except (TypeError, ValueError, OverflowError) as unusable:
         raise sampling.refusal(event, None) from unusable
     except AttributeError as missing:
         raise EventError(f"an event must be a PointerEvent, received {event!r:.80}") from missing
+    raise sampling.refusal(event, None)
 
 
 def _numbers(event: PointerEvent) -> bool:

@@ -90,7 +90,7 @@ def test_motor_position_is_the_sum_of_what_was_moved_since_the_restart(events: E
     seen = 0.0
     for t, x, y, dx, dy, buttons in events.table:
         before_x = memory[at + sampling.X]
-        verdict, _, before, _, _ = sampling.accept(memory, at, t, x, y, dx, dy, buttons)
+        verdict, _, before, _, _ = sampling.accept(memory, at, (t, x, y, dx, dy, buttons))
         moved = dx * 0.0254 / 800.0 if dx == dx else (x - before_x) * 0.0254 / 96.0
         if verdict == sampling.RESTARTED:
             sums, seen = [], 0.0

@@ -157,9 +157,9 @@ def test_what_claims_too_little_is_passed_on() -> None:
     memory = np.zeros(adaptation_law.LEARNED + adaptation_law.STATES)
     none = float("nan")
     for answer in (
-        (5.0, 6.0, none, none, none, none, 1.0, none, none),
-        (5.0, 6.0, 1.0, 0.0, 1.0, none, 1.0, 4.0, 0.3),
-        (5.0, 6.0, 1.0, 2.0, 1.0, 0.4, 1.0, 4.0, 0.3),
+        (0.1, 5.0, 6.0, none, none, none, none, 1.0, none, none),
+        (0.1, 5.0, 6.0, 1.0, 0.0, 1.0, none, 1.0, 4.0, 0.3),
+        (0.1, 5.0, 6.0, 1.0, 2.0, 1.0, 0.4, 1.0, 4.0, 0.3),
     ):
         at = adaptation_law.LEARNED
         adaptation_law.follow(memory, at, 0.1, 4.0, 3.0, 0.0, 0.0, 0.0)
@@ -182,7 +182,7 @@ def test_it_is_better_than_unadapted_on_simulated_people_and_no_worse_at_first()
 
 @pytest.mark.parametrize(
     ("given", "message"),
-    [({"adapt": 0.5}, "adapt must be 0 or 1"), ({"distances": 2}, "distances must lie in"),
+    [({"adapt": 0.5}, "adapt must be a whole number"), ({"distances": 2}, "distances must lie in"),
      ({"shortest_px": -1.0}, "shortest_px must lie in")],
 )  # fmt: skip
 def test_settings_are_checked(given: dict[str, float], message: str) -> None:
@@ -196,5 +196,5 @@ def test_memory_does_not_grow_and_coefficients_are_shared() -> None:
     session(pipeline, [reach(float(px)) for px in range(100, 900, 20)])
     assert len(pickle.dumps(pipeline)) == size
     own, other = AdaptiveKinematicPredictor(), KinematicPredictor()
-    assert own.__dict__["_coefficients"] is other.__dict__["_coefficients"]
+    assert own.shared[0] is other.shared[0]
     assert own.__dict__["_memory"].shape == (1146,)  # as its docstring says

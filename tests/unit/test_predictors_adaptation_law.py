@@ -38,8 +38,8 @@ def asked(memory: FloatArray, since: float, ask: float) -> tuple[float, float, f
     memory = memory.copy()
     memory[AT + adaptation_law.KNOWN] = 1.0
     memory[AT + adaptation_law.T], memory[AT + adaptation_law.X] = since, REACHED
-    answer = (REACHED + ALONG, 0.0, WIDE**2, 0.0, 40.0**2, LEFT, 0.0, 8.0, 0.3)
-    x, y, sxx, _, _, left, *_ = adaptation_law.adapted(memory, 0, AT, ask, answer)
+    answer = (since, REACHED + ALONG, 0.0, WIDE**2, 0.0, 40.0**2, LEFT, 0.0, 8.0, 0.3)
+    _, x, y, sxx, _, _, left, *_ = adaptation_law.adapted(memory, 0, AT, ask, answer)
     assert y == 0.0
     return x - REACHED, float(np.sqrt(sxx)), left
 
