@@ -112,3 +112,7 @@ class Prediction(msgspec.Struct, frozen=True):
         if self.scale is None:
             return None
         return region_of(level, self.x, self.y, *self.scale, NORMAL if self.tail is None else self.tail)
+
+
+Pair = tuple[PointerEvent, Prediction | None]
+"""An event and what is predicted at it; ``None`` where nothing is justified."""

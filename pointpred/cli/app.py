@@ -21,11 +21,11 @@ from pointpred.cli.predictors import predictors
 from pointpred.cli.recordings import app as recordings
 from pointpred.cli.replay import replay
 from pointpred.cli.score import score
-from pointpred.cli.screen import plain
 from pointpred.cli.serve import serve
 from pointpred.cli.train import train
 from pointpred.cli.transform import convert, simulate
 from pointpred.cli.wrong_values import bad_value
+from pointpred.console import plain
 from pointpred.errors import ParameterError, PointpredError
 
 DONE, NOTHING, WRONG_USE, INTERRUPTED = 0, 1, 2, 130

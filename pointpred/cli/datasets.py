@@ -9,7 +9,8 @@ import msgspec
 import typer
 from rich.table import Table
 
-from pointpred.cli.screen import WIDE, remarks, results, write_json
+from pointpred.cli.screen import write_json
+from pointpred.console import WIDE, remarks, results
 
 BOUNDLESS = 1000
 """Columns of the list where nobody looks at it: no address is cut."""

@@ -1,4 +1,4 @@
-"""``pointpred devices``: which mice there are, how to be allowed to read them, and whether one speaks."""
+"""``pointpred devices``: list the mice, print the rules that make them readable, watch one."""
 
 from __future__ import annotations
 
@@ -13,12 +13,13 @@ import typer
 from rich.live import Live
 from rich.table import Table
 
-from pointpred.cli.screen import plain, remarks, results, write_json
+from pointpred.cli.screen import write_json
+from pointpred.console import plain, remark, remarks, results
 from pointpred.errors import SourceError
 
 if TYPE_CHECKING:
-    from pointpred.cli.devices_watching import Watched
-    from pointpred.devices.source import DeviceSource, Found
+    from pointpred.cli.device_watch import DeviceWatch
+    from pointpred.devices.source import DeviceInfo, DeviceSource
 
 app = typer.Typer(
     no_args_is_help=True,
@@ -26,7 +27,7 @@ app = typer.Typer(
 )
 
 AGAIN_S = 0.1
-"""Between two pictures of a watched device in a terminal; elsewhere a line a second is written."""
+"""Between two drawings of a watched device in a terminal; elsewhere a line is written each second."""
 
 
 @app.command("list")
@@ -47,12 +48,12 @@ def list_devices(
 
       pointpred devices list --json | jq '.devices[] | select(.openable) | .path'
     """
-    found = _found(everything)
+    listed = _devices(everything)
     if as_json:
-        write_json({"version": 1, "devices": msgspec.to_builtins(found)}, Path("-"))
+        write_json({"version": 1, "devices": msgspec.to_builtins(listed)}, Path("-"))
         return
-    if not found:
-        from pointpred.devices.hid_devices import BROWSER
+    if not listed:
+        from pointpred.devices.hidraw.nodes import BROWSER
 
         raise SourceError(
             "no mouse found; plug one in and list again. Virtual machines and containers have none of their "
@@ -61,10 +62,10 @@ def list_devices(
     table = Table(box=None, pad_edge=False)
     for column in ("device", "by", "name", "can be opened"):
         table.add_column(column, no_wrap=column == "device")
-    for one in found:
+    for one in listed:
         table.add_row(one.path, one.kind, one.name, "yes" if one.openable else f"no: {one.why}")
     results().print(table, markup=False)
-    for one in found:
+    for one in listed:
         if one.advice:
             remarks().print(f"{one.path} ({one.name}): {one.advice}", markup=False)
 
@@ -82,21 +83,21 @@ def udev() -> None:
 
       sudo udevadm control --reload && sudo udevadm trigger
     """
-    from pointpred.devices.hid_devices import hid_devices, no_mouse, rule_of, says_mouse
+    from pointpred.devices.hidraw.nodes import hid_devices, is_mouse_interface, not_a_mouse, udev_rule
     from pointpred.devices.udev import RELOAD, RULES_FILE, shipped_rules
 
     typer.echo(shipped_rules(), nl=False)
     try:
-        mice = [device for device in hid_devices() if no_mouse(device) is None]
+        mice = [device for device in hid_devices() if not_a_mouse(device) is None]
     except SourceError as error:
         remarks().print(f"no line for mice plugged in now: {error}", markup=False)
         mice = []
     for device in mice:
-        if not says_mouse(device):
+        if not is_mouse_interface(device):
             name = plain(
                 " ".join(device.name.split())
             )  # a device may be called anything, a line of rules too
-            typer.echo(f"\n# {name} (opens every interface of this device)\n{rule_of(device)}")
+            typer.echo(f"\n# {name} (opens every interface of this device)\n{udev_rule(device)}")
     remarks().print(f"write this into {RULES_FILE}, then run: {RELOAD}", markup=False)
 
 
@@ -122,18 +123,18 @@ def watch(
 
       pointpred devices watch /dev/hidraw2 --for 10
     """
-    from pointpred.cli.devices_watching import Watched as Watching
-    from pointpred.cli.live_device import choose
+    from pointpred.cli.device_watch import DeviceWatch
+    from pointpred.devices.selection import choose
 
-    with choose(device) as source:
-        watched = Watching(source)
+    with choose(device, warn=remark) as source:
+        watched = DeviceWatch(source)
         with suppress(KeyboardInterrupt):  # the way this ends
             _follow(source, watched, seconds)
         results().print(watched.summary(), markup=False)
 
 
-def _follow(source: DeviceSource, watched: Watched, seconds: float | None) -> None:
-    """Take reports and show them, as a picture in a terminal and as lines elsewhere."""
+def _follow(source: DeviceSource, watched: DeviceWatch, seconds: float | None) -> None:
+    """Take reports and show them: a table in a terminal, lines elsewhere."""
     until = None if seconds is None else time.monotonic() + seconds
     pictured = sys.stdout.isatty()
     remarks().print(f"{source.name} at {source.path}; {source.clock}. Ctrl-C ends.", markup=False)
@@ -150,17 +151,12 @@ def _follow(source: DeviceSource, watched: Watched, seconds: float | None) -> No
                 shown = now
 
 
-def _found(everything: bool) -> list[Found]:
-    """Mice by hidraw and by evdev, without hidapi the latter only; the cursor where mice cannot be read."""
-    from pointpred.devices.cursor import found_cursor
-    from pointpred.devices.evdev import list_evdev
-    from pointpred.devices.hid_devices import list_hid
+def _devices(everything: bool) -> list[DeviceInfo]:
+    """Mice by hidraw, then by evdev; the cursor on systems that let no program read mice."""
+    from pointpred.devices.cursor.source import cursor_info
+    from pointpred.devices.selection import list_mice
 
     if sys.platform != "linux":
-        return [found_cursor()]
-    try:
-        found = list_hid(everything)
-    except SourceError as error:
-        remarks().print(str(error), markup=False)
-        found = []
-    return [*found, *list_evdev()]
+        return [cursor_info()]
+    mice = list_mice(everything, remark)
+    return sorted(mice, key=lambda one: one.kind != "hid")

@@ -14,7 +14,8 @@ import typer
 from rich.table import Table
 
 from pointpred import compiled
-from pointpred.cli.screen import counted, results, write_json
+from pointpred.cli.screen import write_json
+from pointpred.console import counted, results
 from pointpred.errors import PointpredError, SourceError
 from pointpred.extras import EXTRAS, absent, install_command
 
@@ -124,8 +125,8 @@ def extras() -> list[Finding]:
 
 def devices() -> list[Finding]:
     """Mice by both ways of reading them."""
-    from pointpred.devices.evdev_nodes import list_evdev
-    from pointpred.devices.hid_devices import list_hid
+    from pointpred.devices.evdev.nodes import list_evdev
+    from pointpred.devices.hidraw.nodes import list_hid
 
     findings = []
     if sys.platform != "linux":
@@ -152,7 +153,7 @@ def devices() -> list[Finding]:
 
 def cursor() -> list[Finding]:
     """The screen's cursor."""
-    from pointpred.devices.cursor import RATE_HZ, UNTRIED, system_cursor
+    from pointpred.devices.cursor.source import RATE_HZ, UNTRIED, system_cursor
 
     try:
         with closing(system_cursor()) as screen:

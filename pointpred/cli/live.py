@@ -2,62 +2,33 @@
 
 from __future__ import annotations
 
-from contextlib import ExitStack
+from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
-from msgspec.structs import replace
 
-from pointpred.cli import live_device
 from pointpred.cli.coefficients import Coefficients, with_coefficients
-from pointpred.cli.live_device import Where
-from pointpred.cli.live_notes import notes_of
-from pointpred.cli.live_outlets import Outlets, Wanted
-from pointpred.cli.live_person import read_person, save_person
-from pointpred.cli.live_replay import Asked, end_with, replay_of
-from pointpred.cli.playing import SPEED, TRIAL
-from pointpred.cli.reading import (
-    Columns,
-    Cut,
-    PauseS,
-    PxPerUnit,
-    Records,
-    Screen,
-    TimeUnit,
-    Unit,
-    YUp,
-    reading,
-    to_read,
-)
-from pointpred.cli.screen import check_target, results
+from pointpred.cli.playing import SPEED, TRIAL, complain, one_recording, speed_of
+from pointpred.cli.reading import options_in, to_read, with_reading
+from pointpred.cli.screen import check_target
+from pointpred.cli.serve import open_port, settings_of
 from pointpred.errors import ParameterError
-from pointpred.events import CPI, DPI, PointerEvent
-from pointpred.pipeline import Pipeline
-from pointpred.registry import RECOMMENDED, build
-from pointpred.transfer import ConstantGain, PixelTransfer, TransferLearner, named_transfer
+from pointpred.events import CPI, DPI
+from pointpred.registry import RECOMMENDED
+
+if TYPE_CHECKING:
+    from pointpred.live.page import PageService
+    from pointpred.live.run import OutputOptions
+    from pointpred.server.live.feed import LiveFeed
+    from pointpred.sources import Reading
 
 REPLAY = "Without a device"
 LSL = "Lab Streaming Layer (extra lsl)"
 DPI_USUAL = 96.0
-ONLY_DEVICE = {"device", "measure_cpi", "transfer", "display", "person", "lsl"}
-"""Options that mean nothing where a recording is played."""
-ONLY_REPLAY = {
-    "trial",
-    "speed",
-    "cut",
-    "pause_s",
-    "unit",
-    "screen",
-    "columns",
-    "time_unit",
-    "y_up",
-    "px_per_unit",
-    "records",
-}
-"""Options that mean nothing without one."""
 
 
+@with_reading
 def live(
     device: Annotated[
         str | None,
@@ -82,7 +53,7 @@ def live(
         float | None, typer.Option(min=DPI[0], max=DPI[1], help="Pixels per inch of the screen (96).")
     ] = None,
     cursor: Annotated[
-        Where,
+        Literal["auto", "screen", "transfer", "motor"],
         typer.Option(
             metavar="SOURCE",
             help="Source of cursor positions: auto, screen, transfer, or motor, which predicts the hand.",
@@ -142,15 +113,8 @@ def live(
     ] = None,
     trial: Annotated[list[str] | None, typer.Option(help=TRIAL, rich_help_panel=REPLAY)] = None,
     speed: Annotated[str | None, typer.Option(help=f"{SPEED} Not given: 1.", rich_help_panel=REPLAY)] = None,
-    cut: Cut = None,
-    pause_s: PauseS = None,
-    unit: Unit = None,
-    screen: Screen = None,
-    columns: Columns = None,
-    time_unit: TimeUnit = None,
-    y_up: YUp = False,
-    px_per_unit: PxPerUnit = None,
-    records: Records = None,
+    *,
+    reading: Reading,
 ) -> None:
     """Predict where the mouse attached to this machine is heading, while it moves.
 
@@ -167,112 +131,85 @@ def live(
 
       pointpred live --replay sample --serve
     """
-    given = {name for name, value in locals().items() if value not in (None, False)}
     if record is not None:
         _check_new("--record", record)
         _check_new("--record", _predictions_beside(record))
     if save_transfer is not None:
         _check_new("--save-transfer", save_transfer)
     if not serve and (host is not None or port is not None):
-        raise ParameterError("--host and --port need --serve")
-    wanted = Wanted(predictor, cpi, DPI_USUAL, record, save_transfer, serve, host, port, seconds, lsl=lsl_out)
-    own = with_coefficients([predictor], coefficients).get(predictor, {})
-    if replay is not None:
-        _check_replay(given, cursor)
-        told = reading(cut, pause_s, unit, screen, cpi, dpi, columns, time_unit, y_up, px_per_unit, records)
-        asked = Asked(replay, tuple(trial or ()), speed, told, cpi, dpi)
-        _play(asked, wanted, own)
+        raise ParameterError("--host and --port need --serve", field="serve")
+    check_target(person)
+    parameters = with_coefficients([predictor], coefficients).get(predictor, {})
+    page = _page(host, port) if serve else None
+
+    def outputs(cpi: float | None, dpi: float | None) -> OutputOptions:
+        from pointpred.live.run import OutputOptions
+
+        dpi = DPI_USUAL if dpi is None else dpi
+        return OutputOptions(
+            predictor, cpi, dpi, record, save_transfer, page, seconds, lsl=lsl_out, parameters=parameters
+        )
+
+    if replay is None:
+        for name, value in (("trial", trial), ("speed", speed), *options_in(reading)):
+            if value is not None and name not in ("cpi", "dpi"):
+                raise ParameterError(f"--{name.replace('_', '-')} needs --replay", field=name)
+        from pointpred.cli.counts_per_inch import counts_per_inch
+        from pointpred.live.device import DeviceOptions, follow_device
+
+        follow_device(
+            DeviceOptions(device, lsl, cursor, transfer, display, measure_cpi, person),
+            outputs(cpi, dpi),
+            lambda source, cpi: counts_per_inch(source, cpi, measure_cpi, distance_cm),
+        )
         return
-    if alone := sorted(given & ONLY_REPLAY):
-        raise ParameterError(f"{_flag(alone[0])} needs --replay")
-    dpi = DPI_USUAL if dpi is None else dpi
-    moving = named_transfer(transfer) if transfer else None
-    if moving is not None and cpi is None and not measure_cpi:
-        cpi = moving.cpi
-    known_person = read_person(person, predictor)
-    _warm(predictor)
-    from pointpred.devices.cursor import CursorSource
-    from pointpred.devices.lsl_inlet import LslInlet
-    from pointpred.devices.sessions import LiveSession
-    from pointpred.server.garbage import spare
-
-    with ExitStack() as until_done:
-        source = until_done.enter_context(live_device.choose(device, display, lsl))
-        if isinstance(source, LslInlet):
-            known = cpi
-            path, close = live_device.stream_path(
-                source, cursor=cursor, measure_cpi=measure_cpi, transfer=transfer, display=display
+    for name, value in (
+        ("device", device),
+        ("measure-cpi", measure_cpi or None),
+        ("transfer", transfer),
+        ("display", display),
+        ("person", person),
+        ("lsl", lsl),
+        ("cursor", None if cursor == "auto" else cursor),
+    ):
+        if value is not None:
+            raise ParameterError(
+                f"--{name} is for a mouse, and --replay plays a recording; drop one", field=name
             )
-        elif isinstance(source, CursorSource):
-            known = None
-            path, close = live_device.cursor_path(
-                source, cpi, cursor=cursor, measure_cpi=measure_cpi, transfer=transfer
-            )
-        else:
-            known = live_device.resolution(source, cpi, measure_cpi, distance_cm)
-            function = moving.function if moving else None
-            path, close = live_device.path_of(cursor, function, known, dpi, display)
-        until_done.callback(close)
-        pipeline = build(predictor, cpi=known, dpi=dpi, person=known_person, **own)
-        session = LiveSession(source, path, pipeline)
-        session.note = notes_of(session)
-        outlets = Outlets(session, replace(wanted, cpi=known, dpi=dpi))
-        spare()
-        if person is not None:
-            until_done.callback(_save_person, person, pipeline)
-        outlets.follow()
+    from pointpred.live.replay import follow_replay, playable_trials
+
+    pace = speed_of(speed or "1")
+    recording = one_recording(replay, reading)
+    trials, skipped = playable_trials(recording, trial or ())
+    complain(tuple(skipped))
+    about = recording.provenance
+    resolutions = outputs(about.cpi if cpi is None else cpi, about.dpi if dpi is None else dpi)
+    follow_replay(replay, recording, trials, pace, resolutions)
 
 
-def _save_person(file: Path, pipeline: Pipeline) -> None:
-    """Save whom the session knew, however it ended."""
-    results().print(f"person: {save_person(file, pipeline)}", markup=False, soft_wrap=True)
+def _page(host: str | None, port: int | None) -> Callable[[LiveFeed], PageService]:
+    """What opens the page of a session; raises ParameterError for settings that are wrong."""
+    settings = settings_of(
+        {name: value for name, value in (("host", host), ("port", port)) if value is not None}
+    )
 
+    def page(feed: LiveFeed) -> PageService:
+        from pointpred.live.page import PageService
 
-def _check_replay(given: set[str], cursor: Where) -> None:
-    """Raise ParameterError where an option of a device is given with --replay."""
-    device = sorted(given & ONLY_DEVICE) + (["cursor"] if cursor != "auto" else [])
-    if device:
-        raise ParameterError(f"{_flag(device[0])} is for a mouse, and --replay plays a recording; drop one")
+        return PageService(feed, settings, open_port(settings))
 
-
-def _flag(name: str) -> str:
-    return f"--{name.replace('_', '-')}"
-
-
-def _play(asked: Asked, wanted: Wanted, own: dict[str, Any]) -> None:
-    """Play a recording as the session of a device."""
-    replay = replay_of(asked)
-    _warm(wanted.predictor)
-    from pointpred.devices.played import PlayedPipeline
-    from pointpred.devices.sessions import LiveSession
-    from pointpred.server.garbage import spare
-
-    wanted = replace(wanted, cpi=replay.cpi, dpi=replay.dpi, simulated=replay.simulated)
-    pipeline = PlayedPipeline(build(wanted.predictor, cpi=wanted.cpi, dpi=wanted.dpi, **own))
-    with replay.source as source:
-        outlets = Outlets(LiveSession(source, replay.path, pipeline), wanted)
-        end_with(outlets, source)
-        spare()
-        outlets.follow()
+    return page
 
 
 def _check_new(option: str, file: Path) -> None:
+    """Raise ParameterError where a file cannot be made, or is there already."""
     check_target(file)
     if file.exists() or str(file) == "-":
-        raise ParameterError(f"{option} makes a new file, and {file} is there already; name another")
+        raise ParameterError(
+            f"{option} makes a new file, and {file} is there already; name another", code="file_exists"
+        )
 
 
 def _predictions_beside(samples: Path) -> Path:
     """Where a recording's predictions go."""
     return samples.with_name(f"{samples.stem.removesuffix('_samples') or samples.stem}_predictions.csv")
-
-
-def _warm(predictor: str) -> None:
-    """Compile what is not compiled yet, before reports wait for it; raises ParameterError."""
-    pipeline, learner = build(predictor, cpi=1000.0), TransferLearner(cpi=1000.0)
-    transfer = PixelTransfer(ConstantGain(), cpi=1000.0)
-    for i in range(4):
-        event = PointerEvent(0.01 * i, 5.0 * i, 2.0 * i, 4.0, 2.0)
-        pipeline.update(event)
-        learner.update(event)
-        transfer.update((event.t, 4.0, 2.0))

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pointpred.cli.reading import recordings_in
-from pointpred.cli.screen import remarks
+from pointpred.console import remarks
 from pointpred.errors import ParameterError, RecordingError
 
 if TYPE_CHECKING:

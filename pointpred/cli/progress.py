@@ -7,7 +7,7 @@ from contextlib import contextmanager
 
 from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
 
-from pointpred.cli.screen import plain, remarks
+from pointpred.console import plain, remarks
 
 Advance = Callable[[str, int, int | None], None]
 

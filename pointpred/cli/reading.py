@@ -181,6 +181,14 @@ def reading(
     return Reading(**{name: value for name, value in options.items() if value is not None})
 
 
+def options_in(reading: Reading) -> list[tuple[str, object]]:
+    """The options that differ from their defaults, by the name of their parameter."""
+    from pointpred.sources.reading import AS_IS
+
+    values = [(name, getattr(reading, name)) for name in reading.__struct_fields__]
+    return [(name, value) for name, value in values if value != getattr(AS_IS, name)]
+
+
 def with_reading(command: Callable[..., None]) -> Callable[..., None]:
     """Give a command the options of ``reading``, and what they say as its parameter ``reading``.
 

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from pointpred.cli.screen import counted, remarks, results, write_json
+from pointpred.cli.screen import write_json
+from pointpred.console import counted, remarks, results
 from pointpred.errors import ParameterError
 
 if TYPE_CHECKING:

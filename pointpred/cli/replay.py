@@ -12,7 +12,8 @@ from pointpred.cli.coefficients import named_file, with_coefficients
 from pointpred.cli.playing import SPEED, TRIAL, complain, one_recording, speed_of
 from pointpred.cli.reading import Cpi, Dpi, to_read, with_reading
 from pointpred.cli.replay_tables import described, plain, print_played
-from pointpred.cli.screen import check_target, remarks, write_json
+from pointpred.cli.screen import check_target, write_json
+from pointpred.console import remarks
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.registry import RECOMMENDED
 

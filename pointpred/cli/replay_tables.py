@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from pointpred.cli.screen import results
+from pointpred.console import results
 
 if TYPE_CHECKING:
     from pointpred.replaying import Replayed

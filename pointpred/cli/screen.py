@@ -1,4 +1,4 @@
-"""Where the command line writes: results to stdout, everything else to stderr."""
+"""Files that a command writes: JSON results, and whether a file can be written before work begins."""
 
 from __future__ import annotations
 
@@ -8,59 +8,13 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 from tempfile import TemporaryFile
-from typing import Any
 
 import msgspec
-from rich.console import Console
-from rich.text import Text
 
+from pointpred.console import NARROW, counted, plain, remarks, results
 from pointpred.errors import ParameterError, RecordingError
 
-WIDE = 160
-"""Columns of a table that goes to a file or a pipe, where no terminal says how wide it is."""
-
-
-NARROW = 120
-"""A terminal with fewer columns shows fewer of a table's: none wraps at 80."""
-
-CONTROLS = {code: f"\\x{code:02x}" for code in (*range(32), *range(127, 160)) if chr(code) not in "\n\t"}
-"""Characters that steer a terminal, and what is shown in their place: names of files may hold them."""
-
-
-def plain(text: str) -> str:
-    r"""Text that moves no cursor and rings no bell.
-
-    >>> plain("a\x1b[2Jb")
-    'a\\x1b[2Jb'
-    """
-    return text.translate(CONTROLS)
-
-
-class Screen(Console):
-    """A console on which no text steers the terminal."""
-
-    def render_str(self, text: str, **options: Any) -> Text:
-        """As rich does, with control characters shown."""
-        return super().render_str(plain(text), **options)
-
-
-def results() -> Console:
-    """The console for results; plain and wide when it is not a terminal."""
-    return Screen(width=None if sys.stdout.isatty() else WIDE, highlight=False)
-
-
-def remarks() -> Console:
-    """The console for progress, remarks and complaints."""
-    return Screen(stderr=True, highlight=False, soft_wrap=True)
-
-
-def counted(number: int, noun: str) -> str:
-    """A number with its noun.
-
-    >>> counted(1, "trial"), counted(2, "trial")
-    ('1 trial', '2 trials')
-    """
-    return f"{number} {noun}" + "s" * (number != 1)
+__all__ = ["NARROW", "check_target", "check_targets", "counted", "plain", "remarks", "results", "write_json"]
 
 
 def write_json(value: object, target: Path) -> None:

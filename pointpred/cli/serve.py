@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Any
+from socket import socket
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from pointpred.cli.screen import remarks
 from pointpred.cli.starting import Starting
 from pointpred.cli.wrong_values import refused
+from pointpred.console import remarks
 from pointpred.errors import ParameterError
+
+if TYPE_CHECKING:
+    from pointpred.server.settings import Settings
 
 PORT = 8765
 TRIES = 20
@@ -80,16 +84,15 @@ def serve(
     """
     given = {name: value for name, value in locals().items() if value not in (None, [])}
     from pointpred.server.hosts import HostRule
-    from pointpred.server.listening.listening import address, listen
+    from pointpred.server.listening.listening import address
     from pointpred.server.listening.listening import serve as answer
     from pointpred.server.logs import set_up
     from pointpred.server.service import Service
 
     settings = settings_of(given)
     set_up(settings.log_format)
-    wanted = settings.port
-    opened = listen(settings.host, PORT if wanted is None else wanted, TRIES if wanted is None else 1)
-    if wanted is None and opened.getsockname()[1] != PORT:
+    opened = open_port(settings)
+    if settings.port is None and opened.getsockname()[1] != PORT:
         remarks().print(f"port {PORT} is in use; taking the next free one. --port N chooses another")
     service = Service(settings)
 
@@ -100,7 +103,15 @@ def serve(
         remarks().print("stopped")
 
 
-def settings_of(given: dict[str, Any]) -> Any:
+def open_port(settings: Settings) -> socket:
+    """A listening socket on the port of the settings, else on the first free one; raises SourceError."""
+    from pointpred.server.listening.listening import listen
+
+    port = settings.port
+    return listen(settings.host, PORT, TRIES) if port is None else listen(settings.host, port)
+
+
+def settings_of(given: dict[str, Any]) -> Settings:
     """The settings from flags and environment; raises ParameterError in one line for a wrong one."""
     from pydantic import ValidationError
     from pydantic_settings import SettingsError

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, TextIO
 
 import typer
 
-from pointpred.cli.screen import plain
+from pointpred.console import plain
 
 if TYPE_CHECKING:
     from pointpred.server.compiling.compiling import Progress

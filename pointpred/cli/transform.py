@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from pointpred.cli.reading import recordings_in, to_read, with_reading
-from pointpred.cli.screen import check_target, counted, remarks
+from pointpred.cli.screen import check_target
+from pointpred.console import counted, remarks
 from pointpred.errors import ParameterError, RecordingError
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ from typing import Self
 
 import msgspec
 
-from pointpred.devices.source import DeviceSource, Found, Report
+from pointpred.devices.source import DeviceInfo, DeviceSource, Report
 from pointpred.errors import SourceError
 
 SLICE_S = 0.01
@@ -46,7 +46,7 @@ class FirstMoving:
     ) -> None:
         self.note = ""
         """The newest remark: which device is followed, or which other one moves."""
-        self.closed: tuple[Found, ...] = ()
+        self.closed: tuple[DeviceInfo, ...] = ()
         """Devices that cannot be opened, for whoever tells of them."""
         self._candidates, self._silence_s = candidates, silence_s
         self._followed: DeviceSource | None = None

@@ -1,15 +1,31 @@
-"""Lab Streaming Layer: its library, and its clock beside the one that everything live counts on."""
+"""Lab Streaming Layer: its library, its clock beside ours, and a stream read in the place of a device."""
 
 from __future__ import annotations
 
+import re
 import time
-from typing import Any
+from collections.abc import Sequence
+from math import isfinite
+from types import TracebackType
+from typing import Any, Self
 
+import msgspec
+
+from pointpred.devices.cursor_paths import PositionReport
+from pointpred.devices.source import Report
 from pointpred.errors import SourceError
+from pointpred.events import PointerEvent
 from pointpred.extras import require
 
 PURPOSE = "Lab Streaming Layer"
 TRIES = 5
+KNOWN = ("x", "y", "dx", "dy", "buttons")
+ASIDE = re.compile(r"mouse|cursor|pointer|position|pos|pixels?|(?<=[xy])px$")
+"""What labels such as MouseX, x_px or pos-x hold beside the names that are known."""
+WAIT_S = 5.0
+MOST_AT_ONCE = 1024
+BUFFER = 600
+"""What Lab Streaming Layer holds for us: s of a stream of known rate, hundreds of samples of another."""
 
 
 def library() -> Any:
@@ -32,3 +48,160 @@ def ahead_s(lsl: Any) -> float:
         before, theirs, after = time.perf_counter(), lsl.local_clock(), time.perf_counter()
         looks.append((after - before, 0.5 * (before + after) - theirs))
     return float(min(looks)[1])
+
+
+class Channels(msgspec.Struct, frozen=True):
+    """Which channel of a stream is what; ``None`` where there is none."""
+
+    x: int
+    y: int
+    dx: int | None = None
+    dy: int | None = None
+    buttons: int | None = None
+
+
+class LslInlet:
+    """A ``DeviceSource`` over the samples of one stream.
+
+    Assumes a stream of numbers with a position in px, y downwards. Times are moved to this computer's
+    monotonic clock by the stream's own time correction, which is kept up to date, and never go back.
+    ``unreadable`` counts samples whose position is no number. Limitations: what the network loses, and what
+    is not taken within ten minutes, is not counted; a stream that its sender took down is waited for where
+    it has a source id, else ``take`` raises SourceError. Memory: ten minutes of the stream.
+
+    Parameters: ``name`` of the stream; ``wait_s`` to look for it. Entering raises SourceError with what to
+    do next, and MissingExtraError.
+    """
+
+    lost = resynchronised = 0
+    plugged = True
+
+    def __init__(self, name: str, *, wait_s: float = WAIT_S) -> None:
+        self.name, self.path = name, f"lsl:{name}"
+        self.unreadable = 0
+        self.clock = "this computer's monotonic clock, to which a stream's stamps are moved"
+        self.words = ""
+        """What its positions are; once it is open."""
+        self.offset_s = 0.0
+        """What was added to its first stamps to have them on this computer's clock of Lab Streaming Layer."""
+        self.counts = False
+        """Whether its samples have counts; once it is open."""
+        self._wait_s = wait_s
+        self._inlet: Any = None
+        self._place: tuple[float, float] | None = None
+
+    def __enter__(self) -> Self:
+        lsl = library()
+        if "'" in self.name:
+            raise SourceError(f"{self.name}: a stream is found by a name without an apostrophe")
+        found = lsl.resolve_byprop("name", self.name, 1, self._wait_s)
+        if not found:
+            raise SourceError(_nothing(self.name, lsl.resolve_streams(min(1.0, self._wait_s))))
+        flags = lsl.proc_clocksync | lsl.proc_monotonize
+        inlet = lsl.StreamInlet(found[0], max_buflen=BUFFER, processing_flags=flags)
+        try:
+            about = inlet.info(self._wait_s)
+            if about.channel_format() == lsl.cf_string:
+                raise SourceError(f"{self.name}: its samples are words, expected numbers")
+            labels = about.get_channel_labels() or []
+            self._channels = channels_of(self.name, about.channel_count(), labels)
+            inlet.open_stream(self._wait_s)
+            self.offset_s = float(inlet.time_correction(self._wait_s))
+        except RuntimeError as error:
+            raise SourceError(f"{self.name}: the stream cannot be opened: {type(error).__name__}") from error
+        self._ahead_s, self._inlet = ahead_s(lsl), inlet
+        self.counts = None not in (self._channels.dx, self._channels.dy)
+        self.clock = (
+            f"this computer's monotonic clock; the stamps of {about.hostname()} are corrected by "
+            f"{1e3 * self.offset_s:+.3f} ms at first"
+        )
+        self.words = f"positions of the stream {self.name!r}, {_described(self._channels, labels)}"
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def take(self, timeout_s: float) -> list[Report]:
+        """Everything that came since the last call; waits at most ``timeout_s`` until something came."""
+        if self._inlet is None:
+            raise SourceError("the stream is not open; use it in a 'with' statement")
+        try:
+            sample, stamp = self._inlet.pull_sample(timeout_s)
+            if sample is None:
+                return []
+            samples, stamps = self._inlet.pull_chunk(0.0, MOST_AT_ONCE)
+        except RuntimeError as error:
+            raise SourceError(f"{self.name}: the stream has ended ({type(error).__name__})") from error
+        pairs = zip([sample, *samples], [stamp, *stamps], strict=True)
+        reports = [self._report(values, at + self._ahead_s) for values, at in pairs]
+        kept: list[Report] = [report for report in reports if report is not None]
+        self.unreadable += len(reports) - len(kept)
+        return kept
+
+    def close(self) -> None:
+        """Leave the stream; may be called twice."""
+        if self._inlet is not None:
+            self._inlet.close_stream()
+        self._inlet = None
+
+    def _report(self, values: Sequence[float], t: float) -> PositionReport | None:
+        """A sample as an event; ``None`` where its place is no number."""
+        places = self._channels
+        x, y = float(values[places.x]), float(values[places.y])
+        if not (isfinite(x) and isfinite(y)):
+            return None
+        before, self._place = self._place or (x, y), (x, y)
+        dx = dy = None
+        if (
+            places.dx is not None
+            and places.dy is not None
+            and isfinite(values[places.dx] + values[places.dy])
+        ):
+            dx, dy = float(values[places.dx]), float(values[places.dy])
+        pressed = 0.0 if places.buttons is None else values[places.buttons]
+        buttons = int(pressed) if isfinite(pressed) and pressed > 0 else 0
+        event = PointerEvent(t, x, y, dx, dy, buttons)
+        moved = (x - before[0], y - before[1]) if dx is None or dy is None else (dx, dy)
+        return PositionReport(t, *moved, buttons, event=event)
+
+
+def channels_of(name: str, count: int, labels: Sequence[str | None]) -> Channels:
+    """Which channels are the position, by their labels, or the first two where there are no labels.
+
+    Raises SourceError for fewer than two channels, and for labels without x and y.
+
+    >>> channels_of("mouse", 3, ["MouseY", "MouseX", "Buttons"])
+    Channels(x=1, y=0, dx=None, dy=None, buttons=2)
+    """
+    if count < 2:
+        raise SourceError(f"{name}: {count} channel, expected two or more, with x and y")
+    if not any(labels):
+        return Channels(0, 1)
+    places: dict[str, int] = {}
+    for place, label in enumerate(labels[:count]):  # a description may name more than there are
+        word = ASIDE.sub("", re.sub("[^a-z]", "", (label or "").lower()))
+        word = "buttons" if word == "button" else word
+        if word in KNOWN:
+            places.setdefault(word, place)
+    if not {"x", "y"} <= places.keys():
+        said = ", ".join(label or "-" for label in labels)
+        raise SourceError(f"{name}: its channels are {said}; expected channels labelled x and y")
+    return Channels(**places)
+
+
+def _described(channels: Channels, labels: Sequence[str | None]) -> str:
+    if not any(labels):
+        return "its first two channels: none has a label"
+    known = {name: getattr(channels, name) for name in KNOWN}
+    return "channels " + ", ".join(f"{name} = {labels[at]}" for name, at in known.items() if at is not None)
+
+
+def _nothing(name: str, others: Sequence[Any]) -> str:
+    """Why no stream was found, and what there is."""
+    said = ", ".join(sorted(f"{one.name()} ({one.channel_count()} channels)" for one in others)) or "none"
+    return (
+        f"no stream of {PURPOSE} is called {name!r}; streams on this network: {said}. Start the program that "
+        "sends it; a firewall may keep its announcements away"
+    )

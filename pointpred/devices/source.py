@@ -1,4 +1,4 @@
-"""What every live device is to the rest: reports with times, a bounded queue, and what can be found."""
+"""What every live device has in common: its description, reports with times, and a bounded queue."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import msgspec
 from pointpred.errors import ParameterError, SourceError
 
 MOST_WAITING = 65536
-"""Reports a queue holds unless told: eight seconds of the fastest mice."""
+"""Reports that a queue holds by default: eight seconds of the fastest mice."""
 
 
 class Report(msgspec.Struct, frozen=True, gc=False):
@@ -31,8 +31,8 @@ class Report(msgspec.Struct, frozen=True, gc=False):
     pan: float = 0
 
 
-class Found(msgspec.Struct, frozen=True):
-    """A device that was found; where it cannot be opened, ``why``, and ``advice`` on what to do next."""
+class DeviceInfo(msgspec.Struct, frozen=True):
+    """A device of this machine; where it cannot be opened, ``why``, and ``advice`` on what to do next."""
 
     path: str
     name: str
@@ -93,7 +93,7 @@ class BoundedQueue:
     def close(self, failure: SourceError | None = None) -> None:
         """Wake whoever waits: nothing more will come, because of ``failure`` where there was one.
 
-        What is held can still be taken.
+        What waits can still be taken.
         """
         with self._filled:
             self._closed = True

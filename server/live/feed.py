@@ -8,8 +8,7 @@ from collections import deque
 from collections.abc import Callable, Sequence
 from itertools import islice
 
-from pointpred.devices.sessions import LiveState, Pair
-from pointpred.events import PointerEvent, Prediction
+from pointpred.events import Pair, PointerEvent, Prediction
 from pointpred.protocol.client_messages import Events
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.live_messages import Attached, Curve, Status
@@ -29,10 +28,11 @@ class LiveFeed:
     its own: one that reads slowly gets the newest frame, and hears how many gave way.
     """
 
-    def __init__(self, attached: Attached, state: Callable[[], LiveState]) -> None:
+    def __init__(self, attached: Attached, status: Callable[[], Status]) -> None:
         self.attached = attached
         """What is attached; replaced whole, from any thread, where another device is followed."""
-        self.state = state
+        self.status = status
+        """How the reading goes; any thread may call it."""
         self.curve: Curve | None = None
         """The newest transfer function; replaced whole, from any thread."""
         self.skipped = 0
@@ -52,11 +52,6 @@ class LiveFeed:
     def begin(self, loop: asyncio.AbstractEventLoop) -> None:
         """From now on viewers can be told."""
         self._loop = loop
-
-    def status(self) -> Status:
-        """How the reading goes."""
-        state = self.state()
-        return Status(**{name: getattr(state, name) for name in Status.__struct_fields__})
 
     def join(self, viewer: Viewer, wake: Callable[[], None]) -> None:
         """Tell one more viewer; ``wake`` sends what its outbox holds."""

@@ -53,13 +53,14 @@ MAY_IMPORT = {
     "hid": {"errors"},
     "sources": {"errors", "extras", "files", "events", "rows", "columns", "recording", "hid"},
     "devices": MATHS | {"hid", "sources"},
+    "console": set(),
     "datasets": PIPELINE | {"simulation", "sources"},
     "training": PIPELINE | {"scoring", "sources", "pointpred"},
     "protocol": PIPELINE | {"targets", "scoring"},
-    "server": PIPELINE
-    | {"protocol", "targets", "simulation", "scoring", "sources", "datasets", "devices", "pointpred"},
+    "server": PIPELINE | {"protocol", "targets", "simulation", "scoring", "sources", "datasets", "pointpred"},
     "client": {"errors", "events", "rows", "columns", "registry", "protocol"},
     "replaying": PIPELINE | {"scoring", "protocol", "client"},
+    "live": PIPELINE | {"console", "devices", "sources", "protocol", "server", "replaying"},
     "cli": PIPELINE
     | {
         "targets",
@@ -76,6 +77,8 @@ MAY_IMPORT = {
         "server",
         "client",
         "replaying",
+        "console",
+        "live",
         "pointpred",
     },
     "pointpred": {"columns", "events", "pipeline", "regions", "registry"},

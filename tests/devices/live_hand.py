@@ -74,13 +74,13 @@ def child() -> None:
 
     import msgspec
 
-    from pointpred.devices import evdev_clock
-    from pointpred.devices.cursor_x11 import ScreenCursor
-    from pointpred.devices.evdev import EvdevSource
-    from pointpred.devices.pairing import Pairing
+    from pointpred.devices.cursor.pairing import Pairing
+    from pointpred.devices.cursor.x11 import ScreenCursor
+    from pointpred.devices.evdev import clock
+    from pointpred.devices.evdev.source import EvdevSource
     from pointpred.transfer import TransferLearner
 
-    evdev_clock._granted = lambda file: True  # as a kernel does: this emulation refuses the monotonic clock
+    clock._granted = lambda file: True  # as a kernel does: this emulation refuses the monotonic clock
     done = threading.Event()
 
     def answer(said: Any) -> None:

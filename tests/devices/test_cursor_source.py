@@ -9,14 +9,14 @@ from typing import Any
 
 import pytest
 
-from pointpred.cli import live_device
-from pointpred.cli.live_learning import NEEDS_COUNTS, NEEDS_CPI, Learning, learning_of
-from pointpred.devices.cursor import CursorSource, found_cursor, system_cursor
-from pointpred.devices.cursor_macos import MacCursor
-from pointpred.devices.cursor_windows import SCALED, WindowsCursor
-from pointpred.devices.cursor_x11 import ScreenCursor
-from pointpred.devices.paths import PositionPath
+from pointpred.devices import selection
+from pointpred.devices.cursor.macos import MacCursor
+from pointpred.devices.cursor.source import CursorSource, cursor_info, system_cursor
+from pointpred.devices.cursor.windows import SCALED, WindowsCursor
+from pointpred.devices.cursor.x11 import ScreenCursor
+from pointpred.devices.cursor_paths import PositionPath
 from pointpred.errors import ParameterError, SourceError
+from pointpred.live.curve_learner import NEEDS_COUNTS, NEEDS_CPI, CurveLearner, curve_learner
 from tests.devices.screens import Screen
 
 
@@ -200,8 +200,8 @@ def test_without_a_device_windows_and_macos_follow_the_cursor(
     monkeypatch.setattr(sys, "platform", "darwin")
     monkeypatch.setitem(sys.modules, "Quartz", Quartz("Quartz"))
     assert isinstance(system_cursor(), MacCursor)
-    assert isinstance(live_device.choose(None), CursorSource)
-    assert found_cursor().openable
+    assert isinstance(selection.choose(None), CursorSource)
+    assert cursor_info().openable
 
 
 @pytest.mark.parametrize("option", [("--measure-cpi",), ("--cursor", "motor"), ("--transfer", "constant:4")])
@@ -216,7 +216,7 @@ def test_macos_without_quartz_says_what_to_install(monkeypatch: pytest.MonkeyPat
     monkeypatch.setitem(sys.modules, "Quartz", None)
     with pytest.raises(SourceError, match="pip install pyobjc-framework-Quartz"):
         system_cursor()
-    assert not found_cursor().openable
+    assert not cursor_info().openable
 
 
 def test_under_x11_it_follows_what_xdotool_does(screen: Screen) -> None:
@@ -234,5 +234,5 @@ def test_under_x11_it_follows_what_xdotool_does(screen: Screen) -> None:
 
 def test_a_transfer_function_is_learned_where_positions_come_with_counts() -> None:
     for counts, cpi, learned in ((False, 800.0, NEEDS_COUNTS), (True, None, NEEDS_CPI)):
-        assert learning_of(PositionPath("px", counts=counts), cpi, 96.0) == learned
-    assert isinstance(learning_of(PositionPath("px", counts=True), 800.0, 96.0), Learning)
+        assert curve_learner(PositionPath("px", counts=counts), cpi, 96.0) == learned
+    assert isinstance(curve_learner(PositionPath("px", counts=True), 800.0, 96.0), CurveLearner)

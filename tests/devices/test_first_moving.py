@@ -8,12 +8,12 @@ import pytest
 from msgspec.structs import replace
 
 from pointpred import build
-from pointpred.cli.live_notes import notes_of
+from pointpred.devices.cursor_paths import MotorPath
 from pointpred.devices.first_moving import SILENCE_S, Candidate, FirstMoving
-from pointpred.devices.paths import MotorPath
-from pointpred.devices.sessions import LiveSession
 from pointpred.devices.source import Report
 from pointpred.errors import SourceError
+from pointpred.live.notes import device_note
+from pointpred.live.session import LiveSession
 from tests.devices.live_fakes import FakeMouse, reach
 
 STEP = Report(0.0, 1, 0)
@@ -203,7 +203,7 @@ def test_silence_is_told_with_who_is_listened_to_until_one_count_comes() -> None
     one, two = Mouse("event4"), Mouse("event5")
     with first_of(one, two) as source:
         session = LiveSession(source, None, build("hold"))
-        session.note = notes_of(session)
+        session.note = device_note(session)
         session.advance(0.0)
         assert session.state().note is None
         session.silent_s = SILENCE_S
@@ -220,7 +220,7 @@ def test_silence_is_told_with_who_is_listened_to_until_one_count_comes() -> None
 
 def test_a_single_device_that_is_silent_is_told_as_well() -> None:
     session = LiveSession(Mouse("event4"), None, build("hold"))
-    session.note = notes_of(session)
+    session.note = device_note(session)
     session.advance(SILENCE_S)
     assert "event4" in (session.state().note or "")
     session.source.plugged = False  # type: ignore[misc]

@@ -8,20 +8,23 @@ from typing import Any
 
 import pytest
 
-from pointpred.cli import live, live_device
+from pointpred.cli import counts_per_inch
+from pointpred.devices import selection
 from pointpred.devices.first_moving import FirstMoving
-from pointpred.devices.source import Found
+from pointpred.devices.source import DeviceInfo
+from pointpred.live import device
+from pointpred.live.run import compile_for
 from pointpred.pipeline import Pipeline
 from pointpred.transfer import ConstantGain, PixelTransfer, TransferLearner, save_transfer
 
-CLOSED = Found(
+CLOSED = DeviceInfo(
     "/dev/hidraw3", "Some mouse", "hid", False, "Permission denied", "put this line into /etc/udev/rules.d/x"
 )
 
 
-def found(monkeypatch: pytest.MonkeyPatch, *devices: Found) -> None:
-    monkeypatch.setattr("pointpred.devices.hid.list_hid", lambda: list(devices))
-    monkeypatch.setattr("pointpred.devices.evdev.list_evdev", list)
+def found(monkeypatch: pytest.MonkeyPatch, *devices: DeviceInfo) -> None:
+    monkeypatch.setattr(selection, "list_hid", lambda everything=False: list(devices))
+    monkeypatch.setattr(selection, "list_evdev", list)
 
 
 def test_help_teaches_by_example(command: Any) -> None:
@@ -65,7 +68,7 @@ def test_predictions_beside_a_recording_are_never_written_over(
     def choose(*asked: str | None) -> None:
         raise AssertionError("a device was looked for")
 
-    monkeypatch.setattr(live_device, "choose", choose)
+    monkeypatch.setattr(device, "choose", choose)
     (tmp_path / "kept_predictions.csv").write_text("precious")
     left = command("live", "--record", tmp_path / asked)
     assert left.code == 2
@@ -105,26 +108,26 @@ def test_systems_that_keep_their_mice_are_told_to_use_the_page(
 def test_every_device_that_opens_may_be_the_one_and_a_mouse_that_is_there_twice_is_so_once(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    one, two = (Found(f"/dev/hidraw{i}", f"mouse {i}", "hid", True) for i in range(2))
-    node = Found("/dev/input/event4", "mouse 1", "evdev", True)
+    one, two = (DeviceInfo(f"/dev/hidraw{i}", f"mouse {i}", "hid", True) for i in range(2))
+    node = DeviceInfo("/dev/input/event4", "mouse 1", "evdev", True)
     found(monkeypatch, CLOSED, one, two)
     below = tmp_path / "0003:046D:C077.0001"
     (below / "input/input9/event4").mkdir(parents=True)
     places = {two.path: below, node.path: below / "input/input9/event4", one.path: tmp_path / "another"}
-    monkeypatch.setattr(live_device, "_sysfs", lambda kind, device: places[device.path])
-    assert live_device.each_once([CLOSED, node, one, two]) == [node, one]
-    source = live_device.choose(None)
+    monkeypatch.setattr(selection, "_sysfs", lambda kind, one: places[one.path])
+    assert selection.once_each([CLOSED, node, one, two]) == [node, one]
+    source = selection.choose(None)
     assert isinstance(source, FirstMoving)
     assert [one.path for one in source._candidates()] == ["/dev/hidraw0", "/dev/hidraw1"]
     assert source.closed == (CLOSED,)
-    assert live_device.choose("mouse 1").path == two.path
+    assert selection.choose("mouse 1").path == two.path
 
 
 def test_a_screen_asked_for_is_an_error_where_there_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("DISPLAY", raising=False)
     monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
     with pytest.raises(OSError, match="DISPLAY is not set"):
-        live_device.path_of("screen", None, 800.0, 96.0, None)
+        device.mouse_path("screen", None, 800.0, 96.0)
 
 
 @pytest.mark.parametrize(
@@ -141,14 +144,14 @@ def test_the_cursor_is_known_from_what_there_is(
 ) -> None:
     monkeypatch.delenv("DISPLAY", raising=False)
     monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
-    path, close = live_device.path_of(where, function, cpi, 96.0, None)
-    close()
-    assert path.space == space
+    opened = device.mouse_path(where, function, cpi, 96.0)
+    opened.close()
+    assert opened.path.space == space
 
 
 def test_a_transfer_function_without_a_resolution_is_wrong_use() -> None:
     with pytest.raises(ValueError, match="--transfer and --cpi"):
-        live_device.path_of("transfer", ConstantGain(4.0), None, 96.0, None)
+        device.mouse_path("transfer", ConstantGain(4.0), None, 96.0)
 
 
 def test_a_saved_function_brings_the_resolution_it_was_learnt_with(
@@ -168,8 +171,8 @@ def test_a_saved_function_brings_the_resolution_it_was_learnt_with(
         asked.append(cpi)
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(live_device, "choose", lambda *asked: Opened())
-    monkeypatch.setattr(live_device, "resolution", resolution)
+    monkeypatch.setattr(device, "choose", lambda *asked: Opened())
+    monkeypatch.setattr(counts_per_inch, "counts_per_inch", resolution)
     assert command("live", "--transfer", tmp_path / "desk.json").code == 130
     assert asked == [1234.0]
 
@@ -185,5 +188,5 @@ def test_whatever_a_report_may_run_through_has_run_before_one_waits(
         return ran[-1]
 
     monkeypatch.setattr(stage, "update", noted)
-    live._warm("kinematic")
+    compile_for("kinematic")
     assert len(ran) > 1

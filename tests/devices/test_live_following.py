@@ -9,13 +9,13 @@ import threading
 import pytest
 
 from pointpred import build
-from pointpred.cli.live_following import Following, Viewing
-from pointpred.devices.sessions import LiveSession
+from pointpred.live.session import LiveSession
+from pointpred.live.threads import SessionThread, ViewThread
 from tests.devices.live_fakes import FakeMouse
 
 
-def following() -> Following:
-    return Following(LiveSession(FakeMouse(), None, build("hold")))
+def following() -> SessionThread:
+    return SessionThread(LiveSession(FakeMouse(), None, build("hold")))
 
 
 @pytest.mark.parametrize("seconds", [float("inf"), 1e12])
@@ -43,21 +43,21 @@ def test_a_view_that_breaks_ends_the_session(error: BaseException) -> None:
         raise error
 
     stopping = threading.Event()
-    view = Viewing(show, stopping)
+    view = ViewThread(show, stopping)
     view.join()
     assert (view.error, stopping.is_set()) == (error, True)
 
 
 HANDED_ELSEWHERE = """
 import signal, threading
-from pointpred.cli.live_following import attentive, until
+from pointpred.live.threads import end_on_signal, wait
 
 stopping, waiting = threading.Event(), threading.Event()
 other = threading.Thread(target=waiting.wait, daemon=True)
 other.start()
-with attentive(stopping):
+with end_on_signal(stopping):
     threading.Timer(0.2, signal.pthread_kill, (other.ident, signal.SIGTERM)).start()
-    until(stopping)
+    wait(stopping)
 print("ended in order")
 """
 

@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from pointpred import build
-from pointpred.cli.live_outlets import Outlets, Wanted
-from pointpred.devices.sessions import LiveSession
 from pointpred.devices.source import Report
+from pointpred.live.run import LiveRun, OutputOptions
+from pointpred.live.session import LiveSession
 from tests.devices.live_fakes import FakeMouse
 
 
@@ -32,7 +32,7 @@ class LateMouse(FakeMouse):
 def followed(mouse: FakeMouse, file: Path, capsys: pytest.CaptureFixture[str]) -> str:
     """The last line of a session that ends by itself."""
     session = LiveSession(mouse, None, build("hold"))
-    Outlets(session, Wanted("hold", record=file, seconds=0.2)).follow()
+    LiveRun(session, OutputOptions("hold", record=file, seconds=0.2)).run()
     return capsys.readouterr().out.splitlines()[-1]
 
 

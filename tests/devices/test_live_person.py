@@ -9,11 +9,11 @@ from typing import Any
 import pytest
 
 from pointpred import Pipeline, build
-from pointpred.cli import live_device
-from pointpred.cli.live_person import read_person, save_person
-from pointpred.devices.paths import MotorPath
+from pointpred.devices.cursor_paths import MotorPath
 from pointpred.devices.source import Report
 from pointpred.errors import ParameterError
+from pointpred.live import device
+from pointpred.live.person_file import read_person, save_person
 from tests.devices.live_fakes import reach
 from tests.devices.test_live_outlets import LateMouse
 
@@ -22,7 +22,7 @@ REPORTS = [[*reach(1.0, (400.0, 90.0)), *reach(4.0, (-600.0, 40.0))], [*reach(9.
 
 
 def live(command: Any, monkeypatch: pytest.MonkeyPatch, reports: list[Report], *options: str | Path) -> Any:
-    monkeypatch.setattr(live_device, "choose", lambda *asked: LateMouse(*reports))
+    monkeypatch.setattr(device, "choose", lambda *asked: LateMouse(*reports))
     return command("live", "--cursor", "motor", "--cpi", "800", "--seconds", "0.3", *options)
 
 
@@ -84,8 +84,9 @@ def test_others_and_replays_have_no_person(command: Any, tmp_path: Path) -> None
         assert "--person" in left.err
     with pytest.raises(ParameterError, match="--person"):
         read_person(Path("-"), NAME)
-    with pytest.raises(ParameterError, match="folder"):
-        read_person(tmp_path / "no" / "me.txt", NAME)
+    left = command("live", "--person", tmp_path / "no" / "me.txt", "--predictor", NAME)
+    assert (left.code, left.out) == (2, "")
+    assert "folder" in left.err
 
 
 def test_a_write_that_fails_leaves_the_old_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

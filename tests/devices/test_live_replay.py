@@ -17,11 +17,12 @@ import pytest
 from websockets.sync.client import connect
 
 from pointpred import EventColumns, build, run
-from pointpred.cli.live_outlets import PAGE_FIRST
 from pointpred.columns import FloatArray, PredictionColumns
-from pointpred.devices.played import GAP_S, Played, PlayedPath, PlayedPipeline, PlayedSource
-from pointpred.devices.sessions import LiveSession, Pair
 from pointpred.errors import ParameterError
+from pointpred.events import Pair
+from pointpred.live.playback import GAP_S, PlayedPath, PlayedPipeline, PlayedSource, PlayedTrial
+from pointpred.live.run import PAGE_FIRST
+from pointpred.live.session import LiveSession
 from pointpred.recording import Recording, Trial
 from pointpred.sources import read, write
 from tests.devices.live_process import PATIENCE_S
@@ -56,16 +57,16 @@ TRIALS = [("ann", 0.1, 300.0), ("ann", 0.1, 500.0), ("ann", 9.7, -400.0), ("bob"
 """Two trials that begin at the same time, one that follows by itself, and another person's."""
 
 
-def parts() -> list[Played]:
-    return [Played(user, f"{user}-{i}", reach(t, way, i)) for i, (user, t, way) in enumerate(TRIALS)]
+def parts() -> list[PlayedTrial]:
+    return [PlayedTrial(user, f"{user}-{i}", reach(t, way, i)) for i, (user, t, way) in enumerate(TRIALS)]
 
 
-def played(trials: Sequence[Played], speed: float = 1.0, **more: Any) -> tuple[PlayedSource, Clock]:
+def played(trials: Sequence[PlayedTrial], speed: float = 1.0, **more: Any) -> tuple[PlayedSource, Clock]:
     clock = Clock()
     return PlayedSource("replay", "f", trials, speed=speed, clock=clock, sleep=clock.sleep, **more), clock
 
 
-def pairs_of(trials: Sequence[Played], speed: float = math.inf) -> list[Pair]:
+def pairs_of(trials: Sequence[PlayedTrial], speed: float = math.inf) -> list[Pair]:
     """What a session makes of trials."""
     source, _ = played(trials, speed)
     session = LiveSession(source, PlayedPath("recorded"), PlayedPipeline(build(NAME)))
@@ -75,7 +76,7 @@ def pairs_of(trials: Sequence[Played], speed: float = math.inf) -> list[Pair]:
     return pairs
 
 
-def batch(trials: Sequence[Played]) -> FloatArray:
+def batch(trials: Sequence[PlayedTrial]) -> FloatArray:
     """Predictions of the recording as ``run`` makes them: a fresh pipeline a person, a beginning a trial."""
     tables = []
     for user in dict.fromkeys(trial.user for trial in trials):
@@ -111,7 +112,7 @@ def test_shown_times_grow_and_stay_as_recorded_where_they_can() -> None:
 
 @pytest.mark.parametrize("speed", [1.0, 2.0])
 def test_events_come_when_they_came(speed: float) -> None:
-    trial = Played("ann", "a", EventColumns.of([5.0, 5.1, 5.4], [0.0, 1.0, 2.0], [0.0, 0.0, 0.0]))
+    trial = PlayedTrial("ann", "a", EventColumns.of([5.0, 5.1, 5.4], [0.0, 1.0, 2.0], [0.0, 0.0, 0.0]))
     source, clock = played([trial], speed)
     came: list[tuple[float, float]] = []
     while not source.ended:
@@ -149,7 +150,7 @@ def file(tmp_path: Path) -> Path:
 def test_the_command_plays_all_of_it_and_ends_with_0(
     command: Callable[..., Any], file: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for module in ("hid", "evdev", "pointpred.devices.hid", "pointpred.devices.evdev"):
+    for module in ("hid", "evdev", "pointpred.devices.hidraw.nodes", "pointpred.devices.evdev.nodes"):
         monkeypatch.setitem(sys.modules, module, None)  # an import of these fails
     back = file.with_name("back_samples.csv")
     left = command("live", "--replay", file, "--speed", "max", "--record", back)

@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 
 from pointpred import EventColumns, PointerEvent, build, run
-from pointpred.devices.gauges import Delays, Pace
-from pointpred.devices.paths import MotorPath, TransferPath
-from pointpred.devices.sessions import LiveSession, Pair
+from pointpred.devices.cursor_paths import MotorPath, TransferPath
 from pointpred.devices.source import Report
+from pointpred.events import Pair
+from pointpred.live.session import LiveSession
+from pointpred.live.statistics import Delays, Pace
 from pointpred.transfer import ConstantGain, PixelTransfer, SigmoidGain
 from tests.devices.live_fakes import FakeMouse, reach
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from pointpred import build
-from pointpred.cli import live_view
-from pointpred.devices.sessions import LiveSession
 from pointpred.devices.source import MOST_WAITING, Report
+from pointpred.live import terminal
+from pointpred.live.session import LiveSession
 from tests.devices.live_fakes import FakeMouse
 
 
@@ -18,15 +18,15 @@ def session_of(mouse: FakeMouse) -> LiveSession:
 def test_a_device_of_which_nothing_could_be_read_says_so_at_the_end() -> None:
     mouse = FakeMouse()
     mouse.unreadable = 41
-    said = live_view.ending(session_of(mouse))
+    said = terminal.summary(session_of(mouse))
     assert said.startswith("0 reports: nothing that /dev/nowhere sent could be read; 0 lost, 41 unreadable")
 
 
 def test_a_device_that_was_read_or_sent_nothing_is_not_blamed() -> None:
     read = FakeMouse([Report(0.0, 1, 0)])
     read.unreadable = 41
-    assert live_view.ending(session_of(read)).startswith("1 report; 0 lost, 41 unreadable")
-    assert live_view.ending(session_of(FakeMouse())).startswith("0 reports; 0 lost, 0 unreadable")
+    assert terminal.summary(session_of(read)).startswith("1 report; 0 lost, 41 unreadable")
+    assert terminal.summary(session_of(FakeMouse())).startswith("0 reports; 0 lost, 0 unreadable")
 
 
 def test_losses_are_told_by_kind_in_every_view() -> None:
@@ -35,14 +35,14 @@ def test_losses_are_told_by_kind_in_every_view() -> None:
     session = session_of(mouse)
     told = "7 lost, 3 unreadable, 0 refused, 2 gaps in the kernel"
     state = session.state()
-    assert live_view.losses(state) == told
-    assert dict(live_view.state_rows(state))["losses"] == told
-    assert f"; {told}; " in live_view.line(state, session.newest)
-    assert f"; {told}; " in live_view.ending(session)
+    assert terminal.losses(state) == told
+    assert dict(terminal.state_rows(state))["losses"] == told
+    assert f"; {told}; " in terminal.line(state, session.newest)
+    assert f"; {told}; " in terminal.summary(session)
 
 
 def test_what_was_refused_comes_with_its_reason() -> None:
     session = session_of(FakeMouse([Report(1.0, 1, 0), Report(0.5, 1, 0)]))
-    said = live_view.losses(session.state())
+    said = terminal.losses(session.state())
     assert said.startswith("0 lost, 0 unreadable, 1 refused, 0 gaps in the kernel (")
     assert "0.5" in said

@@ -14,14 +14,13 @@ from typer.testing import CliRunner
 
 from pointpred import PointerEvent, build
 from pointpred.cli.app import app
-from pointpred.cli.live_notes import silence
-from pointpred.devices.lsl import ahead_s
-from pointpred.devices.lsl_inlet import Channels, LslInlet, channels_of
-from pointpred.devices.lsl_outlet import CHANNELS, LslOutlet
-from pointpred.devices.paths import PositionPath
-from pointpred.devices.played import PlayedSource
-from pointpred.devices.sessions import LiveSession
+from pointpred.devices.cursor_paths import PositionPath
+from pointpred.devices.lsl import Channels, LslInlet, ahead_s, channels_of
 from pointpred.errors import ParameterError, SourceError
+from pointpred.live.lsl_outlet import CHANNELS, LslOutlet
+from pointpred.live.notes import silence
+from pointpred.live.playback import PlayedSource
+from pointpred.live.session import LiveSession
 
 CONFIGURATION = """[ports]
 IPv6 = disable

@@ -6,17 +6,17 @@ from pathlib import Path
 
 import pytest
 
-from pointpred.devices import naming
-from pointpred.devices.naming import path_of
-from pointpred.devices.source import Found
+from pointpred.devices import selection
+from pointpred.devices.selection import device_path
+from pointpred.devices.source import DeviceInfo
 from pointpred.errors import SourceError
 
 MICE = [
-    Found("/dev/input/event4", "Logitech G Pro", "evdev", True),
-    Found("/dev/input/event5", "Trackball", "evdev", False, "Permission denied"),
-    Found("/dev/input/event6", "Logitech G502", "evdev", True),
-    Found("/dev/hidraw0", "G Pro", "hid", True),
-    Found("/dev/hidraw1", "Trackball", "hid", True),
+    DeviceInfo("/dev/input/event4", "Logitech G Pro", "evdev", True),
+    DeviceInfo("/dev/input/event5", "Trackball", "evdev", False, "Permission denied"),
+    DeviceInfo("/dev/input/event6", "Logitech G502", "evdev", True),
+    DeviceInfo("/dev/hidraw0", "G Pro", "hid", True),
+    DeviceInfo("/dev/hidraw1", "Trackball", "hid", True),
 ]
 
 
@@ -34,15 +34,15 @@ MICE = [
     ],
 )
 def test_short_names_and_parts_of_names(name: str, path: str) -> None:
-    assert path_of(name, MICE) == path
+    assert device_path(name, MICE) == path
 
 
 @pytest.mark.parametrize(("name", "said"), [("logitech", "event6"), ("wacom", "event5"), ("", "event5")])
 def test_what_fits_none_or_several_names_what_there_is(name: str, said: str) -> None:
     with pytest.raises(SourceError, match=said):
-        path_of(name, MICE)
+        device_path(name, MICE)
     with pytest.raises(SourceError, match="none"):
-        path_of(name, [])
+        device_path(name, [])
 
 
 def test_links_are_followed_where_udev_makes_them(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -50,7 +50,7 @@ def test_links_are_followed_where_udev_makes_them(tmp_path: Path, monkeypatch: p
     (tmp_path / "my-mouse").symlink_to("hidraw7")
     (tmp_path / "event4").touch()
     (tmp_path / "usb-Some_Mouse-event-mouse").symlink_to("event4")
-    monkeypatch.setattr(naming, "LINKS", (tmp_path,))
-    assert path_of(str(tmp_path / "my-mouse"), MICE) == str(tmp_path / "hidraw7")
+    monkeypatch.setattr(selection, "LINKS", (tmp_path,))
+    assert device_path(str(tmp_path / "my-mouse"), MICE) == str(tmp_path / "hidraw7")
     link = str(tmp_path / "usb-Some_Mouse-event-mouse")
-    assert path_of("usb-Some_Mouse-event-mouse", MICE) == path_of(link, MICE) == link
+    assert device_path("usb-Some_Mouse-event-mouse", MICE) == device_path(link, MICE) == link

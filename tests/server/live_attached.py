@@ -9,9 +9,10 @@ from contextlib import contextmanager
 from typing import Any
 
 from pointpred import build
-from pointpred.devices.paths import MotorPath
-from pointpred.devices.sessions import LiveSession
+from pointpred.devices.cursor_paths import MotorPath
 from pointpred.devices.source import Report
+from pointpred.live.page import status_of
+from pointpred.live.session import LiveSession
 from pointpred.protocol.live_messages import Attached
 from pointpred.server.live.feed import LiveFeed
 from pointpred.server.service import Service
@@ -27,7 +28,7 @@ class Attachment:
     def __init__(self) -> None:
         self.mouse = FakeMouse()
         self.session = LiveSession(self.mouse, MotorPath(800.0), build("switched", cpi=800.0))
-        self.feed = LiveFeed(ATTACHED, self.session.state)
+        self.feed = LiveFeed(ATTACHED, lambda: status_of(self.session.state()))
         self.session.watchers.append(self.feed.take)
 
     def move(self, begin: float) -> int:

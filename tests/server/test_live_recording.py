@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 from pointpred import build
-from pointpred.devices.paths import MotorPath
-from pointpred.devices.sessions import LiveSession
+from pointpred.devices.cursor_paths import MotorPath
+from pointpred.live.recording import LiveRecording
+from pointpred.live.session import LiveSession
 from pointpred.protocol.client_messages import Device, Hello, Screen
-from pointpred.server.recorder.live_recording import LiveRecording
 from pointpred.sources import read
 from tests.devices.live_fakes import FakeMouse, reach
 from tests.server.listener import soon

@@ -12,7 +12,7 @@ import pytest
 
 from pointpred import compiled, extras
 from pointpred.cli.doctor import LOOKS, Finding, looked
-from pointpred.devices.source import Found
+from pointpred.devices.source import DeviceInfo
 from pointpred.errors import SourceError
 
 DOCTOR = import_module("pointpred.cli.doctor")
@@ -119,15 +119,15 @@ def test_a_look_that_fails_is_a_finding() -> None:
     ("mice", "state", "found", "advice"),
     [
         ([], "missing", "none found", "plug one in"),
-        ([Found("/dev/a", "A", "hid", True)], "good", "1 mouse, 0 closed", None),
+        ([DeviceInfo("/dev/a", "A", "hid", True)], "good", "1 mouse, 0 closed", None),
         (
-            [Found("/dev/a", "A", "hid", False, "permission denied", "write the rule")],
+            [DeviceInfo("/dev/a", "A", "hid", False, "permission denied", "write the rule")],
             "missing",
             "1 mouse, 1 closed: permission denied",
             "write the rule",
         ),
         (
-            [Found("/dev/a", "A", "hid", True), Found("/dev/b", "B", "hid", False, "why", "do")],
+            [DeviceInfo("/dev/a", "A", "hid", True), DeviceInfo("/dev/b", "B", "hid", False, "why", "do")],
             "good",
             "2 devices, 1 closed",
             None,
@@ -135,9 +135,9 @@ def test_a_look_that_fails_is_a_finding() -> None:
     ],
 )
 def test_mice_are_counted_and_closed_ones_say_what_to_do(
-    monkeypatch: pytest.MonkeyPatch, mice: list[Found], state: str, found: str, advice: str | None
+    monkeypatch: pytest.MonkeyPatch, mice: list[DeviceInfo], state: str, found: str, advice: str | None
 ) -> None:
-    monkeypatch.setattr("pointpred.devices.hid_devices.list_hid", lambda: mice)
+    monkeypatch.setattr("pointpred.devices.hidraw.nodes.list_hid", lambda: mice)
     one = DOCTOR.devices()[0]
     assert (one.name, one.state, one.found) == ("mice, hidraw", state, found)
     assert (one.advice or "").startswith(advice or "")

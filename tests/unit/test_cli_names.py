@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 import typer
 
-from pointpred.cli.screen import plain
+from pointpred.console import plain
 
 HEADER = "user,trial,t_s,x_px,y_px\n"
 ROWS = "u,1,0,0,0\nu,1,0.1,1,0\nu,1,0.2,60,0\nu,1,0.3,101,0\n"

@@ -9,7 +9,8 @@ from typing import Any
 
 import pytest
 
-from pointpred.cli import screen, tables
+from pointpred import console
+from pointpred.cli import tables
 from pointpred.cli.doctor import Finding
 from pointpred.columns import EventColumns
 from pointpred.datasets import listing
@@ -26,8 +27,8 @@ COLUMNS = 80
 def terminal(monkeypatch: pytest.MonkeyPatch) -> None:
     """Results go to a terminal of 80 columns, wherever they really go."""
 
-    def narrow() -> screen.Console:
-        return screen.Screen(width=COLUMNS, highlight=False, force_terminal=True, color_system=None)
+    def narrow() -> console.Console:
+        return console.Screen(width=COLUMNS, highlight=False, force_terminal=True, color_system=None)
 
     for name, module in list(sys.modules.items()):
         if name.startswith("pointpred.cli.") and hasattr(module, "results"):

@@ -11,10 +11,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pointpred.devices import evdev, evdev_clock, evdev_nodes
-from pointpred.devices.evdev import EvdevSource
-from pointpred.devices.evdev_clock import Clock
-from pointpred.devices.evdev_decoding import EVENT, Frame, FrameDecoder, pressed
+from pointpred.devices.evdev import nodes, source
+from pointpred.devices.evdev.clock import EVIOCSCLOCKID, Clock
+from pointpred.devices.evdev.frame_decoder import EVENT, Frame, FrameDecoder, pressed
+from pointpred.devices.evdev.source import EvdevSource
 from pointpred.errors import SourceError
 from pointpred.sources.evdev_frames import Frames, frames
 
@@ -104,8 +104,8 @@ def test_a_bitmap_of_keys_is_a_mask_of_buttons() -> None:
 def test_requests_have_the_numbers_of_the_kernel_s_header() -> None:
     """EVIOCSCLOCKID is _IOW('E', 0xa0, int) in linux/input.h, EVIOCGKEY(n) _IOC(_IOC_READ, 'E', 0x18, n)."""
     write, read = 1, 2
-    assert write << 30 | struct.calcsize("i") << 16 | ord("E") << 8 | 0xA0 == evdev_clock.EVIOCSCLOCKID
-    assert read << 30 | evdev.KEY_BYTES << 16 | ord("E") << 8 | 0x18 == evdev.EVIOCGKEY
+    assert write << 30 | struct.calcsize("i") << 16 | ord("E") << 8 | 0xA0 == EVIOCSCLOCKID
+    assert read << 30 | source.KEY_BYTES << 16 | ord("E") << 8 | 0x18 == source.EVIOCGKEY
 
 
 def test_the_monotonic_clock_is_asked_for_and_its_stamps_stay(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -113,7 +113,7 @@ def test_the_monotonic_clock_is_asked_for_and_its_stamps_stay(monkeypatch: pytes
     monkeypatch.setattr(fcntl, "ioctl", lambda *words: asked.append(words) or 0)
     clock = Clock()
     clock.ask(5)
-    assert asked == [(5, evdev_clock.EVIOCSCLOCKID, struct.pack("i", 1))]
+    assert asked == [(5, EVIOCSCLOCKID, struct.pack("i", 1))]
     assert "monotonic" in clock.words
     assert clock.seconds(12_000_250, now=500.0) == 12.00025
 
@@ -148,7 +148,7 @@ def test_a_clock_set_back_does_not_hold_the_time(pause_s: float, back_us: int) -
 
 def test_elsewhere_than_on_linux_the_browser_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     for platform in ("win32", "darwin"):
-        monkeypatch.setattr(evdev_nodes.sys, "platform", platform)
+        monkeypatch.setattr(nodes.sys, "platform", platform)
         with (
             pytest.raises(
                 SourceError, match=f"Linux only, this is {platform}; open the live page in a browser"
@@ -159,8 +159,8 @@ def test_elsewhere_than_on_linux_the_browser_is_named(monkeypatch: pytest.Monkey
 
 
 def test_a_machine_without_nodes_has_an_empty_list(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setattr(evdev_nodes, "NODES", tmp_path / "input")
-    assert evdev.list_evdev() == []
+    monkeypatch.setattr(nodes, "NODES", tmp_path / "input")
+    assert nodes.list_evdev() == []
 
 
 def test_a_source_must_be_entered_first() -> None:

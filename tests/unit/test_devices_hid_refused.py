@@ -11,8 +11,9 @@ from typing import Any
 
 import pytest
 
-from pointpred.devices import hid_devices
-from pointpred.devices.hid import HidSource, list_hid
+from pointpred.devices.hidraw import nodes
+from pointpred.devices.hidraw.nodes import list_hid
+from pointpred.devices.hidraw.source import HidSource
 from pointpred.devices.udev import shipped_rules
 from pointpred.errors import SourceError
 from tests.devices.mice import TWO_WHEELS
@@ -60,9 +61,9 @@ def plugged(monkeypatch: pytest.MonkeyPatch) -> Callable[..., Handle]:
         handle = Handle(reports, then, descriptor)
         module = SimpleNamespace(enumerate=lambda: entries, device=lambda: handle)
         monkeypatch.setitem(sys.modules, "hidraw", module)
-        monkeypatch.setattr(hid_devices, "no_mouse", lambda device: None)
-        monkeypatch.setattr(hid_devices.Path, "exists", lambda path: True)
-        monkeypatch.setattr(hid_devices.os, "access", lambda path, mode: True)
+        monkeypatch.setattr(nodes, "not_a_mouse", lambda device: None)
+        monkeypatch.setattr(nodes.Path, "exists", lambda path: True)
+        monkeypatch.setattr(nodes.os, "access", lambda path, mode: True)
         return handle
 
     return plug
@@ -114,7 +115,7 @@ def test_without_permission_the_exact_line_is_printed(
     plugged: Callable[..., Handle], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     plugged()
-    monkeypatch.setattr(hid_devices.os, "access", lambda path, mode: False)
+    monkeypatch.setattr(nodes.os, "access", lambda path, mode: False)
     line = 'KERNEL=="hidraw*", SUBSYSTEM=="hidraw", KERNELS=="*:046D:C077.*", TAG+="uaccess"'
     (found,) = list_hid()
     assert (found.openable, found.why) == (False, "permission denied")
@@ -125,7 +126,7 @@ def test_without_permission_the_exact_line_is_printed(
         assert f"\n  {line}\n" in said
         assert "/etc/udev/rules.d/70-pointpred.rules" in said
         assert "sudo udevadm control --reload && sudo udevadm trigger" in said
-    monkeypatch.setattr(hid_devices, "says_mouse", lambda device: True)
+    monkeypatch.setattr(nodes, "is_mouse_interface", lambda device: True)
     assert 'ATTRS{modalias}=="usb:v046DpC077*", ATTRS{bInterfaceProtocol}=="02"' in str(list_hid()[0].advice)
 
 
@@ -133,7 +134,7 @@ def test_a_node_that_is_listed_but_not_there(
     plugged: Callable[..., Handle], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     plugged()
-    monkeypatch.setattr(hid_devices.Path, "exists", lambda path: False)
+    monkeypatch.setattr(nodes.Path, "exists", lambda path: False)
     assert "there is no such node" in str(list_hid()[0].why)
 
 

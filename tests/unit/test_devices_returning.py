@@ -8,10 +8,11 @@ from typing import Any
 
 import pytest
 
-from pointpred.devices import evdev_nodes, hid
-from pointpred.devices.evdev import EvdevSource
-from pointpred.devices.hid import HidSource
-from pointpred.devices.hid_devices import HidDevice
+from pointpred.devices.evdev import nodes
+from pointpred.devices.evdev.source import EvdevSource
+from pointpred.devices.hidraw import source as source_module
+from pointpred.devices.hidraw.nodes import HidDevice
+from pointpred.devices.hidraw.source import HidSource
 
 
 def quick(kind: type, there: list[Any], mouse: Any, back: Any) -> Any:
@@ -32,7 +33,7 @@ def quick(kind: type, there: list[Any], mouse: Any, back: Any) -> Any:
 def test_of_hidapi(monkeypatch: pytest.MonkeyPatch) -> None:
     mouse, twin, back = (HidDevice(f"/dev/hidraw{i}", "Mouse", 0x46D, 0xC077, "", 0) for i in range(3))
     there, opened = [mouse, twin], []
-    monkeypatch.setattr(hid, "hid_devices", lambda: list(there))
+    monkeypatch.setattr(source_module, "hid_devices", lambda: list(there))
     source = quick(HidSource, there, mouse, back)
     source._device, source._handle = mouse, SimpleNamespace(close=lambda: None)
     source._open = opened.append
@@ -43,11 +44,11 @@ def test_of_hidapi(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_of_evdev(monkeypatch: pytest.MonkeyPatch) -> None:
     mouse, twin, back = (
-        evdev_nodes.Node(f"/dev/input/event{i}", "Mouse", ("Mouse",), "", True, False) for i in range(3)
+        nodes.Node(f"/dev/input/event{i}", "Mouse", ("Mouse",), "", True, False) for i in range(3)
     )
     there, opened = [mouse, twin], []
     looks = iter(range(3))
-    monkeypatch.setattr(evdev_nodes, "nodes", lambda: (next(looks), list(there))[1])  # not for ever
+    monkeypatch.setattr(nodes, "nodes", lambda: (next(looks), list(there))[1])  # not for ever
     source = quick(EvdevSource, there, mouse, back)
     source._node, source._file = mouse, os.open(os.devnull, os.O_RDONLY)
     source._stopped, writing = os.pipe()

@@ -11,7 +11,7 @@ from typing import Literal, Self
 import msgspec
 
 from pointpred.columns import EventColumns
-from pointpred.devices.paths import Space
+from pointpred.devices.cursor_paths import Space
 from pointpred.devices.source import Report
 from pointpred.errors import ParameterError
 from pointpred.events import PointerEvent, Prediction
@@ -27,7 +27,7 @@ MOST_AT_ONCE = 256
 Begin = Literal["", "trial", "person"]
 
 
-class Played(msgspec.Struct, frozen=True):
+class PlayedTrial(msgspec.Struct, frozen=True):
     """A trial to play: whose it is, its name, and its events, at least one, in the order of their times."""
 
     user: str
@@ -55,7 +55,7 @@ class PlayedSource:
     """A ``DeviceSource`` that plays trials one after another.
 
     ``speed``: 1 as recorded, 2 twice as fast, infinity without waiting. The first ``take`` that may wait
-    begins, once ``hold`` no longer says to wait; ``ended`` is true when everything was taken. A trial whose
+    begins, once ``hold`` returns false; ``ended`` is true when everything was taken. A trial whose
     times do not follow those before it is shown later, and computed with the times as recorded. Memory: the
     recording and one event ahead. Raises ParameterError for a speed that is not positive, or no trial.
     """
@@ -67,7 +67,7 @@ class PlayedSource:
         self,
         name: str,
         path: str,
-        trials: Sequence[Played],
+        trials: Sequence[PlayedTrial],
         *,
         speed: float = 1.0,
         words: str = "seconds",
@@ -83,7 +83,7 @@ class PlayedSource:
         self.clock = f"the recording's own: {words}"
         self.trials = len(trials)
         self.speed = speed
-        self.hold: Callable[[], bool] = _never
+        self.hold: Callable[[], bool] = lambda: False
         self.ended = False
         self.playing = ""
         """Which trial the newest event belongs to, and its place among all."""
@@ -93,13 +93,13 @@ class PlayedSource:
         self._began: float | None = None
 
     @property
-    def told(self) -> str:
-        """How many trials are played, and how fast."""
+    def pace(self) -> str:
+        """How many trials are played, and how fast, in words."""
         many = f"{self.trials} trials" if self.trials != 1 else "1 trial"
         if math.isinf(self.speed):
             return f"{many}, without waiting"
-        pace = "as recorded" if self.speed == 1.0 else f"{self.speed:g} times as fast as recorded"
-        return f"{many}, {pace}"
+        speed = "as recorded" if self.speed == 1.0 else f"{self.speed:g} times as fast as recorded"
+        return f"{many}, {speed}"
 
     def take(self, timeout_s: float) -> list[Report]:
         """The events that are due, after waiting at most ``timeout_s`` for the next one."""
@@ -182,7 +182,7 @@ class PlayedPipeline:
         return type(self)(self._pipeline.fresh())
 
 
-def _schedule(trials: Sequence[Played]) -> Iterator[tuple[float, str, Report]]:
+def _schedule(trials: Sequence[PlayedTrial]) -> Iterator[tuple[float, str, Report]]:
     """When each event is due, s after the beginning at speed 1; in which trial; and the event."""
     due_s, shown_s, user = 0.0, -math.inf, None
     for place, trial in enumerate(trials, 1):
@@ -203,7 +203,3 @@ def _report(event: PointerEvent, shown_s: float, begin: Begin) -> PlayedReport:
         shown_s, event.x, event.y, event.dx, event.dy, event.buttons, recorded=event, begin=begin
     )
     return PlayedReport(shown_s, event.dx or 0.0, event.dy or 0.0, event.buttons, event=shown)
-
-
-def _never() -> bool:
-    return False

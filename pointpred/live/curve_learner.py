@@ -1,23 +1,18 @@
-"""The system's transfer function learnt while ``pointpred live`` runs, and kept where it was asked for."""
+"""The transfer function of the system, learned while a session runs."""
 
 from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from pointpred.devices.paths import PositionPath
+from pointpred.devices.cursor_paths import CursorPath, PositionPath
 from pointpred.errors import EventError, SourceError
-from pointpred.transfer import TransferLearner, save_transfer
-
-if TYPE_CHECKING:
-    from pointpred.devices.paths import CursorPath
-    from pointpred.devices.sessions import Pair
-    from pointpred.transfer import GainCurve
+from pointpred.events import Pair
+from pointpred.transfer import GainCurve, TransferLearner, save_transfer
 
 CURVE_S = 2.0
-"""How often the curve is worked out anew: it takes some 30 ms."""
+"""How often the curve is computed anew: it takes some 30 ms."""
 NEEDS_CURSOR = "a transfer function is learnt from counts and the screen's cursor; here only counts are known"
 NEEDS_COUNTS = (
     "a transfer function is learnt from counts and the screen's cursor; here only the cursor is known"
@@ -25,19 +20,19 @@ NEEDS_COUNTS = (
 NEEDS_CPI = "the transfer function is learnt with counts per inch: give --cpi, or measure with --measure-cpi"
 
 
-class Learning:
-    """A learner fed by a session (a ``Watcher``), and its curve worked out on a thread of its own."""
+class CurveLearner:
+    """Learns from the events of a session (a ``Watcher``); a thread of its own computes the curve."""
 
     def __init__(self, cpi: float, dpi: float, size: tuple[int, int] | None) -> None:
         self.cpi, self.dpi = cpi, dpi
         self.learner = TransferLearner(cpi=cpi, dpi=dpi, size=size)
         self.curve: GainCurve = self.learner.curve()
         self.unused = 0
-        """Events it did not take, such as those that only correct a place."""
+        """Events it refused, such as those that only correct a place."""
         self._events = 0
 
     def take(self, pairs: Sequence[Pair]) -> None:
-        """Learn from what came."""
+        """Learn from a batch."""
         for event, _ in pairs:
             try:
                 self.learner.update(event)
@@ -45,12 +40,12 @@ class Learning:
                 self.unused += 1
         self._events += len(pairs)
 
-    def start(self, stopping: threading.Event, told: Callable[[GainCurve], None]) -> None:
-        """Work the curve out every two seconds in which something came, until ``stopping`` is set."""
-        threading.Thread(target=self._run, args=(stopping, told), name="transfer", daemon=True).start()
+    def start(self, stopping: threading.Event, changed: Callable[[GainCurve], None]) -> None:
+        """Compute the curve every two seconds in which something came, until ``stopping`` is set."""
+        threading.Thread(target=self._run, args=(stopping, changed), name="transfer", daemon=True).start()
 
     def save(self, path: Path) -> str:
-        """Write the function; returns what came of it in words. Raises SourceError where there is none."""
+        """Write the function; returns a sentence about it. Raises SourceError where there is none."""
         function = self.learner.identify().function
         if function is None:
             raise SourceError(f"no transfer function to save in {path}: {self.learner.curve().words}")
@@ -64,17 +59,17 @@ class Learning:
         like = f"; closest: {best.kind}, off by {100 * best.largest:.1f} % at most" if best else ""
         return curve.words + like
 
-    def _run(self, stopping: threading.Event, told: Callable[[GainCurve], None]) -> None:
+    def _run(self, stopping: threading.Event, changed: Callable[[GainCurve], None]) -> None:
         seen = 0
         while not stopping.wait(CURVE_S):
             if self._events != seen:
                 seen = self._events
                 self.curve = self.learner.curve()
-                told(self.curve)
+                changed(self.curve)
 
 
-def learning_of(path: CursorPath, cpi: float | None, dpi: float) -> Learning | str:
-    """A learner where there is something to learn from, otherwise why there is none."""
+def curve_learner(path: CursorPath, cpi: float | None, dpi: float) -> CurveLearner | str:
+    """A learner, or why nothing can be learned from this path."""
     if path.space != "screen":
         return NEEDS_CURSOR
     if isinstance(path, PositionPath) and not path.counts:
@@ -82,4 +77,4 @@ def learning_of(path: CursorPath, cpi: float | None, dpi: float) -> Learning | s
     if cpi is None:
         return NEEDS_CPI
     cursor = getattr(path, "cursor", None)
-    return Learning(cpi, dpi, getattr(cursor, "size", None))
+    return CurveLearner(cpi, dpi, getattr(cursor, "size", None))

@@ -7,9 +7,9 @@ import time
 from collections.abc import Callable, Sequence
 from typing import Protocol, Self
 
-from pointpred.devices.paths import PositionReport
+from pointpred.devices.cursor_paths import PositionReport
 from pointpred.devices.reader import ReaderSource
-from pointpred.devices.source import MOST_WAITING, Found
+from pointpred.devices.source import MOST_WAITING, DeviceInfo
 from pointpred.errors import ParameterError, SourceError
 from pointpred.events import PointerEvent
 
@@ -118,27 +118,27 @@ class CursorSource(ReaderSource):
 def system_cursor(display: str | None = None) -> SystemCursor:
     """The cursor of this system, or of an X11 display; raises SourceError where it cannot be read."""
     if sys.platform in ("win32", "cygwin"):
-        from pointpred.devices.cursor_windows import WindowsCursor
+        from pointpred.devices.cursor.windows import WindowsCursor
 
         return WindowsCursor()
     if sys.platform == "darwin":
-        from pointpred.devices.cursor_macos import MacCursor
+        from pointpred.devices.cursor.macos import MacCursor
 
         return MacCursor()
-    from pointpred.devices.cursor_x11 import ScreenCursor
+    from pointpred.devices.cursor.x11 import ScreenCursor
 
     return ScreenCursor(display)
 
 
-def found_cursor() -> Found:
+def cursor_info() -> DeviceInfo:
     """The cursor as one of the devices of this system, tried."""
     note = ", untested on this platform" if sys.platform in UNTRIED else ""
     name = f"{CursorSource.name}, looked at {RATE_HZ:g} times a second{note}"
     try:
         system_cursor().close()
     except SourceError as error:
-        return Found(NAME, name, "cursor", False, "it cannot be read", str(error))
-    return Found(NAME, name, "cursor", True)
+        return DeviceInfo(NAME, name, "cursor", False, "it cannot be read", str(error))
+    return DeviceInfo(NAME, name, "cursor", True)
 
 
 def mask_of(pressed: Sequence[bool]) -> int:

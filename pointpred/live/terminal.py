@@ -1,11 +1,12 @@
-"""What ``pointpred live`` shows: a table that stands still in a terminal, a line a second elsewhere."""
+"""What ``pointpred live`` prints: a table drawn in place in a terminal, elsewhere a line a second."""
 
 from __future__ import annotations
 
+import logging
+from collections import deque
 from collections.abc import Callable
 from math import hypot
 from threading import Event
-from typing import TYPE_CHECKING
 
 from rich.console import Console
 from rich.live import Live
@@ -13,34 +14,35 @@ from rich.panel import Panel
 from rich.table import Table
 from rich.text import Text
 
-from pointpred.cli.screen import counted, plain, remarks
-from pointpred.devices.played import PlayedSource
-
-if TYPE_CHECKING:
-    from pointpred.devices.sessions import LiveSession, LiveState
-    from pointpred.events import PointerEvent, Prediction
+from pointpred.console import counted, plain, remarks
+from pointpred.events import PointerEvent, Prediction
+from pointpred.live.playback import PlayedSource
+from pointpred.live.session import LiveSession, LiveState
+from pointpred.server.logs import OWN, PlainLines
 
 REFRESH_S = 0.2
 LINE_S = 1.0
 REST_S = 0.3
 """A pause that ends a movement."""
 DASH = "-"
+MOST_PROBLEMS = 20
+"""Warnings and errors of the log that are printed at the end."""
 
-Extra = Callable[[], list[tuple[str, str]]]
-"""More rows, such as what is recorded."""
+Rows = list[tuple[str, str]]
+"""Names and values."""
 
 
 def show(
-    session: LiveSession, heading: list[tuple[str, str]], stopping: Event, console: Console, extra: Extra
+    session: LiveSession, heading: Rows, stopping: Event, console: Console, extra: Callable[[], Rows]
 ) -> None:
     """Show the session until ``stopping`` is set."""
     if not console.is_terminal:
-        noted = None
+        shown = None
         while not stopping.wait(LINE_S):
             state = session.state()
-            if state.note != noted and state.note is not None:
+            if state.note != shown and state.note is not None:
                 remarks().print(f"note: {state.note}", markup=False)
-            noted = state.note
+            shown = state.note
             console.print(line(state, session.newest, timed=timed(session)), markup=False, soft_wrap=True)
         return
     with Live(console=console, auto_refresh=False, transient=False) as view:
@@ -50,10 +52,10 @@ def show(
                 return
 
 
-def picture(session: LiveSession, heading: list[tuple[str, str]], extra: list[tuple[str, str]]) -> Panel:
+def picture(session: LiveSession, heading: Rows, extra: Rows) -> Panel:
     """The whole view; always as many rows, so that nothing jumps, but for a note at its end."""
     state, newest = session.state(), session.newest
-    told = [
+    rows = [
         *heading,
         *prediction_rows(newest, state.idle_s),
         *state_rows(state, timed=timed(session)),
@@ -63,15 +65,13 @@ def picture(session: LiveSession, heading: list[tuple[str, str]], extra: list[tu
     table = Table.grid(padding=(0, 2))
     table.add_column(style="dim", no_wrap=True)
     table.add_column(overflow="fold")
-    for name, words in told:
+    for name, words in rows:
         table.add_row(name, Text(plain(words)))
     title = "pointpred live" if state.plugged else "pointpred live: unplugged, waiting for the device"
     return Panel(table, title=title, title_align="left", subtitle="Ctrl-C stops", subtitle_align="right")
 
 
-def prediction_rows(
-    newest: tuple[PointerEvent, Prediction | None] | None, idle_s: float
-) -> list[tuple[str, str]]:
+def prediction_rows(newest: tuple[PointerEvent, Prediction | None] | None, idle_s: float) -> Rows:
     """Cursor, endpoint, phase and time left; a prediction says nothing of a device that rests."""
     cursor = "nothing has moved yet" if newest is None else f"{newest[0].x:.0f}, {newest[0].y:.0f} px"
     event, one = newest or (None, None)
@@ -89,11 +89,11 @@ def prediction_rows(
 
 
 def timed(session: LiveSession) -> bool:
-    """Whether delays mean something: the times of a recording that is played are not of now."""
+    """Whether delays mean something: the times of a recording that is played are not those of now."""
     return not isinstance(session.source, PlayedSource)
 
 
-def state_rows(state: LiveState, *, timed: bool = True) -> list[tuple[str, str]]:
+def state_rows(state: LiveState, *, timed: bool = True) -> Rows:
     """Rate, losses and, where they are ``timed``, delays."""
     return [
         ("reports", f"{state.reports}, now {state.rate_hz:.0f}/s"),
@@ -104,11 +104,11 @@ def state_rows(state: LiveState, *, timed: bool = True) -> list[tuple[str, str]]
 
 def losses(state: LiveState) -> str:
     """Everything that did not become a prediction, by its kind."""
-    said = (
+    words = (
         f"{state.lost} lost, {state.unreadable} unreadable, {state.refused} refused, "
         f"{counted(state.resynchronised, 'gap')} in the kernel"
     )
-    return f"{said} ({state.why})" if state.why else said
+    return f"{words} ({state.why})" if state.why else words
 
 
 def delays(state: LiveState) -> str:
@@ -120,30 +120,51 @@ def delays(state: LiveState) -> str:
 
 def all_delays(session: LiveSession) -> str:
     """The same over the whole session, with the longest."""
-    held = session.delays
-    p50, p99 = held.percentile(0.5), held.percentile(0.99)
+    p50, p99 = session.delays.percentile(0.5), session.delays.percentile(0.99)
     if p50 is None or p99 is None:
         return delays(session.state())
-    return f"median {1000 * p50:.2f} ms, 99 % under {1000 * p99:.2f} ms, longest {1000 * held.longest:.2f} ms"
+    longest = f"longest {1000 * session.delays.longest:.2f} ms"
+    return f"median {1000 * p50:.2f} ms, 99 % under {1000 * p99:.2f} ms, {longest}"
 
 
-def ending(session: LiveSession) -> str:
-    """What a session came to; one in which nothing could be read says so."""
+def summary(session: LiveSession) -> str:
+    """Reports, losses and delays of a whole session in a sentence."""
     state = session.state()
-    told = counted(state.reports, "report")
+    words = counted(state.reports, "report")
     if state.unreadable and not state.reports:
-        told += f": nothing that {session.source.path} sent could be read"
-    return f"{told}; {losses(state)}" + (f"; delay {all_delays(session)}" if timed(session) else "")
+        words += f": nothing that {session.source.path} sent could be read"
+    return f"{words}; {losses(state)}" + (f"; delay {all_delays(session)}" if timed(session) else "")
 
 
 def line(
     state: LiveState, newest: tuple[PointerEvent, Prediction | None] | None, *, timed: bool = True
 ) -> str:
     """One line for a log."""
-    told = dict(prediction_rows(newest, state.idle_s))
+    row = dict(prediction_rows(newest, state.idle_s))
     there = "" if state.plugged else "unplugged; "
     return (
-        f"{there}{state.rate_hz:.0f} reports/s; cursor {told['cursor']}; endpoint {told['endpoint']}; "
-        f"{told['phase']}; {told['time left']} left; {losses(state)}"
+        f"{there}{state.rate_hz:.0f} reports/s; cursor {row['cursor']}; endpoint {row['endpoint']}; "
+        f"{row['phase']}; {row['time left']} left; {losses(state)}"
         + (f"; delay {delays(state)}" if timed else "")
     )
+
+
+class TerminalLog(logging.Handler):
+    """Log entries while a view is drawn: the newest for the view, warnings and errors for the end."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setFormatter(PlainLines())
+        self.newest = ""
+        self.problems: deque[str] = deque(maxlen=MOST_PROBLEMS)
+
+    def emit(self, record: logging.LogRecord) -> None:
+        """Keep one entry."""
+        self.newest = self.format(record)
+        if record.levelno >= logging.WARNING:
+            self.problems.append(self.newest)
+
+    def install(self) -> None:
+        """Take every entry of this process in place of stderr."""
+        logging.basicConfig(handlers=[self], level=logging.WARNING, force=True)
+        logging.getLogger(OWN).setLevel(logging.INFO)

@@ -1,4 +1,4 @@
-"""A session on a thread of its own, while the command line shows it or serves it."""
+"""The threads of ``pointpred live``: one drives the session, one draws the view, the main one waits."""
 
 from __future__ import annotations
 
@@ -7,22 +7,18 @@ import sys
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING
+from types import FrameType
 
-if TYPE_CHECKING:
-    from types import FrameType
-
-    from pointpred.devices.sessions import LiveSession
+from pointpred.live.session import LiveSession
 
 SWITCH_S = 0.0005
-"""How long a thread may hold the interpreter while a report waits: a view takes milliseconds to draw."""
-
+"""How long a thread may keep the interpreter while a report waits: drawing a view takes milliseconds."""
 LOOK_S = 0.5
-"""How often a main thread that waits looks for signals: one that another thread was handed wakes nobody."""
+"""How often the main thread wakes up for signals: one that another thread received does not wake it."""
 
 
-class Following:
-    """Drives a session until it is told to stop, or until something breaks, which ``stop`` then raises."""
+class SessionThread:
+    """Drives a session until it is stopped, or until something breaks, which ``stop`` then raises."""
 
     def __init__(self, session: LiveSession, failed: Callable[[str], None] = lambda why: None) -> None:
         self.session = session
@@ -32,7 +28,7 @@ class Following:
         self._thread = threading.Thread(target=self._run, name="device", daemon=True)
 
     def start(self, seconds: float | None) -> None:
-        """Begin; end by itself after ``seconds`` where they are given and a clock can count them."""
+        """Begin; end by itself after ``seconds``, unless they are ``None`` or more than a clock can count."""
         self._thread.start()
         if seconds is not None and seconds < threading.TIMEOUT_MAX:
             timer = threading.Timer(seconds, self.stopping.set)
@@ -49,15 +45,15 @@ class Following:
     def _run(self) -> None:
         try:
             self.session.run(self.stopping)
-        except Exception as error:  # told by stop(), on the main thread
+        except Exception as error:  # raised by stop(), on the main thread
             self._error = error
             self._failed("the session of the attached device ended with an error")
         finally:
             self.stopping.set()
 
 
-class Viewing:
-    """A view on a thread of its own; where it breaks it ends the session, and ``error`` is what broke it."""
+class ViewThread:
+    """Draws the view; an error ends the session and is kept in ``error``."""
 
     def __init__(self, show: Callable[[], None], stopping: threading.Event) -> None:
         self.error: BaseException | None = None
@@ -72,21 +68,21 @@ class Viewing:
     def _run(self) -> None:
         try:
             self._show()
-        except BaseException as error:  # SystemExit too: what becomes of a pipe that nobody reads any more
+        except BaseException as error:  # SystemExit too: rich raises it where a pipe was closed
             self.error = error
         finally:
             self._stopping.set()
 
 
-def until(stopping: threading.Event) -> None:
-    """Wait for the end, as the main thread, in which Python's own handlers of signals run."""
+def wait(stopping: threading.Event) -> None:
+    """Wait for the end on the main thread, where Python runs the handlers of signals."""
     while not stopping.wait(LOOK_S):
         pass
 
 
 @contextmanager
-def attentive(stopping: threading.Event) -> Iterator[None]:
-    """A process whose threads take turns quickly, and which ends in order when it is asked to."""
+def end_on_signal(stopping: threading.Event) -> Iterator[None]:
+    """End in order at SIGTERM; threads take turns quickly meanwhile."""
     interval = sys.getswitchinterval()
     sys.setswitchinterval(SWITCH_S)
 

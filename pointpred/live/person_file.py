@@ -1,11 +1,10 @@
-"""What ``pointpred live`` knows of its person, from a file and back, only where one was asked for."""
+"""The person that a session knows, in a file: read at the start and written at the end."""
 
 from __future__ import annotations
 
 import os
 from pathlib import Path
 
-from pointpred.cli.screen import check_target
 from pointpred.errors import ParameterError
 from pointpred.files import beside
 from pointpred.person import LARGEST, portable
@@ -16,11 +15,10 @@ from pointpred.registry import REGISTRY, build
 def read_person(file: Path | None, predictor: str) -> str:
     """The person of a file; "" where there is no file yet, or none was named.
 
-    Raises ParameterError for a file that holds no person of this predictor or could not be written later.
+    Raises ParameterError for a predictor without one, and for a file that holds none of this predictor.
     """
     if file is None:
         return ""
-    check_target(file)
     if str(file) == "-" or not portable(build(predictor).predictor):
         able = ", ".join(name for name in REGISTRY if portable(build(name).predictor))
         raise ParameterError(f"--person needs a file and one of {able}, received {file} and {predictor}")
@@ -36,7 +34,7 @@ def read_person(file: Path | None, predictor: str) -> str:
 
 
 def save_person(file: Path, pipeline: Pipeline) -> str:
-    """Finish the movement and write what is known, for the owner's eyes only; returns what came of it."""
+    """Finish the movement and write the person, readable by the owner only; returns what was done."""
     pipeline.reset()
     if not pipeline.person:
         return "nothing was learned, nothing saved"

@@ -8,15 +8,14 @@ from threading import Event
 
 import msgspec
 
+from pointpred.devices.cursor_paths import CursorPath, MotorPath, Space
 from pointpred.devices.first_moving import moves
-from pointpred.devices.gauges import Delays, Pace, RecentDelays
-from pointpred.devices.paths import CursorPath, MotorPath, Space
 from pointpred.devices.source import DeviceSource
 from pointpred.errors import EventError
-from pointpred.events import PointerEvent, Prediction
+from pointpred.events import Pair, PointerEvent, Prediction
+from pointpred.live.statistics import Delays, Pace, RecentDelays
 from pointpred.stage import Stage
 
-Pair = tuple[PointerEvent, Prediction | None]
 Watcher = Callable[[Sequence[Pair]], None]
 """Called on the session's thread with the pairs of each batch, empty where nothing came in time; an exception
 ends the session."""
@@ -26,7 +25,7 @@ WAIT_S = 0.1
 
 
 class LiveState(msgspec.Struct, frozen=True):
-    """What a session can say of itself at a moment.
+    """Counts, rates and delays of a session at a moment.
 
     ``idle_s`` since something was reported, infinite before. ``lost`` reports nobody took in time,
     ``unreadable`` ones that could not be decoded, ``resynchronised`` recoveries after the kernel dropped
@@ -53,7 +52,7 @@ class LiveState(msgspec.Struct, frozen=True):
 class LiveSession:
     """Pairs of a pointer event and what is predicted at it, from a device.
 
-    Assumes an open source; the one who made it closes it. ``path`` makes events of reports, ``None``
+    Assumes an open source, which the caller closes. ``path`` makes events of reports, ``None``
     integrates the counts and says so in ``words``. ``pipeline`` is any stage from events to predictions: the
     step is the one that runs everywhere. One thread drives a session, others may ask for ``state`` and read
     ``newest``. Memory is bounded over any time. Limitation: reports that the source lost leave a hole in a
@@ -89,8 +88,8 @@ class LiveSession:
         self.moved = False
         """Whether the device has moved by at least one count."""
         self.silent_s = 0.0
-        """How long it was waited for a first motion: the sum of the times waited in vain, s."""
-        self.note: Callable[[], str | None] = _nothing
+        """How long nothing has moved since the beginning: the sum of the waits without a report, s."""
+        self.note: Callable[[], str | None] = lambda: None
         """What ``state`` says of the device in words; replace it to say something."""
         self._why: str | None = None
         self._last_t = self._heard = float("-inf")
@@ -171,7 +170,3 @@ class LiveSession:
             recent.percentile(0.99),
             self.note(),
         )
-
-
-def _nothing() -> None:
-    """There is nothing to say."""

@@ -14,14 +14,14 @@ from pathlib import Path
 
 import msgspec
 
-from pointpred.devices.source import Found
+from pointpred.devices.source import DeviceInfo
 from pointpred.devices.udev import permission_advice
 from pointpred.errors import SourceError
 from pointpred.sources.evdev_frames import REL_X, REL_Y
 
 NODES, CLASS = Path("/dev/input"), Path("/sys/class/input")
 BOTH = 1 << REL_X | 1 << REL_Y
-ELSEWHERE = "open the live page in a browser instead: it sends the pointer's motion to 'pointpred serve'"
+BROWSER = "open the live page in a browser instead: it sends the pointer's motion to 'pointpred serve'"
 
 
 class Node(msgspec.Struct, frozen=True):
@@ -64,27 +64,27 @@ def node(path: str) -> Node:
     )
 
 
-def list_evdev() -> list[Found]:
+def list_evdev() -> list[DeviceInfo]:
     """The nodes of pointing devices; one that cannot be opened says why, and what to do next.
 
     Left out are nodes that sysfs says move nothing: keyboards, switches, sound jacks.
     """
-    return [found(each) for each in nodes() if each.relative is not False or each.absolute]
+    return [device_info(each) for each in nodes() if each.relative is not False or each.absolute]
 
 
-def found(each: Node) -> Found:
+def device_info(each: Node) -> DeviceInfo:
     """One node, tried."""
     if each.relative is False:
         why = "it tells absolute positions (a touchpad, tablet or touch screen), no counts"
-        return Found(each.path, each.name, "evdev", False, why, f"{ELSEWHERE}.")
+        return DeviceInfo(each.path, each.name, "evdev", False, why, f"{BROWSER}.")
     try:
-        os.close(opened(each.path))
+        os.close(open_node(each.path))
     except OSError as error:
-        return Found(each.path, each.name, "evdev", False, _why(error), advice(each, error))
-    return Found(each.path, each.name, "evdev", True)
+        return DeviceInfo(each.path, each.name, "evdev", False, _why(error), advice(each, error))
+    return DeviceInfo(each.path, each.name, "evdev", True)
 
 
-def opened(path: str) -> int:
+def open_node(path: str) -> int:
     """A descriptor that reads a node without waiting; raises OSError, also where there is no device."""
     file = os.open(path, os.O_RDONLY | os.O_NONBLOCK)
     if not stat.S_ISCHR(os.fstat(file).st_mode):
@@ -105,7 +105,7 @@ def advice(each: Node, error: OSError) -> str:
         return permission_advice(rule(each))
     if error.errno in (errno.ENOENT, errno.ENODEV, errno.ENXIO):
         return "plug the device in; 'pointpred devices list' shows where it is."
-    return f"look at the node ('ls -l {each.path}'), or {ELSEWHERE}."
+    return f"look at the node ('ls -l {each.path}'), or {BROWSER}."
 
 
 def refusal(each: Node, error: OSError) -> SourceError:
@@ -116,7 +116,7 @@ def refusal(each: Node, error: OSError) -> SourceError:
 def check(path: str) -> Node:
     """What a node is, before it is opened; raises SourceError where it can be no pointing device."""
     if not sys.platform.startswith("linux"):
-        raise SourceError(f"{path}: evdev exists on Linux only, this is {sys.platform}; {ELSEWHERE}.")
+        raise SourceError(f"{path}: evdev exists on Linux only, this is {sys.platform}; {BROWSER}.")
     each = node(path)
     if not re.fullmatch(r"event\d+", Path(path).resolve().name):  # mouse0, mice: another protocol
         raise SourceError(

@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from math import hypot
 from typing import Literal
 
-from pointpred.devices.cursor import Cursor
+from pointpred.devices.cursor.source import Cursor
 from pointpred.devices.source import MOST_WAITING, Report
 from pointpred.errors import ParameterError
 from pointpred.events import PointerEvent

@@ -12,13 +12,13 @@ from typing import Any
 
 import msgspec
 
-from pointpred.devices.source import Found
+from pointpred.devices.source import DeviceInfo
 from pointpred.devices.udev import hid_rule, permission_advice
 from pointpred.errors import RecordingError, SourceError
 from pointpred.hid.report_descriptor import parse_descriptor
 
-KEEPERS = {"win32": "Windows", "cygwin": "Windows", "darwin": "macOS"}
-"""Systems that open every mouse for themselves and let no program read its reports."""
+EXCLUSIVE = {"win32": "Windows", "cygwin": "Windows", "darwin": "macOS"}
+"""Systems that let no program read the reports of a mouse."""
 BROWSER = (
     "run 'pointpred serve' and use a browser: its page reads the pointer, and docs/guide/browser.md names "
     "the browser client for pages of your own"
@@ -53,9 +53,9 @@ def hidraw() -> Any:
     Raises SourceError, naming what to do, on systems that keep mice to themselves and without hidapi.
     """
     if sys.platform != "linux":
-        keeper = KEEPERS.get(sys.platform, f"this system ({sys.platform})")
+        system = EXCLUSIVE.get(sys.platform, f"this system ({sys.platform})")
         raise SourceError(
-            f"{keeper} keeps mice to itself, no program can read their reports; 'pointpred live' without "
+            f"{system} keeps mice to itself, no program can read their reports; 'pointpred live' without "
             f"--device follows the cursor there, or {BROWSER}"
         )
     try:
@@ -69,16 +69,16 @@ def hidraw() -> Any:
 
 def hid_devices() -> list[HidDevice]:
     """Every HID device, mouse or not, in the order of its path; raises SourceError as ``hidraw`` does."""
-    found: dict[str, HidDevice] = {}
+    devices: dict[str, HidDevice] = {}
     for entry in hidraw().enumerate():  # an entry for each top-level collection of a device
         path, vendor, product = os.fsdecode(entry["path"]), entry["vendor_id"], entry["product_id"]
         name = entry["product_string"] or f"HID device {vendor:04x}:{product:04x}"
         serial, interface = entry["serial_number"] or "", entry["interface_number"]
-        found.setdefault(path, HidDevice(path, name, vendor, product, serial, interface))
-    return sorted(found.values(), key=lambda device: (len(device.path), device.path))
+        devices.setdefault(path, HidDevice(path, name, vendor, product, serial, interface))
+    return sorted(devices.values(), key=lambda device: (len(device.path), device.path))
 
 
-def no_mouse(device: HidDevice) -> str | None:
+def not_a_mouse(device: HidDevice) -> str | None:
     """Why a device is no mouse that can be read, from its report descriptor; ``None`` where it is one."""
     try:
         data = (CLASS / Path(device.path).name / "device/report_descriptor").read_bytes()
@@ -91,38 +91,38 @@ def no_mouse(device: HidDevice) -> str | None:
     return None
 
 
-def list_hid(everything: bool = False) -> list[Found]:
+def list_hid(everything: bool = False) -> list[DeviceInfo]:
     """The HID mice, each with why it cannot be opened and what to do; or ``everything``, keyboards and all.
 
     Raises SourceError where no program can read HID devices: Windows, macOS, or hidapi is missing.
     """
     listed = []
     for device in hid_devices():
-        why = no_mouse(device)
+        why = not_a_mouse(device)
         if why is None:
-            listed.append(found(device))
+            listed.append(device_info(device))
         elif everything:
-            listed.append(Found(device.path, device.name, "hid", False, why, "choose another device."))
+            listed.append(DeviceInfo(device.path, device.name, "hid", False, why, "choose another device."))
     return listed
 
 
-def found(device: HidDevice) -> Found:
-    """A mouse, and whether it may be opened."""
+def device_info(device: HidDevice) -> DeviceInfo:
+    """The description of a mouse, and whether it may be opened."""
     if not Path(device.path).exists():
         advice = "plug the device in; in a container, hand the node into it."
-        return Found(device.path, device.name, "hid", False, "there is no such node", advice)
+        return DeviceInfo(device.path, device.name, "hid", False, "there is no such node", advice)
     if not os.access(device.path, os.R_OK | os.W_OK):  # hidapi opens for both, and only ever reads here
-        advice = permission_advice(rule_of(device))
-        return Found(device.path, device.name, "hid", False, "permission denied", advice)
-    return Found(device.path, device.name, "hid", True)
+        advice = permission_advice(udev_rule(device))
+        return DeviceInfo(device.path, device.name, "hid", False, "permission denied", advice)
+    return DeviceInfo(device.path, device.name, "hid", True)
 
 
-def rule_of(device: HidDevice) -> str:
-    """The udev line that opens a device to whoever sits at the screen."""
-    return hid_rule(device.vendor, device.product, says_mouse(device))
+def udev_rule(device: HidDevice) -> str:
+    """The udev rule that gives the user at the screen access to a device."""
+    return hid_rule(device.vendor, device.product, is_mouse_interface(device))
 
 
-def says_mouse(device: HidDevice) -> bool:
+def is_mouse_interface(device: HidDevice) -> bool:
     """Whether its USB interface declares itself a mouse (HID 1.11, section 4.3: protocol 2)."""
     try:
         file = CLASS / Path(device.path).name / "device/../bInterfaceProtocol"
@@ -147,7 +147,9 @@ def choose(path: str | None, vendor: int | None, product: int | None) -> HidDevi
     mice = [
         device
         for device in devices
-        if vendor in (None, device.vendor) and product in (None, device.product) and no_mouse(device) is None
+        if vendor in (None, device.vendor)
+        and product in (None, device.product)
+        and not_a_mouse(device) is None
     ]
     if not mice:
         wanted = f" {vendor or 0:04x}:{product or 0:04x}" if (vendor, product) != (None, None) else ""
@@ -155,4 +157,4 @@ def choose(path: str | None, vendor: int | None, product: int | None) -> HidDevi
             f"no HID mouse{wanted} found among {len(devices)} HID devices; plug one in, or see why each is "
             f"none with 'pointpred devices list --all'. Containers have no devices of their own: {BROWSER}"
         )
-    return next((device for device in mice if found(device).openable), mice[0])
+    return next((device for device in mice if device_info(device).openable), mice[0])

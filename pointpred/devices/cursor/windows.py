@@ -5,8 +5,8 @@ from __future__ import annotations
 import ctypes
 from typing import Any
 
-from pointpred.devices.cursor import mask_of
-from pointpred.devices.hid_devices import BROWSER
+from pointpred.devices.cursor.source import mask_of
+from pointpred.devices.hidraw.nodes import BROWSER
 from pointpred.errors import SourceError
 
 KEYS = (0x01, 0x02, 0x04, 0x05, 0x06)

@@ -1,4 +1,4 @@
-"""What a watched device has sent so far: in a table, in a line, and in a sentence at the end."""
+"""Totals of what a watched device has sent: as a table, as a line, and as a sentence at the end."""
 
 from __future__ import annotations
 
@@ -6,17 +6,17 @@ import time
 
 from rich.table import Table
 
-from pointpred.cli.screen import counted
-from pointpred.devices.cursor import CursorSource
-from pointpred.devices.gauges import Pace
+from pointpred.console import counted
+from pointpred.devices.cursor.source import CursorSource
 from pointpred.devices.source import DeviceSource, Report
+from pointpred.live.statistics import Pace
 
 BUTTONS = {1: "left", 2: "right", 4: "middle", 8: "back", 16: "forward"}
 """Bits of W3C pointer events."""
 
 
-class Watched:
-    """Sums over the reports of a source, and what it says of itself. Memory is bounded."""
+class DeviceWatch:
+    """Totals over the reports of a source, and its counters. Memory is bounded."""
 
     def __init__(self, source: DeviceSource) -> None:
         self.reports = 0
@@ -27,7 +27,7 @@ class Watched:
         self._pace = Pace()
 
     def add(self, reports: list[Report]) -> None:
-        """Count what came."""
+        """Count some reports."""
         self.reports += len(reports)
         self._pace.add(time.monotonic(), len(reports))
         for report in reports:
@@ -64,7 +64,7 @@ class Watched:
         return "; ".join(f"{name} {value}" for name, value in self.rows()[1:])
 
     def summary(self) -> str:
-        """What came of it all."""
+        """The totals in a sentence."""
         source = self._source
         if not self.reports:
             return (

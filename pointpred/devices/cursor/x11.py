@@ -6,7 +6,7 @@ import os
 from types import TracebackType
 from typing import Any, Self
 
-from pointpred.devices.cursor import mask_of
+from pointpred.devices.cursor.source import mask_of
 from pointpred.errors import SourceError
 
 OTHERWISE = (

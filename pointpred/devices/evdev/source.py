@@ -8,13 +8,11 @@ import time
 from pathlib import Path
 from typing import Self
 
-from pointpred.devices import evdev_nodes
-from pointpred.devices.evdev_clock import Clock
-from pointpred.devices.evdev_decoding import EVENT, Frame, FrameDecoder, pressed
+from pointpred.devices.evdev import nodes
+from pointpred.devices.evdev.clock import Clock
+from pointpred.devices.evdev.frame_decoder import EVENT, Frame, FrameDecoder, pressed
 from pointpred.devices.reader import ReaderSource
 from pointpred.devices.source import MOST_WAITING, Report
-
-list_evdev = evdev_nodes.list_evdev
 
 EVIOCGKEY = 0x80604518
 """_IOC(read, 'E', 0x18, 96): the keys pressed, a bit each."""
@@ -45,12 +43,12 @@ class EvdevSource(ReaderSource):
 
     def __enter__(self) -> Self:
         self._check_unused()
-        self._node = evdev_nodes.check(self.path)
+        self._node = nodes.check(self.path)
         self.name = self._node.name
         try:
             self._open(self.path)
         except OSError as error:
-            raise evdev_nodes.refusal(self._node, error) from error
+            raise nodes.refusal(self._node, error) from error
         self._stopped, self._stop = os.pipe()
         self._start()
         return self
@@ -87,7 +85,7 @@ class EvdevSource(ReaderSource):
 
     def _open(self, path: str) -> None:
         """Open a node; raises OSError."""
-        self._file = evdev_nodes.opened(path)
+        self._file = nodes.open_node(path)
         self.path, self._real = path, os.path.realpath(path)
         self._clock.ask(self._file)
         self._unreadable, self._resynchronised = self.unreadable, self.resynchronised
@@ -152,7 +150,7 @@ class EvdevSource(ReaderSource):
 
     def _alike(self) -> set[str]:
         """The nodes of devices that cannot be told from this one."""
-        return {each.path for each in evdev_nodes.nodes() if each.identity == self._node.identity}
+        return {each.path for each in nodes.nodes() if each.identity == self._node.identity}
 
     def _wait_for_device(self) -> bool:
         """Look for the device until it is back (false) or the source is closed (true)."""

@@ -1,4 +1,4 @@
-"""An attached device's session into one file: written as the service's recorder writes, and as safe."""
+"""Recording a session into a file, by the recorder of the service."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ import numpy as np
 from msgspec.structs import replace
 
 from pointpred.columns import EventColumns, PredictionColumns
-from pointpred.devices.sessions import Pair
-from pointpred.events import PHASES, Prediction
+from pointpred.events import Pair
 from pointpred.protocol.client_messages import Hello
 from pointpred.recording import Provenance
+from pointpred.rows import prediction_row
 from pointpred.server.recorder.files import SessionFiles
 from pointpred.server.recorder.recorder import Recorder, about_of
 from pointpred.sources.appended import LIVE
@@ -22,10 +22,9 @@ from pointpred.sources.appended import LIVE
 TOGETHER_S = 0.05
 """Events of so much time go to the recorder together."""
 MOST = 1024
-NONE = float("nan")
 
 
-class FileOf(SessionFiles):
+class RecordingFiles(SessionFiles):
     """The files of one recording whose samples are where the user said."""
 
     def __init__(self, file: Path, origin: Provenance) -> None:
@@ -33,7 +32,7 @@ class FileOf(SessionFiles):
         super().__init__(file.parent, name, about_of(origin, datetime.now(UTC)))
         self._file = file
 
-    def tell(self, origin: Provenance) -> None:
+    def set_provenance(self, origin: Provenance) -> None:
         """Say where the events come from; before the first is written."""
         self.about["provenance"] = msgspec.to_builtins(origin)
 
@@ -43,7 +42,7 @@ class FileOf(SessionFiles):
 
 
 class LiveRecording:
-    """Takes what a session makes and has it written by the recorder's thread; a ``Watcher``.
+    """Has the pairs of a session written by the recorder's thread; a ``Watcher``.
 
     ``clock`` says which clock stamps the events; it is asked when the first of them is written, because the
     device may not be known before. Assumes that one thread calls it. Raises SourceError where the folder
@@ -65,7 +64,7 @@ class LiveRecording:
         self.events = 0
         self._recorder = Recorder(file.parent)
         self._clock, self._provenance = clock, provenance
-        self._files = FileOf(file, provenance)
+        self._files = RecordingFiles(file, provenance)
         self._session = self._recorder.record(self._files, hello)
         self._waiting: list[Pair] = []
 
@@ -98,18 +97,8 @@ class LiveRecording:
         waiting, self._waiting = self._waiting, []
         if waiting:
             if not self.events:
-                self._files.tell(replace(self._provenance, clock=self._clock()))
+                self._files.set_provenance(replace(self._provenance, clock=self._clock()))
             self.events += len(waiting)
             events = EventColumns.of_events(event for event, _ in waiting)
-            rows = [_row(event.t, prediction) for event, prediction in waiting]
+            rows = [prediction_row(prediction, event.t) for event, prediction in waiting]
             self._session.events(events, PredictionColumns(np.array(rows)))
-
-
-def _row(t: float, one: Prediction | None) -> tuple[float, ...]:
-    """A prediction as ``PredictionColumns`` have it."""
-    if one is None:
-        return (t, *(NONE,) * 9)
-    scale = one.scale or (NONE, NONE, NONE)
-    rest = (one.remaining_s, one.tail, one.remaining_spread)
-    left, tail, spread = (NONE if value is None else value for value in rest)
-    return (t, one.x, one.y, *scale, left, float(PHASES.index(one.phase)), tail, spread)

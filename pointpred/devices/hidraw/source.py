@@ -5,14 +5,12 @@ from __future__ import annotations
 import time
 from typing import Any, Self
 
-from pointpred.devices.hid_devices import HidDevice, choose, found, hid_devices, hidraw, list_hid
+from pointpred.devices.hidraw.nodes import HidDevice, choose, device_info, hid_devices, hidraw
 from pointpred.devices.reader import ReaderSource
 from pointpred.devices.source import MOST_WAITING, Report
 from pointpred.errors import RecordingError, SourceError
 from pointpred.hid.report_decoder import ReportDecoder
 from pointpred.hid.report_descriptor import parse_descriptor
-
-__all__ = ["HidSource", "list_hid"]
 
 WAIT_MS = 100
 """How long a read waits before it looks whether the source was closed."""
@@ -60,9 +58,9 @@ class HidSource(ReaderSource):
 
     def _open(self, device: HidDevice) -> None:
         """Open a device and learn its reports; raises SourceError."""
-        refused = found(device)
-        if not refused.openable:
-            raise SourceError(f"{device.described}: {refused.why}; {refused.advice}")
+        info = device_info(device)
+        if not info.openable:
+            raise SourceError(f"{device.described}: {info.why}; {info.advice}")
         handle: Any = hidraw().device()
         try:
             handle.open_path(device.path.encode())
@@ -102,10 +100,10 @@ class HidSource(ReaderSource):
             self._unplug()
             return
         if data:
-            self._hear(time.monotonic(), bytes(data))
+            self._put(time.monotonic(), bytes(data))
 
-    def _hear(self, t: float, data: bytes) -> None:
-        """Queue what a report says; others than the mouse's, of a keyboard or a vendor, say nothing."""
+    def _put(self, t: float, data: bytes) -> None:
+        """Queue the values of a report; those of a keyboard or a vendor are left out."""
         try:
             decoded = self._reports.decode(data)
         except RecordingError:
@@ -117,9 +115,9 @@ class HidSource(ReaderSource):
             self._queue.put(Report(t, dx, dy, self._buttons, wheel, pan))
 
     def _unplug(self) -> None:
-        """The device has gone: it presses nothing any more. Those like it that are still here are others.
+        """Report that no button is pressed any more, and remember the devices like it that are still here.
 
-        They are asked for before anybody hears of it: what comes later may be the device itself.
+        They are listed before the unplugging is reported: a device that appears later may be this one.
         """
         self._others = {device.path for device in self._alike()} - {self.path}
         self._handle.close()
@@ -129,7 +127,7 @@ class HidSource(ReaderSource):
             self._queue.put(Report(time.monotonic(), 0, 0))
 
     def _wait_for_return(self) -> None:
-        """Look once for the device; one that is back but not yet opened to us by udev is tried again."""
+        """Look once for the device; one that udev has not made accessible yet is tried again."""
         alike = self._alike()
         self._others &= {device.path for device in alike}
         for device in alike:
@@ -142,5 +140,5 @@ class HidSource(ReaderSource):
         self._stopping.wait(RETURN_S)
 
     def _alike(self) -> list[HidDevice]:
-        """Devices that cannot be told from this one, itself among them where it is there."""
+        """Devices that cannot be distinguished from this one, itself among them while it is plugged in."""
         return [device for device in hid_devices() if device.identity == self._device.identity]

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from pointpred.devices.cursor import mask_of
-from pointpred.devices.hid_devices import BROWSER
+from pointpred.devices.cursor.source import mask_of
+from pointpred.devices.hidraw.nodes import BROWSER
 from pointpred.errors import SourceError
 
 NUMBERS = (0, 1, 2, 3, 4)

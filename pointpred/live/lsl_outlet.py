@@ -8,9 +8,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from pointpred.devices.lsl import ahead_s, library
-from pointpred.devices.sessions import Pair
 from pointpred.devices.source import DeviceSource
-from pointpred.events import PHASES, Prediction
+from pointpred.events import PHASES, Pair, Prediction
+from pointpred.rows import PredictionRow, prediction_row
 
 NAME, KIND = "pointpred", "Prediction"
 CHANNELS = {
@@ -25,7 +25,6 @@ CHANNELS = {
     "phase": "code",
 }
 """What each sample holds, and its unit."""
-NONE = float("nan")
 
 
 class LslOutlet:
@@ -68,13 +67,11 @@ class LslOutlet:
     def take(self, pairs: Sequence[Pair]) -> None:
         """Send what came."""
         if pairs:
-            rows = np.array([_row(event.t, one) for event, one in pairs])
+            rows = np.array([_sample(event.t, one) for event, one in pairs])
             stamps = rows[:, 0] - self._ahead_s if self._dated else np.full(len(rows), self._now())
             self._outlet.push_chunk(rows, stamps.tolist())
 
 
-def _row(t: float, one: Prediction | None) -> tuple[float, ...]:
-    if one is None:
-        return (t, *(NONE,) * (len(CHANNELS) - 1))
-    rest = (NONE if value is None else value for value in (one.tail, one.remaining_s))
-    return (t, one.x, one.y, *(one.scale or (NONE,) * 3), *rest, float(PHASES.index(one.phase)))
+def _sample(t: float, prediction: Prediction | None) -> list[float]:
+    row = PredictionRow(*prediction_row(prediction, t))
+    return [getattr(row, name) for name in CHANNELS]

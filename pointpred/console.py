@@ -1,0 +1,58 @@
+"""Text on the terminal: results go to stdout, everything else to stderr."""
+
+from __future__ import annotations
+
+import sys
+from typing import Any
+
+from rich.console import Console
+from rich.text import Text
+
+WIDE = 160
+"""Columns of a table that goes to a file or a pipe, which has no width of its own."""
+NARROW = 120
+"""In a terminal with fewer columns a table leaves some of its own out, so that no row wraps."""
+
+CONTROLS = {code: f"\\x{code:02x}" for code in (*range(32), *range(127, 160)) if chr(code) not in "\n\t"}
+"""Control characters, which names of files may hold, and what is shown in their place."""
+
+
+def plain(text: str) -> str:
+    r"""Text without control characters: it moves no cursor and rings no bell.
+
+    >>> plain("a\x1b[2Jb")
+    'a\\x1b[2Jb'
+    """
+    return text.translate(CONTROLS)
+
+
+class Screen(Console):
+    """A console that shows control characters instead of obeying them."""
+
+    def render_str(self, text: str, **options: Any) -> Text:
+        """Render as rich does, with control characters shown."""
+        return super().render_str(plain(text), **options)
+
+
+def results() -> Console:
+    """The console for results; plain and wide when it is not a terminal."""
+    return Screen(width=None if sys.stdout.isatty() else WIDE, highlight=False)
+
+
+def remarks() -> Console:
+    """The console for progress, remarks and errors."""
+    return Screen(stderr=True, highlight=False, soft_wrap=True)
+
+
+def remark(text: str) -> None:
+    """Print a remark as it is, without markup."""
+    remarks().print(text, markup=False)
+
+
+def counted(number: int, noun: str) -> str:
+    """A number with its noun.
+
+    >>> counted(1, "trial"), counted(2, "trial")
+    ('1 trial', '2 trials')
+    """
+    return f"{number} {noun}" + "s" * (number != 1)

@@ -1,0 +1,1 @@
+"""Mice through the kernel's input nodes, /dev/input/event*."""

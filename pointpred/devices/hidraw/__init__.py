@@ -1,0 +1,1 @@
+"""Mice through hidraw nodes: every report as the device sent it."""

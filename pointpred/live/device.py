@@ -1,0 +1,141 @@
+"""``pointpred live`` with a device: open it, find where its cursor is, and run a session over it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Literal
+
+import msgspec
+from msgspec.structs import replace
+
+from pointpred.console import remark, remarks, results
+from pointpred.devices.cursor.pairing import Pairing
+from pointpred.devices.cursor.source import CursorSource
+from pointpred.devices.cursor.x11 import ScreenCursor
+from pointpred.devices.cursor_paths import CursorPath, MotorPath, PositionPath, TransferPath
+from pointpred.devices.lsl import LslInlet
+from pointpred.devices.selection import choose
+from pointpred.devices.source import DeviceSource
+from pointpred.errors import ParameterError, SourceError
+from pointpred.live.notes import device_note
+from pointpred.live.person_file import read_person, save_person
+from pointpred.live.run import LiveRun, OutputOptions, compile_for
+from pointpred.live.session import LiveSession
+from pointpred.registry import build
+from pointpred.server.garbage import spare
+from pointpred.transfer import TransferFunction, named_transfer
+
+CursorChoice = Literal["auto", "screen", "transfer", "motor"]
+CountsPerInch = Callable[[DeviceSource, float | None], float | None]
+"""The resolution of an open mouse, from the one that was given: asks or measures where there is none."""
+
+
+class DeviceOptions(msgspec.Struct, frozen=True):
+    """Which device is read, and how its cursor is known; see ``pointpred live --help``."""
+
+    device: str | None = None
+    stream: str | None = None
+    cursor: CursorChoice = "auto"
+    transfer: str | None = None
+    display: str | None = None
+    measure_cpi: bool = False
+    person: Path | None = None
+
+
+class OpenPath(msgspec.Struct, frozen=True):
+    """A path of the cursor, and what closes it."""
+
+    path: CursorPath
+    close: Callable[[], None] = lambda: None
+
+
+def follow_device(device: DeviceOptions, outputs: OutputOptions, counts_per_inch: CountsPerInch) -> None:
+    """Predict a device's motion until the session ends; raises SourceError and ParameterError."""
+    saved = named_transfer(device.transfer) if device.transfer else None
+    cpi = outputs.cpi
+    if saved is not None and cpi is None and not device.measure_cpi:
+        cpi = saved.cpi
+    person = read_person(device.person, outputs.predictor)
+    compile_for(outputs.predictor)
+    with ExitStack() as stack:
+        source = stack.enter_context(choose(device.device, device.display, device.stream, remark))
+        if isinstance(source, LslInlet):
+            opened = stream_path(source, device)
+        elif isinstance(source, CursorSource):
+            opened, cpi = cursor_path(source, device, cpi), None
+        else:
+            cpi = counts_per_inch(source, cpi)
+            function = saved.function if saved else None
+            opened = mouse_path(device.cursor, function, cpi, outputs.dpi, device.display)
+        stack.callback(opened.close)
+        outputs = replace(outputs, cpi=cpi)
+        pipeline = build(outputs.predictor, cpi=cpi, dpi=outputs.dpi, person=person, **outputs.parameters)
+        session = LiveSession(source, opened.path, pipeline)
+        session.note = device_note(session)
+        run = LiveRun(session, outputs)
+        spare()
+        if (file := device.person) is not None:
+            stack.callback(
+                lambda: results().print(
+                    f"person: {save_person(file, pipeline)}", markup=False, soft_wrap=True
+                )
+            )
+        run.run()
+
+
+def stream_path(source: LslInlet, options: DeviceOptions) -> OpenPath:
+    """The path of a stream of positions; raises ParameterError for options that need a mouse."""
+    for name in _mouse_options(options, ("auto",)):
+        raise ParameterError(f"--{name} is for a mouse, and --lsl reads a stream; drop one", field=name)
+    if options.display is not None:
+        raise ParameterError("--display is for a mouse, and --lsl reads a stream; drop one", field="display")
+    return OpenPath(PositionPath(source.words, counts=source.counts))
+
+
+def cursor_path(source: CursorSource, options: DeviceOptions, cpi: float | None = None) -> OpenPath:
+    """The path of a cursor that is followed itself; raises ParameterError for options that need counts."""
+    for name in _mouse_options(options, ("auto", "screen")):
+        raise ParameterError(f"--{name} needs a mouse's counts, and the cursor has none; drop it", field=name)
+    if cpi is not None:
+        remarks().print("--cpi is not used: the cursor is followed, and it has no counts")
+    return OpenPath(PositionPath(source.words))
+
+
+def mouse_path(
+    choice: CursorChoice,
+    function: TransferFunction | None,
+    cpi: float | None,
+    dpi: float,
+    display: str | None = None,
+) -> OpenPath:
+    """Where the cursor of a mouse is; raises SourceError where the choice is not possible here."""
+    if choice in ("auto", "screen"):
+        try:
+            cursor = ScreenCursor(display)
+            return OpenPath(Pairing(cursor), cursor.close)
+        except SourceError as error:
+            if choice == "screen":
+                raise
+            remark(str(error))
+    if choice == "transfer" or (choice == "auto" and function is not None):
+        if function is None or cpi is None:
+            raise ParameterError(
+                "a cursor moved by a transfer function needs --transfer and --cpi", field="transfer"
+            )
+        return OpenPath(TransferPath(function, cpi=cpi, dpi=dpi))
+    return OpenPath(MotorPath(cpi, dpi))
+
+
+def _mouse_options(options: DeviceOptions, cursors: tuple[str, ...]) -> list[str]:
+    """The options, by their flags, that only a mouse can have; ``cursors`` are choices that others may."""
+    return [
+        name
+        for name, wrong in (
+            ("cursor", options.cursor not in cursors),
+            ("measure-cpi", options.measure_cpi),
+            ("transfer", options.transfer is not None),
+        )
+        if wrong
+    ]

@@ -1,0 +1,67 @@
+"""``pointpred live --replay``: a recording in the place of a mouse."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from msgspec.structs import replace
+
+from pointpred.errors import RecordingError
+from pointpred.events import Pair
+from pointpred.live.playback import PlayedPath, PlayedPipeline, PlayedSource, PlayedTrial
+from pointpred.live.run import LiveRun, OutputOptions, compile_for
+from pointpred.live.session import LiveSession
+from pointpred.recording import Recording, Skip
+from pointpred.registry import build
+from pointpred.replaying.choosing import chosen, named, unplayable
+from pointpred.server.garbage import spare
+
+
+def playable_trials(recording: Recording, names: Sequence[str]) -> tuple[list[PlayedTrial], list[Skip]]:
+    """The trials to play, all where none is named, and those that cannot be; raises ParameterError."""
+    places = chosen(recording, names)
+    skips = {k: skip for k in places if (skip := unplayable(recording, k)) is not None}
+    trials = [
+        PlayedTrial(recording.trials[k].user, named(recording, k), recording.rows(k))
+        for k in places
+        if k not in skips
+    ]
+    return trials, [*(() if names else recording.skipped), *skips.values()]
+
+
+def follow_replay(
+    file: Path, recording: Recording, trials: Sequence[PlayedTrial], speed: float, outputs: OutputOptions
+) -> None:
+    """Play trials as the session of a device; ``outputs`` has the resolutions of the recording.
+
+    Raises RecordingError where there is no trial.
+    """
+    if not trials:
+        raise RecordingError(f"{file}: no trial can be played; see the reasons above")
+    compile_for(outputs.predictor)
+    simulated = recording.provenance.simulated
+    outputs = replace(outputs, simulated=simulated)
+    name = f"replay of {file.name}" + (" (simulated people)" if simulated else "")
+    path = PlayedPath("the recorded cursor" + (", simulated" if simulated else ""))
+    pipeline = PlayedPipeline(
+        build(outputs.predictor, cpi=outputs.cpi, dpi=outputs.dpi, **outputs.parameters)
+    )
+    with PlayedSource(name, str(file), trials, speed=speed, words=recording.provenance.clock) as source:
+        run = LiveRun(LiveSession(source, path, pipeline), outputs)
+        _end_with(run, source)
+        spare()
+        run.run()
+
+
+def _end_with(run: LiveRun, source: PlayedSource) -> None:
+    """End with the recording, after viewers were shown the last of it; with a page, begin once it is open."""
+    feed = run.feed
+
+    def end(pairs: Sequence[Pair]) -> None:
+        if source.ended and not pairs:
+            run.stopping.set()
+
+    run.session.watchers.append(end)
+    if feed is not None:
+        source.hold = lambda: not feed.watched

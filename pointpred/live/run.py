@@ -1,0 +1,203 @@
+"""Running a session: it is shown in the terminal, recorded, served and sent until something ends it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from pointpred.console import counted, remarks, results
+from pointpred.devices.cursor.source import CursorSource
+from pointpred.errors import ParameterError, SourceError
+from pointpred.events import PointerEvent
+from pointpred.live.curve_learner import CurveLearner, curve_learner
+from pointpred.live.lsl_outlet import NAME, LslOutlet
+from pointpred.live.page import PageService, live_feed
+from pointpred.live.playback import PlayedSource
+from pointpred.live.recording import LiveRecording
+from pointpred.live.session import LiveSession
+from pointpred.live.terminal import DASH, TerminalLog, show, summary
+from pointpred.live.threads import SessionThread, ViewThread, end_on_signal, wait
+from pointpred.protocol.client_messages import Device, Hello, Screen
+from pointpred.protocol.live_messages import Curve
+from pointpred.registry import build
+from pointpred.server.live.feed import LiveFeed
+from pointpred.server.logs import set_up
+from pointpred.transfer import ConstantGain, GainCurve, PixelTransfer, TransferLearner
+
+PAGE_FIRST = "; begins when the page is opened"
+
+
+class OutputOptions(msgspec.Struct, frozen=True):
+    """The predictor with its parameters, the resolutions, and where the predictions go.
+
+    ``page`` makes the service that shows the session on its page; ``simulated``: the events of a recording of
+    simulated people; ``lsl``: send the predictions as a stream of Lab Streaming Layer.
+    """
+
+    predictor: str
+    cpi: float | None = None
+    dpi: float = 96.0
+    record: Path | None = None
+    save_transfer: Path | None = None
+    page: Callable[[LiveFeed], PageService] | None = None
+    seconds: float | None = None
+    simulated: bool = False
+    lsl: bool = False
+    parameters: dict[str, Any] = {}
+
+
+class LiveRun:
+    """One session and its outputs; raises SourceError or ParameterError where one cannot be opened."""
+
+    def __init__(self, session: LiveSession, options: OutputOptions) -> None:
+        self.session = session
+        self.options = options
+        self.recording = self._record(options.record) if options.record else None
+        self.feed = live_feed(session, options.predictor, options.cpi, options.dpi) if options.page else None
+        if options.lsl:
+            session.watchers.append(LslOutlet(options.predictor, session.source).take)
+        self.page = options.page(self.feed) if options.page and self.feed else None
+        self.learner = curve_learner(session.path, options.cpi, options.dpi)
+        if isinstance(self.learner, CurveLearner):
+            session.watchers.append(self.learner.take)
+        elif options.save_transfer is not None:
+            raise ParameterError(f"nothing to save in {options.save_transfer}: {self.learner}")
+        self._log = TerminalLog() if results().is_terminal else None
+        self._thread = SessionThread(session, self.feed.fail if self.feed else lambda why: None)
+        self.stopping = self._thread.stopping
+        """Set it to end the session."""
+
+    def run(self) -> None:
+        """Drive the session until something or somebody ends it; raises what ended it."""
+        stopping, console = self.stopping, results()
+        heading = self._heading()
+        self.session.source.take(0.0)  # reports that came while the outputs were opened are left out
+        if self._log is not None:
+            self._log.install()
+        elif self.page is not None:
+            set_up(None)
+        with end_on_signal(stopping):
+            view = None
+            self._thread.start(self.options.seconds)
+            try:
+                self._start_learning()
+                if not console.is_terminal:
+                    for name, words in heading:
+                        remarks().print(f"{name}: {words}", markup=False)
+                view = ViewThread(
+                    partial(show, self.session, heading, stopping, console, self._view_rows), stopping
+                )
+                if self.page is None:
+                    wait(stopping)
+                else:
+                    self.page.run(stopping, announce=self._log is None)
+            except KeyboardInterrupt:
+                stopping.set()
+            finally:
+                stopping.set()
+                if view is not None:
+                    view.join()
+                self._end(quiet=view is not None and view.error is not None)
+            if view is not None and view.error is not None:
+                raise view.error
+
+    def _record(self, file: Path) -> LiveRecording:
+        options, session = self.options, self.session
+        hello = Hello(1, options.predictor, device=Device(cpi=options.cpi), screen=Screen(dpi=options.dpi))
+        recording = LiveRecording(
+            file, hello, session.words, lambda: session.source.clock, simulated=options.simulated
+        )
+        session.watchers.append(recording.take)
+        return recording
+
+    def _start_learning(self) -> None:
+        """Keep the curve up to date, and send it to the viewers of the page."""
+        learner = self.learner
+        if isinstance(learner, str):
+            if self.feed is not None:
+                self.feed.curve = Curve(learner)
+            return
+        self._show_curve(learner.curve)
+        learner.start(self.stopping, self._show_curve)
+
+    def _show_curve(self, curve: GainCurve) -> None:
+        if self.feed is not None:
+            self.feed.curve = Curve(curve.words, curve)
+
+    def _end(self, *, quiet: bool) -> None:
+        """Stop, finish the recording, and print a summary unless nobody can read it (``quiet``)."""
+        recording = self.recording
+        try:
+            self._thread.stop()
+        finally:
+            written = recording.close() if recording else True
+            console = results()
+            console.quiet = quiet
+            console.print(summary(self.session), markup=False, soft_wrap=True)
+            for entry in self._log.problems if self._log else ():
+                remarks().print(entry, markup=False)
+            for name, words in self._output_rows():
+                console.print(f"{name}: {words}", markup=False, soft_wrap=True)
+        if self.options.save_transfer is not None and isinstance(self.learner, CurveLearner):
+            console.print(self.learner.save(self.options.save_transfer), markup=False, soft_wrap=True)
+        if recording is not None and not written:
+            raise SourceError(f"{recording.file}: not everything could be recorded")
+
+    def _heading(self) -> list[tuple[str, str]]:
+        source, cpi = self.session.source, self.options.cpi
+        resolution = "counts per inch unknown" if cpi is None else f"{cpi:.0f} counts per inch"
+        if isinstance(source, CursorSource):
+            resolution = "no counts"
+        page = [("page", self.page.address)] if self.page else []
+        plays = source.pace if isinstance(source, PlayedSource) else ""
+        return [
+            *page,
+            *([("plays", plays + (PAGE_FIRST if page else ""))] if plays else []),
+            ("device", f"{source.name}{'' if plays else f' ({source.path})'}, {resolution}"),
+            ("clock", source.clock),
+            ("positions", self.session.words),
+            ("predictor", self.options.predictor),
+            *([("sent", f"as the stream {NAME!r} of Lab Streaming Layer")] if self.options.lsl else []),
+        ]
+
+    def _output_rows(self) -> list[tuple[str, str]]:
+        """The learned gain, and how much is recorded."""
+        rows = []
+        played = isinstance(self.session.source, PlayedSource)
+        if isinstance(self.learner, CurveLearner) and (not played or self.options.save_transfer is not None):
+            rows.append(("gain", self.learner.words()))
+        if self.recording is not None:
+            rows.append(("recorded", self._recorded(self.recording)))
+        return rows
+
+    def _recorded(self, recording: LiveRecording) -> str:
+        """How much is recorded; there is no file before there is an event."""
+        if recording.events:
+            words = f"{counted(recording.events - recording.lost, 'event')} in {recording.file}"
+        else:
+            moved = self.session.reports or self.session.source.unreadable
+            words = "nothing recorded" if moved else "nothing moved, nothing recorded"
+        words += f", {recording.lost} lost" if recording.lost else ""
+        return words + (", stopped by an error" if recording.failed else "")
+
+    def _view_rows(self) -> list[tuple[str, str]]:
+        """The rows of the view below those of the session."""
+        log = [("service", self._log.newest or "starting")] if self._log and self.page else []
+        source = self.session.source
+        trial = [("trial", source.playing or DASH)] if isinstance(source, PlayedSource) else []
+        return [*trial, *self._output_rows(), *log]
+
+
+def compile_for(predictor: str) -> None:
+    """Compile what is not compiled yet, before reports wait for it; raises ParameterError."""
+    pipeline, learner = build(predictor, cpi=1000.0), TransferLearner(cpi=1000.0)
+    transfer = PixelTransfer(ConstantGain(), cpi=1000.0)
+    for i in range(4):
+        event = PointerEvent(0.01 * i, 5.0 * i, 2.0 * i, 4.0, 2.0)
+        pipeline.update(event)
+        learner.update(event)
+        transfer.update((event.t, 4.0, 2.0))
