@@ -31,7 +31,7 @@ def terminal(monkeypatch: pytest.MonkeyPatch) -> None:
         return console.Screen(width=COLUMNS, highlight=False, force_terminal=True, color_system=None)
 
     for name, module in list(sys.modules.items()):
-        if name.startswith("pointpred.cli.") and hasattr(module, "results"):
+        if name.startswith(("pointpred.cli.", "pointpred.console")) and hasattr(module, "results"):
             monkeypatch.setattr(module, "results", narrow)
 
 
