@@ -39,7 +39,7 @@ GOAL = """(() => {
   const { x, y } = JSON.parse(scene.dataset.target);
   return { x: left + x, y: top + y };
 })()"""
-TILE = """import('/web/live-tiles.js').then(({ row }) => {
+TILE = """import('/web/live/tiles.js').then(({ row }) => {
   const { clientWidth, clientHeight } = document.querySelector('#live-scene');
   const { x, y, width, height } = row(clientWidth, clientHeight)[3];
   return [x + width / 2, y + height / 2];

@@ -1,14 +1,14 @@
 // The page's four views; each is connected and drawn only while its tab is open.
 // All are loaded with the page: a browser never asks again for a module whose loading has failed once.
 
-import * as assist from "./assist.js";
-import * as circle from "./circle.js";
-import { part } from "./elements.js";
-import { explainWords } from "./glossary.js";
-import * as live from "./live.js";
-import * as replay from "./replay.js";
-import { refuseFiles } from "./replay-drop.js";
-import { tabs } from "./tabs.js";
+import * as assist from "./assist/view.js";
+import * as circle from "./circle/view.js";
+import { part } from "./page/elements.js";
+import { explainWords } from "./page/glossary.js";
+import * as live from "./live/view.js";
+import * as replay from "./replay/view.js";
+import { refuseFiles } from "./replay/drop.js";
+import { tabs } from "./page/tabs.js";
 
 const VIEWS = { live, circle, replay, assist };
 const SAID_IN = { live: "live-verdict", circle: "circle-said", replay: "replay-source", assist: "assist-said" };

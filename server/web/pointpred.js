@@ -54,18 +54,18 @@
  * @property {number} [queue] events kept while there is no connection; the oldest give way
  */
 
-import { address, own, refusal, unconnected } from "/web/client-address.js";
-import { decode, frames, row, targetsFrame } from "/web/client-frames.js";
-import { ServiceChoices } from "/web/client-choices.js";
-import { Entry } from "/web/client-entry.js";
-import { Person } from "/web/client-person.js";
-import { PointerStream } from "/web/client-pointer.js";
-import { Proposals } from "/web/client-proposals.js";
-import { Queue } from "/web/client-queue.js";
-import { TargetWatch } from "/web/client-targets.js";
-import { Wishes } from "/web/client-wishes.js";
+import { address, own, refusal, unconnected } from "/web/client/address.js";
+import { decode, frames, row, targetsFrame } from "/web/client/frames.js";
+import { ServiceChoices } from "/web/client/choices.js";
+import { Entry } from "/web/client/entry.js";
+import { Person } from "/web/client/person.js";
+import { PointerStream } from "/web/client/pointer.js";
+import { Proposals } from "/web/client/proposals.js";
+import { Queue } from "/web/client/queue.js";
+import { TargetWatch } from "/web/client/targets.js";
+import { Wishes } from "/web/client/wishes.js";
 
-export { regionOf } from "/web/client-regions.js";
+export { regionOf } from "/web/client/regions.js";
 
 const SUBPROTOCOL = "pointpred.v1";
 const NO_TARGETS = targetsFrame([]).text;

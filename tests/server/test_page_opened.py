@@ -38,8 +38,8 @@ def test_an_opened_file_gets_the_predictions_and_scores_of_the_command(
     visitor.choose_files("#replay-file", files)
     visitor.wait("document.querySelector('#replay-readout').textContent.includes('Movement 1 of 3')")
     predicted = visitor.value(
-        "import('/web/replay-stream.js').then(async ({ predictionsAlong }) => {"
-        "const { readFiles } = await import('/web/replay-file.js');"
+        "import('/web/replay/stream.js').then(async ({ predictionsAlong }) => {"
+        "const { readFiles } = await import('/web/replay/file.js');"
         "const { movements, dpi, cpi } = await readFiles([...document.querySelector('#replay-file').files]);"
         "return predictionsAlong(movements[1].rows, 'switched', { dpi, cpi }); })"
     )

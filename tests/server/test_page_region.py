@@ -72,7 +72,7 @@ def visitor(one: Visitor, url: str) -> Iterator[Visitor]:
     assert one.shift() < 0.001
 
 
-TILE = """import("/web/live-tiles.js").then(({ row }) => {
+TILE = """import("/web/live/tiles.js").then(({ row }) => {
   const { clientWidth, clientHeight } = document.querySelector("#live-scene");
   return row(clientWidth, clientHeight)[3];
 })"""
@@ -186,7 +186,7 @@ def test_a_region_beyond_the_picture_tints_nothing_and_its_number_says_no_more(v
 
 SIZES = [3736.0, 6030.0, 876.0, 596.0, 1497.0, 2441.0]
 """Lengths that the page once drew within 0.3 s."""
-FOLLOWED = """import("/web/regions.js").then(({ CalmRegions, regionsOf }) => {
+FOLLOWED = """import("/web/drawing/regions.js").then(({ CalmRegions, regionsOf }) => {
   const calm = new CalmRegions();
   const region = (square) => ({ sxx: square, sxy: 0.2 * square, syy: 0.5 * square, tail: 3 });
   const claim = (px) => ({ x: 1, y: 2, region: region(px * px) });
@@ -210,7 +210,7 @@ def test_a_region_glides_and_never_flashes(visitor: Visitor) -> None:
 
 def test_a_region_turns_the_short_way(visitor: Visitor) -> None:
     angles = visitor.value(
-        """import("/web/regions.js").then(({ CalmRegions }) => {
+        """import("/web/drawing/regions.js").then(({ CalmRegions }) => {
           const calm = new CalmRegions();
           const claim = (turn) => {
             const [c, s] = [Math.cos(turn), Math.sin(turn)];
@@ -245,8 +245,8 @@ def test_nothing_of_a_prediction_stays_at_rest(visitor: Visitor) -> None:
 
 def test_it_fades_within_a_fifth_of_a_second_and_a_resting_pointer_has_none(visitor: Visitor) -> None:
     shown = visitor.value(
-        """import("/web/live-card.js").then(async ({ markOf, opacityAfter }) => {
-          const { CalmRegions } = await import("/web/regions.js");
+        """import("/web/live/card.js").then(async ({ markOf, opacityAfter }) => {
+          const { CalmRegions } = await import("/web/drawing/regions.js");
           const one = (phase) => ({ x: 1, y: 2, phase, region: { sxx: 4, sxy: 0, syy: 4, tail: null } });
           const mark = (phase, ms) => markOf(one(phase), new CalmRegions(), 0, opacityAfter(ms)) !== null;
           const seen = [["ballistic", 0], ["corrective", 199], ["ballistic", 200], ["still", 0]];

@@ -193,7 +193,7 @@ def test_a_refused_setting_is_seen_and_reached(visitor: Visitor, url: str) -> No
 def test_a_score_stands_in_the_row_that_it_was_asked_for(visitor: Visitor, url: str) -> None:
     circle(visitor, url)
     texts = visitor.value(
-        "import('/web/circle-rows.js').then(({ CircleRows }) => {"
+        "import('/web/circle/rows.js').then(({ CircleRows }) => {"
         "const body = document.createElement('tbody'), rows = new CircleRows(body);"
         "const add = (number, asked) =>"
         "rows.add({ block: 1, number, start: [0], end: [1], hit: true }, asked);"
