@@ -24,7 +24,7 @@ from pointpred.regression import DynamicRegressorExtension
 from pointpred.simulation import Aim, Setup, people, thesis_setup
 from pointpred.simulation.movement import Movement, move, move_assisted
 from pointpred.simulation.validation import corrective_signals
-from pointpred.sources import recordings
+from pointpred.sources.own import recordings
 from pointpred.transfer import ConstantGain
 
 SETS = ("freihaut2021", "gofitts_demo", "humanmovemouse", "cryslacks")

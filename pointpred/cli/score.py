@@ -150,7 +150,7 @@ def _score_targets(
 
 def _unread(reasons: Reasons) -> list[Unread]:
     from pointpred.scoring import Unread
-    from pointpred.sources.naming import readable
+    from pointpred.sources.files.names import readable
 
     return [Unread(readable(file), readable(why)) for file, why in reasons.items()]
 

@@ -51,7 +51,7 @@ def check_targets(targets: dict[str, Path | None], inputs: Sequence[Path]) -> No
 
     ``targets`` by the option that names them; nobody ever wants scores in place of what was scored.
     """
-    from pointpred.sources import recordings
+    from pointpred.sources.own import recordings
 
     written: dict[Path, str] = {}
     beside = [recordings.trials_beside(path) for path in inputs if path.is_file()]

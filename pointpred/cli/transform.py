@@ -79,9 +79,9 @@ def convert(
       pointpred convert psychopy_data.csv --unit height --screen 1920x1080 --out psychopy_samples.csv
     """
     _check(out, force or source.is_dir())
-    from pointpred.sources import write_found
+    from pointpred.sources import write_recordings
 
-    told = write_found(recordings_in(source, reading), out, replace=force)
+    told = write_recordings(recordings_in(source, reading), out, replace=force)
     for file in told.files:
         typer.echo(file)
     screen_out = remarks()
@@ -99,7 +99,7 @@ def convert(
 def _check(out: Path, force: bool) -> None:
     """Raise ParameterError before any work where the result could not be written, or not without --force."""
     check_target(out)
-    from pointpred.sources import recordings
+    from pointpred.sources.own import recordings
 
     if out.suffix not in recordings.EXTENSIONS:
         raise ParameterError(

@@ -17,7 +17,7 @@ from pointpred.recording import Provenance
 from pointpred.rows import prediction_row
 from pointpred.server.recorder.files import SessionFiles
 from pointpred.server.recorder.recorder import Recorder, about_of
-from pointpred.sources.appended import LIVE
+from pointpred.sources.own.appended import LIVE
 
 TOGETHER_S = 0.05
 """Events of so much time go to the recorder together."""

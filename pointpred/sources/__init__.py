@@ -1,9 +1,11 @@
-"""The only input and output of pointpred: recordings of every known format, live devices, the cursor."""
+"""Recordings of every known format, read from files and written to files."""
 
-from pointpred.sources.formats import FORMATS, Format, Summary, convert, format_of, read_any, write_found
+from pointpred.sources.conversion import Summary, convert, write_recordings
+from pointpred.sources.known_formats import FORMATS, Format, format_of
+from pointpred.sources.own.recordings import read, write
+from pointpred.sources.read_files import read_any
 from pointpred.sources.reading import Reading
-from pointpred.sources.recordings import read, write
-from pointpred.sources.segmentation import Piece, cut_at_clicks, cut_at_pauses
+from pointpred.sources.trials.segmentation import Piece, cut_at_clicks, cut_at_pauses
 
 __all__ = [
     "FORMATS",
@@ -18,5 +20,5 @@ __all__ = [
     "read",
     "read_any",
     "write",
-    "write_found",
+    "write_recordings",
 ]

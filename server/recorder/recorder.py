@@ -25,7 +25,7 @@ from pointpred.server.recorder.files import SessionFiles, Write, warm_rows
 from pointpred.server.recorder.recordings import name_of, prepare
 from pointpred.server.recorder.session import SessionRecorder
 from pointpred.server.sessions.building import cpi_of, dpi_of
-from pointpred.sources.appended import FORMAT
+from pointpred.sources.own.appended import FORMAT
 
 WRITE_S = 0.1
 SYNC_S = 0.3

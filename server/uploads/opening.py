@@ -12,7 +12,7 @@ from pointpred.recording import Recording, Trial
 from pointpred.server.uploads.spooling import NAME, spooled
 from pointpred.server.uploads.unpacking import NO_TEXT, PARQUET, check_most, check_unpacked
 from pointpred.sources import Reading, read_any
-from pointpred.sources.formats import format_of
+from pointpred.sources.known_formats import format_of
 from pointpred.sources.reading import columns_of
 
 MOST_TRIALS = 5000

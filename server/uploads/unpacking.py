@@ -8,7 +8,7 @@ from typing import Any
 
 from pointpred.errors import RecordingError
 from pointpred.server.uploads.uploads import UploadError
-from pointpred.sources.decoding import DAMAGED, GZIP, HEAD_BYTES, UTF_16
+from pointpred.sources.files.encodings import DAMAGED, GZIP, HEAD_BYTES, UTF_16
 
 PARQUET = b"PAR1"
 MOST_ROWS = 500_000
@@ -52,8 +52,8 @@ def _check_parquet(body: bytes) -> None:
     import pyarrow as pa
     import pyarrow.parquet as pq
 
-    from pointpred.sources.arrow_files import in_memory
-    from pointpred.sources.tables import UNREADABLE
+    from pointpred.sources.files.arrow_files import in_memory
+    from pointpred.sources.tables.arrow_tables import UNREADABLE
 
     try:
         file = pa.BufferReader(in_memory(io.BytesIO(body)))
@@ -78,7 +78,7 @@ def _words(schema: Any) -> list[str]:
     """The columns of words; raises RecordingError for what is no words, numbers, dates or times."""
     import pyarrow as pa
 
-    from pointpred.sources.tables import PLAIN
+    from pointpred.sources.tables.arrow_tables import PLAIN
 
     found = []
     for field in schema:

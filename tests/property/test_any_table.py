@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 
 from pointpred.recording import Recording
 from pointpred.sources import read_any
-from pointpred.sources.time_units import PER_SECOND
+from pointpred.sources.columns.time_units import PER_SECOND
 
 FEW = settings(max_examples=60, deadline=None)
 NAMES = (

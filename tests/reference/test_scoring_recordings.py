@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from pointpred.scoring import rows, score, summarise
-from pointpred.sources.recordings import read
+from pointpred.sources.own.recordings import read
 
 FOLDER = os.environ.get("POINTPRED_RECORDINGS")
 FILES = sorted(Path(FOLDER).glob("*_samples.parquet")) if FOLDER else []

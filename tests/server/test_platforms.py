@@ -13,7 +13,7 @@ import pytest
 import pointpred
 from pointpred.server.listening import listening
 from pointpred.server.listening.listening import listen
-from pointpred.sources.naming import file_names
+from pointpred.sources.files.names import file_names
 from tests.server import elsewhere
 
 DEVICES = {"con", "prn", "aux", "nul"} | {f"{port}{n}" for port in ("com", "lpt") for n in range(10)}

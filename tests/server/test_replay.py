@@ -24,7 +24,7 @@ from pointpred.replaying.choosing import chosen
 from pointpred.replaying.pacing import due
 from pointpred.replaying.socket import unlike
 from pointpred.server.sessions.session import Session
-from pointpred.sources import recordings as own
+from pointpred.sources.own import recordings as own
 from tests.server.listener import Listener
 from tests.server.running import PATIENCE_S
 

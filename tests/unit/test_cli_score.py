@@ -10,7 +10,7 @@ import pytest
 from pointpred.columns import EventColumns
 from pointpred.recording import Recording, Trial
 from pointpred.sources import read_any
-from pointpred.sources import recordings as own
+from pointpred.sources.own import recordings as own
 
 T = [0.0, 0.1, 0.2, 0.3]
 X = [0.0, 1.0, 60.0, 101.0]

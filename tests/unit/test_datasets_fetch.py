@@ -13,7 +13,7 @@ import pytest
 from pointpred.datasets import DataSet, RemoteFile, fetch, find, listing
 from pointpred.datasets.fetch import check_url
 from pointpred.errors import ParameterError, SourceError
-from pointpred.sources.formats import FORMATS
+from pointpred.sources.known_formats import FORMATS
 
 BODY = b"user,trial,t_s\n" * 9000
 DIGEST = hashlib.sha256(BODY).hexdigest()

@@ -17,8 +17,8 @@ from msgspec.structs import replace
 
 from pointpred.server.uploads.unpacking import check_unpacked
 from pointpred.sources import read, write
-from pointpred.sources.appended import SAMPLES
-from pointpred.sources.arrow_files import in_memory, open_file
+from pointpred.sources.files.arrow_files import in_memory, open_file
+from pointpred.sources.own.appended import SAMPLES
 
 ROWS = "user,trial,t_s,x_px,y_px\na,1,0,1,2\na,1,0.01,3,4\n"
 

@@ -11,8 +11,8 @@ import pytest
 
 from pointpred.errors import ColumnsError, ParameterError, RecordingError
 from pointpred.sources import Reading, read_any
-from pointpred.sources.column_names import near
-from pointpred.sources.delimited_layout import layout_of
+from pointpred.sources.columns.names import near
+from pointpred.sources.table_files.delimited_layout import layout_of
 
 MOVES = [f"{10 * i};{3 * i};{100 - i}" for i in range(30)]
 

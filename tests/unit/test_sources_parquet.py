@@ -13,7 +13,7 @@ import pytest
 from pointpred.errors import ColumnsError, RecordingError
 from pointpred.server.uploads.opening import open_body
 from pointpred.sources import read_any, write
-from pointpred.sources.formats import format_of
+from pointpred.sources.known_formats import format_of
 
 COUNT = 20
 X = [1.5 * i for i in range(COUNT)]

@@ -9,8 +9,11 @@ import pytest
 
 from pointpred.errors import RecordingError
 from pointpred.files import beside
-from pointpred.sources import convert, read_any, recordings, tables, writing
-from pointpred.sources.writing import together
+from pointpred.sources import convert, read_any
+from pointpred.sources.files import writing
+from pointpred.sources.files.writing import together
+from pointpred.sources.own import recordings
+from pointpred.sources.tables import arrow_tables
 
 SOURCES = Path(__file__).parents[1] / "data/sources"
 FITTS = SOURCES / "gofitts.sd3"
@@ -24,7 +27,7 @@ class Full:
     """A disk that is full, or an interrupt, at the nth table that is written."""
 
     def __init__(self, at: int, error: BaseException) -> None:
-        self.left, self.error, self.write = at, error, tables.write_table
+        self.left, self.error, self.write = at, error, arrow_tables.write_table
 
     def __call__(self, path: Path, part: Path, table: object, header: dict[str, object]) -> None:
         self.write(path, part, table, header)
@@ -49,7 +52,7 @@ def test_a_failure_at_any_table_leaves_the_folder_as_it_was(
         for file in out.iterdir():
             file.write_text("before", encoding="utf-8")
     was = contents(out)
-    monkeypatch.setattr(tables, "write_table", Full(at, error))
+    monkeypatch.setattr(arrow_tables, "write_table", Full(at, error))
     with pytest.raises(type(error)):
         convert(source, out / "all.csv")
     assert contents(out) == was

@@ -21,7 +21,7 @@ from pointpred.predictors import kinematic_coefficients
 from pointpred.predictors import kinematic_net as net
 from pointpred.recording import Recording
 from pointpred.scoring import score
-from pointpred.sources.recordings import write
+from pointpred.sources.own.recordings import write
 from pointpred.training import fitting, own, people, train
 from pointpred.training.fitting import Settings
 from pointpred.training.people import FOLDS

@@ -1,0 +1,1 @@
+"""Any table of samples: which column is what, its units, and its rows as trials."""

@@ -1,0 +1,191 @@
+"""Which column of a table is which of our fields: as told, else by the usual names, else refused."""
+
+from __future__ import annotations
+
+import difflib
+import shlex
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from pointpred.errors import ColumnsError
+from pointpred.sources.columns.clock_units import counts_frames, is_clock, is_numbers, units_of
+from pointpred.sources.columns.names import Guess, guess, near, words_of
+from pointpred.sources.reading import FIELDS, NEEDED, Reading
+
+KEYS = ("user", "trial")
+JOIN = "+"
+"""Between the columns that name a user or a trial together."""
+UNITS = ("s", "ms", "us", "ns", "iso")
+Cells = Callable[[str], Any]
+"""The column of a name as an Arrow array."""
+MOST_NAMES = 40
+"""Columns that a message lists."""
+
+
+def mapping(
+    path: Path,
+    names: Sequence[str],
+    reading: Reading,
+    same: Callable[[Sequence[str]], bool],
+    cells: Cells,
+) -> tuple[dict[str, str], list[str]]:
+    """Field -> column, and notes on columns that could be meant but are left aside; raises ColumnsError.
+
+    What ``reading`` does not name is taken by its usual name. Of several columns for user or trial that are
+    the ``same`` (they part the rows alike), the first is taken.
+    """
+    told = {field: _named(path, names, field, column) for field, column in (reading.columns or {}).items()}
+    twice = {name for name in told.values() if list(told.values()).count(name) > 1}
+    if twice:
+        name = min(twice)
+        said = f"the column {name!r} is named twice"
+        raise ColumnsError(f"{path}: {said}; name a column once", names, told, reason=said)
+    usual = _guess([name for name in names if name not in told.values()], names)
+    found = usual.columns | told
+    choices = {field: some for field, some in usual.choices.items() if field not in told}
+    for field in KEYS:
+        if field in choices and same(choices[field]):
+            found[field] = choices.pop(field)[0]
+    best = {field: name for field, name in usual.best.items() if field not in told} | told
+    missing = [field for field in NEEDED if field not in found and field not in choices]
+    if missing:
+        raise _refusal(path, names, f"no column for {', '.join(missing)}", best, reading, cells)
+    unclear = [
+        f"{field} may be {' or '.join(choices[field])}" for field in (*NEEDED, *KEYS) if field in choices
+    ]
+    if unclear:
+        raise _refusal(path, names, "; ".join(unclear), best, reading, cells)
+    notes = [
+        f"{field} is not read: {' or '.join(some)} may be meant; name one with --columns {field}=..."
+        for field, some in choices.items()
+    ]
+    return {field: found[field] for field in FIELDS if field in found}, notes
+
+
+def parts_of(path: Path, names: Sequence[str], reading: Reading) -> dict[str, list[str]]:
+    """The columns that ``reading`` joins for user or trial, as in ``block+trial``, by how it writes them.
+
+    A column whose own name is written so is no join. Raises ColumnsError for a part that is no column.
+    """
+    told = (
+        {str(reading.columns[key]): key for key in KEYS if key in reading.columns} if reading.columns else {}
+    )
+    return {
+        name: [_named(path, names, key, part.strip()) for part in name.split(JOIN)]
+        for name, key in told.items()
+        if JOIN in name and name not in names
+    }
+
+
+def unit_refusal(
+    path: Path,
+    names: Sequence[str],
+    columns: Mapping[str, str],
+    units: Sequence[str],
+    reading: Reading,
+    frames: bool,
+) -> ColumnsError:
+    """The refusal of a table whose clock may run in several ``units``, or in none that a device has."""
+    why = f"may be {' or '.join(units)}" if units else "is not known"
+    told = columns if reading.columns else {}
+    asked = "; do its numbers count frames, not time?" if frames else ""
+    said = f"the unit of time (column {columns['t']!r}) {why}{asked}"
+    return ColumnsError(f"{path}: {said}; say it: {_command(path, told, units)}", names, columns, reason=said)
+
+
+def command_for(path: Path, columns: Mapping[str, str], time_unit: str | None = None) -> str:
+    """The command that reads a file by this mapping.
+
+    >>> command_for(Path("a.csv"), {"t": "time", "x": "px", "y": "py"}, "ms")
+    'pointpred score a.csv --columns t=time,x=px,y=py --time-unit ms'
+    """
+    pairs = ",".join(f"{field}={columns[field]}" for field in FIELDS if field in columns)
+    parts = ["pointpred", "score", str(path)]
+    parts += ["--columns", pairs] if pairs else []
+    parts += ["--time-unit", time_unit] if time_unit else []
+    return shlex.join(parts)
+
+
+def _command(path: Path, columns: Mapping[str, str], units: Sequence[str]) -> str:
+    """The command with the unit of time where it is certain, else with a word in its place."""
+    if len(units) == 1:
+        return command_for(path, columns, units[0])
+    return f"{command_for(path, columns, 'UNIT')} (UNIT: {' or '.join(units or UNITS)})"
+
+
+def _named(path: Path, names: Sequence[str], field: str, column: str | int) -> str:
+    """The column that is meant: by its name, by its name in other letters, by its place from 0."""
+    wanted = str(column)
+    if wanted in names:
+        return wanted
+    alike = [name for name in names if words_of(name) and words_of(name) == words_of(wanted)]
+    if len(alike) == 1:
+        return alike[0]
+    if wanted.isdecimal() and int(wanted) < len(names):
+        return names[int(wanted)]
+    close = difflib.get_close_matches(wanted.lower(), [name.lower() for name in names], 1)
+    nearest = [name for name in names if close and name.lower() == close[0]]
+    hint = f"; did you mean {field}={nearest[0]}?" if nearest else ""
+    said = f"no column {wanted!r} for {field}"
+    raise ColumnsError(f"{path}: {said}; it {_has(names)}{hint}", names, reason=said)
+
+
+def _refusal(
+    path: Path, names: Sequence[str], why: str, best: Mapping[str, str], reading: Reading, cells: Cells
+) -> ColumnsError:
+    free = [name for name in names if name not in best.values()]
+    likely = {field: name for field, name in near(free).items() if field not in best} | dict(best)
+    if not likely and list(names[:3]) == ["0", "1", "2"]:  # no header
+        likely = _by_place(names, cells)
+    missing = {field: "COLUMN" for field in NEEDED if field not in likely}
+    told = reading.time_unit
+    fitting = _fitting(likely["t"], cells, told) if "t" in likely else [told] if told else None
+    unit = fitting[0] if fitting and len(fitting) == 1 else None
+    pairs = likely | missing
+    command = command_for(path, pairs) if fitting is None else _command(path, pairs, fitting)
+    return ColumnsError(f"{path}: {why}; it {_has(names)}; try: {command}", names, likely, unit, why)
+
+
+def _fitting(name: str, cells: Cells, told: str | None) -> Sequence[str] | None:
+    """The units that a column of times may have, none where they have to be asked for, ``None`` for words."""
+    units = units_of(name, cells(name), told)[0]
+    return units if units or is_numbers(cells(name)) else None
+
+
+def _by_place(names: Sequence[str], cells: Cells) -> dict[str, str]:
+    """What a table without a header may hold: the only column that is a clock, and the two right after it."""
+    clocks = [name for name in names if is_clock(cells(name)) and not counts_frames(cells(name))]
+    if len(clocks) != 1:
+        return {}
+    at = names.index(clocks[0])
+    free = [name for name in names if name != clocks[0]]
+    beside = free if len(free) == 2 else names[at + 1 : at + 3]
+    likely = dict(zip(NEEDED, (clocks[0], *beside), strict=False))
+    return (
+        likely if len(likely) == 3 and all(is_numbers(cells(name)) for name in beside) else {"t": clocks[0]}
+    )
+
+
+def _guess(free: Sequence[str], names: Sequence[str]) -> Guess:
+    """The usual names among ``free``, where columns of one name, called after their places, are choices."""
+    plain = {name: name.removesuffix(f".{place}") for place, name in enumerate(names)}
+    often = Counter(plain[name] for name in free)
+    several: dict[str, list[str]] = {}
+    for name in free:
+        several.setdefault(plain[name] if often[plain[name]] > 1 else name, []).append(name)
+    usual = guess(list(several))
+    every = {
+        field: tuple(title for name in some for title in several[name])
+        for field, some in (usual.choices | {field: (name,) for field, name in usual.columns.items()}).items()
+    }
+    return Guess(
+        {field: some[0] for field, some in every.items() if len(some) == 1},
+        {field: some for field, some in every.items() if len(some) > 1},
+    )
+
+
+def _has(names: Sequence[str]) -> str:
+    shown = ", ".join(names[:MOST_NAMES]) + (", ..." if len(names) > MOST_NAMES else "")
+    return f"has the columns {shown}"

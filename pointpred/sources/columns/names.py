@@ -1,0 +1,197 @@
+"""The usual names of columns: which column of a table is time, position, user, trial, button or target."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+import msgspec
+
+
+def _words(*lines: str) -> tuple[str, ...]:
+    return tuple(" ".join(lines).split())
+
+
+TOKENS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[^\W\d_A-Z]+|\d+")
+"""The words of a name: capitals, marks and blanks separate them."""
+TIME_UNITS = {
+    word: unit
+    for unit, words in {
+        "s": "s sec secs second seconds",
+        "ms": "ms msec msecs millis millisecond milliseconds",
+        "us": "us µs μs usec usecs micros microsecond microseconds",
+        "ns": "ns nsec nsecs nanos nanosecond nanoseconds",
+    }.items()
+    for word in words.split()
+}
+OTHER_UNITS = frozenset(
+    _words("min mins minute minutes h hr hrs hour hours day days frame frames tick ticks")
+)
+"""Words at the end of the name of a clock that runs in a unit we do not read."""
+PIXELS = frozenset(("px", "pix", "pixel", "pixels"))
+INTERVALS = frozenset(_words("interval intervals delta diff difference duration dt between"))
+"""Words in the name of a column of times between samples, which is no clock."""
+TIMES = _words(
+    "t time timestamp ts elapsed timestamps times elapsedtime timeelapsed datetime epoch unixtime mousetime",
+    "eventtime timearray tarray timelist tlist timetrajectory",
+)
+XS = _words(
+    "x xpos posx xposition positionx mousex xmouse mouseposx cursorx xcursor cursorposx pointerx clientx",
+    "pagex screenx px xcoord coordx xcoordinate coordinatex xs xarray arrayx xlist listx",
+    "xtrajectory trajectoryx xvalues xvals",
+)
+STUDY = ("block", "session", "run", "condition", "phase")
+COUNTS = frozenset(_words("id number num no nr index name count"))
+"""Words beside the one that says what a column counts."""
+CLOCKS = ("t", "ts", "clock")
+VAGUE = ("state",)
+"""Names of columns that hold buttons only where their cells are words for buttons."""
+USUAL = {
+    "user": "user users userid participant participantid participantnr subject subjectid subjectnr "
+    "subjectnumber subj subjid sid pid ppid",
+    "trial": "trial trialid trialnumber trialnum trialno trialnr trialindex ntrial numtrial",
+    "buttons": "buttons button pressed state mousedown buttonstate mousebutton mousebuttons",
+    "target_x": "targetx goalx targetposx targetxpos xtarget",
+    "target_y": "targety goaly targetposy targetypos ytarget",
+    "target_w": "targetw targetwidth targetsize targetdiameter wtarget",
+    "dx": "dxcounts",
+    "dy": "dycounts",
+}
+
+
+class Guess(msgspec.Struct, frozen=True):
+    """The columns that bear a usual name: ``columns`` field -> the only one, ``choices`` field -> several."""
+
+    columns: dict[str, str]
+    choices: dict[str, tuple[str, ...]]
+
+    @property
+    def best(self) -> dict[str, str]:
+        """One column a field, the first where there are several: to be shown, not to be used."""
+        return {field: several[0] for field, several in self.choices.items()} | self.columns
+
+
+def words_of(name: str) -> list[str]:
+    """The words of a column's name in small letters.
+
+    >>> words_of("mouseX"), words_of("Time [ms]"), words_of("x_px")
+    (['mouse', 'x'], ['time', 'ms'], ['x', 'px'])
+    """
+    return [word.lower() for word in TOKENS.findall(name)]
+
+
+def unit_in(name: str) -> str | None:
+    """The unit of time that a column's name ends with: s, ms, us or ns.
+
+    >>> unit_in("t_ms"), unit_in("Time (s)"), unit_in("ts")
+    ('ms', 's', None)
+    """
+    words = words_of(name)
+    alone = len(words) == 1 and len(words[0]) < 3 and words != ["ms"]
+    return None if alone or not words else TIME_UNITS.get(words[-1])
+
+
+def has_other_unit(name: str) -> bool:
+    """Whether a column's name ends with a unit of time that is not read.
+
+    >>> has_other_unit("time_min"), has_other_unit("frame_time")
+    (True, False)
+    """
+    return not OTHER_UNITS.isdisjoint(words_of(name)[-1:])
+
+
+def guess(names: Sequence[str]) -> Guess:
+    """The usual names among ``names``; x and y count only as a pair, as ``clientX`` and ``clientY``.
+
+    Where t, x and y are not all there, the only group that holds them gives them, as ``samples.t`` and so on.
+
+    >>> guess(["subject", "time_ms", "xpos", "ypos"]).columns
+    {'user': 'subject', 't': 'time_ms', 'x': 'xpos', 'y': 'ypos'}
+    >>> guess(["trial", "samples.t", "samples.x", "samples.y", "start.x", "start.y"]).columns
+    {'trial': 'trial', 't': 'samples.t', 'x': 'samples.x', 'y': 'samples.y'}
+    """
+    usual = _usual(names)
+    if {"t", "x", "y"} <= {*usual.columns, *usual.choices}:
+        return usual
+    groups: dict[str, list[str]] = {}
+    for name in names:
+        prefix, dot, last = name.rpartition(".")
+        groups.setdefault(prefix + dot, []).append(last)
+    parts = {prefix: _usual(some).columns for prefix, some in groups.items() if prefix}
+    whole = [prefix for prefix, part in parts.items() if {"t", "x", "y"} <= part.keys()]
+    if len(whole) != 1:
+        return Guess(usual.columns | _lone(names), usual.choices)
+    taken = {field: whole[0] + parts[whole[0]][field] for field in ("t", "x", "y")}
+    choices = {field: some for field, some in usual.choices.items() if field not in taken}
+    return Guess(usual.columns | taken, choices)
+
+
+def _usual(names: Sequence[str]) -> Guess:
+    found: dict[str, list[str]] = {
+        field: _in_order(names, words.split(), PIXELS) for field, words in USUAL.items()
+    }
+    found["t"] = [name for name in names if _plain(name, frozenset()) in ("ms", "msec", "millis")]
+    found["t"] = _in_order(names, TIMES, frozenset(TIME_UNITS)) + found["t"]
+    pairs = _pairs(names)
+    found["x"], found["y"] = [pair[0] for pair in pairs], [pair[1] for pair in pairs]
+    return Guess(
+        {field: several[0] for field, several in found.items() if len(several) == 1},
+        {field: tuple(several) for field, several in found.items() if len(several) > 1},
+    )
+
+
+def near(names: Sequence[str]) -> dict[str, str]:
+    """Columns that may be t, x and y although their names are not the usual ones: to be shown only.
+
+    >>> near(["gaze_time_at", "gaze_x_raw", "gaze_y_raw"])
+    {'t': 'gaze_time_at', 'x': 'gaze_x_raw', 'y': 'gaze_y_raw'}
+    """
+    words = {name: words_of(name) for name in names if "target" not in name.lower()}
+    times = [
+        name
+        for name, some in words.items()
+        if any(word in CLOCKS or "time" in word or "stamp" in word for word in some)
+        and not INTERVALS.intersection(some)
+    ]
+    fits = {
+        "t": times,
+        "x": [name for name, some in words.items() if "x" in some],
+        "y": [name for name, some in words.items() if "y" in some],
+    }
+    return {field: some[0] for field, some in fits.items() if some}
+
+
+def parts_of_study(names: Sequence[str]) -> list[str]:
+    """The columns that part a study: its blocks, sessions, runs, conditions or phases, in this order.
+
+    >>> parts_of_study(["phase", "blockNum", "session_id", "blocked"])
+    ['blockNum', 'session_id', 'phase']
+    """
+    plain = {name: "".join(word for word in words_of(name) if word not in COUNTS) for name in names}
+    return sorted((name for name in names if plain[name] in STUDY), key=lambda name: STUDY.index(plain[name]))
+
+
+def _plain(name: str, units: frozenset[str]) -> str:
+    """The words of a name joined, without a unit at its end."""
+    words = words_of(name)
+    return "".join(words[:-1] if len(words) > 1 and words[-1] in units else words)
+
+
+def _in_order(names: Sequence[str], usual: Sequence[str], units: frozenset[str]) -> list[str]:
+    """The names that are usual ones, in the order of the usual ones."""
+    ranked = [(usual.index(plain), name) for name in names if (plain := _plain(name, units)) in usual]
+    return [name for _, name in sorted(ranked, key=lambda one: one[0])]
+
+
+def _lone(names: Sequence[str]) -> dict[str, str]:
+    """An x or a y that has no partner among the names, where there is only one."""
+    ys = [word.replace("x", "y") for word in XS]
+    found = {"x": _in_order(names, XS, PIXELS), "y": _in_order(names, ys, PIXELS)}
+    return {field: some[0] for field, some in found.items() if len(some) == 1}
+
+
+def _pairs(names: Sequence[str]) -> list[tuple[str, str]]:
+    """The columns x and y that belong together: their names differ in one letter."""
+    ys = {_plain(name, PIXELS): name for name in reversed(names)}
+    pairs = [(name, ys.get(_plain(name, PIXELS).replace("x", "y"))) for name in _in_order(names, XS, PIXELS)]
+    return [(x, y) for x, y in pairs if y is not None]

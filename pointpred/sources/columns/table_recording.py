@@ -1,0 +1,319 @@
+"""Any table of samples as a recording: its columns mapped to ours, converted, grouped or cut into trials."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import numpy as np
+import pyarrow as pa
+import pyarrow.compute as pc
+
+from pointpred.columns import EventColumns, FloatArray
+from pointpred.errors import ColumnsError, RecordingError
+from pointpred.recording import Provenance, Recording
+from pointpred.sources.columns import time_units
+from pointpred.sources.columns.buttons import buttons_of
+from pointpred.sources.columns.clock_checks import doubts, only_whole_seconds
+from pointpred.sources.columns.clock_units import HEAD, counts_frames, is_numbers, units_of
+from pointpred.sources.columns.list_rows import holds_lists, recording_of_lists, steps_of
+from pointpred.sources.columns.mapping import KEYS, command_for, mapping, parts_of, unit_refusal
+from pointpred.sources.columns.names import near
+from pointpred.sources.columns.position_units import gain_of
+from pointpred.sources.columns.restarts import joined
+from pointpred.sources.columns.trials import Rows, recording_of_rows
+from pointpred.sources.reading import NEEDED, Reading
+from pointpred.sources.records.json_cells import open_cells
+from pointpred.sources.tables import arrow_tables
+from pointpred.sources.tables.column_table import ColumnTable
+from pointpred.sources.trials.conditions import TARGET
+from pointpred.sources.trials.keys import codes_of
+
+MOSTLY = 0.5
+"""A column of numbers in which a larger share of cells is none is the wrong column."""
+
+
+OFTEN, FEW = 0.2, 3
+"""A larger share, and more, of steps backwards is no clock that starts anew now and then."""
+
+
+def recording_of_table(path: Path, table: ColumnTable, reading: Reading) -> Recording:
+    """The recording in a table, by ``reading.columns`` or the usual names of columns.
+
+    Says in a note what was assumed. Raises ColumnsError, which names the columns and a mapping to try, where
+    no mapping is certain, and RecordingError where a mapped column is not what it should be.
+    """
+    mapped = _MappedTable(path, _opened(path, table, reading), reading)
+    recording = _of_lists(mapped) if mapped.holds_lists else _of_rows(mapped)
+    doubtful = _doubtful_positions(recording.events, reading)
+    return msgspec.structs.replace(recording, notes=(*recording.notes, *doubtful))
+
+
+def _doubtful_positions(events: EventColumns, reading: Reading) -> list[str]:
+    """Notes where positions are hardly px from a screen's top downwards, and nobody said what they are."""
+    if not len(events):
+        return []
+    notes = []
+    if (
+        reading.px_per_unit is None
+        and reading.unit is None
+        and max(np.ptp(events.x), np.ptp(events.y)) <= 1.0
+    ):
+        notes.append(
+            "all positions lie within 1 px: are they shares of the screen, or metres? --px-per-unit converts"
+        )
+    if not reading.y_up and events.y.max() <= 0.0 and events.y.min() < 0.0 <= events.x.min():
+        notes.append("y is never above 0: does it grow upwards? --y-up turns it")
+    return notes
+
+
+class _MappedTable:
+    """A table whose columns are mapped to our fields: ``found`` field -> column; raises ColumnsError."""
+
+    def __init__(self, path: Path, table: ColumnTable, reading: Reading) -> None:
+        self.path, self.table, self.reading = path, table, reading
+        self.names = list(table.columns)
+        self._arrays: dict[str, Any] = {}
+        self.found, self.notes = mapping(path, self.names, reading, self._same, self.column)
+        self._check_sure()
+        across, down = gain_of(path, reading.unit or "pix", reading)
+        down = -down if reading.y_up else down
+        self.gains = {"x": across, "y": down, "target_x": across, "target_y": down, "target_w": across}
+
+    def column(self, name: str) -> Any:
+        """A column as an Arrow array."""
+        if name not in self._arrays:
+            self._arrays[name] = as_arrow(self.table.columns[name])
+        return self._arrays[name]
+
+    def field(self, field: str) -> Any:
+        """The column of a field as an Arrow array."""
+        return self.column(self.found[field])
+
+    @property
+    def count(self) -> int:
+        """Rows."""
+        return len(self.field("t"))
+
+    @property
+    def others(self) -> list[str]:
+        """The columns that are mapped to no field."""
+        return [name for name in self.names if name not in self.found.values()]
+
+    @property
+    def holds_lists(self) -> bool:
+        """Whether a row is a trial."""
+        return any(holds_lists(self.field(field)) for field in NEEDED)
+
+    def unit(self) -> tuple[str, str]:
+        """The unit of time, and how it is known, as notes say it; raises ColumnsError where it is not."""
+        column = self.field("t")
+        units, how = units_of(self.found["t"], column, self.reading.time_unit)
+        if not units and not is_numbers(column) and not holds_lists(column):
+            cell = next((str(cell) for cell in column.slice(0, HEAD).to_pylist() if cell is not None), "")
+            said = f"the cells of the column {self.found['t']!r} (t) are neither numbers nor dates and times"
+            raise self.refusal(
+                said, f", such as {arrow_tables.short(cell)!r}; dates are written 2024-03-01T10:00:00.123"
+            )
+        if len(units) != 1:
+            frames = counts_frames(column)
+            raise unit_refusal(self.path, self.names, self.found, units, self.reading, frames)
+        return units[0], how
+
+    def refusal(self, said: str, more: str = "") -> ColumnsError:
+        """What to raise where the mapping does not fit the cells; ``more`` is no part of its reason."""
+        return ColumnsError(f"{self.path}: {said}{more}", self.names, self.found, reason=said)
+
+    def provenance(self, how: str) -> Provenance:
+        """What the table and ``reading`` say about the samples."""
+        reading = self.reading
+        converted = reading.px_per_unit is not None or reading.unit not in (None, "pix")
+        return Provenance(
+            self.table.format,
+            unit=f"units of {self.gains['x']:g} px" if converted else "px",
+            origin="as in the file",
+            y_axis="up" if reading.y_up else "down",
+            clock=f"column {self.found['t']}{how}",
+            dpi=reading.dpi,
+            cpi=reading.cpi,
+        )
+
+    def all_notes(self, how: str) -> tuple[str, ...]:
+        """The notes of the table, the mapping, and what was assumed."""
+        pairs = (f"{field} = {name}" + (how if field == "t" else "") for field, name in self.found.items())
+        return (*self.table.notes, "columns: " + ", ".join(pairs), *self.notes)
+
+    def _check_sure(self) -> None:
+        """Raise ColumnsError where a column of numbers may be read in two ways."""
+        for field in (*NEEDED, *TARGET):
+            if why := self.table.unsure.get(self.found.get(field, "")):
+                more = "; write numbers with a decimal point and without thousands separators"
+                raise self.refusal(f"the column {self.found[field]!r} ({field}): {why}", more)
+
+    def _same(self, some: Sequence[str]) -> bool:
+        """Whether columns part the rows alike."""
+        return all(_part_alike(self.column(some[0]), self.column(other)) for other in some[1:])
+
+
+def _opened(path: Path, table: ColumnTable, reading: Reading) -> ColumnTable:
+    """The table with the tracks in its cells as columns, and the columns that ``reading`` joins."""
+    columns, damage = open_cells(table.columns)
+    sizes = {len(column) for column in columns.values()}
+    if len(sizes) > 1:
+        raise RecordingError(
+            f"{path}: columns of {min(sizes)} to {max(sizes)} rows, expected as many of each"
+        )
+    for name, parts in parts_of(path, list(columns), reading).items():
+        columns[name] = joined([as_arrow(columns[part]) for part in parts])
+    return msgspec.structs.replace(table, columns=columns, notes=(*table.notes, *damage))
+
+
+def _of_lists(mapped: _MappedTable) -> Recording:
+    """The recording in a table with a trial a row; raises ColumnsError."""
+    lacking = [mapped.found[field] for field in NEEDED if not holds_lists(mapped.field(field))]
+    if lacking:
+        raise mapped.refusal(f"t, x and y must be lists alike; {', '.join(lacking)} holds none")
+    if mapped.reading.cut is not None:
+        mapped.notes.append(f"cut {mapped.reading.cut!r} has no effect: a row of the table is a trial")
+    unit, how = mapped.unit()
+    mapped.notes += doubts(mapped.found["t"], time_units.PER_SECOND[unit], steps_of(mapped.field("t")))
+    return recording_of_lists(
+        mapped.path,
+        mapped.column,
+        mapped.found,
+        mapped.others,
+        per_second=time_units.PER_SECOND[unit],
+        gain=(mapped.gains["x"], mapped.gains["y"]),
+        provenance=mapped.provenance(how),
+        skipped=mapped.table.skipped,
+        notes=mapped.all_notes(how),
+    )
+
+
+def _of_rows(mapped: _MappedTable) -> Recording:
+    """The recording in a table with a sample a row; raises ColumnsError."""
+    row_of = mapped.table.row_of
+    rows = Rows(mapped.count, np.arange(mapped.count, dtype=np.int64) if row_of is None else row_of)
+    how = _read_clock(mapped, rows)
+    _read_numbers(mapped, rows)
+    _read_buttons(mapped, rows)
+    keys = {
+        key: pc.utf8_trim_whitespace(arrow_tables.words(mapped.field(key)))
+        for key in KEYS
+        if key in mapped.found
+    }
+    _doubt_clock(mapped, rows, keys)
+    return recording_of_rows(
+        mapped.path,
+        rows,
+        keys,
+        {name: mapped.column(name) for name in mapped.others},
+        mapped.reading,
+        provenance=mapped.provenance(how),
+        skipped=mapped.table.skipped,
+        notes=mapped.all_notes(how),
+    )
+
+
+def _read_clock(mapped: _MappedTable, rows: Rows) -> str:
+    """Put the times into ``rows``; returns how their unit is known, as notes say it."""
+    unit, how = mapped.unit()
+    rows.values["t"], wrong = time_units.clock(mapped.field("t"), unit == "iso")
+    rows.blame("t", mapped.found["t"], wrong, "a date and time" if unit == "iso" else "a number")
+    rows.per_second = time_units.PER_SECOND[unit]
+    return how
+
+
+def _read_numbers(mapped: _MappedTable, rows: Rows) -> None:
+    """Put positions, counts and targets in px into ``rows``; raises ColumnsError where most are none."""
+    for field in ("x", "y", "dx", "dy", *TARGET):
+        if field in mapped.found:
+            numbers, wrong = arrow_tables.finite_numbers(mapped.field(field))
+            with np.errstate(over="ignore"):  # what overflows is judged with its row
+                rows.values[field] = numbers * mapped.gains.get(field, 1.0) + 0.0  # no negative zero
+            if field not in TARGET:
+                rows.blame(field, mapped.found[field], wrong, "a number")
+    for field in NEEDED:
+        _check_numbers(mapped, field, rows.values[field])
+
+
+def _read_buttons(mapped: _MappedTable, rows: Rows) -> None:
+    """Put the buttons into ``rows``; a column that holds none although it is called so is left aside."""
+    if "buttons" not in mapped.found:
+        return
+    name = mapped.found["buttons"]
+    told = "buttons" in (mapped.reading.columns or {})
+    pressed = buttons_of(mapped.path, name, mapped.field("buttons"), told)
+    if pressed is None:
+        mapped.notes.append(f"column {name} is left aside: its cells are not buttons")
+        del mapped.found["buttons"]
+    else:
+        rows.values["buttons"] = pressed
+
+
+def as_arrow(column: Any) -> Any:
+    """A column as an Arrow array; cells of several kinds become words."""
+    if isinstance(column, pa.ChunkedArray):
+        return column
+    try:
+        array = pa.array(column)
+    except (pa.ArrowException, TypeError, ValueError, OverflowError):
+        array = pa.array([None if cell is None else str(cell) for cell in column], pa.string())
+    if pa.types.is_null(array.type):
+        array = pc.cast(array, pa.string())
+    return pa.chunked_array([array])
+
+
+def _check_numbers(mapped: _MappedTable, field: str, values: FloatArray) -> None:
+    """Raise ColumnsError where most cells of a column are no numbers."""
+    bad = np.flatnonzero(~np.isfinite(values))
+    if len(bad) <= MOSTLY * len(values):
+        return
+    row = int(bad[0])
+    cell = arrow_tables.short(str(mapped.field(field)[row].as_py()))
+    kind = "number or possible date" if field == "t" else "number"
+    raise mapped.refusal(
+        f"{len(bad)} of {len(values)} cells of the column {mapped.found[field]!r} ({field}) are no {kind}",
+        f", such as {cell!r} in data row {row}: is it another column, or another unit of time?",
+    )
+
+
+def _doubt_clock(mapped: _MappedTable, rows: Rows, keys: Mapping[str, Any]) -> None:
+    """Note what the steps of the clock say against it; raise ColumnsError where it cuts no stream."""
+    times, users = rows.values["t"], keys.get("user")
+    if "trial" not in keys:
+        _check_clock(mapped, times, users)
+    mapped.notes += doubts(mapped.found["t"], rows.per_second, times, users)
+    if only_whole_seconds(times, rows.per_second, users):
+        said = f"the time (column {mapped.found['t']!r}) has only whole seconds, with several rows in each"
+        if "trial" not in keys:
+            raise mapped.refusal(said, ": too coarse to cut; is there another column of times?")
+        mapped.notes.append(f"{said}: a movement within one takes no time")
+
+
+def _check_clock(mapped: _MappedTable, clock: FloatArray, users: Any) -> None:
+    """Raise ColumnsError where the time of a stream goes backwards so often that it holds intervals."""
+    if users is not None:
+        clock = clock[np.argsort(codes_of(pc.fill_null(users, ""))[0], kind="stable")]
+    steps = np.diff(clock[np.isfinite(clock)])
+    back = int(np.count_nonzero(steps < 0))
+    if back > max(OFTEN * len(steps), FEW):
+        rest = {field: name for field, name in mapped.found.items() if field != "t"}
+        likely = near(mapped.others).get("t", "COLUMN")
+        raise ColumnsError(
+            f"{mapped.path}: the time (column {mapped.found['t']!r}) goes backwards in {back} of "
+            f"{len(steps)} steps: does it hold intervals? try: "
+            f"{command_for(mapped.path, rest | {'t': likely})}; where it is the time "
+            "of each trial, name the column of the trials: --columns trial=...",
+            mapped.names,
+            rest,
+        )
+
+
+def _part_alike(one: Any, other: Any) -> bool:
+    """Whether two columns part the rows into the same groups."""
+    codes = [codes_of(pc.fill_null(arrow_tables.words(column), ""))[0] for column in (one, other)]
+    together = len(np.unique(codes[0] * (codes[1].max(initial=0) + 1) + codes[1]))
+    return together == len(np.unique(codes[0])) == len(np.unique(codes[1]))

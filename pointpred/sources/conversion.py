@@ -1,0 +1,61 @@
+"""Convert recordings of any known format to pointpred's own."""
+
+from __future__ import annotations
+
+from collections import Counter
+from pathlib import Path
+
+import msgspec
+
+from pointpred.recording import Recording
+from pointpred.sources.files.names import file_names
+from pointpred.sources.files.writing import together
+from pointpred.sources.own import recordings
+from pointpred.sources.read_files import read_any
+from pointpred.sources.reading import AS_IS, Reading
+
+
+class Summary(msgspec.Struct, frozen=True):
+    """What a conversion did: the files written, trials and users kept, trials skipped by reason, notes."""
+
+    files: tuple[str, ...]
+    trials: int
+    users: int
+    rows: int
+    skipped: dict[str, int]
+    notes: tuple[str, ...]
+
+
+def convert(
+    path_in: str | Path, path_out: str | Path, reading: Reading = AS_IS, *, replace: bool = True
+) -> Summary:
+    """Convert a recording of any format, or a folder of one, to pointpred's own Parquet or CSV.
+
+    ``path_out`` ends in ``.parquet`` or ``.csv``; where the input holds several recordings, each goes to a
+    file of that name with its own name put in front. A recording without a trial is not written. Where
+    anything fails, no file is left and none is replaced. Returns what was kept and skipped; raises
+    RecordingError, and ParameterError where a file would be replaced without ``replace``.
+    """
+    return write_recordings(read_any(path_in, reading), path_out, replace=replace)
+
+
+def write_recordings(found: list[Recording], path_out: str | Path, *, replace: bool = True) -> Summary:
+    """Write recordings as ``convert`` does; raises what it raises."""
+    out = Path(path_out)
+    several = len(found) > 1
+    names = file_names([recording.name for recording in found], out.name) if several else [out.name]
+    for name in names:
+        (recordings.files_of if replace else recordings.check_free)(out.with_name(name))
+    files: list[str] = []
+    with together() as part:
+        for recording, name in zip(found, names, strict=True):
+            if recording.trials:
+                files += map(str, recordings.write_parts(recording, out.with_name(name), part))
+    return Summary(
+        tuple(files),
+        sum(len(recording.trials) for recording in found),
+        len({(recording.name, trial.user) for recording in found for trial in recording.trials}),
+        sum(len(recording.events) for recording in found),
+        dict(Counter(skip.reason for recording in found for skip in recording.skipped)),
+        tuple(note for recording in found for note in recording.notes),
+    )

@@ -1,0 +1,1 @@
+"""Logs of input devices: one file for each format."""

@@ -1,0 +1,74 @@
+"""evtest's text: ``Event: time S.UUUUUU, type 2 (EV_REL), code 0 (REL_X), value n``."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+from pointpred.recording import Recording
+from pointpred.sources.device_logs.evdev_frames import (
+    EV_REL,
+    EV_SYN,
+    SYN_DROPPED,
+    SYN_REPORT,
+    RawEvent,
+    moving,
+    recording,
+)
+from pointpred.sources.device_logs.unreadable_lines import Unreadable
+from pointpred.sources.files.encodings import read_text, stem_of
+from pointpred.sources.reading import AS_IS, Reading
+
+TITLE = "evtest text"
+STAMP = r"Event: time (\d{1,10})\.(\d{6}), "
+EVENT = re.compile(
+    STAMP + r"type (\d{1,2}) \([^)]*\), code (\d{1,4}) \([^)]*\), value (-?[0-9a-fA-F]{1,10})\s*$"
+)
+MARK = re.compile(STAMP + r"[-+>]+ ?([A-Za-z_ ?]+?) ?[-+<]+\s*$")
+WHOLE = re.compile(r"-?\d+")
+UNREAD = "events that cannot be read"
+REPORTS = ("SYN_REPORT", "Report Sync")
+MARKS = {"SYN_MT_REPORT": 2, "Config Sync": 1, "SYN_CONFIG": 1, "SYN_DROPPED": SYN_DROPPED}
+
+
+def recognises(head: bytes) -> bool:
+    """Whether a file that begins with ``head`` holds evtest's events."""
+    return re.search(rb"^Event: time \d+\.\d{6}, ", head, re.MULTILINE) is not None
+
+
+def read(path: Path, reading: Reading = AS_IS) -> Recording:
+    """Read a recording as counts; ``row`` counts the Event lines that can be read; the others are in a note.
+
+    Raises RecordingError.
+    """
+    text = read_text(path)
+    named = re.search(r'^Input device name: "(.*)"$', text, re.MULTILINE)
+    device = named.group(1).strip() if named else stem_of(path)
+    unreadable = Unreadable()
+    stream = moving(path, _events(text, unreadable), unreadable)
+    return recording(
+        path, "evtest", device, stream, reading, "kernel stamps, us, usually the real-time clock"
+    )
+
+
+def _events(text: str, unreadable: Unreadable) -> Iterator[RawEvent]:
+    """The events of the lines that begin with Event; evtest's own header and footer are passed over."""
+    for number, line in enumerate(text.splitlines(), 1):
+        if not line.startswith("Event: "):
+            continue
+        found, mark = EVENT.match(line), MARK.match(line)
+        if found:
+            seconds, micros, kind, code, value = found.groups()
+            time = int(seconds) * 1_000_000 + int(micros)
+            if int(kind) > EV_REL:
+                yield time, int(kind), int(code), 0
+            elif WHOLE.fullmatch(value):
+                yield time, int(kind), int(code), int(value)
+            else:
+                unreadable.add(UNREAD, number, line)
+        elif mark and (mark.group(3) in REPORTS or mark.group(3) in MARKS):
+            time = int(mark.group(1)) * 1_000_000 + int(mark.group(2))
+            yield time, EV_SYN, MARKS.get(mark.group(3), SYN_REPORT), 0
+        else:
+            unreadable.add(UNREAD, number, line)

@@ -1,0 +1,1 @@
+"""Logs of experiment software and of published data sets: one file for each format."""

@@ -1,0 +1,129 @@
+"""PsychoPy: a table with a row a trial, a mouse component's track as Python lists in its cells."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pointpred.recording import Provenance, Recording, Skip, Trial
+from pointpred.sources.columns.position_units import check_pixels, gain_of, unit_of
+from pointpred.sources.experiment_logs.row_conditions import people_of, row_conditions
+from pointpred.sources.files.encodings import head_of, stem_of
+from pointpred.sources.reading import AS_IS, Reading
+from pointpred.sources.tables import arrow_tables
+from pointpred.sources.trials.lists import Lists, split
+
+TITLE = "PsychoPy CSV"
+SEPARATORS = (",", ";", "\t")
+USERS = ("participant",)
+BUTTONS = {"left": 1, "right": 2, "mid": 4}
+CLICKS_S = 0.1
+"""Samples with a button held in each, farther apart than this, are clicks and no track."""
+CLICKS_ONLY = "only clicks were saved (the mouse saves its state 'on click'), expected 'every frame'"
+
+
+def recognises(head: bytes) -> bool:
+    """Whether a file that begins with ``head`` is a PsychoPy table with a mouse component."""
+    return _separator(head) is not None
+
+
+def read(path: Path, reading: Reading = AS_IS) -> Recording:
+    """Read a table; a trial is ``<row>``, or ``<row> <mouse>`` where there are several mouse components.
+
+    Assumes s, the origin in the centre of the screen and y up; y is turned, the origin stays. The unit is
+    ``reading.unit``, with ``reading.screen`` for height and norm, ``reading.dpi`` for cm and m and
+    ``reading.px_per_unit`` for deg; untold, what a column ``units`` says, else pixels, with a note. Cells are
+    separated by commas, semicolons or tabs. Without a column that names people, a file is one person's.
+    Trials of which only clicks were saved are skipped. The other short cells of a row are conditions.
+    Raises RecordingError, also where pixels are assumed and can hardly be the unit.
+    """
+    separator = _separator(head_of(path)) or ","
+    table, _ = arrow_tables.read_table(path, lambda column: True, separator)
+    names = table.column_names
+    mice = _mice(names)
+    arrow_tables.need_columns(path, names, [f"{mouse}.time" for mouse in mice or ["mouse"]], names)
+    rows = table.to_pylist()
+    lists = Lists(path)
+    unit, said = unit_of(rows, reading)
+    gain = gain_of(path, unit or "pix", reading)
+    users, column, more = people_of(path, rows, USERS)
+    own = tuple(f"{mouse}." for mouse in mice)
+    aside: set[str | None] = {name for name in names if name.startswith(own)}
+    conditions, left = row_conditions(rows, aside | {column, "mouse"})
+    empty = 0
+    for row, (cells, user, condition) in enumerate(zip(rows, users, conditions, strict=True)):
+        for mouse in mice:
+            t, x, y = (split(cells[f"{mouse}.{part}"]) for part in ("time", "x", "y"))
+            trial = str(row) if len(mice) == 1 else f"{row} {mouse}"
+            if not (t or x or y):
+                empty += 1
+                continue
+            held = _held(cells, mouse, len(t))
+            if held is None:
+                lists.skip(Skip(trial, "buttons are not 0 or 1 for each time", row))
+                continue
+            if _are_clicks(t, held):
+                lists.skip(Skip(trial, CLICKS_ONLY, row, user))
+                continue
+            about = Trial(user, trial, condition=condition | {"mouse": mouse})
+            lists.add(about, row, t, x, y, held, scale=1.0, gain=(gain[0], -gain[1]))
+    if empty:
+        lists.notes.append(f"{empty} cells hold no track")
+    if unit is None and reading.px_per_unit is None:
+        said = check_pixels(path, [part[:, 1:3] for part in lists.tables])
+    lists.notes += [*more, *said, *left]
+    provenance = Provenance(
+        "psychopy",
+        unit="px" if unit == "pix" else unit or ("px" if reading.px_per_unit is None else "told"),
+        origin="centre of the screen",
+        y_axis="up",
+        clock="the component's clock, s",
+        dpi=reading.dpi,
+    )
+    return lists.recording(stem_of(path), provenance)
+
+
+def _separator(head: bytes) -> str | None:
+    """What separates the columns of a table with a mouse component; ``None`` where there is none."""
+    try:
+        first = head.split(b"\n", 1)[0].decode("utf-8-sig")
+        for separator in SEPARATORS:
+            if _mice(next(csv.reader([first], delimiter=separator), [])):
+                return separator
+    except (UnicodeDecodeError, csv.Error):
+        pass
+    return None
+
+
+def _mice(names: Sequence[str]) -> list[str]:
+    """The mouse components among the columns: those with a time, an x and a y."""
+    parts = [name.removesuffix(".time") for name in names if name.endswith(".time")]
+    return [part for part in parts if f"{part}.x" in names and f"{part}.y" in names]
+
+
+def _held(cells: dict[str, Any], mouse: str, count: int) -> list[float] | None:
+    """The buttons of each sample as in W3C pointer events; ``None`` where they do not fit the times."""
+    held = [0.0] * count
+    for name, bit in BUTTONS.items():
+        pressed = split(cells.get(f"{mouse}.{name}Button"))
+        if not pressed:
+            continue
+        if len(pressed) != count or any(word not in ("0", "1") for word in pressed):
+            return None
+        held = [sum_ + bit * int(word) for sum_, word in zip(held, pressed, strict=True)]
+    return held
+
+
+def _are_clicks(t: Sequence[str], held: Sequence[float]) -> bool:
+    """Whether the samples of a trial are clicks alone: a button is held in each, and they are far apart."""
+    if not held or not all(held):
+        return False
+    try:
+        intervals = np.diff([float(cell) for cell in t])
+    except ValueError:
+        return False
+    return not len(intervals) or float(np.median(intervals)) > CLICKS_S

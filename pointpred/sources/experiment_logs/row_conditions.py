@@ -1,0 +1,91 @@
+"""What a file with a trial in each row says beside the tracks: conditions, and who made each trial."""
+
+from __future__ import annotations
+
+from collections.abc import Container, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pointpred.sources.columns.names import guess
+from pointpred.sources.files.encodings import stem_of
+from pointpred.sources.trials.conditions import MOST, TRIAL_COLUMNS
+
+SHOWN = 5
+LONGEST = 100
+"""A column with a longer cell holds a track, a page or an answer, and no condition."""
+
+
+def row_conditions(
+    rows: Sequence[dict[str, Any]], aside: Container[str | None] = ()
+) -> tuple[list[dict[str, str | float]], list[str]]:
+    """The conditions in each row: columns of short words or numbers that are not ``aside``; and notes.
+
+    Numbers stay numbers where every cell of a column is one; an empty cell is no condition. At most 64
+    columns are taken, those that vary before those that do not; a note names what is left out.
+
+    >>> row_conditions([{"block": "1", "cue": "left"}, {"block": "2", "cue": ""}])
+    ([{'block': 1.0, 'cue': 'left'}, {'block': 2.0}], [])
+    """
+    columns = {name: [row.get(name) for row in rows] for row in rows for name in row if name not in aside}
+    held = {name: cells for name, cells in columns.items() if not all(map(_empty, cells))}
+    fitting = [name for name, cells in held.items() if _fits(name) and all(map(_short, cells))]
+    fitting.sort(key=lambda name: len({str(cell) for cell in held[name]}) == 1)
+    kept = set(fitting[:MOST])
+    known: list[dict[str, str | float]] = [{} for _ in rows]
+    for name in [name for name in held if name in kept]:
+        numbers = [_number(cell) for cell in held[name] if not _empty(cell)]
+        for row, cell in zip(known, held[name], strict=True):
+            if not _empty(cell):
+                number = _number(cell)
+                row[name] = str(cell) if number is None or None in numbers else number
+    left = [name for name in held if name not in kept]
+    more = f" and {len(left) - SHOWN} more" if len(left) > SHOWN else ""
+    return known, [f"columns left aside: {', '.join(left[:SHOWN])}{more}"] if left else []
+
+
+def people_of(
+    path: Path, rows: Sequence[dict[str, Any]], usual: Sequence[str]
+) -> tuple[list[str], str | None, list[str]]:
+    """Who made each row, the column that says so, and notes: without one, the file is one person's.
+
+    The column is the first of ``usual`` that is there, or one with a usual name. A row with an empty cell
+    belongs to the person of the first row that names one.
+    """
+    names = list(dict.fromkeys(name for row in rows for name in row))
+    column = next((name for name in usual if name in names), None) or guess(names).best.get("user")
+    cells = [] if column is None else [str(row.get(column) or "").strip() for row in rows]
+    first = next(filter(None, cells), "")
+    if first:
+        return [cell or first for cell in cells], column, []
+    stem = stem_of(path)
+    return [stem] * len(rows), column, [f"one person, called {stem!r} after the file: no column names one"]
+
+
+def _fits(name: str) -> bool:
+    """Whether a name can be that of a condition in pointpred's own files."""
+    return bool(name) and name not in TRIAL_COLUMNS and name == name.strip(' "\r\n,') and "," not in name
+
+
+def _short(cell: Any) -> bool:
+    return cell is None or (
+        isinstance(cell, str | float | int) and not _is_list(cell) and len(str(cell)) <= LONGEST
+    )
+
+
+def _is_list(cell: Any) -> bool:
+    return isinstance(cell, str) and cell.lstrip().startswith(("[", "{"))
+
+
+def _empty(cell: Any) -> bool:
+    return cell is None or (isinstance(cell, str) and not cell.strip())
+
+
+def _number(cell: Any) -> float | None:
+    """A cell as a finite number, ``None`` where it is none."""
+    try:
+        number = float(cell)
+    except (ValueError, OverflowError):
+        return None
+    return number if np.isfinite(number) else None

@@ -1,0 +1,1 @@
+"""Pointpred's own recordings."""

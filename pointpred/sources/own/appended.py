@@ -1,0 +1,146 @@
+"""Recordings that were appended to while people moved, as the service's recorder leaves them.
+
+Their header says ``"append": true``: rows were added one after another and the process may have been killed
+at any moment, so the last line may be cut short. It alone is left aside, with a note.
+"""
+
+from __future__ import annotations
+
+from io import BytesIO
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+import pyarrow.compute as pc
+import pyarrow.csv as pacsv
+
+from pointpred.columns import EventColumns
+from pointpred.errors import RecordingError
+from pointpred.recording import Provenance, Recording, Skip, Trial
+from pointpred.sources.files.arrow_files import in_memory
+from pointpred.sources.files.encodings import read_unpacked, stem_of
+from pointpred.sources.reading import AS_IS, Reading
+from pointpred.sources.tables import arrow_tables
+from pointpred.sources.tables.column_table import IntArray
+from pointpred.sources.tables.header import Header, parse_header, says_appended
+from pointpred.sources.trials.assembly import assemble
+from pointpred.sources.trials.conditions import TARGET
+from pointpred.sources.trials.segmentation import trials_of_stream
+
+FORMAT = "pointpred recorder"
+LIVE = "pointpred live"
+"""What a header says that a session of a device was recorded by."""
+TITLE = "pointpred recorder CSV"
+VALUES = ("t_s", "x_px", "y_px", "dx_counts", "dy_counts", "buttons")
+SAMPLES = ("user", "trial", *VALUES)
+TRIALS = ("user", "trial", *TARGET, "n_samples")
+MOST_HEADER = 1 << 16
+OUTSIDE = "outside the marked trials"
+UNFINISHED = "the trial never ended"
+
+
+def recognises(head: bytes) -> bool:
+    """Whether the header of a file that begins with ``head`` says that it was appended to."""
+    first = head.split(b"\n", 1)[0]
+    return first.startswith(arrow_tables.MARK) and says_appended(first[len(arrow_tables.MARK) :])
+
+
+def read(path: Path, trials: Path | None, reading: Reading = AS_IS) -> Recording:
+    """Read a recording that was appended to, together with its table of trials where there is one.
+
+    Rows of a marked trial name it. Where no row does, the stream is cut as ``reading`` says, at clicks unless
+    told otherwise; that of a device followed live at pauses, where nothing was clicked. A trial without a row
+    in ``trials`` had not ended; one that lost events has fewer samples than it says: both are skipped.
+    Memory: the file, and about 150 bytes a row.
+    Returns the recording; raises RecordingError.
+    """
+    table, header, notes = _table(path, SAMPLES)
+    name = header.name or stem_of(path).removesuffix("_samples")
+    provenance = header.provenance or Provenance(FORMAT)
+    events = np.column_stack([arrow_tables.numbers(table[column])[0] for column in VALUES])
+    marks = table["trial"].combine_chunks()
+    users = table["user"].drop_null()
+    user = str(users[0].as_py()) if len(users) else name
+    if marks.null_count == len(marks):
+        how = reading.cut or "clicks"
+        if reading.cut is None and provenance.format == LIVE and not (events[:, -1] > 0).any():
+            how = "bursts"
+            notes.append("no button was pressed: cut at pauses")
+        return trials_of_stream(
+            name, EventColumns(events), how, reading, user=user, provenance=provenance, notes=notes
+        )
+    encoded = marks.dictionary_encode()
+    group = arrow_tables.as_array(pc.fill_null(encoded.indices, -1)).astype(np.int64)
+    names = encoded.dictionary.to_pylist()
+    described, unfit, without, more = _described(trials, user, names)
+    sizes = np.bincount(group[group >= 0], minlength=len(names)).tolist()
+    for index, size in enumerate(sizes):
+        said = unfit.pop(index, size)
+        if said is None:
+            unfit[index] = UNFINISHED
+        elif said != size:
+            unfit[index] = f"{size} samples, expected {said:g} as the trials file says"
+    rows = np.flatnonzero(group >= 0)
+    return assemble(
+        name,
+        events[rows],
+        group[rows],
+        described,
+        skipped=(*_outside(group), *without),
+        unfit={index: str(reason) for index, reason in unfit.items()},
+        provenance=provenance,
+        notes=(*notes, *more),
+        row_of=rows,
+    )
+
+
+def _table(path: Path, columns: tuple[str, ...]) -> tuple[Any, Header, list[str]]:
+    """The complete lines of a file as a table, its header, and a note about a last line that is cut short."""
+    data = read_unpacked(path)
+    end = data.rstrip(b"\0").rfind(b"\n") + 1
+    first, _, rest = data[:end].partition(b"\n")
+    if not first.startswith(arrow_tables.MARK):
+        raise RecordingError(f"{path}: not even the first line is complete, expected a header and rows")
+    header = parse_header(path, first[len(arrow_tables.MARK) :])
+    if rest.partition(b"\n")[0] != ",".join(columns).encode():
+        raise RecordingError(f"{path}: expected the columns {', '.join(columns)} below the header")
+    words = {name: pa.string() for name in ("user", "trial")}
+    options = pacsv.ConvertOptions(
+        column_types={name: pa.float64() for name in columns} | words,
+        null_values=[""],
+        strings_can_be_null=True,
+    )
+    try:
+        table = pacsv.read_csv(pa.BufferReader(in_memory(BytesIO(rest))), convert_options=options)
+    except (pa.ArrowException, UnicodeError) as error:
+        raise RecordingError(f"{path}: {' '.join(str(error).split())}") from error
+    cut = len(data) - end
+    notes = [f"{path.name}: the last line is cut after {cut} bytes and left aside"] if cut else []
+    return table, header, notes
+
+
+def _described(
+    path: Path | None, user: str, names: list[str]
+) -> tuple[list[Trial], dict[int, Any], list[Skip], list[str]]:
+    """The trials, how many samples each should have (None: it never ended), those without samples, notes."""
+    if path is None:
+        return [Trial(user, name) for name in names], {}, [], ["no trials file: every target is unknown"]
+    table, _, notes = _table(path, TRIALS)
+    targets = np.column_stack([arrow_tables.numbers(table[column])[0] for column in TARGET]).tolist()
+    counts = arrow_tables.numbers(table["n_samples"])[0].tolist()
+    if table["trial"].null_count:
+        raise RecordingError(f"{path}: row {pc.index(pc.is_null(table['trial']), True)} names no trial")
+    known = dict(zip(table["trial"].to_pylist(), zip(targets, counts, strict=True), strict=True))
+    trials = [Trial(user, name, *known[name][0]) if name in known else Trial(user, name) for name in names]
+    sizes = {index: known[name][1] if name in known else None for index, name in enumerate(names)}
+    without = [Skip(name, "no samples", user=user) for name in known if name not in set(names)]
+    return trials, sizes, without, notes
+
+
+def _outside(group: IntArray) -> list[Skip]:
+    """The runs of rows that belong to no trial."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], group < 0, [False]]).astype(np.int8)))
+    return [
+        Skip(f"rows {first} to {stop - 1}", OUTSIDE, first) for first, stop in edges.reshape(-1, 2).tolist()
+    ]

@@ -1,0 +1,167 @@
+"""Read recordings of any known format: a file, or every file in a folder."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from os.path import commonpath
+from pathlib import Path
+
+import msgspec
+
+from pointpred.errors import ColumnsError, MissingExtraError, RecordingError
+from pointpred.recording import Recording, Skip
+from pointpred.sources.files.encodings import encoding_of, head_of
+from pointpred.sources.files.folders import listed
+from pointpred.sources.files.names import described_readably
+from pointpred.sources.known_formats import FORMATS, Format, format_of
+from pointpred.sources.own import recordings
+from pointpred.sources.reading import AS_IS, Reading, TimeUnit
+from pointpred.sources.table_files import unsupported
+from pointpred.sources.trials.merging import join
+
+Progress = Callable[[str, int, int], None]
+OWN = ("recorder", "own")
+"""Formats of which each file is a recording of its own."""
+ONE_TABLE = ("parquet", "delimited")
+"""Formats of which a file holds one table, so that ``Reading.records`` has nothing to choose."""
+
+
+def read_any(
+    path: str | Path,
+    reading: Reading = AS_IS,
+    progress: Progress | None = None,
+    *,
+    columns: Mapping[str, str | int] | None = None,
+    time_unit: TimeUnit | None = None,
+    y_up: bool | None = None,
+    px_per_unit: float | None = None,
+    records: str | None = None,
+) -> list[Recording]:
+    """Read a recording of any known format, or every recording in a folder and the folders below it.
+
+    A file's format is told by its content. In a folder each own recording stays one; files of one foreign
+    format (sessions, users) become one recording named after the folder they share. A file that fits no
+    format is named in a note, one that cannot be read is a skip named after it; only when nothing can be read
+    an error is raised. ``progress`` is told before each file of a folder: its path, how many are done, of
+    how many.
+    The keywords say of any table what ``Reading`` describes, in the place of the fields of ``reading``.
+    Returns at least one recording; raises RecordingError naming the formats that were tried, ColumnsError
+    for a table whose columns are not certain, and ParameterError for a keyword out of its bounds.
+    """
+    path = Path(path)
+    told = {
+        "columns": None if columns is None else dict(columns),
+        "time_unit": time_unit,
+        "y_up": y_up,
+        "px_per_unit": px_per_unit,
+        "records": records,
+    }
+    reading = msgspec.structs.replace(
+        reading, **{name: value for name, value in told.items() if value is not None}
+    )
+    found = _folder(path, reading, progress) if path.is_dir() else [_file(path, reading)]
+    return [described_readably(recording) for recording in found]
+
+
+def _file(path: Path, reading: Reading) -> Recording:
+    """The recording in one file."""
+    form = format_of(path, reading)
+    if form is None:
+        if advice := unsupported.advice(head_of(path)):
+            raise RecordingError(f"{path}: {advice}")
+        tried = ", ".join(form.title for form in FORMATS)
+        raise RecordingError(f"{path}: no known recording format; tried {tried}")
+    return _read(form, path, reading)
+
+
+def _read(form: Format, path: Path, reading: Reading) -> Recording:
+    """One file; a way of cutting that its format has no use for is named in a note."""
+    recording = form.read(path, reading)
+    if form.key not in OWN and not form.binary and (note := encoding_of(path).note):
+        recording = msgspec.structs.replace(recording, notes=(note, *recording.notes))
+    notes = []
+    if reading.cut is not None and not form.streams:
+        notes.append(f"cut {reading.cut!r} has no effect: {form.title} has trials of its own")
+    if reading.records is not None and form.key in ONE_TABLE:
+        notes.append(f"records has no effect: {form.title} is one table")
+    beside = recordings.trials_beside(path) if form.tabular and recordings.is_samples(path) else None
+    if beside is not None:
+        notes.append(f"{beside.name} is not read: with columns, the file is read as any table")
+    told = [] if form.tabular else _of_tables(reading, form)
+    notes += [f"{name} has no effect: {form.title} says it itself" for name in told if name not in form.takes]
+    return msgspec.structs.replace(recording, notes=(*recording.notes, *notes)) if notes else recording
+
+
+def _of_tables(reading: Reading, form: Format) -> list[str]:
+    """What ``reading`` says that only tables take; of our own ones, the unit of time."""
+    names = (
+        "columns",
+        "y_up",
+        "px_per_unit",
+        "records",
+        "unit",
+        *(("time_unit",) if form.key != "own" else ()),
+    )
+    return [name for name in names if getattr(reading, name) not in (None, False)]
+
+
+def _folder(path: Path, reading: Reading, progress: Progress | None) -> list[Recording]:
+    """The recordings in a folder."""
+    own: list[Recording] = []
+    foreign: dict[str, list[tuple[Path, Recording]]] = {}
+    skipped: list[Skip] = []
+    files, notes = listed(path)
+    for number, file in enumerate(files):
+        label = file.relative_to(path).as_posix()
+        if progress is not None:
+            progress(label, number, len(files))
+        if recordings.samples_beside(file):
+            continue
+        try:
+            form = format_of(file, reading)
+            if form is None:
+                notes.append(f"{label} fits no recording format")
+            elif form.key in OWN:
+                own.append(_labelled(_read(form, file, reading), label))
+            else:
+                recording = _read(form, file, reading)
+                foreign.setdefault(form.key, []).append((file, recording))
+        except ColumnsError as error:
+            notes.append(f"{label} is not read: {error}")
+        except (RecordingError, MissingExtraError) as error:
+            skipped.append(Skip(label, str(error)))
+    found = _distinct(own + [_joined(parts) for parts in foreign.values()])
+    if not found:
+        reasons = [skip.reason for skip in skipped] + notes
+        raise RecordingError("; ".join([f"{path}: no recording among {len(files)} files", *reasons[:3]]))
+    found[0] = msgspec.structs.replace(
+        found[0], skipped=(*found[0].skipped, *skipped), notes=(*found[0].notes, *notes)
+    )
+    return found
+
+
+def _labelled(recording: Recording, label: str) -> Recording:
+    """The recording with the file's name in front of each note."""
+    return msgspec.structs.replace(recording, notes=tuple(f"{label}: {note}" for note in recording.notes))
+
+
+def _distinct(found: list[Recording]) -> list[Recording]:
+    """The recordings with a number added to a name that has been taken."""
+    taken: dict[str, Recording] = {}
+    for recording in found:
+        name, count = recording.name, 1
+        while name in taken:
+            count += 1
+            name = f"{recording.name}_{count}"
+        taken[name] = msgspec.structs.replace(recording, name=name)
+    return list(taken.values())
+
+
+def _joined(parts: list[tuple[Path, Recording]]) -> Recording:
+    """The recordings of one foreign format as one, named after the folder that holds them all."""
+    if len(parts) == 1:
+        file, part = parts[0]
+        return _labelled(part, file.name)
+    folder = Path(commonpath([file.absolute().parent for file, _ in parts]))
+    labels = [file.absolute().relative_to(folder).as_posix() for file, _ in parts]
+    return join(folder.name, [part for _, part in parts], labels)

@@ -1,0 +1,1 @@
+"""Nested values, as JSON and MATLAB files hold them, as tables."""

@@ -1,0 +1,1 @@
+"""Files that hold any table: one file for each format."""

@@ -1,0 +1,182 @@
+"""Any delimited text as a table: separators, decimal commas, comments and a header are found out."""
+
+from __future__ import annotations
+
+import io
+import re
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import pyarrow as pa
+import pyarrow.compute as pc
+import pyarrow.csv as pacsv
+
+from pointpred.errors import RecordingError
+from pointpred.recording import Skip
+from pointpred.sources.files.arrow_files import in_memory
+from pointpred.sources.files.encodings import UTF_8, open_utf8
+from pointpred.sources.reading import AS_IS, Reading, row_name
+from pointpred.sources.table_files.delimited_layout import MOST_COLUMNS, Layout, is_row, layout_of
+from pointpred.sources.table_files.number_marks import plain_numbers
+from pointpred.sources.tables import arrow_tables
+from pointpred.sources.tables.column_table import ColumnTable
+
+TITLE = "a table of samples (delimited text)"
+HEAD = 1 << 16
+LARGEST_BLOCK = 1 << 25
+COMMENT = re.compile(rb"^[ \t]*#[^\r\n]*(\r\n|\n|\r|$)", re.MULTILINE)
+LINE = re.compile(rb"\r\n|\n|\r")
+MOST_ODD = 0.2
+"""A larger share of rows with another number of cells means that this is no table."""
+MOST_NAMED = 20
+"""Rows that are named one by one among the skips; the rest is counted."""
+
+
+def recognises(head: bytes) -> bool:
+    """Whether a file that begins with ``head`` is a delimited table with numbers in it."""
+    return b"\0" not in head and _layout(head) is not None
+
+
+def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
+    """The cells of a delimited text as words; numbers have a point as their decimal mark.
+
+    The text has no header where its first row holds numbers above numbers: columns are then called ``0``,
+    ``1`` and so on. A row with more or fewer cells than the others is a skip; where many rows have the same
+    further cells, the others are filled up with empty ones. Memory: the text, and its
+    cells once more. Raises RecordingError.
+    """
+    with open_utf8(path) as (file, _):
+        text = file.read().removeprefix(UTF_8)
+    layout = _layout(text[:HEAD])
+    if layout is None:
+        raise RecordingError(f"{path}: no table: no separator gives rows of one length with numbers")
+    if layout.width > MOST_COLUMNS:
+        raise RecordingError(f"{path}: more than {MOST_COLUMNS} columns, which is the most that are read")
+    body, comments = _body(text, layout)
+    if not body.strip():
+        raise RecordingError(f"{path}: no rows below the header {', '.join(layout.columns)}")
+    table, odd = _rows(path, body, layout)
+    total = table.num_rows + len(odd)
+    filled = []
+    if len(odd) > MOST_ODD * total and (wider := _wider(body, layout, odd)) is not None:
+        filled = [
+            f"rows of {layout.width} cells filled up to {wider.width} with empty ones: {table.num_rows}"
+        ]
+        layout, body = wider, _padded(body, wider)
+        table, odd = _rows(path, body, layout)
+    if len(odd) > MOST_ODD * total:
+        row, cells = next(iter(odd.items()))
+        raise RecordingError(
+            f"{path}: {len(odd)} of {total} rows have another number of cells: {row_name(row)} has {cells}, "
+            f"expected {layout.width}"
+        )
+    for column in table.columns:
+        _check_quotes(path, column, layout)
+    marks = plain_numbers(dict(zip(layout.columns, table.columns, strict=True)), layout.separator)
+    notes = [] if layout.names is not None else ["no header: columns are named by their place from 0"]
+    notes += [f"lines above the table left aside: {layout.above}"] if layout.above else []
+    notes += [f"comment lines between the rows left out: {comments}"] if comments else []
+    notes += filled + marks.notes
+    row_of = arrow_tables.rows_without(total, odd) if odd else None
+    return ColumnTable(
+        marks.columns, "delimited text", tuple(notes), _skips(odd, layout.width), row_of, marks.unsure
+    )
+
+
+def _layout(head: bytes) -> Layout | None:
+    """The layout by the first lines; a line that is cut at the end of ``head`` does not count."""
+    text = head.removeprefix(UTF_8).decode("utf-8", "replace")
+    if len(head) >= HEAD - 4 and "\n" in text.rstrip("\n"):
+        text = text[: text.rindex("\n")]
+    return layout_of(text)
+
+
+def _body(text: bytes, layout: Layout) -> tuple[bytes, int]:
+    """The rows alone, with one blank between cells where blanks separate them; the number of comments."""
+    place = 0
+    for _ in range(layout.first):
+        found = LINE.search(text, place)
+        place = len(text) if found is None else found.end()
+    body = text[place:]
+    comments = 0
+
+    def kept(found: re.Match[bytes]) -> bytes:
+        nonlocal comments
+        if is_row(found[0].decode("utf-8", "replace"), layout.separator, layout.width):
+            return found[0]
+        comments += 1
+        return b""
+
+    if b"#" in body:
+        body = COMMENT.sub(kept, body)
+    if layout.separator == " ":
+        body = re.sub(rb"^[ \t]+|[ \t]+$", b"", re.sub(rb"[ \t]+", b" ", body), flags=re.MULTILINE)
+        body = re.sub(rb"[ ]+\r", b"\r", body)
+    return body, comments
+
+
+def _rows(path: Path, body: bytes, layout: Layout) -> tuple[Any, dict[int, int]]:
+    """The rows as an Arrow table of words, and the number of cells of each row that has another."""
+    odd: dict[int, int] = {}
+
+    def other(row: Any) -> str:
+        odd[row.number - 1] = row.actual_columns
+        return "skip"
+
+    try:
+        table = pacsv.read_csv(
+            pa.BufferReader(in_memory(io.BytesIO(body))),
+            read_options=pacsv.ReadOptions(
+                column_names=layout.columns, use_threads=False, block_size=min(len(body), LARGEST_BLOCK)
+            ),
+            parse_options=pacsv.ParseOptions(
+                delimiter=layout.separator, newlines_in_values=b'"' in body, invalid_row_handler=other
+            ),
+            convert_options=pacsv.ConvertOptions(
+                column_types=dict.fromkeys(layout.columns, pa.string()), strings_can_be_null=False
+            ),
+        )
+    except (pa.ArrowException, ValueError) as error:
+        raise RecordingError(f"{path}: {' '.join(str(error).split())}") from error
+    return table, odd
+
+
+def _wider(body: bytes, layout: Layout, odd: dict[int, int]) -> Layout | None:
+    """The layout of rows of two lengths: many go on where the others end. ``None`` where it is not so."""
+    [*widths] = set(odd.values())
+    if len(widths) != 1 or widths[0] < layout.width or b'"' in body or layout.separator == " ":
+        return None
+    return msgspec.structs.replace(layout, width=widths[0])
+
+
+def _padded(body: bytes, layout: Layout) -> bytes:
+    """The rows with empty cells at their ends, up to the width of the layout."""
+    mark, marks = layout.separator.encode(), layout.width - 1
+    lines = (line and line + mark * (marks - line.count(mark)) for line in body.splitlines())
+    return b"\n".join(lines) + b"\n"
+
+
+def _check_quotes(path: Path, column: Any, layout: Layout) -> None:
+    """Raise RecordingError for a cell that swallowed rows."""
+    broken = pc.match_substring(column, "\n")
+    if pc.any(broken, min_count=0).as_py():
+        for row in arrow_tables.as_array(pc.indices_nonzero(broken)).tolist():
+            cell = column[row].as_py()
+            if cell.count(layout.separator) >= layout.width - 1:
+                raise RecordingError(
+                    f"{path}: {row_name(row)}: {arrow_tables.short(cell)!r} holds rows: "
+                    "a quote that is not closed?"
+                )
+
+
+def _skips(odd: dict[int, int], width: int) -> tuple[Skip, ...]:
+    """The rows with another number of cells, one by one up to a bound."""
+    named = [
+        Skip(f"row {row}", f"{cells} cells, expected {width}", row)
+        for row, cells in list(odd.items())[:MOST_NAMED]
+    ]
+    more = list(odd)[MOST_NAMED:]
+    if more:
+        named.append(Skip(f"{len(more)} more rows", f"another number of cells than {width}", more[0]))
+    return tuple(named)

@@ -1,0 +1,60 @@
+"""Parquet files that are not pointpred's own, as any table."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pyarrow as pa
+
+from pointpred.errors import RecordingError
+from pointpred.sources.reading import AS_IS, Reading
+from pointpred.sources.tables import arrow_tables
+from pointpred.sources.tables.column_table import ColumnTable
+
+TITLE = "a table of samples (Parquet)"
+LISTS = (pa.types.is_list, pa.types.is_large_list, pa.types.is_fixed_size_list)
+
+
+def recognises(head: bytes) -> bool:
+    """Whether a file that begins with ``head`` is a Parquet file."""
+    return head.startswith(arrow_tables.PARQUET_MAGIC)
+
+
+def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
+    """The columns of words, numbers, dates and times, and lists of numbers; a structure is a column a field.
+
+    A note names the columns that hold anything else. Raises RecordingError for a file that is damaged, or
+    has a name twice.
+    """
+    try:
+        table, _ = arrow_tables.read_parquet(path)
+    except arrow_tables.UNREADABLE as error:
+        if isinstance(error, RecordingError):
+            raise
+        raise RecordingError(f"{path}: {' '.join(str(error).split())}") from error
+    while any(pa.types.is_struct(kind) for kind in table.schema.types):
+        table = table.flatten()
+    arrow_tables.check_names(path, table.column_names)
+    columns = {name: _plain(table[name]) for name in table.column_names}
+    left = [name for name, column in columns.items() if column is None]
+    notes = (f"columns left aside, for they hold no numbers or words: {', '.join(left)}",) if left else ()
+    return ColumnTable(
+        {name: column for name, column in columns.items() if column is not None}, "Parquet", notes
+    )
+
+
+def _plain(column: Any) -> Any:
+    """A column of words, numbers, dates and times, or lists of numbers; ``None`` where it is another."""
+    kind = column.type
+    if pa.types.is_dictionary(kind):
+        return _plain(column.cast(kind.value_type))
+    if pa.types.is_null(kind) or arrow_tables.is_words(column):
+        return column.cast(pa.string())
+    if pa.types.is_decimal(kind):
+        return column.cast(pa.float64())
+    if any(is_list(kind) for is_list in LISTS):
+        numeric = pa.types.is_integer(kind.value_type) or pa.types.is_floating(kind.value_type)
+        return column.cast(pa.large_list(kind.value_type)) if numeric else None
+    plain = pa.types.is_temporal(kind) or any(fits(kind) for fits in arrow_tables.PLAIN)
+    return column if plain else None

@@ -1,0 +1,258 @@
+"""CSV and Parquet files as Arrow tables, with errors that name the file, the row and what was expected."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Callable, Collection, Iterable, Sequence
+from pathlib import Path
+from typing import Any, BinaryIO
+
+import msgspec
+import numpy as np
+import pyarrow as pa
+import pyarrow.compute as pc
+import pyarrow.csv as pacsv
+import pyarrow.parquet as pq
+from numpy.typing import NDArray
+
+from pointpred.columns import FloatArray
+from pointpred.errors import RecordingError
+from pointpred.sources.files.arrow_files import open_file
+from pointpred.sources.files.encodings import UTF_8, head_of, is_ended, open_utf8
+from pointpred.sources.reading import row_name
+from pointpred.sources.tables.csv_rows import parse_csv
+from pointpred.sources.tables.header import NO_HEADER, Header, parse_header
+
+MARK = b"# pointpred:"
+PARQUET_MAGIC = b"PAR1"
+KEY = b"pointpred"
+NUMBER = r"^[ \t]*[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?[ \t]*$"
+NOT_A_NUMBER = r"^[ \t]*[+-]?(?i:nan?)?[ \t]*$"
+CELL_MOST = 40
+UNENDED = "the last line has no end: the file may be cut"
+PLAIN = (
+    pa.types.is_string,
+    pa.types.is_large_string,
+    pa.types.is_integer,
+    pa.types.is_floating,
+    pa.types.is_boolean,
+    pa.types.is_null,
+)
+UNREADABLE = (
+    pa.ArrowException,
+    OSError,
+    UnicodeError,
+    csv.Error,
+    ValueError,
+    KeyError,
+    IndexError,
+    MemoryError,
+)
+"""What Arrow raises on damaged bytes."""
+
+
+def read_table(path: Path, text: Callable[[str], bool], separator: str = ",") -> tuple[Any, Header]:
+    """The table in a Parquet or CSV file and its pointpred header; ``text`` says which columns are words.
+
+    In a CSV file every column that is not text is read as numbers where all its cells are numbers, and as
+    words otherwise: ``numbers`` then says which cells are at fault. Raises RecordingError.
+    """
+    try:
+        parquet = head_of(path).startswith(PARQUET_MAGIC)
+        table, header = read_parquet(path) if parquet else read_csv(path, text, separator)
+        names = table.column_names
+    except UNREADABLE as error:
+        if isinstance(error, RecordingError):
+            raise
+        raise RecordingError(f"{path}: {' '.join(str(error).split())}") from error
+    check_names(path, names)
+    for name, column in zip(names, table.columns, strict=True):
+        kind = column.type.value_type if pa.types.is_dictionary(column.type) else column.type
+        if not any(fits(kind) for fits in PLAIN):
+            raise RecordingError(f"{path}: column {name!r} holds {kind}, expected words or numbers")
+    if header.rows not in (None, table.num_rows):
+        raise RecordingError(
+            f"{path}: truncated, it holds {table.num_rows} rows, expected {header.rows} rows"
+        )
+    unbroken(path, table, [name for name in names if not text(name)])
+    return table, header
+
+
+def check_names(path: Path, names: Sequence[str]) -> None:
+    """Raise RecordingError where two columns have one name."""
+    twice = sorted({name for name in names if names.count(name) > 1})
+    if twice:
+        raise RecordingError(f"{path}: column {twice[0]!r} occurs twice, expected every column once")
+
+
+def parquet_names(path: Path) -> tuple[bool, set[str]]:
+    """Whether pointpred's header stands in a Parquet file, and its columns; neither where it is damaged."""
+    try:
+        with open_file(path) as opened, pq.ParquetFile(opened) as file:
+            return KEY in (file.metadata.metadata or {}), set(file.schema_arrow.names)
+    except UNREADABLE:
+        return False, set()
+
+
+def read_parquet(path: Path) -> tuple[Any, Header]:
+    """The table in a Parquet file and its pointpred header; checksums are verified where present."""
+    with open_file(path) as opened, pq.ParquetFile(opened, page_checksum_verification=True) as file:
+        table = file.read()
+    table.validate(full=True)
+    return table.replace_schema_metadata(None), _header(path, (file.metadata.metadata or {}).get(KEY))
+
+
+def read_csv(path: Path, text: Callable[[str], bool], separator: str = ",") -> tuple[Any, Header]:
+    """The table in a CSV file and the header in its first line, if there is one."""
+    with open_utf8(path) as (file, encoding):
+        table, header = _rows(path, file, text, separator)
+    return table, msgspec.structs.replace(header, notes=(*header.notes, *filter(None, [encoding.note])))
+
+
+def _rows(path: Path, file: BinaryIO, text: Callable[[str], bool], separator: str) -> tuple[Any, Header]:
+    """The table and the header of an opened file of UTF-8."""
+    first = file.readline(1 << 26).removeprefix(UTF_8)
+    marked = first.startswith(MARK)
+    columns = file.readline(1 << 26) if marked else first
+    header = _header(path, first[len(MARK) :] if marked else None)
+    if marked and not is_ended(path):
+        raise RecordingError(f"{path}: truncated, the last row does not end with a line break")
+    names = next(csv.reader(columns.decode().splitlines()[:1], delimiter=separator), [])
+    words = {name: pa.string() for name in names if text(name)}
+    numeric = {name: pa.float64() for name in names if name not in words}
+    try:
+        return parse_csv(path, file, int(marked), words | numeric, separator), header
+    except pa.ArrowInvalid as error:
+        if "conversion error" not in str(error):
+            raise
+        return parse_csv(path, file, int(marked), dict.fromkeys(names, pa.string()), separator), header
+
+
+def _header(path: Path, encoded: bytes | None) -> Header:
+    return NO_HEADER if encoded is None else parse_header(path, encoded)
+
+
+def is_whole(path: Path) -> bool:
+    """Whether a CSV file ends with a line break; a Parquet file that was read is whole."""
+    return head_of(path).startswith(PARQUET_MAGIC) or is_ended(path)
+
+
+def unbroken(path: Path, table: Any, columns: Iterable[str]) -> None:
+    """Raise RecordingError for a line break inside a cell: a quote that is not closed swallows rows."""
+    for name in columns:
+        if name in table.column_names and pa.types.is_string(table[name].type):
+            broken = as_array(pc.indices_nonzero(pc.match_substring_regex(table[name], "[\r\n]")))
+            if len(broken):
+                row = int(broken[0])
+                cell = short(str(table[name][row].as_py()))
+                raise RecordingError(
+                    f"{path}: {row_name(row)}: {name} is {cell!r}, "
+                    "a line break inside a cell: unclosed quote?"
+                )
+
+
+def short(cell: str) -> str:
+    """A cell as messages show it: cut after 40 characters."""
+    return cell if len(cell) <= CELL_MOST else cell[:CELL_MOST] + "..."
+
+
+def write_table(path: Path, part: Path, table: Any, header: dict[str, Any]) -> None:
+    """Write a table with its header into ``part``, which is to become ``path``, as Parquet or CSV.
+
+    The extension of ``path`` says which. The same table gives the same bytes. Raises RecordingError.
+    """
+    encoded = msgspec.json.encode(header | {"version": 1, "rows": table.num_rows}, order="sorted")
+    try:
+        with open_file(part, "wb") as file:
+            if path.suffix == ".parquet":
+                table = table.replace_schema_metadata({KEY: encoded})
+                pq.write_table(table, file, compression="zstd", write_page_checksum=True)
+            else:
+                file.write(MARK + encoded + b"\n")
+                file.write(",".join(table.column_names).encode() + b"\n")
+                pacsv.write_csv(table, file, pacsv.WriteOptions(include_header=False))
+    except (OSError, pa.ArrowException) as error:
+        raise RecordingError(f"{path}: cannot be written: {error}") from error
+
+
+def words(column: Any) -> Any:
+    """A column as words; numbers as they print."""
+    if pa.types.is_dictionary(column.type):
+        column = column.cast(column.type.value_type)
+    return column if pa.types.is_string(column.type) else pc.cast(column, pa.string())
+
+
+def is_words(column: Any) -> bool:
+    """Whether the cells of a column are words."""
+    return bool(pa.types.is_string(column.type) or pa.types.is_large_string(column.type))
+
+
+def numbers(column: Any) -> tuple[FloatArray, dict[int, str]]:
+    """A column as float64, NaN where a cell is empty, and the cells that are no numbers by their row."""
+    if pa.types.is_dictionary(column.type):
+        column = column.cast(column.type.value_type)
+    if pa.types.is_temporal(column.type):
+        column = pc.cast(column, pa.string())
+    faults: dict[int, str] = {}
+    if is_words(column):
+        try:
+            return float64(pc.cast(column, pa.float64())), faults
+        except pa.ArrowInvalid:
+            pass  # some cell is no number, or has blanks around it
+        good = pc.match_substring_regex(column, NUMBER)
+        empty = pc.match_substring_regex(column, NOT_A_NUMBER)
+        wrong = as_array(pc.indices_nonzero(pc.invert(pc.or_(good, empty))))
+        faults = {int(row): short(str(column[int(row)].as_py())) for row in wrong}
+        column = pc.utf8_trim_whitespace(pc.if_else(good, column, pa.nulls(len(column), column.type)))
+    if pa.types.is_boolean(column.type):
+        column = pc.cast(column, pa.int8())
+    values = pc.cast(column, pa.float64(), safe=False)
+    return float64(values), faults
+
+
+def finite_numbers(column: Any) -> tuple[FloatArray, dict[int, str]]:
+    """As ``numbers``, with NaN for infinite cells too, which count among those that are no numbers."""
+    array, faults = numbers(column)
+    for row in np.flatnonzero(np.isinf(array)).tolist():
+        faults.setdefault(row, str(array[row]))
+        array[row] = np.nan
+    return array, faults
+
+
+def float64(column: Any) -> FloatArray:
+    """A float64 column as an array, NaN where null; even ``fill_null`` would import pandas for its scalar."""
+    parts = [np.empty(0)]
+    for chunk in _chunks(column):
+        parts.append(np.full(len(chunk), np.nan) if chunk.null_count else as_array(chunk))
+        if 0 < chunk.null_count < len(chunk):
+            bits, data = (np.frombuffer(buffer, np.uint8) for buffer in chunk.buffers())
+            rows = slice(chunk.offset, chunk.offset + len(chunk))
+            known = np.unpackbits(bits, bitorder="little")[rows] == 1
+            parts[-1][known] = data.view(np.float64)[rows][known]
+    return np.concatenate(parts)
+
+
+def as_array(column: Any) -> Any:
+    """A column of numbers without nulls as an array; Arrow's own ``to_numpy`` would import pandas."""
+    parts = [np.from_dlpack(chunk) for chunk in _chunks(column) if len(chunk)]
+    return np.concatenate(parts) if parts else np.empty(0)
+
+
+def _chunks(column: Any) -> list[Any]:
+    return column.chunks if isinstance(column, pa.ChunkedArray) else [column]
+
+
+def rows_without(count: int, left: Collection[int]) -> NDArray[np.int64]:
+    """The rows 0 up to ``count`` but for some."""
+    return np.delete(np.arange(count, dtype=np.int64), sorted(left))
+
+
+def need_columns(path: Path, names: Iterable[str], required: Iterable[str], known: Iterable[str]) -> None:
+    """Raise RecordingError when a required column is missing or a column is unknown."""
+    names, known = list(names), list(known)
+    missing = [name for name in required if name not in names]
+    if missing:
+        raise RecordingError(f"{path}: column {missing[0]!r} is missing, found {', '.join(names)}")
+    unknown = [name for name in names if name not in known]
+    if unknown:
+        raise RecordingError(f"{path}: unknown column {unknown[0]!r}, expected only {', '.join(known)}")

@@ -1,0 +1,1 @@
+"""From rows to trials: cut, group, check, and describe them."""
