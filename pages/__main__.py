@@ -21,7 +21,6 @@ from pages.results.verdict import recorded
 from pointpred.differentiators import DIFFERENTIATORS
 from pointpred.registry import GAINS, REGISTRY, describe
 from pointpred.registry import parameters as values_of
-from pointpred.stage import defaults
 
 HEADER = ("parameter", "unit", "bounds", "default", "meaning")
 
@@ -70,8 +69,7 @@ def differentiators() -> str:
     """A section a differentiator."""
     sections = []
     for name, stage in DIFFERENTIATORS.items():
-        values = defaults(stage)
-        rows = [_row({**msgspec.structs.asdict(p), "default": values[p.name]}) for p in stage.parameters]
+        rows = [_row(msgspec.structs.asdict(p)) for p in stage.parameters]
         summary = (stage.__doc__ or "").strip().splitlines()[0]
         sections.append(f"### {name}\n\n{summary}\n\n{table(HEADER, rows)}")
     return "\n\n".join(sections)

@@ -22,7 +22,8 @@ import pointpred
 from benchmarks.arguments import words
 from pointpred import REGISTRY, build
 from pointpred.pipeline import Pipeline
-from pointpred.predictors import KinematicPredictor, kinematic_coefficients
+from pointpred.predictors import KinematicPredictor
+from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording
 from pointpred.scoring import resolution
 from pointpred.training import people, train
@@ -33,7 +34,7 @@ from pointpred.training.people import School
 
 CODE = (
     *("training/[!pv]*", "training/people*", "training/variants*"),  # not the page, nor the validation
-    *("predictors/kinematic*", "predictors/m[io]*", "predictors/predictor*", "differentiators/*"),
+    *("predictors/kinematic/*", "predictors/m[io]*", "predictors/predictor*", "differentiators/*"),
     *("scoring/*", "sources/*", "recording*", "columns*", "registry*"),
 )
 """What the coefficients hang on."""
@@ -70,7 +71,7 @@ def trained() -> list[str]:
 
 def seen() -> set[str]:
     """The sets that the package's own coefficients were made from."""
-    return {one["name"] for one in kinematic_coefficients.card()["sets"]}
+    return {one["name"] for one in coefficient_file.card()["sets"]}
 
 
 def pipeline(name: str, coefficients: Path, words: str, recording: Recording) -> Pipeline:

@@ -13,7 +13,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Field, field_validator
 from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 
-from pointpred.predictors import kinematic_coefficients
+from pointpred.predictors.kinematic import coefficient_file
 from pointpred.protocol.server_messages import Limits
 from pointpred.server.hosts import is_address
 from pointpred.server.origins import well_formed
@@ -120,8 +120,8 @@ class Settings(BaseSettings):
         for name, file in files.items():
             if not FILE_NAME.fullmatch(name):
                 raise ValueError(f"a name of coefficients has 1 to 64 of A-Z a-z 0-9 _ -; received {name!r}")
-            kinematic_coefficients.read(file)
-            kinematic_coefficients.sets(file)
+            coefficient_file.read(file)
+            coefficient_file.sets(file)
         return {name: file.absolute() for name, file in files.items()}
 
     @property

@@ -12,7 +12,7 @@ import numpy as np
 from benchmarks.arguments import words
 from pages import DOCS
 from pointpred.columns import FloatArray
-from pointpred.predictors import kinematic_features as features
+from pointpred.predictors.kinematic import features
 from pointpred.scoring import SetScore, score
 from pointpred.training import calibrate, people
 from pointpred.training.__main__ import in_one_thread

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import nan
 
 from pages.kinematic.measure import Validation, Verdict
-from pointpred.predictors import kinematic_coefficients
+from pointpred.predictors.kinematic import coefficient_file
 from pointpred.scoring import summarise
 from pointpred.scoring.results import PATH_FRACTIONS, TIME_FRACTIONS
 from pointpred.scoring.summary import Measure, PredictorSummary, SetSummary
@@ -47,8 +47,8 @@ FALLS_SHORT = """## What falls short
 
 def card_lines() -> str:
     """The card of the package's own coefficients."""
-    said = kinematic_coefficients.card()
-    path = kinematic_coefficients.OWN
+    said = coefficient_file.card()
+    path = coefficient_file.OWN
     rows = ["| set | licence | users | trials | moments |", "| --- | --- | --- | --- | --- |"]
     names = ("name", "licence", "users", "trials", "moments")
     rows += ["| " + " | ".join(str(one[name]) for name in names) + " |" for one in said["sets"]]
@@ -57,8 +57,8 @@ def card_lines() -> str:
         [
             "## Card",
             "",
-            f"`{path.name}`, version {kinematic_coefficients.VERSION}, {path.stat().st_size} bytes, "
-            f"blake2b-64 of its arrays `{kinematic_coefficients.digest()}`.",
+            f"`{path.name}`, version {coefficient_file.VERSION}, {path.stat().st_size} bytes, "
+            f"blake2b-64 of its arrays `{coefficient_file.digest()}`.",
             f"Network {first} x {second}, {said['passes']} passes, seed {said['seed']}; each movement in",
             f"{said['variants']} variants more; calibrated on {said['folds']} folds of people held out.",
             "",

@@ -13,7 +13,7 @@ from pointpred.cli.score import read_all
 from pointpred.cli.screen import check_targets, counted, plain, results, write_json
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.extras import require
-from pointpred.predictors import kinematic_coefficients
+from pointpred.predictors.kinematic import coefficient_file
 
 if TYPE_CHECKING:
     from pointpred.sources import Reading
@@ -69,7 +69,7 @@ def train(
     check_targets({"--out": out, "--json": json}, files)
     if str(out) == "-" or out.suffix != ".npz":
         raise ParameterError(f"--out must name a file that ends in .npz, received {out}")
-    kinematic_coefficients.check_writable(out)
+    coefficient_file.check_writable(out)
     require("train", "training")  # before minutes of reading
     from pointpred.cli.progress import following
     from pointpred.training.own import train_own

@@ -29,13 +29,13 @@ def main() -> None:
     def say(what: str) -> None:
         print(f"{time.monotonic() - began:6.1f} s  {what}", file=sys.stderr, flush=True)
 
-    from pointpred.predictors import kinematic_coefficients
+    from pointpred.predictors.kinematic import coefficient_file
     from pointpred.training import people, train
     from pointpred.training.fitting import Settings
 
     settings = Settings()
     school = people.school(people.read_sets(people.folder()), settings.seed, say)
-    train.train(school, settings, kinematic_coefficients.OWN, say)
+    train.train(school, settings, coefficient_file.OWN, say)
 
 
 def parse_arguments() -> None:

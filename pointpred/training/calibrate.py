@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.predictors import kinematic_calibration as table_law
-from pointpred.predictors import kinematic_features as features
-from pointpred.predictors import kinematic_net as net
+from pointpred.predictors.kinematic import calibration as table_law
+from pointpred.predictors.kinematic import features
+from pointpred.predictors.kinematic import network as net
 from pointpred.scoring.calibration import reach
 from pointpred.training import losses
 from pointpred.training.examples import Examples

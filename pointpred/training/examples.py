@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.predictors import kinematic_features, kinematic_sight
+from pointpred.predictors.kinematic import features as kinematic_features
+from pointpred.predictors.kinematic import observation as kinematic_sight
 from pointpred.recording import Recording
 from pointpred.registry import build
 from pointpred.scoring import prepare

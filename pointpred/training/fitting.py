@@ -10,9 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pointpred.columns import FloatArray
-from pointpred.predictors import kinematic_coefficients
-from pointpred.predictors import kinematic_features as features
-from pointpred.predictors import kinematic_net as net
+from pointpred.predictors.kinematic import coefficient_file, features
+from pointpred.predictors.kinematic import network as net
 from pointpred.training import network
 from pointpred.training.examples import Examples
 from pointpred.training.losses import Truth, slopes
@@ -55,9 +54,9 @@ class Fitted(msgspec.Struct, frozen=True):
         return said
 
 
-def of_file(path: Path | str = kinematic_coefficients.OWN) -> Fitted:
+def of_file(path: Path | str = coefficient_file.OWN) -> Fitted:
     """The network of a file, such as that of the package; raises ParameterError."""
-    mean, scale, layers = kinematic_coefficients.network(path)
+    mean, scale, layers = coefficient_file.layers_of(path)
     return Fitted(mean, scale, [(w.astype(np.float32), b.astype(np.float32)) for w, b in layers])
 
 

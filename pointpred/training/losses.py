@@ -8,7 +8,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.predictors import kinematic_net as net
+from pointpred.predictors.kinematic import network as net
 
 Floats = NDArray[np.float32]
 SOFT = 1e-5

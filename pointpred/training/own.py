@@ -19,7 +19,8 @@ from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.extras import require
 from pointpred.pipeline import Pipeline
-from pointpred.predictors import KinematicPredictor, kinematic_coefficients
+from pointpred.predictors import KinematicPredictor
+from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording
 from pointpred.registry import build
 from pointpred.scoring import score
@@ -104,9 +105,9 @@ def train_own(
     MissingExtraError where the extra ``train`` is not installed.
     """
     require("train", "training")
-    if path.resolve() == kinematic_coefficients.OWN.resolve():
+    if path.resolve() == coefficient_file.OWN.resolve():
         raise ParameterError(f"{path} is the package's own file, which `make train` writes; name another")
-    kinematic_coefficients.check_writable(path)
+    coefficient_file.check_writable(path)
     start = None if from_scratch else of_file()
     _check_enough(sum(len(one.trials) for one in recordings))  # before the work on each of them
     recordings = [_unknown_apart(one, k) for k, one in enumerate(recordings)]
@@ -135,7 +136,7 @@ def train_own(
     table = table_of(made, nets, settings)
     card = card_of(made, settings) | {
         "pointpred": pointpred.__version__,
-        "start": None if from_scratch else kinematic_coefficients.digest(),
+        "start": None if from_scratch else coefficient_file.digest(),
         "held_out": WORDS[parts],
     }
     for one in card["sets"]:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.predictors import kinematic_coefficients
+from pointpred.predictors.kinematic import coefficient_file
 from pointpred.training import calibrate
 from pointpred.training.calibrate import Held
 from pointpred.training.examples import Examples, joined
@@ -64,9 +64,9 @@ def table_of(school: School, nets: Nets, settings: Settings) -> FloatArray:
 
 def save(path: Path, fitted: Fitted, table: FloatArray, card: dict[str, Any]) -> None:
     """Write a network and its calibration; one that has hardly learned may ask for factors without bound."""
-    most = kinematic_coefficients.LARGEST_LOG
+    most = coefficient_file.LARGEST_LOG
     table = np.clip(table, -most, most)
-    kinematic_coefficients.write(path, fitted.mean, fitted.scale, fitted.layers, table, card)
+    coefficient_file.write(path, fitted.mean, fitted.scale, fitted.layers, table, card)
 
 
 def card_of(school: School, settings: Settings) -> dict[str, Any]:
@@ -97,4 +97,4 @@ def train(school: School, settings: Settings, path: Path, say: Say) -> None:
     table = table_of(school, nets, settings)
     say("calibrated on the people held out")
     save(path, taught(school, set(), None, settings), table, card_of(school, settings))
-    say(f"{path.name}: {path.stat().st_size} bytes, {kinematic_coefficients.digest(path)}")
+    say(f"{path.name}: {path.stat().st_size} bytes, {coefficient_file.digest(path)}")

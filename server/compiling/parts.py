@@ -14,7 +14,8 @@ from pointpred.compiled import awaits_compiling
 from pointpred.differentiators import DIFFERENTIATORS, HomogeneousDifferentiator
 from pointpred.events import PointerEvent
 from pointpred.pipeline import has_refusal, run
-from pointpred.predictors import Predictor, adaptation
+from pointpred.predictors import Predictor
+from pointpred.predictors.adaptation import predictor as adaptation
 from pointpred.protocol.records import EVENT, unpack_events, unpack_records
 from pointpred.registry import RECOMMENDED, REGISTRY, build
 from pointpred.scoring import metrics

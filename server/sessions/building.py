@@ -11,7 +11,7 @@ from pointpred.differentiators import HomogeneousDifferentiator
 from pointpred.errors import ParameterError
 from pointpred.person import restore
 from pointpred.pipeline import Pipeline
-from pointpred.predictors import kinematic_coefficients
+from pointpred.predictors.kinematic import coefficient_file
 from pointpred.protocol.client_messages import Hello, Setting
 from pointpred.protocol.errors import ProtocolError
 from pointpred.registry import REGISTRY, build, takes
@@ -75,7 +75,7 @@ def _file_of(name: Setting, coefficients: Mapping[str, Path]) -> Path:
         known = ", ".join(sorted(coefficients)) or "none; the service names them when it is started"
         raise ProtocolError("bad_field", f"unknown coefficients {name!r}; known: {known}", path)
     try:
-        kinematic_coefficients.read(coefficients[name])
+        coefficient_file.read(coefficients[name])
     except ParameterError:
         words = f"the coefficients {name!r} cannot be read any more; ask who runs the service"
         raise ProtocolError("bad_field", words, path) from None

@@ -14,9 +14,9 @@ from pointpred import person as persons
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.predictors import AdaptiveKinematicPredictor
-from pointpred.predictors import adaptation_clock as clock
-from pointpred.predictors import adaptation_distances as distances
-from pointpred.predictors import adaptation_law as law
+from pointpred.predictors.adaptation import correction as law
+from pointpred.predictors.adaptation import distances
+from pointpred.predictors.adaptation import durations as clock
 from pointpred.stage import Slot
 
 NAME = "kinematic-adaptive"

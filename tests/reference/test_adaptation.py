@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from pointpred.columns import FloatArray
-from pointpred.predictors import adaptation_distances as distances
-from pointpred.predictors import adaptation_stages as stages
+from pointpred.predictors.adaptation import distances, stages
 
 FORGETTING, RIDGE = 0.97, 20.0
 LAWS = [(time, width) for time in (1.5, 12.0) for width in (0.02, 0.08, 0.35)]

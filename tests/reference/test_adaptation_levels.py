@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from scipy import stats
 
 from pointpred.columns import FloatArray
-from pointpred.predictors import adaptation_levels as levels
+from pointpred.predictors.adaptation import region_widening as levels
 
 AT = levels.LEARNED
 SIZE = levels.LEARNED + levels.STATES

@@ -11,7 +11,9 @@ from benchmarks.naive_kep import NaiveKep
 from pointpred import EventColumns, Motion, build
 from pointpred.columns import FloatArray
 from pointpred.differentiators import BackwardDifferentiator, HomogeneousDifferentiator
-from pointpred.predictors import KinematicEndpointPredictor, kep, kep_zero
+from pointpred.predictors import KinematicEndpointPredictor
+from pointpred.predictors.kep import predictor as kep
+from pointpred.predictors.kep import quartic as kep_zero
 from pointpred.regression import least_squares
 
 

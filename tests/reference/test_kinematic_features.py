@@ -7,9 +7,8 @@ import pytest
 
 from pointpred import EventColumns, build
 from pointpred.columns import FloatArray
-from pointpred.predictors import kinematic_features as features
-from pointpred.predictors import kinematic_history as history
-from pointpred.predictors import kinematic_sight as sight
+from pointpred.predictors.kinematic import features, history
+from pointpred.predictors.kinematic import observation as sight
 
 LAGS = np.array(features.LAGS_S)
 

@@ -16,7 +16,7 @@ from pointpred import EventColumns, PredictionColumns, build, run
 from pointpred.client import connect
 from pointpred.datasets import sample
 from pointpred.errors import ParameterError
-from pointpred.predictors import kinematic_coefficients
+from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Trial
 from pointpred.registry import REGISTRY
 from pointpred.replaying import replay_to
@@ -60,12 +60,12 @@ def test_socket_and_batch_agree_bit_for_bit(listener: Listener, predictor: str) 
 
 def test_coefficients_of_ones_own_are_named_to_the_service(tmp_path: Path) -> None:
     path = tmp_path / "me.npz"
-    with np.load(kinematic_coefficients.OWN) as shipped:
+    with np.load(coefficient_file.OWN) as shipped:
         np.savez(path, **{**shipped, "offset2": shipped["offset2"] + np.float32(0.5)})
     asked = {"predictor": "kinematic", "speed": math.inf, "trials": ["1"]}
     with Listener(coefficients={"me": path}) as service:
         assert replay_to(service.url, SAMPLE, coefficients=("me", path), **asked).agrees
-        other = replay_to(service.url, SAMPLE, coefficients=("me", kinematic_coefficients.OWN), **asked)
+        other = replay_to(service.url, SAMPLE, coefficients=("me", coefficient_file.OWN), **asked)
     assert other.trials[0].unlike > 0
 
 
@@ -75,10 +75,10 @@ def test_coefficients_of_ones_own_are_named_to_the_service(tmp_path: Path) -> No
         ["--coefficients", "me", "--to", "ws://127.0.0.1:1"],
         ["--coefficients", "=me.npz", "--to", "ws://127.0.0.1:1"],
         ["--coefficients", "me=none.npz", "--to", "ws://127.0.0.1:1"],
-        ["--coefficients", f"me={kinematic_coefficients.OWN}", "--devtools", "http://127.0.0.1:1"],
+        ["--coefficients", f"me={coefficient_file.OWN}", "--devtools", "http://127.0.0.1:1"],
         [
             "--coefficients",
-            f"me={kinematic_coefficients.OWN}",
+            f"me={coefficient_file.OWN}",
             "--to",
             "ws://127.0.0.1:1",
             "--predictor",

@@ -14,7 +14,7 @@ from pages.regions.played import served
 from pages.regions.tables import LEVELS, SHARES, Drawn
 from pointpred import EventColumns, run
 from pointpred.columns import RegionColumns
-from pointpred.predictors import kinematic_coefficients
+from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Trial
 from pointpred.scoring import prepare
 
@@ -34,7 +34,7 @@ def recording() -> Recording:
 def held(tmp_path_factory: pytest.TempPathFactory) -> HeldOut:
     """Two files that differ in one number, so that their answers do."""
     folder, made = tmp_path_factory.mktemp("coefficients"), []
-    with np.load(kinematic_coefficients.OWN) as file:
+    with np.load(coefficient_file.OWN) as file:
         own = {key: file[key] for key in file.files}
     for number in range(2):
         made.append(folder / f"{number}.npz")

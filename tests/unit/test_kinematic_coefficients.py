@@ -13,8 +13,8 @@ import pytest
 from pointpred import build
 from pointpred.errors import ParameterError
 from pointpred.predictors import KinematicPredictor
-from pointpred.predictors import kinematic_coefficients as coefficients
-from pointpred.predictors import kinematic_features as features
+from pointpred.predictors.kinematic import coefficient_file as coefficients
+from pointpred.predictors.kinematic import features
 
 
 def own() -> dict[str, Any]:

@@ -15,7 +15,8 @@ from pointpred import EventColumns, Motion, Pipeline, build, run
 from pointpred.columns import FloatArray
 from pointpred.datasets import sample
 from pointpred.errors import ParameterError
-from pointpred.predictors import AdaptiveKinematicPredictor, KinematicPredictor, adaptation_law
+from pointpred.predictors import AdaptiveKinematicPredictor, KinematicPredictor
+from pointpred.predictors.adaptation import correction as adaptation_law
 from pointpred.scoring import prepare
 from pointpred.scoring.replay import replay
 

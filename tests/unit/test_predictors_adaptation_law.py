@@ -7,10 +7,10 @@ import pytest
 
 from pointpred import EventColumns, build, run
 from pointpred.columns import FloatArray
-from pointpred.predictors import adaptation, adaptation_law
-from pointpred.predictors import adaptation_clock as clock
-from pointpred.predictors import adaptation_distances as distances
-from pointpred.predictors import adaptation_stages as stages
+from pointpred.predictors.adaptation import correction as adaptation_law
+from pointpred.predictors.adaptation import distances, stages
+from pointpred.predictors.adaptation import durations as clock
+from pointpred.predictors.adaptation import predictor as adaptation
 from pointpred.recording import Recording, Trial
 from pointpred.scoring import prepare
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from pointpred.columns import FloatArray
-from pointpred.predictors import adaptation_stages as stages
+from pointpred.predictors.adaptation import stages
 
 
 def taught(memory: FloatArray, random: np.random.Generator, count: int, gain: float, slow: float) -> None:

@@ -14,8 +14,8 @@ from pointpred import REGISTRY, EventColumns, Motion, Pipeline, build, run
 from pointpred.columns import FloatArray
 from pointpred.datasets import sample
 from pointpred.errors import ParameterError
-from pointpred.predictors import KinematicPredictor, kinematic_coefficients
-from pointpred.predictors import kinematic_features as features
+from pointpred.predictors import KinematicPredictor
+from pointpred.predictors.kinematic import coefficient_file, features
 from pointpred.scoring import prepare
 
 X, Y, SXX, SXY, SYY, LEFT, PHASE, TAIL, SPREAD = range(1, 10)
@@ -123,14 +123,14 @@ def test_coefficients_are_shared_and_not_pickled() -> None:
 
 
 def other_file(path: Path, **changed: object) -> Path:
-    with np.load(kinematic_coefficients.OWN) as own:
+    with np.load(coefficient_file.OWN) as own:
         arrays = {name: own[name] for name in own.files} | changed
     np.savez(path, **{name: value for name, value in arrays.items() if value is not None})  # type: ignore[arg-type]
     return path
 
 
 def test_other_coefficients_say_other_things(tmp_path: Path) -> None:
-    with np.load(kinematic_coefficients.OWN) as own:
+    with np.load(coefficient_file.OWN) as own:
         path = other_file(tmp_path / "other.npz", offset2=own["offset2"] + np.float32(0.5))
     given = Pipeline("kinematic", build("hold").differentiator, KinematicPredictor(coefficients=path))
     assert not np.allclose(run(given, reach()).table[5:, X], table(reach())[5:, X])
@@ -163,9 +163,9 @@ def test_a_file_that_is_none_is_refused(tmp_path: Path) -> None:
 def test_the_card_says_what_the_file_is() -> None:
     page = (Path(__file__).parents[2] / "docs/evidence/kinematic.md").read_text(encoding="utf-8")
     notice = (Path(__file__).parents[2] / "NOTICE").read_text(encoding="utf-8")
-    assert kinematic_coefficients.digest() in page
-    assert kinematic_coefficients.OWN.stat().st_size <= kinematic_coefficients.LARGEST_BYTES
-    said = kinematic_coefficients.card()
+    assert coefficient_file.digest() in page
+    assert coefficient_file.OWN.stat().st_size <= coefficient_file.LARGEST_BYTES
+    said = coefficient_file.card()
     for one in said["sets"]:
         assert f"| {one['name']} | {one['licence']} | {one['users']} | {one['trials']} |" in page
         assert f"{one['name']} ({one['licence']})" in notice

@@ -11,7 +11,7 @@ from pages import held_out
 from pages.held_out import HeldOut
 from pages.results import scores as results_scores
 from pointpred import EventColumns
-from pointpred.predictors import kinematic_coefficients
+from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Trial
 from pointpred.scoring import prepare, replay
 
@@ -31,7 +31,7 @@ def recording(name: str) -> Recording:
 def held(tmp_path_factory: pytest.TempPathFactory) -> HeldOut:
     """Three files that differ in one number each, so that their answers do."""
     folder, made = tmp_path_factory.mktemp("coefficients"), []
-    with np.load(kinematic_coefficients.OWN) as file:
+    with np.load(coefficient_file.OWN) as file:
         own = {key: file[key] for key in file.files}
     for number in range(3):
         changed = own | {"offset2": own["offset2"] + np.float32(0.02 * number)}

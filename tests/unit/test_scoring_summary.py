@@ -12,7 +12,8 @@ import pytest
 from pointpred.columns import EventColumns
 from pointpred.errors import ParameterError
 from pointpred.pipeline import Pipeline
-from pointpred.predictors import KinematicPredictor, kinematic_coefficients
+from pointpred.predictors import KinematicPredictor
+from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Skip, Trial
 from pointpred.scoring import (
     HEADINGS,
@@ -163,14 +164,14 @@ def test_what_has_learned_from_the_set_is_called_so() -> None:
         return [p.seen for p in summarise(score([one], pipelines)[0]).predictors]
 
     learned = ("kalman", "kinematic", "kinematic-adaptive")
-    for known in kinematic_coefficients.card()["sets"]:
+    for known in coefficient_file.card()["sets"]:
         assert seen(known["name"], *learned) == [False, False, True, True]
     assert seen("folder/kh2017", *learned) == [False, False, True, True]
     assert seen("kh2017 of another day", *learned) == [False] * 4
 
 
 def test_other_coefficients_saw_what_their_own_card_says(tmp_path: Path) -> None:
-    with np.load(kinematic_coefficients.OWN) as file:
+    with np.load(coefficient_file.OWN) as file:
         held = dict(file)
     held["card"] = np.frombuffer(json.dumps({"sets": [{"name": "elsewhere"}]}).encode(), np.uint8)
     np.savez(tmp_path / "other.npz", **held)

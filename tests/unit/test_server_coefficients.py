@@ -13,7 +13,7 @@ import pytest
 from pointpred import PointerEvent, build
 from pointpred.cli.serve import settings_of
 from pointpred.errors import ParameterError
-from pointpred.predictors import kinematic_coefficients
+from pointpred.predictors.kinematic import coefficient_file
 from pointpred.protocol.server_messages import Limits
 from pointpred.server.sessions.session import Session
 from pointpred.server.settings import Settings, named_files
@@ -25,7 +25,7 @@ NAMES = ["kinematic", "kinematic-adaptive"]
 
 def other(path: Path) -> Path:
     """The package's coefficients, changed."""
-    with np.load(kinematic_coefficients.OWN) as own:
+    with np.load(coefficient_file.OWN) as own:
         np.savez(path, **{**own, "offset2": own["offset2"] + np.float32(0.5)})
     return path
 
@@ -68,10 +68,10 @@ def test_an_unknown_name_is_a_bad_field_and_the_known_ones_are_named(wanted: Any
         assert "me" in error["message"]
 
 
-@pytest.mark.parametrize("files", [{}, {"me": kinematic_coefficients.OWN}])
+@pytest.mark.parametrize("files", [{}, {"me": coefficient_file.OWN}])
 def test_a_client_never_names_a_path(files: dict[str, Path]) -> None:
-    own = str(kinematic_coefficients.OWN)
-    for wanted in (own, f"../{kinematic_coefficients.OWN.name}", "/etc/passwd"):
+    own = str(coefficient_file.OWN)
+    for wanted in (own, f"../{coefficient_file.OWN.name}", "/etc/passwd"):
         _, (error,) = talk_with(files, hello("kinematic", parameters={"coefficients": wanted}))
         assert (error["code"], error["path"]) == ("bad_field", "$.parameters.coefficients")
 

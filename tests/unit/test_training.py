@@ -11,9 +11,9 @@ import pytest
 
 from pointpred import EventColumns
 from pointpred.errors import ParameterError
-from pointpred.predictors import kinematic_calibration, kinematic_coefficients
-from pointpred.predictors import kinematic_features as features
-from pointpred.predictors import kinematic_net as net
+from pointpred.predictors.kinematic import calibration as kinematic_calibration
+from pointpred.predictors.kinematic import coefficient_file, features
+from pointpred.predictors.kinematic import network as net
 from pointpred.recording import Recording, Trial
 from pointpred.scoring import prepare
 from pointpred.training import calibrate, fitting, losses, network, people, train
@@ -104,7 +104,7 @@ def test_the_law_computes_what_training_computes(school: people.School, tmp_path
     fitted = train.taught(school, set(), None, SMALL)
     path = tmp_path / "small.npz"
     train.save(path, fitted, np.zeros((kinematic_calibration.KNOTS, kinematic_calibration.FACTORS)), {})
-    flat = kinematic_coefficients.read(path)
+    flat = coefficient_file.read(path)
     rows = school.own[0].features[:50]
     for seen, wanted in zip(rows, fitted.outputs(rows), strict=True):
         said = np.empty(net.OUTPUTS)

@@ -17,8 +17,8 @@ import pytest
 from pointpred import build, run
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.files import beside
-from pointpred.predictors import kinematic_coefficients
-from pointpred.predictors import kinematic_net as net
+from pointpred.predictors.kinematic import coefficient_file
+from pointpred.predictors.kinematic import network as net
 from pointpred.recording import Recording
 from pointpred.scoring import score
 from pointpred.sources.own.recordings import write
@@ -52,7 +52,7 @@ def named(name: str, *users: str, count: int = 30) -> Recording:
 def test_the_network_of_the_file_is_what_training_goes_on_from() -> None:
     start = fitting.of_file()
     rows = people.school([mine(10)], 1, lambda _: None, variants=0).own[0].features
-    flat = kinematic_coefficients.read(kinematic_coefficients.OWN)
+    flat = coefficient_file.read(coefficient_file.OWN)
     for seen, wanted in zip(rows[:20], start.outputs(rows[:20]), strict=True):
         said = np.empty(net.OUTPUTS)
         net.outputs(flat, seen.astype(np.float64), said)
@@ -92,7 +92,7 @@ def test_one_person_is_held_out_in_stretches_of_their_movements(tmp_path: Path) 
     result = trained(tmp_path / "me.npz", mine(60, 1))
     assert (result.people, result.parts) == (1, "movements")
     assert len(result.held_out[0].hold) == 60
-    said = kinematic_coefficients.card(tmp_path / "me.npz")
+    said = coefficient_file.card(tmp_path / "me.npz")
     assert said["sets"][0]["users"] == 1
     assert said["held_out"] == "movements of one person"
 
@@ -131,7 +131,7 @@ def test_a_name_is_one_person_in_all_recordings(
         progress=lambda what, done, steps: counted.append((done, steps)),
     )
     assert (result.people, result.parts) == (people, parts)
-    assert kinematic_coefficients.card(tmp_path / "me.npz")["held_out"].split()[0] == parts
+    assert coefficient_file.card(tmp_path / "me.npz")["held_out"].split()[0] == parts
     assert [len(one.hold) for one in result.held_out] == [30, 30]
     steps = len(counted) - 1  # the first call says that nothing is done
     assert counted == [(done, steps) for done in range(steps + 1)]
@@ -159,25 +159,25 @@ def me(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_the_card_says_what_it_was_made_from(me: Path) -> None:
-    said = kinematic_coefficients.card(me)
+    said = coefficient_file.card(me)
     (one,) = said["sets"]
     assert (one["name"], one["licence"], one["users"], one["trials"]) == ("reaches", "unknown", 2, 60)
-    assert (said["seed"], said["start"], said["pointpred"]) == (5, kinematic_coefficients.digest(), "0.1.0")
+    assert (said["seed"], said["start"], said["pointpred"]) == (5, coefficient_file.digest(), "0.1.0")
     assert build("kinematic", coefficients=me).predictor.saw("reaches")  # type: ignore[attr-defined]
 
 
 def test_the_same_seed_makes_the_same_numbers(me: Path, tmp_path: Path) -> None:
-    digests = [kinematic_coefficients.digest(me)]
+    digests = [coefficient_file.digest(me)]
     for name, seed in (("same.npz", 5), ("other.npz", 2)):
         trained(tmp_path / name, seed=seed)
-        digests.append(kinematic_coefficients.digest(tmp_path / name))
+        digests.append(coefficient_file.digest(tmp_path / name))
     assert digests[0] == digests[1] != digests[2]
 
 
 def test_from_scratch_starts_from_nothing(tmp_path: Path) -> None:
     trained(tmp_path / "me.npz", from_scratch=True, settings=msgspec.structs.replace(TINY, hidden=(8, 6)))
-    assert kinematic_coefficients.card(tmp_path / "me.npz")["start"] is None
-    assert kinematic_coefficients.read(tmp_path / "me.npz")[:2].tolist() == [8.0, 6.0]
+    assert coefficient_file.card(tmp_path / "me.npz")["start"] is None
+    assert coefficient_file.read(tmp_path / "me.npz")[:2].tolist() == [8.0, 6.0]
 
 
 def test_too_few_movements_are_refused_with_how_many_it_needs(tmp_path: Path) -> None:
@@ -187,10 +187,10 @@ def test_too_few_movements_are_refused_with_how_many_it_needs(tmp_path: Path) ->
 
 
 def test_the_packages_own_file_is_never_written() -> None:
-    before = kinematic_coefficients.OWN.read_bytes()
+    before = coefficient_file.OWN.read_bytes()
     with pytest.raises(ParameterError, match="own file"):
-        trained(kinematic_coefficients.OWN)
-    assert kinematic_coefficients.OWN.read_bytes() == before
+        trained(coefficient_file.OWN)
+    assert coefficient_file.OWN.read_bytes() == before
 
 
 def test_an_interruption_leaves_no_file_and_an_old_one_as_it_was(
@@ -203,7 +203,7 @@ def test_an_interruption_leaves_no_file_and_an_old_one_as_it_was(
         file.write(b"half")
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(kinematic_coefficients.np, "savez", interrupted)
+    monkeypatch.setattr(coefficient_file.np, "savez", interrupted)
     school = people.school([mine(20)], 1, lambda _: None, variants=0)
     with pytest.raises(KeyboardInterrupt):
         train.save(path, fitting.of_file(), np.zeros((10, 3)), train.card_of(school, TINY))
@@ -264,7 +264,7 @@ def test_wrong_uses_say_what_was_expected(command: Callable[..., Any], file: Pat
     (tmp_path / "me.npz.part").write_text("somebody's")
     for code, arguments in (
         (2, ["train", file, "--out", tmp_path / "me.csv"]),
-        (2, ["train", file, "--out", kinematic_coefficients.OWN]),
+        (2, ["train", file, "--out", coefficient_file.OWN]),
         (2, ["train", file, "--out", tmp_path / "no" / "me.npz"]),
         (2, ["train", tmp_path / "text.npz", "--out", Path("/proc/me.npz")]),  # nobody writes there
         (2, ["train", tmp_path / "text.npz", "--out", tmp_path / "held.npz"]),

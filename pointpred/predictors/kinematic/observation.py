@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
-from pointpred.predictors import kinematic_features as features
-from pointpred.predictors import kinematic_history as history
-from pointpred.predictors import kinematic_track as track
 from pointpred.predictors import movement
+from pointpred.predictors.kinematic import features, history, track
 from pointpred.predictors.predictor import motion_at
 from pointpred.rows import MotionRow
 

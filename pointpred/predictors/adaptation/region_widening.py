@@ -15,7 +15,7 @@ from math import exp, log
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.events import ROUNDING_S
-from pointpred.predictors.adaptation_stages import STAGES, place
+from pointpred.predictors.adaptation.stages import STAGES, place
 from pointpred.stage import Slot
 
 LEVELS = (0.5, 0.8)

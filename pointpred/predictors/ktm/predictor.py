@@ -11,8 +11,8 @@ from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.errors import ParameterError
 from pointpred.parameter import option, parameter
-from pointpred.predictors import ktm_matching as matching
 from pointpred.predictors import movement
+from pointpred.predictors.ktm import matching
 from pointpred.predictors.predictor import Predictor, loop_over_motions
 from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
 

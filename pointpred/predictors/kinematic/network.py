@@ -8,7 +8,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.predictors import kinematic_features as features
+from pointpred.predictors.kinematic import features
 
 # Outputs: the endpoint from the cursor in reaches, along and across the direction; shares of the basis;
 # logarithms of the widths of the law in reaches, of its tail, of the time left over the time passed, of its

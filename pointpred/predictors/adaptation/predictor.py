@@ -7,31 +7,33 @@ from typing import Any
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.parameter import parameter
-from pointpred.predictors import adaptation_law, kinematic, movement
-from pointpred.predictors import kinematic_sight as sight
-from pointpred.predictors.kinematic import KinematicPredictor
+from pointpred.predictors import movement
+from pointpred.predictors.adaptation import correction
+from pointpred.predictors.kinematic import observation
+from pointpred.predictors.kinematic import predictor as kinematic
+from pointpred.predictors.kinematic.predictor import KinematicPredictor
 from pointpred.predictors.predictor import loop_over_motions
 from pointpred.rows import MotionRow, Row, TenFloats
 
 # Settings, what is known of the person, the movement as the learned predictor and as the adaptation sees it.
 ADAPT, DISTANCES, SHORTEST_PX, SETTINGS = 0, 1, 2, 3
 PERSON = SETTINGS
-SIGHT = PERSON + adaptation_law.LEARNED
-MOVEMENT = SIGHT + sight.STATES
-LENGTH = MOVEMENT + adaptation_law.STATES
+SIGHT = PERSON + correction.LEARNED
+MOVEMENT = SIGHT + observation.STATES
+LENGTH = MOVEMENT + correction.STATES
 
 
 @law
 def conclude(memory: FloatArray) -> None:
     """The movement has ended: learn from it."""
     if memory[ADAPT] == 1.0:
-        adaptation_law.conclude(memory, PERSON, MOVEMENT, memory[SHORTEST_PX])
+        correction.conclude(memory, PERSON, MOVEMENT, memory[SHORTEST_PX])
 
 
 @law
 def adapted(memory: FloatArray, answer: TenFloats) -> TenFloats:
     """What the learned predictor says, corrected for the person."""
-    return adaptation_law.adapted(memory, PERSON, MOVEMENT, memory[DISTANCES], answer)
+    return correction.adapted(memory, PERSON, MOVEMENT, memory[DISTANCES], answer)
 
 
 @law
@@ -45,7 +47,7 @@ def step(memory: FloatArray, motion: Row, coefficients: FloatArray) -> TenFloats
     if m.start == 1.0:
         conclude(memory)
     t0, x0, y0 = own[movement.T0], own[movement.X0], own[movement.Y0]
-    adaptation_law.follow(memory, MOVEMENT, m.t, m.x, m.y, t0, x0, y0)
+    correction.follow(memory, MOVEMENT, m.t, m.x, m.y, t0, x0, y0)
     return adapted(memory, answer)
 
 
@@ -120,11 +122,11 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     step = staticmethod(step)
     loop = staticmethod(loop)
     conclude = staticmethod(conclude)
-    slots = adaptation_law.SLOTS
-    doubt = staticmethod(adaptation_law.doubt)
+    slots = correction.SLOTS
+    doubt = staticmethod(correction.doubt)
 
     def declare(self, **values: Any) -> None:
         """Check the values; without adaptation nothing of the person is remembered."""
         super().declare(**values)
-        self.learned = adaptation_law.LEARNED if self.adapt else 0
+        self.learned = correction.LEARNED if self.adapt else 0
         self.states = LENGTH - SETTINGS - self.learned

@@ -18,9 +18,7 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.files import beside
-from pointpred.predictors import kinematic_calibration as calibration
-from pointpred.predictors import kinematic_features as features
-from pointpred.predictors import kinematic_net as net
+from pointpred.predictors.kinematic import calibration, features, network
 
 VERSION = 1
 """Of what the file holds and of what its numbers mean; a file of another version is refused."""
@@ -155,7 +153,7 @@ def _parts(held: dict[str, Any]) -> list[Any]:
         ("scale", (features.FEATURES,), LARGEST_SCALE),
     ]
     for number, (rows, width) in enumerate(
-        ((features.FEATURES, first), (first, second), (second, net.OUTPUTS))
+        ((features.FEATURES, first), (first, second), (second, network.OUTPUTS))
     ):
         wanted += [
             (f"weights{number}", (rows, width), LARGEST_WEIGHT),
@@ -184,12 +182,12 @@ def _check(name: str, values: Any, shape: tuple[int, ...], most: float) -> None:
         raise ValueError(f"{name} must hold numbers of magnitude up to {most:g}, holds {wrong.flat[0]:g}")
 
 
-def network(path: Path | str = OWN) -> tuple[FloatArray, FloatArray, list[tuple[FloatArray, FloatArray]]]:
+def layers_of(path: Path | str = OWN) -> tuple[FloatArray, FloatArray, list[tuple[FloatArray, FloatArray]]]:
     """Means and scales of the inputs, and the layers of a file's network; raises ParameterError."""
     flat = read(path)
-    sizes = (features.FEATURES, int(flat[net.FIRST]), int(flat[net.SECOND]), net.OUTPUTS)
-    mean, scale = flat[net.HEAD :][: sizes[0]], flat[net.HEAD + sizes[0] :][: sizes[0]]
-    layers, at = [], net.HEAD + 2 * sizes[0]
+    sizes = (features.FEATURES, int(flat[network.FIRST]), int(flat[network.SECOND]), network.OUTPUTS)
+    mean, scale = flat[network.HEAD :][: sizes[0]], flat[network.HEAD + sizes[0] :][: sizes[0]]
+    layers, at = [], network.HEAD + 2 * sizes[0]
     for rows, width in pairwise(sizes):
         offset = at + rows * width
         layers.append((flat[at:offset].reshape(rows, width), flat[offset : offset + width]))

@@ -10,9 +10,8 @@ from math import hypot, log
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.predictors import kinematic_history as history
-from pointpred.predictors import kinematic_track as track
 from pointpred.predictors import minimum_jerk
+from pointpred.predictors.kinematic import history, track
 
 LAGS_S = (0.01, 0.02, 0.03, 0.045, 0.065, 0.09, 0.12, 0.16, 0.21, 0.28, 0.37, 0.5)
 NAMES = (

@@ -6,8 +6,8 @@ import numpy as np
 
 from pointpred.columns import EventColumns, FloatArray
 from pointpred.errors import ParameterError
-from pointpred.predictors import ktm_matching as matching
-from pointpred.predictors.ktm import TEMPLATES_MOST, TemplatePredictor, samples_of
+from pointpred.predictors.ktm import matching
+from pointpred.predictors.ktm.predictor import TEMPLATES_MOST, TemplatePredictor, samples_of
 from pointpred.recording import Recording
 
 

@@ -11,11 +11,8 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.parameter import option
-from pointpred.predictors import kinematic_calibration as calibration
-from pointpred.predictors import kinematic_coefficients, movement
-from pointpred.predictors import kinematic_features as features
-from pointpred.predictors import kinematic_net as net
-from pointpred.predictors import kinematic_sight as sight
+from pointpred.predictors import movement
+from pointpred.predictors.kinematic import calibration, coefficient_file, features, network, observation
 from pointpred.predictors.predictor import Predictor, loop_over_motions
 from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
 
@@ -33,26 +30,26 @@ def step(memory: FloatArray, motion: Row, coefficients: FloatArray) -> TenFloats
     """Features, network, calibration, and back to the screen."""
     m = MotionRow(*motion)
     seen = np.empty(features.FEATURES)
-    accepted, reach, ux, uy = sight.see(memory, AT, m, seen)
+    accepted, reach, ux, uy = observation.see(memory, AT, m, seen)
     if not accepted:
         return REFUSED
     phase = movement.phase(memory, AT, m)
     if reach == 0.0:
         return endpoint(m.t, m.x, m.y, phase)
-    said = np.empty(net.OUTPUTS)
-    table = net.outputs(coefficients, seen, said)
-    along, across = said[net.ALONG], said[net.ACROSS] * net.side(seen)
-    for i in range(net.BASES):
-        along += said[net.BASIS + i] * seen[net.BASIS_ALONG[i]]
-        across += said[net.BASIS + i] * seen[net.BASIS_ACROSS[i]]
+    said = np.empty(network.OUTPUTS)
+    table = network.outputs(coefficients, seen, said)
+    along, across = said[network.ALONG], said[network.ACROSS] * network.side(seen)
+    for i in range(network.BASES):
+        along += said[network.BASIS + i] * seen[network.BASIS_ALONG[i]]
+        across += said[network.BASIS + i] * seen[network.BASIS_ACROSS[i]]
     since = m.t - memory[AT + movement.T0]
-    left = (since + net.HEAD_START_S) * bounded(said[net.LEFT], net.LEFT_LOGS)
+    left = (since + network.HEAD_START_S) * bounded(said[network.LEFT], network.LEFT_LOGS)
     share = since / (since + left)
     widen = reach * calibration.factor(coefficients, table, share, calibration.WIDTH)
-    wide = (widen * bounded(said[net.WIDE], net.WIDTH_LOGS)) ** 2
-    broad = (widen * bounded(said[net.BROAD], net.WIDTH_LOGS)) ** 2
-    tail = bounded(said[net.TAIL], net.TAIL_LOGS)
-    spread = bounded(said[net.SPREAD], net.SPREAD_LOGS)
+    wide = (widen * bounded(said[network.WIDE], network.WIDTH_LOGS)) ** 2
+    broad = (widen * bounded(said[network.BROAD], network.WIDTH_LOGS)) ** 2
+    tail = bounded(said[network.TAIL], network.TAIL_LOGS)
+    spread = bounded(said[network.SPREAD], network.SPREAD_LOGS)
     return (
         m.t,
         m.x + reach * (along * ux - across * uy),
@@ -109,15 +106,15 @@ class KinematicPredictor(Predictor):
     )
     step = staticmethod(step)
     loop = staticmethod(loop)
-    states = sight.STATES
+    states = observation.STATES
 
     def declare(self, **values: Any) -> None:
         """Check the values and read the coefficients: those of the package for ``None``."""
         super().declare(**values)
-        source = kinematic_coefficients.OWN if self.coefficients is None else self.coefficients
-        self.shared = (kinematic_coefficients.read(source),)
+        source = coefficient_file.OWN if self.coefficients is None else self.coefficients
+        self.shared = (coefficient_file.read(source),)
         self._source = Path(source)
-        self._sets = kinematic_coefficients.sets(source)  # the file may be gone when it is asked for
+        self._sets = coefficient_file.sets(source)  # the file may be gone when it is asked for
 
     def saw(self, name: str) -> bool:
         """Whether the coefficients were fitted to people of the set of this name."""
@@ -129,4 +126,4 @@ class KinematicPredictor(Predictor):
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)
-        self.shared = (kinematic_coefficients.read(self._source),)
+        self.shared = (coefficient_file.read(self._source),)

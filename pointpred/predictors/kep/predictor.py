@@ -7,7 +7,8 @@ from math import hypot, nan
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.parameter import parameter
-from pointpred.predictors import kep_zero, movement
+from pointpred.predictors import movement
+from pointpred.predictors.kep import quartic
 from pointpred.predictors.predictor import Predictor, loop_over_motions
 from pointpred.regression import least_squares
 from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
@@ -48,8 +49,8 @@ def remaining(memory: FloatArray, travelled: float) -> float:
     c3 = memory[COEFFICIENTS + 3] * travelled**3 if degree > 2 else 0.0
     c4 = memory[COEFFICIENTS + 4] * travelled**4 if degree > 3 else 0.0
     # The same polynomial of the distance from here.
-    zero = kep_zero.first_zero(
-        kep_zero.value(c0, c1, c2, c3, c4, 1.0),
+    zero = quartic.first_zero(
+        quartic.value(c0, c1, c2, c3, c4, 1.0),
         c1 + 2.0 * c2 + 3.0 * c3 + 4.0 * c4,
         c2 + 3.0 * c3 + 6.0 * c4,
         c3 + 4.0 * c4,

@@ -10,18 +10,15 @@ from math import floor, hypot, sqrt
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.predictors import adaptation_clock as clock
-from pointpred.predictors import adaptation_distances as distances
-from pointpred.predictors import adaptation_levels as levels
-from pointpred.predictors import adaptation_stages as stages
+from pointpred.predictors.adaptation import distances, durations, region_widening, stages
 from pointpred.rows import TenFloats
 
-# What is known of the person, relative to `known`: the stages, the distances, the durations, the levels.
+# What is known of the person, relative to `known`: the stages, the distances, the durations, the regions.
 DISTANCES = stages.LEARNED
 CLOCK = DISTANCES + distances.LEARNED
-LEVELS = CLOCK + clock.LEARNED
-LEARNED = LEVELS + levels.LEARNED
-SLOTS = (*stages.SLOTS, *distances.SLOTS, *clock.SLOTS, *levels.SLOTS)
+LEVELS = CLOCK + durations.LEARNED
+LEARNED = LEVELS + region_widening.LEARNED
+SLOTS = (*stages.SLOTS, *distances.SLOTS, *durations.SLOTS, *region_widening.SLOTS)
 
 # The movement, relative to `at`: whether there is one, its start, its last sample, how many
 # places of the way were kept, samples of different times; the last of these places; a moment of each stage;
@@ -31,7 +28,7 @@ TRACED, APART_S = 96, 0.005
 """Places kept of the last way, and how far apart in time at least; while it stands none is kept."""
 MOMENTS = TRACE + 3 * TRACED
 STATED = MOMENTS + stages.STATES
-STATES = STATED + levels.STATES
+STATES = STATED + region_widening.STATES
 NEAR_PX, NEAR_SHARE = 8.0, 0.03
 """The movement has arrived when the cursor stays so near its end: px, share of the distance."""
 
@@ -45,10 +42,10 @@ EARLY = 0.1
 
 def doubt(known: FloatArray) -> str:
     """What is wrong with numbers that are within the bounds of ``SLOTS``; empty for nothing."""
-    far, long = known[DISTANCES + distances.HELD], known[CLOCK + clock.HELD]
+    far, long = known[DISTANCES + distances.HELD], known[CLOCK + durations.HELD]
     if far != long:
         return f"distances held must be as many as durations held, are {far:g} and {long:g}"
-    return distances.doubt(known[DISTANCES:CLOCK]) or clock.doubt(known[CLOCK:LEVELS])
+    return distances.doubt(known[DISTANCES:CLOCK]) or durations.doubt(known[CLOCK:LEVELS])
 
 
 @law
@@ -73,20 +70,22 @@ def conclude(memory: FloatArray, known: int, at: int, shortest: float) -> None:
     teaches = memory[at + KNOWN] == 1.0 and memory[at + COUNT] >= SAMPLES_LEAST
     duration = moved - memory[at + T0]
     if teaches and duration >= LEAST_S and distance >= max(shortest, distances.SHORTEST_PX):
-        told = memory[known + CLOCK + clock.HELD] > 0.0
+        told = memory[known + CLOCK + durations.HELD] > 0.0
         if told:
-            clock.forget(memory, known + CLOCK)
+            durations.forget(memory, known + CLOCK)
         for stage in range(stages.STAGES):
             moment, of = at + MOMENTS + stage * stages.MOMENT, known + stage * stages.WIDTH
             if memory[moment + stages.TAKEN] == 1.0:
                 when = memory[moment + stages.T]
                 if told and when < moved:
                     said = memory[moment + stages.LEFT] * stages.slowed(memory, of)
-                    clock.judge(memory, known + CLOCK, when - memory[at + T0], said, moved - when, duration)
+                    durations.judge(
+                        memory, known + CLOCK, when - memory[at + T0], said, moved - when, duration
+                    )
                 stages.learn(memory, of, moment, x, y, moved)
         distances.remember(memory, known + DISTANCES, distance)
-        clock.remember(memory, known + CLOCK, duration)
-        levels.learn(memory, known + LEVELS, at + STATED, x, y, memory[at + T0], moved)
+        durations.remember(memory, known + CLOCK, duration)
+        region_widening.learn(memory, known + LEVELS, at + STATED, x, y, memory[at + T0], moved)
     memory[at : at + STATES] = 0.0
 
 
@@ -177,11 +176,11 @@ def adapted(
     share = since / (since + left)
     take(memory, at, share, ux, uy, reached, along, across, wide, broad, tail, left)
     if memory[known + DISTANCES + distances.HELD] == 0.0:
-        levels.keep(memory, at + STATED, memory[at + T], x, y, (px, py, sxx, sxy, syy, tail))
+        region_widening.keep(memory, at + STATED, memory[at + T], x, y, (px, py, sxx, sxy, syy, tail))
         return answer
     total = hypot(reached + along, across)
     shift, widen, broaden, slow = stages.corrected(memory, known, share, total, along)
-    left = clock.mixed(memory, known + CLOCK, since, left * slow)
+    left = durations.mixed(memory, known + CLOCK, since, left * slow)
     new_wide, new_broad = wide * widen, broad * broaden
     gone = since / (since + left)
     new_along = along + shift * fading(gone, BIAS_FADE)
@@ -194,11 +193,11 @@ def adapted(
         new_wide *= (drawn_wide / new_wide) ** still
     ratio, moved = new_wide / wide, new_along - along
     cross = (sxy * (ux * ux - uy * uy) + (syy - sxx) * ux * uy) * ratio * broaden
-    factor, tail = levels.corrected(memory, known + LEVELS, gone, tail)
+    factor, tail = region_widening.corrected(memory, known + LEVELS, gone, tail)
     wide2, broad2, cross = factor * new_wide * new_wide, factor * new_broad * new_broad, factor * cross
     px, py = px + moved * ux, py + moved * uy
     sxx = wide2 * ux * ux - 2.0 * cross * ux * uy + broad2 * uy * uy
     sxy = (wide2 - broad2) * ux * uy + cross * (ux * ux - uy * uy)
     syy = wide2 * uy * uy + 2.0 * cross * ux * uy + broad2 * ux * ux
-    levels.keep(memory, at + STATED, memory[at + T], x, y, (px, py, sxx, sxy, syy, tail))
+    region_widening.keep(memory, at + STATED, memory[at + T], x, y, (px, py, sxx, sxy, syy, tail))
     return t, px, py, sxx, sxy, syy, left, phase, tail, spread
