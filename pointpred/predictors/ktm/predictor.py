@@ -178,10 +178,13 @@ def _checked(library: FloatArray | None, longest_s: float) -> FloatArray:
     if table.ndim != 2 or not matching.SPEEDS < table.shape[1] <= matching.SPEEDS + most:
         raise ParameterError(
             f"library needs a row a template with at most {most} samples (longest_s is {longest_s:g} s), "
-            f"received shape {table.shape}"
+            f"received shape {table.shape}",
+            field="library",
         )
     lengths = table[:, matching.LENGTH]
     longest = table.shape[1] - matching.SPEEDS
     if not (np.isfinite(table).all() and (lengths >= 1.0).all() and (lengths <= longest).all()):
-        raise ParameterError(f"library needs finite numbers and templates of 1 to {longest} samples")
+        raise ParameterError(
+            f"library needs finite numbers and templates of 1 to {longest} samples", field="library"
+        )
     return table
