@@ -114,7 +114,6 @@ def open_port(settings: Settings) -> socket:
 def settings_of(given: dict[str, Any]) -> Settings:
     """The settings from flags and environment; raises ParameterError in one line for a wrong one."""
     from pydantic import ValidationError
-    from pydantic_settings import SettingsError
 
     from pointpred.server.settings import Settings
 
@@ -126,6 +125,3 @@ def settings_of(given: dict[str, Any]) -> Settings:
         raise ParameterError(
             f"{refused(name, first)} (flag --{name.replace('_', '-')} or POINTPRED_{name.upper()})"
         ) from None
-    except SettingsError as error:  # a value that is not the JSON it should be
-        name = str(error).partition('field "')[2].partition('"')[0]
-        raise ParameterError(f"POINTPRED_{name.upper()} cannot be read: JSON was expected") from None

@@ -7,10 +7,8 @@ import subprocess
 import sys
 
 import pytest
-from pydantic import Field, ValidationError
+from pydantic import ValidationError
 
-from pointpred.cli.serve import settings_of
-from pointpred.errors import ParameterError
 from pointpred.server.hosts import HostRule
 from pointpred.server.settings import Settings
 from tests.server.running import PATIENCE_S
@@ -130,13 +128,3 @@ def test_a_token_is_made_up_and_shown_where_others_reach_the_port() -> None:
     assert made.show_token
     assert Settings(host="0.0.0.0").guarded().token != made.token
     assert not Settings(host="0.0.0.0", token="open-sesame-9").guarded().show_token
-
-
-def test_a_value_that_is_no_json_is_one_line_that_names_the_variable(monkeypatch: pytest.MonkeyPatch) -> None:
-    class More(Settings):
-        extra_files: dict[str, str] = Field(default={})
-
-    monkeypatch.setattr("pointpred.server.settings.Settings", More)
-    monkeypatch.setenv("POINTPRED_EXTRA_FILES", "me=x")
-    with pytest.raises(ParameterError, match="POINTPRED_EXTRA_FILES"):
-        settings_of({})

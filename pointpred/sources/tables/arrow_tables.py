@@ -120,12 +120,7 @@ def _rows(path: Path, file: BinaryIO, text: Callable[[str], bool], separator: st
     names = next(csv.reader(columns.decode().splitlines()[:1], delimiter=separator), [])
     words = {name: pa.string() for name in names if text(name)}
     numeric = {name: pa.float64() for name in names if name not in words}
-    try:
-        return parse_csv(path, file, int(marked), words | numeric, separator), header
-    except pa.ArrowInvalid as error:
-        if "conversion error" not in str(error):
-            raise
-        return parse_csv(path, file, int(marked), dict.fromkeys(names, pa.string()), separator), header
+    return parse_csv(path, file, int(marked), words | numeric, separator), header
 
 
 def _header(path: Path, encoded: bytes | None) -> Header:

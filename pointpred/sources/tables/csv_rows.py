@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -13,47 +12,51 @@ from pointpred.errors import RecordingError
 from pointpred.sources.files.arrow_files import in_memory
 from pointpred.sources.reading import row_name
 
-CELLS = re.compile(r"(?:Row #(\d+): )?Expected (\d+) columns, got (\d+)")
 LARGEST_BLOCK = 1 << 25
 
 
 def parse_csv(path: Path, file: BinaryIO, skip: int, types: dict[str, Any], separator: str) -> Any:
     """The rows below ``skip`` lines of the opened ``file``, which messages call ``path``.
 
-    Raises RecordingError naming the first row that is cut or too long.
+    The columns have the Arrow ``types`` that are named; all are strings where a cell is not of its type.
+    Raises RecordingError naming the first row that is cut or too long, with its number as ``value``.
     """
     rows = in_memory(file)
-
-    def parse(threads: bool) -> Any:
-        return pacsv.read_csv(
-            pa.BufferReader(rows),
-            read_options=pacsv.ReadOptions(skip_rows=skip, use_threads=threads, block_size=_block(rows.size)),
-            parse_options=pacsv.ParseOptions(delimiter=separator, newlines_in_values=True),
-            convert_options=pacsv.ConvertOptions(
-                column_types=types,
-                null_values=[""],
-                strings_can_be_null=True,
-                quoted_strings_can_be_null=False,
-            ),
-        )
-
     try:
-        return parse(threads=True)
+        return _parse(rows, skip, types, pacsv.ParseOptions(delimiter=separator, newlines_in_values=True))
+    except pa.ArrowInvalid:
+        pass
+    wrong: list[Any] = []
+
+    def remember(row: Any) -> str:
+        wrong.append(row)
+        return "error"
+
+    options = pacsv.ParseOptions(delimiter=separator, newlines_in_values=True, invalid_row_handler=remember)
+    try:  # in order, so that Arrow numbers the rows, and without threads, which must not call Python
+        return _parse(rows, skip, dict.fromkeys(types, pa.string()), options, threads=False)
     except pa.ArrowInvalid as error:
-        if not CELLS.search(str(error)):
+        if not wrong:
             raise
-    try:
-        return parse(threads=False)  # Arrow numbers the rows only when it reads them in order
-    except pa.ArrowInvalid as error:
-        found = CELLS.search(str(error))
-        if found is None or found.group(1) is None:
-            raise
-        row, expected, cells = (int(number) for number in found.groups())
+        number = wrong[0].number - 2 - skip
         raise RecordingError(
-            f"{path}: {row_name(row - 2 - skip)}: {cells} cells, expected {expected}; cut or mixed up?"
+            f"{path}: {row_name(number)}: {wrong[0].actual_columns} cells, "
+            f"expected {wrong[0].expected_columns}; cut or mixed up?",
+            code="bad_row",
+            value=number,
         ) from error
 
 
-def _block(size: int) -> int:
-    """Bytes to parse at once: Arrow wants the longest row in one block."""
-    return min(max(size, 1), LARGEST_BLOCK)
+def _parse(rows: Any, skip: int, types: dict[str, Any], options: Any, *, threads: bool = True) -> Any:
+    block = min(max(rows.size, 1), LARGEST_BLOCK)  # Arrow wants the longest row in one block
+    return pacsv.read_csv(
+        pa.BufferReader(rows),
+        read_options=pacsv.ReadOptions(skip_rows=skip, use_threads=threads, block_size=block),
+        parse_options=options,
+        convert_options=pacsv.ConvertOptions(
+            column_types=types,
+            null_values=[""],
+            strings_can_be_null=True,
+            quoted_strings_can_be_null=False,
+        ),
+    )
