@@ -33,6 +33,7 @@ class Parameter(msgspec.Struct, frozen=True):
     """Whether it must be a whole number."""
     absent: float | None = None
     """What stands in the memory for ``None``; ``None`` itself: a number is needed."""
+    positional: bool = False
 
     def check(self, value: Any) -> None:
         """Raise ParameterError for a value that is not a number within the bounds."""
@@ -62,6 +63,8 @@ class Option(msgspec.Struct, frozen=True):
     name: str
     meaning: str
     default: Any = REQUIRED
+    positional: bool = False
+    """Whether the constructor also takes it by its place."""
 
 
 def parameter(
@@ -73,14 +76,15 @@ def parameter(
     default: Any = REQUIRED,
     whole: bool = False,
     absent: float | None = None,
+    kw_only: bool = True,
 ) -> Any:
     """Declare a number as an attribute of a stage's class; the attribute's name is the parameter's."""
-    return Parameter("", unit, low, high, meaning, default, whole, absent)
+    return Parameter("", unit, low, high, meaning, default, whole, absent, not kw_only)
 
 
-def option(meaning: str, *, default: Any = REQUIRED) -> Any:
+def option(meaning: str, *, default: Any = REQUIRED, kw_only: bool = True) -> Any:
     """Declare something else that may be set as an attribute of a stage's class."""
-    return Option("", meaning, default)
+    return Option("", meaning, default, not kw_only)
 
 
 def declared(
@@ -94,6 +98,14 @@ def declared(
     ]
     replaced = {one.name for one in mine}
     return (*(one for one in inherited if one.name not in replaced), *mine)
+
+
+def by_name(declarations: tuple[Parameter | Option, ...], values: tuple[Any, ...]) -> dict[str, Any]:
+    """The names of values that a constructor was given by their place."""
+    names = [one.name for one in declarations if one.positional]
+    if len(values) > len(names):
+        raise TypeError(f"takes {len(names)} values by their place, received {len(values)}")
+    return dict(zip(names, values, strict=False))
 
 
 def complete(

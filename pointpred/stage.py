@@ -16,7 +16,7 @@ import numpy as np
 
 from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
-from pointpred.parameter import Option, Parameter, complete, declared, option, parameter
+from pointpred.parameter import Option, Parameter, by_name, complete, declared, option, parameter
 
 In = TypeVar("In", contravariant=True)
 Out = TypeVar("Out", covariant=True)
@@ -143,9 +143,9 @@ class CompiledStage:
         if "parameters" not in vars(cls):
             cls.parameters = tuple(one for one in cls.declarations if isinstance(one, Parameter))
 
-    def __init__(self, **values: Any) -> None:
+    def __init__(self, *first: Any, **values: Any) -> None:
         """Check the values and lay out the memory; raises ParameterError."""
-        self.declare(**values)
+        self.declare(**by_name(type(self).declarations, first), **values)
         self.lay_out(self.settings(), self.states)
 
     def declare(self, **values: Any) -> None:

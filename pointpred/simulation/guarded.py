@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from math import hypot
-from typing import Any
+from math import hypot, nan
+from typing import Any, NamedTuple
 
 import msgspec
 import numpy as np
@@ -13,14 +13,13 @@ from pointpred.compiled import law
 from pointpred.events import PointerEvent
 from pointpred.parameter import Parameter, check
 from pointpred.pipeline import Pipeline
+from pointpred.rows import Row
 from pointpred.simulation import loop, movement, plan, slots
 from pointpred.simulation.person import Person
-from pointpred.transfer import assisted_guard, known, pixels
-from pointpred.transfer.assisted_guarded import GUARD_PARAMETERS, guidance
+from pointpred.transfer import GuardedTransfer, assistance, functions, pixels
+from pointpred.transfer.assistance import UNGUIDED, way_to
 
-NONE = float("nan")
 PHASE = loop.OUTPUTS.index("phase")
-OWED = assisted_guard.SETTINGS
 HABIT = (Parameter("habit", "", 0.0, 1.0, "share by which a person expects the cursor to go farther"),)
 
 
@@ -36,8 +35,13 @@ class Guard(msgspec.Struct, frozen=True):
     def memory(self) -> FloatArray:
         """Its flat memory: the parameters, nothing owed; raises ParameterError."""
         values: dict[str, Any] = msgspec.structs.asdict(self)
-        check(GUARD_PARAMETERS, values)
+        for one in GuardedTransfer.parameters:
+            if one.name in values:
+                one.check(values[one.name])
         return np.array([*map(float, values.values()), *[0.0] * pixels.CARRIED])
+
+
+OWED = len(Guard.__struct_fields__)
 
 
 class Claim(msgspec.Struct, frozen=True):
@@ -51,45 +55,38 @@ class Claim(msgspec.Struct, frozen=True):
     spread_px: float | None = None
 
 
+class GuidedChance(NamedTuple):
+    """A ``loop.Chance``, and the covariance of its endpoint in px^2 or NaN."""
+
+    noise_x: float
+    noise_y: float
+    late_s: float
+    hat_x: float
+    hat_y: float
+    sxx: float
+    sxy: float
+    syy: float
+
+
 @law
-def step(
-    memory: FloatArray,
-    guard: FloatArray,
-    noise_x: float,
-    noise_y: float,
-    late_s: float,
-    hat_x: float,
-    hat_y: float,
-    sxx: float,
-    sxy: float,
-    syy: float,
-) -> tuple[float, ...]:
+def step(memory: FloatArray, row: Row, guard: FloatArray) -> tuple[float, ...]:
     """``loop.step``, and what the guard adds to the pixels of its report before the eyes have them."""
-    off_x, off_y = hat_x - memory[slots.X], hat_y - memory[slots.Y]
-    made = loop.step(memory, noise_x, noise_y, late_s, NONE, NONE)
+    r = GuidedChance(*row)
+    off_x, off_y = r.hat_x - memory[slots.X], r.hat_y - memory[slots.Y]
+    made = loop.step(memory, (r.noise_x, r.noise_y, r.late_s, nan, nan))
     unit, period = memory[slots.METRES_PER_COUNT], memory[slots.PERIOD_S]
-    gain = known.gain(memory, slots.FUNCTION, hypot(made[3], made[4]) * unit / period)
+    gain = functions.gain(memory, slots.FUNCTION, hypot(made[3], made[4]) * unit / period)
     scale = gain * memory[slots.PX_PER_METRE] * unit
-    own_x, own_y = scale * made[3], scale * made[4]
-    add_x, add_y = assisted_guard.add(guard, 0, OWED, period, own_x, own_y, off_x, off_y, sxx, sxy, syy)
+    own = scale * made[3], scale * made[4]
+    add_x, add_y = assistance.add(guard, 0, OWED, period, own, (off_x, off_y, r.sxx, r.sxy, r.syy))
     memory[slots.X] += add_x
     memory[slots.Y] += add_y
-    row = slots.RING + slots.RING_SLOTS * (int(memory[slots.TICK]) % slots.RING_ROWS)
-    memory[row], memory[row + 1] = memory[slots.X], memory[slots.Y]
+    ring = slots.RING + slots.RING_SLOTS * (int(memory[slots.TICK]) % slots.RING_ROWS)
+    memory[ring], memory[ring + 1] = memory[slots.X], memory[slots.Y]
     return (made[0], memory[slots.X], memory[slots.Y], *made[3:])
 
 
-@law
-def play(memory: FloatArray, guard: FloatArray, rows: FloatArray, out: FloatArray) -> int:
-    """The same step over a table until the button is released; returns the number of reports made."""
-    for i in range(len(rows)):
-        r = rows[i]
-        answer = step(memory, guard, r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7])
-        for j in range(len(answer)):
-            out[i, j] = answer[j]
-        if memory[slots.PHASE] == slots.DONE:
-            return i + 1
-    return len(rows)
+play = loop.play_of(step, assistance.guided_report_at)
 
 
 def move_guarded(
@@ -113,31 +110,31 @@ def move_guarded(
     check(HABIT, {"habit": habit})
     memory, chance = movement.prepare(person, setup, aim, generator)
     memory[slots.PIECE + slots.SHARE : slots.SETTINGS : slots.PIECE_SLOTS] /= 1.0 + habit
-    rows = np.full((len(chance), len(loop.INPUTS) + 3), NONE)
+    rows = np.full((len(chance), len(loop.INPUTS) + 3), nan)
     rows[:, :3] = chance[:, :3]
-    held = guard.memory()
+    limits = guard.memory()
     if isinstance(predictor, Pipeline):
-        return _in_the_loop(memory, held, rows, predictor)
+        return _in_the_loop(memory, limits, rows, predictor)
     if predictor is not None:
-        variance = NONE if predictor.spread_px is None else predictor.spread_px**2
-        said = (predictor.x, predictor.y, variance, 0.0, variance)
-        rows[int(memory[slots.REACTION_S] / setup.period_s) :, 3:] = said
+        variance = nan if predictor.spread_px is None else predictor.spread_px**2
+        claim = (predictor.x, predictor.y, variance, 0.0, variance)
+        rows[int(memory[slots.REACTION_S] / setup.period_s) :, 3:] = claim
     out = np.empty((len(rows), len(loop.OUTPUTS)))
-    return movement.Movement(out[: play(memory, held, rows, out)])
+    return movement.Movement(out[: play(memory, rows, out, limits)])
 
 
 def _in_the_loop(
-    memory: FloatArray, held: FloatArray, rows: FloatArray, pipeline: Pipeline
+    memory: FloatArray, guard: FloatArray, rows: FloatArray, pipeline: Pipeline
 ) -> movement.Movement:
     """Report by report: each goes through the pipeline, its prediction guides the next."""
     pipeline.reset()
-    made: list[tuple[float, ...]] = []
-    said = guidance(None, (0.0, 0.0))
+    polls: list[tuple[float, ...]] = []
+    way = UNGUIDED
     for noise_x, noise_y, late_s in rows[:, :3].tolist():
-        made.append(step(memory, held, noise_x, noise_y, late_s, *said))
-        t, x, y, dx, dy, buttons = made[-1][:6]
+        polls.append(step(memory, (noise_x, noise_y, late_s, *way), guard))
+        t, x, y, dx, dy, buttons = polls[-1][:6]
         if dx != 0.0 or dy != 0.0:
-            said = guidance(pipeline.update(PointerEvent(t, x, y, dx, dy, int(buttons))), (0.0, 0.0))
-        if made[-1][PHASE] == slots.DONE:
+            way = way_to(pipeline.update(PointerEvent(t, x, y, dx, dy, int(buttons))), (0.0, 0.0))
+        if polls[-1][PHASE] == slots.DONE:
             break
-    return movement.Movement(np.array(made, dtype=np.float64))
+    return movement.Movement(np.array(polls, dtype=np.float64))

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from math import cos, exp, hypot, pi, sin
+from typing import NamedTuple
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.simulation import slots
-from pointpred.transfer import known
+from pointpred.transfer import functions
 
 QUADRATURE = 16
 BISECTIONS = 40
@@ -43,7 +44,7 @@ def cursor_distance(memory: FloatArray, amplitude: float, duration: float) -> fl
     total = 0.0
     for i in range(1, QUADRATURE):
         weight = 4.0 if i % 2 == 1 else 2.0
-        total += weight * known.cursor_speed(memory, slots.FUNCTION, peak * sin(pi * i / QUADRATURE))
+        total += weight * functions.cursor_speed(memory, slots.FUNCTION, peak * sin(pi * i / QUADRATURE))
     return float(memory[slots.PX_PER_METRE] * duration * total / (3.0 * QUADRATURE))
 
 
@@ -75,19 +76,29 @@ def ballistic_force(memory: FloatArray, t: float) -> tuple[float, float]:
 
 
 @law
-def seen(memory: FloatArray, u: float, v: float, speed: float) -> tuple[float, float]:
+def cursor_in_mind(memory: FloatArray, u: float, v: float, speed: float) -> tuple[float, float]:
     """Where the person believes the cursor is: the sight of a moment ago, plus the hand's motion since."""
     late = int(memory[slots.DELAY_S] / memory[slots.PERIOD_S] + 0.5)
     row = slots.RING + slots.RING_SLOTS * ((int(memory[slots.TICK]) - late) % slots.RING_ROWS)
-    gain = known.gain(memory, slots.FUNCTION, speed) * memory[slots.PX_PER_METRE]
+    gain = functions.gain(memory, slots.FUNCTION, speed) * memory[slots.PX_PER_METRE]
     return memory[row] + gain * (u - memory[row + 2]), memory[row + 1] + gain * (v - memory[row + 3])
 
 
+class Place(NamedTuple):
+    """Where cursor and hand are: ``x y`` px, ``u v`` m, ``vx vy`` m/s."""
+
+    x: float
+    y: float
+    u: float
+    v: float
+    vx: float
+    vy: float
+
+
 @law
-def acceleration(
-    memory: FloatArray, t: float, x: float, y: float, u: float, v: float, vx: float, vy: float
-) -> tuple[float, float]:
+def acceleration(memory: FloatArray, t: float, place: Place) -> tuple[float, float]:
     """V' of (2.1): friction -b1 V, and the force of the phase."""
+    x, y, u, v, vx, vy = place
     b1 = memory[slots.B1]
     if memory[slots.PHASE] == slots.BALLISTIC:
         along_x, along_y = ballistic_force(memory, t)
@@ -95,7 +106,7 @@ def acceleration(
     if memory[slots.PHASE] != slots.CORRECTIVE:
         return -b1 * vx, -b1 * vy
     if memory[slots.METRES_PER_COUNT] > 0.0:
-        x, y = seen(memory, u, v, hypot(vx, vy))
+        x, y = cursor_in_mind(memory, u, v, hypot(vx, vy))
     b2 = memory[slots.FEEDBACK]
     return (
         -b1 * vx - b2 * (x - memory[slots.AIM_X]),
@@ -106,7 +117,7 @@ def acceleration(
 @law
 def cursor_rate(memory: FloatArray, vx: float, vy: float) -> tuple[float, float]:
     """The cursor's velocity of (2.1) without a sensor: (Vx, Vy) / |V| PTF(|V|), px/s."""
-    scale = memory[slots.PX_PER_METRE] * known.gain(memory, slots.FUNCTION, hypot(vx, vy))
+    scale = memory[slots.PX_PER_METRE] * functions.gain(memory, slots.FUNCTION, hypot(vx, vy))
     return scale * vx, scale * vy
 
 
@@ -117,14 +128,14 @@ def advance(memory: FloatArray, t: float, h: float, extra_x: float, extra_y: flo
     u, v, vx, vy = memory[slots.U], memory[slots.V], memory[slots.VX], memory[slots.VY]
     x, y = memory[slots.X], memory[slots.Y]
     continuous = memory[slots.METRES_PER_COUNT] == 0.0
-    ax, ay = acceleration(memory, t, x, y, u, v, vx, vy)
+    ax, ay = acceleration(memory, t, Place(x, y, u, v, vx, vy))
     ax, ay = ax + keep * (memory[slots.AX] - ax), ay + keep * (memory[slots.AY] - ay)
     middle_x, middle_y = vx + 0.5 * h * ax, vy + 0.5 * h * ay
     if continuous:
         dx, dy = cursor_rate(memory, vx + extra_x, vy + extra_y)
         x, y = x + 0.5 * h * dx, y + 0.5 * h * dy
     middle_u, middle_v = u + 0.5 * h * vx, v + 0.5 * h * vy
-    bx, by = acceleration(memory, t + 0.5 * h, x, y, middle_u, middle_v, middle_x, middle_y)
+    bx, by = acceleration(memory, t + 0.5 * h, Place(x, y, middle_u, middle_v, middle_x, middle_y))
     bx, by = bx + keep * (ax - bx), by + keep * (ay - by)
     memory[slots.AX], memory[slots.AY] = bx, by
     memory[slots.VX], memory[slots.VY] = vx + h * bx, vy + h * by

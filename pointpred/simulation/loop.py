@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import atan2, exp, hypot, sqrt
+from typing import Any, NamedTuple
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.rows import Row
 from pointpred.simulation import hand, sensor, slots
-from pointpred.transfer import known
+from pointpred.transfer import functions
 
 WANDER_S = 0.03
 """Correlation time of motor noise and tremor: half its power lies below 5 Hz."""
@@ -17,9 +20,40 @@ SLOW_M_S = 0.008
 WORTHWHILE_PX = 10.0
 """A shorter way, or one within the target's width, is left to the corrective phase."""
 
-INPUTS = ("noise_x", "noise_y", "late_s", "hat_x", "hat_y")
-OUTPUTS = ("t", "x", "y", "dx", "dy", "buttons", "u", "v", "vx", "vy", "ax", "ay", "phase", "number")
-"""A row a report: an event (px from the start, counts), then hand in m, m/s, m/s^2, phase, piece."""
+
+class Chance(NamedTuple):
+    """Two standard normal numbers, how late the stamp is (s), and the estimated endpoint or NaN (px).
+
+    The endpoint is for an assisted transfer function.
+    """
+
+    noise_x: float
+    noise_y: float
+    late_s: float
+    hat_x: float
+    hat_y: float
+
+
+class Poll(NamedTuple):
+    """A row a report: an event (px from the start, counts), then hand in m, m/s, m/s^2, phase, piece."""
+
+    t: float
+    x: float
+    y: float
+    dx: float
+    dy: float
+    buttons: float
+    u: float
+    v: float
+    vx: float
+    vy: float
+    ax: float
+    ay: float
+    phase: float
+    number: float
+
+
+INPUTS, OUTPUTS = Chance._fields, Poll._fields
 
 
 @law
@@ -34,7 +68,7 @@ def correct(memory: FloatArray, t: float) -> None:
     enter(memory, slots.CORRECTIVE, t)
     memory[slots.FEEDBACK] = memory[slots.B2]
     if memory[slots.B2] == 0.0:
-        gain = known.gain(memory, slots.FUNCTION, 0.5 * hypot(memory[slots.VX], memory[slots.VY]))
+        gain = functions.gain(memory, slots.FUNCTION, 0.5 * hypot(memory[slots.VX], memory[slots.VY]))
         memory[slots.FEEDBACK] = memory[slots.RATE] ** 2 / (gain * memory[slots.PX_PER_METRE])
 
 
@@ -79,13 +113,13 @@ def decide(memory: FloatArray, t: float) -> None:
 
 @law
 def step(
-    memory: FloatArray, noise_x: float, noise_y: float, late_s: float, hat_x: float, hat_y: float
+    memory: FloatArray, chance: Row
 ) -> tuple[float, float, float, float, float, float, float, float, float, float, float, float, float, float]:
-    """One report period: decide, move the hand, poll the sensor, let the eyes have it. See ``OUTPUTS``.
+    """One report period: decide, move the hand, poll the sensor, let the eyes have it.
 
-    ``noise`` are standard normal numbers, ``late_s`` how late the report is stamped, ``hat`` the estimated
-    endpoint in px from the start for an assisted transfer function, NaN for none.
+    Takes a ``Chance`` and returns the floats of a ``Poll``.
     """
+    noise_x, noise_y, late_s, hat_x, hat_y = Chance(*chance)
     period = memory[slots.PERIOD_S]
     now = memory[slots.TICK] * period
     decide(memory, now)
@@ -132,12 +166,29 @@ def step(
 
 
 @law
-def play(memory: FloatArray, rows: FloatArray, out: FloatArray) -> int:
-    """The same step over a table until the button is released; returns the number of reports made."""
-    for i in range(len(rows)):
-        answer = step(memory, rows[i, 0], rows[i, 1], rows[i, 2], rows[i, 3], rows[i, 4])
-        for j in range(len(answer)):
-            out[i, j] = answer[j]
-        if memory[slots.PHASE] == slots.DONE:
-            return i + 1
-    return len(rows)
+def chance_at(rows: FloatArray, i: int) -> tuple[float, float, float, float, float]:
+    """A row of a table of ``Chance``."""
+    r = rows[i]
+    return r[0], r[1], r[2], r[3], r[4]
+
+
+def play_of(step: Callable[..., Any], row_of: Callable[..., Any]) -> Callable[..., int]:
+    """The compiled loop around a law ``step(memory, row, *shared)`` until the button is released.
+
+    It returns the number of reports made.
+    """
+
+    @law
+    def play(memory: FloatArray, rows: FloatArray, out: FloatArray, *shared: Any) -> int:
+        for i in range(len(rows)):
+            answer = step(memory, row_of(rows, i), *shared)
+            for j in range(len(answer)):
+                out[i, j] = answer[j]
+            if memory[slots.PHASE] == slots.DONE:
+                return i + 1
+        return len(rows)
+
+    return play
+
+
+play = play_of(step, chance_at)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import nan
+
 import msgspec
 import numpy as np
 
@@ -11,7 +13,6 @@ from pointpred.pipeline import Pipeline
 from pointpred.simulation import loop, plan, sensor, slots
 from pointpred.simulation.person import Person
 
-NONE = float("nan")
 PHASE = loop.OUTPUTS.index("phase")
 
 
@@ -71,17 +72,17 @@ def move_assisted(
     """
     memory, rows = prepare(person, setup, aim, generator)
     pipeline.reset()
-    made: list[tuple[float, ...]] = []
-    hat = (NONE, NONE)
+    polls: list[tuple[float, ...]] = []
+    hat = (nan, nan)
     for noise_x, noise_y, late_s, _, _ in rows.tolist():
-        made.append(loop.step(memory, noise_x, noise_y, late_s, *hat))
-        t, x, y, dx, dy, buttons = made[-1][:6]
+        polls.append(loop.step(memory, (noise_x, noise_y, late_s, *hat)))
+        t, x, y, dx, dy, buttons = polls[-1][:6]
         if dx != 0.0 or dy != 0.0:
             prediction = pipeline.update(PointerEvent(t, x, y, dx, dy, int(buttons)))
-            hat = (NONE, NONE) if prediction is None else (prediction.x, prediction.y)
-        if made[-1][PHASE] == slots.DONE:
+            hat = (nan, nan) if prediction is None else (prediction.x, prediction.y)
+        if polls[-1][PHASE] == slots.DONE:
             break
-    return Movement(np.array(made, dtype=np.float64))
+    return Movement(np.array(polls, dtype=np.float64))
 
 
 def prepare(
@@ -90,7 +91,7 @@ def prepare(
     """The memory of the trial and a row of chance a poll, without an estimated endpoint."""
     memory = plan.memory(person, setup, aim, generator)
     longest_s = plan.PATIENCE_S + memory[slots.VERIFY_S] + memory[slots.PRESS_S]
-    rows = np.full((int(longest_s / setup.period_s) + 8, len(loop.INPUTS)), NONE)
+    rows = np.full((int(longest_s / setup.period_s) + 8, len(loop.INPUTS)), nan)
     rows[:, :2] = generator.standard_normal((len(rows), 2))
     rows[:, 2] = sensor.lateness(generator, len(rows))
     return memory, rows

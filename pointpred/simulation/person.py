@@ -7,7 +7,6 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.errors import ParameterError
 from pointpred.parameter import Parameter, check
 
 
@@ -100,14 +99,11 @@ def people(count: int = 10, seed: int = 0) -> tuple[Person, ...]:
     """
     check(
         (
-            Parameter("count", "people", 1, 10_000, "how many people"),
-            Parameter("seed", "", 0, 2**32 - 1, "of the generator"),
+            Parameter("count", "people", 1, 10_000, "how many people", whole=True),
+            Parameter("seed", "", 0, 2**32 - 1, "of the generator", whole=True),
         ),
         {"count": count, "seed": seed},
     )
-    for name, value in {"count": count, "seed": seed}.items():
-        if value != int(value):
-            raise ParameterError(f"{name} must be a whole number, received {value!r}")
     generator = np.random.default_rng([seed, 0])
     skills = (generator.permutation(count) + generator.uniform(0.2, 0.8, count)) / count
     return tuple(

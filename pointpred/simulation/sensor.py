@@ -9,7 +9,7 @@ import numpy as np
 from pointpred.columns import BoolArray, EventColumns, FloatArray
 from pointpred.compiled import law
 from pointpred.simulation import slots
-from pointpred.transfer import assisted, known, pixels
+from pointpred.transfer import assistance, functions, pixels
 
 MEAN_LATE_S = 60e-6
 MOST_LATE_S = 0.8e-3
@@ -29,7 +29,7 @@ def assist(memory: FloatArray, own_px: float, hat_x: float, hat_y: float) -> tup
     """The pull of the assisted transfer function over one report period, px; none without an estimate."""
     off_x, off_y = hat_x - memory[slots.X], hat_y - memory[slots.Y]
     rho, strength = memory[slots.RHO], memory[slots.STRENGTH]
-    share = assisted.pull(rho, strength, memory[slots.PERIOD_S], own_px, off_x, off_y)
+    share = assistance.pull(rho, strength, memory[slots.PERIOD_S], own_px, off_x, off_y)
     return (share * off_x, share * off_y) if share > 0.0 else (0.0, 0.0)
 
 
@@ -44,7 +44,7 @@ def report(memory: FloatArray, hat_x: float, hat_y: float) -> tuple[float, float
     dy = count(memory[slots.V], unit, memory[slots.COUNTED_Y])
     memory[slots.COUNTED_X] += dx
     memory[slots.COUNTED_Y] += dy
-    gain = known.gain(memory, slots.FUNCTION, hypot(dx, dy) * unit / memory[slots.PERIOD_S])
+    gain = functions.gain(memory, slots.FUNCTION, hypot(dx, dy) * unit / memory[slots.PERIOD_S])
     scale = gain * memory[slots.PX_PER_METRE] * unit
     pull_x, pull_y = assist(memory, scale * hypot(dx, dy), hat_x, hat_y)
     memory[slots.X] += pixels.carry(memory, slots.CARRY, scale * dx)
@@ -60,13 +60,13 @@ def lateness(generator: np.random.Generator, reports: int) -> FloatArray:
     return np.asarray(np.minimum(generator.exponential(MEAN_LATE_S, reports), MOST_LATE_S))
 
 
-def reported(events: FloatArray, idle_reports: bool) -> EventColumns:
+def reported(polls: FloatArray, idle_reports: bool) -> EventColumns:
     """The polls that make an event: the first, motion, a change of a button; all with ``idle_reports``."""
-    table = events.copy()
+    table = polls.copy()
     table[:, 0] = np.round(table[:, 0] / STAMP_S) * STAMP_S
     if idle_reports:
         return EventColumns(table)
-    told: BoolArray = (table[:, 3] != 0.0) | (table[:, 4] != 0.0)
-    told[1:] |= np.diff(table[:, 5]) != 0.0
-    told[:1] = True
-    return EventColumns(table[told])
+    events: BoolArray = (table[:, 3] != 0.0) | (table[:, 4] != 0.0)
+    events[1:] |= np.diff(table[:, 5]) != 0.0
+    events[:1] = True
+    return EventColumns(table[events])

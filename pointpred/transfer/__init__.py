@@ -1,15 +1,13 @@
 """Pointing transfer functions: from the motion of the hand to the motion of the cursor."""
 
-from pointpred.transfer.assisted import AssistedTransfer
-from pointpred.transfer.assisted_guarded import GuardedTransfer
+from pointpred.transfer.assistance import AssistedTransfer, GuardedTransfer
 from pointpred.transfer.curve import GainCurve
-from pointpred.transfer.held import HeldPolynomial
+from pointpred.transfer.files import SavedTransfer, load_transfer, named_transfer, save_transfer
+from pointpred.transfer.functions import Arctan, ConstantGain, SigmoidGain, TransferFunction
 from pointpred.transfer.identification import Identification, PolynomialIdentifier
-from pointpred.transfer.known import Arctan, ConstantGain, SigmoidGain, TransferFunction
 from pointpred.transfer.learner import TransferLearner
 from pointpred.transfer.pixels import PixelTransfer
-from pointpred.transfer.polynomial import PolynomialFunction, averaged_gain
-from pointpred.transfer.saved import SavedTransfer, load_transfer, named_transfer, save_transfer
+from pointpred.transfer.polynomial import HeldPolynomial, PolynomialFunction, averaged_gain
 from pointpred.transfer.speeds import differentiated_speeds, euler_speeds
 
 __all__ = [

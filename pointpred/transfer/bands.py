@@ -7,6 +7,9 @@ of the gain is small (Lawson's algorithm). A band that is not visited forgets no
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
+import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
@@ -25,18 +28,49 @@ def states(n: int) -> int:
     return BANDS * (1 + n)
 
 
+class Bands(msgspec.Struct, frozen=True):
+    """The mean gain measured in each band of speed, and its standard error."""
+
+    speeds: FloatArray
+    gains: FloatArray
+    errors: FloatArray
+
+    @property
+    def trust(self) -> FloatArray:
+        """In [0, 1]: a half where the gain is known to 2 %."""
+        shares: FloatArray = 1.0 / (1.0 + (self.errors / self.gains / TRUSTED) ** 2)
+        return shares
+
+
+class Model(NamedTuple):
+    """``n`` coefficients, which of them is c_1, and the factor on the past at each sample."""
+
+    n: int
+    linear: int
+    forgetting: float
+
+
 @law
-def learn(
-    memory: FloatArray, at: int, n: int, linear: int, band: float, forgetting: float, row: int, output: float
-) -> None:
+def learn(memory: FloatArray, at: int, model: Model, band: float, row: int, output: float) -> None:
     """Take in output = row . c in a band, given as a real number; outside the bands nothing happens."""
     if not 0.0 <= band < BANDS:
         return
+    n, linear, forgetting = model
     place = at + int(band) * (1 + n)
     reference = memory[row + linear]
     memory[place] = forgetting * memory[place] + reference * output
     for j in range(n):
         memory[place + 1 + j] = forgetting * memory[place + 1 + j] + reference * memory[row + j]
+
+
+def visited(
+    memory: FloatArray, at: int, n: int, linear: int
+) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+    """Bands with a positive gain: their numbers, the sums of w_1 w_1 and of w_1 y, and those of w_1 w_i."""
+    table = memory[at : at + states(n)].reshape(BANDS, 1 + n)
+    weight, product = table[:, 1 + linear], table[:, 0]
+    rows = np.flatnonzero((weight > 0.0) & (product > 0.0))
+    return rows.astype(np.float64), weight[rows], product[rows], table[rows, 1:]
 
 
 def trusted(
@@ -46,12 +80,9 @@ def trusted(
 
     ``noise`` is the standard deviation of the outputs.
     """
-    table = memory[at : at + states(n)].reshape(BANDS, 1 + n)
-    weight, product = table[:, 1 + linear], table[:, 0]
-    numbers = np.flatnonzero((weight > 0.0) & (product > 0.0))
-    rows = table[numbers, 1:] / product[numbers, None]
-    uncertainty = noise * np.sqrt(weight[numbers]) / product[numbers]
-    return numbers.astype(np.float64), rows, 1.0 / (1.0 + (uncertainty / TRUSTED) ** 2)
+    numbers, weight, product, sums = visited(memory, at, n, linear)
+    uncertainty = noise * np.sqrt(weight) / product
+    return numbers, sums / product[:, None], 1.0 / (1.0 + (uncertainty / TRUSTED) ** 2)
 
 
 def balance(rows: FloatArray, trust: FloatArray) -> FloatArray:

@@ -10,9 +10,9 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.transfer.bands import TRUSTED
+from pointpred.transfer.bands import Bands
+from pointpred.transfer.functions import ConstantGain, SigmoidGain, TransferFunction
 from pointpred.transfer.identification import Identification
-from pointpred.transfer.known import ConstantGain, SigmoidGain, TransferFunction
 
 POINTS = 41
 GAIN_MOST, SPEED_MOST = 1e3, 1e2
@@ -21,20 +21,6 @@ AS_GOOD = 0.02
 NARROWEST_M_S = 1e-3
 
 Kind = Literal["constant", "sigmoid", "polynomial"]
-
-
-class Bands(msgspec.Struct, frozen=True):
-    """The mean gain measured in each band of speed, and its standard error."""
-
-    speeds: FloatArray
-    gains: FloatArray
-    errors: FloatArray
-
-    @property
-    def trust(self) -> FloatArray:
-        """In [0, 1]: a half where the gain is known to 2 %."""
-        shares: FloatArray = 1.0 / (1.0 + (self.errors / self.gains / TRUSTED) ** 2)
-        return shares
 
 
 class Comparison(msgspec.Struct, frozen=True):
@@ -77,16 +63,16 @@ class GainCurve(msgspec.Struct, frozen=True):
     fast: int
 
 
-def curve_of(found: Identification, bands: Bands, edges: int, fast: int) -> GainCurve:
+def curve_of(identification: Identification, bands: Bands, edges: int, fast: int) -> GainCurve:
     """The curve of an identification and of the bands behind it, and how many events were left out why."""
-    function = found.function
+    function = identification.function
     speeds = gains = np.zeros(0)
     if function is not None:
         speeds = np.linspace(function.speed_low, function.speed_high, POINTS)
         gains = function.gain(speeds)
     compared = compare(bands, function, speeds)
     return GainCurve(
-        words_of(found),
+        words_of(identification),
         speeds.tolist(),
         gains.tolist(),
         None if function is None else (function.speed_low, function.speed_high),
@@ -96,43 +82,44 @@ def curve_of(found: Identification, bands: Bands, edges: int, fast: int) -> Gain
         [] if function is None else list(function.coefficients),
         compared,
         closest(compared),
-        found.samples,
-        found.skipped,
+        identification.samples,
+        identification.skipped,
         edges,
         fast,
     )
 
 
-def words_of(found: Identification) -> str:
+def words_of(identification: Identification) -> str:
     """What the identification rests on, or what it lacks."""
-    if found.samples == 0:
+    if identification.samples == 0:
         return "nothing learnt yet: move the mouse"
-    if found.function is None:
-        powers = ", ".join(map(str, found.unexcited))
+    if identification.function is None:
+        powers = ", ".join(map(str, identification.unexcited))
         return f"the speeds so far do not tell the powers {powers} apart: move slowly, and fast, and between"
-    low, high = found.function.speed_low, found.function.speed_high
-    return f"identified between {low:.3f} and {high:.3f} m/s of the hand, from {found.samples} displacements"
+    low, high = identification.function.speed_low, identification.function.speed_high
+    samples = identification.samples
+    return f"identified between {low:.3f} and {high:.3f} m/s of the hand, from {samples} displacements"
 
 
 def compare(bands: Bands, function: TransferFunction | None, speeds: FloatArray) -> list[Comparison]:
     """A constant gain and a sigmoid fitted to the bands, and ``function``, each with its errors there."""
-    known = bands.trust > 0.5
-    if not known.any():
+    certain = bands.trust > 0.5
+    if not certain.any():
         return []
-    kept = Bands(bands.speeds[known], bands.gains[known], bands.errors[known])
-    constant, sigmoid = {"gain": fitted_constant(kept)}, fitted_sigmoid(kept)
+    trusted = Bands(bands.speeds[certain], bands.gains[certain], bands.errors[certain])
+    constant, sigmoid = {"gain": fitted_constant(trusted)}, fitted_sigmoid(trusted)
     fitted: list[tuple[Kind, TransferFunction, dict[str, float]]] = []
     fitted.append(("constant", ConstantGain(**constant), constant))
     if sigmoid is not None:
         fitted.append(("sigmoid", SigmoidGain(**sigmoid), sigmoid))
     if function is not None:
         fitted.append(("polynomial", function, {}))
-    told = []
+    comparisons = []
     for kind, each, parameters in fitted:
-        errors = np.abs(each.gain(kept.speeds) / kept.gains - 1.0)
+        errors = np.abs(each.gain(trusted.speeds) / trusted.gains - 1.0)
         median, largest = float(np.median(errors)), float(errors.max())
-        told.append(Comparison(kind, parameters, median, largest, each.gain(speeds).tolist()))
-    return told
+        comparisons.append(Comparison(kind, parameters, median, largest, each.gain(speeds).tolist()))
+    return comparisons
 
 
 def closest(compared: list[Comparison]) -> Kind | None:

@@ -1,24 +1,155 @@
-"""Identifying an unknown transfer function as a polynomial, thesis section 2.5.1."""
+"""Identifying an unknown transfer function as a polynomial, thesis section 2.5.1.
+
+A cursor moves in whole pixels, so its speed between two reports at 1 kHz is nearly all rounding, and the
+length of a rounded step is biased. Reports are therefore gathered into short windows: over one, the
+displacement of an axis is sum of h (V_x / V) PTF(V) = sum_i c_i (sum of h V_x V^(i-1)): linear in c, and
+wrong by a pixel at most.
+"""
 
 from __future__ import annotations
 
-from math import inf
+from math import hypot, inf, nan
 from typing import Any, Literal
 
 import msgspec
 import numpy as np
 
-from pointpred.columns import EventColumns
+from pointpred.columns import EventColumns, FloatArray
+from pointpred.compiled import law
 from pointpred.errors import EventError, ParameterError
-from pointpred.events import METRES_PER_INCH, PointerEvent
-from pointpred.parameter import Parameter, check
+from pointpred.events import CPI, DPI, LARGEST, LATEST_S, METRES_PER_INCH, ROUNDING_S, PointerEvent
+from pointpred.parameter import option, parameter
+from pointpred.regression import least_squares
 from pointpred.regression.recursive_least_squares import fit
-from pointpred.stage import CompiledStage
-from pointpred.transfer import bands, windows
-from pointpred.transfer.known import COEFFICIENTS_MOST
+from pointpred.rows import EventRow, Row, SixFloats
+from pointpred.stage import CompiledStage, loop_of, offsets
+from pointpred.transfer import bands
+from pointpred.transfer.functions import COEFFICIENTS_MOST
 from pointpred.transfer.polynomial import PolynomialFunction
 
-NONE = float("nan")
+# Parameters: number of coefficients, the power of the first (0 or 1), ... What was learned: reports left out,
+# the regression, the bands, room for a row. The movement: the last report, counts that wait for the time to
+# pass, where the window began, the hand's way and time in it, its rows of both axes.
+N, POWER, METRES_PER_COUNT, METRES_PER_PX, WINDOW_S, GAP_S, FORGETTING, SPEED_LOW, BAND_WIDTH, LEARNED = (
+    range(10)
+)
+(
+    _,
+    SKIPPED,
+    SOLVER,
+    BANDS,
+    ROW,
+    STARTED,
+    T,
+    X,
+    Y,
+    WAITING_X,
+    WAITING_Y,
+    START_X,
+    START_Y,
+    PATH,
+    DURATION,
+    ROW_X,
+    ROW_Y,
+    END,
+) = offsets(
+    LEARNED,
+    1,
+    least_squares.states(COEFFICIENTS_MOST),
+    bands.states(COEFFICIENTS_MOST),
+    COEFFICIENTS_MOST,
+    *[1] * 10,
+    COEFFICIENTS_MOST,
+    COEFFICIENTS_MOST,
+)
+
+REFUSED, TAKEN, LEFT_OUT = -1.0, 0.0, 1.0
+
+
+@law
+def learn(memory: FloatArray, row: int, output: float, speed: float) -> None:
+    """Take in output = row . c at a speed of the hand, into the recursion and into its band."""
+    n = int(memory[N])
+    for j in range(n):
+        memory[SOLVER + least_squares.REGRESSOR + j] = memory[row + j]
+    least_squares.advance(memory, SOLVER, n, memory[FORGETTING], output)
+    band = (speed - memory[SPEED_LOW]) / memory[BAND_WIDTH]
+    model = bands.Model(n, 1 - int(memory[POWER]), memory[FORGETTING])
+    bands.learn(memory, BANDS, model, band, row, output)
+
+
+@law
+def learn_speeds(memory: FloatArray, speed: float, cursor_speed: float) -> None:
+    """Take in one pair of speeds in m/s, as in section 2.5.1: the regressor is made of powers of V."""
+    value = 1.0 if memory[POWER] == 0.0 else speed
+    for j in range(int(memory[N])):
+        memory[ROW + j] = value
+        value *= speed
+    learn(memory, ROW, cursor_speed, speed)
+
+
+@law
+def open_window(memory: FloatArray) -> None:
+    """Start a window at the last report."""
+    memory[START_X], memory[START_Y] = memory[X], memory[Y]
+    memory[PATH] = 0.0
+    memory[DURATION] = 0.0
+    memory[ROW_X:END] = 0.0
+
+
+@law
+def gather(memory: FloatArray, dt: float, dx: float, dy: float) -> None:
+    """Add one report's path to the rows of both axes."""
+    u, v = dx * memory[METRES_PER_COUNT], dy * memory[METRES_PER_COUNT]
+    path = hypot(u, v)
+    memory[PATH] += path
+    memory[DURATION] += dt
+    if path == 0.0:
+        return
+    speed = path / dt
+    factor = 1.0 / speed if memory[POWER] == 0.0 else 1.0
+    for j in range(int(memory[N])):
+        memory[ROW_X + j] += u * factor
+        memory[ROW_Y + j] += v * factor
+        factor *= speed
+
+
+@law
+def step(memory: FloatArray, event: Row) -> tuple[float]:
+    """One report of the device with the cursor's position after it: refused, taken or left out."""
+    t, x, y, dx, dy, _ = EventRow(*event)
+    if not (abs(t) <= LATEST_S and abs(x) + abs(y) + abs(dx) + abs(dy) <= LARGEST):
+        return (REFUSED,)
+    started, dt = memory[STARTED] == 1.0, t - memory[T]
+    if started and dt < 0.0:
+        return (REFUSED,)
+    memory[STARTED] = 1.0
+    memory[T], memory[X], memory[Y] = t, x, y
+    if not started or dt > memory[GAP_S] + ROUNDING_S:
+        memory[SKIPPED] += 1.0
+        memory[WAITING_X], memory[WAITING_Y] = 0.0, 0.0
+        open_window(memory)
+        return (LEFT_OUT,)
+    memory[WAITING_X] += dx
+    memory[WAITING_Y] += dy
+    if dt == 0.0:
+        return (TAKEN,)
+    gather(memory, dt, memory[WAITING_X], memory[WAITING_Y])
+    memory[WAITING_X], memory[WAITING_Y] = 0.0, 0.0
+    if memory[DURATION] >= memory[WINDOW_S]:
+        if memory[PATH] > 0.0:
+            speed = memory[PATH] / memory[DURATION]
+            learn(memory, ROW_X, (x - memory[START_X]) * memory[METRES_PER_PX], speed)
+            learn(memory, ROW_Y, (y - memory[START_Y]) * memory[METRES_PER_PX], speed)
+        open_window(memory)
+    return (TAKEN,)
+
+
+@law
+def event_at(rows: FloatArray, i: int) -> SixFloats:
+    """A row of a table of events as a tuple."""
+    r = rows[i]
+    return r[0], r[1], r[2], r[3], r[4], r[5]
 
 
 class Identification(msgspec.Struct, frozen=True):
@@ -64,48 +195,46 @@ class PolynomialIdentifier(CompiledStage):
     4.0
     """
 
-    parameters = (
-        Parameter("order", "", 1, COEFFICIENTS_MOST - 1, "highest power of the speed"),
-        Parameter("cpi", "counts per inch", 1.0, 1e6, "resolution of the device"),
-        Parameter("dpi", "px per inch", 1.0, 1e5, "resolution of the screen"),
-        Parameter("window_s", "s", 1e-4, 1.0, "displacements are learnt over windows of this length"),
-        Parameter("gap_s", "s", 1e-3, 1e3, "after a longer pause a report's speed is unknown"),
-        Parameter("forgetting", "", 1e-6, 1.0, "factor on the weight of the past at each sample"),
-        Parameter("speed_low", "m/s", 0.0, 1e2, "lowest speed that is judged"),
-        Parameter("speed_high", "m/s", 1e-3, 1e2, "highest speed that is judged"),
-        Parameter("least_excitation", "", 1e-14, 1.0, "sine below which a power is not excited"),
+    order: int = parameter("", 1, COEFFICIENTS_MOST - 1, "highest power of the speed", default=5, whole=True)
+    cpi: float = parameter("counts per inch", *CPI, "resolution of the device", default=2000.0)
+    dpi: float = parameter("px per inch", *DPI, "resolution of the screen", default=96.0)
+    window_s: float = parameter(
+        "s", 1e-4, 1.0, "displacements are learnt over windows of this length", default=0.005
     )
+    gap_s: float = parameter("s", 1e-3, 1e3, "after a longer pause a report's speed is unknown", default=0.1)
+    forgetting: float = parameter(
+        "", 1e-6, 1.0, "factor on the weight of the past at each sample", default=1.0
+    )
+    speed_low: float = parameter("m/s", 0.0, 1e2, "lowest speed that is judged", default=0.0127)
+    speed_high: float = parameter("m/s", 1e-3, 1e2, "highest speed that is judged", default=0.31)
+    least_excitation: float = parameter(
+        "", 1e-14, 1.0, "sine below which a power is not excited", default=1e-4
+    )
+    offset: bool = option("whether c_0 may differ from 0", default=False)
+    learned = STARTED - LEARNED
+    states = END - STARTED
     width = 1
-    loop = staticmethod(windows.loop)
+    loop = staticmethod(loop_of(step, event_at))
 
-    def __init__(
-        self,
-        *,
-        order: int = 5,
-        offset: bool = False,
-        cpi: float = 2000.0,
-        dpi: float = 96.0,
-        window_s: float = 0.005,
-        gap_s: float = 0.1,
-        forgetting: float = 1.0,
-        speed_low: float = 0.0127,
-        speed_high: float = 0.31,
-        least_excitation: float = 1e-4,
-    ) -> None:
-        values: dict[str, Any] = {"order": order, "cpi": cpi, "dpi": dpi, "window_s": window_s}
-        values |= {"gap_s": gap_s, "forgetting": forgetting, "speed_low": speed_low}
-        check(self.parameters, values | {"speed_high": speed_high, "least_excitation": least_excitation})
-        if order != int(order):
-            raise ParameterError(f"order must be a whole number, received {order!r}")
-        if speed_low >= speed_high:
+    def declare(self, **values: Any) -> None:
+        """Check the values, each on its own, and that the range of speeds is one."""
+        super().declare(**values)
+        if self.speed_low >= self.speed_high:
             raise ParameterError(
-                f"speed_low must lie below speed_high = {speed_high!r} m/s, received {speed_low!r} m/s"
+                f"speed_low must lie below speed_high = {self.speed_high!r} m/s, "
+                f"received {self.speed_low!r} m/s",
+                field="speed_low",
+                value=self.speed_low,
             )
-        self.offset, self.count, self.least = offset, int(order) + (1 if offset else 0), least_excitation
-        self.speed_low, self.band_width = speed_low, (speed_high - speed_low) / bands.BANDS
-        metres = [METRES_PER_INCH / cpi, METRES_PER_INCH / dpi]
-        first = [float(self.count), 0.0 if offset else 1.0, *metres]
-        self.lay_out([*first, window_s, gap_s, forgetting, self.speed_low, self.band_width], windows.STATES)
+        self.count = int(self.order) + (1 if self.offset else 0)
+        self.band_width = (self.speed_high - self.speed_low) / bands.BANDS
+
+    def settings(self) -> list[float]:
+        """What stands first in the memory."""
+        shape = [float(self.count), 0.0 if self.offset else 1.0]
+        metres = [METRES_PER_INCH / self.cpi, METRES_PER_INCH / self.dpi]
+        spans = [self.window_s, self.gap_s, self.forgetting, self.speed_low, self.band_width]
+        return [*shape, *metres, *spans]
 
     def update(self, event: PointerEvent, /) -> None:
         """Consume one report with counts and the cursor's position after it.
@@ -113,16 +242,18 @@ class PolynomialIdentifier(CompiledStage):
         Raises EventError for an event without counts, with a value that is not finite, or before the last
         one; nothing is then changed.
         """
-        dx, dy = (NONE if d is None else d for d in (event.dx, event.dy))
-        if windows.step(self._memory, event.t, event.x, event.y, dx, dy) == windows.REFUSED:
-            raise EventError(f"event needs counts, finite values and a time in order, received {event!r}")
+        dx, dy = (nan if d is None else d for d in (event.dx, event.dy))
+        if step(self._memory, (event.t, event.x, event.y, dx, dy, 0.0)) == (REFUSED,):
+            raise EventError(
+                f"event needs counts, finite values and a time in order, received {event!r}", value=event
+            )
 
     def run(self, events: EventColumns) -> None:
         """Consume a table of reports; a row marked ``begin`` starts a new trial. Raises EventError."""
-        kept = self._memory.copy()
-        refused = self.walk(events.begin, events.table)[:, 0] == windows.REFUSED
+        before = self.remembered()
+        refused = self.walk(events.begin, events.table)[:, 0] == REFUSED
         if refused.any():
-            self._memory = kept
+            self.recall(before)
             raise EventError(
                 f"row {int(refused.argmax())}: event needs counts, finite values and a time in order"
             )
@@ -131,9 +262,33 @@ class PolynomialIdentifier(CompiledStage):
         """Consume one pair (V_m, V_c); raises EventError for a speed that is not finite and >= 0."""
         if not (0.0 <= speed_m_s < inf and 0.0 <= cursor_speed_m_s < inf):
             raise EventError(
-                f"speeds must lie in [0, inf) m/s, received {speed_m_s!r} and {cursor_speed_m_s!r}"
+                f"speeds must lie in [0, inf) m/s, received {speed_m_s!r} and {cursor_speed_m_s!r}",
+                value=(speed_m_s, cursor_speed_m_s),
             )
-        windows.learn_speeds(self._memory, speed_m_s, cursor_speed_m_s)
+        learn_speeds(self._memory, speed_m_s, cursor_speed_m_s)
+
+    def begin(self) -> None:
+        """A new movement begins: no window reaches over to it. What was learned stays."""
+        self._memory[STARTED:] = 0.0
+
+    def reset(self) -> None:
+        """Forget everything that was learned."""
+        self._memory[LEARNED:] = 0.0
+
+    @property
+    def last_t(self) -> float | None:
+        """The time of the last report of this movement in s; ``None`` before the first."""
+        return float(self._memory[T]) if self._memory[STARTED] else None
+
+    def measured(self, noise: float) -> bands.Bands:
+        """The mean gain in each band that was visited; ``noise``: standard deviation of a displacement."""
+        n, linear = self.count, 1 if self.offset else 0
+        numbers, weight, product, rows = bands.visited(self._memory, BANDS, n, linear)
+        if n > linear + 1:  # between bends of the gain curve a band's gain is that at its mean speed
+            speeds = rows[:, linear + 1] / weight
+        else:
+            speeds = self.speed_low + (numbers + 0.5) * self.band_width
+        return bands.Bands(speeds, product / weight, noise / np.sqrt(weight))
 
     def identify(self, weighting: Literal["samples", "gain"] = "gain") -> Identification:
         """The function now.
@@ -142,18 +297,18 @@ class PolynomialIdentifier(CompiledStage):
         samples lie. ``"gain"`` weighs bands of speed so that the largest relative error of the gain is small;
         with fewer bands than coefficients it falls back on the samples.
         """
-        found = fit(self._memory, windows.SOLVER, self.count, self.least)
+        fitted = fit(self._memory, SOLVER, self.count, self.least_excitation)
         shift = 0 if self.offset else 1
         linear = 1 - shift
-        skipped = int(self._memory[windows.SKIPPED])
-        powers = tuple(j + shift for j in found.unexcited)
-        numbers, rows, trust = bands.trusted(self._memory, windows.BANDS, self.count, linear, found.residual)
+        skipped = int(self._memory[SKIPPED])
+        powers = tuple(j + shift for j in fitted.unexcited)
+        numbers, rows, trust = bands.trusted(self._memory, BANDS, self.count, linear, fitted.residual)
         function = None
-        if found.values is not None and len(numbers):
-            values = np.array(found.values)
+        if fitted.values is not None and len(numbers):
+            values = np.array(fitted.values)
             if weighting == "gain" and len(rows) > self.count:
                 values = bands.balance(rows, trust)
-            seen = numbers[trust > 0.5] if (trust > 0.5).any() else numbers
-            low, high = (self.speed_low + self.band_width * (float(seen[i]) + (i < 0)) for i in (0, -1))
+            excited = numbers[trust > 0.5] if (trust > 0.5).any() else numbers
+            low, high = (self.speed_low + self.band_width * (float(excited[i]) + (i < 0)) for i in (0, -1))
             function = PolynomialFunction([0.0] * shift + values.tolist(), speed_low=low, speed_high=high)
-        return Identification(function, powers, found.condition, found.residual, found.samples, skipped)
+        return Identification(function, powers, fitted.condition, fitted.residual, fitted.samples, skipped)

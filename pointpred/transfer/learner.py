@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from copy import copy
-from math import hypot, inf
+from math import hypot, inf, nan
 from threading import Lock
 from typing import Any, Self
 
-import numpy as np
-
 from pointpred.errors import EventError, ParameterError
-from pointpred.events import LARGEST, LATEST_S, PointerEvent
-from pointpred.transfer import bands, windows
-from pointpred.transfer.curve import Bands, GainCurve, curve_of
+from pointpred.events import LARGEST, LATEST_S, METRES_PER_INCH, PointerEvent
+from pointpred.transfer.bands import BANDS, Bands
+from pointpred.transfer.curve import GainCurve, curve_of
 from pointpred.transfer.identification import Identification, PolynomialIdentifier
 
 FORGETTING = 1.0 - 2e-5
@@ -20,7 +18,6 @@ FORGETTING = 1.0 - 2e-5
 hour spread over all bands."""
 SPACING_S, SPACING_MOST_S = 0.0005, 0.1
 TOO_FAST = 1.5
-NONE = float("nan")
 WINDOW_S = 0.01
 """Longer than for simulated reports: a real cursor follows its counts with a delay that varies."""
 
@@ -63,16 +60,19 @@ class TransferLearner:
         **settings: Any,
     ) -> None:
         if not 0.0 <= spacing_s <= SPACING_MOST_S:
-            raise ParameterError(f"spacing_s must lie in [0, {SPACING_MOST_S:g}] s, received {spacing_s!r}")
+            raise ParameterError(
+                f"spacing_s must lie in [0, {SPACING_MOST_S:g}] s, received {spacing_s!r}",
+                field="spacing_s",
+                value=spacing_s,
+            )
         self.size, self.spacing_s, self.edges, self.fast = size, spacing_s, 0, 0
         self._settings: dict[str, Any] = {"forgetting": forgetting, "window_s": window_s, **settings}
         self._identifier = PolynomialIdentifier(**self._settings)
         self._lock = Lock()
         self._waiting: PointerEvent | None = None
         self._since = self._last = -inf
-        high = self._identifier.speed_low + bands.BANDS * self._identifier.band_width
-        metres_per_count = float(self._identifier._memory[windows.METRES_PER_COUNT])
-        self._counts_a_second = TOO_FAST * high / metres_per_count
+        high = self._identifier.speed_low + BANDS * self._identifier.band_width
+        self._counts_a_second = TOO_FAST * high / (METRES_PER_INCH / self._identifier.cpi)
 
     def update(self, event: PointerEvent, /) -> None:
         """Learn from one event.
@@ -81,12 +81,13 @@ class TransferLearner:
         nothing is then changed.
         """
         with self._lock:
-            dx, dy = (NONE if d is None else d for d in (event.dx, event.dy))
+            dx, dy = (nan if d is None else d for d in (event.dx, event.dy))
             fine = abs(event.t) <= LATEST_S and abs(event.x) + abs(event.y) + abs(dx) + abs(dy) <= LARGEST
             if not fine or event.t < self._last:
                 raise EventError(
                     f"event needs counts, finite values and a time not before {self._last!r} s, "
-                    f"received {event!r}"
+                    f"received {event!r}",
+                    value=event,
                 )
             self._last = event.t
             if self._waiting is not None and event.t - self._since < self.spacing_s:
@@ -118,36 +119,36 @@ class TransferLearner:
         Bands are weighed by their relative error once enough of them are known well; before that every
         window counts alike, since weighing would follow the noise.
         """
-        return self._told()[0]
+        return self._identified()[0]
 
     def curve(self) -> GainCurve:
         """The function now as plain lists, with its excited range, beside a constant gain and a sigmoid."""
-        found, known = self._told()
-        return curve_of(found, known, self.edges, self.fast)
+        identification, bands = self._identified()
+        return curve_of(identification, bands, self.edges, self.fast)
 
-    def _told(self) -> tuple[Identification, Bands]:
+    def _identified(self) -> tuple[Identification, Bands]:
         """The identification and the bands behind it, from a copy that nobody feeds."""
         with self._lock:
-            still = copy(self._identifier)
-        found = still.identify()
-        known = measured(still, found.residual)
-        if (known.trust > 0.5).sum() <= still.count:
-            found = still.identify("samples")
-        return found, known
+            identifier = copy(self._identifier)
+        identification = identifier.identify()
+        bands = identifier.measured(identification.residual)
+        if (bands.trust > 0.5).sum() <= identifier.count:
+            identification = identifier.identify("samples")
+        return identification, bands
 
     def _pass_on(self) -> None:
         """Let the law learn from what waits, or leave it out and count it."""
         event, self._waiting = self._waiting, None
         if event is None:
             return
-        memory = self._identifier._memory
         path = hypot(event.dx or 0.0, event.dy or 0.0)
-        h = event.t - memory[windows.T] if memory[windows.KNOWN] else inf
+        last_t = self._identifier.last_t
+        h = inf if last_t is None else event.t - last_t
         if self._at_edge(event):
-            memory[windows.KNOWN] = 0.0
+            self._identifier.begin()
             self.edges += 1
-        elif path > LARGEST / 4.0 or (0.0 < h <= memory[windows.GAP_S] and path > h * self._counts_a_second):
-            memory[windows.KNOWN] = 0.0
+        elif path > LARGEST / 4.0 or (0.0 < h <= self._identifier.gap_s and path > h * self._counts_a_second):
+            self._identifier.begin()
             self.fast += 1
         else:
             self._identifier.update(event)
@@ -155,7 +156,7 @@ class TransferLearner:
     def _begin(self) -> None:
         """Finish with what waits, and know no last report."""
         self._pass_on()
-        self._identifier._memory[windows.KNOWN] = 0.0
+        self._identifier.begin()
         self._last = -inf
 
     def _at_edge(self, event: PointerEvent) -> bool:
@@ -164,22 +165,3 @@ class TransferLearner:
             return False
         width, height = self.size
         return not (0.0 < event.x < width - 1.0 and 0.0 < event.y < height - 1.0)
-
-
-def measured(identifier: PolynomialIdentifier, noise: float) -> Bands:
-    """The mean gain in each band that was visited; ``noise`` is the standard deviation of a displacement.
-
-    Between bends of the gain curve, a band's gain is that at the speed given for it.
-    """
-    n, shift = identifier.count, 0 if identifier.offset else 1
-    linear = 1 - shift
-    memory = identifier._memory
-    table = memory[windows.BANDS : windows.BANDS + bands.states(n)].reshape(bands.BANDS, 1 + n)
-    weight, product = table[:, 1 + linear], table[:, 0]
-    rows = np.flatnonzero((weight > 0.0) & (product > 0.0))
-    weight, product = weight[rows], product[rows]
-    if n > linear + 1:
-        speeds = table[rows, 2 + linear] / weight
-    else:
-        speeds = identifier.speed_low + (rows + 0.5) * identifier.band_width
-    return Bands(speeds, product / weight, noise / np.sqrt(weight))

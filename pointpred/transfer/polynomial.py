@@ -1,4 +1,4 @@
-"""A pointing transfer function as a polynomial, and the averaged gain of any function."""
+"""Transfer functions as polynomials, and the averaged gain of any function."""
 
 from __future__ import annotations
 
@@ -10,7 +10,14 @@ import msgspec
 import numpy as np
 
 from pointpred.errors import ParameterError, RecordingError
-from pointpred.transfer.known import COEFFICIENTS_MOST, POLYNOMIAL, SlotsFunction, TransferFunction
+from pointpred.transfer.functions import (
+    BOUNDED,
+    BOUNDED_COEFFICIENTS,
+    COEFFICIENTS_MOST,
+    POLYNOMIAL,
+    SlotsFunction,
+    TransferFunction,
+)
 
 NODES = 4096
 
@@ -47,11 +54,15 @@ class PolynomialFunction(SlotsFunction):
         self.coefficients = tuple(float(c) for c in coefficients)
         if not 1 <= len(self.coefficients) <= COEFFICIENTS_MOST or not all(map(isfinite, self.coefficients)):
             raise ParameterError(
-                f"coefficients must be 1 to {COEFFICIENTS_MOST} finite numbers, received {coefficients!r}"
+                f"coefficients must be 1 to {COEFFICIENTS_MOST} finite numbers, received {coefficients!r}",
+                field="coefficients",
+                value=coefficients,
             )
         if isnan(speed_high) or not 0.0 <= speed_low < speed_high:
             raise ParameterError(
-                f"speed_low must lie in [0, speed_high) m/s, received {speed_low!r} and {speed_high!r}"
+                f"speed_low must lie in [0, speed_high) m/s, received {speed_low!r} and {speed_high!r}",
+                field="speed_low",
+                value=speed_low,
             )
         self.speed_low, self.speed_high = float(speed_low), float(speed_high)
         super().__init__(POLYNOMIAL, list(self.coefficients))
@@ -74,6 +85,38 @@ class PolynomialFunction(SlotsFunction):
         return cls(saved.coefficients, speed_low=saved.speed_low, speed_high=high)
 
 
+class HeldPolynomial(SlotsFunction):
+    """An identified polynomial that is safe to move a cursor with: its gain is constant beyond both ends.
+
+    Assumes that the range is the one in which the polynomial was identified: outside it a polynomial of
+    order 5 soon moves the cursor backwards. The constant ends are a guess, but a tame one.
+
+    PTF(V) = gain(V) V, gain(V) = c_1 + c_2 U + ... + c_5 U^4, U = V but not beyond ``speed_low`` and
+    ``speed_high``.
+
+    Parameters: ``polynomial`` of order 5 at most, without c_0, with a bounded range.
+    Memory: 8 floats, never changed. Raises ParameterError.
+
+    >>> held = HeldPolynomial(PolynomialFunction([0.0, 1.0, 10.0], speed_low=0.1, speed_high=0.2))
+    >>> [round(float(g), 6) for g in held.gain([0.0, 0.15, 5.0])]
+    [2.0, 2.5, 3.0]
+    """
+
+    def __init__(self, polynomial: PolynomialFunction) -> None:
+        offset, *rest = polynomial.coefficients
+        if offset != 0.0 or len(rest) > BOUNDED_COEFFICIENTS or not rest:
+            raise ParameterError(
+                f"polynomial must have c_0 = 0 and order 1 to {BOUNDED_COEFFICIENTS}, received "
+                f"{polynomial.coefficients!r}"
+            )
+        if polynomial.speed_high == inf:
+            raise ParameterError("polynomial needs the range it was identified in, received no speed_high")
+        self.polynomial = polynomial
+        self.speed_low, self.speed_high = polynomial.speed_low, polynomial.speed_high
+        numbers = [*rest, *[0.0] * (BOUNDED_COEFFICIENTS - len(rest)), self.speed_low, self.speed_high]
+        super().__init__(BOUNDED, numbers)
+
+
 def averaged_gain(function: TransferFunction, speed_max_m_s: float) -> float:
     """The gain c of a whole ballistic movement: the cursor's displacement over the hand's.
 
@@ -92,7 +135,11 @@ def averaged_gain(function: TransferFunction, speed_max_m_s: float) -> float:
     (1.78, 5.73)
     """
     if not 0.0 < speed_max_m_s < inf:
-        raise ParameterError(f"speed_max_m_s must lie in (0, inf) m/s, received {speed_max_m_s!r}")
+        raise ParameterError(
+            f"speed_max_m_s must lie in (0, inf) m/s, received {speed_max_m_s!r}",
+            field="speed_max_m_s",
+            value=speed_max_m_s,
+        )
     middles = (np.arange(NODES) + 0.5) * (np.pi / NODES)
     speeds = function.cursor_speed(speed_max_m_s * np.sin(middles))
     return float(np.mean(speeds)) * np.pi / (2.0 * speed_max_m_s)

@@ -22,7 +22,7 @@ from pointpred.scoring import metrics
 from pointpred.server.sessions.session import Session
 from pointpred.server.settings import Settings
 from pointpred.targets import Chooser, around, choosing
-from pointpred.transfer import assisted_guarded
+from pointpred.transfer import assistance
 
 Frame = dict[str, Any] | bytes
 
@@ -60,7 +60,7 @@ def parts() -> list[Part]:
         *_pieces(),
         _predictor(RECOMMENDED, PIECES),
         Part(TARGETS, choose, (choosing.step, choosing.walk), FIRST),
-        Part(ASSISTANCE, assist, (assisted_guarded.step,), FIRST),
+        Part(ASSISTANCE, assist, (assistance.guarded_step,), FIRST),
         Part(TRIALS, score_trial, (metrics.measure,), FIRST),
         *(
             # Names of one class have the same laws: two processes would compile them twice.

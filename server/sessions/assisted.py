@@ -22,7 +22,7 @@ from pointpred.server.sessions.outbox import Outbox
 from pointpred.server.sessions.stream import Stream
 from pointpred.server.sessions.watch import Watch
 from pointpred.transfer import ConstantGain, GuardedTransfer, SigmoidGain
-from pointpred.transfer.assisted_guarded import UNGUIDED
+from pointpred.transfer.assistance import UNGUIDED
 
 
 def stream_of(hello: Hello, coefficients: Mapping[str, Path] = NO_COEFFICIENTS) -> Stream:

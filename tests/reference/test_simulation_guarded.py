@@ -10,6 +10,7 @@ from pointpred.errors import ParameterError
 from pointpred.simulation import Aim, Claim, Guard, Person, Setup, guarded, move_guarded, movement, slots
 from pointpred.simulation.movement import Movement, move
 from pointpred.transfer import ConstantGain, GuardedTransfer, PixelTransfer
+from pointpred.transfer.assistance import UNGUIDED
 
 CPI, H = 2000.0, 2.0**-10
 FUNCTION = ConstantGain(3.91372)  # no sum of pixels falls on a whole one, where rounding decides
@@ -54,18 +55,17 @@ def test_the_pixels_of_the_loop_are_those_of_the_stage(claim: Claim) -> None:
     variance = np.nan if claim.spread_px is None else claim.spread_px**2
     x = y = 0.0
     for i, (dx, dy) in enumerate(zip(made.column("dx"), made.column("dy"), strict=True)):
-        known = i >= begun
-        told = (claim.x - x, claim.y - y, variance, 0.0, variance) if known else (np.nan,) * 5
-        _, moved_x, moved_y, _, _ = stage.advance(i * H, float(dx), float(dy), told)
+        way = (claim.x - x, claim.y - y, variance, 0.0, variance) if i >= begun else UNGUIDED
+        _, moved_x, moved_y, _, _ = stage.advance(i * H, float(dx), float(dy), way)
         x, y = x + moved_x, y + moved_y
         assert (x, y) == (made.table[i, 1], made.table[i, 2]), i
 
 
 def test_the_eyes_are_given_the_helped_cursor() -> None:
     memory, chance = movement.prepare(person(), SETUP, AIM, np.random.default_rng(5))
-    held = Guard().memory()
+    guard = Guard().memory()
     for tick, (noise_x, noise_y, late_s, _, _) in enumerate(chance[:800].tolist(), start=1):
-        made = guarded.step(memory, held, noise_x, noise_y, late_s, AIM.x, AIM.y, 4.0, 0.0, 4.0)
+        made = guarded.step(memory, (noise_x, noise_y, late_s, AIM.x, AIM.y, 4.0, 0.0, 4.0), guard)
         row = slots.RING + slots.RING_SLOTS * (tick % slots.RING_ROWS)
         assert (memory[row], memory[row + 1]) == made[1:3]
     assert np.hypot(made[1], made[2]) > 100.0

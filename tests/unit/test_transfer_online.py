@@ -19,7 +19,8 @@ from pointpred.transfer import (
     TransferFunction,
     TransferLearner,
 )
-from pointpred.transfer.curve import Bands, compare, fitted_constant, fitted_sigmoid
+from pointpred.transfer.bands import Bands
+from pointpred.transfer.curve import compare, fitted_constant, fitted_sigmoid
 
 COUNTS = CPI / 0.0254
 SMOOTH = PolynomialFunction([0.0, 1.0, 20.0, -40.0], speed_low=0.0127, speed_high=0.31)

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
-import os
-import tempfile
 from math import isfinite
 from pathlib import Path
 from typing import Literal
@@ -12,8 +9,8 @@ from typing import Literal
 import msgspec
 
 from pointpred.errors import ParameterError, RecordingError
-from pointpred.transfer.held import HeldPolynomial
-from pointpred.transfer.known import (
+from pointpred.files import beside
+from pointpred.transfer.functions import (
     GAIN_MAX,
     GAIN_MIN,
     SPEED_HIGH,
@@ -22,7 +19,7 @@ from pointpred.transfer.known import (
     SigmoidGain,
     TransferFunction,
 )
-from pointpred.transfer.polynomial import PolynomialFunction
+from pointpred.transfer.polynomial import HeldPolynomial, PolynomialFunction
 
 VERSION = 1
 LARGEST_BYTES = 65536
@@ -71,9 +68,9 @@ def save_transfer(
         numbers = [slots[i] for i in (GAIN_MIN, GAIN_MAX, SPEED_LOW, SPEED_HIGH)]
         file = _File(VERSION, "sigmoid", numbers, cpi=cpi, dpi=dpi)
     elif isinstance(function, PolynomialFunction | HeldPolynomial):
-        held = function if isinstance(function, HeldPolynomial) else HeldPolynomial(function)
-        coefficients = list(held.polynomial.coefficients)
-        file = _File(VERSION, "polynomial", coefficients, held.speed_low, held.speed_high, cpi, dpi)
+        bounded = function if isinstance(function, HeldPolynomial) else HeldPolynomial(function)
+        coefficients = list(bounded.polynomial.coefficients)
+        file = _File(VERSION, "polynomial", coefficients, bounded.speed_low, bounded.speed_high, cpi, dpi)
     else:
         raise ParameterError(
             f"function must be a constant gain, a sigmoid or a polynomial, received {type(function).__name__}"
@@ -145,13 +142,9 @@ def _resolution(value: float | None) -> float | None:
 
 def _write(path: Path, text: bytes) -> None:
     """Put a file in its place in one step."""
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
+    part = beside(path, "part")
     try:
-        with os.fdopen(handle, "wb") as opened:
-            opened.write(text)
-        Path(name).chmod(0o644)
-        Path(name).replace(path)
-    except BaseException:
-        with contextlib.suppress(OSError):
-            Path(name).unlink()
-        raise
+        part.write_bytes(text)
+        part.replace(path)
+    finally:
+        part.unlink(missing_ok=True)

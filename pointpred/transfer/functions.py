@@ -1,4 +1,4 @@
-"""Known pointing transfer functions (PTF): from the speed of the hand to the speed of the cursor.
+"""Pointing transfer functions (PTF): from the speed of the hand to the speed of the cursor.
 
 A function is a kind and its numbers, ``SLOTS`` floats anywhere in a flat array, so that one compiled law
 (a simulated loop, pixels) runs over any of them.
@@ -6,8 +6,9 @@ A function is a kind and its numbers, ``SLOTS`` floats anywhere in a flat array,
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import atan, copysign, inf
-from typing import Protocol, runtime_checkable
+from typing import ClassVar, Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -15,15 +16,15 @@ from numpy.typing import ArrayLike
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.errors import EventError, ParameterError
-from pointpred.parameter import Parameter, check
+from pointpred.parameter import Parameter
 
 # The kind, then its numbers, zeros behind them.
-CONSTANT, SIGMOID, ARCTAN, POLYNOMIAL, HELD = 1.0, 2.0, 3.0, 4.0, 5.0
+CONSTANT, SIGMOID, ARCTAN, POLYNOMIAL, BOUNDED = 1.0, 2.0, 3.0, 4.0, 5.0
 COEFFICIENTS_MOST = 7
 SLOTS = 1 + COEFFICIENTS_MOST
-# A held polynomial: c_1 ... c_5, then the range beyond which its gain stays.
-HELD_COEFFICIENTS = 5
-HELD_LOW, HELD_HIGH = 1 + HELD_COEFFICIENTS, 2 + HELD_COEFFICIENTS
+# A bounded polynomial: c_1 ... c_5, then the range beyond which its gain stays.
+BOUNDED_COEFFICIENTS = 5
+LOW, HIGH = 1 + BOUNDED_COEFFICIENTS, 2 + BOUNDED_COEFFICIENTS
 GAIN_MIN, GAIN_MAX, SPEED_LOW, SPEED_HIGH = 1, 2, 3, 4
 
 
@@ -39,10 +40,10 @@ def gain(memory: FloatArray, at: int, speed: float) -> float:
     if memory[at] == ARCTAN:
         return atan(speed) / speed if speed > 0.0 else 1.0
     value = 0.0
-    if memory[at] == HELD:
-        within = min(max(speed, memory[at + HELD_LOW]), memory[at + HELD_HIGH])
-        for i in range(HELD_COEFFICIENTS):
-            value = value * within + memory[at + HELD_COEFFICIENTS - i]
+    if memory[at] == BOUNDED:
+        within = min(max(speed, memory[at + LOW]), memory[at + HIGH])
+        for i in range(BOUNDED_COEFFICIENTS):
+            value = value * within + memory[at + BOUNDED_COEFFICIENTS - i]
         return value
     for i in range(COEFFICIENTS_MOST - 1):
         value = value * speed + memory[at + COEFFICIENTS_MOST - i]
@@ -90,9 +91,14 @@ class TransferFunction(Protocol):
 
 
 class SlotsFunction:
-    """A transfer function that is a kind and its numbers."""
+    """A transfer function that is a kind and its numbers, which ``parameters`` bound where it has any."""
 
-    def __init__(self, kind: float, numbers: list[float]) -> None:
+    parameters: ClassVar[tuple[Parameter, ...]] = ()
+
+    def __init__(self, kind: float, numbers: Sequence[float]) -> None:
+        """Check the numbers; raises ParameterError."""
+        for one, number in zip(self.parameters, numbers, strict=False):
+            one.check(number)
         self.slots: FloatArray = np.zeros(SLOTS)
         self.slots[0] = kind
         self.slots[1 : 1 + len(numbers)] = numbers
@@ -110,7 +116,10 @@ class SlotsFunction:
         speeds = np.asarray(speed_m_s, np.float64)
         wrong = ~((speeds >= 0.0) & (speeds < inf))
         if wrong.any():
-            raise EventError(f"speed must lie in [0, inf) m/s, received {float(speeds[wrong].flat[0])!r}")
+            value = float(speeds[wrong].flat[0])
+            raise EventError(
+                f"speed must lie in [0, inf) m/s, received {value!r}", field="speed", value=value
+            )
         out = np.empty(speeds.size)
         evaluate(self.slots.copy(), speeds.ravel(), wanted_gain, out)
         return out.reshape(speeds.shape)
@@ -129,8 +138,7 @@ class ConstantGain(SlotsFunction):
     parameters = (Parameter("gain", "", 0.0, 1e3, "control-display gain"),)
 
     def __init__(self, gain: float = 4.0) -> None:
-        check(self.parameters, {"gain": gain})
-        super().__init__(CONSTANT, [float(gain)])
+        super().__init__(CONSTANT, [gain])
 
 
 class SigmoidGain(SlotsFunction):
@@ -162,13 +170,13 @@ class SigmoidGain(SlotsFunction):
         speed_low: float = 0.05,
         speed_high: float = 0.6,
     ) -> None:
-        values = {"gain_min": gain_min, "gain_max": gain_max}
-        check(self.parameters, {**values, "speed_low": speed_low, "speed_high": speed_high})
+        super().__init__(SIGMOID, [gain_min, gain_max, speed_low, speed_high])
         if speed_low >= speed_high:
             raise ParameterError(
-                f"speed_low must lie below speed_high = {speed_high!r} m/s, received {speed_low!r} m/s"
+                f"speed_low must lie below speed_high = {speed_high!r} m/s, received {speed_low!r} m/s",
+                field="speed_low",
+                value=speed_low,
             )
-        super().__init__(SIGMOID, [float(gain_min), float(gain_max), float(speed_low), float(speed_high)])
 
 
 class Arctan(SlotsFunction):

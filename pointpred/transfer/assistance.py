@@ -1,0 +1,305 @@
+"""Assisted transfer functions: a predicted endpoint helps the cursor on, thesis Remark 2.2.1.
+
+The printed term pulls wherever the endpoint is; the guarded one helps the hand and never works against it.
+"""
+
+from __future__ import annotations
+
+from math import expm1, hypot, inf, nan, sqrt
+from typing import NamedTuple
+
+from pointpred.columns import FloatArray
+from pointpred.compiled import law
+from pointpred.errors import EventError
+from pointpred.events import LARGEST, Prediction
+from pointpred.parameter import parameter
+from pointpred.regions import as_normal
+from pointpred.rows import Row
+from pointpred.stage import loop_of, offsets
+from pointpred.transfer import pixels
+from pointpred.transfer.pixels import ReportStage
+
+# Both stages: their own parameters, then what stands in a memory of ``pixels``. Behind it the guarded one has
+# the fractions of a pixel that assistance owes.
+RHO, STRENGTH, ASSISTED = offsets(1, 1)
+_, _, SIDEWAYS, UNCERTAIN, UNCLAIMED, GUARDED, OWED, END = offsets(
+    1, 1, 1, 1, 1, pixels.LENGTH, pixels.CARRIED
+)
+
+Way = tuple[float, float, float, float, float]
+"""The endpoint less the cursor, x and y in px, and its covariance sxx, sxy, syy in px^2; NaN: none."""
+UNGUIDED: Way = (nan, nan, nan, nan, nan)
+"""The way where nothing is predicted."""
+
+
+class OffsetReport(NamedTuple):
+    """A report, ``t`` s and ``dx dy`` counts, and the endpoint from the cursor, ``off_x off_y`` px or NaN."""
+
+    t: float
+    dx: float
+    dy: float
+    off_x: float
+    off_y: float
+
+
+class GuidedReport(NamedTuple):
+    """A report, ``t`` s and ``dx dy`` counts, and a ``Way``."""
+
+    t: float
+    dx: float
+    dy: float
+    off_x: float
+    off_y: float
+    sxx: float
+    sxy: float
+    syy: float
+
+
+@law
+def offset_report_at(rows: FloatArray, i: int) -> Way:
+    """A row of a table of reports with the way to an endpoint."""
+    r = rows[i]
+    return r[0], r[1], r[2], r[3], r[4]
+
+
+@law
+def guided_report_at(
+    rows: FloatArray, i: int
+) -> tuple[float, float, float, float, float, float, float, float]:
+    """A row of a table of reports with the way to an endpoint and its covariance."""
+    r = rows[i]
+    return r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7]
+
+
+@law
+def pull(rho: float, strength: float, dt: float, own_px: float, off_x: float, off_y: float) -> float:
+    """The share of the offset (T_hat - x, T_hat_y - y) by which the cursor is pulled in ``dt`` s.
+
+    The term -rho (x - T_hat) integrated exactly, 1 - exp(-rho dt), and never longer than ``strength`` times
+    the ``own_px`` that the hand moved the cursor; 0 while no endpoint is predicted (NaN).
+    """
+    length = hypot(off_x, off_y)
+    if not 0.0 < length < inf:
+        return 0.0
+    share = -expm1(-rho * dt)
+    return min(share, strength * own_px / length) if strength < inf else share
+
+
+@law
+def assisted_step(memory: FloatArray, report: Row) -> tuple[float, float, float]:
+    """One ``OffsetReport``: (t, dx in px, dy in px); NaN for a report that is refused."""
+    t, dx, dy, off_x, off_y = OffsetReport(*report)
+    usable, dt = pixels.accept(memory, ASSISTED, t, dx, dy)
+    if not usable or abs(off_x) > LARGEST or abs(off_y) > LARGEST:
+        return nan, nan, nan
+    scale = pixels.turn(memory, ASSISTED, t, dt, dx, dy)
+    x, y = scale * dx, scale * dy
+    share = pull(memory[RHO], memory[STRENGTH], dt, hypot(x, y), off_x, off_y)
+    if share > 0.0:
+        x += share * off_x
+        y += share * off_y
+    carried = ASSISTED + pixels.CARRY
+    return t, pixels.carry(memory, carried, x), pixels.carry(memory, carried + 1, y)
+
+
+class AssistedTransfer(ReportStage):
+    """Counts to whole pixels through a transfer function, pulled towards a predicted endpoint.
+
+    Assumes that the prediction is worth following: a wrong one pulls the cursor away, and with an unlimited
+    ``strength`` it moves a cursor whose hand lies still, which no person expects. How people react to it is
+    not known.
+
+    x' = V_mx / V_m PTF(V_m) - rho (x - T_hat), integrated exactly over a report; the pull is bounded to
+    ``strength`` times the hand's own motion of the cursor. Below 1 the hand can always leave a wrong
+    endpoint.
+
+    Parameters: ``rho`` in 1/s; ``strength``, infinite for the remark as printed; ``function``, ``cpi``,
+    ``dpi``, ``period_s``, ``gap_s`` as for ``PixelTransfer``. Memory: 19 floats.
+    Raises ParameterError, and EventError from ``update``.
+    Reference: Khalin 2022, Remark 2.2.1.
+
+    >>> from pointpred.transfer import ConstantGain
+    >>> stage = AssistedTransfer(ConstantGain(4.0), rho=10.0, strength=0.5, cpi=2000.0)
+    >>> stage.update((0.0, 20.0, 0.0), (500.0, 0.0))  # 3.84 px by hand, half as much by the pull
+    (5.0, 0.0)
+    """
+
+    rho: float = parameter("1/s", 0.0, 1e4, "rate at which the cursor is pulled to the endpoint", default=5.0)
+    strength: float = parameter("", 0.0, inf, "longest pull as a share of the hand's own motion", default=0.5)
+    states = pixels.STATES
+    width = 3
+    loop = staticmethod(loop_of(assisted_step, offset_report_at))
+
+    def update(
+        self, report: tuple[float, float, float], off_px: tuple[float, float] | None = None, /
+    ) -> tuple[float, float]:
+        """Consume one report (t in s, dx and dy in counts) and return the whole pixels moved.
+
+        ``off_px`` is the predicted endpoint minus the cursor in px, ``None`` where nothing is predicted.
+        Raises EventError when time runs backwards or a value is not finite; nothing is then changed.
+        """
+        t, dx, dy = report
+        off_x, off_y = (nan, nan) if off_px is None else off_px
+        t, dx, dy = assisted_step(self._memory, (t, dx, dy, off_x, off_y))
+        if t != t:
+            last = float(self._memory[ASSISTED + pixels.T])
+            raise EventError(
+                f"report must be finite and not before t = {last!r} s, received {report!r}, {off_px!r}",
+                value=report,
+            )
+        return dx, dy
+
+
+@law
+def spread(way_px: float, sxx: float, sxy: float, syy: float, unclaimed: float) -> float:
+    """The endpoint's standard deviation along the longest axis of its region, as a share of the way to it.
+
+    ``unclaimed`` where no region is claimed (sxx is NaN).
+    """
+    if sxx != sxx:
+        return unclaimed
+    if not (abs(sxx) < inf and abs(sxy) < inf and abs(syy) < inf):
+        return inf
+    return sqrt(max(0.5 * (sxx + syy) + hypot(0.5 * (sxx - syy), sxy), 0.0)) / way_px
+
+
+@law
+def guide(memory: FloatArray, at: int, dt: float, own: tuple[float, float], way: Way) -> tuple[float, float]:
+    """The px that are added to the hand's ``own`` (x, y) in ``dt`` s; the guard's parameters lie at ``at``.
+
+    ``way`` leads from the cursor before the report to the endpoint. Nothing is added to a hand at rest, nor
+    to one that leaves the endpoint. Along the hand's direction the pull is never negative, never longer than
+    ``strength`` of the hand's own way and never leads past the endpoint; across it is at most ``strength *
+    sideways`` of that way, less the farther the hand points elsewhere.
+    """
+    own_x, own_y = own
+    off_x, off_y, sxx, sxy, syy = way
+    moved, distance = hypot(own_x, own_y), hypot(off_x, off_y)
+    if not (0.0 < moved < inf and 0.0 < distance < inf):
+        return 0.0, 0.0
+    trust = 1.0 - spread(distance, sxx, sxy, syy, memory[at + UNCLAIMED]) / memory[at + UNCERTAIN]
+    to_x, to_y = own_x / moved, own_y / moved
+    ahead, beside = off_x * to_x + off_y * to_y, off_y * to_x - off_x * to_y
+    if not (trust > 0.0 and ahead > 0.0):
+        return 0.0, 0.0
+    share = -expm1(-memory[at + RHO] * dt)
+    longest = memory[at + STRENGTH] * moved
+    widest = memory[at + SIDEWAYS] * longest
+    along = trust * min(share * ahead, longest, max(ahead - moved, 0.0))
+    across = trust * min(max(share * beside * (ahead / distance), -widest), widest)
+    return along * to_x - across * to_y, along * to_y + across * to_x
+
+
+@law
+def add(
+    memory: FloatArray, at: int, owed: int, dt: float, own: tuple[float, float], way: Way
+) -> tuple[float, float]:
+    """``guide`` in whole pixels, the fractions carried in ``memory[owed]`` and the place after it.
+
+    Rounding may release a pixel of one axis before its companion; what would go against the hand is dropped.
+    """
+    x, y = guide(memory, at, dt, own, way)
+    whole_x, whole_y = pixels.carry(memory, owed, x), pixels.carry(memory, owed + 1, y)
+    if whole_x * own[0] + whole_y * own[1] < 0.0:
+        memory[owed] = memory[owed + 1] = 0.0
+        return 0.0, 0.0
+    return whole_x, whole_y
+
+
+@law
+def guarded_step(memory: FloatArray, report: Row) -> tuple[float, float, float, float, float]:
+    """One ``GuidedReport``: (t, dx px, dy px, and of these what was added); NaN where it is refused."""
+    t, dx, dy, off_x, off_y, sxx, sxy, syy = GuidedReport(*report)
+    usable, dt = pixels.accept(memory, GUARDED, t, dx, dy)
+    if not usable or abs(off_x) > LARGEST or abs(off_y) > LARGEST:
+        return nan, nan, nan, nan, nan
+    scale = pixels.turn(memory, GUARDED, t, dt, dx, dy)
+    own_x, own_y = scale * dx, scale * dy
+    carried = GUARDED + pixels.CARRY
+    x, y = pixels.carry(memory, carried, own_x), pixels.carry(memory, carried + 1, own_y)
+    add_x, add_y = add(memory, 0, OWED, dt, (own_x, own_y), (off_x, off_y, sxx, sxy, syy))
+    return t, x + add_x, y + add_y, add_x, add_y
+
+
+class GuardedTransfer(ReportStage):
+    """Counts to whole pixels, helped towards a predicted endpoint as far as that is safe.
+
+    Assumes that the way from the cursor to the endpoint and the region around it are honest: a wrong endpoint
+    with a small region, in the direction of the hand, is followed, and the hand has to come back. It only
+    speeds up and bends; it never slows the cursor down, so a hand that would have stopped right goes too far.
+
+    x' = V_mx / V_m PTF(V_m) - rho (x - T_hat), the second term integrated over a report, split along and
+    across the hand's direction, and bounded: along in [0, strength m] and never past the endpoint, across
+    in strength sideways m cos(angle) at most, where m is what the hand itself moves and the angle that to the
+    endpoint. Both fade as 1 - s / (``uncertain`` d), with s the largest standard deviation of
+    the normal law with the same 50 % region, and d the distance of the endpoint. At rest, at angles above 90
+    degrees and without a prediction nothing is added; whole pixels, too, are never added against the hand.
+    With ``strength`` 0 it is ``PixelTransfer`` bit for bit.
+
+    Parameters: ``rho`` in 1/s; ``strength`` and ``sideways`` in [0, 1]; ``uncertain`` and ``unclaimed``, what
+    s / d is taken to be where a predictor claims no region; the others as for ``PixelTransfer``.
+    Memory: 24 floats. Raises ParameterError, and EventError from ``update``.
+    Reference: Khalin 2022, Remark 2.2.1, with a bound and a direction.
+
+    >>> from pointpred.transfer import ConstantGain
+    >>> stage = GuardedTransfer(ConstantGain(4.0), rho=10.0, strength=0.5, cpi=2000.0)
+    >>> sure = Prediction(0.0, 500.0, 0.0, (1.0, 0.0, 1.0), "ballistic", None)
+    >>> stage.update((0.0, 20.0, 0.0), sure, (0.0, 0.0))  # 3.84 px by hand, half as much added
+    (4.0, 0.0)
+    >>> stage.update((0.001, -20.0, 0.0), sure, (4.0, 0.0))  # the hand leaves: nothing is added
+    (-3.0, 0.0)
+    """
+
+    rho: float = parameter("1/s", 0.0, 1e4, "rate at which the cursor is pulled to the endpoint", default=8.0)
+    strength: float = parameter("", 0.0, 1.0, "longest pull as a share of the hand's own motion", default=0.5)
+    sideways: float = parameter(
+        "", 0.0, 1.0, "longest pull across the hand's direction, as a share of strength", default=0.5
+    )
+    uncertain: float = parameter(
+        "", 1e-3, 1e3, "spread of the endpoint over the way to it at which help ends", default=0.5
+    )
+    unclaimed: float = parameter("", 0.0, 1e3, "that spread where a predictor claims none", default=0.25)
+    states = pixels.STATES + pixels.CARRIED
+    width = 5
+    loop = staticmethod(loop_of(guarded_step, guided_report_at))
+
+    def advance(
+        self, t: float, dx: float, dy: float, way: Way = UNGUIDED
+    ) -> tuple[float, float, float, float, float]:
+        """``update`` in plain numbers: (t, dx px, dy px, of these added in x, in y), NaN where refused."""
+        return guarded_step(self._memory, (t, dx, dy, *way))
+
+    def update(
+        self,
+        report: tuple[float, float, float],
+        prediction: Prediction | None = None,
+        cursor: tuple[float, float] = (0.0, 0.0),
+        /,
+    ) -> tuple[float, float]:
+        """Consume one report (t in s, dx and dy in counts) and return the whole pixels moved.
+
+        ``prediction`` is the newest one before the report, ``cursor`` (px) where it finds the cursor.
+        Raises EventError when time runs backwards or a value is not finite; nothing is then changed.
+        """
+        t, dx, dy, _, _ = self.advance(*report, way_to(prediction, cursor))
+        if t != t:
+            last = float(self._memory[GUARDED + pixels.T])
+            raise EventError(
+                f"report must be finite and not before t = {last!r} s, the endpoint within {LARGEST:g} px, "
+                f"received {report!r}, {prediction!r} at {cursor!r}",
+                value=report,
+            )
+        return dx, dy
+
+
+def way_to(prediction: Prediction | None, cursor: tuple[float, float]) -> Way:
+    """A prediction as the law wants it: the way to it from the cursor (px), and a covariance (px^2).
+
+    The covariance is that of the normal law with the same 50 % region: Student laws of small tails have none.
+    """
+    if prediction is None:
+        return UNGUIDED
+    off = prediction.x - cursor[0], prediction.y - cursor[1]
+    if prediction.scale is None:
+        return *off, nan, nan, nan
+    return *off, *as_normal(*prediction.scale, nan if prediction.tail is None else prediction.tail)
