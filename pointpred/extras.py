@@ -13,7 +13,7 @@ from urllib.request import url2pathname
 from pointpred.errors import MissingExtraError
 
 EXTRAS = {
-    "report": ("matplotlib", "pandas", "scipy", "statsmodels"),
+    "report": ("jinja2", "matplotlib", "pandas", "scipy", "statsmodels"),
     "tables": ("openpyxl", "pyxdf"),
     "lsl": ("pylsl",),
     "train": ("scipy",),

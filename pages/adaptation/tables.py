@@ -11,7 +11,7 @@ import numpy as np
 from pages import DOCS
 from pages.markdown import filled, table
 from pointpred.columns import FloatArray
-from pointpred.report.style import GREY, MARKERS, PALETTE, canvas, legend_outside, picture
+from pointpred.report.figures.style import GREY, MARKERS, PALETTE, canvas, legend_outside, picture
 from pointpred.scoring import calibration, time_left
 from pointpred.scoring.results import PredictorErrors
 

@@ -26,9 +26,9 @@ from pointpred import REGISTRY
 from pointpred.datasets import listing
 from pointpred.recording import Recording
 from pointpred.report.choice import highlighted
-from pointpred.report.claims import inside_curves, time_left_bars
-from pointpred.report.figures import cost, curves
-from pointpred.report.style import Picture
+from pointpred.report.figures.claims import inside_curves, time_left_bars
+from pointpred.report.figures.errors import cost, curves
+from pointpred.report.figures.style import Picture
 from pointpred.scoring import SetSummary, summary
 
 Json = dict[str, Any]

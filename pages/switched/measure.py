@@ -22,7 +22,7 @@ from pages.switched.parts import AxisWise, Held
 from pointpred import Pipeline, build
 from pointpred.datasets import sample
 from pointpred.recording import Recording
-from pointpred.report.style import canvas, line_style, picture
+from pointpred.report.figures.style import canvas, line_style, picture
 from pointpred.scoring import SetScore, resolution, score
 from pointpred.scoring.results import TIME_FRACTIONS, PredictorErrors
 from pointpred.sources import read

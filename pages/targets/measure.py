@@ -22,7 +22,7 @@ from pointpred import PointerEvent, Prediction
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
 from pointpred.registry import REGISTRY
-from pointpred.report.style import GREY, PALETTE, canvas, legend_outside, picture
+from pointpred.report.figures.style import GREY, PALETTE, canvas, legend_outside, picture
 from pointpred.scoring.target_choice import NEAREST, score_targets, target_summary
 from pointpred.targets import Chooser, around
 from pointpred.targets.evidence import NEAR

@@ -1,12 +1,15 @@
-"""What a report puts in front: which predictors are told apart, and which the statistics compare."""
+"""What a report puts in front: the best predictor, those with a colour, those the statistics compare."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import inf
 
-from pointpred.report.style import HOLD, MOST_LINES
+import msgspec
+
+from pointpred.report.figures.style import HOLD, MOST_LINES
 from pointpred.scoring.results import SetScore
-from pointpred.scoring.summary import SetSummary
+from pointpred.scoring.summary import PredictorSummary, SetSummary
 
 SWITCHED = ("switched-printed", "switched")
 KEP = ("kep-quartic-gated", "kep-quartic", "kep-quadratic-gated", "kep-quadratic")
@@ -39,3 +42,42 @@ def compared(score: SetScore) -> tuple[str, ...]:
     names = [predictor.name for predictor in score.predictors]
     both = pair(names)
     return both if len(both) == 2 else tuple(name for name in names if name != HOLD) or (HOLD,)
+
+
+class Conclusion(msgspec.Struct, frozen=True):
+    """What a set shows, as the sentence at its top says it."""
+
+    best: PredictorSummary | None
+    """The lowest error, hold apart; fitted to people of the set only where all are."""
+    better: bool
+    """Whether its error is lower than that of hold."""
+    doubtful: bool
+    """Whether chance alone may explain that."""
+    fitted: tuple[str, ...]
+    """Predictors fitted to people of the set whose error is as low: no fair comparison."""
+
+
+def conclusion(summary: SetSummary) -> Conclusion:
+    """Which predictor has the lowest error, and how sure that is."""
+    others = [p for p in ranked(summary).predictors if p.name != HOLD]
+    best = next(iter([p for p in others if not p.seen] or others), None)
+    if best is None:
+        return Conclusion(None, better=False, doubtful=False, fitted=())
+    measure = best.time_averaged
+    better = measure.of_hold is not None and measure.of_hold < 1.0
+    return Conclusion(
+        best,
+        better,
+        better and measure.interval is not None and measure.interval[1] >= 1.0,
+        tuple(p.name for p in summary.predictors if p.seen and _error(p) <= _error(best)),
+    )
+
+
+def ranked(summary: SetSummary) -> SetSummary:
+    """The same set with its predictors by their time-averaged error, the lowest first."""
+    return msgspec.structs.replace(summary, predictors=tuple(sorted(summary.predictors, key=_error)))
+
+
+def _error(predictor: PredictorSummary) -> float:
+    px = predictor.time_averaged.px
+    return inf if px is None else px

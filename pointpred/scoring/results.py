@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import msgspec
+import numpy as np
 
 from pointpred.columns import EventColumns, FloatArray, PredictionColumns
 from pointpred.recording import Skip, Trial
@@ -73,6 +74,11 @@ class WorstTrial(msgspec.Struct, frozen=True):
     """A row an event."""
     error_px: float
     """Time-averaged."""
+
+    @property
+    def answered(self) -> float:
+        """Share of events with an answer."""
+        return float(np.isfinite(self.answers.x).mean())
 
 
 class WorstTrials(msgspec.Struct, frozen=True):

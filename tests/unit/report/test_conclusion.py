@@ -7,7 +7,8 @@ import pytest
 from msgspec.structs import replace
 
 from pointpred.report import write_report
-from pointpred.report.conclusion import conclusion, ranked
+from pointpred.report.choice import conclusion, ranked
+from pointpred.report.page import environment
 from pointpred.scoring.summary import summarise
 
 
@@ -42,6 +43,7 @@ class Outline(HTMLParser):
             pass
 
     def handle_data(self, data):
+        data = data.strip()
         if {"td", "th"} & set(self.inside) and "small" not in self.inside:
             self.tables[-1][-1][-1] += data
 
@@ -92,6 +94,12 @@ def error(predictor):
     return predictor.time_averaged.px
 
 
+def words(summary):
+    """The sentence as the page has it."""
+    sentence = environment().get_template("conclusion.html").module.conclusion
+    return " ".join(sentence(summary, conclusion(summary)).split())
+
+
 def with_measure(described, **changes):
     """The same set, in which the second predictor has another time-averaged error."""
     hold, second = described.predictors
@@ -102,44 +110,47 @@ def with_measure(described, **changes):
 def test_a_predictor_that_is_not_surely_better_is_not_called_so(make_score):
     described = summarise(make_score(names=("hold", "kalman"), people=3, repeats=1))
     doubtful = with_measure(described, of_hold=0.97, interval=(0.9, 1.04))
-    assert "chance" in conclusion(doubtful)
-    assert "10 % less" in conclusion(doubtful)
-    assert "4 % more" in conclusion(doubtful)
-    assert "chance" not in conclusion(with_measure(described, of_hold=0.97, interval=(0.9, 0.99)))
+    assert (conclusion(doubtful).better, conclusion(doubtful).doubtful) == (True, True)
+    assert "(95 % interval: 4 % more to 10 % less)" in words(doubtful)
+    sure = with_measure(described, of_hold=0.97, interval=(0.9, 0.99))
+    assert (conclusion(sure).better, conclusion(sure).doubtful) == (True, False)
+    assert "(95 % interval: 1 to 10 % less)" in words(sure)
 
 
 def test_where_none_beats_no_prediction_this_is_said_first(make_score):
     described = summarise(make_score(names=("hold", "kep-quadratic", "ktm")))
     hold, *others = described.predictors
     assert all(error(one) > error(hold) for one in others)
-    nearest = min(others, key=error)
-    said = conclusion(described)
-    assert said.startswith("No predictor")
-    assert nearest.name in said
-    assert f"{100 * (nearest.time_averaged.of_hold - 1):.0f} % more" in said
+    found = conclusion(described)
+    assert (found.best, found.better) == (min(others, key=error), False)
+    assert words(described).startswith("No predictor")
+    assert f"{100 * (found.best.time_averaged.of_hold - 1):.0f} % more" in words(described)
 
 
 def test_a_predictor_fitted_to_these_people_does_not_win(make_score):
     described = summarise(make_score())
     by_name = {one.name: one for one in described.predictors}
-    assert conclusion(described).startswith("kinematic ")
+    assert conclusion(described).best.name == "kinematic"
     fitted = replace(by_name["kinematic"], seen=True)
     others = tuple(one for one in described.predictors if one.name != "kinematic")
     described = replace(described, predictors=(*others, fitted))
-    said = conclusion(described)
-    assert said.startswith(ranked(described).predictors[1].name)
-    assert "kinematic" in said.rpartition("fitted")[2]
-    alone = replace(described, predictors=(by_name["hold"], fitted))
-    assert conclusion(alone).startswith("kinematic ")
-    assert "fitted" in conclusion(alone)
+    found = conclusion(described)
+    assert found.best == ranked(described).predictors[1]
+    assert found.fitted == ("kinematic",)
+    assert "kinematic" in words(described).rpartition("fitted")[2]
+    alone = conclusion(replace(described, predictors=(by_name["hold"], fitted)))
+    assert (alone.best.name, alone.fitted) == ("kinematic", ("kinematic",))
 
 
 def test_one_trial_and_hold_alone_have_their_own_words(make_score):
     described = replace(summarise(make_score(names=("hold", "linear"))), trials=1, users=1)
     described = with_measure(described, interval=None)
-    assert "no interval" in conclusion(described)
-    assert "1 trial of one person" in conclusion(described)
-    assert "Only hold" in conclusion(summarise(make_score(names=("hold",))))
+    assert "(one trial has no interval), on 1 trial of one person." in words(described)
+    alone = summarise(make_score(names=("hold",)))
+    assert conclusion(alone).best is None
+    assert words(alone).startswith("Only hold")
+    still = with_measure(described, of_hold=None, interval=None)
+    assert "nothing can be compared" in words(still)
 
 
 def test_several_sets_are_listed_with_their_conclusions(make_score, tmp_path):

@@ -14,7 +14,7 @@ from pointpred.errors import ParameterError
 from pointpred.recording import Provenance, Recording, Trial
 from pointpred.report import write_report
 from pointpred.report.choice import compared, highlighted
-from pointpred.report.style import Picture, canvas, picture
+from pointpred.report.figures.style import Picture, canvas, picture
 from pointpred.scoring import score as run
 from pointpred.scoring.results import SetScore
 from pointpred.scoring.summary import summarise
@@ -40,7 +40,8 @@ class Page(HTMLParser):
         assert self.open.pop() == tag
 
     def handle_data(self, data):
-        self.words.append(data)
+        if data.strip():
+            self.words.append(data.strip())
 
     def of(self, tag):
         return [attrs for name, attrs in self.tags if name == tag]
@@ -117,7 +118,7 @@ def test_a_dollar_sign_in_a_name_is_drawn_as_one():
         axes.set_title("cost $a_b$ & <c>")
         svg = picture(figure, "a", "b").svg
     assert "cost $a_b$ &amp; &lt;c&gt;" in svg
-    assert 'alt="&lt;a&gt;"' in Picture(svg, "<a>", "b").html()
+    assert svg in base64.b64decode(Picture(svg, "a", "b").url.partition(",")[2]).decode()
 
 
 def test_the_numbers_are_those_of_the_summary(make_score, tmp_path):

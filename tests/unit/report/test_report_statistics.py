@@ -1,9 +1,11 @@
 import numpy as np
+import pytest
 
-from pointpred.report.statistics import anova_table, leads, sentences
+from pointpred.report import write_report
+from pointpred.report.statistics import ALPHA, leads, terms
 from pointpred.scoring.anova import Effect
 from pointpred.scoring.results import AXIS_FRACTIONS
-from pointpred.scoring.statistics import AxisProfile, box
+from pointpred.scoring.statistics import axis_anova
 
 
 def effect(f, p):
@@ -16,31 +18,38 @@ SERIES = tuple(
 )
 
 
-def test_the_words_name_the_significant_stretch_and_its_strongest_place():
-    (line,) = sentences(SERIES)
-    assert line.startswith(
-        "model: significant at 10% to 75% of the path, most at 10%: F(1, 9) = 38.81, p < 0.001"
-    )
-    assert "0.81" in line  # the effect size that the thesis prints for this F
+def test_a_term_names_its_significant_stretch_and_the_strongest_place_in_it():
+    (term,) = terms(SERIES)
+    assert term.name == "model"
+    assert term.significant == ((0.1, 0.75),)
+    assert (term.at, term.effect.f) == (0.1, 38.81)
+    assert term.effect.eta2 == pytest.approx(0.81, abs=0.005)  # which the thesis prints for this F
+    assert [one is not None and one.p_corrected < ALPHA for one in term.cells] == [True] * 4 + [False] * 3
 
 
-def test_the_words_say_where_nothing_is_significant():
-    (line,) = sentences(((effect(2.0, 0.19),),) * len(AXIS_FRACTIONS))
-    assert line.startswith("model: not significant anywhere")
-
-
-def test_only_significant_cells_are_bold():
-    page = anova_table("caption", SERIES)
-    assert page.count("<strong>38.81</strong>") == 4  # 10, 25, 50 and 75 %
-    assert page.count("<strong>") == 4
-
-
-def profile(name, means):
-    return AxisProfile(name, tuple(box(np.array([mean])) for mean in means))
+def test_without_a_significant_place_the_largest_f_is_named():
+    nowhere = [(effect(2.0, 0.19),)] * len(AXIS_FRACTIONS)
+    nowhere[4] = (effect(3.0, 0.1),)
+    (term,) = terms(nowhere)
+    assert (term.significant, term.at) == ((), AXIS_FRACTIONS[4])
 
 
 def test_who_leads_where():
-    rising = profile("a", AXIS_FRACTIONS)
-    level = profile("b", [0.52] * len(AXIS_FRACTIONS))
-    assert leads([rising, level]) == "Lowest MAE: a at 5% to 50%; b at 55% to 100% of the path."
-    assert leads([rising]) == "Lowest MAE: a at 5% to 100% of the path."
+    rising, level = np.array(AXIS_FRACTIONS), np.full(len(AXIS_FRACTIONS), 0.52)
+    assert leads({"a": rising, "b": level}) == (("a", ((0.05, 0.5),)), ("b", ((0.55, 1.0),)))
+    assert leads({"a": rising}) == (("a", ((0.05, 1.0),)),)
+
+
+def test_the_page_shows_the_analysis_and_only_significant_cells_are_bold(make_score, tmp_path):
+    score = make_score(names=("hold", "switched-printed", "kep-quadratic"))
+    write_report([score], tmp_path / "out.html")
+    page = (tmp_path / "out.html").read_text()
+    series = axis_anova(score, ("switched-printed", "kep-quadratic"))
+    for effects in (series.effects, series.effects_replaced):
+        for term in terms(effects):
+            for cell in term.cells:
+                shown = f"{cell.f:.2f}"
+                bold = f"<strong>{shown}</strong>" in page
+                assert bold == (cell.p_corrected < ALPHA), (term.name, cell)
+                assert shown in page
+    assert "p &lt; 0.001" in page

@@ -8,8 +8,8 @@ import pytest
 
 from pointpred.registry import REGISTRY
 from pointpred.report import write_report
-from pointpred.report.figures import cost, curves
-from pointpred.report.style import FAINT, STYLES, line_style
+from pointpred.report.figures.errors import cost, curves
+from pointpred.report.figures.style import FAINT, STYLES, line_style
 from pointpred.scoring.summary import summarise
 
 

@@ -6,17 +6,23 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.report.style import GREY, INK, PALETTE, Picture, canvas, picture
-from pointpred.scoring.results import WorstTrial, WorstTrials
+from pointpred.report.figures.style import GREY, INK, PALETTE, Picture, canvas, picture
+from pointpred.scoring.results import SetScore, WorstTrial
 
 MIDDLE = np.linspace(0.3, 0.85, 64)
 """The part of matplotlib's plasma that stands out from a light page and from a dark one."""
 
 
-def draw_worst(name: str, worst: WorstTrials, *, simulated: bool = False, unit: str = "px") -> Picture:
-    """A panel a trial: path, predicted endpoints coloured by time, true endpoint, target where known."""
+def draw_worst(score: SetScore) -> Picture | None:
+    """A panel a trial: path, predicted endpoints coloured by time, true endpoint, target where known.
+
+    ``None`` where no trials were kept.
+    """
+    worst, unit = score.worst, score.unit
+    if worst is None:
+        return None
     drawings = worst.trials
-    title = f"Worst trials of {worst.predictor}" + (" (simulated)" if simulated else "")
+    title = f"Worst trials of {worst.predictor}" + (" (simulated)" if score.simulated else "")
     rows = (len(drawings) + 1) // 2
     with canvas(rows, 2, width=8.0, height=0.9 + 3.0 * rows) as (figure, panels):
         colours = None
@@ -36,8 +42,8 @@ def draw_worst(name: str, worst: WorstTrials, *, simulated: bool = False, unit: 
         worst_of_all = max((drawing.error_px for drawing in drawings), default=0.0)
         return picture(
             figure,
-            f"{title} on {name}: paths with the predicted endpoints, panels: {len(drawings)}; largest error "
-            f"{worst_of_all:.3g} {unit}.",
+            f"{title} on {score.name}: paths with the predicted endpoints, panels: {len(drawings)}; "
+            f"largest error {worst_of_all:.3g} {unit}.",
             f"{title}, which has the lowest time-averaged error on this set, hold apart. Each dot is an "
             "endpoint it predicted, coloured by when. Above each panel: time-averaged error and distance. "
             f"Positions in {unit}, y down; predictions far outside the frame are not drawn.",

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pointpred.report.style import Picture, canvas, line_style, picture
+from pointpred.report.figures.style import Picture, canvas, line_style, picture
 from pointpred.scoring.results import AXIS_FRACTIONS
 from pointpred.scoring.statistics import AxisProfile, Box
 

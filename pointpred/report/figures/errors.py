@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.report.style import (
+from pointpred.report.figures.style import (
     FAINT,
     GREY,
     HOLD,

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from pointpred.report.figures import marked
-from pointpred.report.style import (
+from pointpred.report.figures.errors import marked
+from pointpred.report.figures.style import (
     GREY,
     MARKERS,
     PALETTE,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-import html
 import io
 import zlib
 from collections.abc import Iterator, Sequence
@@ -86,18 +85,10 @@ class Picture(msgspec.Struct, frozen=True):
     caption: str
     wide: bool = False
 
-    def html(self) -> str:
-        """The figure as HTML with nothing outside it."""
-        data = base64.b64encode(self.svg.encode()).decode()
-        kind = ' class="wide" tabindex="0"' if self.wide else ""
-        return (
-            f'<figure{kind}><img src="data:image/svg+xml;base64,{data}" alt="{_safe(self.alt)}">'
-            f"<figcaption>{_safe(self.caption)}</figcaption></figure>"
-        )
-
-
-def _safe(words: str) -> str:
-    return html.escape("".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in words))
+    @property
+    def url(self) -> str:
+        """The figure as a link that holds it."""
+        return f"data:image/svg+xml;base64,{base64.b64encode(self.svg.encode()).decode()}"
 
 
 @contextmanager
