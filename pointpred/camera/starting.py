@@ -7,6 +7,8 @@ the normal matrix is known and is taken out again.
 
 from __future__ import annotations
 
+from math import sqrt
+
 import numpy as np
 
 from pointpred.columns import FloatArray
@@ -53,7 +55,7 @@ def factor(matrix: FloatArray) -> bool:
             if i == j:
                 if not total > 1e-12 * own:
                     return False
-                matrix[i, i] = np.sqrt(total)
+                matrix[i, i] = sqrt(total)
             else:
                 matrix[i, j] = total / matrix[j, j]
     return True
@@ -75,6 +77,15 @@ def solved(matrix: FloatArray, vector: FloatArray) -> None:
 
 
 @law
+def six(memory: FloatArray, at: int) -> FloatArray:
+    """A copy of six numbers of the memory."""
+    numbers = np.empty(6)
+    for i in range(6):
+        numbers[i] = memory[at + i]
+    return numbers
+
+
+@law
 def start(memory: FloatArray, at: int, state: int, p: int, variance: float, share: float) -> bool:
     """Write (p, v) and its covariance now, if the depth is known to ``share`` of itself; else change nothing.
 
@@ -86,9 +97,9 @@ def start(memory: FloatArray, at: int, state: int, p: int, variance: float, shar
             matrix[i, j] = memory[at + NORMAL + 6 * i + j]
     if not factor(matrix):
         return False
-    first = memory[at + RIGHT : at + RIGHT + 6].copy()
+    first = six(memory, at + RIGHT)
     solved(matrix, first)
-    now = memory[at + FORCE : at + FORCE + 6].copy()
+    now = six(memory, at + FORCE)
     for i in range(6):
         for j in range(6):
             now[i] += memory[at + CARRY + 6 * i + j] * first[j]
@@ -97,7 +108,7 @@ def start(memory: FloatArray, at: int, state: int, p: int, variance: float, shar
         return False
     spread = np.empty((6, 6))  # rows: Phi N^-1, then times Phi'
     for i in range(6):
-        row = memory[at + CARRY + 6 * i : at + CARRY + 6 * i + 6].copy()
+        row = six(memory, at + CARRY + 6 * i)
         solved(matrix, row)
         for j in range(6):
             total = 0.0

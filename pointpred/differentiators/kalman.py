@@ -25,8 +25,7 @@ def settle_s(memory: FloatArray) -> float:
     """Time that the stationary filter takes at the mean rate so far: 4 / (q / (r T))^(1/6)."""
     intervals = max(memory[AT + sampling.SAMPLES] - 1.0, 1.0)
     period = (memory[AT + sampling.T] - memory[AT + sampling.SINCE]) / intervals
-    response_s: float = (memory[NOISE] * period / memory[JERK_DENSITY]) ** (1.0 / 6.0)
-    return SETTLED_RADIANS * response_s
+    return float(SETTLED_RADIANS * (memory[NOISE] * period / memory[JERK_DENSITY]) ** (1.0 / 6.0))
 
 
 @law

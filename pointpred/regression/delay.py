@@ -70,7 +70,7 @@ def find(memory: FloatArray, at: int, width: int, samples: int, t: float) -> tup
     low, high = 0, count - 1  # the sample `low` is not after t, the sample `high` is
     before, after = at + SAMPLES + oldest * size, last
     while high - low > 1:
-        middle = (low + high) >> 1
+        middle = (low + high) // 2
         row = oldest + middle
         if row >= samples:
             row -= samples

@@ -21,7 +21,8 @@ def _fraction(a: float, b: float, x: float) -> float:
     for m in range(1, TERMS):
         even = m * (b - m) * x / ((a + 2.0 * m - 1.0) * (a + 2.0 * m))
         odd = -(a + m) * (a + b + m) * x / ((a + 2.0 * m) * (a + 2.0 * m + 1.0))
-        for term in (even, odd):
+        for k in range(2):
+            term = even if k == 0 else odd
             d = 1.0 + term * d
             d = 1.0 / (d if abs(d) > SMALLEST else SMALLEST)
             c = 1.0 + term / c

@@ -94,7 +94,7 @@ def factors(table: FloatArray, share: FloatArray, which: int) -> FloatArray:
 @law
 def reaches(level: float, tail: FloatArray) -> FloatArray:
     """Squared Mahalanobis distance up to which a Student law's region of a level goes, for many tails."""
-    far = np.empty_like(tail)
+    far = np.empty(len(tail))
     for i in range(len(tail)):
         far[i] = reach(level, tail[i])
     return far

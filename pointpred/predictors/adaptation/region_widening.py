@@ -142,6 +142,12 @@ def surprise(memory: FloatArray, moment: int, x: float, y: float) -> float:
 
 
 @law
+def add(memory: FloatArray, slot: int, change: float) -> None:
+    """Change the logarithm of a squared radius, within its bounds."""
+    memory[slot] = min(max(memory[slot] + change, -FURTHEST), FURTHEST)
+
+
+@law
 def learn(memory: FloatArray, known: int, at: int, x: float, y: float, start: float, end: float) -> None:
     """Judge a movement from ``start`` to ``end`` in s, which ended at (x, y).
 
@@ -163,6 +169,5 @@ def learn(memory: FloatArray, known: int, at: int, x: float, y: float, start: fl
         for which in range(len(LEVELS)):
             missed = LEVELS[which] - 1.0 if stated <= LEVELS[which] else LEVELS[which]
             low = known + OFFSETS + len(LEVELS) * stage + which
-            for slot, weight in ((low, 1.0 - part), (low + len(LEVELS), part)):
-                changed = memory[slot] + step * weight * missed
-                memory[slot] = min(max(changed, -FURTHEST), FURTHEST)
+            add(memory, low, step * (1.0 - part) * missed)
+            add(memory, low + len(LEVELS), step * part * missed)

@@ -65,12 +65,14 @@ def first_zero(c0: float, c1: float, c2: float, c3: float, c4: float, far: float
     if not c0 > 0.0:
         return nan
     bend_1, bend_2 = bend(c2, c3, c4, far)
+    bounds = bend_1, bend_2, far
     left = 0.0
-    for bound in (bend_1, bend_2, far):
+    for i in range(3):
         # Between two bends the slope is monotone: it is zero at most once, and splits the interval in two.
-        turn = between(c1, 2.0 * c2, 3.0 * c3, 4.0 * c4, 0.0, left, bound)
-        for right in (turn, bound):
-            if value(c0, c1, c2, c3, c4, right) <= 0.0:
-                return between(c0, c1, c2, c3, c4, left, right)
-            left = right
+        turn = between(c1, 2.0 * c2, 3.0 * c3, 4.0 * c4, 0.0, left, bounds[i])
+        if value(c0, c1, c2, c3, c4, turn) <= 0.0:
+            return between(c0, c1, c2, c3, c4, left, turn)
+        if value(c0, c1, c2, c3, c4, bounds[i]) <= 0.0:
+            return between(c0, c1, c2, c3, c4, turn, bounds[i])
+        left = bounds[i]
     return nan
