@@ -39,23 +39,23 @@ def convert(
     return write_recordings(read_any(path_in, reading), path_out, replace=replace)
 
 
-def write_recordings(found: list[Recording], path_out: str | Path, *, replace: bool = True) -> Summary:
+def write_recordings(parts: list[Recording], path_out: str | Path, *, replace: bool = True) -> Summary:
     """Write recordings as ``convert`` does; raises what it raises."""
     out = Path(path_out)
-    several = len(found) > 1
-    names = file_names([recording.name for recording in found], out.name) if several else [out.name]
+    several = len(parts) > 1
+    names = file_names([recording.name for recording in parts], out.name) if several else [out.name]
     for name in names:
         (recordings.files_of if replace else recordings.check_free)(out.with_name(name))
     files: list[str] = []
     with together() as part:
-        for recording, name in zip(found, names, strict=True):
+        for recording, name in zip(parts, names, strict=True):
             if recording.trials:
                 files += map(str, recordings.write_parts(recording, out.with_name(name), part))
     return Summary(
         tuple(files),
-        sum(len(recording.trials) for recording in found),
-        len({(recording.name, trial.user) for recording in found for trial in recording.trials}),
-        sum(len(recording.events) for recording in found),
-        dict(Counter(skip.reason for recording in found for skip in recording.skipped)),
-        tuple(note for recording in found for note in recording.notes),
+        sum(len(recording.trials) for recording in parts),
+        len({(recording.name, trial.user) for recording in parts for trial in recording.trials}),
+        sum(len(recording.events) for recording in parts),
+        dict(Counter(skip.reason for recording in parts for skip in recording.skipped)),
+        tuple(note for recording in parts for note in recording.notes),
     )

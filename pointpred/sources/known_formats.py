@@ -132,8 +132,8 @@ def format_of(path: Path, reading: Reading = AS_IS) -> Format | None:
     if path.exists() and not path.is_file():
         raise RecordingError(f"{path}: no file that can be read twice (a pipe?); write it to a file first")
     head = head_of(path)
-    told = reading.columns is not None or reading.records is not None
-    formats = sorted(FORMATS, key=lambda form: not form.tabular) if told else FORMATS
+    as_table = reading.columns is not None or reading.records is not None
+    formats = sorted(FORMATS, key=lambda form: not form.tabular) if as_table else FORMATS
     return next(
         (form for form in formats if form.recognises(head) or form.recognises_further(path, head)), None
     )

@@ -49,7 +49,7 @@ def read_any(
     for a table whose columns are not certain, and ParameterError for a keyword out of its bounds.
     """
     path = Path(path)
-    told = {
+    unused = {
         "columns": None if columns is None else dict(columns),
         "time_unit": time_unit,
         "y_up": y_up,
@@ -57,10 +57,10 @@ def read_any(
         "records": records,
     }
     reading = msgspec.structs.replace(
-        reading, **{name: value for name, value in told.items() if value is not None}
+        reading, **{name: value for name, value in unused.items() if value is not None}
     )
-    found = _folder(path, reading, progress) if path.is_dir() else [_file(path, reading)]
-    return [described_readably(recording) for recording in found]
+    parts = _folder(path, reading, progress) if path.is_dir() else [_file(path, reading)]
+    return [described_readably(recording) for recording in parts]
 
 
 def _file(path: Path, reading: Reading) -> Recording:
@@ -87,8 +87,10 @@ def _read(form: Format, path: Path, reading: Reading) -> Recording:
     beside = recordings.trials_beside(path) if form.tabular and recordings.is_samples(path) else None
     if beside is not None:
         notes.append(f"{beside.name} is not read: with columns, the file is read as any table")
-    told = [] if form.tabular else _of_tables(reading, form)
-    notes += [f"{name} has no effect: {form.title} says it itself" for name in told if name not in form.takes]
+    unused = [] if form.tabular else _of_tables(reading, form)
+    notes += [
+        f"{name} has no effect: {form.title} says it itself" for name in unused if name not in form.takes
+    ]
     return msgspec.structs.replace(recording, notes=(*recording.notes, *notes)) if notes else recording
 
 
@@ -130,14 +132,14 @@ def _folder(path: Path, reading: Reading, progress: Progress | None) -> list[Rec
             notes.append(f"{label} is not read: {error}")
         except (RecordingError, MissingExtraError) as error:
             skipped.append(Skip(label, str(error)))
-    found = _distinct(own + [_joined(parts) for parts in foreign.values()])
-    if not found:
+    parts = _distinct(own + [_joined(parts) for parts in foreign.values()])
+    if not parts:
         reasons = [skip.reason for skip in skipped] + notes
         raise RecordingError("; ".join([f"{path}: no recording among {len(files)} files", *reasons[:3]]))
-    found[0] = msgspec.structs.replace(
-        found[0], skipped=(*found[0].skipped, *skipped), notes=(*found[0].notes, *notes)
+    parts[0] = msgspec.structs.replace(
+        parts[0], skipped=(*parts[0].skipped, *skipped), notes=(*parts[0].notes, *notes)
     )
-    return found
+    return parts
 
 
 def _labelled(recording: Recording, label: str) -> Recording:
@@ -145,10 +147,10 @@ def _labelled(recording: Recording, label: str) -> Recording:
     return msgspec.structs.replace(recording, notes=tuple(f"{label}: {note}" for note in recording.notes))
 
 
-def _distinct(found: list[Recording]) -> list[Recording]:
+def _distinct(parts: list[Recording]) -> list[Recording]:
     """The recordings with a number added to a name that has been taken."""
     taken: dict[str, Recording] = {}
-    for recording in found:
+    for recording in parts:
         name, count = recording.name, 1
         while name in taken:
             count += 1

@@ -103,14 +103,14 @@ def columns_of(text: str) -> dict[str, str | int]:
     >>> columns_of("t=time, ms,x=0")
     {'t': 'time, ms', 'x': '0'}
     """
-    found: dict[str, str | int] = {}
+    columns: dict[str, str | int] = {}
     for part in re.split(r",(?=\s*\w+=)", text):
         field, equals, column = part.strip().partition("=")
-        if not equals or field in found:
+        if not equals or field in columns:
             why = f"{field} is named twice" if equals else f"{part!r} has no ="
             raise ParameterError(f"columns must be like t=time,x=px,y=py: {why}")
-        found[field.strip()] = column.strip()
-    return found
+        columns[field.strip()] = column.strip()
+    return columns
 
 
 def _check_columns(columns: dict[str, str | int]) -> None:

@@ -27,13 +27,13 @@ BUTTON_WORDS = {*RELEASED, *PRESSED} - {"true", "false", "yes", "no", "none", "m
 """Words that say of a column called ``state`` that it is the buttons' state."""
 
 
-def buttons_of(path: Path, name: str, column: Any, told: bool) -> FloatArray | None:
+def buttons_of(path: Path, name: str, column: Any, explicit: bool) -> FloatArray | None:
     """Pressed buttons as W3C pointer events number them, 0 where a cell is empty.
 
     A column that was ``told`` must hold buttons, RecordingError says which cell does not; of one that bears a
     usual name the answer is ``None`` where it holds something else; ``state`` must hold words for buttons.
     """
-    if not told and words_of(name) in [[vague] for vague in VAGUE] and not _has_words(column):
+    if not explicit and words_of(name) in [[vague] for vague in VAGUE] and not _has_words(column):
         return None
     if pa.types.is_boolean(column.type) or not arrow_tables.is_words(column):
         values = np.nan_to_num(arrow_tables.numbers(column)[0])
@@ -47,7 +47,7 @@ def buttons_of(path: Path, name: str, column: Any, told: bool) -> FloatArray | N
         cell = cells[codes[bad[0]]] if len(bad) else ""
     if not len(bad):
         return values
-    if not told:
+    if not explicit:
         return None
     raise RecordingError(
         f"{path}: data row {bad[0]}: {name} is {arrow_tables.short(cell)!r}, expected buttons: "

@@ -22,10 +22,10 @@ def doubts(name: str, per_second: float, times: FloatArray, users: Any = None) -
     ``name`` of its column; ``per_second``: its units in a second; ``users``: the name of each row's user,
     as an Arrow array, ``None`` for one.
     """
-    asked = _odd(times, per_second) if users is None else ""
-    if asked:
-        return [f"the median interval of {name} is {asked}"]
-    odd = [(user, asked) for user, mine in _by_user(times, users) if (asked := _odd(mine, per_second))]
+    question = _odd(times, per_second) if users is None else ""
+    if question:
+        return [f"the median interval of {name} is {question}"]
+    odd = [(user, question) for user, mine in _by_user(times, users) if (question := _odd(mine, per_second))]
     if not odd:
         return []
     rest = f" (and {len(odd) - 1} more users)" if len(odd) > 1 else ""

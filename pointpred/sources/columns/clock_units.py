@@ -71,8 +71,8 @@ def units_by_rate(times: FloatArray) -> list[str]:
 
 def unit_by_size(numbers: FloatArray) -> str | None:
     """The unit under which times since 1970 lie between 2001 and 2096."""
-    known = numbers[np.isfinite(numbers)]
-    middle = float(np.median(known)) if len(known) else 0.0
+    finite = numbers[np.isfinite(numbers)]
+    middle = float(np.median(finite)) if len(finite) else 0.0
     return next((unit for unit in _UNITS if FIRST_S <= middle / PER_SECOND[unit] < LAST_S), None)
 
 

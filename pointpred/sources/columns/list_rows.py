@@ -53,7 +53,7 @@ def steps_of(column: Any) -> Any:
 def recording_of_lists(
     path: Path,
     columns: Column,
-    found: dict[str, str],
+    mapping: dict[str, str],
     others: Sequence[str],
     *,
     per_second: float,
@@ -67,16 +67,16 @@ def recording_of_lists(
     A row without a list is counted in a note, one whose lists differ in length is a skip. Samples before the
     first position, which some programs leave empty until the pointer moves, are left out and counted.
     """
-    cells = {field: columns(name).to_pylist() for field, name in found.items()}
+    cells = {field: columns(name).to_pylist() for field, name in mapping.items()}
     for field in TARGET:
         cells.setdefault(field, [UNKNOWN] * len(cells["t"]))
-    known = {name: columns(name).to_pylist() for name in others if not holds_lists(columns(name))}
+    conditions = {name: columns(name).to_pylist() for name in others if not holds_lists(columns(name))}
     lists = Lists(path)
     lists.skipped += skipped
     lists.notes += notes
-    if "user" not in found:
+    if "user" not in mapping:
         lists.notes.append(f"one user, {stem_of(path)!r}: no column for users")
-    if "trial" not in found:
+    if "trial" not in mapping:
         lists.notes.append("a trial a row, named after it: no column for trials")
     count = len(cells["t"])
     users = [_word(cell) or stem_of(path) for cell in cells.get("user", [None] * count)]
@@ -99,7 +99,7 @@ def recording_of_lists(
                 target_x=_number(cells["target_x"][row]) * gain[0],
                 target_y=_number(cells["target_y"][row]) * gain[1],
                 target_w=_number(cells["target_w"][row]) * gain[0],
-                condition=_condition({column: values[row] for column, values in known.items()}),
+                condition=_condition({column: values[row] for column, values in conditions.items()}),
             ),
             row,
             _from_first(series["t"]),
@@ -113,9 +113,9 @@ def recording_of_lists(
         lists.notes.append(f"samples before the first position left out: {before}")
     if empty:
         lists.notes.append(f"rows without lists of times and positions: {empty}")
-    left = [name for name in others if name not in known]
-    if left:
-        lists.notes.append(f"columns left aside, for they hold lists: {', '.join(left)}")
+    unread = [name for name in others if name not in conditions]
+    if unread:
+        lists.notes.append(f"columns left aside, for they hold lists: {', '.join(unread)}")
     return lists.recording(stem_of(path), provenance)
 
 
@@ -131,8 +131,8 @@ def _blank(series: dict[str, list[Any]]) -> int:
     xs, ys = series["x"], series["y"]
     if not len(series["t"]) == len(xs) == len(ys):
         return 0
-    held = (place for place, both in enumerate(zip(xs, ys, strict=True)) if both not in NOTHING)
-    return next(held, len(xs))
+    places = (place for place, both in enumerate(zip(xs, ys, strict=True)) if both not in NOTHING)
+    return next(places, len(xs))
 
 
 def _from_first(times: Sequence[Any]) -> Sequence[Any]:
@@ -165,10 +165,10 @@ def _number(cell: Any) -> float:
 
 def _condition(cells: dict[str, Any]) -> dict[str, str | float]:
     """The cells of other columns, numbers as numbers; what is empty or long is left out."""
-    known: dict[str, str | float] = {}
+    conditions: dict[str, str | float] = {}
     for name, cell in cells.items():
         word = _word(cell)
         number = _number(cell)
         if word and len(word) <= LONGEST_CONDITION:
-            known[condition_name(name)] = number if abs(number) < float("inf") else word
-    return known
+            conditions[condition_name(name)] = number if abs(number) < float("inf") else word
+    return conditions

@@ -36,20 +36,22 @@ def mapping(
     What ``reading`` does not name is taken by its usual name. Of several columns for user or trial that are
     the ``same`` (they part the rows alike), the first is taken.
     """
-    told = {field: _named(path, names, field, column) for field, column in (reading.columns or {}).items()}
-    twice = {name for name in told.values() if list(told.values()).count(name) > 1}
-    if twice:
-        name = min(twice)
-        said = f"the column {name!r} is named twice"
-        raise ColumnsError(f"{path}: {said}; name a column once", names, told, reason=said)
-    usual = _guess([name for name in names if name not in told.values()], names)
-    found = usual.columns | told
-    choices = {field: some for field, some in usual.choices.items() if field not in told}
+    explicit = {
+        field: _named(path, names, field, column) for field, column in (reading.columns or {}).items()
+    }
+    repeated = {name for name in explicit.values() if list(explicit.values()).count(name) > 1}
+    if repeated:
+        name = min(repeated)
+        reason = f"the column {name!r} is named twice"
+        raise ColumnsError(f"{path}: {reason}; name a column once", names, explicit, reason=reason)
+    usual = _guess([name for name in names if name not in explicit.values()], names)
+    mapped = usual.columns | explicit
+    choices = {field: some for field, some in usual.choices.items() if field not in explicit}
     for field in KEYS:
         if field in choices and same(choices[field]):
-            found[field] = choices.pop(field)[0]
-    best = {field: name for field, name in usual.best.items() if field not in told} | told
-    missing = [field for field in NEEDED if field not in found and field not in choices]
+            mapped[field] = choices.pop(field)[0]
+    best = {field: name for field, name in usual.best.items() if field not in explicit} | explicit
+    missing = [field for field in NEEDED if field not in mapped and field not in choices]
     if missing:
         raise _refusal(path, names, f"no column for {', '.join(missing)}", best, reading, cells)
     unclear = [
@@ -61,7 +63,7 @@ def mapping(
         f"{field} is not read: {' or '.join(some)} may be meant; name one with --columns {field}=..."
         for field, some in choices.items()
     ]
-    return {field: found[field] for field in FIELDS if field in found}, notes
+    return {field: mapped[field] for field in FIELDS if field in mapped}, notes
 
 
 def parts_of(path: Path, names: Sequence[str], reading: Reading) -> dict[str, list[str]]:
@@ -69,12 +71,12 @@ def parts_of(path: Path, names: Sequence[str], reading: Reading) -> dict[str, li
 
     A column whose own name is written so is no join. Raises ColumnsError for a part that is no column.
     """
-    told = (
+    explicit = (
         {str(reading.columns[key]): key for key in KEYS if key in reading.columns} if reading.columns else {}
     )
     return {
         name: [_named(path, names, key, part.strip()) for part in name.split(JOIN)]
-        for name, key in told.items()
+        for name, key in explicit.items()
         if JOIN in name and name not in names
     }
 
@@ -89,10 +91,12 @@ def unit_refusal(
 ) -> ColumnsError:
     """The refusal of a table whose clock may run in several ``units``, or in none that a device has."""
     why = f"may be {' or '.join(units)}" if units else "is not known"
-    told = columns if reading.columns else {}
-    asked = "; do its numbers count frames, not time?" if frames else ""
-    said = f"the unit of time (column {columns['t']!r}) {why}{asked}"
-    return ColumnsError(f"{path}: {said}; say it: {_command(path, told, units)}", names, columns, reason=said)
+    explicit = columns if reading.columns else {}
+    question = "; do its numbers count frames, not time?" if frames else ""
+    reason = f"the unit of time (column {columns['t']!r}) {why}{question}"
+    return ColumnsError(
+        f"{path}: {reason}; say it: {_command(path, explicit, units)}", names, columns, reason=reason
+    )
 
 
 def command_for(path: Path, columns: Mapping[str, str], time_unit: str | None = None) -> str:
@@ -128,8 +132,8 @@ def _named(path: Path, names: Sequence[str], field: str, column: str | int) -> s
     close = difflib.get_close_matches(wanted.lower(), [name.lower() for name in names], 1)
     nearest = [name for name in names if close and name.lower() == close[0]]
     hint = f"; did you mean {field}={nearest[0]}?" if nearest else ""
-    said = f"no column {wanted!r} for {field}"
-    raise ColumnsError(f"{path}: {said}; it {_has(names)}{hint}", names, reason=said)
+    reason = f"no column {wanted!r} for {field}"
+    raise ColumnsError(f"{path}: {reason}; it {_has(names)}{hint}", names, reason=reason)
 
 
 def _refusal(
@@ -140,17 +144,17 @@ def _refusal(
     if not likely and list(names[:3]) == ["0", "1", "2"]:  # no header
         likely = _by_place(names, cells)
     missing = {field: "COLUMN" for field in NEEDED if field not in likely}
-    told = reading.time_unit
-    fitting = _fitting(likely["t"], cells, told) if "t" in likely else [told] if told else None
+    explicit = reading.time_unit
+    fitting = _fitting(likely["t"], cells, explicit) if "t" in likely else [explicit] if explicit else None
     unit = fitting[0] if fitting and len(fitting) == 1 else None
     pairs = likely | missing
     command = command_for(path, pairs) if fitting is None else _command(path, pairs, fitting)
     return ColumnsError(f"{path}: {why}; it {_has(names)}; try: {command}", names, likely, unit, why)
 
 
-def _fitting(name: str, cells: Cells, told: str | None) -> Sequence[str] | None:
+def _fitting(name: str, cells: Cells, explicit: str | None) -> Sequence[str] | None:
     """The units that a column of times may have, none where they have to be asked for, ``None`` for words."""
-    units = units_of(name, cells(name), told)[0]
+    units = units_of(name, cells(name), explicit)[0]
     return units if units or is_numbers(cells(name)) else None
 
 

@@ -127,16 +127,16 @@ def guess(names: Sequence[str]) -> Guess:
 
 
 def _usual(names: Sequence[str]) -> Guess:
-    found: dict[str, list[str]] = {
+    matches: dict[str, list[str]] = {
         field: _in_order(names, words.split(), PIXELS) for field, words in USUAL.items()
     }
-    found["t"] = [name for name in names if _plain(name, frozenset()) in ("ms", "msec", "millis")]
-    found["t"] = _in_order(names, TIMES, frozenset(TIME_UNITS)) + found["t"]
+    matches["t"] = [name for name in names if _plain(name, frozenset()) in ("ms", "msec", "millis")]
+    matches["t"] = _in_order(names, TIMES, frozenset(TIME_UNITS)) + matches["t"]
     pairs = _pairs(names)
-    found["x"], found["y"] = [pair[0] for pair in pairs], [pair[1] for pair in pairs]
+    matches["x"], matches["y"] = [pair[0] for pair in pairs], [pair[1] for pair in pairs]
     return Guess(
-        {field: several[0] for field, several in found.items() if len(several) == 1},
-        {field: tuple(several) for field, several in found.items() if len(several) > 1},
+        {field: several[0] for field, several in matches.items() if len(several) == 1},
+        {field: tuple(several) for field, several in matches.items() if len(several) > 1},
     )
 
 
@@ -186,8 +186,8 @@ def _in_order(names: Sequence[str], usual: Sequence[str], units: frozenset[str])
 def _lone(names: Sequence[str]) -> dict[str, str]:
     """An x or a y that has no partner among the names, where there is only one."""
     ys = [word.replace("x", "y") for word in XS]
-    found = {"x": _in_order(names, XS, PIXELS), "y": _in_order(names, ys, PIXELS)}
-    return {field: some[0] for field, some in found.items() if len(some) == 1}
+    matches = {"x": _in_order(names, XS, PIXELS), "y": _in_order(names, ys, PIXELS)}
+    return {field: some[0] for field, some in matches.items() if len(some) == 1}
 
 
 def _pairs(names: Sequence[str]) -> list[tuple[str, str]]:

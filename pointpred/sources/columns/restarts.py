@@ -85,15 +85,15 @@ def _split(trials: Codes, runs: _Runs, clock: FloatArray, order: IntArray) -> tu
     total = np.cumsum(again)
     part = total - total[np.searchsorted(keys, keys)]
     code, names = trials[0].copy(), list(trials[1])
-    known: dict[tuple[int, int], int] = {}
+    codes: dict[tuple[int, int], int] = {}
     taken = set(names)
     for at in np.flatnonzero(part).tolist():
         rows = order[starts[at] : ends[at] + 1]
         which = (int(code[rows[0]]), int(part[at]))
-        if which not in known:
-            known[which] = len(names)
+        if which not in codes:
+            codes[which] = len(names)
             names.append(_free(f"{names[which[0]]} ({which[1] + 1})", taken))
-        code[rows] = known[which]
+        code[rows] = codes[which]
     note = f"trial numbers restart: {int(again.sum())} runs of rows are trials of their own, as 'trial (2)'"
     return (code, names), [note]
 

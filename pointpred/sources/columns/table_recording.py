@@ -76,7 +76,7 @@ class _MappedTable:
         self.path, self.table, self.reading = path, table, reading
         self.names = list(table.columns)
         self._arrays: dict[str, Any] = {}
-        self.found, self.notes = mapping(path, self.names, reading, self._same, self.column)
+        self.mapping, self.notes = mapping(path, self.names, reading, self._same, self.column)
         self._check_sure()
         across, down = gain_of(path, reading.unit or "pix", reading)
         down = -down if reading.y_up else down
@@ -90,7 +90,7 @@ class _MappedTable:
 
     def field(self, field: str) -> Any:
         """The column of a field as an Arrow array."""
-        return self.column(self.found[field])
+        return self.column(self.mapping[field])
 
     @property
     def count(self) -> int:
@@ -100,7 +100,7 @@ class _MappedTable:
     @property
     def others(self) -> list[str]:
         """The columns that are mapped to no field."""
-        return [name for name in self.names if name not in self.found.values()]
+        return [name for name in self.names if name not in self.mapping.values()]
 
     @property
     def holds_lists(self) -> bool:
@@ -110,21 +110,23 @@ class _MappedTable:
     def unit(self) -> tuple[str, str]:
         """The unit of time, and how it is known, as notes say it; raises ColumnsError where it is not."""
         column = self.field("t")
-        units, how = units_of(self.found["t"], column, self.reading.time_unit)
+        units, how = units_of(self.mapping["t"], column, self.reading.time_unit)
         if not units and not is_numbers(column) and not holds_lists(column):
             cell = next((str(cell) for cell in column.slice(0, HEAD).to_pylist() if cell is not None), "")
-            said = f"the cells of the column {self.found['t']!r} (t) are neither numbers nor dates and times"
+            reason = (
+                f"the cells of the column {self.mapping['t']!r} (t) are neither numbers nor dates and times"
+            )
             raise self.refusal(
-                said, f", such as {arrow_tables.short(cell)!r}; dates are written 2024-03-01T10:00:00.123"
+                reason, f", such as {arrow_tables.short(cell)!r}; dates are written 2024-03-01T10:00:00.123"
             )
         if len(units) != 1:
             frames = counts_frames(column)
-            raise unit_refusal(self.path, self.names, self.found, units, self.reading, frames)
+            raise unit_refusal(self.path, self.names, self.mapping, units, self.reading, frames)
         return units[0], how
 
-    def refusal(self, said: str, more: str = "") -> ColumnsError:
+    def refusal(self, reason: str, more: str = "") -> ColumnsError:
         """What to raise where the mapping does not fit the cells; ``more`` is no part of its reason."""
-        return ColumnsError(f"{self.path}: {said}{more}", self.names, self.found, reason=said)
+        return ColumnsError(f"{self.path}: {reason}{more}", self.names, self.mapping, reason=reason)
 
     def provenance(self, how: str) -> Provenance:
         """What the table and ``reading`` say about the samples."""
@@ -135,22 +137,22 @@ class _MappedTable:
             unit=f"units of {self.gains['x']:g} px" if converted else "px",
             origin="as in the file",
             y_axis="up" if reading.y_up else "down",
-            clock=f"column {self.found['t']}{how}",
+            clock=f"column {self.mapping['t']}{how}",
             dpi=reading.dpi,
             cpi=reading.cpi,
         )
 
     def all_notes(self, how: str) -> tuple[str, ...]:
         """The notes of the table, the mapping, and what was assumed."""
-        pairs = (f"{field} = {name}" + (how if field == "t" else "") for field, name in self.found.items())
+        pairs = (f"{field} = {name}" + (how if field == "t" else "") for field, name in self.mapping.items())
         return (*self.table.notes, "columns: " + ", ".join(pairs), *self.notes)
 
     def _check_sure(self) -> None:
         """Raise ColumnsError where a column of numbers may be read in two ways."""
         for field in (*NEEDED, *TARGET):
-            if why := self.table.unsure.get(self.found.get(field, "")):
+            if why := self.table.unsure.get(self.mapping.get(field, "")):
                 more = "; write numbers with a decimal point and without thousands separators"
-                raise self.refusal(f"the column {self.found[field]!r} ({field}): {why}", more)
+                raise self.refusal(f"the column {self.mapping[field]!r} ({field}): {why}", more)
 
     def _same(self, some: Sequence[str]) -> bool:
         """Whether columns part the rows alike."""
@@ -172,17 +174,17 @@ def _opened(path: Path, table: ColumnTable, reading: Reading) -> ColumnTable:
 
 def _of_lists(mapped: _MappedTable) -> Recording:
     """The recording in a table with a trial a row; raises ColumnsError."""
-    lacking = [mapped.found[field] for field in NEEDED if not holds_lists(mapped.field(field))]
+    lacking = [mapped.mapping[field] for field in NEEDED if not holds_lists(mapped.field(field))]
     if lacking:
         raise mapped.refusal(f"t, x and y must be lists alike; {', '.join(lacking)} holds none")
     if mapped.reading.cut is not None:
         mapped.notes.append(f"cut {mapped.reading.cut!r} has no effect: a row of the table is a trial")
     unit, how = mapped.unit()
-    mapped.notes += doubts(mapped.found["t"], time_units.PER_SECOND[unit], steps_of(mapped.field("t")))
+    mapped.notes += doubts(mapped.mapping["t"], time_units.PER_SECOND[unit], steps_of(mapped.field("t")))
     return recording_of_lists(
         mapped.path,
         mapped.column,
-        mapped.found,
+        mapped.mapping,
         mapped.others,
         per_second=time_units.PER_SECOND[unit],
         gain=(mapped.gains["x"], mapped.gains["y"]),
@@ -202,7 +204,7 @@ def _of_rows(mapped: _MappedTable) -> Recording:
     keys = {
         key: pc.utf8_trim_whitespace(arrow_tables.words(mapped.field(key)))
         for key in KEYS
-        if key in mapped.found
+        if key in mapped.mapping
     }
     _doubt_clock(mapped, rows, keys)
     return recording_of_rows(
@@ -221,7 +223,7 @@ def _read_clock(mapped: _MappedTable, rows: Rows) -> str:
     """Put the times into ``rows``; returns how their unit is known, as notes say it."""
     unit, how = mapped.unit()
     rows.values["t"], wrong = time_units.clock(mapped.field("t"), unit == "iso")
-    rows.blame("t", mapped.found["t"], wrong, "a date and time" if unit == "iso" else "a number")
+    rows.blame("t", mapped.mapping["t"], wrong, "a date and time" if unit == "iso" else "a number")
     rows.per_second = time_units.PER_SECOND[unit]
     return how
 
@@ -229,26 +231,26 @@ def _read_clock(mapped: _MappedTable, rows: Rows) -> str:
 def _read_numbers(mapped: _MappedTable, rows: Rows) -> None:
     """Put positions, counts and targets in px into ``rows``; raises ColumnsError where most are none."""
     for field in ("x", "y", "dx", "dy", *TARGET):
-        if field in mapped.found:
+        if field in mapped.mapping:
             numbers, wrong = arrow_tables.finite_numbers(mapped.field(field))
             with np.errstate(over="ignore"):  # what overflows is judged with its row
                 rows.values[field] = numbers * mapped.gains.get(field, 1.0) + 0.0  # no negative zero
             if field not in TARGET:
-                rows.blame(field, mapped.found[field], wrong, "a number")
+                rows.blame(field, mapped.mapping[field], wrong, "a number")
     for field in NEEDED:
         _check_numbers(mapped, field, rows.values[field])
 
 
 def _read_buttons(mapped: _MappedTable, rows: Rows) -> None:
     """Put the buttons into ``rows``; a column that holds none although it is called so is left aside."""
-    if "buttons" not in mapped.found:
+    if "buttons" not in mapped.mapping:
         return
-    name = mapped.found["buttons"]
-    told = "buttons" in (mapped.reading.columns or {})
-    pressed = buttons_of(mapped.path, name, mapped.field("buttons"), told)
+    name = mapped.mapping["buttons"]
+    explicit = "buttons" in (mapped.reading.columns or {})
+    pressed = buttons_of(mapped.path, name, mapped.field("buttons"), explicit)
     if pressed is None:
         mapped.notes.append(f"column {name} is left aside: its cells are not buttons")
-        del mapped.found["buttons"]
+        del mapped.mapping["buttons"]
     else:
         rows.values["buttons"] = pressed
 
@@ -275,7 +277,7 @@ def _check_numbers(mapped: _MappedTable, field: str, values: FloatArray) -> None
     cell = arrow_tables.short(str(mapped.field(field)[row].as_py()))
     kind = "number or possible date" if field == "t" else "number"
     raise mapped.refusal(
-        f"{len(bad)} of {len(values)} cells of the column {mapped.found[field]!r} ({field}) are no {kind}",
+        f"{len(bad)} of {len(values)} cells of the column {mapped.mapping[field]!r} ({field}) are no {kind}",
         f", such as {cell!r} in data row {row}: is it another column, or another unit of time?",
     )
 
@@ -285,12 +287,14 @@ def _doubt_clock(mapped: _MappedTable, rows: Rows, keys: Mapping[str, Any]) -> N
     times, users = rows.values["t"], keys.get("user")
     if "trial" not in keys:
         _check_clock(mapped, times, users)
-    mapped.notes += doubts(mapped.found["t"], rows.per_second, times, users)
+    mapped.notes += doubts(mapped.mapping["t"], rows.per_second, times, users)
     if only_whole_seconds(times, rows.per_second, users):
-        said = f"the time (column {mapped.found['t']!r}) has only whole seconds, with several rows in each"
+        reason = (
+            f"the time (column {mapped.mapping['t']!r}) has only whole seconds, with several rows in each"
+        )
         if "trial" not in keys:
-            raise mapped.refusal(said, ": too coarse to cut; is there another column of times?")
-        mapped.notes.append(f"{said}: a movement within one takes no time")
+            raise mapped.refusal(reason, ": too coarse to cut; is there another column of times?")
+        mapped.notes.append(f"{reason}: a movement within one takes no time")
 
 
 def _check_clock(mapped: _MappedTable, clock: FloatArray, users: Any) -> None:
@@ -300,10 +304,10 @@ def _check_clock(mapped: _MappedTable, clock: FloatArray, users: Any) -> None:
     steps = np.diff(clock[np.isfinite(clock)])
     back = int(np.count_nonzero(steps < 0))
     if back > max(OFTEN * len(steps), FEW):
-        rest = {field: name for field, name in mapped.found.items() if field != "t"}
+        rest = {field: name for field, name in mapped.mapping.items() if field != "t"}
         likely = near(mapped.others).get("t", "COLUMN")
         raise ColumnsError(
-            f"{mapped.path}: the time (column {mapped.found['t']!r}) goes backwards in {back} of "
+            f"{mapped.path}: the time (column {mapped.mapping['t']!r}) goes backwards in {back} of "
             f"{len(steps)} steps: does it hold intervals? try: "
             f"{command_for(mapped.path, rest | {'t': likely})}; where it is the time "
             "of each trial, name the column of the trials: --columns trial=...",

@@ -51,10 +51,10 @@ def clock(column: Any, iso: bool = False) -> tuple[FloatArray, dict[int, str]]:
 
 def _from_first(whole: Any) -> FloatArray:
     """Whole numbers as floats, from the first on where they are large."""
-    known = pc.drop_null(whole)
-    if not len(known):
+    valid = pc.drop_null(whole)
+    if not len(valid):
         return np.full(len(whole), np.nan)
-    first = known[0].as_py()
+    first = valid[0].as_py()
     if abs(first) > LONG:
         whole = pc.subtract(whole, pa.scalar(first, pa.int64()))
     return arrow_tables.float64(pc.cast(whole, pa.float64(), safe=False))
@@ -67,8 +67,8 @@ def _whole(column: Any) -> Any:
     if not arrow_tables.is_words(column):
         return None
     filled = pc.if_else(pc.equal(pc.utf8_trim_whitespace(column), ""), None, column)
-    known = pc.match_substring_regex(filled, WHOLE)
-    if not pc.all(known, min_count=0).as_py():
+    valid = pc.match_substring_regex(filled, WHOLE)
+    if not pc.all(valid, min_count=0).as_py():
         return None
     return pc.cast(pc.replace_substring_regex(filled, r"[\s+]", ""), pa.int64())
 

@@ -84,24 +84,26 @@ def recording_of_rows(
             groups.notes.append(f"cut {reading.cut!r} has no effect: the table has a column for trials")
     else:
         groups = _cut(rows, table, users, one_user, reading)
-    kept = np.flatnonzero(groups.group >= 0)
-    group, table = groups.group[kept], table[kept]
+    members = np.flatnonzero(groups.group >= 0)
+    group, table = groups.group[members], table[members]
     first = np.full(len(groups.keys), np.nan)
     first[group[::-1]] = table[::-1, 0]
     table[:, 0] = (table[:, 0] - first[group]) / rows.per_second
     sizes = len(groups.keys)
     targets = [
-        one_value(rows.values[field][kept], group, sizes) if field in rows.values else np.full(sizes, np.nan)
+        one_value(rows.values[field][members], group, sizes)
+        if field in rows.values
+        else np.full(sizes, np.nan)
         for field in TARGET
     ]
     unclear = [
         field
         for field, values in zip(TARGET, targets, strict=True)
-        if field in rows.values and _holds_more(rows.values[field][kept], group, values)
+        if field in rows.values and _holds_more(rows.values[field][members], group, values)
     ]
     if unclear:
         groups.notes.append(f"targets that vary within a trial are left unknown: {', '.join(unclear)}")
-    known, varying = conditions_of({name: (column, kept) for name, column in others.items()}, group, sizes)
+    known, varying = conditions_of({name: (column, members) for name, column in others.items()}, group, sizes)
     trials = [
         Trial(
             *key,
@@ -112,7 +114,8 @@ def recording_of_rows(
         )
         for index, key in enumerate(groups.keys)
     ]
-    left = [f"columns left aside, for they vary within a trial: {', '.join(varying)}"] if varying else []
+    if varying:
+        groups.notes.append(f"columns left aside, for they vary within a trial: {', '.join(varying)}")
     faulty = np.array(sorted(rows.faults), dtype=np.int64)
     faulty = faulty[groups.group[faulty] >= 0]
     return assemble(
@@ -123,12 +126,12 @@ def recording_of_rows(
         skipped=(*skipped, *groups.skipped),
         faults={
             int(at): rows.faults[int(row)]
-            for at, row in zip(np.searchsorted(kept, faulty), faulty, strict=True)
+            for at, row in zip(np.searchsorted(members, faulty), faulty, strict=True)
         },
         unfit=_bad_widths(targets[-1]),
         provenance=provenance,
-        row_of=rows.row_of[kept],
-        notes=(*notes, *groups.notes, *left),
+        row_of=rows.row_of[members],
+        notes=(*notes, *groups.notes),
     )
 
 
@@ -142,12 +145,12 @@ def _by_column(rows: Rows, users: Any, trials: Any, one_user: str, others: dict[
     named = np.array([bool(name.strip()) for name in trial_names] or [True])[trial_codes]
     if users is not None:
         named &= np.array([bool(name.strip()) for name in user_names] or [True])[user_codes]
-    kept = np.flatnonzero(named)
+    members = np.flatnonzero(named)
     group = np.full(rows.count, -1, dtype=np.int64)
-    group[kept], keys = keys_of((user_codes[kept], user_names), (trial_codes[kept], trial_names))
+    group[members], keys = keys_of((user_codes[members], user_names), (trial_codes[members], trial_names))
     notes = [] if users is not None else [f"one user, {one_user!r}: no column for users"]
     notes += restarts
-    out = rows.count - len(kept)
+    out = rows.count - len(members)
     if out:
         at = rows.row_of[np.flatnonzero(~named)[0]]
         notes.append(f"rows without user or trial left out: {out}, the first is data row {at}")

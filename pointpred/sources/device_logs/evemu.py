@@ -43,9 +43,9 @@ def _events(text: str, unreadable: Unreadable) -> Iterator[RawEvent]:
     for number, line in enumerate(text.splitlines(), 1):
         if not line.strip() or line[0] in OTHERS:
             continue
-        found = EVENT.match(line)
-        if not found:
+        match = EVENT.match(line)
+        if not match:
             unreadable.add("events that cannot be read", number, line)
             continue
-        seconds, micros, kind, code, value = found.groups()
+        seconds, micros, kind, code, value = match.groups()
         yield int(seconds) * 1_000_000 + int(micros), int(kind, 16), int(code, 16), int(value)

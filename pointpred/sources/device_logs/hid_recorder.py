@@ -89,9 +89,9 @@ def _number(path: Path, number: int, line: str) -> int:
 
 def _describe(path: Path, number: int, line: str, device: _Device) -> None:
     """Take a device's report descriptor; one that is no mouse's is remembered with the reason."""
-    found = BYTES.match(line)
-    data = bytes.fromhex(found.group(2)) if found else b""
-    if not found or int(found.group(1)) != len(data):
+    match = BYTES.match(line)
+    data = bytes.fromhex(match.group(2)) if match else b""
+    if not match or int(match.group(1)) != len(data):
         raise RecordingError(f"{path}: line {number}: {len(data)} bytes, expected as many as R: says")
     try:
         device.descriptor, device.why = parse_descriptor(data), ""
@@ -101,11 +101,11 @@ def _describe(path: Path, number: int, line: str, device: _Device) -> None:
 
 def _report(line: str, device: _Device, row: int) -> str:
     """Take one report of a device; returns why it cannot be read, in words, or nothing."""
-    found = REPORT.match(line)
-    if not found:
+    match = REPORT.match(line)
+    if not match:
         return "expected E: s.us, a size and its bytes"
-    data = bytes.fromhex(found.group(4))
-    if int(found.group(3)) != len(data):
+    data = bytes.fromhex(match.group(4))
+    if int(match.group(3)) != len(data):
         return "not as many bytes as they say"
     if device.descriptor is None:
         device.aside += 1
@@ -119,9 +119,9 @@ def _report(line: str, device: _Device, row: int) -> str:
         device.aside += 1
         return ""
     dx, dy, pressed, mask, _, _ = decoded
-    held = device.events[-1][3] if device.events else 0
-    time = int(found.group(1)) * 1_000_000 + int(found.group(2))
-    device.events.append((time, dx, dy, (held & ~mask) | pressed))
+    before = device.events[-1][3] if device.events else 0
+    time = int(match.group(1)) * 1_000_000 + int(match.group(2))
+    device.events.append((time, dx, dy, (before & ~mask) | pressed))
     device.rows.append(row)
     return ""
 

@@ -63,12 +63,12 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
 
 def _lines(file: Iterable[str]) -> Iterator[Line]:
     """The lines of the list under ``devices:``."""
-    device, listed = -1, False
+    device, in_devices = -1, False
     for number, line in enumerate(file, 1):
         if line[0] not in " #\n":
-            device += listed and line[0] == "-"
-            listed = line.startswith("devices:") or (listed and line[0] == "-")
-        if listed and device >= 0:
+            device += in_devices and line[0] == "-"
+            in_devices = line.startswith("devices:") or (in_devices and line[0] == "-")
+        if in_devices and device >= 0:
             yield device, number, line
 
 

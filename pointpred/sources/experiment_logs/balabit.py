@@ -63,9 +63,9 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     rows = np.flatnonzero(~wheel)
     place = np.cumsum(~wheel) - 1
     time = columns["client timestamp"][rows]
-    known = time[np.isfinite(time)]
+    finite = time[np.isfinite(time)]
     events = EventColumns.of(
-        (time - (known[0] if len(known) else 0.0)) * (1.0 if seconds else 0.001),
+        (time - (finite[0] if len(finite) else 0.0)) * (1.0 if seconds else 0.001),
         columns["x"][rows],
         columns["y"][rows],
         buttons=_held(button[rows], state[rows]),
@@ -94,10 +94,10 @@ def _codes(column: Any) -> Any:
 def _held(button: Any, state: Any) -> FloatArray:
     """The buttons pressed after each row, as in W3C pointer events."""
     rows = np.arange(len(state))
-    held = np.zeros(len(state))
+    buttons = np.zeros(len(state))
     for name, bit in BUTTONS.items():
         mine = button == name
         pressed = mine & ((state == "Pressed") | (state == "Drag"))
         last = np.maximum.accumulate(np.where(pressed | (mine & (state == "Released")), rows, -1))
-        held += bit * np.where(last >= 0, pressed[last], False)
-    return held
+        buttons += bit * np.where(last >= 0, pressed[last], False)
+    return buttons

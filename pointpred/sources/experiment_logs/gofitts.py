@@ -54,10 +54,10 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
         about = dict(zip(NAMES, key, strict=True))
         name = f"{about['Session']} {about['Block']} {about['Sequence']} {about['Trial']}"
         series = [[cell for cell in other[len(NAMES) + 1 :] if cell.strip()] for other in three]
-        known = lists.numbers([about[word] for word in NUMBERS], name, row)
-        if known is None:
+        values = lists.numbers([about[word] for word in NUMBERS], name, row)
+        if values is None:
             continue
-        numbers = dict(zip(NUMBERS, known.tolist(), strict=True))
+        numbers = dict(zip(NUMBERS, values.tolist(), strict=True))
         condition: dict[str, str | float] = {word: about[word] for word in WORDS}
         condition |= {word: numbers[word] for word in ("A", "from_x", "from_y")}
         trial = Trial(

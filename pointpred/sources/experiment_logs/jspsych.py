@@ -65,8 +65,10 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     lists = Lists(path)
     rows = list(_json(path, text, lists) if text.lstrip()[:1] in "[{" else _csv(path))
     tracked = [row for row in rows if row.cells.get(DATA) not in (None, "")]
-    conditions, left = row_conditions([row.cells for row in tracked], (DATA, TARGETS, "trial_index", *USERS))
-    seen: Counter[str] = Counter()
+    conditions, column_notes = row_conditions(
+        [row.cells for row in tracked], (DATA, TARGETS, "trial_index", *USERS)
+    )
+    matched: Counter[str] = Counter()
     unknown: Counter[str] = Counter()
     for row, condition in zip(tracked, conditions, strict=True):
         samples, targets = row.cells[DATA], row.cells.get(TARGETS) or {}
@@ -76,7 +78,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
         if not isinstance(targets, dict):
             lists.skip(Skip(row.name, f"{TARGETS} is no object", row.place))
             continue
-        seen.update(list(targets))
+        matched.update(list(targets))
         place, why = _target(targets, reading.target, samples)
         unknown[why] += 1
         lists.add(
@@ -90,7 +92,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
         )
     if len(tracked) < len(rows):
         lists.notes.append(f"{len(rows) - len(tracked)} of {len(rows)} rows track no mouse")
-    lists.notes += [*left, *_about_targets(seen, unknown, reading.target)]
+    lists.notes += [*column_notes, *_about_targets(matched, unknown, reading.target)]
     provenance = Provenance(
         "jspsych",
         origin="top left of the page's visible area",
@@ -178,12 +180,14 @@ def _target(targets: Cells, selector: str | None, samples: list[Cells]) -> tuple
     return (x + width / 2, y + height / 2, min(width, height)), ""
 
 
-def _about_targets(seen: Counter[str], unknown: Counter[str], selector: str | None) -> list[str]:
+def _about_targets(matched: Counter[str], unknown: Counter[str], selector: str | None) -> list[str]:
     """Notes on the selectors of a file, and on the trials whose target stays unknown."""
-    named = ", ".join(f"{name} ({count})" for name, count in seen.most_common(SHOWN))
-    named += f" and {len(seen) - SHOWN} more" if len(seen) > SHOWN else ""
+    named = ", ".join(f"{name} ({count})" for name, count in matched.most_common(SHOWN))
+    named += f" and {len(matched) - SHOWN} more" if len(matched) > SHOWN else ""
     if selector is None:
-        return [f"targets are unknown; selectors (trials): {named}; name one with --target"] if seen else []
+        return (
+            [f"targets are unknown; selectors (trials): {named}; name one with --target"] if matched else []
+        )
     reasons = {
         "absent": f"they have no {selector} (selectors: {named or 'none'})",
         "no rectangle": f"{selector} is no rectangle with an area",
@@ -198,8 +202,8 @@ def _about_targets(seen: Counter[str], unknown: Counter[str], selector: str | No
 
 def _held(events: list[Any]) -> list[float]:
     """1.0 from a mousedown up to before the mouseup."""
-    held, answer = 0.0, []
+    pressed, answer = 0.0, []
     for event in events:
-        held = {"mousedown": 1.0, "mouseup": 0.0}.get(str(event), held)
-        answer.append(held)
+        pressed = {"mousedown": 1.0, "mouseup": 0.0}.get(str(event), pressed)
+        answer.append(pressed)
     return answer

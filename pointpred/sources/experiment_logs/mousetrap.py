@@ -40,7 +40,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     rows = table.to_pylist()
     users, column, notes = people_of(path, rows, USERS)
     aside: set[str | None] = {*required, "item"}
-    conditions, left = row_conditions(rows, aside | {column})
+    conditions, column_notes = row_conditions(rows, aside | {column})
     lists = Lists(path)
     empty = 0
     for row, (cells, user, condition) in enumerate(zip(rows, users, conditions, strict=True)):
@@ -57,7 +57,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
                 lists.add(about, row, t, x, y, scale=0.001)
     if empty:
         lists.notes.append(f"{empty} cells hold no track")
-    lists.notes += [*notes, *left]
+    lists.notes += [*notes, *column_notes]
     provenance = Provenance(
         "mousetrap", origin="centre of the screen", clock="the experiment's clock, ms", dpi=reading.dpi
     )

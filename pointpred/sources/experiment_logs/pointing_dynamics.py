@@ -62,7 +62,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
         )
         for index, row in enumerate(begins.tolist())
     ]
-    left = [name for name in names if name not in NEEDED]
+    unread = [name for name in names if name not in NEEDED]
     return assemble(
         stem_of(path),
         events,
@@ -72,5 +72,5 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
         provenance=Provenance(
             "pointing-dynamics", "m", "the axis' zero", "one axis", "the experiment's clock, s", reading.dpi
         ),
-        notes=[f"columns left aside: {', '.join(left)}"] if left else [],
+        notes=[f"columns left aside: {', '.join(unread)}"] if unread else [],
     )

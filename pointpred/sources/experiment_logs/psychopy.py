@@ -48,12 +48,12 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     arrow_tables.need_columns(path, names, [f"{mouse}.time" for mouse in mice or ["mouse"]], names)
     rows = table.to_pylist()
     lists = Lists(path)
-    unit, said = unit_of(rows, reading)
+    unit, unit_notes = unit_of(rows, reading)
     gain = gain_of(path, unit or "pix", reading)
     users, column, more = people_of(path, rows, USERS)
     own = tuple(f"{mouse}." for mouse in mice)
     aside: set[str | None] = {name for name in names if name.startswith(own)}
-    conditions, left = row_conditions(rows, aside | {column, "mouse"})
+    conditions, column_notes = row_conditions(rows, aside | {column, "mouse"})
     empty = 0
     for row, (cells, user, condition) in enumerate(zip(rows, users, conditions, strict=True)):
         for mouse in mice:
@@ -62,20 +62,20 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
             if not (t or x or y):
                 empty += 1
                 continue
-            held = _held(cells, mouse, len(t))
-            if held is None:
+            buttons = _held(cells, mouse, len(t))
+            if buttons is None:
                 lists.skip(Skip(trial, "buttons are not 0 or 1 for each time", row))
                 continue
-            if _are_clicks(t, held):
+            if _are_clicks(t, buttons):
                 lists.skip(Skip(trial, CLICKS_ONLY, row, user))
                 continue
             about = Trial(user, trial, condition=condition | {"mouse": mouse})
-            lists.add(about, row, t, x, y, held, scale=1.0, gain=(gain[0], -gain[1]))
+            lists.add(about, row, t, x, y, buttons, scale=1.0, gain=(gain[0], -gain[1]))
     if empty:
         lists.notes.append(f"{empty} cells hold no track")
     if unit is None and reading.px_per_unit is None:
-        said = check_pixels(path, [part[:, 1:3] for part in lists.tables])
-    lists.notes += [*more, *said, *left]
+        unit_notes = check_pixels(path, [part[:, 1:3] for part in lists.tables])
+    lists.notes += [*more, *unit_notes, *column_notes]
     provenance = Provenance(
         "psychopy",
         unit="px" if unit == "pix" else unit or ("px" if reading.px_per_unit is None else "told"),
@@ -107,20 +107,20 @@ def _mice(names: Sequence[str]) -> list[str]:
 
 def _held(cells: dict[str, Any], mouse: str, count: int) -> list[float] | None:
     """The buttons of each sample as in W3C pointer events; ``None`` where they do not fit the times."""
-    held = [0.0] * count
+    buttons = [0.0] * count
     for name, bit in BUTTONS.items():
         pressed = split(cells.get(f"{mouse}.{name}Button"))
         if not pressed:
             continue
         if len(pressed) != count or any(word not in ("0", "1") for word in pressed):
             return None
-        held = [sum_ + bit * int(word) for sum_, word in zip(held, pressed, strict=True)]
-    return held
+        buttons = [sum_ + bit * int(word) for sum_, word in zip(buttons, pressed, strict=True)]
+    return buttons
 
 
-def _are_clicks(t: Sequence[str], held: Sequence[float]) -> bool:
+def _are_clicks(t: Sequence[str], buttons: Sequence[float]) -> bool:
     """Whether the samples of a trial are clicks alone: a button is held in each, and they are far apart."""
-    if not held or not all(held):
+    if not buttons or not all(buttons):
         return False
     try:
         intervals = np.diff([float(cell) for cell in t])

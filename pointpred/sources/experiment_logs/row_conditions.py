@@ -29,20 +29,20 @@ def row_conditions(
     ([{'block': 1.0, 'cue': 'left'}, {'block': 2.0}], [])
     """
     columns = {name: [row.get(name) for row in rows] for row in rows for name in row if name not in aside}
-    held = {name: cells for name, cells in columns.items() if not all(map(_empty, cells))}
-    fitting = [name for name, cells in held.items() if _fits(name) and all(map(_short, cells))]
-    fitting.sort(key=lambda name: len({str(cell) for cell in held[name]}) == 1)
-    kept = set(fitting[:MOST])
-    known: list[dict[str, str | float]] = [{} for _ in rows]
-    for name in [name for name in held if name in kept]:
-        numbers = [_number(cell) for cell in held[name] if not _empty(cell)]
-        for row, cell in zip(known, held[name], strict=True):
+    filled = {name: cells for name, cells in columns.items() if not all(map(_empty, cells))}
+    fitting = [name for name, cells in filled.items() if _fits(name) and all(map(_short, cells))]
+    fitting.sort(key=lambda name: len({str(cell) for cell in filled[name]}) == 1)
+    taken = set(fitting[:MOST])
+    conditions: list[dict[str, str | float]] = [{} for _ in rows]
+    for name in [name for name in filled if name in taken]:
+        numbers = [_number(cell) for cell in filled[name] if not _empty(cell)]
+        for row, cell in zip(conditions, filled[name], strict=True):
             if not _empty(cell):
                 number = _number(cell)
                 row[name] = str(cell) if number is None or None in numbers else number
-    left = [name for name in held if name not in kept]
-    more = f" and {len(left) - SHOWN} more" if len(left) > SHOWN else ""
-    return known, [f"columns left aside: {', '.join(left[:SHOWN])}{more}"] if left else []
+    skipped = [name for name in filled if name not in taken]
+    more = f" and {len(skipped) - SHOWN} more" if len(skipped) > SHOWN else ""
+    return conditions, [f"columns left aside: {', '.join(skipped[:SHOWN])}{more}"] if skipped else []
 
 
 def people_of(

@@ -79,8 +79,8 @@ def encoding_of(path: Path) -> Encoding:
                 raise _binary(path, place + zero, "is 0")
             if odd < 0:
                 odd = _odd(decoder, block, place)
-            if control < 0 and _has(block, CONTROL_BYTES) and (found := CONTROLS.search(block)):
-                control = place + found.start()
+            if control < 0 and _has(block, CONTROL_BYTES) and (match := CONTROLS.search(block)):
+                control = place + match.start()
             undefined = undefined or _has(block, UNDEFINED_BYTES)
             returns, feeds = returns or b"\r" in block, feeds or b"\n" in block
             place += len(block)

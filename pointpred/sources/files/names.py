@@ -52,14 +52,14 @@ def file_names(names: Sequence[str], ending: str) -> list[str]:
     >>> file_names(["study", "lab/a", "lab:a"], "all.csv")
     ['study_all.csv', 'lab_a_all.csv', 'lab_a_2_all.csv']
     """
-    found: dict[str, str] = {}
+    taken: dict[str, str] = {}
     for name in names:
         plain = re.sub(r"[^\w.,+ -]+", "_", readable(name)).strip(". ")
         plain = RESERVED.sub(r"\1_", plain)
         plain = plain.encode()[:LONGEST_BYTES].decode(errors="ignore") or "recording"
         chosen, count = f"{plain}_{ending}", 1
-        while chosen.lower() in found:
+        while chosen.lower() in taken:
             count += 1
             chosen = f"{plain}_{count}_{ending}"
-        found[chosen.lower()] = chosen
-    return list(found.values())
+        taken[chosen.lower()] = chosen
+    return list(taken.values())

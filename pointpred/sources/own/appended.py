@@ -73,21 +73,21 @@ def read(path: Path, trials: Path | None, reading: Reading = AS_IS) -> Recording
     encoded = marks.dictionary_encode()
     group = arrow_tables.as_array(pc.fill_null(encoded.indices, -1)).astype(np.int64)
     names = encoded.dictionary.to_pylist()
-    described, unfit, without, more = _described(trials, user, names)
+    described, unfit, empty, more = _described(trials, user, names)
     sizes = np.bincount(group[group >= 0], minlength=len(names)).tolist()
     for index, size in enumerate(sizes):
-        said = unfit.pop(index, size)
-        if said is None:
+        expected = unfit.pop(index, size)
+        if expected is None:
             unfit[index] = UNFINISHED
-        elif said != size:
-            unfit[index] = f"{size} samples, expected {said:g} as the trials file says"
+        elif expected != size:
+            unfit[index] = f"{size} samples, expected {expected:g} as the trials file says"
     rows = np.flatnonzero(group >= 0)
     return assemble(
         name,
         events[rows],
         group[rows],
         described,
-        skipped=(*_outside(group), *without),
+        skipped=(*_outside(group), *empty),
         unfit={index: str(reason) for index, reason in unfit.items()},
         provenance=provenance,
         notes=(*notes, *more),
@@ -131,11 +131,13 @@ def _described(
     counts = arrow_tables.numbers(table["n_samples"])[0].tolist()
     if table["trial"].null_count:
         raise RecordingError(f"{path}: row {pc.index(pc.is_null(table['trial']), True)} names no trial")
-    known = dict(zip(table["trial"].to_pylist(), zip(targets, counts, strict=True), strict=True))
-    trials = [Trial(user, name, *known[name][0]) if name in known else Trial(user, name) for name in names]
-    sizes = {index: known[name][1] if name in known else None for index, name in enumerate(names)}
-    without = [Skip(name, "no samples", user=user) for name in known if name not in set(names)]
-    return trials, sizes, without, notes
+    by_name = dict(zip(table["trial"].to_pylist(), zip(targets, counts, strict=True), strict=True))
+    trials = [
+        Trial(user, name, *by_name[name][0]) if name in by_name else Trial(user, name) for name in names
+    ]
+    sizes = {index: by_name[name][1] if name in by_name else None for index, name in enumerate(names)}
+    empty = [Skip(name, "no samples", user=user) for name in by_name if name not in set(names)]
+    return trials, sizes, empty, notes
 
 
 def _outside(group: IntArray) -> list[Skip]:

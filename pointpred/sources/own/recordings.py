@@ -183,8 +183,8 @@ def is_samples(path: Path) -> bool:
 def trials_beside(path: Path) -> Path | None:
     """The trials file beside a samples file, where there is one."""
     stem = stem_of(path).removesuffix(SAMPLES)
-    found = [path.with_name(f"{stem}{TRIALS}{end}") for end in (path.suffix, *READ)]
-    return next((file for file in found if file.exists() and file != path), None)
+    names_there = [path.with_name(f"{stem}{TRIALS}{end}") for end in (path.suffix, *READ)]
+    return next((file for file in names_there if file.exists() and file != path), None)
 
 
 def _dataset(path: Path, table: Any) -> str:
@@ -192,14 +192,14 @@ def _dataset(path: Path, table: Any) -> str:
     if "dataset" not in table.column_names or not table.num_rows:
         return stem_of(path).removesuffix(SAMPLES)
     column = arrow_tables.words(table["dataset"])
-    found = pc.unique(column).to_pylist()
-    if len(found) > 1 or found[0] is None:
-        row = column.to_pylist().index(found[min(1, len(found) - 1)])
+    names_there = pc.unique(column).to_pylist()
+    if len(names_there) > 1 or names_there[0] is None:
+        row = column.to_pylist().index(names_there[min(1, len(names_there) - 1)])
         raise RecordingError(
             f"{path}: {row_name(row)} belongs to data set {column[row].as_py()!r}, "
-            f"expected {found[0]!r} in every row"
+            f"expected {names_there[0]!r} in every row"
         )
-    return str(found[0])
+    return str(names_there[0])
 
 
 def _keys(path: Path, table: Any) -> tuple[IntArray, list[tuple[str, str]]]:

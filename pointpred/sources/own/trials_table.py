@@ -170,17 +170,17 @@ def _flags(column: Any) -> tuple[Any, dict[int, str]]:
 def _trial(key: tuple[str, str], columns: dict[str, list[Any]], conditions: Sequence[str], row: int) -> Trial:
     """One row as a trial; empty cells are unknown."""
     targets = {name: columns[name][row] for name in TARGET if name in columns}
-    known = {name: value for name, value in targets.items() if value is not None}
+    target = {name: value for name, value in targets.items() if value is not None}
     clean = columns["clean"][row] if "clean" in columns else None
     condition = {name: columns[name][row] for name in conditions if columns[name][row] is not None}
-    return Trial(*key, **known, clean=None if clean is None else bool(clean), condition=condition)
+    return Trial(*key, **target, clean=None if clean is None else bool(clean), condition=condition)
 
 
 def _contradiction(columns: dict[str, list[Any]], row: int, size: int) -> str:
     """Why a trial's description cannot be true of its samples; empty where it can."""
-    said = columns["n_samples"][row] if "n_samples" in columns else None
-    if said is not None and said != size:
-        return f"{size} samples, expected {said:g} as the trials file says"
+    count = columns["n_samples"][row] if "n_samples" in columns else None
+    if count is not None and count != size:
+        return f"{size} samples, expected {count:g} as the trials file says"
     for name in TARGET:
         value = columns[name][row] if name in columns else None
         if value is not None and (not np.isfinite(value) or (name == "target_w" and value <= 0)):

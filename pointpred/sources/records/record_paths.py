@@ -95,8 +95,8 @@ def _table_at(document: Any, wanted: str | None, title: str) -> ColumnTable:
     notes = [f"records: {_rows(table)} {f'at {label}' if label else 'of the whole file'}"]
     if others:
         notes.append(f"other lists of records left aside: {_listed(others)}")
-    if table.left:
-        names = list(dict.fromkeys(left.name for left in table.left))
+    if table.deep_fields:
+        names = list(dict.fromkeys(field.name for field in table.deep_fields))
         notes.append(f"fields too deep for a cell left aside: {', '.join(names[:MOST_SHOWN])}")
     return ColumnTable(dict(table.columns), title, tuple(notes))
 
@@ -154,9 +154,9 @@ def _collect(branch: Branch, tables: Tables) -> None:
     table = _table(branch)
     if table is not None:
         tables.setdefault(branch.label, RecordTable()).append(table, branch.beside)
-        for left in table.left:
-            row = branch.item(left.row, left.whole) if isinstance(value, list) else branch
-            _collect(row.child(left.name, left.value), tables)
+        for field in table.deep_fields:
+            row = branch.item(field.row, field.whole) if isinstance(value, list) else branch
+            _collect(row.child(field.name, field.value), tables)
     elif isinstance(value, list) or (isinstance(value, dict) and _are_alike(value)):
         for item in branch.each():
             _collect(item, tables)

@@ -25,7 +25,7 @@ NUMBERS = {int, float, bool, NoneType}
 SCALARS = NUMBERS | {str}
 
 
-class Left(msgspec.Struct, frozen=True):
+class DeepField(msgspec.Struct, frozen=True):
     """A field too deep for a cell: the number and the value of its row, its name there, its own value."""
 
     row: int
@@ -43,7 +43,7 @@ class RecordTable:
     def __init__(self) -> None:
         self.columns: dict[str, list[Any]] = {}
         self.rows = 0
-        self.left: list[Left] = []
+        self.deep_fields: list[DeepField] = []
         self._own = 0
 
     def add(self, row: dict[str, Any]) -> None:
@@ -77,7 +77,7 @@ class RecordTable:
             self.columns[name] += cells
         self._own = max(self._own, other.own)
         self.rows += other.rows
-        self.left += other.left
+        self.deep_fields += other.deep_fields
         self._check()
         self.finish()
 
@@ -122,7 +122,7 @@ def records(rows: Sequence[dict[str, Any] | None]) -> RecordTable:
     for at, row in enumerate(rows):
         if row is not None:
             cells, deep = flatten(row)
-            table.left += [Left(at, row, name, value) for name, value in deep.items()]
+            table.deep_fields += [DeepField(at, row, name, value) for name, value in deep.items()]
             table.add(cells)
     _spread(table.finish())
     return table
@@ -196,7 +196,7 @@ def list_cell(values: Sequence[Any]) -> Any:
 def _points(values: list[Any]) -> RecordTable | None:
     """A list of points, objects or arrays, as columns; ``None`` where an item holds more than a point."""
     table = table_of(values)
-    if table is None or table.left:
+    if table is None or table.deep_fields:
         return None
     nested = any(type(cell) is list for cell in chain.from_iterable(table.columns.values()))
     return None if nested else table
@@ -219,8 +219,8 @@ def by_position(rows: list[list[Any]], names: Sequence[str] | None = None) -> Re
             table.rows = width
             return table
         return None
-    given = names or ()
-    titles = distinct_names([*given, *map(str, range(len(given), width))])
+    names_there = names or ()
+    titles = distinct_names([*names_there, *map(str, range(len(names_there), width))])
     for row in rows:
         table.add(dict(zip(titles, row, strict=False)))
     return table.finish()
@@ -250,8 +250,10 @@ def _of_lists(value: dict[str, Any]) -> RecordTable | None:
     table.columns = {name: inner for name, inner in columns.items() if len(inner) == rows}
     table.rows = rows
     _spread(table)
-    table.left = [Left(0, value, name, inner) for name, inner in deep.items()]
-    table.left += [Left(0, value, name, inner) for name, inner in columns.items() if len(inner) != rows]
+    table.deep_fields = [DeepField(0, value, name, inner) for name, inner in deep.items()]
+    table.deep_fields += [
+        DeepField(0, value, name, inner) for name, inner in columns.items() if len(inner) != rows
+    ]
     answer = RecordTable()
     answer.append(table, constants)
     return answer

@@ -96,15 +96,15 @@ def _body(text: bytes, layout: Layout) -> tuple[bytes, int]:
     """The rows alone, with one blank between cells where blanks separate them; the number of comments."""
     place = 0
     for _ in range(layout.first):
-        found = LINE.search(text, place)
-        place = len(text) if found is None else found.end()
+        match = LINE.search(text, place)
+        place = len(text) if match is None else match.end()
     body = text[place:]
     comments = 0
 
-    def kept(found: re.Match[bytes]) -> bytes:
+    def kept(match: re.Match[bytes]) -> bytes:
         nonlocal comments
-        if is_row(found[0].decode("utf-8", "replace"), layout.separator, layout.width):
-            return found[0]
+        if is_row(match[0].decode("utf-8", "replace"), layout.separator, layout.width):
+            return match[0]
         comments += 1
         return b""
 

@@ -46,9 +46,9 @@ class Layout(msgspec.Struct, frozen=True):
     @property
     def columns(self) -> list[str]:
         """A name for each column, none twice: its place from 0 where it has none."""
-        given = [name.strip() for name in self.names or ()]
+        names = [name.strip() for name in self.names or ()]
         return distinct_names(
-            [name or str(place) for place, name in enumerate(given + [""] * (self.width - len(given)))]
+            [name or str(place) for place, name in enumerate(names + [""] * (self.width - len(names)))]
         )
 
 
@@ -75,9 +75,9 @@ def layout_of(text: str) -> Layout | None:
     for separator in candidates:
         if separator not in outside:
             continue  # what stands inside quotes separates no cells
-        found = _by(separator, numbered, comments)
-        if found is not None:
-            return _from_hash(found, lines)
+        layout = _by(separator, numbered, comments)
+        if layout is not None:
+            return _from_hash(layout, lines)
     return None
 
 

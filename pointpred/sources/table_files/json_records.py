@@ -78,9 +78,9 @@ def _whole(digits: str) -> int | str:
     return int(digits) if len(digits) <= MOST_DIGITS else digits
 
 
-def _paired(found: re.Match[str]) -> str:
+def _paired(match: re.Match[str]) -> str:
     """Half a surrogate pair is no character: a replacement mark stands for it."""
-    return found[0] if len(found[0]) > 6 else "\\ufffd"
+    return match[0] if len(match[0]) > 6 else "\\ufffd"
 
 
 def _reason(error: ValueError) -> str:

@@ -40,7 +40,7 @@ def variables_of(data: bytes) -> dict[str, Any]:
     if len(data) < HEADER_BYTES:
         raise RecordingError("cut within its header")
     order = ">" if data[HEADER_BYTES - 2 : HEADER_BYTES] == b"MI" else "<"
-    found: dict[str, Any] = {}
+    variables: dict[str, Any] = {}
     size = 0
     for kind, content in Elements(data[HEADER_BYTES:], order, padded=False):
         inner = content
@@ -54,8 +54,8 @@ def variables_of(data: bytes) -> dict[str, Any]:
         for part, matrix in Elements(inner, order) if kind == COMPRESSED else [(kind, content)]:
             if part == MATRIX:
                 name, value = _matrix(matrix, order, 0)
-                found[name] = value
-    return found
+                variables[name] = value
+    return variables
 
 
 class Elements:

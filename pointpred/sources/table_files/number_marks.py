@@ -150,8 +150,8 @@ def _cell(column: Any, pattern: str, unlike: str | None = None) -> str:
 
 
 def _any(column: Any, pattern: str, *, plain: bool = False) -> bool:
-    found = pc.match_substring(column, pattern) if plain else _match(column, pattern)
-    return bool(pc.any(found, min_count=0).as_py())
+    matches = pc.match_substring(column, pattern) if plain else _match(column, pattern)
+    return bool(pc.any(matches, min_count=0).as_py())
 
 
 def _match(column: Any, pattern: str) -> Any:

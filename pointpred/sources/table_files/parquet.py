@@ -37,8 +37,8 @@ def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
         table = table.flatten()
     arrow_tables.check_names(path, table.column_names)
     columns = {name: _plain(table[name]) for name in table.column_names}
-    left = [name for name, column in columns.items() if column is None]
-    notes = (f"columns left aside, for they hold no numbers or words: {', '.join(left)}",) if left else ()
+    unread = [name for name, column in columns.items() if column is None]
+    notes = (f"columns left aside, for they hold no numbers or words: {', '.join(unread)}",) if unread else ()
     return ColumnTable(
         {name: column for name, column in columns.items() if column is not None}, "Parquet", notes
     )

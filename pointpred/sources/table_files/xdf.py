@@ -169,8 +169,8 @@ def _chosen(path: Path, streams: list[Stream], wanted: str | None) -> Stream:
         return fits[0]
     what = f"{len(fits)} streams may" if fits else "no stream of numbers can"
     why = f"be meant by {wanted!r}" if wanted is not None else "be a mouse"
-    found = "; ".join(stream.title for stream in streams[:16]) or "no stream"
-    raise RecordingError(f"{path}: {what} {why}; name one by --records; the file holds {found}")
+    titles = "; ".join(stream.title for stream in streams[:16]) or "no stream"
+    raise RecordingError(f"{path}: {what} {why}; name one by --records; the file holds {titles}")
 
 
 def _load(path: Path, file: io.BytesIO, stream: Stream) -> tuple[Any, Any, list[str]]:
@@ -202,9 +202,9 @@ def _log_of(name: str) -> Iterator[list[str]]:
 
     logger, listener = logging.getLogger(name), Listener(logging.WARNING)
     logger.addHandler(listener)
-    kept: list[str] = []
+    unique: list[str] = []
     try:
-        yield kept
+        yield unique
     finally:
         logger.removeHandler(listener)
-        kept += lines
+        unique += lines

@@ -222,8 +222,8 @@ def float64(column: Any) -> FloatArray:
         if 0 < chunk.null_count < len(chunk):
             bits, data = (np.frombuffer(buffer, np.uint8) for buffer in chunk.buffers())
             rows = slice(chunk.offset, chunk.offset + len(chunk))
-            known = np.unpackbits(bits, bitorder="little")[rows] == 1
-            parts[-1][known] = data.view(np.float64)[rows][known]
+            valid = np.unpackbits(bits, bitorder="little")[rows] == 1
+            parts[-1][valid] = data.view(np.float64)[rows][valid]
     return np.concatenate(parts)
 
 
@@ -242,12 +242,12 @@ def rows_without(count: int, left: Collection[int]) -> NDArray[np.int64]:
     return np.delete(np.arange(count, dtype=np.int64), sorted(left))
 
 
-def need_columns(path: Path, names: Iterable[str], required: Iterable[str], known: Iterable[str]) -> None:
+def need_columns(path: Path, names: Iterable[str], required: Iterable[str], valid: Iterable[str]) -> None:
     """Raise RecordingError when a required column is missing or a column is unknown."""
-    names, known = list(names), list(known)
+    names, valid = list(names), list(valid)
     missing = [name for name in required if name not in names]
     if missing:
         raise RecordingError(f"{path}: column {missing[0]!r} is missing, found {', '.join(names)}")
-    unknown = [name for name in names if name not in known]
+    unknown = [name for name in names if name not in valid]
     if unknown:
-        raise RecordingError(f"{path}: unknown column {unknown[0]!r}, expected only {', '.join(known)}")
+        raise RecordingError(f"{path}: unknown column {unknown[0]!r}, expected only {', '.join(valid)}")

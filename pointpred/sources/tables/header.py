@@ -46,9 +46,9 @@ def parse_header(path: Path, encoded: bytes) -> Header:
         raise RecordingError(f"{path}: the pointpred header is not JSON: {error}") from error
     if header.version != 1:
         raise RecordingError(f"{path}: pointpred header version {header.version!r:.40}, expected 1")
-    said = header.provenance
-    if said is not None:
-        for name, value, (low, high) in (("cpi", said.cpi, CPI), ("dpi", said.dpi, DPI)):
+    provenance = header.provenance
+    if provenance is not None:
+        for name, value, (low, high) in (("cpi", provenance.cpi, CPI), ("dpi", provenance.dpi, DPI)):
             if value is not None and not low <= value <= high:
                 raise RecordingError(
                     f"{path}: {name} of the pointpred header must lie in [{low:g}, {high:g}], "

@@ -46,12 +46,12 @@ def assemble(
     offsets = np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64)
     row = np.arange(len(group), dtype=np.int64) if row_of is None else row_of
     fault_rows = np.array(sorted(faults or {}), dtype=np.int64)
-    said = list(notes)
+    words = list(notes)
     if np.any(np.diff(group) < 0):
         runs = 1 + np.count_nonzero(np.diff(group))
         if runs > np.count_nonzero(sizes):
             at = _first_return(group)
-            said.append(f"row {row[at]}: the rows of trials interleave; put together by trial")
+            words.append(f"row {row[at]}: the rows of trials interleave; put together by trial")
         order = np.argsort(group, kind="stable")
         table, row = table[order], row[order]
         place = np.empty(len(order), dtype=np.int64)
@@ -60,24 +60,24 @@ def assemble(
     reasons = _judge(table, offsets, faults or {})
     for index, reason in (unfit or {}).items():
         reasons.setdefault(index, (reason, int(offsets[index]) if sizes[index] else None))
-    kept = np.array([index not in reasons for index in range(count)], dtype=bool)
+    usable = np.array([index not in reasons for index in range(count)], dtype=bool)
     skips = [
         Skip(trials[index].trial, reason, None if at is None else int(row[at]), trials[index].user)
         for index, (reason, at) in sorted(reasons.items())
     ]
-    if not kept.all():
-        table = table[np.repeat(kept, sizes)]
-        offsets = np.concatenate([[0], np.cumsum(sizes[kept])]).astype(np.int64)
+    if not usable.all():
+        table = table[np.repeat(usable, sizes)]
+        offsets = np.concatenate([[0], np.cumsum(sizes[usable])]).astype(np.int64)
     begin = np.zeros(len(table), dtype=np.bool_)
     begin[offsets[:-1]] = True
     return Recording(
         name,
         EventColumns(table, begin),
         offsets,
-        tuple(trial for trial, keep in zip(trials, kept, strict=True) if keep),
+        tuple(trial for trial, keep in zip(trials, usable, strict=True) if keep),
         (*skipped, *skips),
         provenance,
-        tuple(said),
+        tuple(words),
     )
 
 
@@ -109,13 +109,13 @@ def _judge(table: FloatArray, offsets: IntArray, faults: dict[int, str]) -> dict
         {at: words.replace("{", "{{").replace("}", "}}") for at, words in faults.items()},
     )
     for column, most in ((T, LATEST_S), (X, LARGEST), (Y, LARGEST)):
-        said, size = f"{FIELDS[column]} is {{{6 + column}}}, expected", np.abs(table[:, column])
-        blame(np.flatnonzero(~np.isfinite(size)), f"{said} a finite number")
-        blame(np.flatnonzero(size > most), f"{said} at most {most:g} either way")
-    counts, said = np.abs(table[:, [DX, DY]]), "dx is {9} and dy {10}, expected"
+        words, size = f"{FIELDS[column]} is {{{6 + column}}}, expected", np.abs(table[:, column])
+        blame(np.flatnonzero(~np.isfinite(size)), f"{words} a finite number")
+        blame(np.flatnonzero(size > most), f"{words} at most {most:g} either way")
+    counts, words = np.abs(table[:, [DX, DY]]), "dx is {9} and dy {10}, expected"
     blame(np.flatnonzero(np.isinf(counts).any(axis=1)), "counts are not finite")
-    blame(np.flatnonzero((counts > LARGEST).any(axis=1)), f"{said} at most {LARGEST:g} either way")
-    blame(np.flatnonzero(np.isnan(counts[:, 0]) != np.isnan(counts[:, 1])), f"{said} both or neither")
+    blame(np.flatnonzero((counts > LARGEST).any(axis=1)), f"{words} at most {LARGEST:g} either way")
+    blame(np.flatnonzero(np.isnan(counts[:, 0]) != np.isnan(counts[:, 1])), f"{words} both or neither")
     buttons = table[:, BUTTONS]
     with np.errstate(invalid="ignore"):
         bad = ~((buttons >= 0) & (buttons <= MOST_BUTTONS) & (buttons == np.floor(buttons)))

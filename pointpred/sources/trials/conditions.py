@@ -42,7 +42,7 @@ def conditions_of(
     ``columns``: the cells and the rows of them that belong to ``group``. Numbers stay numbers where every
     cell is one; an empty cell is no condition.
     """
-    known: list[dict[str, str | float]] = [{} for _ in range(count)]
+    conditions: list[dict[str, str | float]] = [{} for _ in range(count)]
     varying = list(columns)[MOST:]
     for name, (column, rows) in list(columns.items())[:MOST]:
         if pa.types.is_nested(column.type):
@@ -57,8 +57,8 @@ def conditions_of(
         numbers, faults = arrow_tables.finite_numbers(pa.chunked_array([pa.array(cells, pa.string())]))
         for index, code in enumerate(of_trial.astype(np.int64).tolist()):
             if cells[code].strip():
-                known[index][condition_name(name)] = cells[code] if faults else float(numbers[code])
-    return known, varying
+                conditions[index][condition_name(name)] = cells[code] if faults else float(numbers[code])
+    return conditions, varying
 
 
 def _codes(column: Any, group: IntArray, count: int) -> tuple[FloatArray, list[str]]:

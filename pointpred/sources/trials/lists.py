@@ -46,8 +46,8 @@ def is_list(cell: str) -> bool:
     if not inner or opened != closed:
         return False
     items = split(cell)
-    known = [item for item in items if item]
-    return opened or (len(known) > 1 and all(NUMBER.fullmatch(item) for item in known))
+    filled = [item for item in items if item]
+    return opened or (len(filled) > 1 and all(NUMBER.fullmatch(item) for item in filled))
 
 
 class Lists:
@@ -59,7 +59,7 @@ class Lists:
         self.tables: list[FloatArray] = []
         self.rows: list[int] = []
         self.skipped: list[Skip] = []
-        self.seen: dict[tuple[str, str], int] = {}
+        self.row_of: dict[tuple[str, str], int] = {}
         self.notes: list[str] = []
 
     def skip(self, skip: Skip) -> None:
@@ -90,8 +90,8 @@ class Lists:
     ) -> None:
         """Add a trial: ``scale`` s a unit of time, from its first sample; ``gain`` px a unit of x, y."""
         key = (trial.user, trial.trial)
-        if key in self.seen:
-            self.skip(Skip(trial.trial, f"occurs twice, first in row {self.seen[key]}", row, trial.user))
+        if key in self.row_of:
+            self.skip(Skip(trial.trial, f"occurs twice, first in row {self.row_of[key]}", row, trial.user))
             return
         if not len(t) == len(x) == len(y):
             words = f"{len(t)} times, {len(x)} x and {len(y)} y, expected as many of each"
@@ -103,7 +103,7 @@ class Lists:
             if numbers is None:
                 return
             columns.append(numbers)
-        self.seen[key] = row
+        self.row_of[key] = row
         table = np.full((len(t), 6), np.nan)
         table[:, 5] = 0.0 if buttons is None else buttons
         if len(t):

@@ -24,12 +24,14 @@ def join(
     tables = [part.rows(index) for part in parts for index in range(len(part.trials))]
     trials: list[Trial] = []
     skipped: list[Skip] = []
-    said: list[str] = []
+    all_notes: list[str] = []
     for label, part in zip(labels, parts, strict=True):
         trials += [msgspec.structs.replace(trial, trial=named(label, trial.trial)) for trial in part.trials]
         skipped += [msgspec.structs.replace(skip, trial=named(label, skip.trial)) for skip in part.skipped]
-        said += [named(f"{label}:", note) for note in part.notes]
-    return Recording.of(name, tables, _of_one_kind(trials), skipped, parts[0].provenance, [*said, *notes])
+        all_notes += [named(f"{label}:", note) for note in part.notes]
+    return Recording.of(
+        name, tables, _of_one_kind(trials), skipped, parts[0].provenance, [*all_notes, *notes]
+    )
 
 
 def _of_one_kind(trials: list[Trial]) -> list[Trial]:
@@ -38,7 +40,7 @@ def _of_one_kind(trials: list[Trial]) -> list[Trial]:
     for trial in trials:
         for name, value in trial.condition.items():
             kinds.setdefault(name, set()).add(isinstance(value, str))
-    mixed = {name for name, found in kinds.items() if len(found) > 1}
+    mixed = {name for name, types in kinds.items() if len(types) > 1}
     return [
         msgspec.structs.replace(trial, condition=trial.condition | _in_words(trial.condition, mixed))
         for trial in trials

@@ -54,12 +54,12 @@ def cut_at_clicks(events: EventColumns) -> list[Piece]:
     >>> [(piece.start, piece.stop, piece.reason) for piece in cut_at_clicks(stream)]
     [(0, 3, ''), (3, 4, 'a button is held'), (4, 6, '')]
     """
-    held = events.table[:, BUTTONS] > 0
-    before = np.concatenate([[False], held[:-1]])
-    presses, releases = np.flatnonzero(held & ~before), np.flatnonzero(before & ~held)
-    begins = releases if held[0] else np.concatenate([[0], releases])
+    pressed = events.table[:, BUTTONS] > 0
+    before = np.concatenate([[False], pressed[:-1]])
+    presses, releases = np.flatnonzero(pressed & ~before), np.flatnonzero(before & ~pressed)
+    begins = releases if pressed[0] else np.concatenate([[0], releases])
     ends = presses + 1
-    if held[0]:
+    if pressed[0]:
         ends = ends[1:]
     pieces: list[Piece] = []
     reached = 0
@@ -134,19 +134,19 @@ def trials_of_stream(
         group[piece.start : piece.stop] = len(trials)
         begins = float(table[piece.start, T])
         table[piece.start : piece.stop, T] -= begins
-        known: dict[str, str | float] = (condition or {}) | {"begins_s": begins}
-        trials.append(Trial(user, str(len(trials)), condition=known))
-    kept: NDArray[np.bool_] = group >= 0
-    place = np.cumsum(kept) - 1
+        conditions: dict[str, str | float] = (condition or {}) | {"begins_s": begins}
+        trials.append(Trial(user, str(len(trials)), condition=conditions))
+    in_trial: NDArray[np.bool_] = group >= 0
+    place = np.cumsum(in_trial) - 1
     return assemble(
         name,
-        table[kept],
-        group[kept],
+        table[in_trial],
+        group[in_trial],
         trials,
         skipped=skipped,
-        faults={int(place[at]): words for at, words in (faults or {}).items() if kept[at]},
+        faults={int(place[at]): words for at, words in (faults or {}).items() if in_trial[at]},
         provenance=provenance,
-        row_of=row[kept],
+        row_of=row[in_trial],
         notes=notes,
     )
 
