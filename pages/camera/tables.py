@@ -14,8 +14,6 @@ from pointpred.camera import (
     PointFilter,
     camera_box,
     camera_system,
-    depth,
-    point_law,
     printed,
     trajectory,
 )
@@ -72,15 +70,14 @@ def designs() -> str:
 def costs() -> str:
     """Microseconds a step of the compiled laws, through ``step`` alone, ``update`` and a table."""
     samples = observed(trajectory(SCENARIOS["paper"], np.arange(3301) / 330.0), focal_px=FOCAL)
-    rows, values, records = [], samples.table.tolist(), samples.samples()
-    out = np.empty(point_law.WIDTH)
-    stages: list[tuple[str, Any, Any]] = [
-        ("observer", DepthObserver(focal_px=FOCAL, **START), depth.step),
-        ("filter (peer)", PointFilter(focal_px=FOCAL), lambda memory, *v: point_law.step(memory, *v, out)),
+    rows, values, records = [], [tuple(row) for row in samples.table.tolist()], samples.samples()
+    stages: list[tuple[str, Any]] = [
+        ("observer", DepthObserver(focal_px=FOCAL, **START)),
+        ("filter (peer)", PointFilter(focal_px=FOCAL)),
     ]
-    for name, stage, step in stages:
+    for name, stage in stages:
         ways = {
-            "step": lambda step=step, stage=stage: [step(stage._memory, *row) for row in values],
+            "step": lambda stage=stage: [stage.step(stage._memory, row) for row in values],
             "update": lambda stage=stage: [stage.update(record) for record in records],
             "table": lambda stage=stage: stage.run(samples),
         }

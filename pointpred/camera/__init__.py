@@ -2,7 +2,7 @@
 
 from pointpred.camera.bounds import consistent, cramer_rao, normalised_errors
 from pointpred.camera.depth import Depth, DepthColumns, DepthObserver
-from pointpred.camera.model import camera_box, camera_system
+from pointpred.camera.model import camera_box, camera_system, depth_rate, point_rate
 from pointpred.camera.pipeline import CameraEstimate, CameraPipeline, CameraTable
 from pointpred.camera.point_filter import PointEstimate, PointFilter, PointTrack
 from pointpred.camera.samples import CameraColumns, CameraSample, Noise, simulate
@@ -31,7 +31,9 @@ __all__ = [
     "camera_system",
     "consistent",
     "cramer_rao",
+    "depth_rate",
     "normalised_errors",
+    "point_rate",
     "simulate",
     "trajectory",
     "velocities",

@@ -16,10 +16,10 @@ IDENTITY = np.eye(6)
 def transition(truth: Trajectory, row: int) -> FloatArray:
     """Phi from a row to the next one: (p, v) is linear, so it is exact up to how w runs in between."""
     h = float(truth.t[row + 1] - truth.t[row])
-    turn = 0.5 * h * (truth.w[row] + truth.w[row + 1])
+    rx, ry, rz = (0.5 * h * (truth.w[row] + truth.w[row + 1])).tolist()
     columns = IDENTITY.ravel().copy()
     for i in range(6):
-        kinematics.carry(columns, i, 6, h, float(turn[0]), float(turn[1]), float(turn[2]))
+        kinematics.carry(columns, i, 6, h, (rx, ry, rz))
     return columns.reshape(6, 6)
 
 
@@ -27,9 +27,9 @@ def information(truth: Trajectory, row: int, variance: float) -> FloatArray:
     """What one image tells of (p, v): H' H / r at the truth."""
     x, y, z = truth.p[row]
     h = np.array([[1.0, 0.0, -x / z], [0.0, 1.0, -y / z]]) / z
-    found = np.zeros((6, 6))
-    found[:3, :3] = h.T @ h / variance
-    return found
+    whole = np.zeros((6, 6))
+    whole[:3, :3] = h.T @ h / variance
+    return whole
 
 
 def cramer_rao(
@@ -55,35 +55,35 @@ def cramer_rao(
     """
     if not (noise_px > 0.0 and focal_px > 0.0):
         raise ParameterError(
-            f"noise_px and focal_px must be positive, received {noise_px!r} and {focal_px!r}"
+            f"noise_px and focal_px must be positive, received {noise_px!r} and {focal_px!r}",
+            field="focal_px" if noise_px > 0.0 else "noise_px",
+            value=focal_px if noise_px > 0.0 else noise_px,
         )
     variance = (noise_px / focal_px) ** 2
     taken = np.ones(len(truth.t), np.bool_) if images is None else images
-    known = np.zeros((6, 6))
-    found = np.full((len(truth.t), 6, 6), np.nan)
+    j = np.zeros((6, 6))
+    covariances = np.full((len(truth.t), 6, 6), np.nan)
     for row in range(len(truth.t)):
         if row:
             inverse = np.linalg.inv(transition(truth, row - 1))
-            known = _spread(inverse.T @ known @ inverse, truth, row, gyro_noise, accel_noise)
+            j = _less(inverse.T @ j @ inverse, truth, row, gyro_noise, accel_noise)
         if taken[row]:
-            known = known + information(truth, row, variance)
-        if np.linalg.cond(known) < 1e13:
-            found[row] = np.linalg.inv(known)
-    return found
+            j = j + information(truth, row, variance)
+        if np.linalg.cond(j) < 1e13:
+            covariances[row] = np.linalg.inv(j)
+    return covariances
 
 
-def _spread(
-    known: FloatArray, truth: Trajectory, row: int, gyro_noise: float, accel_noise: float
-) -> FloatArray:
+def _less(j: FloatArray, truth: Trajectory, row: int, gyro_noise: float, accel_noise: float) -> FloatArray:
     """Information after the sensors' noise of one step: (J^-1 + Q)^-1 = J - J (J + Q^-1)^-1 J."""
     if gyro_noise == 0.0 and accel_noise == 0.0:
-        return known
+        return j
     h = float(truth.t[row] - truth.t[row - 1])
     memory = np.concatenate([np.zeros(36), truth.p[row], truth.v[row]])
-    kinematics.shaken(memory, 0, 36, gyro_noise**2 * h, accel_noise**2 * h)
+    kinematics.add_noise(memory, 0, 36, gyro_noise**2 * h, accel_noise**2 * h)
     noise = memory[:36].reshape(6, 6)
-    lost = noise @ np.linalg.inv(IDENTITY + known @ noise) @ known
-    less: FloatArray = known @ (IDENTITY - lost)
+    lost = noise @ np.linalg.inv(IDENTITY + j @ noise) @ j
+    less: FloatArray = j @ (IDENTITY - lost)
     return 0.5 * (less + less.T)
 
 
@@ -96,10 +96,10 @@ def normalised_errors(track: PointTrack, truth: Trajectory) -> FloatArray:
     Reference: Bar-Shalom, Li, Kirubarajan 2001, section 5.4.2.
     """
     errors = track.state - np.hstack([truth.p, truth.v])
-    found = np.full(len(errors), np.nan)
+    squares = np.full(len(errors), np.nan)
     for row in np.flatnonzero(track.running):
-        found[row] = errors[row] @ np.linalg.solve(track.covariance[row], errors[row])
-    return found
+        squares[row] = errors[row] @ np.linalg.solve(track.covariance[row], errors[row])
+    return squares
 
 
 def consistent(track_errors: FloatArray, share: float = 0.95) -> tuple[float, tuple[float, float]]:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import nan
 from operator import attrgetter
 from typing import Any, ClassVar
 
 import numpy as np
 
-from pointpred.camera.samples import CameraColumns, CameraSample
+from pointpred.camera.samples import CameraColumns, CameraSample, SampleRow
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.differentiators.sampling import is_number
@@ -20,28 +21,24 @@ LARGEST_PX, LARGEST_W, LARGEST_A = 1e6, 1e3, 1e4
 """Bounds on positions px, angular velocities rad/s and accelerations m/s^2."""
 SUBSTEP_S = 0.05
 """Longest step of an integration."""
-NONE = float("nan")
 READ = attrgetter(*CameraColumns.names)
 PLAIN = frozenset({float, type(None)})
 """Kinds of the fields of a sample that need no second look."""
 
 
 @law
-def usable(
-    t: float,
-    x: float,
-    y: float,
-    wx: float,
-    wy: float,
-    wz: float,
-    ax: float,
-    ay: float,
-    az: float,
-    started: float,
-    last_t: float,
-    gap_s: float,
-) -> bool:
+def sample_at(
+    rows: FloatArray, i: int
+) -> tuple[float, float, float, float, float, float, float, float, float]:
+    """A row of a table of samples as a tuple."""
+    r = rows[i]
+    return r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]
+
+
+@law
+def usable(sample: SampleRow, started: float, last_t: float, gap_s: float) -> bool:
     """Whether a sample can be used: within the bounds, later than the last one and not too late."""
+    t, x, y, wx, wy, wz, ax, ay, az = sample
     if not (abs(t) <= LATEST_S and abs(wx) <= LARGEST_W and abs(wy) <= LARGEST_W and abs(wz) <= LARGEST_W):
         return False
     if not (abs(ax) <= LARGEST_A and abs(ay) <= LARGEST_A and abs(az) <= LARGEST_A):
@@ -62,22 +59,22 @@ class CameraStage(CompiledStage):
     def advance(self, sample: CameraSample) -> Any:
         """The row of answers to one sample; raises EventError or EventOrderError, and nothing has changed."""
         values = _numbers(sample)
-        row = type(self).step(self._memory, *values)
+        row = type(self).step(self._memory, values)
         if row[0] != row[0]:
             raise self._reason(values, self._last())
         return row
 
     def table(self, columns: CameraColumns) -> FloatArray:
         """The rows of answers to a table; a refused row raises its error and nothing is consumed."""
-        kept = self._memory.copy()
+        kept = self.remembered()
         out = self.walk(np.zeros(len(columns), np.bool_), columns.table)
         refused = out[:, 0] != out[:, 0]
         if refused.any():
             row = int(refused.argmax())
-            self._memory = kept
+            self.recall(kept)
             before = float(columns.t[row - 1]) if row else self._last()
             reason = self._reason(tuple(columns.table[row].tolist()), before)
-            raise type(reason)(f"row {row}: {reason}")
+            raise type(reason)(f"row {row}: {reason}", field=reason.field, value=reason.value)
         return out
 
     def _last(self) -> float | None:
@@ -89,13 +86,20 @@ class CameraStage(CompiledStage):
         missing = values[1] != values[1] and values[2] != values[2]
         for name, value, most in zip(CameraColumns.names, values, bounds, strict=True):
             if not abs(value) <= most and not (name in "xy" and missing):
-                return EventError(f"{name} must lie in [{-most:g}, {most:g}], received {value!r}")
-        if last_t is not None and values[0] <= last_t:
-            return EventOrderError(f"t must increase: received {values[0]!r} s after {last_t!r} s")
+                return EventError(
+                    f"{name} must lie in [{-most:g}, {most:g}], received {value!r}", field=name, value=value
+                )
+        t = values[0]
+        if last_t is not None and t <= last_t:
+            return EventOrderError(
+                f"t must increase: received {t!r} s after {last_t!r} s", field="t", value=t
+            )
         gap_s = float(self._memory[self.at_gap])
         return EventError(
-            f"the inertial sensor was silent from {last_t!r} s to {values[0]!r} s, at most {gap_s:g} s are "
-            "bridged: reset and begin anew"
+            f"the inertial sensor was silent from {last_t!r} s to {t!r} s, at most {gap_s:g} s are "
+            "bridged: reset and begin anew",
+            field="t",
+            value=t,
         )
 
 
@@ -107,10 +111,10 @@ def _numbers(sample: CameraSample) -> tuple[float, ...]:
         raise EventError(f"a sample must be a CameraSample, received {sample!r:.80}") from missing
     paired = (raw[1] is None) == (raw[2] is None) and raw[1] == raw[1] and raw[2] == raw[2]
     if paired and set(map(type, raw)) <= PLAIN:
-        return raw if raw[1] is not None else (raw[0], NONE, NONE, *raw[3:])
+        return raw if raw[1] is not None else (raw[0], nan, nan, *raw[3:])
     for name, value in zip(CameraColumns.names, raw, strict=True):
         if not (is_number(value) and value == value) and not (value is None and name in "xy"):
-            raise EventError(f"{name} must be a number, received {value!r}")
+            raise EventError(f"{name} must be a number, received {value!r}", field=name, value=value)
     if (raw[1] is None) != (raw[2] is None):
         raise EventError(f"x and y come together or not at all, received {raw[1]!r} and {raw[2]!r}")
-    return tuple(NONE if value is None else float(value) for value in raw)
+    return tuple(nan if value is None else float(value) for value in raw)

@@ -2,42 +2,45 @@
 
 from __future__ import annotations
 
-from math import ceil
+from math import ceil, nan
+from typing import NamedTuple
 
 import msgspec
 
-from pointpred.camera.camera_stage import LARGEST_PX, SUBSTEP_S, CameraStage, usable
-from pointpred.camera.samples import FOCAL, CameraColumns, CameraSample
-from pointpred.columns import BoolArray, Columns, FloatArray
+from pointpred.camera.camera_stage import LARGEST_PX, SUBSTEP_S, CameraStage, sample_at, usable
+from pointpred.camera.samples import FOCAL_PX, CameraColumns, CameraSample, SampleRow
+from pointpred.columns import Columns, FloatArray
 from pointpred.compiled import law
 from pointpred.observers.unknown_input.observer import UnknownInputObserver
-from pointpred.parameter import Parameter, check
+from pointpred.parameter import option, parameter
+from pointpred.rows import Row
+from pointpred.stage import loop_of
 
-NONE = float("nan")
 LARGEST_RATE = 1e3
 """Beyond this |eta| 1/s the camera meets the point within a millisecond: the estimate is lost."""
 
-FOCAL_PX, HALF_SIGMA, START_CHI, START_ETA, GAP_S, BOX = 0, 1, 2, 3, 4, 5
-STARTED = BOX + 10  # bounds of zero, eta, a_z, w_x, w_y, low before high
-T, X, Y, WX, WY, WZ, AZ = range(STARTED + 1, STARTED + 8)
-CHI, R, SEEN, LOST = range(STARTED + 8, STARTED + 12)
-STATES = 12
+# The parameters; the bounds of zero, eta, a_z, w_x, w_y, low before high. The state: whether a sample came,
+# its time and measurements, the observer's two numbers, whether an image came, whether the estimate is lost.
+FOCAL, HALF_SIGMA, START_CHI, START_ETA, GAP_S, BOX = range(6)
+STARTED = BOX + 10
+T, X, Y, WX, WY, WZ, AZ, CHI, R, IMAGED, LOST, END = range(STARTED + 1, STARTED + 13)
+
+
+class Measured(NamedTuple):
+    """What the observer uses of a sample: ``x y`` in focal lengths, ``wx wy wz`` rad/s, ``az`` m/s^2."""
+
+    x: float
+    y: float
+    wx: float
+    wy: float
+    wz: float
+    az: float
 
 
 @law
-def rate(
-    chi: float,
-    r: float,
-    x: float,
-    y: float,
-    wx: float,
-    wy: float,
-    wz: float,
-    az: float,
-    dwx: float,
-    dwy: float,
-) -> tuple[float, float]:
+def rate(chi: float, r: float, m: Measured, dwx: float, dwy: float) -> tuple[float, float]:
     """(chi, r)' with r = eta + w_y x - w_x y, the last row of T x: no unknown input in it."""
+    x, y, wx, wy, wz, az = m
     eta = r - wy * x + wx * y
     flow_x = x * y * wx - (1.0 + x * x) * wy + y * wz
     flow_y = (1.0 + y * y) * wx - x * y * wy - x * wz
@@ -46,13 +49,11 @@ def rate(
 
 
 @law
-def carry(
-    memory: FloatArray, x: float, y: float, wx: float, wy: float, wz: float, az: float, dt: float
-) -> None:
+def carry(memory: FloatArray, m: Measured, dt: float) -> None:
     """Move (chi, r) over ``dt`` s by Runge-Kutta, every measured quantity on a line between two samples."""
     x0, y0, az0 = memory[X], memory[Y], memory[AZ]
     wx0, wy0, wz0 = memory[WX], memory[WY], memory[WZ]
-    dwx, dwy = (wx - wx0) / dt, (wy - wy0) / dt
+    dwx, dwy = (m.wx - wx0) / dt, (m.wy - wy0) / dt
     steps = ceil(dt / SUBSTEP_S)
     h = dt / steps
     for i in range(steps):
@@ -61,18 +62,15 @@ def carry(
         for stage in range(4):
             inner = 0.0 if stage == 0 else (1.0 if stage == 3 else 0.5)
             s = (i + inner) / steps
-            k_chi, k_r = rate(
-                chi + inner * h * k_chi,
-                r + inner * h * k_r,
-                x0 + s * (x - x0),
-                y0 + s * (y - y0),
-                wx0 + s * (wx - wx0),
-                wy0 + s * (wy - wy0),
-                wz0 + s * (wz - wz0),
-                az0 + s * (az - az0),
-                dwx,
-                dwy,
+            between = Measured(
+                x0 + s * (m.x - x0),
+                y0 + s * (m.y - y0),
+                wx0 + s * (m.wx - wx0),
+                wy0 + s * (m.wy - wy0),
+                wz0 + s * (m.wz - wz0),
+                az0 + s * (m.az - az0),
             )
+            k_chi, k_r = rate(chi + inner * h * k_chi, r + inner * h * k_r, between, dwx, dwy)
             share = 1.0 if stage == 0 or stage == 3 else 2.0
             sum_chi += share * k_chi
             sum_r += share * k_r
@@ -95,35 +93,26 @@ def inside(memory: FloatArray, zero: float, eta: float) -> bool:
 
 
 @law
-def step(
-    memory: FloatArray,
-    t: float,
-    x: float,
-    y: float,
-    wx: float,
-    wy: float,
-    wz: float,
-    ax: float,
-    ay: float,
-    az: float,
-) -> tuple[float, float, float, float, float, float, float]:
-    """One sample: t, chi, eta, the zero of chi, detectable, certified, whether there was an image."""
-    if not usable(t, x, y, wx, wy, wz, ax, ay, az, memory[STARTED], memory[T], memory[GAP_S]):
-        return NONE, NONE, NONE, NONE, 0.0, 0.0, 0.0
+def step(memory: FloatArray, sample: Row) -> tuple[float, float, float, float, float, float, float]:
+    """One ``SampleRow``: t, chi, eta, the zero of chi, detectable, certified, whether there was an image."""
+    row = SampleRow(*sample)
+    if not usable(row, memory[STARTED], memory[T], memory[GAP_S]):
+        return nan, nan, nan, nan, 0.0, 0.0, 0.0
+    t, x, y, wx, wy, wz, _, _, az = row
     image = x == x
-    flat_x = x / memory[FOCAL_PX] if image else memory[X]
-    flat_y = y / memory[FOCAL_PX] if image else memory[Y]
-    if memory[SEEN] == 0.0 and image:
+    flat_x = x / memory[FOCAL] if image else memory[X]
+    flat_y = y / memory[FOCAL] if image else memory[Y]
+    if memory[IMAGED] == 0.0 and image:
         memory[CHI] = memory[START_CHI]
         memory[R] = memory[START_ETA] + wy * flat_x - wx * flat_y
-        memory[SEEN] = 1.0
-    elif memory[SEEN] == 1.0 and memory[LOST] == 0.0:
-        carry(memory, flat_x, flat_y, wx, wy, wz, az, t - memory[T])
+        memory[IMAGED] = 1.0
+    elif memory[IMAGED] == 1.0 and memory[LOST] == 0.0:
+        carry(memory, Measured(flat_x, flat_y, wx, wy, wz, az), t - memory[T])
     memory[STARTED] = 1.0
     memory[T], memory[X], memory[Y] = t, flat_x, flat_y
     memory[WX], memory[WY], memory[WZ], memory[AZ] = wx, wy, wz, az
-    if memory[SEEN] == 0.0 or memory[LOST] == 1.0:
-        return t, NONE, NONE, NONE, 0.0, 0.0, 1.0 if image else 0.0
+    if memory[IMAGED] == 0.0 or memory[LOST] == 1.0:
+        return t, nan, nan, nan, 0.0, 0.0, 1.0 if image else 0.0
     eta = memory[R] - wy * flat_x + wx * flat_y
     zero = flat_y * wx - flat_x * wy + eta
     decays = zero < -memory[HALF_SIGMA] and eta < -memory[HALF_SIGMA]
@@ -137,18 +126,6 @@ def step(
         1.0 if proved else 0.0,
         1.0 if image else 0.0,
     )
-
-
-@law
-def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
-    """The same step over a table."""
-    for i in range(len(rows)):
-        if begin[i]:
-            memory[first:] = 0.0
-        r = rows[i]
-        answer = step(memory, r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8])
-        for j in range(len(answer)):
-            out[i, j] = answer[j]
 
 
 class Depth(msgspec.Struct, frozen=True):
@@ -206,35 +183,31 @@ class DepthObserver(CameraStage):
     (1.5, -0.5, True, False)
     """
 
-    parameters = (
-        FOCAL,
-        Parameter("start_chi", "1/m", 1e-6, 1e6, "inverse depth at the first image"),
-        Parameter("start_eta", "1/s", -1e3, 1e3, "v_z/Z at the first image"),
-        Parameter("gap_s", "s", 1e-3, 10.0, "longest silence of the inertial sensor that is bridged"),
+    focal_px: float = parameter("px", *FOCAL_PX, "focal length: image plane to px")
+    start_chi: float = parameter("1/m", 1e-6, 1e6, "inverse depth at the first image")
+    start_eta: float = parameter("1/s", -1e3, 1e3, "v_z/Z at the first image")
+    gap_s: float = parameter(
+        "s", 1e-3, 10.0, "longest silence of the inertial sensor that is bridged", default=1.0
     )
+    observer: UnknownInputObserver | None = option("a design to speak of in the flags", default=None)
+    states = END - STARTED
     width = 7
+    loop = staticmethod(loop_of(step, sample_at))
     step = staticmethod(step)
-    loop = staticmethod(loop)
     at_started, at_t, at_gap = STARTED, T, GAP_S
 
-    def __init__(
-        self,
-        *,
-        focal_px: float,
-        start_chi: float,
-        start_eta: float,
-        gap_s: float = 1.0,
-        observer: UnknownInputObserver | None = None,
-    ) -> None:
-        own = {"focal_px": focal_px, "start_chi": start_chi, "start_eta": start_eta, "gap_s": gap_s}
-        check(self.parameters, own)
-        half, box = 0.0, [0.0] * 10
-        if observer is not None:
-            half = 0.5 * observer.certificate.sigma
-            box = [bound for pair in list(observer.box.bounds.values())[:5] for bound in pair]
-        settings = [float(focal_px), half, float(start_chi), float(start_eta), float(gap_s), *box]
-        self.lay_out(settings, STATES)
-        self.focal_px, self.half_sigma = float(focal_px), half
+    @property
+    def half_sigma(self) -> float:
+        """Half the rate in 1/s that the design proves; 0 without one."""
+        return 0.0 if self.observer is None else 0.5 * self.observer.certificate.sigma
+
+    def settings(self) -> list[float]:
+        """What stands first in the memory."""
+        box = [0.0] * 10
+        if self.observer is not None:
+            box = [bound for pair in list(self.observer.box.bounds.values())[:5] for bound in pair]
+        start = [float(self.start_chi), float(self.start_eta)]
+        return [float(self.focal_px), self.half_sigma, *start, float(self.gap_s), *box]
 
     def update(self, sample: CameraSample, /) -> Depth:
         """Consume one sample; a refused one changes nothing."""

@@ -11,13 +11,16 @@ from math import cos, sin, sqrt
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 
+Vector = tuple[float, float, float]
 SMALL = 1e-4
 """Below this angle (rad) the series of sin and cos are exact to rounding."""
 
 
 @law
-def back(rx: float, ry: float, rz: float, x: float, y: float, z: float) -> tuple[float, float, float]:
-    """A vector in the frame after the turn (rx, ry, rz) rad: exp(-[r]) applied to it (Rodrigues)."""
+def back(turn: Vector, vector: Vector) -> Vector:
+    """A vector in the frame after a turn in rad: exp(-[turn]) applied to it (Rodrigues)."""
+    rx, ry, rz = turn
+    x, y, z = vector
     square = rx * rx + ry * ry + rz * rz
     angle = sqrt(square)
     if angle < SMALL:
@@ -30,38 +33,26 @@ def back(rx: float, ry: float, rz: float, x: float, y: float, z: float) -> tuple
 
 
 @law
-def carry(memory: FloatArray, at: int, stride: int, h: float, rx: float, ry: float, rz: float) -> None:
+def carry(memory: FloatArray, at: int, stride: int, h: float, turn: Vector) -> None:
     """(p, v) after ``h`` s without acceleration: p - h v and v, seen from the turned frame."""
     px = memory[at] - h * memory[at + 3 * stride]
     py = memory[at + stride] - h * memory[at + 4 * stride]
     pz = memory[at + 2 * stride] - h * memory[at + 5 * stride]
-    px, py, pz = back(rx, ry, rz, px, py, pz)
+    px, py, pz = back(turn, (px, py, pz))
     vx, vy, vz = memory[at + 3 * stride], memory[at + 4 * stride], memory[at + 5 * stride]
-    vx, vy, vz = back(rx, ry, rz, vx, vy, vz)
+    vx, vy, vz = back(turn, (vx, vy, vz))
     memory[at], memory[at + stride], memory[at + 2 * stride] = px, py, pz
     memory[at + 3 * stride], memory[at + 4 * stride], memory[at + 5 * stride] = vx, vy, vz
 
 
 @law
-def push(
-    memory: FloatArray,
-    at: int,
-    h: float,
-    rx: float,
-    ry: float,
-    rz: float,
-    ax0: float,
-    ay0: float,
-    az0: float,
-    ax: float,
-    ay: float,
-    az: float,
-) -> None:
-    """What an acceleration adds to (p, v) in ``h`` s, on a line from (ax0, ...) to (ax, ...).
+def push(memory: FloatArray, at: int, h: float, turn: Vector, before: Vector, after: Vector) -> None:
+    """What an acceleration adds to (p, v) in ``h`` s, on a line from ``before`` to ``after`` the turn.
 
-    The first is given in the frame before the turn, the second in the one after it.
+    Each is given in the frame of its own time.
     """
-    bx, by, bz = back(rx, ry, rz, ax0, ay0, az0)
+    bx, by, bz = back(turn, before)
+    ax, ay, az = after
     square = h * h
     memory[at] -= square * (bx / 3.0 + ax / 6.0)
     memory[at + 1] -= square * (by / 3.0 + ay / 6.0)
@@ -72,16 +63,16 @@ def push(
 
 
 @law
-def turned(memory: FloatArray, at: int, h: float, rx: float, ry: float, rz: float) -> None:
+def turn_covariance(memory: FloatArray, at: int, h: float, turn: Vector) -> None:
     """A 6 x 6 covariance, row by row at ``at``, after ``h`` s: Phi P Phi'."""
     for i in range(6):
-        carry(memory, at + i, 6, h, rx, ry, rz)
+        carry(memory, at + i, 6, h, turn)
     for i in range(6):
-        carry(memory, at + 6 * i, 1, h, rx, ry, rz)
+        carry(memory, at + 6 * i, 1, h, turn)
 
 
 @law
-def shaken(memory: FloatArray, at: int, state: int, gyro: float, accel: float) -> None:
+def add_noise(memory: FloatArray, at: int, state: int, gyro: float, accel: float) -> None:
     """Add to a covariance what sensor noise of these variances (rad^2, m^2/s^2) does to (p, v) at ``state``.
 
     A turn that was misjudged by e moves p by p x e and v by v x e, both by the same e.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+from math import nan
 from typing import Self
 
 import msgspec
@@ -15,7 +16,6 @@ from pointpred.camera.velocity import FED_FORWARD, UnknownInputs, velocities
 from pointpred.columns import Columns
 from pointpred.errors import EventError
 
-NONE = float("nan")
 SURE = 2.0
 """Standard deviations by which the images must speak against a receding camera."""
 
@@ -59,7 +59,7 @@ class CameraTable(Columns[tuple[float, ...]]):
 
 
 class CameraPipeline:
-    """A ``Stage[CameraSample, CameraEstimate]``: the unknown input observer with the filter as its witness.
+    """A ``Stage[CameraSample, CameraEstimate]``: the unknown input observer with the filter as a check.
 
     The observer alone cannot tell a camera that approaches from one that recedes when it was started with
     the wrong sign. The filter can, once the images have told the depth: where its eta lies above -sigma/2 by
@@ -109,7 +109,9 @@ class CameraPipeline:
                 rows.append(_row(self.update(sample)))
             except EventError as refused:
                 self.observer, self.peer, self.unknown = kept
-                raise type(refused)(f"row {number}: {refused}") from refused
+                raise type(refused)(
+                    f"row {number}: {refused}", field=refused.field, value=refused.value
+                ) from refused
         return CameraTable(np.array(rows).reshape(-1, len(CameraTable.names)))
 
     def _denied(self, peer: PointEstimate | None) -> bool:
@@ -118,8 +120,8 @@ class CameraPipeline:
 
 def _row(one: CameraEstimate) -> tuple[float, ...]:
     depth, peer = one.depth, one.peer
-    seen = (
-        (peer.chi, peer.eta, *peer.state[3:].tolist(), peer.depth_spread) if peer is not None else (NONE,) * 6
+    other = (
+        (peer.chi, peer.eta, *peer.state[3:].tolist(), peer.depth_spread) if peer is not None else (nan,) * 6
     )
     flags = (float(one.detectable), float(depth.certified), float(depth.image))
-    return (depth.t, depth.chi, depth.eta, *one.velocity, *flags, *seen)
+    return (depth.t, depth.chi, depth.eta, *one.velocity, *flags, *other)

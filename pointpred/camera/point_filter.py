@@ -2,16 +2,118 @@
 
 from __future__ import annotations
 
-from math import sqrt
+from math import nan, sqrt
 
 import msgspec
 import numpy as np
 
-from pointpred.camera import point_law
-from pointpred.camera.camera_stage import CameraStage
-from pointpred.camera.samples import FOCAL, CameraColumns, CameraSample
+from pointpred.camera import kinematics, starting
+from pointpred.camera.camera_stage import CameraStage, usable
+from pointpred.camera.samples import FOCAL_PX, CameraColumns, CameraSample, SampleRow
 from pointpred.columns import BoolArray, FloatArray
-from pointpred.parameter import Parameter, check
+from pointpred.compiled import law
+from pointpred.parameter import parameter
+from pointpred.rows import Row
+from pointpred.stage import loop_into, offsets
+
+NEAREST_M = 1e-4
+"""A filter whose point comes closer than this, or goes behind the camera, begins anew."""
+
+# The parameters. The state: whether a sample came, its time, angular velocity and acceleration, the mode,
+# how often the filter began anew; p then v, its covariance row by row, room for a column, what starts it.
+FOCAL, NOISE, GYRO, ACCEL, SHARE, GAP_S, STARTED, T, WX, WY, WZ, AX, AY, AZ, MODE, RESTARTS, STATE = range(17)
+_, SPREAD, COLUMN, START, END = offsets(STATE + 6, 36, 6, starting.STATES)
+WAITING, STARTING, RUNNING = 0.0, 1.0, 2.0
+
+# The answer: time, p then v and its covariance, how often it began anew, whether it runs.
+_, OUT_STATE, OUT_SPREAD, OUT_RESTARTS, OUT_RUNNING, WIDTH = offsets(1, 6, 36, 1, 1)
+
+
+@law
+def correct(memory: FloatArray, measured: float, axis: int, x: float, y: float, z: float) -> None:
+    """One coordinate of the image, linearised at (x, y, z), where the prediction was."""
+    side = y if axis else x
+    near, far = 1.0 / z, -side / (z * z)
+    for i in range(6):
+        memory[COLUMN + i] = memory[SPREAD + 6 * i + axis] * near + memory[SPREAD + 6 * i + 2] * far
+    total = memory[COLUMN + axis] * near + memory[COLUMN + 2] * far + memory[NOISE]
+    expected = side * near + (memory[STATE + axis] - side) * near + (memory[STATE + 2] - z) * far
+    share = (measured - expected) / total
+    for i in range(6):
+        memory[STATE + i] += memory[COLUMN + i] * share
+    for i in range(6):
+        for j in range(6):
+            memory[SPREAD + 6 * i + j] -= memory[COLUMN + i] * memory[COLUMN + j] / total
+
+
+@law
+def predict(memory: FloatArray, dt: float, w: kinematics.Vector, a: kinematics.Vector) -> None:
+    """Carry what is known over ``dt`` s: the state and its covariance, or the sums of the start."""
+    turn = (
+        0.5 * dt * (memory[WX] + w[0]),
+        0.5 * dt * (memory[WY] + w[1]),
+        0.5 * dt * (memory[WZ] + w[2]),
+    )
+    running = memory[MODE] == RUNNING
+    # While it starts the place of the point is not known yet, nor what a misjudged turn does to it.
+    gyro, accel = memory[GYRO] * dt if running else 0.0, memory[ACCEL] * dt
+    state = STATE if running else START + starting.FORCE
+    spread = SPREAD if running else START + starting.NOISE
+    if not running:
+        for i in range(6):
+            kinematics.carry(memory, START + starting.CARRY + i, 6, dt, turn)
+    kinematics.carry(memory, state, 1, dt, turn)
+    kinematics.push(memory, state, dt, turn, (memory[AX], memory[AY], memory[AZ]), a)
+    kinematics.turn_covariance(memory, spread, dt, turn)
+    kinematics.add_noise(memory, spread, state, gyro, accel)
+
+
+@law
+def look(memory: FloatArray, x: float, y: float) -> None:
+    """Take in an image: correct, or start."""
+    if memory[MODE] == WAITING:
+        starting.begin(memory, START)
+        memory[MODE] = STARTING
+    if memory[MODE] == STARTING:
+        starting.take(memory, START, x, y, memory[NOISE])
+        if starting.start(memory, START, STATE, SPREAD, memory[NOISE], memory[SHARE]):
+            memory[MODE] = RUNNING
+        return
+    px, py, pz = memory[STATE], memory[STATE + 1], memory[STATE + 2]
+    if pz > NEAREST_M:
+        correct(memory, x, 0, px, py, pz)
+        correct(memory, y, 1, px, py, pz)
+
+
+@law
+def step(memory: FloatArray, row: FloatArray, out: FloatArray) -> None:
+    """One ``SampleRow``: t, (p, v), covariance, restarts and running into ``out``, which is NaN before."""
+    t, x, y, wx, wy, wz, ax, ay, az = row[0], row[1], row[2], row[3], row[4], row[5], row[6], row[7], row[8]
+    sample = SampleRow(t, x, y, wx, wy, wz, ax, ay, az)
+    if not usable(sample, memory[STARTED], memory[T], memory[GAP_S]):
+        return
+    if memory[MODE] != WAITING:
+        predict(memory, t - memory[T], (wx, wy, wz), (ax, ay, az))
+    if x == x:
+        look(memory, x / memory[FOCAL], y / memory[FOCAL])
+    if memory[MODE] == RUNNING and not memory[STATE + 2] > NEAREST_M:
+        memory[MODE] = WAITING
+        memory[RESTARTS] += 1.0
+    memory[STARTED], memory[T] = 1.0, t
+    memory[WX], memory[WY], memory[WZ] = wx, wy, wz
+    memory[AX], memory[AY], memory[AZ] = ax, ay, az
+    out[0], out[OUT_RESTARTS], out[OUT_RUNNING] = t, memory[RESTARTS], 0.0
+    if memory[MODE] == RUNNING:
+        for i in range(42):
+            out[OUT_STATE + i] = memory[STATE + i]
+        out[OUT_RUNNING] = 1.0
+
+
+def answer(memory: FloatArray, sample: Row) -> FloatArray:
+    """``step`` for one sample without a table."""
+    out = np.full(WIDTH, nan)
+    step(memory, np.array(sample), out)
+    return out
 
 
 class PointEstimate(msgspec.Struct, frozen=True):
@@ -78,7 +180,7 @@ class PointFilter(CameraStage):
     Parameters: ``focal_px`` px; ``noise_px`` px, standard deviation of a coordinate (n / sqrt(3) for noise
     uniform in +-n); ``gyro_noise`` rad/s/sqrt(Hz); ``accel_noise`` m/s^2/sqrt(Hz); ``share`` of the depth:
     above 0.15 some runs start wrong and stay wrong;
-    ``gap_s`` s. Memory: 178 floats. Returns PointEstimate or ``None`` from ``update``, PointTrack from
+    ``gap_s`` s. Memory: 274 floats. Returns PointEstimate or ``None`` from ``update``, PointTrack from
     ``run``. Raises ParameterError; EventError and EventOrderError from ``update`` and ``run``.
 
     Reference: Bar-Shalom, Li, Kirubarajan 2001, section 10.3 (extended Kalman filter) and 5.4 (consistency).
@@ -91,49 +193,46 @@ class PointFilter(CameraStage):
     True
     """
 
-    parameters = (
-        FOCAL,
-        Parameter("noise_px", "px", 1e-3, 1e3, "standard deviation of a coordinate in the image"),
-        Parameter("gyro_noise", "rad/s/sqrt(Hz)", 0.0, 1.0, "density of the gyroscope's white noise"),
-        Parameter("accel_noise", "m/s^2/sqrt(Hz)", 0.0, 10.0, "density of the accelerometer's white noise"),
-        Parameter("share", "", 1e-3, 0.5, "relative standard deviation of the depth at which it starts"),
-        Parameter("gap_s", "s", 1e-3, 10.0, "longest silence of the inertial sensor that is bridged"),
+    focal_px: float = parameter("px", *FOCAL_PX, "focal length: image plane to px")
+    noise_px: float = parameter(
+        "px", 1e-3, 1e3, "standard deviation of a coordinate in the image", default=1.0
     )
-    width = point_law.WIDTH
-    step = staticmethod(point_law.answered)
-    loop = staticmethod(point_law.loop)
-    at_started, at_t, at_gap = point_law.STARTED, point_law.T, point_law.GAP_S
+    gyro_noise: float = parameter(
+        "rad/s/sqrt(Hz)", 0.0, 1.0, "density of the gyroscope's white noise", default=0.0
+    )
+    accel_noise: float = parameter(
+        "m/s^2/sqrt(Hz)", 0.0, 10.0, "density of the accelerometer's white noise", default=0.0
+    )
+    share: float = parameter(
+        "", 1e-3, 0.5, "relative standard deviation of the depth at which it starts", default=0.1
+    )
+    gap_s: float = parameter(
+        "s", 1e-3, 10.0, "longest silence of the inertial sensor that is bridged", default=1.0
+    )
+    states = END - STARTED
+    width = WIDTH
+    loop = staticmethod(loop_into(step))
+    step = staticmethod(answer)
+    at_started, at_t, at_gap = STARTED, T, GAP_S
 
-    def __init__(
-        self,
-        *,
-        focal_px: float,
-        noise_px: float = 1.0,
-        gyro_noise: float = 0.0,
-        accel_noise: float = 0.0,
-        share: float = 0.1,
-        gap_s: float = 1.0,
-    ) -> None:
-        own = {"focal_px": focal_px, "noise_px": noise_px, "gyro_noise": gyro_noise}
-        own |= {"accel_noise": accel_noise, "share": share, "gap_s": gap_s}
-        check(self.parameters, own)
-        variances = [
-            (float(noise_px) / float(focal_px)) ** 2,
-            float(gyro_noise) ** 2,
-            float(accel_noise) ** 2,
-        ]
-        self.lay_out([float(focal_px), *variances, float(share), float(gap_s)], point_law.STATES)
+    def settings(self) -> list[float]:
+        """What stands first in the memory: variances in the place of standard deviations."""
+        image = (float(self.noise_px) / float(self.focal_px)) ** 2
+        inertial = [float(self.gyro_noise) ** 2, float(self.accel_noise) ** 2]
+        return [float(self.focal_px), image, *inertial, float(self.share), float(self.gap_s)]
 
     def update(self, sample: CameraSample, /) -> PointEstimate | None:
         """Consume one sample; ``None`` before the start. A refused sample changes nothing."""
         row = self.advance(sample)
-        if row[44] != 1.0:
+        if row[OUT_RUNNING] != 1.0:
             return None
-        return PointEstimate(row[0], np.array(row[1:7]), np.reshape(row[7:43], (6, 6)), int(row[43]))
+        state, covariance = row[OUT_STATE:OUT_SPREAD], row[OUT_SPREAD:OUT_RESTARTS]
+        return PointEstimate(row[0], np.array(state), covariance.reshape(6, 6), int(row[OUT_RESTARTS]))
 
     def run(self, columns: CameraColumns) -> PointTrack:
         """Consume a table; a refused row raises its error and nothing is consumed."""
         out = self.table(columns)
-        running = out[:, 44] == 1.0
-        restarts = int(out[-1, 43]) if len(out) else 0
-        return PointTrack(out[:, 0], out[:, 1:7], out[:, 7:43].reshape(-1, 6, 6), running, restarts)
+        state, covariance = out[:, OUT_STATE:OUT_SPREAD], out[:, OUT_SPREAD:OUT_RESTARTS]
+        restarts = int(out[-1, OUT_RESTARTS]) if len(out) else 0
+        running = out[:, OUT_RUNNING] == 1.0
+        return PointTrack(out[:, 0], state, covariance.reshape(-1, 6, 6), running, restarts)

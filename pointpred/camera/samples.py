@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import msgspec
 import numpy as np
 
@@ -11,7 +13,8 @@ from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
 from pointpred.parameter import Parameter, check
 
-FOCAL = Parameter("focal_px", "px", 1.0, 1e6, "focal length: image plane to px")
+FOCAL_PX = (1.0, 1e6)
+FOCAL = Parameter("focal_px", "px", *FOCAL_PX, "focal length: image plane to px")
 NOISE = (
     Parameter("noise_px", "px", 0.0, 1e3, "pixel noise, uniform in +-noise_px"),
     Parameter("gyro_noise", "rad/s/sqrt(Hz)", 0.0, 1.0, "density of the gyroscope's white noise"),
@@ -40,10 +43,24 @@ class CameraSample(msgspec.Struct, frozen=True):
     az: float
 
 
+class SampleRow(NamedTuple):
+    """A ``CameraSample`` as a row of floats; x and y are NaN where there is no image."""
+
+    t: float
+    x: float
+    y: float
+    wx: float
+    wy: float
+    wz: float
+    ax: float
+    ay: float
+    az: float
+
+
 class CameraColumns(Columns[CameraSample]):
     """Camera samples as columns; x and y are NaN where there is no image."""
 
-    names = ("t", "x", "y", "wx", "wy", "wz", "ax", "ay", "az")
+    names = SampleRow._fields
 
     def samples(self) -> list[CameraSample]:
         """The rows as records."""
@@ -93,14 +110,22 @@ def simulate(
     """
     for name, value in (("duration_s", duration_s), ("image_hz", image_hz)):
         if not (is_number(value) and 0.0 < value <= 1e6):
-            raise ParameterError(f"{name} must lie in (0, 1e6], received {value!r}")
+            raise ParameterError(f"{name} must lie in (0, 1e6], received {value!r}", field=name, value=value)
     if isinstance(readings, bool) or not isinstance(readings, int) or not 1 <= readings <= 1000:
-        raise ParameterError(f"readings must be a whole number in [1, 1000], received {readings!r}")
+        raise ParameterError(
+            f"readings must be a whole number in [1, 1000], received {readings!r}",
+            field="readings",
+            value=readings,
+        )
     _check_seed(seed)
     rate_hz = image_hz * readings
     if duration_s * rate_hz > ROWS_MOST:
-        told = f"{duration_s:g} s x {image_hz:g} images/s x {readings} readings"
-        raise ParameterError(f"at most {ROWS_MOST:.0e} samples can be simulated, received {told}")
+        product = f"{duration_s:g} s x {image_hz:g} images/s x {readings} readings"
+        raise ParameterError(
+            f"at most {ROWS_MOST:.0e} samples can be simulated, received {product}",
+            field="duration_s",
+            value=duration_s,
+        )
     t = np.arange(round(duration_s * rate_hz) + 1) / rate_hz
     truth = trajectory(scenario, t)
     return observed(truth, focal_px=focal_px, readings=readings, noise=noise, seed=seed), truth
@@ -134,4 +159,6 @@ def observed(
 
 def _check_seed(seed: int) -> None:
     if isinstance(seed, bool) or not isinstance(seed, int) or seed < 0:
-        raise ParameterError(f"seed must be a whole number not below 0, received {seed!r}")
+        raise ParameterError(
+            f"seed must be a whole number not below 0, received {seed!r}", field="seed", value=seed
+        )

@@ -75,14 +75,14 @@ def trajectory(scenario: Scenario, t: FloatArray) -> Trajectory:
 
     times = np.asarray(t, np.float64)
     if times.ndim != 1 or len(times) < 2 or times[0] != 0.0 or not (np.diff(times) > 0.0).all():
-        raise ParameterError("times must increase from 0, at least two")
+        raise ParameterError("times must increase from 0, at least two", field="t", value=t)
 
     def rate(now: float, p: FloatArray) -> FloatArray:
         v, w = _vector(scenario.velocity, now), _vector(scenario.angular, now)
         motion: FloatArray = -v - np.cross(w, p)
         return motion
 
-    found = solve_ivp(
+    solution = solve_ivp(
         rate,
         (0.0, times[-1]),
         scenario.point,
@@ -92,7 +92,7 @@ def trajectory(scenario: Scenario, t: FloatArray) -> Trajectory:
         atol=ACCURACY,
         max_step=0.25,
     )
-    p = found.y.T
+    p = solution.y.T
     if not (p[:, 2] > 0.0).all():
         raise ParameterError(f"{scenario.name}: the camera reaches the point before {times[-1]:g} s")
     v, w = _vector(scenario.velocity, times), _vector(scenario.angular, times)

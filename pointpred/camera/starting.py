@@ -9,14 +9,15 @@ from __future__ import annotations
 
 from math import sqrt
 
-import numpy as np
-
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.stage import offsets
 
-CARRY, FORCE, NORMAL, RIGHT, SHAKEN = 0, 36, 42, 78, 84
-"""Places relative to ``at``: Phi and g of s = Phi s0 + g, normal matrix, right side, sensor noise."""
-STATES = 120
+# Relative to `at`: Phi and g of s = Phi s0 + g, normal matrix, right side, sensor noise; then room for the
+# factor of the normal matrix, the first state, the state now, a row and the covariance.
+CARRY, FORCE, NORMAL, RIGHT, NOISE, FACTOR, FIRST, NOW, ROW, SPREAD, STATES = offsets(
+    36, 6, 36, 6, 36, 36, 6, 6, 6, 36
+)
 
 
 @law
@@ -44,45 +45,36 @@ def take(memory: FloatArray, at: int, x: float, y: float, variance: float) -> No
 
 
 @law
-def factor(matrix: FloatArray) -> bool:
+def factor(memory: FloatArray, m: int) -> bool:
     """Cholesky's lower factor in place; false where the matrix is not safely positive definite."""
     for i in range(6):
-        own = matrix[i, i]
+        own = memory[m + 7 * i]
         for j in range(i + 1):
-            total = matrix[i, j]
+            total = memory[m + 6 * i + j]
             for k in range(j):
-                total -= matrix[i, k] * matrix[j, k]
+                total -= memory[m + 6 * i + k] * memory[m + 6 * j + k]
             if i == j:
                 if not total > 1e-12 * own:
                     return False
-                matrix[i, i] = sqrt(total)
+                memory[m + 7 * i] = sqrt(total)
             else:
-                matrix[i, j] = total / matrix[j, j]
+                memory[m + 6 * i + j] = total / memory[m + 7 * j]
     return True
 
 
 @law
-def solved(matrix: FloatArray, vector: FloatArray) -> None:
-    """Solve with Cholesky's factor, in place."""
+def solve(memory: FloatArray, m: int, v: int) -> None:
+    """Solve with Cholesky's factor at ``m``, the vector at ``v`` in place."""
     for i in range(6):
-        total = vector[i]
+        total = memory[v + i]
         for k in range(i):
-            total -= matrix[i, k] * vector[k]
-        vector[i] = total / matrix[i, i]
+            total -= memory[m + 6 * i + k] * memory[v + k]
+        memory[v + i] = total / memory[m + 7 * i]
     for i in range(5, -1, -1):
-        total = vector[i]
+        total = memory[v + i]
         for k in range(i + 1, 6):
-            total -= matrix[k, i] * vector[k]
-        vector[i] = total / matrix[i, i]
-
-
-@law
-def six(memory: FloatArray, at: int) -> FloatArray:
-    """A copy of six numbers of the memory."""
-    numbers = np.empty(6)
-    for i in range(6):
-        numbers[i] = memory[at + i]
-    return numbers
+            total -= memory[m + 6 * k + i] * memory[v + k]
+        memory[v + i] = total / memory[m + 7 * i]
 
 
 @law
@@ -91,34 +83,34 @@ def start(memory: FloatArray, at: int, state: int, p: int, variance: float, shar
 
     P = Phi N^-1 Phi' r Z^2, Z^2 the mean square of a depth that ran evenly since, and the sensors' noise.
     """
-    matrix = np.empty((6, 6))
+    lower, first, now, row, spread = at + FACTOR, at + FIRST, at + NOW, at + ROW, at + SPREAD
+    for i in range(36):
+        memory[lower + i] = memory[at + NORMAL + i]
+    if not factor(memory, lower):
+        return False
+    for i in range(6):
+        memory[first + i], memory[now + i] = memory[at + RIGHT + i], memory[at + FORCE + i]
+    solve(memory, lower, first)
     for i in range(6):
         for j in range(6):
-            matrix[i, j] = memory[at + NORMAL + 6 * i + j]
-    if not factor(matrix):
+            memory[now + i] += memory[at + CARRY + 6 * i + j] * memory[first + j]
+    z0, z = memory[first + 2], memory[now + 2]
+    square = (z0 * z0 + z0 * z + z * z) / 3.0
+    if not (z0 > 0.0 and z > 0.0):
         return False
-    first = six(memory, at + RIGHT)
-    solved(matrix, first)
-    now = six(memory, at + FORCE)
-    for i in range(6):
+    for i in range(6):  # a row of Phi N^-1, then times Phi'
         for j in range(6):
-            now[i] += memory[at + CARRY + 6 * i + j] * first[j]
-    square = (first[2] * first[2] + first[2] * now[2] + now[2] * now[2]) / 3.0
-    if not (first[2] > 0.0 and now[2] > 0.0):
-        return False
-    spread = np.empty((6, 6))  # rows: Phi N^-1, then times Phi'
-    for i in range(6):
-        row = six(memory, at + CARRY + 6 * i)
-        solved(matrix, row)
+            memory[row + j] = memory[at + CARRY + 6 * i + j]
+        solve(memory, lower, row)
         for j in range(6):
             total = 0.0
             for k in range(6):
-                total += row[k] * memory[at + CARRY + 6 * j + k]
-            spread[i, j] = total * variance * square + memory[at + SHAKEN + 6 * i + j]
-    if not spread[2, 2] < (share * now[2]) ** 2:
+                total += memory[row + k] * memory[at + CARRY + 6 * j + k]
+            memory[spread + 6 * i + j] = total * variance * square + memory[at + NOISE + 6 * i + j]
+    if not memory[spread + 14] < (share * z) ** 2:
         return False
     for i in range(6):
-        memory[state + i] = now[i]
+        memory[state + i] = memory[now + i]
         for j in range(6):
-            memory[p + 6 * i + j] = 0.5 * (spread[i, j] + spread[j, i])
+            memory[p + 6 * i + j] = 0.5 * (memory[spread + 6 * i + j] + memory[spread + 6 * j + i])
     return True

@@ -2,20 +2,35 @@
 
 from __future__ import annotations
 
-from pointpred.columns import BoolArray, FloatArray
+from math import nan
+from typing import NamedTuple
+
+from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.errors import EventError
 from pointpred.events import LATEST_S
-from pointpred.parameter import Parameter, check
-from pointpred.stage import CompiledStage
+from pointpred.parameter import parameter
+from pointpred.rows import Row
+from pointpred.stage import CompiledStage, loop_of
 
-NONE = float("nan")
 SPREAD_START = 1.0
 """Standard deviation of d before anything was seen, 1/s."""
 
-NOISE, DENSITY = 0, 1
-STARTED, T, SEEN, X, Y, DX, DY, KX, KY, P00, P01, P11 = range(2, 14)
-STATES = 12
+# The parameters. The state: whether a row came, its time, whether an image came; its place and d, the known
+# part of the motion then, and the covariance of a place and d, which both axes share.
+NOISE, DENSITY, STARTED, T, IMAGED, X, Y, DX, DY, KX, KY, P00, P01, P11, END = range(15)
+
+
+class FlowRow(NamedTuple):
+    """``t`` s; the point ``x y`` in focal lengths, NaN without an image; ``eta`` 1/s; ``wx wy wz`` rad/s."""
+
+    t: float
+    x: float
+    y: float
+    eta: float
+    wx: float
+    wy: float
+    wz: float
 
 
 @law
@@ -42,14 +57,13 @@ def predict(memory: FloatArray, eta: float, wx: float, wy: float, wz: float, h: 
 
 
 @law
-def step(
-    memory: FloatArray, t: float, x: float, y: float, eta: float, wx: float, wy: float, wz: float
-) -> tuple[float, float, float, float]:
-    """One sample: t, d_x, d_y and their standard deviation, 1/s; x and y are NaN without an image."""
+def step(memory: FloatArray, row: Row) -> tuple[float, float, float, float]:
+    """One ``FlowRow``: t, d_x, d_y and their standard deviation, 1/s."""
+    t, x, y, eta, wx, wy, wz = FlowRow(*row)
     if not abs(t) <= LATEST_S or eta != eta or (memory[STARTED] == 1.0 and not t > memory[T]):
-        return NONE, NONE, NONE, NONE
+        return nan, nan, nan, nan
     image = x == x
-    if memory[SEEN] == 1.0:
+    if memory[IMAGED] == 1.0:
         predict(memory, eta, wx, wy, wz, t - memory[T])
         if image:
             total = memory[P00] + memory[NOISE]
@@ -63,25 +77,20 @@ def step(
             memory[P01] *= 1.0 - near
             memory[P00] *= 1.0 - near
     elif image:
-        memory[SEEN], memory[X], memory[Y] = 1.0, x, y
+        memory[IMAGED], memory[X], memory[Y] = 1.0, x, y
         memory[P00], memory[P11] = memory[NOISE], SPREAD_START**2
     memory[STARTED], memory[T] = 1.0, t
     memory[KX], memory[KY] = flow(memory[X], memory[Y], eta, wx, wy, wz)
-    if memory[SEEN] == 0.0:
-        return t, NONE, NONE, NONE
+    if memory[IMAGED] == 0.0:
+        return t, nan, nan, nan
     return t, memory[DX], memory[DY], memory[P11] ** 0.5
 
 
 @law
-def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
-    """The same step over a table."""
-    for i in range(len(rows)):
-        if begin[i]:
-            memory[first:] = 0.0
-        r = rows[i]
-        answer = step(memory, r[0], r[1], r[2], r[3], r[4], r[5], r[6])
-        for j in range(len(answer)):
-            out[i, j] = answer[j]
+def row_at(rows: FloatArray, i: int) -> tuple[float, float, float, float, float, float, float]:
+    """A row of a table as a tuple."""
+    r = rows[i]
+    return r[0], r[1], r[2], r[3], r[4], r[5], r[6]
 
 
 class UnknownInputFilter(CompiledStage):
@@ -105,21 +114,22 @@ class UnknownInputFilter(CompiledStage):
     0.1
     """
 
-    parameters = (
-        Parameter("noise", "", 1e-9, 1.0, "standard deviation of x and y, in units of the focal length"),
-        Parameter("density", "1/s^3", 1e-12, 1e6, "spectral density of the unknown input's rate"),
+    noise: float = parameter("", 1e-9, 1.0, "standard deviation of x and y, in units of the focal length")
+    density: float = parameter(
+        "1/s^3", 1e-12, 1e6, "spectral density of the unknown input's rate", default=3e-4
     )
+    states = END - STARTED
     width = 4
-    loop = staticmethod(loop)
+    loop = staticmethod(loop_of(step, row_at))
 
-    def __init__(self, *, noise: float, density: float = 3e-4) -> None:
-        check(self.parameters, {"noise": noise, "density": density})
-        self.lay_out([float(noise) ** 2, float(density)], STATES)
+    def settings(self) -> list[float]:
+        """What stands first in the memory."""
+        return [float(self.noise) ** 2, float(self.density)]
 
     def update(self, row: tuple[float, ...], /) -> tuple[float, float, float, float]:
         """Consume one row; a refused one changes nothing."""
         t, x, y, eta, wx, wy, wz = map(float, row)
-        answer = step(self._memory, t, x, y, eta, wx, wy, wz)
+        answer = step(self._memory, (t, x, y, eta, wx, wy, wz))
         if answer[0] != answer[0]:
-            raise EventError(f"t must increase and eta be a number, received {row!r}")
+            raise EventError(f"t must increase and eta be a number, received {row!r}", value=row)
         return answer

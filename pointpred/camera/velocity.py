@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import nan
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,6 @@ from pointpred.errors import ParameterError
 from pointpred.events import METRES_PER_INCH, PointerEvent
 from pointpred.parameter import Parameter, check
 
-NONE = float("nan")
 NOISE_PX = Parameter("noise_px", "px", 1e-3, 1e3, "standard deviation of a coordinate in the image")
 FLOOR = 1e-4
 """chi at or below this (a depth of 10 km) is no depth: the velocity is NaN there, never clipped."""
@@ -31,7 +31,7 @@ CALM: dict[str, dict[str, Any]] = {
 }
 """Settings for a camera at 33 images a second, the best of a small grid with 4 px of noise."""
 WAYS = (*DIFFERENTIATORS, *(f"{name}, calm" for name in CALM), FED_FORWARD)
-"""How d can be had: by each differentiator, by those set for a camera, by the two-state filter."""
+"""Ways to d: by each differentiator, by those set for a camera, by the two-state filter."""
 
 
 def velocities(d: FloatArray, depth: DepthColumns) -> FloatArray:
@@ -42,8 +42,8 @@ def velocities(d: FloatArray, depth: DepthColumns) -> FloatArray:
     [[0.2, 0.0, -0.2], [nan, nan, nan]]
     """
     chi = np.where(depth.chi > FLOOR, depth.chi, np.nan)
-    found: FloatArray = np.column_stack([d, depth.eta]) / chi[:, None]
-    return found
+    rates: FloatArray = np.column_stack([d, depth.eta]) / chi[:, None]
+    return rates
 
 
 class UnknownInputs:
@@ -63,10 +63,12 @@ class UnknownInputs:
 
     def __init__(self, way: str, *, focal_px: float, noise_px: float = 1.0) -> None:
         if way not in WAYS:
-            raise ParameterError(f"way must be one of {'; '.join(WAYS)}; received {way!r}")
+            raise ParameterError(
+                f"way must be one of {'; '.join(WAYS)}; received {way!r}", field="way", value=way
+            )
         check((FOCAL, NOISE_PX), {"focal_px": focal_px, "noise_px": noise_px})
         self.way, self.focal_px = way, float(focal_px)
-        self._held = (NONE, NONE)
+        self._d = (nan, nan)
         self._filter: UnknownInputFilter | None = None
         self._differentiator: Differentiator | None = None
         if way == FED_FORWARD:
@@ -78,7 +80,7 @@ class UnknownInputs:
 
     def reset(self) -> None:
         """Forget every sample."""
-        self._held = (NONE, NONE)
+        self._d = (nan, nan)
         for stage in (self._filter, self._differentiator):
             if stage is not None:
                 stage.reset()
@@ -86,21 +88,21 @@ class UnknownInputs:
     def update(self, sample: CameraSample, eta: float) -> tuple[float, float]:
         """Consume one sample and the observer's eta; NaN where nothing is known yet."""
         if eta != eta:
-            return self._held
+            return self._d
         w = (sample.wx, sample.wy, sample.wz)
         if sample.x is None or sample.y is None:
             if self._filter is not None:
-                self._held = self._filter.update((sample.t, NONE, NONE, eta, *w))[1:3]
-            return self._held
+                self._d = self._filter.update((sample.t, nan, nan, eta, *w))[1:3]
+            return self._d
         x, y = sample.x / self.focal_px, sample.y / self.focal_px
         if self._filter is not None:
-            self._held = self._filter.update((sample.t, x, y, eta, *w))[1:3]
+            self._d = self._filter.update((sample.t, x, y, eta, *w))[1:3]
         elif self._differentiator is not None:
             motion = self._differentiator.update(PointerEvent(sample.t, sample.x, sample.y))
-            scale = DPI / METRES_PER_INCH / self.focal_px if motion.settled else NONE
+            scale = DPI / METRES_PER_INCH / self.focal_px if motion.settled else nan
             known_x, known_y = flow(x, y, eta, *w)
-            self._held = known_x - motion.vx * scale, known_y - motion.vy * scale
-        return self._held
+            self._d = known_x - motion.vx * scale, known_y - motion.vy * scale
+        return self._d
 
     def run(self, samples: CameraColumns, eta: FloatArray) -> FloatArray:
         """Consume a table: d at each row, by the same stages."""

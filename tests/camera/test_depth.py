@@ -71,7 +71,7 @@ def test_the_general_reduced_form_is_the_compiled_law(design: UnknownInputObserv
         known = np.concatenate([model.interaction(x, y) @ [wx, wy, wz], np.zeros(2)])
         rate = design.expand(design.reduced_rate(design.reduce(z), np.array([x, y]), point, known))
         np.testing.assert_allclose(
-            depth.rate(chi, z[3], x, y, wx, wy, wz, a_z, dwx, dwy), rate[2:], atol=1e-15
+            depth.rate(chi, z[3], depth.Measured(x, y, wx, wy, wz, a_z), dwx, dwy), rate[2:], atol=1e-15
         )
         np.testing.assert_allclose(design.rate(z, np.array([x, y]), point, known), rate, atol=1e-14)
 
