@@ -88,7 +88,7 @@ def _judged(
     (scored,) = score([part], [pipeline_of(fitted, table)])
     whole = own.left_s / np.maximum(1.0 - own.share, 1e-6)
     _, first = np.unique(own.trial, return_index=True)
-    since = mine.features[:, features.NAMES.index("time")].astype(np.float64)
+    since = mine.features[:, features.TIME].astype(np.float64)
     clock = np.maximum(float(np.median(whole[first])) - since, 0.0)
     left = calibrate.time_left(fitted, mine)
     errors = [float((mine.weight * np.abs(said - mine.left_s)).sum()) for said in (left, clock)]

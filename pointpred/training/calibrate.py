@@ -68,7 +68,7 @@ def held(fitted: Fitted, given: Examples, settings: Settings) -> Held:
 
 
 def _left(said: FloatArray, given: Examples) -> FloatArray:
-    since = given.features[:, features.NAMES.index("time")].astype(np.float64)
+    since = given.features[:, features.TIME].astype(np.float64)
     ahead: FloatArray = np.exp(np.clip(said[:, net.LEFT], *net.LEFT_LOGS))
     return (since + net.HEAD_START_S) * ahead
 

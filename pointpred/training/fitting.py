@@ -113,7 +113,7 @@ def truth(given: Examples, settings: Settings) -> Truth:
         (given.along / reach).astype(np.float32),
         (given.across / reach).astype(np.float32),
         given.left_s.astype(np.float32),
-        seen[:, features.NAMES.index("time")],
+        seen[:, features.TIME],
         even(moment * near**settings.late * reach / mean_hold),
         even(moment * np.where(given.own, 1.0, settings.varied_law), settings.law_share),
         even(moment / duration * np.where(given.own, 1.0, settings.varied_time), settings.time_share),

@@ -7,8 +7,7 @@ import pytest
 
 from pointpred import EventColumns, build
 from pointpred.columns import FloatArray
-from pointpred.predictors.kinematic import features, history
-from pointpred.predictors.kinematic import observation as sight
+from pointpred.predictors.kinematic import features, history, observation
 
 LAGS = np.array(features.LAGS_S)
 
@@ -29,7 +28,7 @@ def seen(events: EventColumns) -> tuple[FloatArray, FloatArray, FloatArray]:
     found, frames = np.zeros((len(motions), features.FEATURES)), np.zeros((len(motions), 3))
     begin = np.zeros(len(motions), np.bool_)
     begin[0] = True
-    sight.see_all(np.zeros(sight.STATES), begin, motions, found, frames)
+    observation.observe_all(np.zeros(observation.STATES), begin, motions, found, frames)
     return motions, found, frames
 
 
@@ -80,23 +79,23 @@ def test_features_agree_with_a_slow_computation(rate: float) -> None:
         peak, at = slow.speed.max(), int(slow.speed.argmax())
         hand = way + 0.06 * peak + 1e-4
         wanted = {
-            "log reach": np.log(hand),
-            "time": now,
-            "d": d / reach,
-            "straight": d / slow.paths[-1],
-            "back": d / np.hypot(*slow.place.T).max(),
-            "log peak": np.log(peak + 3e-4),
-            "speed of peak": slow.speed[-1] / (peak + 1e-9),
-            "since peak": now - slow.t[at],
-            "d at peak": np.hypot(*slow.place[at]) / reach,
-            "mean of peak": way / (now + 1e-3) / (peak + 1e-9),
-            "v along": motions[i, 3:5] @ u * 0.1 / hand,
-            "a along": motions[i, 5:7] @ u * 0.01 / hand,
-            "slow for": now - slow.t[_last(slow, 0.2)],
-            "slower for": now - slow.t[_last(slow, 0.05)],
+            features.LOG_REACH: np.log(hand),
+            features.TIME: now,
+            features.DISTANCE: d / reach,
+            features.STRAIGHTNESS: d / slow.paths[-1],
+            features.RETURN: d / np.hypot(*slow.place.T).max(),
+            features.LOG_PEAK: np.log(peak + 3e-4),
+            features.SPEED_OF_PEAK: slow.speed[-1] / (peak + 1e-9),
+            features.SINCE_PEAK: now - slow.t[at],
+            features.PEAK_DISTANCE: np.hypot(*slow.place[at]) / reach,
+            features.MEAN_OF_PEAK: way / (now + 1e-3) / (peak + 1e-9),
+            features.V_ALONG: motions[i, 3:5] @ u * 0.1 / hand,
+            features.A_ALONG: motions[i, 5:7] @ u * 0.01 / hand,
+            features.SLOW_FOR: now - slow.t[_last(slow, 0.2)],
+            features.SLOWER_FOR: now - slow.t[_last(slow, 0.05)],
         }
-        for name, value in wanted.items():
-            assert found[i, features.NAMES.index(name)] == pytest.approx(value, rel=1e-6, abs=1e-7), name
+        for place, value in wanted.items():
+            assert found[i, place] == pytest.approx(value, rel=1e-6, abs=1e-7), place
         v_across = motions[i, 3:5] @ n * 0.1 / hand
         assert found[i, features.V_ACROSS] == pytest.approx(v_across, rel=1e-6, abs=1e-9)
 
@@ -111,10 +110,10 @@ def test_a_sub_movement_begins_in_the_valley_between_two_peaks() -> None:
     first, second = np.clip(t / 0.6, 0.0, 1.0), np.clip((t - 0.7) / 0.5, 0.0, 1.0)
     way = sum(a * (10 * s**3 - 15 * s**4 + 6 * s**5) for a, s in ((400.0, first), (80.0, second)))
     motions, found, _ = seen(EventColumns.of(t, way, np.zeros(len(t))))
-    subs = found[:, features.NAMES.index("subs")]
+    subs = found[:, features.SUBS]
     assert set(subs.tolist()) == {0.0, 1.0}
     known = int(np.flatnonzero(subs)[0])
-    began = motions[known, 0] - found[known, features.NAMES.index("since sub")]
+    began = motions[known, 0] - found[known, features.SINCE_SUB]
     assert 0.6 <= began <= 0.75  # HOMD lags a little behind the valley at 0.6 to 0.7 s
     assert 0.7 < motions[known, 0] < 0.85
 
@@ -132,6 +131,6 @@ def test_an_event_that_comes_again_at_its_time_is_one_event(gap: float) -> None:
     for table in (motions, twice):
         out = np.zeros((len(table), features.FEATURES))
         begin = np.arange(len(table)) == 0
-        sight.see_all(np.zeros(sight.STATES), begin, table, out, np.zeros((len(table), 3)))
+        observation.observe_all(np.zeros(observation.STATES), begin, table, out, np.zeros((len(table), 3)))
         found.append(out[-20:])
     assert found[0].tobytes() == found[1].tobytes()

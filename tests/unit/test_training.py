@@ -108,7 +108,7 @@ def test_the_law_computes_what_training_computes(school: people.School, tmp_path
     rows = school.own[0].features[:50]
     for seen, wanted in zip(rows, fitted.outputs(rows), strict=True):
         said = np.empty(net.OUTPUTS)
-        at = net.outputs(flat, seen.astype(np.float64), said)
+        at = net.evaluate(flat, seen.astype(np.float64), said)
         np.testing.assert_allclose(said, wanted, rtol=2e-3, atol=2e-4)
         assert len(flat) - at == kinematic_calibration.KNOTS * kinematic_calibration.FACTORS
 
@@ -146,7 +146,7 @@ def test_examples_are_what_the_scorer_sees() -> None:
         duration = prepared.trials[trial].arrival_s
         np.testing.assert_allclose(given.left_s[rows] + given.share[rows] * duration, duration, rtol=1e-9)
         end = prepared.rows(trial).table[-1, 1:3] - prepared.rows(trial).table[0, 1:3]
-        start_to_cursor = given.features[rows][:, features.NAMES.index("d")] * given.reach[rows]
+        start_to_cursor = given.features[rows][:, features.DISTANCE] * given.reach[rows]
         np.testing.assert_allclose(
             np.hypot(start_to_cursor + given.along[rows], given.across[rows]), np.hypot(*end), rtol=1e-4
         )

@@ -9,8 +9,7 @@ from pointpred.compiled import law
 
 KNOTS = 10
 """Of the share of the time that has passed, as predicted: 0.05, 0.15 ... 0.95."""
-WIDTH, TAIL, SPREAD = 0, 1, 2
-FACTORS = 3
+WIDTH, TAIL, SPREAD, FACTORS = range(4)
 """Logarithms of what the widths, the tail, the spread of the time left are multiplied by."""
 
 

@@ -1,70 +1,53 @@
 """What a learned predictor sees of a movement: numbers that know neither rotation nor the screen's scale.
 
 Lengths on the screen count in ``reach``, the px travelled and what the cursor's peak speed adds; lengths of
-the hand in the hand's own ``reach``. How large a movement is stands only in what is measured in metres.
+the hand in the hand's own reach. How large a movement is stands only in what is measured in metres.
 """
 
 from __future__ import annotations
 
 from math import hypot, log
+from typing import NamedTuple
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.predictors import minimum_jerk
-from pointpred.predictors.kinematic import history, track
+from pointpred.predictors.kinematic import history, submovements, track
+from pointpred.predictors.kinematic.history import Point
+from pointpred.rows import MotionRow
+from pointpred.stage import offsets
 
 LAGS_S = (0.01, 0.02, 0.03, 0.045, 0.065, 0.09, 0.12, 0.16, 0.21, 0.28, 0.37, 0.5)
-NAMES = (
-    "log reach",
-    "log time",
-    "time",
-    "d",
-    "straight",
-    "back",
-    "cursor peak",
-    "log peak",
-    "log speed",
-    "v along",
-    "a along",
-    "speed of peak",
-    "v aligned",
-    "since peak",
-    "peak share",
-    "peak at",
-    "d at peak",
-    "path at peak",
-    "mean of peak",
-    "push",
-    "brake",
-    "since push",
-    "subs",
-    "since sub",
-    "sub peak",
-    "speed of sub",
-    "since sub peak",
-    "falling",
-    "sub along",
-    "sub path",
-    "jerk ahead",
-    "sub jerk ahead",
-    "slow for",
-    "slower for",
-    "still for",
-    "log mean",
-    "stop time",
-    "stop way",
-)
-EVEN = len(NAMES)
-V_ALONG, SUB_ALONG = NAMES.index("v along"), NAMES.index("sub along")
-LAG_ALONG = EVEN
-ODD = EVEN + len(LAGS_S)
-"""From here on features change their sign in a mirror: across the direction instead of along it."""
-V_ACROSS, A_ACROSS, SUB_ACROSS, LAG_ACROSS = ODD, ODD + 1, ODD + 2, ODD + 3
-FEATURES = LAG_ACROSS + len(LAGS_S)
+
+# The places of the features, which the coefficients follow. First those that a mirror leaves as they are:
+LOG_REACH, LOG_TIME, TIME, DISTANCE, STRAIGHTNESS, RETURN, CURSOR_PEAK, LOG_PEAK = range(8)
+LOG_SPEED, V_ALONG, A_ALONG, SPEED_OF_PEAK, V_ALIGNED = range(8, 13)
+SINCE_PEAK, PEAK_SHARE, PEAK_TIME, PEAK_DISTANCE, PEAK_PATH, MEAN_OF_PEAK = range(13, 19)
+PUSH, BRAKE, SINCE_PUSH = range(19, 22)
+SUBS, SINCE_SUB, SUB_PEAK, SPEED_OF_SUB, SINCE_SUB_PEAK, FALLING, SUB_ALONG, SUB_PATH = range(22, 30)
+JERK_AHEAD, SUB_JERK_AHEAD = range(30, 32)
+SLOW_FOR, SLOWER_FOR, STILL_FOR, LOG_MEAN = range(32, 36)
+STOP_TIME, STOP_WAY = range(36, 38)
+_, LAG_ALONG, ODD = offsets(STOP_WAY + 1, len(LAGS_S))
+"""From ODD on they change their sign in a mirror: across the direction instead of along it."""
+_, V_ACROSS, A_ACROSS, SUB_ACROSS, LAG_ACROSS, FEATURES = offsets(ODD, 1, 1, 1, len(LAGS_S))
+
 REACH_S = 0.06
 """Seconds of the peak speed that count as reach."""
 SOON_S = 0.1
 """Velocities count as the way of so long, accelerations as the change of velocity within a tenth of it."""
+
+
+class Frame(NamedTuple):
+    """What lengths are measured in, px on the screen and m of the hand, and the direction from the start.
+
+    ``reach`` is 0 before the cursor has moved; there are no features then.
+    """
+
+    reach: float
+    hand: float
+    ux: float
+    uy: float
 
 
 @law
@@ -87,101 +70,84 @@ def direction(x: float, y: float, vx: float, vy: float) -> tuple[float, float]:
 
 
 @law
-def shape(
-    memory: FloatArray, at: int, path: float, reach: float, hand: float, t: float, out: FloatArray
-) -> None:
+def frame_of(memory: FloatArray, at: int, point: Point, m: MotionRow) -> Frame:
+    """The frame of the movement so far; ``at``: its track."""
+    ux, uy = direction(point.x, point.y, m.vx, m.vy)
+    if not point.path > 0.0:
+        return Frame(0.0, 0.0, ux, uy)
+    reach = point.path + REACH_S * memory[at + track.CURSOR_PEAK]
+    return Frame(reach, memory[at + track.WAY] + REACH_S * memory[at + track.PEAK] + 1e-4, ux, uy)
+
+
+@law
+def fill_shape(memory: FloatArray, at: int, point: Point, frame: Frame, out: FloatArray) -> None:
     """Features of the way so far: its length, its peak, its sub-movements."""
-    x, y = memory[at + track.X], memory[at + track.Y]
+    t, x, y, path = point
+    reach, hand, _, _ = frame
+    sub = at + track.SUBMOVEMENT
     d, peak = hypot(x, y), memory[at + track.PEAK] + 1e-9
-    out[0] = log(hand)
-    out[1] = log(t + 0.02)
-    out[2] = t
-    out[3] = d / reach
-    out[4] = d / path
-    out[5] = d / max(memory[at + track.FAR], 1e-9)
-    out[6] = memory[at + track.CURSOR_PEAK] * SOON_S / reach
-    out[7] = log(memory[at + track.PEAK] + 3e-4)
-    out[13] = t - memory[at + track.PEAK_T]
-    out[14] = memory[at + track.PEAK_T] / (t + 1e-3)
-    out[15] = memory[at + track.PEAK_T]
-    out[16] = memory[at + track.PEAK_D] / reach
-    out[17] = memory[at + track.PEAK_PATH] / path
-    out[18] = memory[at + track.WAY] / (t + 1e-3) / peak
-    out[19] = memory[at + track.PUSH] * SOON_S * 0.1 / hand
-    out[20] = memory[at + track.BRAKE] * SOON_S * 0.1 / hand
-    out[21] = t - memory[at + track.PUSH_T]
-    out[22] = min(memory[at + track.SUBS], 6.0)
-    out[23] = t - memory[at + track.SUB_T]
-    out[24] = memory[at + track.SUB_PEAK] / peak
-    out[26] = t - memory[at + track.SUB_PEAK_T]
-    out[27] = memory[at + track.FALLING]
-    out[29] = (path - memory[at + track.SUB_PATH]) / reach
-    out[32] = t - memory[at + track.FAST_T]
-    out[33] = t - memory[at + track.MOVING_T]
-    out[34] = t - memory[at + track.MOVED_T]
-    out[35] = log(memory[at + track.WAY] / (t + 0.01) + 3e-4)
+    out[LOG_REACH] = log(hand)
+    out[LOG_TIME] = log(t + 0.02)
+    out[TIME] = t
+    out[DISTANCE] = d / reach
+    out[STRAIGHTNESS] = d / path
+    out[RETURN] = d / max(memory[at + track.FAR], 1e-9)
+    out[CURSOR_PEAK] = memory[at + track.CURSOR_PEAK] * SOON_S / reach
+    out[LOG_PEAK] = log(memory[at + track.PEAK] + 3e-4)
+    out[SINCE_PEAK] = t - memory[at + track.PEAK_T]
+    out[PEAK_SHARE] = memory[at + track.PEAK_T] / (t + 1e-3)
+    out[PEAK_TIME] = memory[at + track.PEAK_T]
+    out[PEAK_DISTANCE] = memory[at + track.PEAK_D] / reach
+    out[PEAK_PATH] = memory[at + track.PEAK_PATH] / path
+    out[MEAN_OF_PEAK] = memory[at + track.WAY] / (t + 1e-3) / peak
+    out[PUSH] = memory[at + track.PUSH] * SOON_S * 0.1 / hand
+    out[BRAKE] = memory[at + track.BRAKE] * SOON_S * 0.1 / hand
+    out[SINCE_PUSH] = t - memory[at + track.PUSH_T]
+    out[SUBS] = min(memory[sub + submovements.COUNT], 6.0)
+    out[SINCE_SUB] = t - memory[sub + submovements.T]
+    out[SUB_PEAK] = memory[sub + submovements.PEAK] / peak
+    out[SINCE_SUB_PEAK] = t - memory[sub + submovements.PEAK_T]
+    out[FALLING] = memory[sub + submovements.FALLING]
+    out[SUB_PATH] = (path - memory[sub + submovements.PATH]) / reach
+    out[SLOW_FOR] = t - memory[at + track.FAST_T]
+    out[SLOWER_FOR] = t - memory[at + track.MOVING_T]
+    out[STILL_FOR] = t - memory[at + track.MOVED_T]
+    out[LOG_MEAN] = log(memory[at + track.WAY] / (t + 0.01) + 3e-4)
 
 
 @law
-def pace(
-    memory: FloatArray,
-    at: int,
-    t: float,
-    reach: float,
-    hand: float,
-    v: float,
-    va: float,
-    aa: float,
-    out: FloatArray,
-) -> None:
-    """Features of the present speed: against its peaks, and what it says is left."""
-    x, y = memory[at + track.X], memory[at + track.Y]
-    sub_x, sub_y = x - memory[at + track.SUB_X], y - memory[at + track.SUB_Y]
-    peak, sub_peak = memory[at + track.PEAK] + 1e-9, memory[at + track.SUB_PEAK] + 1e-9
-    out[8] = log(v + 3e-3)
-    out[9] = va * SOON_S / hand
-    out[10] = aa * SOON_S * 0.1 / hand
-    out[11] = v / peak
-    out[12] = va / (v + 1e-6)
-    out[25] = v / sub_peak
-    out[30] = ahead(v / peak if t > memory[at + track.PEAK_T] else 1.0) * hypot(x, y) / reach
-    out[31] = ahead(v / sub_peak if t > memory[at + track.SUB_PEAK_T] else 1.0) * hypot(sub_x, sub_y) / reach
-    braking = max(-aa, 1e-3)
-    out[36] = min(1.0, max(-1.0, va / braking))
-    out[37] = min(4.0, va * va / (2.0 * braking) / hand)
-
-
-@law
-def features(
-    memory: FloatArray,
-    track_at: int,
-    history_at: int,
-    t: float,
-    vx: float,
-    vy: float,
-    ax: float,
-    ay: float,
-    out: FloatArray,
-) -> tuple[float, float, float]:
-    """Fill ``out``; returns the reach in px, 0 before the cursor has moved, and the direction."""
-    x, y = memory[track_at + track.X], memory[track_at + track.Y]
-    path = history.travelled(memory, history_at, x, y)
-    ux, uy = direction(x, y, vx, vy)
-    if not path > 0.0:
-        return 0.0, ux, uy
-    reach = path + REACH_S * memory[track_at + track.CURSOR_PEAK]
-    hand = memory[track_at + track.WAY] + REACH_S * memory[track_at + track.PEAK] + 1e-4
-    va, aa = vx * ux + vy * uy, ax * ux + ay * uy
-    shape(memory, track_at, path, reach, hand, t, out)
-    pace(memory, track_at, t, reach, hand, hypot(vx, vy), va, aa, out)
-    sub_x, sub_y = x - memory[track_at + track.SUB_X], y - memory[track_at + track.SUB_Y]
+def fill_pace(memory: FloatArray, at: int, point: Point, m: MotionRow, frame: Frame, out: FloatArray) -> None:
+    """Features of the present motion: against its peaks, across the direction, and what it says is left."""
+    reach, hand, ux, uy = frame
+    sub = at + track.SUBMOVEMENT
+    sub_x, sub_y = point.x - memory[sub + submovements.X], point.y - memory[sub + submovements.Y]
+    peak, sub_peak = memory[at + track.PEAK] + 1e-9, memory[sub + submovements.PEAK] + 1e-9
+    v, v_along, a_along = hypot(m.vx, m.vy), m.vx * ux + m.vy * uy, m.ax * ux + m.ay * uy
+    out[LOG_SPEED] = log(v + 3e-3)
+    out[V_ALONG] = v_along * SOON_S / hand
+    out[A_ALONG] = a_along * SOON_S * 0.1 / hand
+    out[SPEED_OF_PEAK] = v / peak
+    out[V_ALIGNED] = v_along / (v + 1e-6)
+    out[SPEED_OF_SUB] = v / sub_peak
+    of_peak = v / peak if point.t > memory[at + track.PEAK_T] else 1.0
+    of_sub = v / sub_peak if point.t > memory[sub + submovements.PEAK_T] else 1.0
+    out[JERK_AHEAD] = ahead(of_peak) * hypot(point.x, point.y) / reach
+    out[SUB_JERK_AHEAD] = ahead(of_sub) * hypot(sub_x, sub_y) / reach
+    braking = max(-a_along, 1e-3)
+    out[STOP_TIME] = min(1.0, max(-1.0, v_along / braking))
+    out[STOP_WAY] = min(4.0, v_along * v_along / (2.0 * braking) / hand)
     out[SUB_ALONG] = (sub_x * ux + sub_y * uy) / reach
     out[SUB_ACROSS] = (sub_y * ux - sub_x * uy) / reach
-    out[V_ACROSS] = (vy * ux - vx * uy) * SOON_S / hand
-    out[A_ACROSS] = (ay * ux - ax * uy) * SOON_S * 0.1 / hand
+    out[V_ACROSS] = (m.vy * ux - m.vx * uy) * SOON_S / hand
+    out[A_ACROSS] = (m.ay * ux - m.ax * uy) * SOON_S * 0.1 / hand
+
+
+@law
+def fill_lags(memory: FloatArray, at: int, point: Point, frame: Frame, out: FloatArray) -> None:
+    """Features of the way of the last moments, from the history at ``at``."""
+    reach, _, ux, uy = frame
     for i in range(len(LAGS_S)):
-        past_x, past_y, _ = history.past(memory, history_at, t, x, y, path, LAGS_S[i])
-        lag_x, lag_y = x - past_x, y - past_y
+        past_x, past_y, _ = history.past(memory, at, point, LAGS_S[i])
+        lag_x, lag_y = point.x - past_x, point.y - past_y
         out[LAG_ALONG + i] = (lag_x * ux + lag_y * uy) / reach
         out[LAG_ACROSS + i] = (lag_y * ux - lag_x * uy) / reach
-    return reach, ux, uy

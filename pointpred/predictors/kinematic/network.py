@@ -9,13 +9,13 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.predictors.kinematic import features
+from pointpred.stage import offsets
 
 # Outputs: the endpoint from the cursor in reaches, along and across the direction; shares of the basis;
 # logarithms of the widths of the law in reaches, of its tail, of the time left over the time passed, of its
 # spread.
-ALONG, ACROSS, BASIS, BASES = 0, 1, 2, 5
-WIDE, BROAD, TAIL, LEFT, SPREAD = 7, 8, 9, 10, 11
-OUTPUTS = 12
+BASES = 5
+ALONG, ACROSS, BASIS, WIDE, BROAD, TAIL, LEFT, SPREAD, OUTPUTS = offsets(1, 1, BASES, 1, 1, 1, 1, 1)
 BASIS_ALONG = (
     features.V_ALONG,
     features.LAG_ALONG + 2,
@@ -37,19 +37,19 @@ SIDE_SOFT = 0.01
 WIDTH_LOGS, TAIL_LOGS, LEFT_LOGS, SPREAD_LOGS = (-9.0, 4.0), (0.3, 4.0), (-6.0, 4.0), (-3.0, 1.5)
 """Bounds on logarithms of outputs."""
 HEAD_START_S = 0.05
-"""Added to the time passed before the time left is said as a multiple of it."""
+"""Added to the time passed, of which the time left is a multiple."""
 EXTREME = 6.0
 """Inputs are cut at so many standard deviations from their mean."""
 
 # The coefficients as one array: sizes of both hidden layers; mean and 1 / deviation of each input; weights
 # (row after row, an input each) and offsets of each layer; the rest is the calibration's.
-FIRST, SECOND, HEAD = 0, 1, 2
+FIRST, SECOND, HEAD = range(3)
 
 
 @law
-def side(seen: FloatArray) -> float:
+def side(values: FloatArray) -> float:
     """To which side the movement bends: between -1 and 1, near 0 while it is straight."""
-    bent = seen[SIDES[0]] + seen[SIDES[1]]
+    bent = values[SIDES[0]] + values[SIDES[1]]
     return float(bent / (bent * bent + SIDE_SOFT * SIDE_SOFT) ** 0.5)
 
 
@@ -72,26 +72,26 @@ def layer(coefficients: FloatArray, at: int, inputs: FloatArray, sums: FloatArra
 
 
 @law
-def bend(sums: FloatArray) -> None:
+def activate(sums: FloatArray) -> None:
     """Replace z by z / (1 + exp(-z)) in place."""
     for j in range(len(sums)):
         sums[j] /= 1.0 + exp(min(-sums[j], 60.0))
 
 
 @law
-def outputs(coefficients: FloatArray, seen: FloatArray, said: FloatArray) -> int:
-    """Fill ``said`` from the features; returns where the calibration stands."""
-    mirror = side(seen)
-    count = len(seen)
+def evaluate(coefficients: FloatArray, values: FloatArray, out: FloatArray) -> int:
+    """Fill ``out`` from the values of the features; returns where the calibration stands."""
+    mirror = side(values)
+    count = len(values)
     inputs = np.empty(count)
     for i in range(count):
-        value = seen[i] * mirror if i >= features.ODD else seen[i]
+        value = values[i] * mirror if i >= features.ODD else values[i]
         value = (value - coefficients[HEAD + i]) * coefficients[HEAD + count + i]
         inputs[i] = min(max(value, -EXTREME), EXTREME)
     first = np.empty(int(coefficients[FIRST]))
     second = np.empty(int(coefficients[SECOND]))
     at = layer(coefficients, HEAD + 2 * count, inputs, first)
-    bend(first)
+    activate(first)
     at = layer(coefficients, at, first, second)
-    bend(second)
-    return layer(coefficients, at, second, said)
+    activate(second)
+    return layer(coefficients, at, second, out)

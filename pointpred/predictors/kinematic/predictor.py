@@ -20,36 +20,37 @@ AT = 0
 
 
 @law
-def bounded(value: float, bounds: tuple[float, float]) -> float:
-    """An exponential whose logarithm is bounded."""
-    return exp(min(max(value, bounds[0]), bounds[1]))
+def bounded_exp(logarithm: float, bounds: tuple[float, float]) -> float:
+    """The exponential of a logarithm that is bounded first."""
+    return exp(min(max(logarithm, bounds[0]), bounds[1]))
 
 
 @law
 def step(memory: FloatArray, motion: Row, coefficients: FloatArray) -> TenFloats:
     """Features, network, calibration, and back to the screen."""
     m = MotionRow(*motion)
-    seen = np.empty(features.FEATURES)
-    accepted, reach, ux, uy = observation.see(memory, AT, m, seen)
+    values = np.empty(features.FEATURES)
+    accepted, frame = observation.observe(memory, AT, m, values)
     if not accepted:
         return REFUSED
     phase = movement.phase(memory, AT, m)
+    reach, _, ux, uy = frame
     if reach == 0.0:
         return endpoint(m.t, m.x, m.y, phase)
-    said = np.empty(network.OUTPUTS)
-    table = network.outputs(coefficients, seen, said)
-    along, across = said[network.ALONG], said[network.ACROSS] * network.side(seen)
+    out = np.empty(network.OUTPUTS)
+    table = network.evaluate(coefficients, values, out)
+    along, across = out[network.ALONG], out[network.ACROSS] * network.side(values)
     for i in range(network.BASES):
-        along += said[network.BASIS + i] * seen[network.BASIS_ALONG[i]]
-        across += said[network.BASIS + i] * seen[network.BASIS_ACROSS[i]]
+        along += out[network.BASIS + i] * values[network.BASIS_ALONG[i]]
+        across += out[network.BASIS + i] * values[network.BASIS_ACROSS[i]]
     since = m.t - memory[AT + movement.T0]
-    left = (since + network.HEAD_START_S) * bounded(said[network.LEFT], network.LEFT_LOGS)
+    left = (since + network.HEAD_START_S) * bounded_exp(out[network.LEFT], network.LEFT_LOGS)
     share = since / (since + left)
-    widen = reach * calibration.factor(coefficients, table, share, calibration.WIDTH)
-    wide = (widen * bounded(said[network.WIDE], network.WIDTH_LOGS)) ** 2
-    broad = (widen * bounded(said[network.BROAD], network.WIDTH_LOGS)) ** 2
-    tail = bounded(said[network.TAIL], network.TAIL_LOGS)
-    spread = bounded(said[network.SPREAD], network.SPREAD_LOGS)
+    scale = reach * calibration.factor(coefficients, table, share, calibration.WIDTH)
+    wide = (scale * bounded_exp(out[network.WIDE], network.WIDTH_LOGS)) ** 2
+    broad = (scale * bounded_exp(out[network.BROAD], network.WIDTH_LOGS)) ** 2
+    tail = bounded_exp(out[network.TAIL], network.TAIL_LOGS)
+    spread = bounded_exp(out[network.SPREAD], network.SPREAD_LOGS)
     return (
         m.t,
         m.x + reach * (along * ux - across * uy),
