@@ -12,7 +12,7 @@ from pages import DOCS
 from pages.markdown import filled, table
 from pointpred.columns import FloatArray
 from pointpred.report.figures.style import GREY, MARKERS, PALETTE, canvas, legend_outside, picture
-from pointpred.scoring import calibration, time_left
+from pointpred.scoring.measures import regions, time_left
 from pointpred.scoring.results import PredictorErrors
 
 PAGE, FIGURE = DOCS / "guide" / "adaptation.md", DOCS / "figures" / "adaptation.svg"
@@ -69,7 +69,7 @@ def claims(sets: Sequence[Measured]) -> str:
     for one in sets:
         cells: list[str] = []
         for name in (PLAIN, WHOLE):
-            inside = np.nanmean(column(one, name, "calibration"), axis=0)[calibration.INSIDE :][:3]
+            inside = np.nanmean(column(one, name, "calibration"), axis=0)[regions.INSIDE :][:3]
             cells.append(" / ".join(f"{100 * share:.0f}" for share in inside))
         for name in (PLAIN, WHOLE):
             left = np.nanmean(column(one, name, "time_left"), axis=0)

@@ -24,7 +24,7 @@ from pointpred import PredictionColumns
 from pointpred.columns import FloatArray
 from pointpred.recording import Recording
 from pointpred.scoring import Prepared, prepare, resolution
-from pointpred.scoring.moments import moments
+from pointpred.scoring.measures.moments import moments
 from pointpred.training import people
 
 NAMES = ("kinematic", "kinematic-adaptive")

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from pages.markdown import table
-from pointpred.scoring.calibration import LEVELS
-from pointpred.scoring.moments import DECILES
+from pointpred.scoring.measures.moments import DECILES
+from pointpred.scoring.measures.regions import LEVELS
 from pointpred.scoring.results import TIME_FRACTIONS
 
 Json = dict[str, Any]

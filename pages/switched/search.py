@@ -18,7 +18,8 @@ from numpy.typing import NDArray
 from pointpred.columns import BoolArray, EventColumns, FloatArray, MotionColumns
 from pointpred.differentiators import HomogeneousDifferentiator
 from pointpred.predictors import SwitchedDirectionPredictor
-from pointpred.scoring import Prepared, metrics, prepare
+from pointpred.scoring import Prepared, prepare
+from pointpred.scoring.measures import endpoint
 from pointpred.sources import read
 
 SEED = 0
@@ -87,10 +88,10 @@ def errors(
     motions: MotionColumns, answers: FloatArray, offsets: NDArray[np.int64], arrivals: NDArray[np.int64]
 ) -> FloatArray:
     """Time-averaged error, then the errors by time, in the mean over trials."""
-    out = np.empty((len(offsets) - 1, metrics.MEASURES))
+    out = np.empty((len(offsets) - 1, endpoint.MEASURES))
     faults = np.empty(len(offsets) - 1, dtype=np.int64)
-    metrics.measure(motions.table, answers, metrics.FRACTIONS, offsets, arrivals, out, faults)
-    chosen = [metrics.TIME_AVERAGED, *range(metrics.BY_TIME, metrics.BY_PATH)]
+    endpoint.measure(motions.table, answers, endpoint.FRACTIONS, offsets, arrivals, out, faults)
+    chosen = [endpoint.TIME_AVERAGED, *range(endpoint.BY_TIME, endpoint.BY_PATH)]
     means: FloatArray = out[:, chosen].mean(axis=0)
     return means
 

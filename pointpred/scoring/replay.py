@@ -14,11 +14,11 @@ import numpy as np
 from pointpred.columns import PredictionColumns
 from pointpred.pipeline import Pipeline, run
 from pointpred.recording import Skip
-from pointpred.scoring import metrics
 from pointpred.scoring.chunks import each_in_threads, spans, users
-from pointpred.scoring.measured import Measured, measured
+from pointpred.scoring.measures import endpoint
+from pointpred.scoring.measures.time_left import clock_s
+from pointpred.scoring.measures.trial_measures import TrialMeasures, measure_trials
 from pointpred.scoring.results import PredictorErrors
-from pointpred.scoring.time_left import clock_s
 from pointpred.scoring.trials import Prepared
 
 Progress = Callable[[int], None]
@@ -30,7 +30,7 @@ class _Chunk(msgspec.Struct, frozen=True):
 
     first: int
     stop: int
-    measured: Measured
+    measures: TrialMeasures
     failed: tuple[Skip, ...]
     events: int
     seconds: float
@@ -49,19 +49,19 @@ def replay(
     """
     with contextlib.suppress(Exception):  # what fails here fails again below, where it is reported
         run(pipeline.fresh(), prepared.events.rows(0, 1))  # machine code is loaded before time is taken
-    whole = Measured.empty(len(prepared.trials))
+    whole = TrialMeasures.empty(len(prepared.trials))
     failed: list[Skip] = []
     events, seconds = 0, 0.0
     work = partial(_replay_in_turn, prepared, pipeline, clock_s(prepared.trials))
     for chunk in chain.from_iterable(each_in_threads(work, _turns(prepared, pipeline), threads)):
-        whole.put(chunk.first, chunk.measured)
+        whole.put(chunk.first, chunk.measures)
         failed.extend(chunk.failed)
         events += chunk.events
         seconds += chunk.seconds
         if progress is not None:
             progress(chunk.events)
     us_per_event = 1e6 * seconds / events if events else float("nan")
-    return whole.said(pipeline.name, us_per_event, tuple(failed))
+    return whole.predictor_errors(pipeline.name, us_per_event, tuple(failed))
 
 
 def answers_to(prepared: Prepared, pipeline: Pipeline, trial: int) -> PredictionColumns:
@@ -106,12 +106,12 @@ def _replay_chunk(prepared: Prepared, pipeline: Pipeline, clock: float, first: i
         reason = f"{type(error).__name__}: {error}"
         return _unanswered(prepared, clock, first, reason, time.thread_time() - before)
     seconds = time.thread_time() - before
-    found, faults = measured(prepared, first, stop, events, answers, clock)
+    found, faults = measure_trials(prepared, first, stop, events, answers, clock)
     failed: list[Skip] = []
-    for k in np.flatnonzero(faults != metrics.SOUND).tolist():
+    for k in np.flatnonzero(faults != endpoint.SOUND).tolist():
         reason = f"event {faults[k]}: the prediction is not finite"
         alone = _unanswered(prepared, clock, first + k, reason, 0.0)
-        found.put(k, alone.measured)
+        found.put(k, alone.measures)
         failed.extend(alone.failed)
     return _Chunk(first, stop, found, tuple(failed), len(events), seconds)
 
@@ -120,7 +120,7 @@ def _unanswered(prepared: Prepared, clock: float, trial: int, reason: str, secon
     """A trial in which the pipeline failed, measured as one without any answer."""
     events = prepared.rows(trial)
     nothing = PredictionColumns(np.full((len(events), len(PredictionColumns.names)), np.nan))
-    found, _ = measured(prepared, trial, trial + 1, events, nothing, clock)
+    found, _ = measure_trials(prepared, trial, trial + 1, events, nothing, clock)
     who = prepared.trials[trial].trial
     skip = Skip(who.trial, reason, user=who.user)
     return _Chunk(trial, trial + 1, found, (skip,), len(events), seconds)
@@ -128,9 +128,9 @@ def _unanswered(prepared: Prepared, clock: float, trial: int, reason: str, secon
 
 def _join(chunks: list[_Chunk]) -> _Chunk:
     first = chunks[0].first
-    joined = Measured.empty(chunks[-1].stop - first)
+    joined = TrialMeasures.empty(chunks[-1].stop - first)
     for chunk in chunks:
-        joined.put(chunk.first - first, chunk.measured)
+        joined.put(chunk.first - first, chunk.measures)
     return _Chunk(
         first,
         chunks[-1].stop,

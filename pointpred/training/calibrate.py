@@ -13,7 +13,7 @@ from pointpred.compiled import law
 from pointpred.predictors.kinematic import calibration as table_law
 from pointpred.predictors.kinematic import features
 from pointpred.predictors.kinematic import network as net
-from pointpred.scoring.calibration import reach
+from pointpred.scoring.measures.regions import reach
 from pointpred.training import losses
 from pointpred.training.examples import Examples
 from pointpred.training.fitting import Fitted, Settings, truth

@@ -15,7 +15,7 @@ from pointpred.predictors.kinematic import observation
 from pointpred.recording import Recording
 from pointpred.registry import build
 from pointpred.scoring import prepare
-from pointpred.scoring.metrics import WEIGHT_S
+from pointpred.scoring.measures.endpoint import WEIGHT_S
 
 APART_S = 0.025
 """Moments of one movement are drawn about so far apart: closer ones say the same."""

@@ -18,7 +18,7 @@ from pointpred.predictors import Predictor
 from pointpred.predictors.adaptation import predictor as adaptation
 from pointpred.protocol.records import EVENT, unpack_events, unpack_records
 from pointpred.registry import RECOMMENDED, REGISTRY, build
-from pointpred.scoring import metrics
+from pointpred.scoring.measures import endpoint
 from pointpred.server.sessions.session import Session
 from pointpred.server.settings import Settings
 from pointpred.targets import Chooser, around, choosing
@@ -61,7 +61,7 @@ def parts() -> list[Part]:
         _predictor(RECOMMENDED, PIECES),
         Part(TARGETS, choose, (choosing.step, choosing.walk), FIRST),
         Part(ASSISTANCE, assist, (assistance.guarded_step,), FIRST),
-        Part(TRIALS, score_trial, (metrics.measure,), FIRST),
+        Part(TRIALS, score_trial, (endpoint.measure,), FIRST),
         *(
             # Names of one class have the same laws: two processes would compile them twice.
             _predictor(name, (*FIRST, *({first_of[entry.predictor]} - {name})))

@@ -115,7 +115,7 @@ def test_modules_have_an_order() -> None:
     assert list(TopologicalSorter(graph).static_order())
 
 
-@pytest.mark.parametrize("layer", ["devices", "observers", "server", "sources"])
+@pytest.mark.parametrize("layer", ["devices", "observers", "report", "scoring", "server", "sources"])
 def test_rooms_of_a_layer_have_an_order(layer: str) -> None:
     """What holds between layers holds between the rooms of a large one, too; its door stands apart."""
     graph: dict[str, set[str]] = {}

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from pointpred import EventColumns
 from pointpred.differentiators import DIFFERENTIATORS
-from pointpred.scoring import cutting
+from pointpred.scoring.trials import cutting
 
 NAN = float("nan")
 EDGES = [0.0, 1.0, -1.0, 1e9, -1e9, 1.01e9, 1.7e9, 1e11, 1.01e11, 1.7e12, 1e300, float("inf"), NAN]

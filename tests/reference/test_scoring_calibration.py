@@ -13,7 +13,7 @@ from pointpred.columns import BoolArray, FloatArray, MotionColumns
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording, Trial
 from pointpred.scoring import prepare, replay, score, summarise
-from pointpred.scoring.calibration import CLAIMED, INSIDE, RANKED, calibrate, ranked_score
+from pointpred.scoring.measures.regions import CLAIMED, INSIDE, RANKED, calibrate, ranked_score
 from tests.scripted import Scripted, pipeline_with
 
 COVARIANCE = np.array([[900.0, -500.0], [-500.0, 1600.0]])

@@ -12,9 +12,10 @@ from pointpred import EventColumns, build
 from pointpred.columns import BoolArray, FloatArray, MotionColumns
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording, Trial
-from pointpred.scoring import prepare, replay, score, student, summarise
-from pointpred.scoring.calibration import INSIDE, LEVELS, RANKED
-from pointpred.scoring.moments import DECILES
+from pointpred.scoring import prepare, replay, score, summarise
+from pointpred.scoring.measures import student
+from pointpred.scoring.measures.moments import DECILES
+from pointpred.scoring.measures.regions import INSIDE, LEVELS, RANKED
 from pointpred.scoring.results import TIME_FRACTIONS
 from tests.scripted import Scripted, pipeline_with
 

@@ -17,7 +17,7 @@ from pointpred.errors import ParameterError
 from pointpred.protocol.server_messages import PredictionMessage as Told
 from pointpred.protocol.server_messages import Region as Sent
 from pointpred.regions import as_normal, reach
-from pointpred.scoring import calibration
+from pointpred.scoring.measures import regions
 from pointpred.training import calibrate
 
 NONE = float("nan")
@@ -235,8 +235,8 @@ def test_scoring_and_training_have_the_same_law() -> None:
     for level in LEVELS:
         wanted = [reach(level, tail) for tail in heavy.tolist()]
         assert calibrate.reaches(level, heavy) == pytest.approx(wanted, rel=1e-14)
-        assert [calibration.reach(level, tail) for tail in heavy] == pytest.approx(wanted, rel=1e-14)
-        assert calibration.reach(level, NONE) == pytest.approx(reach(level, NONE), rel=1e-14)
+        assert [regions.reach(level, tail) for tail in heavy] == pytest.approx(wanted, rel=1e-14)
+        assert regions.reach(level, NONE) == pytest.approx(reach(level, NONE), rel=1e-14)
 
 
 @pytest.mark.parametrize("tail", [0.3, 0.73, 1.0, 4.0, 1e9])

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pointpred.scoring import metrics
+from pointpred.scoring.measures import endpoint
 from pointpred.scoring.results import AXIS_FRACTIONS, PATH_FRACTIONS, TIME_FRACTIONS
 
 NAN = float("nan")
@@ -28,15 +28,15 @@ ERRORS = [5.0, 10.0, np.hypot(40.0, 16.0), 3.0, 1.0, 7.0]
 def measured(rows: np.ndarray, points: np.ndarray, arrival: int) -> dict[str, object]:
     answers = np.full((len(rows), 8), NAN)
     answers[:, 1:3] = points
-    out = np.empty(metrics.MEASURES)
-    verdict = metrics.measure_trial(rows, answers, metrics.FRACTIONS, arrival, out)
+    out = np.empty(endpoint.MEASURES)
+    verdict = endpoint.measure_trial(rows, answers, endpoint.FRACTIONS, arrival, out)
     return {
         "verdict": verdict,
-        "time_averaged": out[metrics.TIME_AVERAGED],
-        "coverage": out[metrics.COVERAGE],
-        "by_time": dict(zip(TIME_FRACTIONS, out[metrics.BY_TIME : metrics.BY_PATH], strict=True)),
-        "by_path": dict(zip(PATH_FRACTIONS, out[metrics.BY_PATH : metrics.SINGLE_AXIS], strict=True)),
-        "single_axis": dict(zip(AXIS_FRACTIONS, out[metrics.SINGLE_AXIS :], strict=True)),
+        "time_averaged": out[endpoint.TIME_AVERAGED],
+        "coverage": out[endpoint.COVERAGE],
+        "by_time": dict(zip(TIME_FRACTIONS, out[endpoint.BY_TIME : endpoint.BY_PATH], strict=True)),
+        "by_path": dict(zip(PATH_FRACTIONS, out[endpoint.BY_PATH : endpoint.SINGLE_AXIS], strict=True)),
+        "single_axis": dict(zip(AXIS_FRACTIONS, out[endpoint.SINGLE_AXIS :], strict=True)),
     }
 
 
@@ -101,9 +101,9 @@ def test_an_answer_that_is_not_finite_is_named(point: list[float]) -> None:
 def test_several_trials_are_measured_each_on_its_own_wherever_the_chunk_begins() -> None:
     answers = np.full((12, 8), NAN)
     answers[:, 1:3] = np.concatenate([POINTS, ROWS[:, 1:3]])
-    out, faults = np.empty((2, metrics.MEASURES)), np.empty(2, dtype=np.int64)
+    out, faults = np.empty((2, endpoint.MEASURES)), np.empty(2, dtype=np.int64)
     rows, offsets = np.concatenate([ROWS, ROWS]), np.array([100, 106, 112])
-    metrics.measure(rows, answers, metrics.FRACTIONS, offsets, offsets[:-1] + 4, out, faults)
-    assert faults.tolist() == [metrics.SOUND, metrics.SOUND]
-    assert out[0, metrics.TIME_AVERAGED] == measured(ROWS, POINTS, 4)["time_averaged"]
-    assert out[1, metrics.TIME_AVERAGED] == measured(ROWS, ROWS[:, 1:3], 4)["time_averaged"]
+    endpoint.measure(rows, answers, endpoint.FRACTIONS, offsets, offsets[:-1] + 4, out, faults)
+    assert faults.tolist() == [endpoint.SOUND, endpoint.SOUND]
+    assert out[0, endpoint.TIME_AVERAGED] == measured(ROWS, POINTS, 4)["time_averaged"]
+    assert out[1, endpoint.TIME_AVERAGED] == measured(ROWS, ROWS[:, 1:3], 4)["time_averaged"]

@@ -13,7 +13,8 @@ from pointpred.columns import BoolArray, FloatArray, MotionColumns
 from pointpred.errors import ParameterError
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Provenance, Recording, Skip, Trial
-from pointpred.scoring import chunks, metrics, prepare, replay, score
+from pointpred.scoring import chunks, prepare, replay, score
+from pointpred.scoring.measures import endpoint
 from pointpred.scoring.results import PredictorErrors
 from tests.scripted import Scripted, pipeline_with
 
@@ -74,14 +75,14 @@ def test_replay_gives_the_streaming_answers_bit_for_bit(name: str, monkeypatch: 
             prediction = pipeline.update(event)
             if prediction is not None:
                 row[1:3] = prediction.x, prediction.y
-        out = np.empty(metrics.MEASURES)
+        out = np.empty(endpoint.MEASURES)
         arrival = int(prepared.arrivals[k] - prepared.offsets[k])
-        metrics.measure_trial(prepared.rows(k).table, answers, metrics.FRACTIONS, arrival, out)
-        assert out[metrics.TIME_AVERAGED] == replayed.time_averaged[k]
-        assert out[metrics.COVERAGE] == replayed.coverage[k]
-        assert np.array_equal(out[metrics.BY_TIME : metrics.BY_PATH], replayed.by_time[k])
-        assert np.array_equal(out[metrics.BY_PATH : metrics.SINGLE_AXIS], replayed.by_path[k])
-        assert np.array_equal(out[metrics.SINGLE_AXIS :], replayed.single_axis[k])
+        endpoint.measure_trial(prepared.rows(k).table, answers, endpoint.FRACTIONS, arrival, out)
+        assert out[endpoint.TIME_AVERAGED] == replayed.time_averaged[k]
+        assert out[endpoint.COVERAGE] == replayed.coverage[k]
+        assert np.array_equal(out[endpoint.BY_TIME : endpoint.BY_PATH], replayed.by_time[k])
+        assert np.array_equal(out[endpoint.BY_PATH : endpoint.SINGLE_AXIS], replayed.by_path[k])
+        assert np.array_equal(out[endpoint.SINGLE_AXIS :], replayed.single_axis[k])
 
 
 @pytest.mark.parametrize("name", list(REGISTRY))

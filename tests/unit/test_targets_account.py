@@ -7,7 +7,7 @@ import pytest
 
 from pointpred import EventColumns, PointerEvent, Prediction, PredictionColumns
 from pointpred.columns import FloatArray
-from pointpred.scoring import target_replay as replaying
+from pointpred.scoring.target_choice import decisions as replaying
 from pointpred.targets import Chooser, Ledger, Movement, around
 from pointpred.targets.given import write
 from pointpred.targets.posterior import FITTED

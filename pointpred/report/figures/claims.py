@@ -12,7 +12,7 @@ from pointpred.report.figures.style import (
     legend_outside,
     picture,
 )
-from pointpred.scoring.calibration import LEVELS
+from pointpred.scoring.measures.regions import LEVELS
 from pointpred.scoring.summary import Calibration, PredictorSummary, SetSummary, TimeLeft
 from pointpred.scoring.summary.document import InsideAtTime, or_nan
 

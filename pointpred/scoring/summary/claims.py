@@ -8,8 +8,8 @@ from typing import NamedTuple
 import numpy as np
 
 from pointpred.columns import BoolArray, FloatArray
-from pointpred.scoring import calibration, time_left
-from pointpred.scoring.moments import DECILES
+from pointpred.scoring.measures import regions, time_left
+from pointpred.scoring.measures.moments import DECILES
 from pointpred.scoring.results import TIME_FRACTIONS, PredictorErrors
 from pointpred.scoring.summary.bootstrap import ratio_intervals
 from pointpred.scoring.summary.document import (
@@ -79,18 +79,18 @@ def _ratios(above: FloatArray, below: FloatArray, users: Sequence[str], seed: in
 
 
 def _levels(values: FloatArray) -> dict[float, Number]:
-    return {level: number(value) for level, value in zip(calibration.LEVELS, values, strict=True)}
+    return {level: number(value) for level, value in zip(regions.LEVELS, values, strict=True)}
 
 
 def _by_time(cells: list[Ratio]) -> dict[float, InsideAtTime]:
     """At each decile of the time the share of each level inside; ``cells`` has a row a decile and level."""
-    count = len(calibration.LEVELS)
+    count = len(regions.LEVELS)
     rows = (cells[count * k : count * (k + 1)] for k in range(len(DECILES)))
     return {
         share: InsideAtTime(
             row[0].trials,
-            {level: one.share for level, one in zip(calibration.LEVELS, row, strict=True)},
-            {level: one.interval for level, one in zip(calibration.LEVELS, row, strict=True)},
+            {level: one.share for level, one in zip(regions.LEVELS, row, strict=True)},
+            {level: one.interval for level, one in zip(regions.LEVELS, row, strict=True)},
         )
         for share, row in zip(DECILES, rows, strict=True)
     }
@@ -98,14 +98,14 @@ def _by_time(cells: list[Ratio]) -> dict[float, InsideAtTime]:
 
 def _calibration(rows: FloatArray, cells: list[Ratio] | None) -> Calibration | None:
     """Means over the trials in which any region was claimed."""
-    claimed = rows[:, calibration.CLAIMED]
+    claimed = rows[:, regions.CLAIMED]
     if not (claimed > 0.0).any():
         return None
     means = rows[claimed > 0.0].mean(axis=0)
     return Calibration(
         number(claimed.mean()),
-        _levels(means[calibration.INSIDE : calibration.RANKED]),
-        number(means[calibration.RANKED]),
+        _levels(means[regions.INSIDE : regions.RANKED]),
+        number(means[regions.RANKED]),
         None if cells is None else _by_time(cells),
     )
 

@@ -6,7 +6,7 @@ from msgspec.structs import replace
 
 from pointpred.report import write_report
 from pointpred.report.figures.claims import inside_curves, time_left_bars
-from pointpred.scoring.moments import DECILES
+from pointpred.scoring.measures.moments import DECILES
 from pointpred.scoring.summary import summarise
 
 

@@ -3,9 +3,9 @@ import pytest
 
 from pointpred.report import write_report
 from pointpred.report.statistics import ALPHA, leads, terms
-from pointpred.scoring.anova import Effect
 from pointpred.scoring.results import AXIS_FRACTIONS
 from pointpred.scoring.statistics import axis_anova
+from pointpred.scoring.statistics.anova import Effect
 
 
 def effect(f, p):

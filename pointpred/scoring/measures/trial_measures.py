@@ -8,17 +8,17 @@ from numpy.typing import NDArray
 
 from pointpred.columns import EventColumns, FloatArray, PredictionColumns
 from pointpred.recording import Skip
-from pointpred.scoring import calibration, hits, metrics, time_left
-from pointpred.scoring.moments import DECILES
+from pointpred.scoring.measures import endpoint, regions, target_hits, time_left
+from pointpred.scoring.measures.moments import DECILES
 from pointpred.scoring.results import TIME_FRACTIONS, PredictorErrors
 from pointpred.scoring.trials import Prepared
 
 SHARES: FloatArray = np.array(DECILES)
 TIMES: FloatArray = np.array(TIME_FRACTIONS)
-INSIDE = (len(DECILES), len(calibration.LEVELS))
+INSIDE = (len(DECILES), len(regions.LEVELS))
 
 
-class Measured(msgspec.Struct, frozen=True):
+class TrialMeasures(msgspec.Struct, frozen=True):
     """A row a trial in each array; the laws that fill them say what a row holds."""
 
     errors: FloatArray
@@ -29,11 +29,11 @@ class Measured(msgspec.Struct, frozen=True):
     hits: FloatArray
 
     @classmethod
-    def empty(cls, trials: int) -> Measured:
+    def empty(cls, trials: int) -> TrialMeasures:
         """Arrays to be filled."""
         shapes = (
-            (metrics.MEASURES,),
-            (calibration.WIDTH,),
+            (endpoint.MEASURES,),
+            (regions.WIDTH,),
             INSIDE,
             (time_left.WIDTH,),
             INSIDE,
@@ -41,24 +41,24 @@ class Measured(msgspec.Struct, frozen=True):
         )
         return cls(*(np.empty((trials, *shape)) for shape in shapes))
 
-    def put(self, first: int, part: Measured) -> None:
+    def put(self, first: int, part: TrialMeasures) -> None:
         """Write the rows of a part, from row ``first`` on."""
         stop = first + len(part.errors)
         for name in self.__struct_fields__:
             getattr(self, name)[first:stop] = getattr(part, name)
 
-    def said(self, name: str, us_per_event: float, failed: tuple[Skip, ...]) -> PredictorErrors:
+    def predictor_errors(self, name: str, us_per_event: float, failed: tuple[Skip, ...]) -> PredictorErrors:
         """The same as the errors of a predictor; ``None`` for what it never claimed."""
-        claimed = (self.regions[:, calibration.CLAIMED] > 0.0).any()
+        claimed = (self.regions[:, regions.CLAIMED] > 0.0).any()
         timed = (self.left[:, time_left.CLAIMED] > 0.0).any()
         spread = timed and (self.left[:, time_left.SPREAD] > 0.0).any()
         return PredictorErrors(
             name,
-            time_averaged=self.errors[:, metrics.TIME_AVERAGED].copy(),
-            by_time=self.errors[:, metrics.BY_TIME : metrics.BY_PATH].copy(),
-            by_path=self.errors[:, metrics.BY_PATH : metrics.SINGLE_AXIS].copy(),
-            single_axis=self.errors[:, metrics.SINGLE_AXIS :].copy(),
-            coverage=self.errors[:, metrics.COVERAGE].copy(),
+            time_averaged=self.errors[:, endpoint.TIME_AVERAGED].copy(),
+            by_time=self.errors[:, endpoint.BY_TIME : endpoint.BY_PATH].copy(),
+            by_path=self.errors[:, endpoint.BY_PATH : endpoint.SINGLE_AXIS].copy(),
+            single_axis=self.errors[:, endpoint.SINGLE_AXIS :].copy(),
+            coverage=self.errors[:, endpoint.COVERAGE].copy(),
             us_per_event=us_per_event,
             calibration=self.regions if claimed else None,
             failed=failed,
@@ -69,22 +69,22 @@ class Measured(msgspec.Struct, frozen=True):
         )
 
 
-def measured(
+def measure_trials(
     prepared: Prepared,
     first: int,
     stop: int,
     events: EventColumns,
     answers: PredictionColumns,
     clock_s: float,
-) -> tuple[Measured, NDArray[np.int64]]:
+) -> tuple[TrialMeasures, NDArray[np.int64]]:
     """Trials ``first`` up to ``stop``, and the rows where answers were not finite."""
-    out, faults = Measured.empty(stop - first), np.empty(stop - first, dtype=np.int64)
+    out, faults = TrialMeasures.empty(stop - first), np.empty(stop - first, dtype=np.int64)
     offsets, arrivals = prepared.offsets[first : stop + 1], prepared.arrivals[first:stop]
     given = (events.table, answers.table, offsets, arrivals)
-    metrics.measure(events.table, answers.table, metrics.FRACTIONS, offsets, arrivals, out.errors, faults)
-    calibration.calibrate(*given, out.regions)
-    calibration.inside_by_time(*given, SHARES, out.inside)
+    endpoint.measure(events.table, answers.table, endpoint.FRACTIONS, offsets, arrivals, out.errors, faults)
+    regions.calibrate(*given, out.regions)
+    regions.inside_by_time(*given, SHARES, out.inside)
     time_left.time_left(*given, clock_s, out.left)
     time_left.inside_by_time(*given, SHARES, out.left_inside)
-    hits.hits(*given, hits.targets(prepared.trials[first:stop]), TIMES, out.hits)
+    target_hits.hits(*given, target_hits.targets(prepared.trials[first:stop]), TIMES, out.hits)
     return out, faults

@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from pointpred.columns import EventColumns
 from pointpred.recording import Recording, Skip
-from pointpred.scoring import cutting
-from pointpred.scoring.clean import clean_trials
 from pointpred.scoring.results import ScoredTrial
-from pointpred.scoring.submovements import submovements
+from pointpred.scoring.trials import cutting
+from pointpred.scoring.trials.clean_trials import clean_trials
+from pointpred.scoring.trials.submovements import submovements
 
 REASONS = {
     cutting.EMPTY: "has no events",

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.scoring.moments import moments
+from pointpred.scoring.measures.moments import moments
 from pointpred.scoring.results import ScoredTrial
 
 

@@ -13,11 +13,11 @@ from pointpred.columns import FloatArray
 from pointpred.pipeline import Pipeline, run
 from pointpred.recording import Recording
 from pointpred.registry import build
-from pointpred.scoring import target_replay as replaying
 from pointpred.scoring.chunks import in_threads
 from pointpred.scoring.results import TIME_FRACTIONS
 from pointpred.scoring.summary.document import Number, Unread, number
-from pointpred.scoring.target_layouts import Layout, layouts
+from pointpred.scoring.target_choice import decisions as replaying
+from pointpred.scoring.target_choice.layouts import Layout, layouts
 from pointpred.scoring.trials import Prepared, prepare, resolution
 from pointpred.targets import posterior
 

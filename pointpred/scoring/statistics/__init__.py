@@ -1,0 +1,12 @@
+"""The single-axis error against the path: distributions, and an analysis of variance over people."""
+
+from pointpred.scoring.statistics.anova import Effect
+from pointpred.scoring.statistics.single_axis import (
+    AnovaSeries,
+    AxisProfile,
+    Box,
+    axis_anova,
+    axis_profile,
+)
+
+__all__ = ["AnovaSeries", "AxisProfile", "Box", "Effect", "axis_anova", "axis_profile"]

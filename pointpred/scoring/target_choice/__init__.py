@@ -1,0 +1,25 @@
+"""Which of several targets a movement is for: candidates for recorded movements, choices, their scores."""
+
+from pointpred.scoring.target_choice.scores import (
+    ASKS,
+    NEAREST,
+    ChoiceSummary,
+    Decisions,
+    TargetDocument,
+    TargetSummary,
+    score_targets,
+    summarise_targets,
+    target_summary,
+)
+
+__all__ = [
+    "ASKS",
+    "NEAREST",
+    "ChoiceSummary",
+    "Decisions",
+    "TargetDocument",
+    "TargetSummary",
+    "score_targets",
+    "summarise_targets",
+    "target_summary",
+]
