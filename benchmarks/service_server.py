@@ -8,17 +8,17 @@ from __future__ import annotations
 
 from starlette.routing import WebSocketRoute
 
-from pointpred.server.compiling.compiling import compile_all
-from pointpred.server.endpoint import StreamEndpoint
-from pointpred.server.garbage import spare
-from pointpred.server.hosts import HostRule
-from pointpred.server.listening.listening import listen, make_server
+from pointpred.server.access import HostRule
+from pointpred.server.compiling.compiler import compile_all
+from pointpred.server.endpoints import StreamEndpoint
+from pointpred.server.garbage import tune_collector
+from pointpred.server.listening import listen, make_server
 from pointpred.server.service import Service
-from pointpred.server.sessions.session import Session
+from pointpred.server.sessions.pointing import PointingSession
 from pointpred.server.settings import Settings
 
 
-class Echo(Session):
+class Echo(PointingSession):
     """Says hello, then sends back what comes."""
 
     def receive(self, frame: str | bytes, now: float) -> None:
@@ -32,7 +32,7 @@ class Echo(Session):
 class EchoService(Service):
     """Opens echoes."""
 
-    def open(self, now: float) -> Session:
+    def open(self, now: float) -> PointingSession:
         """An echo in the place of a session."""
         session = super().open(now)
         session.__class__ = Echo
@@ -51,7 +51,7 @@ def main() -> None:
 
     server = make_server(HostRule(), service, announce)
     server.config.app.router.routes.append(WebSocketRoute("/v1/echo", StreamEndpoint(echoes)))
-    spare()  # as ``pointpred serve`` does
+    tune_collector()  # as ``pointpred serve`` does
     server.run([opened])
 
 

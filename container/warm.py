@@ -5,7 +5,7 @@ from __future__ import annotations
 from pointpred.datasets import sample
 from pointpred.registry import REGISTRY, build
 from pointpred.scoring import prepare, replay
-from pointpred.server.compiling.compiling import compile_all
+from pointpred.server.compiling.compiler import compile_all
 
 
 def main() -> None:

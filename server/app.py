@@ -19,8 +19,19 @@ import pointpred
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.registry import RECOMMENDED, REGISTRY, describe
 from pointpred.server import samples
+from pointpred.server.access import HostGuard, HostRule, admits_origin, header, origin_advice
 from pointpred.server.compiling.parts import TRIALS
-from pointpred.server.described import (
+from pointpred.server.endpoints import NO_DEVICE, LiveEndpoint, StreamEndpoint
+from pointpred.server.http_responses import (
+    SECURITY_HEADERS,
+    bad_request,
+    guard,
+    http_error,
+    json_response,
+    server_error,
+    upload_error,
+)
+from pointpred.server.openapi import (
     METRICS,
     NOT_READY,
     UPLOAD,
@@ -28,20 +39,15 @@ from pointpred.server.described import (
     Health,
     Origin,
     Readiness,
-    holds,
-    refusals,
+    error_responses,
+    text_response,
 )
-from pointpred.server.endpoint import StreamEndpoint
-from pointpred.server.hosts import HostGuard, HostRule, admits_origin, header
-from pointpred.server.http_answers import SAFE, answer, fail, harden, miss, refuse, turn_down
-from pointpred.server.live_endpoint import NO_DEVICE, LiveEndpoint
-from pointpred.server.origins import OriginAnswer, advice
 from pointpred.server.service import Service
-from pointpred.server.uploads.uploads import UploadError, received
+from pointpred.server.uploads.receiving import UploadError, received_body
 
 SCRIPT = "text/javascript"
 WEB = Path(__file__).with_name("web")
-OPEN, GUARDED = refusals(403), refusals(401, 403)
+OPEN, GUARDED = error_responses(403), error_responses(401, 403)
 
 
 def create_app(hosts: HostRule | None = None, service: Service | None = None) -> FastAPI:
@@ -56,39 +62,45 @@ def create_app(hosts: HostRule | None = None, service: Service | None = None) ->
         generate_unique_id_function=lambda route: route.name.strip("_"),
     )
     app.state.service = serving
-    app.middleware("http")(harden)
-    unheard = serving.metrics.turned_away.labels("unauthorized").inc
-    app.add_middleware(HostGuard, rule=hosts or HostRule(), headers=SAFE, refused=unheard)
-    app.exception_handler(ParameterError)(refuse)
-    app.exception_handler(RecordingError)(refuse)
-    app.exception_handler(UploadError)(turn_down)
-    app.exception_handler(Exception)(fail)
-    app.exception_handler(HTTPException)(miss)
-    app.exception_handler(RequestValidationError)(refuse)
+    app.middleware("http")(guard)
+    count = serving.metrics.connections_refused.labels("unauthorized").inc
+    app.add_middleware(HostGuard, rule=hosts or HostRule(), headers=SECURITY_HEADERS, on_refusal=count)
+    app.exception_handler(ParameterError)(bad_request)
+    app.exception_handler(RecordingError)(bad_request)
+    app.exception_handler(UploadError)(upload_error)
+    app.exception_handler(Exception)(server_error)
+    app.exception_handler(HTTPException)(http_error)
+    app.exception_handler(RequestValidationError)(bad_request)
     _add_read(app, "/healthz", _health, responses=OPEN, response_model=Health)
     _add_read(app, "/readyz", _ready, responses=OPEN | NOT_READY, response_model=Readiness)
-    _add_read(app, "/metrics", _metrics, responses=GUARDED | holds(METRICS), response_class=Response)
-    _add_read(app, "/", _page, responses=GUARDED | holds("text/html"), response_class=Response)
+    _add_read(app, "/metrics", _metrics, responses=GUARDED | text_response(METRICS), response_class=Response)
+    _add_read(app, "/", _page, responses=GUARDED | text_response("text/html"), response_class=Response)
     _add_read(
-        app, "/pointpred.js", _client, responses=OPEN | holds("text/javascript"), response_class=Response
+        app,
+        "/pointpred.js",
+        _client,
+        responses=OPEN | text_response("text/javascript"),
+        response_class=Response,
     )
     _add_read(app, "/v1/origin", _origin, responses=OPEN, response_model=Origin)
     _add_read(app, "/v1/predictors", _predictors, responses=GUARDED)
     _add_read(app, "/v1/compiling", _compiling, responses=GUARDED, response_model=Compiled)
     _add_read(app, "/v1/samples", _samples, responses=GUARDED)
-    _add_read(app, "/v1/samples/{name}", _sample, responses=refusals(401, 403, 404, 422))
+    _add_read(app, "/v1/samples/{name}", _sample, responses=error_responses(401, 403, 404, 422))
     for path, call in (("/v1/score", _score), ("/v1/recording", _recording)):
         app.add_api_route(
             path,
             call,
             methods=["POST"],
             summary=_summary(call),
-            responses=refusals(400, 401, 403, 408, 413, 422, 503),
+            responses=error_responses(400, 401, 403, 408, 413, 422, 503),
             openapi_extra=UPLOAD,
         )
     stream = StreamEndpoint(serving)
     app.router.routes.append(WebSocketRoute("/v1/stream", stream))
-    app.router.routes.append(Route("/v1/stream", stream, include_in_schema=False))  # says what it speaks
+    app.router.routes.append(
+        Route("/v1/stream", stream, include_in_schema=False)
+    )  # answers that it speaks WebSocket
     _add_read(app, "/v1/live", _live, responses=GUARDED)
     app.router.routes.append(WebSocketRoute("/v1/live", LiveEndpoint(serving)))
     app.mount("/web", StaticFiles(directory=WEB))
@@ -109,10 +121,10 @@ def _summary(call: Callable[..., Any]) -> str:
 async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     """Compile beside answering; write what is recorded at the end."""
     service: Service = app.state.service
-    service.begin()
+    service.start()
     yield
     service.stop()
-    await asyncio.to_thread(service.end)
+    await asyncio.to_thread(service.shut_down)
 
 
 def _health() -> dict[str, str]:
@@ -123,19 +135,21 @@ def _health() -> dict[str, str]:
 def _ready(request: Request) -> Response:
     """The recommended predictor answers: 200, before that 503."""
     service: Service = request.app.state.service
-    return answer({"ready": service.ready, "stopping": service.stopping}, 200 if service.ready else 503)
+    return json_response(
+        {"ready": service.ready, "stopping": service.stopping}, 200 if service.ready else 503
+    )
 
 
 def _compiling(request: Request) -> Response:
     """What is compiled, on the first start only: how many predictors are ready, of how many, what is next."""
     service: Service = request.app.state.service
-    return answer(service.compiling.progress())
+    return json_response(service.compiler.progress())
 
 
 async def _metrics(request: Request) -> Response:
     """Counters and histograms for Prometheus."""
     service: Service = request.app.state.service
-    service.settle()  # on the event loop, where sessions come and go
+    service.update_metrics()  # on the event loop, where sessions come and go
     return Response(service.metrics.text(), media_type=METRICS)
 
 
@@ -154,13 +168,15 @@ def _origin(request: Request) -> Response:
     service: Service = request.app.state.service
     origin = header(request.scope, b"origin")
     allowed = admits_origin(request.scope, service.settings.allow_origin)
-    return answer(OriginAnswer(origin, allowed, None if allowed else advice(origin)))
+    return json_response(
+        {"origin": origin, "allowed": allowed, "message": None if allowed else origin_advice(origin)}
+    )
 
 
 def _predictors(request: Request) -> Response:
     """Every predictor with its parameters, units, bounds and reference, and the recommended one."""
     service: Service = request.app.state.service
-    return answer(
+    return json_response(
         {
             "version": 1,
             "recommended": RECOMMENDED,
@@ -172,44 +188,44 @@ def _predictors(request: Request) -> Response:
 
 def _samples() -> Response:
     """The trials of the embedded sample."""
-    return answer(samples.listing())
+    return json_response(samples.listing())
 
 
 async def _sample(request: Request, name: str, predictors: str = f"{RECOMMENDED},hold") -> Response:
     """One trial with the predictions of the predictors named, separated by commas."""
     service: Service = request.app.state.service
     names = _names(predictors)
-    await service.compiling.until(names)
-    return answer(await asyncio.to_thread(samples.trial, name, names))
+    await service.compiler.until(names)
+    return json_response(await asyncio.to_thread(samples.trial, name, names))
 
 
 def _live(request: Request) -> Response:
     """The device attached to this machine, if any; a WebSocket at the same path shows what it does."""
     service: Service = request.app.state.service
     if (feed := service.live) is None:
-        return answer({"version": 1, "attached": None, "message": NO_DEVICE})
-    return answer({"version": 1, "attached": feed.attached, "message": feed.attached.words})
+        return json_response({"version": 1, "attached": None, "message": NO_DEVICE})
+    return json_response({"version": 1, "attached": feed.attached, "message": feed.attached.words})
 
 
 async def _score(request: Request, predictors: str = "") -> Response:
     """The scores of a recording: the body is a file of text or Parquet; nothing is kept."""
-    from pointpred.server.uploads.scoring import score_body
+    from pointpred.server.uploads.recordings import score_body
 
     service: Service = request.app.state.service
     names = _names(predictors)
-    async with received(request, service) as body:
-        await service.compiling.until([*(names or REGISTRY), TRIALS])
+    async with received_body(request, service) as body:
+        await service.compiler.until([*(names or REGISTRY), TRIALS])
         async with service.scoring:  # one at a time: sessions go first
-            return answer(await asyncio.to_thread(score_body, body, names, request.query_params))
+            return json_response(await asyncio.to_thread(score_body, body, names, request.query_params))
 
 
 async def _recording(request: Request) -> Response:
     """The movements of a recording in any format of text, or Parquet, as rows; nothing is kept."""
-    from pointpred.server.uploads.opening import open_body
+    from pointpred.server.uploads.recordings import open_body
 
     service: Service = request.app.state.service
-    async with received(request, service) as body, service.scoring:  # one at a time: sessions go first
-        return answer(await asyncio.to_thread(open_body, body, request.query_params))
+    async with received_body(request, service) as body, service.scoring:  # one at a time: sessions go first
+        return json_response(await asyncio.to_thread(open_body, body, request.query_params))
 
 
 def _names(text: str) -> tuple[str, ...]:

@@ -1,18 +1,18 @@
-"""Python's garbage collector, told what a service is like."""
+"""Settings of Python's garbage collector for a service."""
 
 from __future__ import annotations
 
 import gc
 
 YOUNGEST, MIDDLE, OLDEST = 20_000, 50, 50
-"""Objects made, younger and middle collections until the next collection of each generation."""
+"""How many new objects, young and middle collections lead to a collection of each generation."""
 
 
-def spare() -> None:
-    """What is loaded by now stays: collections neither look at it again nor come for every few messages.
+def tune_collector() -> None:
+    """Exclude everything loaded so far from collections, and collect rarely.
 
-    Sessions and messages make no cycles that matter: they are freed when they are let go. What a collection
-    of everything that is loaded would cost, clients would feel as a delay.
+    Sessions and messages make no cycles that matter: they are freed with their last reference. A collection
+    of everything that is loaded would delay the answers to clients.
     """
     gc.collect()
     gc.freeze()

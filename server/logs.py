@@ -1,7 +1,7 @@
 """Log entries of the service, one JSON object a line or plain text; movement data never reach them.
 
-An error's words may quote what a client sent, and so may those of a library: an error is told by its types
-and places, and of a library's entry only the words its author wrote.
+The sentence of an error may quote what a client sent, ours as well as a library's: an error is logged by its
+types and places, and an entry of a library without its arguments.
 """
 
 from __future__ import annotations
@@ -16,24 +16,25 @@ from typing import Any, Literal
 
 OWN = "pointpred"
 FIELDS = ("session", "code", "events", "error", "seconds")
-"""What an entry may carry beside its message; nothing that a pointer did."""
+"""What an entry may hold beside its message; nothing that a pointer did."""
 
 
 def place_of(error: BaseException) -> str:
-    """Types and places of an error and of those that led to it, without their words."""
+    """Types and places of an error and of those that led to it, without their sentences."""
     frames = traceback.extract_tb(error.__traceback__)
     places = " > ".join(f"{Path(frame.filename).name}:{frame.lineno}" for frame in frames)
-    told = f"{type(error).__name__} at {places}" if places else type(error).__name__
+    name = type(error).__name__
+    described = f"{name} at {places}" if places else name
     before = error.__cause__ or (None if error.__suppress_context__ else error.__context__)
-    return f"{told}, after {place_of(before)}" if before is not None else told
+    return f"{described}, after {place_of(before)}" if before is not None else described
 
 
-def words_of(record: logging.LogRecord) -> str:
-    """The message of an entry of ours; of another's, its first line with nothing filled in."""
+def message_of(record: logging.LogRecord) -> str:
+    """The message of an entry of ours; of a library's, its first line without arguments."""
     if record.name.partition(".")[0] == OWN:
         return record.getMessage()
-    words = record.msg if isinstance(record.msg, str) and not record.exc_info else "an error in a library"
-    return words.partition("\n")[0]
+    message = record.msg if isinstance(record.msg, str) and not record.exc_info else "an error in a library"
+    return message.partition("\n")[0]
 
 
 class JsonLines(logging.Formatter):
@@ -45,7 +46,7 @@ class JsonLines(logging.Formatter):
             "time": datetime.fromtimestamp(record.created, UTC).isoformat(timespec="milliseconds"),
             "level": record.levelname.lower(),
             "logger": record.name,
-            "message": words_of(record),
+            "message": message_of(record),
         }
         return json.dumps(entry | fields_of(record))
 
@@ -57,20 +58,20 @@ class PlainLines(logging.Formatter):
         """Time, level, message, and the known fields."""
         time = datetime.fromtimestamp(record.created).astimezone().strftime("%H:%M:%S")
         more = "".join(f" {name}={value}" for name, value in fields_of(record).items())
-        return f"{time} {record.levelname.lower()}: {words_of(record)}{more}"
+        return f"{time} {record.levelname.lower()}: {message_of(record)}{more}"
 
 
 def fields_of(record: logging.LogRecord) -> dict[str, Any]:
-    """What an entry carries beside its message."""
-    found = {name: record.__dict__[name] for name in FIELDS if name in record.__dict__}
+    """What an entry holds beside its message."""
+    fields = {name: record.__dict__[name] for name in FIELDS if name in record.__dict__}
     error = record.exc_info[1] if record.exc_info else None
-    return found if error is None else {**found, "error": place_of(error)}
+    return fields if error is None else {**fields, "error": place_of(error)}
 
 
 def set_up(style: Literal["json", "text"] | None = None) -> None:
     """Send every entry of this process to stderr: ours from info on, others' from warning on.
 
-    Not said, the style is text where stderr is a terminal.
+    Without a style it is text where stderr is a terminal, JSON elsewhere.
     """
     style = style or ("text" if sys.stderr.isatty() else "json")
     handler = logging.StreamHandler(sys.stderr)

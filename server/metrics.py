@@ -1,4 +1,4 @@
-"""What the service counts and times, for Prometheus: never where anybody pointed."""
+"""What the service counts and times, for Prometheus: nothing about where anybody pointed."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram, gene
 from prometheus_client.platform_collector import PlatformCollector
 from prometheus_client.process_collector import ProcessCollector
 
-from pointpred.server.sessions.conversation import Conversation
+from pointpred.server.sessions.lifecycle import Session
 
 BUCKETS = (5e-5, 1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 1e-2, 2e-2, 5e-2, 0.1, 0.5, 1.0)
 
@@ -38,7 +38,7 @@ class Metrics:
         self.refused = Counter(
             "pointpred_refused", "Frames and events refused, by error code", ["code"], registry=self.registry
         )
-        self.turned_away = Counter(
+        self.connections_refused = Counter(
             "pointpred_connections_refused",
             "Connections and requests refused unheard, by error code",
             ["code"],
@@ -62,35 +62,34 @@ class Metrics:
         )
         self._recorded = (0, 0)
 
-    def settle_recorder(self, lost: int, failures: int, waiting: int) -> None:
-        """Bring up to date what the recorder has lost, where it failed, and what waits, in all."""
+    def update_recorder(self, lost: int, failures: int, waiting: int) -> None:
+        """Set what the recorder has lost, how many recordings failed, and what waits."""
         before_lost, before_failures = self._recorded
         self.lost.inc(lost - before_lost)
         self.failed.inc(failures - before_failures)
         self.waiting.set(waiting)
         self._recorded = lost, failures
 
-    def settle(self, session: Conversation, frames: int, counted: Counted) -> None:
-        """Add what a session has done since it was last settled; ``frames`` in all."""
-        self.frames.inc(frames - counted.frames)
-        self.predictions.inc(session.outbox.predicted - counted.predictions)
-        counted.frames, counted.predictions = frames, session.outbox.predicted
-        taken = session.stream.events if session.stream else 0
-        self.events.inc(taken - counted.events)
-        counted.events = taken
-        self.dropped.inc(session.outbox.dropped_in_all - counted.dropped)
-        counted.dropped = session.outbox.dropped_in_all
-        for code, count in session.refused.items():
-            self.refused.labels(code).inc(count - counted.refused.get(code, 0))
-            counted.refused[code] = count
+    def update_session(self, session: Session, frames: int, counts: SessionCounts) -> None:
+        """Count what a session has done since the last update; ``frames``: those of its whole life."""
+        self.frames.inc(frames - counts.frames)
+        self.predictions.inc(session.outbox.predictions - counts.predictions)
+        counts.frames, counts.predictions = frames, session.outbox.predictions
+        self.events.inc(session.events - counts.events)
+        counts.events = session.events
+        self.dropped.inc(session.outbox.dropped_total - counts.dropped)
+        counts.dropped = session.outbox.dropped_total
+        for code, count in session.refusals.items():
+            self.refused.labels(code).inc(count - counts.refused.get(code, 0))
+            counts.refused[code] = count
 
     def text(self) -> bytes:
         """The exposition format."""
         return generate_latest(self.registry)
 
 
-class Counted:
-    """How much of a session the counters already hold."""
+class SessionCounts:
+    """How much of a session is already counts."""
 
     def __init__(self) -> None:
         self.frames = 0

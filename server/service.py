@@ -9,26 +9,26 @@ from concurrent.futures import ThreadPoolExecutor
 
 from pointpred.protocol.client_messages import Hello
 from pointpred.registry import RECOMMENDED
-from pointpred.server.compiling.compiling import Compiling
-from pointpred.server.connections.talk import Talk
-from pointpred.server.live.feed import LiveFeed
-from pointpred.server.live.viewer import Viewer
-from pointpred.server.metrics import Counted, Metrics
-from pointpred.server.origins import RefusedOrigins
-from pointpred.server.recorder.recorder import Recorder
-from pointpred.server.sessions.conversation import Conversation
-from pointpred.server.sessions.session import Session
-from pointpred.server.sessions.watch import Watch
+from pointpred.server.access import RefusedOrigins
+from pointpred.server.compiling.compiler import Compiler
+from pointpred.server.connection import Connection
+from pointpred.server.live_feed import LiveFeed
+from pointpred.server.metrics import Metrics, SessionCounts
+from pointpred.server.recorder.writer import Recorder
+from pointpred.server.sessions.lifecycle import Session
+from pointpred.server.sessions.pointing import PointingSession
+from pointpred.server.sessions.prediction_stream import SessionObserver
+from pointpred.server.sessions.viewing import ViewingSession
 from pointpred.server.settings import Settings
 
 log = logging.getLogger("pointpred.service")
 
 LOST = 1006
-"""How the counters name the end of a session whose connection was lost: a tab was closed, a process ended."""
+"""The close code under which a lost connection is counted: a tab was closed, a process ended."""
 
 
 class Service:
-    """Opens sessions, knows those that are open, and stops them."""
+    """Opens sessions, counts what they do, and stops them."""
 
     def __init__(self, settings: Settings | None = None) -> None:
         self.settings = (settings or Settings()).guarded()
@@ -36,8 +36,8 @@ class Service:
         self.recorder = Recorder(self.settings.record) if self.settings.record else None
         self.origins = RefusedOrigins()
         self.stopping = False
-        self.compiling = Compiling()
-        """What is compiled while the service answers."""
+        self.compiler = Compiler()
+        """Compiles while the service answers."""
         self.scoring = asyncio.Semaphore(1)
         """Recordings are scored one at a time."""
         self.uploads = 0
@@ -45,91 +45,92 @@ class Service:
         self.scorer = ThreadPoolExecutor(1, "trials")
         """Scores the trials of sessions, one at a time."""
         self.live: LiveFeed | None = None
-        """What the attached device says, where one is."""
-        self._open: dict[Conversation, tuple[Talk | None, Counted]] = {}
+        """The attached device, where there is one."""
+        self._open: dict[Session, tuple[Connection | None, SessionCounts]] = {}
 
     @property
     def ready(self) -> bool:
         """Whether the recommended predictor answers at once."""
-        return self.compiling.ready(RECOMMENDED) and not self.stopping
+        return self.compiler.ready(RECOMMENDED) and not self.stopping
 
     @property
     def full(self) -> bool:
         """Whether no further session is admitted."""
         return len(self._open) >= self.settings.max_sessions
 
-    def open(self, now: float) -> Session:
-        """A session without a name that means anything."""
-        settings = self.settings
-        session = Session(secrets.token_hex(8), settings.limits, now, self._watch, settings.coefficients)
-        self._opened(session)
+    def open_session(self, now: float) -> PointingSession:
+        """A pointing session with a random name."""
+        name, settings = secrets.token_hex(8), self.settings
+        session = PointingSession(name, settings.limits, now, self._observe, settings.coefficients)
+        self._add(session)
         return session
 
-    def view(self, now: float) -> Viewer:
-        """Somebody who looks at the attached device; counts as a session."""
-        viewer = Viewer(secrets.token_hex(8), self.settings.limits, now)
-        self._opened(viewer)
+    def open_viewer(self, now: float) -> ViewingSession:
+        """A session that shows the attached device."""
+        viewer = ViewingSession(secrets.token_hex(8), self.settings.limits, now)
+        self._add(viewer)
         return viewer
 
-    def _opened(self, session: Conversation) -> None:
-        self._open[session] = (None, Counted())
+    def _add(self, session: Session) -> None:
+        self._open[session] = (None, SessionCounts())
         self.metrics.sessions.set(len(self._open))
         log.info("session opened", extra={"session": session.name})
 
-    def attach(self, session: Conversation, talk: Talk) -> None:
-        """Name the connection that is woken when the service stops."""
-        self._open[session] = (talk, self._open[session][1])
+    def attach(self, session: Session, connection: Connection) -> None:
+        """Remember the connection of a session: it is woken when the service stops."""
+        self._open[session] = (connection, self._open[session][1])
 
-    def closed(self, session: Conversation) -> None:
-        """A session has ended."""
-        talk, counted = self._open.pop(session)
-        self.metrics.settle(session, _frames(talk), counted)
+    def close_session(self, session: Session) -> None:
+        """The connection of a session has ended."""
+        session.connection_lost()
+        connection, counts = self._open.pop(session)
+        self.metrics.update_session(session, _frames(connection), counts)
         self.metrics.sessions.set(len(self._open))
         code = session.close.code if session.close else LOST
         self.metrics.ended.labels(str(code)).inc()
-        about = {"session": session.name, "events": counted.events}
+        about = {"session": session.name, "events": counts.events}
         if code == LOST:
             log.info("session closed: the client went away", extra=about)
         else:
             log.info("session closed", extra={**about, "code": code})
 
     def refuse_origin(self, origin: str | None) -> None:
-        """A page of another site was turned away: counted, and logged once an origin."""
-        self.metrics.turned_away.labels("unauthorized").inc()
-        self.origins.note(origin)
+        """A page of another site was refused: counted, and logged once an origin."""
+        self.metrics.connections_refused.labels("unauthorized").inc()
+        self.origins.add(origin)
 
-    def settle(self) -> None:
-        """Bring the counters up to date with the open sessions and the recorder."""
+    def update_metrics(self) -> None:
+        """Count what the open sessions and the recorder have done since the last update."""
         if (recorder := self.recorder) is not None:
-            self.metrics.settle_recorder(recorder.lost, recorder.failures, recorder.waiting)
-        for session, (talk, counted) in self._open.items():
-            self.metrics.settle(session, _frames(talk), counted)
+            self.metrics.update_recorder(recorder.lost, recorder.failures, recorder.waiting)
+        for session, (connection, counts) in self._open.items():
+            self.metrics.update_session(session, _frames(connection), counts)
 
-    def begin(self) -> None:
-        """Compile beside answering; the first start ever takes a while."""
+    def start(self) -> None:
+        """Compile in the background: only the first start of an installation takes long."""
         if self.live is not None:
-            self.live.begin(asyncio.get_running_loop())
-        self.compiling.begin()
+            self.live.start(asyncio.get_running_loop())
+        self.compiler.start()
 
     def stop(self, reason: str = "the server stops") -> None:
-        """Say bye to every session; new ones are refused."""
+        """Send bye to every session; new ones are refused."""
         self.stopping = True
-        self.compiling.stop()
-        for session, (talk, _) in list(self._open.items()):
+        self.compiler.stop()
+        for session, (connection, _) in list(self._open.items()):
             session.stop(reason)
-            if talk is not None:
-                talk.wake()
+            if connection is not None:
+                connection.wake()
 
-    def end(self) -> None:
-        """Write what is recorded; the service is over."""
+    def shut_down(self) -> None:
+        """Write what is recorded, and end the threads."""
         self.scorer.shutdown(wait=False, cancel_futures=True)
         if self.recorder is not None:
             self.recorder.close()
 
-    def _watch(self, name: str, hello: Hello) -> Watch | None:
+    def _observe(self, name: str, hello: Hello) -> SessionObserver | None:
         return self.recorder.open(name, hello) if self.recorder else None
 
 
-def _frames(talk: Talk | None) -> int:
-    """Frames that a connection has brought."""
-    return talk.frames if talk else 0
+def _frames(connection: Connection | None) -> int:
+    """Frames that a connection has received."""
+    return connection.frames if connection else 0

@@ -15,8 +15,7 @@ from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.protocol.server_messages import Limits
-from pointpred.server.hosts import is_address
-from pointpred.server.origins import well_formed
+from pointpred.server.access import is_address, is_origin
 
 
 def _parts(value: Any) -> Any:
@@ -52,7 +51,7 @@ Files = Annotated[dict[str, Path], NoDecode, BeforeValidator(_files)]
 
 
 class Settings(BaseSettings):
-    """What a service is started with; printed on start, the token masked."""
+    """What a service is started with."""
 
     model_config = SettingsConfigDict(env_prefix="POINTPRED_", extra="ignore", frozen=True)
 
@@ -109,7 +108,7 @@ class Settings(BaseSettings):
     def _origins(cls, origins: tuple[str, ...]) -> tuple[str, ...]:
         """Origins as browsers write them: another spelling would never be met."""
         for origin in origins:
-            if not well_formed(origin):
+            if not is_origin(origin):
                 raise ValueError(f"an origin reads like https://lab.example:8000, received {origin!r}")
         return origins
 
@@ -136,8 +135,8 @@ class Settings(BaseSettings):
             return self
         return self.model_copy(update={"token": secrets.token_urlsafe(24), "show_token": True})
 
-    def told(self) -> dict[str, object]:
-        """What is printed on start: every setting, the token masked."""
+    def printable(self) -> dict[str, object]:
+        """Every setting, the token masked: printed on start."""
         shown = self.model_dump(mode="json")
         return {**shown, "token": None if self.token is None else "***"}
 

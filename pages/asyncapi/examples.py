@@ -87,6 +87,13 @@ MESSAGES: dict[str, tuple[Struct, ...]] = {
     ),
     "error": (
         ErrorMessage("bad_field", "Expected `float`, got `str`", "$.events[0][0]"),
+        ErrorMessage(
+            "bad_field",
+            "degree must lie in [2, 4], received 9",
+            "$.parameters.degree",
+            field="degree",
+            value=9,
+        ),
         ErrorMessage("idle", "expected 'hello' within 10 s", recoverable=False),
     ),
     "goodbye": (Bye("the server stops"),),

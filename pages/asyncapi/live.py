@@ -9,7 +9,7 @@ import msgspec
 from pointpred.protocol.client_messages import SUBPROTOCOL
 from pointpred.protocol.live_messages import Attached, Curve, Status
 from pointpred.registry import RECOMMENDED
-from pointpred.server.live_endpoint import NO_DEVICE
+from pointpred.server.endpoints import NO_DEVICE
 from pointpred.transfer import GainCurve
 from pointpred.transfer.curve import Comparison
 

@@ -16,17 +16,17 @@ from pointpred.protocol.client_messages import Device, Hello, Reset, Screen
 from pointpred.protocol.frames import event_frames, packable, row_of
 from pointpred.protocol.records import unpack_predictions
 from pointpred.protocol.server_messages import PredictionMessage, encode
-from pointpred.server.hosts import HostRule
-from pointpred.server.listening.listening import listen, make_server
+from pointpred.server.access import HostRule
+from pointpred.server.listening import listen, make_server
 from pointpred.server.service import Service
-from pointpred.server.sessions.session import Session
+from pointpred.server.sessions.pointing import PointingSession
 from pointpred.server.settings import Settings
 
 SETTINGS = Settings(max_events_per_s=10**8)
 WARM_S = 600.0
 
 
-class Known(Session):
+class Known(PointingSession):
     """A session that predicts with a pipeline it is given, whatever the client's hello asks for."""
 
     pipeline: Pipeline
@@ -44,7 +44,7 @@ class KnownService(Service):
 
     pipeline: Pipeline
 
-    def open(self, now: float) -> Session:
+    def open(self, now: float) -> PointingSession:
         """A session with the pipeline."""
         session = super().open(now)
         session.__class__ = Known

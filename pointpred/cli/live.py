@@ -20,7 +20,7 @@ from pointpred.registry import RECOMMENDED
 if TYPE_CHECKING:
     from pointpred.live.page import PageService
     from pointpred.live.run import OutputOptions
-    from pointpred.server.live.feed import LiveFeed
+    from pointpred.server.live_feed import LiveFeed
     from pointpred.sources import Reading
 
 REPLAY = "Without a device"

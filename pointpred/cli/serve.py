@@ -83,9 +83,9 @@ def serve(
       pointpred serve --host 0.0.0.0 --allow-host lab.example
     """
     given = {name: value for name, value in locals().items() if value not in (None, [])}
-    from pointpred.server.hosts import HostRule
-    from pointpred.server.listening.listening import address
-    from pointpred.server.listening.listening import serve as answer
+    from pointpred.server.access import HostRule
+    from pointpred.server.listening import address
+    from pointpred.server.listening import serve as answer
     from pointpred.server.logs import set_up
     from pointpred.server.service import Service
 
@@ -105,7 +105,7 @@ def serve(
 
 def open_port(settings: Settings) -> socket:
     """A listening socket on the port of the settings, else on the first free one; raises SourceError."""
-    from pointpred.server.listening.listening import listen
+    from pointpred.server.listening import listen
 
     port = settings.port
     return listen(settings.host, PORT, TRIES) if port is None else listen(settings.host, port)

@@ -10,7 +10,7 @@ import typer
 from pointpred.console import plain
 
 if TYPE_CHECKING:
-    from pointpred.server.compiling.compiling import Progress
+    from pointpred.server.compiling.compiler import Progress
     from pointpred.server.service import Service
     from pointpred.server.settings import Settings
 
@@ -31,8 +31,8 @@ class Starting:
         self._screen = screen or sys.stderr
         self._watched = self._screen.isatty()
         if self._watched:
-            service.compiling.tell = self.progress
-        service.compiling.on_ready = self.ready
+            service.compiler.on_progress = self.progress
+        service.compiler.on_ready = self.ready
         self._say(f"Settings: {told(service.settings)}")
 
     def announce(self) -> None:
@@ -45,7 +45,7 @@ class Starting:
 
     def progress(self, progress: Progress) -> None:
         """What is being compiled; nothing where it is only loaded."""
-        if self.service.compiling.once:
+        if self.service.compiler.compiled_any:
             far = f"{progress.done} of {progress.of}, {progress.next}"
             self._screen.write(CLEAR + (plain(f"Compiling, only this once: {far}") if progress.next else ""))
             self._screen.flush()
@@ -63,6 +63,8 @@ class Starting:
 def told(settings: Settings) -> str:
     """The settings that differ from their defaults; the token masked."""
     usual = {name: field.default for name, field in type(settings).model_fields.items()}
-    own = {name: value for name, value in settings.told().items() if value not in (usual[name], [], None)}
+    own = {
+        name: value for name, value in settings.printable().items() if value not in (usual[name], [], None)
+    }
     said = ", ".join(f"{name} {value}" for name, value in own.items())
     return f"{said}; everything else default" if said else "all default"

@@ -49,12 +49,15 @@ KEPT_CHOICES = 1000
 
 
 class ServiceError(PointpredError, ValueError):
-    """The service refused something: ``code`` and ``path`` as in the protocol's ``error`` message."""
+    """The service refused something: ``code``, ``path``, ``field``, ``value`` of its ``error`` message."""
 
     def __init__(self, answer: ErrorMessage) -> None:
         place = f" at {answer.path}" if answer.path else ""
-        super().__init__(f"{answer.code}{place}: {answer.message}")
-        self.code = answer.code
+        field = "" if answer.field is msgspec.UNSET else answer.field
+        value = None if answer.value is msgspec.UNSET else answer.value
+        super().__init__(
+            f"{answer.code}{place}: {answer.message}", code=answer.code, field=field, value=value
+        )
         self.path = answer.path
         self.recoverable = answer.recoverable
 

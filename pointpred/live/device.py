@@ -24,7 +24,7 @@ from pointpred.live.person_file import read_person, save_person
 from pointpred.live.run import LiveRun, OutputOptions, compile_for
 from pointpred.live.session import LiveSession
 from pointpred.registry import build
-from pointpred.server.garbage import spare
+from pointpred.server.garbage import tune_collector
 from pointpred.transfer import TransferFunction, named_transfer
 
 CursorChoice = Literal["auto", "screen", "transfer", "motor"]
@@ -75,7 +75,7 @@ def follow_device(device: DeviceOptions, outputs: OutputOptions, counts_per_inch
         session = LiveSession(source, opened.path, pipeline)
         session.note = device_note(session)
         run = LiveRun(session, outputs)
-        spare()
+        tune_collector()
         if (file := device.person) is not None:
             stack.callback(
                 lambda: results().print(

@@ -12,9 +12,9 @@ from msgspec.structs import replace
 from pointpred.events import Pair
 from pointpred.live.session import LiveSession, LiveState
 from pointpred.protocol.live_messages import Attached, Status
-from pointpred.server.hosts import HostRule
-from pointpred.server.listening.listening import address, make_server
-from pointpred.server.live.feed import LiveFeed
+from pointpred.server.access import HostRule
+from pointpred.server.listening import address, make_server
+from pointpred.server.live_feed import LiveFeed
 from pointpred.server.service import Service
 from pointpred.server.settings import Settings
 

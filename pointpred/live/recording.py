@@ -16,7 +16,7 @@ from pointpred.protocol.client_messages import Hello
 from pointpred.recording import Provenance
 from pointpred.rows import prediction_row
 from pointpred.server.recorder.files import SessionFiles
-from pointpred.server.recorder.recorder import Recorder, about_of
+from pointpred.server.recorder.writer import Recorder, about_of
 from pointpred.sources.own.appended import LIVE
 
 TOGETHER_S = 0.05

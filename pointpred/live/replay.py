@@ -15,7 +15,7 @@ from pointpred.live.session import LiveSession
 from pointpred.recording import Recording, Skip
 from pointpred.registry import build
 from pointpred.replaying.choosing import chosen, named, unplayable
-from pointpred.server.garbage import spare
+from pointpred.server.garbage import tune_collector
 
 
 def playable_trials(recording: Recording, names: Sequence[str]) -> tuple[list[PlayedTrial], list[Skip]]:
@@ -50,7 +50,7 @@ def follow_replay(
     with PlayedSource(name, str(file), trials, speed=speed, words=recording.provenance.clock) as source:
         run = LiveRun(LiveSession(source, path, pipeline), outputs)
         _end_with(run, source)
-        spare()
+        tune_collector()
         run.run()
 
 

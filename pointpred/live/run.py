@@ -24,7 +24,7 @@ from pointpred.live.threads import SessionThread, ViewThread, end_on_signal, wai
 from pointpred.protocol.client_messages import Device, Hello, Screen
 from pointpred.protocol.live_messages import Curve
 from pointpred.registry import build
-from pointpred.server.live.feed import LiveFeed
+from pointpred.server.live_feed import LiveFeed
 from pointpred.server.logs import set_up
 from pointpred.transfer import ConstantGain, GainCurve, PixelTransfer, TransferLearner
 

@@ -11,10 +11,10 @@ import msgspec
 import numpy as np
 from msgspec import Struct
 
-from pointpred.columns import FloatArray
+from pointpred.columns import EventColumns, FloatArray
 from pointpred.events import LARGEST, LATEST_S
 from pointpred.protocol.client_messages import CLIENT_MESSAGES, ClientMessage, EventRow
-from pointpred.protocol.errors import ProtocolError, not_fitting, not_json
+from pointpred.protocol.errors import ProtocolError, invalid_json, invalid_message
 from pointpred.protocol.records import EVENT, NONE, unpack_events
 from pointpred.protocol.server_messages import SERVER_MESSAGES
 
@@ -26,7 +26,6 @@ def _any_of(kinds: tuple[type[Struct], ...]) -> Any:
 
 _from_client = msgspec.json.Decoder(_any_of(CLIENT_MESSAGES))
 _from_server = msgspec.json.Decoder(_any_of(SERVER_MESSAGES))
-_fields = ("t", "x", "y")
 _most = (LATEST_S, LARGEST, LARGEST)
 
 
@@ -36,9 +35,9 @@ def decode_client_message(text: str) -> ClientMessage:
         message: ClientMessage = _from_client.decode(text)
         return message
     except msgspec.ValidationError as error:
-        raise not_fitting(text, str(error)) from None
+        raise invalid_message(text, str(error)) from None
     except (msgspec.DecodeError, UnicodeError, RecursionError) as error:
-        raise not_json(text, str(error)) from None
+        raise invalid_json(text, str(error)) from None
 
 
 def decode_server_message(text: str) -> Struct:
@@ -61,23 +60,22 @@ def table_of_rows(rows: Sequence[EventRow]) -> FloatArray:
 def table_of_bytes(frame: bytes) -> FloatArray:
     """The table of a frame of packed events; raises ProtocolError."""
     if len(frame) % EVENT.itemsize:
-        words = f"a binary frame holds records of {EVENT.itemsize} bytes, received {len(frame)} bytes"
-        raise ProtocolError("bad_field", words, "$")
+        sentence = f"a binary frame holds records of {EVENT.itemsize} bytes, received {len(frame)} bytes"
+        raise ProtocolError("bad_field", sentence, "$")
     return unpack_events(frame)
 
 
 def check_numbers(table: FloatArray) -> None:
-    """Refuse, naming the first, what a pipeline would: numbers out of range, one count without the other."""
+    """Raise ProtocolError for the first number out of range, or a count without the other."""
     outside = ~(np.abs(table[:, :3]) <= _most)
     alone = np.isnan(table[:, 3:5])
     alone &= ~alone.all(axis=1, keepdims=True)
     wrong = np.argwhere(np.hstack([outside, alone]))
     if not len(wrong):
         return
-    row, field = (int(i) for i in wrong[0])
-    words = "dx and dy are both numbers or both null"
-    if field < outside.shape[1]:
-        value = float(table[row, field])
-        most = _most[field]
-        words = f"{_fields[field]} must lie in [{-most:g}, {most:g}], received {value!r}"
-    raise ProtocolError("bad_field", words, f"$.events[{row}][{field}]")
+    row, column = (int(i) for i in wrong[0])
+    sentence, name, value = "dx and dy are both numbers or both null", EventColumns.names[column], None
+    if column < outside.shape[1]:
+        value, most = float(table[row, column]), _most[column]
+        sentence = f"{name} must lie in [{-most:g}, {most:g}], received {value!r}"
+    raise ProtocolError("bad_field", sentence, f"$.events[{row}][{column}]", field=name, value=value)

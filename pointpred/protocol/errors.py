@@ -9,67 +9,89 @@ from math import isfinite
 from typing import Any
 
 import msgspec
+from msgspec import UNSET, UnsetType
 
 from pointpred.protocol.client_messages import CLIENT_TYPES, Setting
-from pointpred.protocol.server_messages import Code, ErrorMessage
+from pointpred.protocol.server_messages import Code, ErrorMessage, Scalar
 
-WORDS_MOST = 1000
-"""What an error quotes of a client's frame is no longer than this."""
+SENTENCE_MOST = 1000
+"""Characters of an error's sentence, which may quote the frame."""
 PATH_MOST = 200
 VALUE_MOST = 60
+LARGEST_EXACT = 2**53
+"""Every JSON decoder reads whole numbers below this exactly."""
 
-_place = re.compile(r" - at `(?P<path>\$.*)`$", re.DOTALL)
-_field = re.compile(r"(missing required|contains unknown) field `(?P<name>.*)`$", re.DOTALL)
+_decoder_place = re.compile(r" - at `(?P<path>\$.*)`$", re.DOTALL)
+_decoder_field = re.compile(r"(missing required|contains unknown) field `(?P<name>.*)`$", re.DOTALL)
 _step = re.compile(r"\.(?P<key>[^.\[]+)|\[(?P<index>\d+)\]")
 
 
 class ProtocolError(Exception):
-    """What came cannot be used; ``answer`` says so, ``close`` is the close code where the session ends."""
+    """A frame is refused: ``answer`` is the message to send, ``close`` the code where the session ends."""
 
     def __init__(
-        self, code: Code, message: str, path: str | None = None, *, close: int | None = None
+        self,
+        code: Code,
+        message: str,
+        path: str | None = None,
+        *,
+        field: str = "",
+        value: object = None,
+        close: int | None = None,
     ) -> None:
         super().__init__(message)
-        self.answer = ErrorMessage(
-            code, short(message), path and short(path, PATH_MOST), recoverable=close is None
-        )
+        path = path and short(path, PATH_MOST)
+        self.answer = ErrorMessage(code, short(message), path, recoverable=close is None)
+        if field:
+            self.answer.field = short(field, VALUE_MOST)
+            self.answer.value = _scalar(value)
         self.close = close
 
 
-def short(words: str, most: int = WORDS_MOST) -> str:
-    """Words that a client may have chosen: of bounded length, and always good UTF-8."""
-    words = words if len(words) <= most else f"{words[:most]}..."
-    return words.encode(errors="replace").decode()
+def _scalar(value: object) -> Scalar | UnsetType:
+    """A value as an error message holds it: a long text is cut; what JSON has no number for is left out."""
+    if isinstance(value, str):
+        return short(value, VALUE_MOST)
+    if value is None or (isinstance(value, bool | int | float) and abs(value) < LARGEST_EXACT):
+        return value
+    return UNSET
 
 
-def not_fitting(text: str, words: str) -> ProtocolError:
-    """JSON, but no message; ``words`` are the decoder's."""
-    found = _place.search(words)
-    path = found["path"] if found else "$"
-    words = _place.sub("", words)
-    if field := _field.search(words):
-        path = f"{path}.{field['name']}"
-    value = _loaded(text)
+def short(text: str, most: int = SENTENCE_MOST) -> str:
+    """A text that a client may have chosen: of bounded length, and always good UTF-8."""
+    text = text if len(text) <= most else f"{text[:most]}..."
+    return text.encode(errors="replace").decode()
+
+
+def invalid_message(text: str, reason: str) -> ProtocolError:
+    """The error for JSON that is no message; the decoder has no more than a sentence for the ``reason``."""
+    place = _decoder_place.search(reason)
+    path = place["path"] if place else "$"
+    sentence = _decoder_place.sub("", reason)
+    missing_or_unknown = _decoder_field.search(sentence)
+    if missing_or_unknown:
+        path = f"{path}.{missing_or_unknown['name']}"
     if path == "$.type":
-        code: Code = "bad_field" if words.startswith("Expected") else "unknown_type"
-        return ProtocolError(code, f"{words}; known: {', '.join(CLIENT_TYPES)}", path)
+        code: Code = "bad_field" if sentence.startswith("Expected") else "unknown_type"
+        return ProtocolError(code, f"{sentence}; known: {', '.join(CLIENT_TYPES)}", path, field="type")
+    content = _lenient(text)
     if path.startswith("$.parameters["):
-        path = _wrong_parameter(value)
-    if not field and " got " not in words:
-        words = f"{words}, received {_at(value, path)}"
-    return ProtocolError("bad_field", words, path)
+        path = _wrong_parameter(content)
+    if not missing_or_unknown and " got " not in sentence:
+        sentence = f"{sentence}, received {_value_at(content, path)}"
+    return ProtocolError("bad_field", sentence, path)
 
 
-def not_json(text: str, reason: str) -> ProtocolError:
-    """Many encoders write NaN, which JSON does not know: then the place of the number helps more."""
-    path = _not_finite(_loaded(text))
+def invalid_json(text: str, reason: str) -> ProtocolError:
+    """The error for text that is not JSON; many encoders write NaN, and then its place helps more."""
+    path = _path_of_nan(_lenient(text))
     if path is None:
         return ProtocolError("bad_json", f"expected JSON: {reason}")
     return ProtocolError("bad_field", "expected a finite number, received NaN or an infinity", f"${path}")
 
 
-def _loaded(text: str) -> Any:
-    """What a more lenient decoder reads; ``None`` where even that reads nothing."""
+def _lenient(text: str) -> Any:
+    """The content as a decoder reads it that knows NaN; ``None`` where it cannot either."""
     try:
         return json.loads(text)
     except (ValueError, RecursionError):
@@ -77,7 +99,7 @@ def _loaded(text: str) -> Any:
 
 
 def _wrong_parameter(value: Any) -> str:
-    """The path of the first parameter whose value is none that a parameter may have."""
+    """The path of the first parameter whose value is of a wrong kind."""
     try:
         parameters = dict(value["parameters"])
     except (TypeError, ValueError, KeyError):
@@ -85,7 +107,7 @@ def _wrong_parameter(value: Any) -> str:
     for name, setting in parameters.items():
         try:
             msgspec.convert(setting, Setting)
-            if _not_finite(setting) is None:
+            if _path_of_nan(setting) is None:
                 continue
         except msgspec.ValidationError:
             pass
@@ -93,8 +115,8 @@ def _wrong_parameter(value: Any) -> str:
     return "$.parameters"
 
 
-def _at(value: Any, path: str) -> str:
-    """The value at a path in words; a list by its length."""
+def _value_at(value: Any, path: str) -> str:
+    """The value at a path, as a sentence quotes it; a list by its length."""
     for step in _step.finditer(path):
         try:
             value = value[step["key"] or int(step["index"])]
@@ -105,8 +127,8 @@ def _at(value: Any, path: str) -> str:
     return f"{len(value)}" if isinstance(value, list) else short(repr(value), VALUE_MOST)
 
 
-def _not_finite(value: object) -> str | None:
-    """The path of the first number that is not finite, from ``value`` on, however deep it lies."""
+def _path_of_nan(value: object) -> str | None:
+    """The path below ``value`` to the first number that is not finite, however deep it lies."""
     levels: list[Iterator[tuple[object, object]]] = [iter([("", value)])]
     steps: list[object] = []  # the places on the way down, one fewer than levels
     while levels:

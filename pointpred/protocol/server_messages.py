@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 import msgspec
-from msgspec import UNSET, Struct, UnsetType, field
+from msgspec import UNSET, Struct, UnsetType
 
 from pointpred.events import NORMAL
 from pointpred.protocol.client_messages import Bye
@@ -29,6 +29,9 @@ Code = Literal[
     "internal",
     "columns",
 ]
+
+
+Scalar = bool | int | float | str | None
 
 
 class Limits(Struct, frozen=True):
@@ -83,7 +86,7 @@ class PredictionMessage(ServerMessage, tag="prediction"):
     t: float
     x: float | None = None
     y: float | None = None
-    scale: Region | None = field(default=None, name="region")
+    scale: Region | None = msgspec.field(default=None, name="region")
     phase: Literal["still", "ballistic", "corrective"] | None = None
     remaining_s: float | None = None
     targets: list[Likely] | UnsetType = UNSET
@@ -157,12 +160,18 @@ class Score(ServerMessage, tag="score"):
 
 
 class ErrorMessage(ServerMessage, tag="error"):
-    """What was wrong, where, and whether the session goes on."""
+    """What was wrong, where, and whether the session goes on.
+
+    ``field``: the name of the field or parameter that is wrong; ``value``: what was received there, cut short
+    where it is a long text. Both are absent where they are not known.
+    """
 
     code: Code
     message: str
     path: str | None = None
     recoverable: bool = True
+    field: str | UnsetType = UNSET
+    value: Scalar | UnsetType = UNSET
 
 
 SERVER_MESSAGES: tuple[type[Struct], ...] = (*ServerMessage.__subclasses__(), Bye)

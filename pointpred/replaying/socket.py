@@ -149,7 +149,7 @@ class _Player:
         """Every prediction; without a pace to keep, a frame waits for the answers to the last one."""
         parts = []
         for first, stop in due(events.t, self.speed):
-            while not self._rate.allows(stop - first, time.monotonic()):
+            while not self._rate.take(stop - first, time.monotonic()):
                 time.sleep((stop - first) / self._rate.most)
             self.connection.send(events.rows(first, stop))
             parts.append(self.connection.columns() if math.isinf(self.speed) else self.connection.poll())

@@ -1,4 +1,4 @@
-"""What is compiled, in parts: each is what one wish of a client needs, and running it once compiles it."""
+"""What is compiled, in parts: each is what one kind of request needs, and running it once compiles it."""
 
 from __future__ import annotations
 
@@ -16,10 +16,13 @@ from pointpred.events import PointerEvent
 from pointpred.pipeline import has_refusal, run
 from pointpred.predictors import Predictor
 from pointpred.predictors.adaptation import predictor as adaptation
+from pointpred.protocol.client_messages import Configure, Hello, Targets, TrialMark
+from pointpred.protocol.decoding import decode_client_message
+from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.records import EVENT, unpack_events, unpack_records
 from pointpred.registry import RECOMMENDED, REGISTRY, build
 from pointpred.scoring.measures import endpoint
-from pointpred.server.sessions.session import Session
+from pointpred.server.sessions.pointing import PointingSession
 from pointpred.server.settings import Settings
 from pointpred.targets import Chooser, around, choosing
 from pointpred.transfer import assistance
@@ -28,9 +31,9 @@ Frame = dict[str, Any] | bytes
 
 TARGETS, ASSISTANCE, TRIALS = "targets", "assistance", "trials"
 PIECES = tuple(f"{RECOMMENDED}, {what}" for what in ("of anybody", "of a person", "whole", "motions"))
-"""Of the recommended predictor: two processes compile them, each about half."""
+"""Pieces of the recommended predictor: two processes compile about half each."""
 FIRST = (*PIECES, RECOMMENDED)
-"""What the first answer needs. Nothing else is compiled beside it: that would only delay it."""
+"""What the first answer needs. Nothing else is compiled at the same time, which would delay it."""
 
 
 class Part(NamedTuple):
@@ -47,8 +50,8 @@ class Part(NamedTuple):
         return any(awaits_compiling(law) for law in self.laws)
 
 
-def differentiator(name: str) -> str:
-    """The part of sessions that choose this differentiator."""
+def differentiator_part(name: str) -> str:
+    """The name of the part for sessions that choose this differentiator."""
     return f"differentiator {name}"
 
 
@@ -69,7 +72,7 @@ def parts() -> list[Part]:
             if name != RECOMMENDED
         ),
         *(
-            Part(differentiator(name), partial(predict, "hold", name), (kind.step, kind.loop), FIRST)
+            Part(differentiator_part(name), partial(predict, "hold", name), (kind.step, kind.loop), FIRST)
             for name, kind in DIFFERENTIATORS.items()
             if name not in usual
         ),
@@ -82,7 +85,7 @@ def _predictor(name: str, after: tuple[str, ...] = ()) -> Part:
 
 
 def _pieces() -> Iterable[Part]:
-    """What the recommended predictor is laid over, what it adds, both together, and what feeds it."""
+    """The predictor under the recommended one, what it adds, both together, and their differentiator."""
     whole: Any = REGISTRY[RECOMMENDED].predictor
     beneath: Any = whole.__mro__[1]
     of_anybody, of_a_person, together, motions = PIECES
@@ -97,7 +100,7 @@ def _pieces() -> Iterable[Part]:
 
 
 MOTION = (0.0, 5.0, 2.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 1.0)
-"""A row of motions, as a differentiator makes it."""
+"""A row of ``MotionColumns``."""
 
 
 def _adapt() -> None:
@@ -153,17 +156,17 @@ def score_trial() -> None:
     goal = {"x": 400, "y": 100, "width": 40}
     events = {"type": "events", "events": [reach(i) for i in range(60)]}
     mark = {"type": "trial", "action": "start"}
-    talk([HELLO, mark, events, {**mark, "action": "end", "target": goal}])
+    run_session([HELLO, mark, events, {**mark, "action": "end", "target": goal}])
 
 
 def assist() -> None:
     """A session whose cursor the service moves."""
-    talk([{**HELLO, "assist": {}}, {"type": "events", "events": [reach(0)]}])
+    run_session([{**HELLO, "assist": {}}, {"type": "events", "events": [reach(0)]}])
 
 
-def talk(frames: Sequence[Frame]) -> None:
-    """Say frames to a session, and let it do the work that they make."""
-    session = Session("warm", Settings().limits, 0.0)
+def run_session(frames: Sequence[Frame]) -> None:
+    """Send frames to a session, and do the work that they lead to."""
+    session = PointingSession("warm", Settings().limits, 0.0)
     for frame in frames:
         session.receive(frame if isinstance(frame, bytes) else json.dumps(frame), 0.0)
         while session.work is not None:
@@ -176,3 +179,21 @@ def reach(i: int) -> list[float]:
     s = min(i / 50, 1.0)
     way = 10 * s**3 - 15 * s**4 + 6 * s**5
     return [i / 100, 400 * way, 100 * way, 4, 1, 0]
+
+
+def parts_for(frame: str | bytes) -> list[str]:
+    """Names of the parts that a client's frame needs; those of events came with the messages before them."""
+    if isinstance(frame, bytes):
+        return []
+    try:
+        message = decode_client_message(frame)
+    except ProtocolError:
+        return []  # the session answers what is wrong
+    if isinstance(message, Hello | Configure):
+        names = [] if message.predictor is None else [message.predictor]
+        if isinstance(chosen := message.parameters.get("differentiator"), str):
+            names.append(differentiator_part(chosen))
+        return [*names, ASSISTANCE] if message.assist is not None else names
+    if isinstance(message, Targets):
+        return [TARGETS] if message.targets else []
+    return [TRIALS] if isinstance(message, TrialMark) and message.action == "end" else []

@@ -1,7 +1,7 @@
 """A process that compiles: ``python -m pointpred.server.compiling.worker``; names in, a line back for each.
 
-What it puts into the cache is only loaded by the process that serves, whose clients it keeps waiting for
-nothing. A garbage collector would only look at what a compiler keeps: it runs between the parts.
+The serving process only loads what this one puts into the cache, so its clients need not wait for a compiler.
+Garbage is collected between the parts: collections during compiling free nothing.
 """
 
 from __future__ import annotations
@@ -17,18 +17,18 @@ from queue import SimpleQueue
 
 import pointpred
 
-ASIDE = "aside"
-"""Instead of a name: whatever else runs on this machine goes first from now on; may be said again."""
+LOW_PRIORITY = "low priority"
+"""Instead of a name: run with low priority from now on; may be sent again."""
 NICENESS = 15
 
 
 class Worker:
-    """The process, seen from the one that serves."""
+    """The process, as the serving one sees it."""
 
     def __init__(self) -> None:
         """Its input stays open while this process lives, however it ends."""
         command = [sys.executable, "-P", "-m", "pointpred.server.compiling.worker"]
-        package = str(Path(pointpred.__file__).parent.parent)  # the folder of the user may hold another one
+        package = str(Path(pointpred.__file__).parent.parent)  # not one in the current folder
         paths = os.pathsep.join(filter(None, (package, os.environ.get("PYTHONPATH"))))
         self.process = subprocess.Popen(
             command,
@@ -50,11 +50,11 @@ class Worker:
         return self.process.stdout.readline() == b"\n"
 
     def kill(self) -> None:
-        """Stop it, whatever it does: the cache puts files in place at once."""
+        """Stop it at any time: the cache replaces files atomically."""
         self.process.kill()
 
     def end(self) -> None:
-        """``kill``, and forget it."""
+        """Kill it and wait until it has ended."""
         self.process.kill()
         self.process.communicate()
 
@@ -62,25 +62,25 @@ class Worker:
 def main() -> None:
     """Compile the parts that are named until the input ends."""
     names: SimpleQueue[str] = SimpleQueue()
-    threading.Thread(target=_listen, args=(names,), daemon=True).start()
+    threading.Thread(target=_read_names, args=(names,), daemon=True).start()
     gc.disable()
     from pointpred.server.compiling.parts import parts
 
-    known = {part.name: part for part in parts()}
+    by_name = {part.name: part for part in parts()}
     while True:
         name = names.get()
-        if name == ASIDE:
+        if name == LOW_PRIORITY:
             if hasattr(os, "nice"):
                 os.nice(max(0, NICENESS - os.nice(0)))  # only root may lower it
-        elif name in known:
-            with suppress(Exception):  # the process that serves runs it as well, and says what is wrong
-                known[name].run()
+        elif name in by_name:
+            with suppress(Exception):  # the serving process runs it as well, and logs what is wrong
+                by_name[name].run()
         os.write(1, b"\n")
         gc.collect()
 
 
-def _listen(names: SimpleQueue[str]) -> None:
-    """Hand names on, and end as soon as the process that asked for help has ended, however it did."""
+def _read_names(names: SimpleQueue[str]) -> None:
+    """Put names into the queue, and end as soon as the parent process has ended, for whatever reason."""
     rest = b""
     while more := os.read(0, 4096):  # not sys.stdin: its lock would be held when the interpreter ends
         *lines, rest = (rest + more).split(b"\n")

@@ -1,1 +1,1 @@
-"""Sessions kept on disk when asked: written beside the traffic, listed and deleted."""
+"""Sessions on disk, when asked for: written while they last, listed and deleted."""

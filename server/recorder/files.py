@@ -28,7 +28,7 @@ FLAGS = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_APPEND
 FLAGS |= getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)  # the latter on Windows: LF stays LF
 
 Words = Sequence[tuple[str | None, int]]
-"""A word and in how many rows it stands, one after another; ``None`` is an empty cell."""
+"""Words, and in how many consecutive rows each is; ``None`` is an empty cell."""
 Write = Callable[[int, bytes], int]
 
 
@@ -36,7 +36,7 @@ class SessionFiles:
     """Appends to up to three files of one name; not safe for threads.
 
     Assumes that nobody else writes to them. Every method may raise OSError: what was written before it stays,
-    at worst with a last line cut short, which the reader leaves aside.
+    at worst with an incomplete last line, which the reader skips.
     """
 
     def __init__(self, folder: Path, name: str, about: dict[str, Any], write: Write = os.write) -> None:
@@ -44,7 +44,7 @@ class SessionFiles:
         self.name = name
         self.about = about
         self.rows = 0
-        """Whole rows that stand in the files."""
+        """Complete rows in the files."""
         self._write = write
         self._opened: dict[str, int] = {}
         self._dirty: set[str] = set()
@@ -53,7 +53,7 @@ class SessionFiles:
         """Append rows to one of the files; the file begins with its header."""
         head = b""
         if part not in self._opened:
-            self._check_kept()
+            self._check_exists()
             head = self._head(part)
             self._opened[part] = os.open(self.path_of(part), FLAGS, 0o600)
             self._sync_folder()
@@ -70,14 +70,14 @@ class SessionFiles:
         return self.folder / f"{self.name}_{part}.csv"
 
     def sync(self) -> None:
-        """See that what was written survives a loss of power."""
+        """Sync the files, so that they survive a loss of power."""
         if self._dirty:
-            self._check_kept()
+            self._check_exists()
         while self._dirty:
             os.fsync(self._opened[self._dirty.pop()])
 
     def close(self) -> None:
-        """Close every file, whatever happened before; raises what the first said that could not be closed."""
+        """Close every file, whatever happened before; raises the error of the first that fails to close."""
         opened, self._opened = self._opened, {}
         self._dirty.clear()
         errors: list[OSError] = []
@@ -89,8 +89,8 @@ class SessionFiles:
         if errors:
             raise errors[0]
 
-    def _check_kept(self) -> None:
-        """What was deleted while it was made is not begun anew."""
+    def _check_exists(self) -> None:
+        """Raise FileNotFoundError where a file was deleted meanwhile: it is not begun again."""
         if any(os.fstat(descriptor).st_nlink == 0 for descriptor in self._opened.values()):
             raise FileNotFoundError(errno.ENOENT, "its files were deleted")
 
@@ -115,7 +115,9 @@ class SessionFiles:
 
 def sample_rows(user: str, trials: Words, table: FloatArray) -> bytes:
     """Events as rows of the samples file."""
-    return _csv([_spread([(user, len(table))]), _spread(trials), *(_numbers(column) for column in table.T)])
+    return _csv(
+        [_repeated([(user, len(table))]), _repeated(trials), *(_numbers(column) for column in table.T)]
+    )
 
 
 def prediction_rows(predictors: Words, parameters: Words, table: FloatArray) -> bytes:
@@ -125,11 +127,11 @@ def prediction_rows(predictors: Words, parameters: Words, table: FloatArray) -> 
         pa.array(np.nan_to_num(codes).astype(np.int8), mask=np.isnan(codes)), pa.array(PHASES)
     )
     *numbers, tail = (_numbers(table[:, column]) for column in (*range(7), 8))
-    return _csv([*numbers, phases.cast(pa.string()), tail, _spread(predictors), _spread(parameters)])
+    return _csv([*numbers, phases.cast(pa.string()), tail, _repeated(predictors), _repeated(parameters)])
 
 
 def warm_rows() -> None:
-    """Make rows once: the first ones load a library, for half a second in which nothing would be written."""
+    """Make rows once: the first call loads a library, and nothing would be written for half a second."""
     sample_rows("", [("", 1)], np.zeros((1, 6)))
     prediction_rows([("", 1)], [(None, 1)], np.zeros((1, 10)))
 
@@ -145,12 +147,12 @@ def _numbers(column: FloatArray) -> Any:
     return pa.array(values, mask=np.isnan(values))
 
 
-def _spread(words: Words) -> Any:
-    """Each word in as many rows as it stands."""
-    known = [word for word, _ in words]
+def _repeated(words: Words) -> Any:
+    """Each word in as many rows as it is in."""
+    distinct = [word for word, _ in words]
     counts = [count for _, count in words]
-    index = np.repeat(np.arange(len(known), dtype=np.int32), counts)
-    return pa.DictionaryArray.from_arrays(index, pa.array(known, pa.string())).cast(pa.string())
+    index = np.repeat(np.arange(len(distinct), dtype=np.int32), counts)
+    return pa.DictionaryArray.from_arrays(index, pa.array(distinct, pa.string())).cast(pa.string())
 
 
 def _csv(columns: list[Any]) -> bytes:

@@ -1,6 +1,6 @@
-"""The folder of recorded sessions: how the files are called, what lies there, and how it is deleted.
+"""The folder of recorded sessions: the names of the files, listing and deleting them.
 
-A name holds the time of the session's beginning and random letters: nothing that a client said.
+A name holds the time when the session began and random letters: nothing that a client sent.
 """
 
 from __future__ import annotations
@@ -44,14 +44,14 @@ def name_of(session: str, begun: datetime) -> str:
     >>> name_of("../../etc/passwd", datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC))
     '20260102T030405Z-etc-passwd'
     """
-    kept = _other.sub("-", session).strip("-_")[:40].rstrip("-_")
-    return f"{begun.astimezone(UTC).strftime(STAMP)}-{kept or 'session'}"
+    safe = _other.sub("-", session).strip("-_")[:40].rstrip("-_")
+    return f"{begun.astimezone(UTC).strftime(STAMP)}-{safe or 'session'}"
 
 
 def prepare(folder: Path) -> bool:
-    """Make the folder, for its owner only, and see that it can be written.
+    """Create the folder, for its owner only, and check that it can be written.
 
-    Returns whether others can look into it, which happens only where it was there before; raises SourceError.
+    Returns whether others can read it, which happens only where it existed before; raises SourceError.
     """
     try:
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)
@@ -65,7 +65,7 @@ def prepare(folder: Path) -> bool:
 
 
 def listing(folder: Path, *, counted: bool = True) -> list[Recorded]:
-    """The sessions in a folder, the oldest first; other files there are not looked at.
+    """The sessions in a folder, the oldest first; other files are ignored.
 
     ``counted``: read each one for its events and trials. Raises SourceError where the folder cannot be read.
     """

@@ -1,1 +1,1 @@
-"""One client's session: its pipeline, its trials, its targets and what it may ask. No sockets here."""
+"""One client's session, without sockets: its states, its pipeline, its targets and trials, its limits."""

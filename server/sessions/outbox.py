@@ -1,4 +1,4 @@
-"""What a session still has to say: bounded, and predictions give way to newer ones.
+"""What a session has still to send: bounded, and predictions give way to newer ones.
 
 A client that reads slowly gets the newest prediction and is told how many it missed. The number of missed
 predictions does not show whether a client still reads, because one frame of events may bring a thousand
@@ -20,51 +20,51 @@ class Outbox:
     def __init__(self, *, most_notes: int = 1024) -> None:
         self.most_notes = most_notes
         self.dropped = 0
-        """Predictions replaced by newer ones since the client last read."""
-        self.dropped_in_all = 0
-        self.predicted = 0
-        """Predictions in all, those that gave way included."""
+        """Predictions that newer ones replaced since the client last read."""
+        self.dropped_total = 0
+        self.predictions = 0
+        """All predictions, dropped ones included."""
         self._notes: list[Frame | Choice] = []
         self._newest: list[Frame] = []
         self._count = 0
         self._after = 0  # how many notes were there before the newest prediction
         self._choices = 0  # how many of the notes are choices
         self._dropped_choices = 0
-        self._told: frozenset[str] = frozenset()  # targets whose proposal the client was told, and no end
+        self._proposed: frozenset[str] = frozenset()  # targets proposed as far as the client knows
 
-    def say(self, frame: Frame) -> None:
+    def add(self, frame: Frame) -> None:
         """Add a frame that must not be lost."""
         self._notes.append(frame)
 
-    def choose(self, choice: Choice) -> None:
-        """Add a proposal or its end; of many, what they come to is not lost."""
+    def add_choice(self, choice: Choice) -> None:
+        """Add a proposal or its end; of many, those that still change what is proposed are not lost."""
         self._notes.append(choice)
         self._choices += 1
         if self._choices > MOST_CHOICES:
             self._shorten()
 
     def predict(self, frames: list[Frame], count: int) -> None:
-        """Add the answer to the newest events, ``count`` predictions; unsent older ones give way."""
+        """Set the answer to the newest events, ``count`` predictions; unsent older ones are dropped."""
         self.dropped += self._count
-        self.dropped_in_all += self._count
-        self.predicted += count
+        self.dropped_total += self._count
+        self.predictions += count
         self._newest, self._count, self._after = frames, count, len(self._notes)
 
     @property
     def full(self) -> bool:
-        """Whether more waits to be said than a client may leave unread."""
+        """Whether more waits than a client may leave unread."""
         return len(self._notes) > self.most_notes
 
     @property
     def waiting(self) -> int:
-        """Predictions that are still to be sent."""
+        """How many predictions wait to be sent."""
         return self._count
 
     def __bool__(self) -> bool:
         return bool(self._notes or self._newest)
 
     def take(self) -> list[Frame]:
-        """Everything to send now, in the order in which it was said."""
+        """Everything to send now, in order; then the outbox is empty."""
         newest, self._newest, self._count = self._newest, [], 0
         if not self._notes and not self.dropped:
             return newest
@@ -73,7 +73,7 @@ class Outbox:
             self.dropped = self._dropped_choices = 0
         notes, self._notes = self._notes, []
         if self._choices:
-            self._told = standing(self._told, notes)
+            self._proposed = proposed_after(self._proposed, notes)
             self._choices = 0
         before, after = (
             [_frame(note) for note in part] for part in (notes[: self._after], notes[self._after :])
@@ -86,28 +86,30 @@ class Outbox:
         return f"{' and '.join(lost)} gave way to newer ones because they were not read in time"
 
     def _shorten(self) -> None:
-        """Leave of the choices that wait the end of what the client was told, and what is proposed now."""
-        stands = standing(self._told, self._notes)
+        """Drop the choices but for those that lead from what the client knows to what is proposed."""
+        proposed = proposed_after(self._proposed, self._notes)
         ends: dict[str, Choice] = {}
         begins: dict[str, Choice] = {}
         for note in self._notes:
-            if isinstance(note, Choice) and note.action == "retract" and note.id in self._told - stands:
+            if isinstance(note, Choice) and note.action == "retract" and note.id in self._proposed - proposed:
                 ends[note.id] = note
-            elif isinstance(note, Choice) and note.action == "propose" and note.id in stands - self._told:
+            elif (
+                isinstance(note, Choice) and note.action == "propose" and note.id in proposed - self._proposed
+            ):
                 begins[note.id] = note
-        kept: list[Frame | Choice] = [note for note in self._notes if not isinstance(note, Choice)]
+        others: list[Frame | Choice] = [note for note in self._notes if not isinstance(note, Choice)]
         self._after -= sum(isinstance(note, Choice) for note in self._notes[: self._after])
         left = [*ends.values(), *begins.values()]
         self._dropped_choices += self._choices - len(left)
-        self._notes, self._choices = [*kept, *left], len(left)
+        self._notes, self._choices = [*others, *left], len(left)
 
 
-def standing(told: frozenset[str], notes: list[Frame | Choice]) -> frozenset[str]:
-    """The targets that are proposed after these notes, where ``told`` were before them."""
+def proposed_after(before: frozenset[str], notes: list[Frame | Choice]) -> frozenset[str]:
+    """The targets that are proposed after these notes, where those ``before`` were proposed."""
     for note in notes:
         if isinstance(note, Choice):
-            told = told | {note.id} if note.action == "propose" else told - {note.id}
-    return told
+            before = before | {note.id} if note.action == "propose" else before - {note.id}
+    return before
 
 
 def _frame(note: Frame | Choice) -> Frame:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from array import array
 from collections.abc import Callable
 from functools import partial
-from typing import Any
 
 import numpy as np
 from msgspec import structs
@@ -18,52 +17,53 @@ from pointpred.protocol.server_messages import Score
 from pointpred.recording import Recording, Trial
 from pointpred.registry import build
 from pointpred.scoring import prepare, replay
+from pointpred.server.sessions.target_tracker import Outcome
 
 MOST_EVENTS = 100_000
 """A longer trial is not scored: 12 s at 8 kHz, and memory stays bounded."""
 
 
-class TrialKeeper:
-    """Keeps the events of the running trial."""
+class TrialBuffer:
+    """The events of the running trial."""
 
     def __init__(self) -> None:
         self.running = False
         self._forget()
 
     def start(self, goal: Goal | None) -> None:
-        """A trial starts; one that was running is given up."""
+        """A trial starts; one that was running is dropped."""
         self._forget(goal)
         self.running = True
 
     def add(self, table: FloatArray) -> None:
-        """Keep events while a trial runs."""
+        """Add events while a trial runs."""
         if self.running:
             self._count += len(table)
             if self._count <= MOST_EVENTS:
                 self._numbers.frombytes(table.tobytes())
 
     def end(self, goal: Goal | None, pipeline: Pipeline, cpi: float | None, dpi: float) -> Scoring:
-        """What makes the trial's score; it shares nothing with what comes after, so any thread may run it."""
+        """The function that scores the trial; any thread may run it: it shares nothing with the session."""
         goal, count, numbers = goal or self.goal, self._count, self._numbers
         self._forget()
         self.running = False
-        return partial(_scored, numbers, count, goal, pipeline.fresh(), cpi, dpi)
+        return partial(_score, numbers, count, goal, pipeline.fresh(), cpi, dpi)
 
     def _forget(self, goal: Goal | None = None) -> None:
         self._numbers = array("d")
         self._count = 0
         self.goal = goal
-        """The target that the running trial was said to have."""
+        """The target of the running trial, where its start named one."""
 
 
 Scoring = Callable[[], Score]
 """Takes milliseconds, and a tenth of a second for the longest trial."""
 
 
-def _scored(
+def _score(
     numbers: array[float], count: int, goal: Goal | None, pipeline: Pipeline, cpi: float | None, dpi: float
 ) -> Score:
-    """A trial's score by the offline protocol, in which pipelines begin at the movement's onset."""
+    """The score of a trial as offline, where pipelines are reset at the onset of the movement."""
     if count > MOST_EVENTS:
         return Score(count, reason=f"has {count} events, at most {MOST_EVENTS} are scored")
     about = Trial("session", "trial", *((goal.x, goal.y, goal.width) if goal else ()))
@@ -78,6 +78,6 @@ def _scored(
     return score_of(prepared, 0, errors, floor)
 
 
-def with_account(scoring: Scoring, account: dict[str, Any]) -> Score:
-    """A score, and what came of the proposals."""
-    return structs.replace(scoring(), **account)
+def with_outcome(scoring: Scoring, outcome: Outcome) -> Score:
+    """A score with how good the proposals were."""
+    return structs.replace(scoring(), **outcome._asdict())

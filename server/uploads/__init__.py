@@ -1,1 +1,1 @@
-"""Recordings that are sent to be scored: their size bounded before they are unpacked, spooled, scored."""
+"""Uploaded recordings: received, bounded in size before they are unpacked, opened and scored."""

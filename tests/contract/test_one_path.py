@@ -17,7 +17,7 @@ from pointpred.columns import FloatArray
 from pointpred.datasets import sample
 from pointpred.events import PHASES
 from pointpred.protocol.server_messages import Limits
-from pointpred.server.sessions.session import Session
+from pointpred.server.sessions.pointing import PointingSession
 from tests.server.running import PATIENCE_S, Running, running
 
 LIMITS = Limits(max_events_per_s=10**9)
@@ -149,7 +149,7 @@ def talking(name: str, encoding: str, frame: int, exchange: Exchange, at_once: i
 
 
 def session(name: str, encoding: str, frame: int) -> Iterator[bytes]:
-    one = Session("session", LIMITS, 0.0)
+    one = PointingSession("session", LIMITS, 0.0)
 
     def exchange(frames: list[str | bytes], count: int) -> list[Any]:
         for frame in frames:

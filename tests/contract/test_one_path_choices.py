@@ -12,7 +12,7 @@ import pytest
 
 from pointpred import PointerEvent, Prediction, build, run
 from pointpred.datasets import sample
-from pointpred.server.sessions.session import Session
+from pointpred.server.sessions.pointing import PointingSession
 from pointpred.targets import Chooser, Target, around
 from tests.contract.test_one_path import LIMITS, binary_frame, hello, resolution, text_frame, trials
 from tests.server.running import PATIENCE_S, Running, running
@@ -112,7 +112,7 @@ def test_one_by_one(name: str) -> None:
 @pytest.mark.parametrize("encoding", ["json", "binary"])
 @pytest.mark.parametrize("name", NAMES)
 def test_session(name: str, encoding: str, frame: int) -> None:
-    session = Session("session", LIMITS, 0.0)
+    session = PointingSession("session", LIMITS, 0.0)
 
     def exchange(frame: str | bytes) -> list[str | bytes]:
         session.receive(frame, 0.0)

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from pointpred import REGISTRY
 from pointpred.protocol.decoding import decode_server_message
 from pointpred.protocol.server_messages import ErrorMessage, Limits, Score
-from pointpred.server.sessions.session import Session
+from pointpred.server.sessions.pointing import PointingSession
 from tests.unit.talking import NO_COUNTS, PREDICTION, events, hello, packed
 
 CODES = {1000, 1001, 1008, 1009, 1011, 1013}
@@ -89,7 +89,7 @@ def check(answer: str | bytes) -> Any:
 def test_any_frames_are_answered_or_end_the_session(
     greet: dict[str, Any] | None, frames: list[tuple[str | bytes, float]], reads: bool
 ) -> None:
-    session, now = Session("s", LIMITS, 0.0), 0.0
+    session, now = PointingSession("s", LIMITS, 0.0), 0.0
     if greet:
         session.receive(json.dumps(greet), now)
     for sent, pause in frames:
@@ -130,7 +130,7 @@ def test_events_in_json_and_packed_give_the_same_predictions(
     name: str, frames: list[list[tuple[Any, ...]]], marks: bool
 ) -> None:
     device = {"device": {"cpi": 800}, "reply": "event"}
-    text, binary = (Session("s", Limits(), 0.0) for _ in range(2))
+    text, binary = (PointingSession("s", Limits(), 0.0) for _ in range(2))
     text.receive(json.dumps(hello(name, **device)), 0.0)
     binary.receive(json.dumps(hello(name, encoding="binary", **device)), 0.0)
     for session in (text, binary):

@@ -6,9 +6,9 @@ import threading
 from collections import defaultdict
 from collections.abc import Sequence
 
-from pointpred.server.compiling.compiling import Compiling
+from pointpred.server.compiling.compiler import Compiler
 from pointpred.server.compiling.parts import Part
-from pointpred.server.compiling.worker import ASIDE
+from pointpred.server.compiling.worker import LOW_PRIORITY
 
 
 class Awaited(Part):
@@ -19,7 +19,7 @@ class Awaited(Part):
         return True
 
 
-class Compiler:
+class FakeWorkers:
     """Stands in the place of worker processes; ``asked`` has what they were asked for, in order."""
 
     def __init__(self) -> None:
@@ -28,13 +28,13 @@ class Compiler:
         self._allowed: dict[str, threading.Event] = defaultdict(threading.Event)
         self._all = threading.Event()
 
-    def __call__(self) -> Compiler:
+    def __call__(self) -> FakeWorkers:
         return self
 
-    def compiling(self, names: Sequence[str]) -> Compiling:
+    def compiling(self, names: Sequence[str]) -> Compiler:
         """What a service compiles with."""
         parts = [Awaited(name, lambda: None, ()) for name in names]
-        return Compiling(parts, self)  # type: ignore[arg-type]
+        return Compiler(parts, self)  # type: ignore[arg-type]
 
     def allow(self, *names: str) -> None:
         """These parts can be compiled now; all, where none is named."""
@@ -45,7 +45,7 @@ class Compiler:
 
     def compile(self, name: str) -> bool:
         self.asked.append(name)
-        if name != ASIDE:
+        if name != LOW_PRIORITY:
             while not (self._all.is_set() or self._allowed[name].wait(0.005)):
                 pass
         return True

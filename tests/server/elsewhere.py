@@ -113,8 +113,8 @@ def served(folder: Path) -> dict[str, Any]:
     """A session with predictions, recorded to disk; the page, and an upload that is scored."""
     from pointpred import PointerEvent
     from pointpred.client import connect
-    from pointpred.server.hosts import HostRule
-    from pointpred.server.listening.listening import address, listen, make_server
+    from pointpred.server.access import HostRule
+    from pointpred.server.listening import address, listen, make_server
     from pointpred.server.service import Service
     from pointpred.server.settings import Settings
 
@@ -141,7 +141,7 @@ def served(folder: Path) -> dict[str, Any]:
 def scored(file: Path) -> dict[str, Any]:
     """What the command line and the service's upload make of a recording."""
     from pointpred.cli import main
-    from pointpred.server.uploads.scoring import score_body
+    from pointpred.server.uploads.recordings import score_body
 
     target, code = file.with_suffix(".json"), None
     try:

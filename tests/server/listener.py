@@ -23,8 +23,8 @@ from websockets.typing import Subprotocol
 
 from pointpred.protocol.client_messages import SUBPROTOCOL
 from pointpred.protocol.server_messages import Limits
-from pointpred.server.http_answers import SAFE
-from pointpred.server.sessions.session import Session
+from pointpred.server.http_responses import SECURITY_HEADERS
+from pointpred.server.sessions.pointing import PointingSession
 
 WEB = Path(__file__).parents[2] / "server" / "web"
 RECORD = np.dtype(
@@ -95,7 +95,7 @@ class Listener:
 
     def _talk(self, connection: ServerConnection) -> None:
         self._open.add(connection)
-        session = Session("here", self.limits, time.monotonic(), coefficients=self._coefficients)
+        session = PointingSession("here", self.limits, time.monotonic(), coefficients=self._coefficients)
         try:
             for frame in connection:
                 self.frames.append(frame)
@@ -122,7 +122,12 @@ class Listener:
         body = file.read_bytes() if name and file.is_file() else BARE
         kind = mimetypes.guess_type(name)[0] or "text/html"
         headers = Headers(
-            {**SAFE, "Content-Type": kind, "Content-Length": str(len(body)), "Connection": "close"}
+            {
+                **SECURITY_HEADERS,
+                "Content-Type": kind,
+                "Content-Length": str(len(body)),
+                "Connection": "close",
+            }
         )
         return Response(http.HTTPStatus.OK, "OK", headers, body)
 

@@ -12,8 +12,8 @@ from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Subprotocol
 
 from pointpred.protocol.client_messages import SUBPROTOCOL
-from pointpred.server.hosts import HostRule
-from pointpred.server.listening.listening import listen, make_server
+from pointpred.server.access import HostRule
+from pointpred.server.listening import listen, make_server
 from pointpred.server.service import Service
 from pointpred.server.settings import Settings
 

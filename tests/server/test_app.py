@@ -12,8 +12,8 @@ from fastapi.testclient import TestClient
 from pointpred import __version__, build
 from pointpred.datasets import sample
 from pointpred.registry import REGISTRY
+from pointpred.server.access import HostRule
 from pointpred.server.app import WEB, create_app
-from pointpred.server.hosts import HostRule
 
 
 @pytest.fixture(scope="module")

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from pointpred.client import ServiceError, connect, connect_async
 from pointpred.client.dialogue import Dialogue
 from pointpred.protocol.server_messages import Limits, Welcome, encode
-from pointpred.server.sessions.session import Session
+from pointpred.server.sessions.pointing import PointingSession
 from tests.server.listener import Listener
 
 Rows = Sequence[tuple[float, float, float]]
@@ -26,7 +26,7 @@ class Pair:
 
     def __init__(self, **hello: Any) -> None:
         self.dialogue = Dialogue(predictor="hold", **hello)
-        self.session = Session("here", Limits(), 0.0)
+        self.session = PointingSession("here", Limits(), 0.0)
         self.tell(encode(self.dialogue.hello).decode())
         assert self.hear() == []
 

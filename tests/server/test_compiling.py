@@ -16,14 +16,22 @@ from websockets.exceptions import ConnectionClosed
 
 from pointpred.compiled import COMPILED
 from pointpred.registry import RECOMMENDED, REGISTRY
-from pointpred.server.compiling import compiling as room
-from pointpred.server.compiling.compiling import Compiling
-from pointpred.server.compiling.needs import needs
-from pointpred.server.compiling.order import Order
-from pointpred.server.compiling.parts import ASSISTANCE, PIECES, TARGETS, TRIALS, Part, parts, predict
-from pointpred.server.compiling.worker import ASIDE, Worker
+from pointpred.server.compiling import compiler as room
+from pointpred.server.compiling.compiler import Compiler
+from pointpred.server.compiling.order import PartQueue
+from pointpred.server.compiling.parts import (
+    ASSISTANCE,
+    PIECES,
+    TARGETS,
+    TRIALS,
+    Part,
+    parts,
+    parts_for,
+    predict,
+)
+from pointpred.server.compiling.worker import LOW_PRIORITY, Worker
 from pointpred.server.service import Service
-from tests.server.compiler import Awaited, Compiler
+from tests.server.compiler import Awaited, FakeWorkers
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, Running, running
 
@@ -37,19 +45,19 @@ def hello(predictor: str = RECOMMENDED) -> str:
 
 
 @pytest.fixture
-def compiler(monkeypatch: pytest.MonkeyPatch) -> Iterator[Compiler]:
+def compiler(monkeypatch: pytest.MonkeyPatch) -> Iterator[FakeWorkers]:
     for name in (RECOMMENDED, "ktm", "switched"):
         predict(name)  # here, where nobody waits for the compiler
     monkeypatch.setattr(room, "_processors", lambda: 1)
-    one = Compiler()
+    one = FakeWorkers()
     yield one
     one.allow()
 
 
 @pytest.fixture
-def here(compiler: Compiler) -> Iterator[Running]:
+def here(compiler: FakeWorkers) -> Iterator[Running]:
     def prepare(service: Service) -> None:
-        service.compiling = compiler.compiling([RECOMMENDED, TARGETS, TRIALS, *OTHERS])
+        service.compiler = compiler.compiling([RECOMMENDED, TARGETS, TRIALS, *OTHERS])
 
     with running(prepare, max_sessions=3) as one:
         yield one
@@ -61,7 +69,7 @@ def ready(here: Running) -> bool:
 
 
 def test_the_recommended_predictor_is_first_and_others_follow_in_their_order() -> None:
-    order = Order(parts(), room.FIRST)
+    order = PartQueue(parts(), room.FIRST)
     names = []
     while (part := order.take()) is not None:
         names.append(part.name)
@@ -72,7 +80,7 @@ def test_the_recommended_predictor_is_first_and_others_follow_in_their_order() -
 
 
 def test_a_part_waits_for_those_it_is_made_of_and_all_wait_for_the_first() -> None:
-    order = Order(parts(), room.FIRST)
+    order = PartQueue(parts(), room.FIRST)
     begun = [order.take() for _ in range(4)]
     anybody, person, whole, motions = PIECES
     assert [part and part.name for part in begun] == [anybody, person, motions, None]
@@ -89,9 +97,9 @@ def test_a_part_waits_for_those_it_is_made_of_and_all_wait_for_the_first() -> No
 
 
 def test_what_clients_wait_for_goes_before_the_rest_but_not_before_the_first() -> None:
-    order = Order(parts(), room.FIRST)
-    order.wish(["ktm"])
-    order.wish(["switched", "ktm"])
+    order = PartQueue(parts(), room.FIRST)
+    order.prefer(["ktm"])
+    order.prefer(["switched", "ktm"])
     names = []
     while (part := order.take()) is not None:
         names.append(part.name)
@@ -100,10 +108,10 @@ def test_what_clients_wait_for_goes_before_the_rest_but_not_before_the_first() -
 
 
 def test_names_of_one_class_are_not_compiled_at_the_same_time() -> None:
-    order = Order(parts(), room.FIRST)
+    order = PartQueue(parts(), room.FIRST)
     while RECOMMENDED not in order.done:
         order.finish(getattr(order.take(), "name", ""))
-    order.wish(["kep-quartic", "ktm"])
+    order.prefer(["kep-quartic", "ktm"])
     begun: list[str] = []
     while (part := order.take()) is not None:
         begun.append(part.name)
@@ -132,12 +140,12 @@ def test_names_of_one_class_are_not_compiled_at_the_same_time() -> None:
     ],
 )
 def test_what_a_message_needs(message: dict[str, object], wanted: list[str]) -> None:
-    assert needs(json.dumps(message)) == wanted
+    assert parts_for(json.dumps(message)) == wanted
     assert set(wanted) <= {part.name for part in parts()}
 
 
 def test_a_session_of_a_ready_predictor_is_served_while_others_are_compiled(
-    here: Running, compiler: Compiler
+    here: Running, compiler: FakeWorkers
 ) -> None:
     with here.connect() as early, here.connect() as other:
         early.send(hello())
@@ -152,15 +160,15 @@ def test_a_session_of_a_ready_predictor_is_served_while_others_are_compiled(
         for i in range(20):
             early.send(EVENT % i)
             assert json.loads(early.recv(PATIENCE_S))["t"] == i
-        soon(lambda: here.service.compiling._waiting, "the other one waits")
+        soon(lambda: here.service.compiler._waiting, "the other one waits")
         compiler.allow(TARGETS, "ktm")
         assert json.loads(other.recv(PATIENCE_S))["type"] == WELCOME
-        assert [name for name in compiler.asked if name != ASIDE][:3] == [RECOMMENDED, TARGETS, "ktm"]
-        assert compiler.asked.index(ASIDE) == 1
+        assert [name for name in compiler.asked if name != LOW_PRIORITY][:3] == [RECOMMENDED, TARGETS, "ktm"]
+        assert compiler.asked.index(LOW_PRIORITY) == 1
 
 
 def test_a_message_waits_for_what_it_needs_and_answers_keep_their_order(
-    here: Running, compiler: Compiler
+    here: Running, compiler: FakeWorkers
 ) -> None:
     compiler.allow(RECOMMENDED)
     with here.connect() as socket:
@@ -183,7 +191,7 @@ def test_a_message_waits_for_what_it_needs_and_answers_keep_their_order(
             last = answer["t"]
 
 
-def test_what_is_compiled_is_told(here: Running, compiler: Compiler) -> None:
+def test_what_is_compiled_is_told(here: Running, compiler: FakeWorkers) -> None:
     def told() -> dict[str, object]:
         answer: dict[str, object] = get(f"{here.url}/v1/compiling", timeout=PATIENCE_S).json()
         return answer
@@ -223,22 +231,22 @@ def test_who_leaves_while_it_waits_leaves_its_place(here: Running) -> None:
     assert get(f"{here.url}/metrics", timeout=PATIENCE_S).status_code == 200
 
 
-def test_waiting_for_the_compiler_is_not_idleness(compiler: Compiler) -> None:
+def test_waiting_for_the_compiler_is_not_idleness(compiler: FakeWorkers) -> None:
     def prepare(service: Service) -> None:
-        service.compiling = compiler.compiling([RECOMMENDED])
+        service.compiler = compiler.compiling([RECOMMENDED])
 
     with running(prepare) as here, here.connect() as early:
         early.send(hello())
-        soon(lambda: any(one.kept_waiting for one in here.service._open), "it waits")
+        soon(lambda: any(one.waits_for_compiler for one in here.service._open), "it waits")
         (session,) = here.service._open
-        session.tick(session.heard + 1e6)
+        session.tick(session.last_received + 1e6)
         assert session.close is None
         compiler.allow()
         assert json.loads(early.recv(PATIENCE_S))["type"] == WELCOME
-        assert not session.kept_waiting
+        assert not session.waits_for_compiler
 
 
-def test_a_recording_is_scored_once_its_predictors_are_compiled(here: Running, compiler: Compiler) -> None:
+def test_a_recording_is_scored_once_its_predictors_are_compiled(here: Running, compiler: FakeWorkers) -> None:
     body = "user,trial,t_s,x_px,y_px\n" + "".join(f"ann,1,{i / 100},{7 * i},{3 * i}\n" for i in range(60))
     compiler.allow(RECOMMENDED, TARGETS)
     answers: list[int] = []
@@ -251,7 +259,7 @@ def test_a_recording_is_scored_once_its_predictors_are_compiled(here: Running, c
 
     poster = threading.Thread(target=post)
     poster.start()
-    soon(lambda: here.service.compiling._waiting, "it waits")
+    soon(lambda: here.service.compiler._waiting, "it waits")
     compiler.allow(TRIALS)
     soon(lambda: "switched" in compiler.asked, "it is next")
     assert not answers
@@ -268,7 +276,7 @@ def test_what_cannot_be_compiled_is_logged_and_clients_are_served_all_the_same(
         raise RuntimeError("no compiler")
 
     def prepare(service: Service) -> None:
-        service.compiling = Compiling([Part(RECOMMENDED, broken, ())])
+        service.compiler = Compiler([Part(RECOMMENDED, broken, ())])
 
     with running(prepare) as here, here.greeted(hello()):
         assert get(f"{here.url}/readyz", timeout=PATIENCE_S).json() == {"ready": False, "stopping": False}
@@ -276,14 +284,14 @@ def test_what_cannot_be_compiled_is_logged_and_clients_are_served_all_the_same(
 
 
 def test_what_is_in_the_cache_needs_no_worker_and_is_not_spoken_of(caplog: pytest.LogCaptureFixture) -> None:
-    compiler, ran = Compiler(), []
+    compiler, ran = FakeWorkers(), []
     names = list(REGISTRY)
-    compiling = Compiling([Part(name, lambda name=name: ran.append(name), ()) for name in names], compiler)  # type: ignore[arg-type, misc]
-    compiling.begin()
+    compiling = Compiler([Part(name, lambda name=name: ran.append(name), ()) for name in names], compiler)  # type: ignore[arg-type, misc]
+    compiling.start()
     compiling.join()
     assert sorted(ran) == sorted(names)
     assert compiler.asked == []
-    assert not compiling.once
+    assert not compiling.compiled_any
     assert "ompil" not in caplog.text
 
 
@@ -299,8 +307,8 @@ def test_a_service_that_stops_gives_up_what_is_compiled(monkeypatch: pytest.Monk
             self.process.stdout.readline()
 
     monkeypatch.setattr(room, "_processors", lambda: 2)
-    compiling = Compiling([Awaited(name, lambda: None, ()) for name in OTHERS], Endless)
-    compiling.begin()
+    compiling = Compiler([Awaited(name, lambda: None, ()) for name in OTHERS], Endless)
+    compiling.start()
     soon(lambda: len(started) == 2, "both work")
     compiling.stop()
     compiling.join()
@@ -309,10 +317,10 @@ def test_a_service_that_stops_gives_up_what_is_compiled(monkeypatch: pytest.Monk
 
 
 def test_until_ends_for_names_that_are_no_parts_and_where_nothing_has_begun() -> None:
-    compiler = Compiler()
+    compiler = FakeWorkers()
     asyncio.run(compiler.compiling([RECOMMENDED]).until([RECOMMENDED]))
     compiling = compiler.compiling([RECOMMENDED])
-    compiling.begin()
+    compiling.start()
     asyncio.run(compiling.until(["no such predictor"]))
     compiler.allow()
     compiling.join()
@@ -321,7 +329,7 @@ def test_until_ends_for_names_that_are_no_parts_and_where_nothing_has_begun() ->
 def test_a_worker_compiles_what_is_named_and_ends_with_who_asked() -> None:
     worker = Worker()
     try:
-        for name in (ASIDE, ASIDE, "no such part", "hold"):
+        for name in (LOW_PRIORITY, LOW_PRIORITY, "no such part", "hold"):
             worker.compile(name)
             assert worker.process.poll() is None
         assert os.getpriority(os.PRIO_PROCESS, worker.process.pid) > os.getpriority(os.PRIO_PROCESS, 0)
@@ -350,8 +358,8 @@ def test_a_session_whose_parts_are_ready_compiles_and_loads_nothing() -> None:
     program = """
 import json
 from numba.core.dispatcher import Dispatcher
-from pointpred.server.compiling.needs import needs
-from pointpred.server.compiling.parts import HELLO, parts, reach, talk
+from pointpred.server.compiling.parts import parts_for
+from pointpred.server.compiling.parts import HELLO, parts, reach, run_session
 known = {part.name: part for part in parts()}
 asked, compile = [], Dispatcher.compile
 def spied(self, signature):
@@ -359,13 +367,14 @@ def spied(self, signature):
     return compile(self, signature)
 def converse(frames):
     Dispatcher.compile = compile
-    names = {name for frame in frames if not isinstance(frame, bytes) for name in needs(json.dumps(frame))}
+    texts = [json.dumps(frame) for frame in frames if not isinstance(frame, bytes)]
+    names = {name for text in texts for name in parts_for(text)}
     for name in names:
         for before in known[name].after:
             known[before].run()
         known[name].run()
     Dispatcher.compile = spied
-    talk(frames)
+    run_session(frames)
 converse([
     {**HELLO, "predictor": "kinematic-adaptive"},
     {"type": "targets", "targets": [{"id": "a", "x": 1, "y": 2, "width": 3, "height": 4}]},

@@ -15,20 +15,20 @@ import pytest
 from httpx2 import get
 
 from pointpred.registry import RECOMMENDED, REGISTRY
-from pointpred.server.compiling import compiling as room
-from pointpred.server.compiling.compiling import Compiling
-from pointpred.server.compiling.order import Order
+from pointpred.server.compiling import compiler as room
+from pointpred.server.compiling.compiler import Compiler
+from pointpred.server.compiling.order import PartQueue
 from pointpred.server.compiling.parts import PIECES, TARGETS, Part
-from pointpred.server.compiling.worker import ASIDE, NICENESS
+from pointpred.server.compiling.worker import LOW_PRIORITY, NICENESS
 from pointpred.server.service import Service
-from tests.server.compiler import Awaited, Compiler
+from tests.server.compiler import Awaited, FakeWorkers
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, running
 
 NAMES = [RECOMMENDED, "hold", "ktm", "switched"]
 
 
-class Dying(Compiler):
+class Dying(FakeWorkers):
     """A worker that ends at the names in ``deadly``; ``started`` counts how often one was asked for."""
 
     def __init__(self, *deadly: str) -> None:
@@ -37,7 +37,7 @@ class Dying(Compiler):
         self.started = 0
         self.allow()
 
-    def __call__(self) -> Compiler:
+    def __call__(self) -> FakeWorkers:
         self.started += 1
         return self
 
@@ -48,9 +48,9 @@ class Dying(Compiler):
         return super().compile(name)
 
 
-def compiled(worker: Callable[[], Any], parts: list[Part]) -> Compiling:
-    compiling = Compiling(parts, worker)
-    compiling.begin()
+def compiled(worker: Callable[[], Any], parts: list[Part]) -> Compiler:
+    compiling = Compiler(parts, worker)
+    compiling.start()
     compiling.join()
     return compiling
 
@@ -66,20 +66,20 @@ def warnings(caplog: pytest.LogCaptureFixture) -> int:
 
 
 def test_names_that_are_no_parts_are_not_kept() -> None:
-    order = Order([Part(name, lambda: None, ()) for name in NAMES], ())
+    order = PartQueue([Part(name, lambda: None, ()) for name in NAMES], ())
     for i in range(100):
-        order.wish([f"nobody {i}", "ktm"])
-    assert set(order._wished) <= set(NAMES)
+        order.prefer([f"nobody {i}", "ktm"])
+    assert set(order._preferred) <= set(NAMES)
 
 
 def test_who_misses_nothing_moves_nothing_to_the_front() -> None:
-    compiler = Compiler()
+    compiler = FakeWorkers()
     compiling = compiler.compiling(NAMES)
     asyncio.run(compiling.until(["switched"]))  # nothing has begun
-    part = compiling._order.take()
+    part = compiling._queue.take()
     assert part is not None
     assert part.name == RECOMMENDED
-    assert [one.name for one in compiling._order.waiting] == NAMES[1:]
+    assert [one.name for one in compiling._queue.waiting] == NAMES[1:]
 
 
 def test_a_part_that_is_taken_is_never_out_of_sight() -> None:
@@ -90,7 +90,7 @@ def test_a_part_that_is_taken_is_never_out_of_sight() -> None:
             super().__delitem__(place)
             seen.append(order.finished)
 
-    order = Order([Part("hold", lambda: None, ())], ())
+    order = PartQueue([Part("hold", lambda: None, ())], ())
     order.waiting = Watched(order.waiting)
     order.take()
     assert seen == [False]
@@ -104,11 +104,11 @@ def test_who_waited_on_a_loop_that_has_closed_disturbs_nobody() -> None:
         def call_soon_threadsafe(self, call: object) -> None:
             raise RuntimeError("Event loop is closed")
 
-    compiler = Compiler()
+    compiler = FakeWorkers()
     compiler.allow()
     compiling = compiler.compiling(NAMES)
     compiling._waiting.add((Closing(), asyncio.Event()))  # type: ignore[arg-type]
-    compiling.begin()
+    compiling.start()
     compiling.join()
     assert compiling.over
 
@@ -118,17 +118,17 @@ def test_without_worker_processes_a_thread_compiles_and_the_service_becomes_read
 ) -> None:
     threads: list[str] = []
 
-    def refused() -> Compiler:
+    def refused() -> FakeWorkers:
         raise BlockingIOError(11, "no more processes")
 
     def prepare(service: Service) -> None:
         parts = [Awaited(name, lambda: threads.append(threading.current_thread().name), ()) for name in NAMES]
-        service.compiling = Compiling(parts, refused)  # type: ignore[arg-type]
+        service.compiler = Compiler(parts, refused)  # type: ignore[arg-type]
 
     with running(prepare) as here:
         soon(lambda: get(f"{here.url}/readyz", timeout=PATIENCE_S).status_code == 200, "ready")
-        here.service.compiling.join()
-        assert here.service.compiling.failed == set()
+        here.service.compiler.join()
+        assert here.service.compiler.failed == set()
     assert len(threads) == len(NAMES)
     assert all(name.startswith("compiling") for name in threads)
     assert warnings(caplog) == 1
@@ -141,7 +141,7 @@ def test_a_worker_that_dies_is_replaced_and_its_part_is_compiled_by_the_next(
     dying = Dying("hold")
     compiling = compiled(dying, [Awaited(name, lambda: None, ()) for name in NAMES])
     assert dying.started == 2
-    assert [name for name in dying.asked if name != ASIDE] == NAMES
+    assert [name for name in dying.asked if name != LOW_PRIORITY] == NAMES
     assert compiling.failed == set()
     assert warnings(caplog) == 1
 
@@ -164,7 +164,7 @@ def test_what_failed_is_not_among_the_ready() -> None:
     def broken() -> None:
         raise RuntimeError("no compiler")
 
-    compiling = compiled(Compiler(), [Part("hold", broken, ()), Part("ktm", lambda: None, ())])
+    compiling = compiled(FakeWorkers(), [Part("hold", broken, ()), Part("ktm", lambda: None, ())])
     assert compiling.progress().ready == ["ktm"]
 
 
@@ -176,7 +176,7 @@ def test_a_worker_of_a_nice_service_stays_as_nice_as_it_is() -> None:
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as worker:
         assert worker.stdin is not None
         assert worker.stdout is not None
-        worker.stdin.write(ASIDE.encode() + b"\n")
+        worker.stdin.write(LOW_PRIORITY.encode() + b"\n")
         worker.stdin.flush()
         assert worker.stdout.readline() == b"\n"
         assert os.getpriority(os.PRIO_PROCESS, worker.pid) == most
@@ -188,13 +188,13 @@ def test_each_step_is_logged_once_and_in_order(
 ) -> None:
     monkeypatch.setattr(room, "_processors", lambda: 2)
     caplog.set_level(logging.INFO)
-    compiler = Compiler()
+    compiler = FakeWorkers()
     anybody, person, whole, motions = PIECES
     after = {whole: (anybody, person), RECOMMENDED: PIECES}
     names = [*PIECES, RECOMMENDED, TARGETS, *(name for name in REGISTRY if name != RECOMMENDED)]
     parts = [Awaited(name, lambda: None, (), after.get(name, ())) for name in names]
-    compiling = Compiling(parts, compiler)  # type: ignore[arg-type]
-    compiling.begin()
+    compiling = Compiler(parts, compiler)  # type: ignore[arg-type]
+    compiling.start()
     compiler.allow(anybody, motions)
     soon(lambda: TARGETS in compiler.asked, "another part is under way")
     compiler.allow(*PIECES, RECOMMENDED)  # while that one is not done

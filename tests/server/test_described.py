@@ -54,7 +54,7 @@ def test_every_operation_has_a_name_of_its_own_and_a_sentence(document: dict[str
 def test_every_refusal_is_described_in_the_one_shape(document: dict[str, Any]) -> None:
     shape = document["components"]["schemas"]["Error"]
     assert set(shape["required"]) == SHAPE
-    assert shape["properties"].keys() == SHAPE | {"columns", "guess", "time_unit", "reason"}
+    assert shape["properties"].keys() == SHAPE | {"field", "value", "columns", "guess", "time_unit", "reason"}
     assert "HTTPValidationError" not in document["components"]["schemas"]
     for (path, way), one in operations(document).items():
         refused = {status: said for status, said in one["responses"].items() if status != "200"}
@@ -83,9 +83,9 @@ def test_answers_are_of_the_type_that_is_described(
 @pytest.mark.parametrize(
     ("way", "path", "status", "code", "words"),
     [
-        ("GET", "/nowhere", 404, "bad_field", "nothing is at /nowhere"),
-        ("GET", "/web/nothing.js", 404, "bad_field", "nothing is at /web/nothing.js"),
-        ("POST", "/nowhere", 404, "bad_field", "nothing is at /nowhere"),
+        ("GET", "/nowhere", 404, "bad_field", "/nowhere"),
+        ("GET", "/web/nothing.js", 404, "bad_field", "/web/nothing.js"),
+        ("POST", "/nowhere", 404, "bad_field", "/nowhere"),
         ("POST", "/healthz", 405, "out_of_place", "/healthz answers GET, HEAD, received POST"),
         ("DELETE", "/web/page.js", 405, "out_of_place", "answers GET, HEAD, received DELETE"),
         ("GET", "/v1/score", 405, "out_of_place", "/v1/score answers POST, received GET"),

@@ -7,9 +7,9 @@ from collections.abc import MutableMapping
 from typing import Any
 
 from pointpred.protocol.server_messages import Limits
-from pointpred.server.connections.early import Early
-from pointpred.server.connections.talk import Talk
-from pointpred.server.sessions.session import Session
+from pointpred.server.connection import Connection
+from pointpred.server.receive_buffer import ReceiveBuffer
+from pointpred.server.sessions.pointing import PointingSession
 
 Message = MutableMapping[str, Any]
 HELLO = '{"type":"hello","version":1,"predictor":"hold"}'
@@ -17,7 +17,7 @@ EVENT = '{"type":"events","events":[[%d,5,6,null,null,0]]}'
 FRAMES = [HELLO, *(EVENT % i for i in range(1, 9))]
 
 
-async def said(most: int) -> tuple[Session, Talk]:
+async def said(most: int) -> tuple[PointingSession, Connection]:
     """A session whose hello waits until all its frames have come, one a second."""
     now = asyncio.get_running_loop().time()
     came = [now - 60.0 + i for i in range(len(FRAMES))]
@@ -39,28 +39,28 @@ async def said(most: int) -> tuple[Session, Talk]:
     async def wait() -> None:
         await compiled.wait()
 
-    session = Session("early", Limits(max_events_per_s=most), came[0])
-    early = Early(
+    session = PointingSession("early", Limits(max_events_per_s=most), came[0])
+    early = ReceiveBuffer(
         receive, lambda message: wait() if message.get("text") == HELLO else None, lambda: next(times)
     )
-    talk = Talk(session, early, send, lambda delay: None)
+    talk = Connection(session, early, send, lambda delay: None)
     async with asyncio.timeout(20):
         await talk.run()
-    early.leave()
+    early.close()
     return session, talk
 
 
 def test_frames_that_waited_are_not_a_burst() -> None:
     session, talk = asyncio.run(said(1))
-    assert session.refused == {}
+    assert session.refusals == {}
     assert talk.frames == len(FRAMES)
 
 
 def test_waiting_is_not_silence() -> None:
-    session = Session("early", Limits(), 0.0)
-    session.kept_waiting = True
+    session = PointingSession("early", Limits(), 0.0)
+    session.waits_for_compiler = True
     session.tick(300.0)
-    session.kept_waiting = False
+    session.waits_for_compiler = False
     session.receive(HELLO, 1.0)
     session.receive(EVENT % 1, 2.0)
     session.tick(301.0)

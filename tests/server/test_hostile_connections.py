@@ -14,9 +14,9 @@ from uvicorn.protocols.utils import ClientDisconnected
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from pointpred.registry import RECOMMENDED
-from pointpred.server.endpoint import StreamEndpoint
+from pointpred.server.endpoints import StreamEndpoint
 from pointpred.server.service import Service
-from tests.server.compiler import Compiler
+from tests.server.compiler import FakeWorkers
 from tests.server.listener import soon
 from tests.server.running import HELLO, PATIENCE_S, Running, running
 
@@ -95,8 +95,8 @@ def test_a_plain_request_of_the_stream_is_told_what_the_path_speaks() -> None:
 
 
 def test_a_client_that_leaves_while_the_service_compiles_and_stops_is_no_error() -> None:
-    service, compiler = Service(), Compiler()
-    service.compiling = compiler.compiling([RECOMMENDED, "switched"])
+    service, compiler = Service(), FakeWorkers()
+    service.compiler = compiler.compiling([RECOMMENDED, "switched"])
     frames = [{"type": "websocket.connect"}, {"type": "websocket.receive", "text": HELLO}]
 
     async def receive() -> dict[str, str]:
@@ -110,7 +110,7 @@ def test_a_client_that_leaves_while_the_service_compiles_and_stops_is_no_error()
             raise ClientDisconnected
 
     scope = {"type": "websocket", "headers": [], "query_string": b""}
-    service.compiling.begin()
+    service.compiler.start()
     asyncio.run(StreamEndpoint(service)(scope, receive, send))
     assert not service._open
 
@@ -127,7 +127,7 @@ WHOLE = b"GET /healthz HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"
 
 @pytest.mark.parametrize("sent", [b"", b"GET / HTT", WHOLE[:-2]])
 def test_a_connection_without_a_whole_header_is_closed(sent: bytes, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("pointpred.server.listening.patience.HEADER_S", 0.3)
+    monkeypatch.setattr("pointpred.server.http_protocol.HEADER_S", 0.3)
     with running() as here, half(here, sent) as opened:
         ends(here, opened)
 
@@ -138,7 +138,7 @@ def test_a_further_header_that_is_not_whole_closes_after_the_first_answer(
     with running() as here, half(here, WHOLE) as opened:
         healthy(opened)
         # Not before: the first answer takes its time, and so may what comes of the first header.
-        monkeypatch.setattr("pointpred.server.listening.patience.HEADER_S", 0.3)
+        monkeypatch.setattr("pointpred.server.http_protocol.HEADER_S", 0.3)
         opened.sendall(b"GET / HTT")
         ends(here, opened)
 
@@ -171,7 +171,7 @@ def test_a_request_after_a_pause_and_a_session_outlive_the_wait_for_a_header(
     monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     monkeypatch.setattr(
-        "pointpred.server.listening.patience.HEADER_S", 2.0
+        "pointpred.server.http_protocol.HEADER_S", 2.0
     )  # a first header may take a while, too
     with running() as here, here.greeted() as socket, half(here, WHOLE) as opened:
         healthy(opened)
@@ -187,12 +187,12 @@ def test_a_request_after_a_pause_and_a_session_outlive_the_wait_for_a_header(
 def test_an_upload_that_never_ends_is_cut_when_the_service_stops_and_said_in_one_line(
     monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
-    monkeypatch.setattr("pointpred.server.listening.listening.STOP_S", 1)
+    monkeypatch.setattr("pointpred.server.listening.STOP_S", 1)
     head = b"POST /v1/score HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 9000\r\n\r\nuser"
     with running() as here:
         opened = half(here, head)
         soon(lambda: here.service.uploads == 1, "it is under way")
     opened.close()
     (entry,) = (one for one in caplog.records if one.levelno >= logging.WARNING)
-    assert entry.getMessage() == "1 requests were cut: they had not ended 1 s after the stop"
+    assert entry.args == (1, 1), "requests that had not ended, seconds after the stop"
     assert entry.exc_info is None

@@ -12,7 +12,7 @@ from websockets.exceptions import ConnectionClosed
 from websockets.frames import Frame, Opcode
 from websockets.sync.client import ClientConnection
 
-import pointpred.server.listening.cutting
+import pointpred.server.websocket_protocol
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, running
 
@@ -60,7 +60,7 @@ def test_is_told_why_and_closed_while_others_go_on(
     frames: bytes, code: str, close: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(
-        pointpred.server.listening.cutting, "LINGER_S", PATIENCE_S
+        pointpred.server.websocket_protocol, "LINGER_S", PATIENCE_S
     )  # nobody is cut for being slow
     with running() as here, here.greeted() as other:
         with here.greeted() as socket:
@@ -96,8 +96,8 @@ def test_a_message_in_some_pieces_and_pings_between_them_are_answered() -> None:
 
 
 def test_pings_of_a_client_that_does_not_read_leave_the_memory_flat(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(pointpred.server.listening.cutting, "CONTROLS_PER_S", 10**9)
-    monkeypatch.setattr(pointpred.server.listening.cutting, "PIECE_BYTES", 131)  # as if each had come alone
+    monkeypatch.setattr(pointpred.server.websocket_protocol, "CONTROL_FRAMES_PER_S", 10**9)
+    monkeypatch.setattr(pointpred.server.websocket_protocol, "READ_BYTES", 131)  # as if each had come alone
     with running() as here, socket_module.socket() as mute:
         mute.setsockopt(socket_module.SOL_SOCKET, socket_module.SO_RCVBUF, 4096)
         mute.connect(("127.0.0.1", here.port))
@@ -109,7 +109,7 @@ def test_pings_of_a_client_that_does_not_read_leave_the_memory_flat(monkeypatch:
         for place in range(40):  # 1.25 MB of answers
             mute.sendall(b"".join(raw(Opcode.PING, b"%0125d" % (250 * place + k)) for k in range(250)))
         mute.sendall(raw(Opcode.PING, b"the newest") + raw(Opcode.TEXT, b"{"))
-        soon(lambda: any(one.refused for one in here.service._open), "everything is taken in")
+        soon(lambda: any(one.refusals for one in here.service._open), "everything is taken in")
         (connection,) = here.server.server_state.connections
         assert connection.transport.get_write_buffer_size() <= 2**17
         mute.settimeout(PATIENCE_S)

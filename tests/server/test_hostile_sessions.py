@@ -9,7 +9,7 @@ from functools import partial
 import pytest
 from websockets.sync.client import ClientConnection
 
-import pointpred.server.connections.talk
+import pointpred.server.connection
 from tests.server.listener import RECORD, soon
 from tests.server.running import HELLO, PATIENCE_S, running
 
@@ -38,13 +38,13 @@ def test_a_burst_within_every_limit_is_answered_however_many_predictions_give_wa
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(
-        pointpred.server.connections.talk, "STUCK_S", PATIENCE_S
+        pointpred.server.connection, "STUCK_S", PATIENCE_S
     )  # it reads only when all is taken in
     with running(max_events_per_s=10**6) as here, here.greeted(PACKED, max_queue=1) as socket:
         for frame in range(60):
             socket.send(packed(1024 * frame, 1024))
         (session,) = here.service._open
-        soon(lambda: session.outbox.predicted == 60 * 1024, "every frame is taken in")
+        soon(lambda: session.outbox.predictions == 60 * 1024, "every frame is taken in")
         told_of = predicted = 0
         while True:
             answer = socket.recv(PATIENCE_S)
@@ -56,7 +56,7 @@ def test_a_burst_within_every_limit_is_answered_however_many_predictions_give_wa
             predicted += 1
             if struct.unpack_from("<d", answer, len(answer) - 65)[0] == 1e-4 * (60 * 1024 - 1):
                 break
-        assert told_of == session.outbox.dropped_in_all > 10_000
+        assert told_of == session.outbox.dropped_total > 10_000
         socket.send(packed(60 * 1024, 1))
         assert struct.unpack_from("<d", socket.recv(PATIENCE_S))[0] == 1e-4 * 60 * 1024
         timed = partial(here.service.metrics.registry.get_sample_value, f"{DELAY}_count")

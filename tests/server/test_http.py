@@ -107,7 +107,7 @@ def test_a_service_that_others_reach_makes_up_a_token() -> None:
     open_to_all = Settings(host="0.0.0.0").guarded()
     assert open_to_all.token is not None
     assert len(open_to_all.token) >= 20
-    assert open_to_all.token not in str(open_to_all.told())
+    assert open_to_all.token not in str(open_to_all.printable())
     assert Settings(host="127.0.0.1").guarded().token is None
 
 

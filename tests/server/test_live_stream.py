@@ -16,10 +16,10 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Subprotocol
 
-import pointpred.server.connections.talk
+import pointpred.server.connection
 from pointpred.protocol.client_messages import SUBPROTOCOL
 from pointpred.protocol.live_messages import Curve
-from pointpred.server.live.feed import MOST_WAITING
+from pointpred.server.live_feed import MOST_WAITING
 from pointpred.transfer import TransferLearner
 from tests.server.listener import soon
 from tests.server.live_attached import ATTACHED, Attachment, attached
@@ -140,7 +140,7 @@ def test_a_viewer_that_says_too_much_is_sent_away(
     frame: str, count: int, code: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     # So few that however slowly the machine sends and reads them, it is faster.
-    monkeypatch.setattr("pointpred.server.sessions.allowance.MESSAGES_PER_S", 5)
+    monkeypatch.setattr("pointpred.server.sessions.quota.MESSAGES_PER_S", 5)
     with attached() as (here, _), look(here) as socket:
         with suppress(ConnectionClosed):
             for _ in range(count):
@@ -166,14 +166,14 @@ def test_viewers_count_as_sessions() -> None:
 def test_a_viewer_that_does_not_read_gets_the_newest_and_hears_what_gave_way(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(pointpred.server.connections.talk, "STUCK_S", PATIENCE_S)
+    monkeypatch.setattr(pointpred.server.connection, "STUCK_S", PATIENCE_S)
     moves = count()
     with attached() as (here, made), look(here, max_queue=1) as socket:
         hear(socket, "status")
         socket.socket.setsockopt(SOL_SOCKET, SO_RCVBUF, 2**16)
         (viewer,) = here.service._open
         # However seldom the service has its turn: each time it sends what has come, until no more goes out.
-        soon(lambda: made.move(float(next(moves))) and viewer.outbox.dropped_in_all > 1000, "some gave way")
+        soon(lambda: made.move(float(next(moves))) and viewer.outbox.dropped_total > 1000, "some gave way")
         told = hear(socket, "error")
         assert (told["code"], told["recoverable"]) == ("slow", True)
         newest = made.session.newest
@@ -188,7 +188,7 @@ def test_a_late_event_loop_leaves_out_the_oldest_and_counts_them() -> None:
             """Never gets round to it."""
 
     made = Attachment()
-    made.feed.begin(Later())  # type: ignore[arg-type]
+    made.feed.start(Later())  # type: ignore[arg-type]
     made.feed._viewers[object()] = lambda: None  # type: ignore[index]
     sent = sum(made.move(float(i)) for i in range(4))
     assert made.feed.skipped == sent - MOST_WAITING

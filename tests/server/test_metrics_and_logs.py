@@ -15,7 +15,7 @@ from httpx2 import get
 
 from pointpred.server.logs import JsonLines, PlainLines, set_up
 from pointpred.server.metrics import BUCKETS, Metrics
-from pointpred.server.recorder.recorder import Recorder
+from pointpred.server.recorder.writer import Recorder
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, running
 

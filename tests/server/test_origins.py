@@ -9,7 +9,7 @@ import urllib.request
 import pytest
 from websockets.exceptions import InvalidStatus
 
-from pointpred.server.origins import MOST, RefusedOrigins, advice, well_formed
+from pointpred.server.access import MOST_ORIGINS, RefusedOrigins, is_origin, origin_advice
 from pointpred.server.settings import Settings
 from tests.server.running import Running, running
 
@@ -58,22 +58,22 @@ def test_a_refused_page_is_logged_once_with_the_flag(caplog: pytest.LogCaptureFi
 
 def test_origins_without_end_do_not_fill_the_log(caplog: pytest.LogCaptureFixture) -> None:
     refused = RefusedOrigins()
-    for i in range(3 * MOST):
-        refused.note(f"https://{i}.example")
-    assert len(caplog.records) == MOST
+    for i in range(3 * MOST_ORIGINS):
+        refused.add(f"https://{i}.example")
+    assert len(caplog.records) == MOST_ORIGINS
 
 
 @pytest.mark.parametrize(
     "origin", ["https://a.example; rm -rf ~", "https://a.example\r\nx", "ftp://a", "https://A", "", None]
 )
 def test_what_is_no_origin_is_not_quoted(origin: str | None) -> None:
-    assert not well_formed(origin)
-    assert not origin or origin not in advice(origin)
+    assert not is_origin(origin)
+    assert not origin or origin not in origin_advice(origin)
     with pytest.raises(ValueError, match="origin"):
         Settings(allow_origin=(origin or " x",))
 
 
 @pytest.mark.parametrize("origin", [PAGE, OTHER, "http://[::1]:8765", "https://xn--bcher-kva.example"])
 def test_what_is_advised_is_taken(origin: str) -> None:
-    assert advice(origin).split("--allow-origin ")[1].split()[0] == origin
+    assert origin_advice(origin).split("--allow-origin ")[1].split()[0] == origin
     assert Settings(allow_origin=(origin,)).allow_origin == (origin,)

@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 import pointpred
-from pointpred.server.listening import listening
-from pointpred.server.listening.listening import listen
+from pointpred.server import listening
+from pointpred.server.listening import listen
 from pointpred.sources.files.names import file_names
 from tests.server import elsewhere
 

@@ -25,13 +25,13 @@ SECRETS = ("7315.25", "8264.75", "made-up-name", TOKEN, "open%2Dsesame", "sesame
 """Where somebody pointed, and when; what they called things; and the token, as text and in addresses."""
 FAILING = """
 import sys
-from pointpred.server.sessions.session import Session
-real = Session.receive
+from pointpred.server.sessions.pointing import PointingSession
+real = PointingSession.receive
 def receive(self, frame, now):
     if frame == '{"type":"reset"}':
         raise RuntimeError(f"cannot use 7315.25 of {self.outbox!r}")
     real(self, frame, now)
-Session.receive = receive
+PointingSession.receive = receive
 from pointpred.cli import main
 main(sys.argv[1:])
 """

@@ -16,7 +16,7 @@ from httpx2 import get, post
 from pointpred.datasets import sample
 from pointpred.errors import RecordingError
 from pointpred.server.service import Service
-from pointpred.server.uploads.scoring import score_body
+from pointpred.server.uploads.recordings import score_body
 from pointpred.sources import write
 from tests.server.running import PATIENCE_S, running
 
@@ -77,7 +77,7 @@ def test_sessions_are_counted_by_the_thread_that_opens_and_closes_them(
 ) -> None:
     """Read from another thread, the sessions change while they are counted."""
     threads: dict[str, int] = {}
-    settle, open_one = Service.settle, Service.open
+    settle, open_one = Service.update_metrics, Service.open_session
 
     def settled(self: Service) -> None:
         threads["counts"] = threading.get_ident()
@@ -87,8 +87,8 @@ def test_sessions_are_counted_by_the_thread_that_opens_and_closes_them(
         threads["opens"] = threading.get_ident()
         return open_one(self, now)
 
-    monkeypatch.setattr(Service, "settle", settled)
-    monkeypatch.setattr(Service, "open", opened)
+    monkeypatch.setattr(Service, "update_metrics", settled)
+    monkeypatch.setattr(Service, "open_session", opened)
     with running() as here, here.greeted():
         assert get(f"{here.url}/metrics", timeout=PATIENCE_S).status_code == 200
     assert threads["counts"] == threads["opens"]

@@ -16,8 +16,8 @@ from pointpred.datasets import sample
 from pointpred.protocol.client_messages import Hello
 from pointpred.recording import Recording
 from pointpred.scoring import score
-from pointpred.server.recorder.recorder import Recorder
 from pointpred.server.recorder.recordings import listing
+from pointpred.server.recorder.writer import Recorder
 from pointpred.sources import read, read_any
 from tests.server.recorded import Opened, begin, feed, record
 

@@ -23,7 +23,7 @@ from pointpred.replaying import replay_to
 from pointpred.replaying.choosing import chosen
 from pointpred.replaying.pacing import due
 from pointpred.replaying.socket import unlike
-from pointpred.server.sessions.session import Session
+from pointpred.server.sessions.pointing import PointingSession
 from pointpred.sources.own import recordings as own
 from tests.server.listener import Listener
 from tests.server.running import PATIENCE_S
@@ -94,14 +94,14 @@ def test_wrong_coefficients_are_refused_before_anything_is_played(command: Any, 
 
 def test_a_service_that_answers_otherwise_is_found_out(monkeypatch: pytest.MonkeyPatch) -> None:
     """The service resets in the middle of every trial: a few predictions differ, and that is seen."""
-    receive = Session.receive
+    receive = PointingSession.receive
 
-    def forgetful(self: Session, frame: str | bytes, now: float) -> None:
+    def forgetful(self: PointingSession, frame: str | bytes, now: float) -> None:
         receive(self, frame, now)
         if isinstance(frame, bytes):
             receive(self, '{"type":"reset"}', now)
 
-    monkeypatch.setattr(Session, "receive", forgetful)
+    monkeypatch.setattr(PointingSession, "receive", forgetful)
     with Listener() as listener:
         played = replay_to(listener.url, SAMPLE, speed=math.inf, trials=["1"])
     assert not played.agrees

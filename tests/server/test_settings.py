@@ -9,7 +9,7 @@ import sys
 import pytest
 from pydantic import ValidationError
 
-from pointpred.server.hosts import HostRule
+from pointpred.server.access import HostRule
 from pointpred.server.settings import Settings
 from tests.server.running import PATIENCE_S
 

@@ -19,7 +19,7 @@ from pointpred.cli.starting import Starting, told
 from pointpred.registry import RECOMMENDED, REGISTRY
 from pointpred.server.service import Service
 from pointpred.server.settings import Settings
-from tests.server.compiler import Compiler
+from tests.server.compiler import FakeWorkers
 from tests.server.running import PATIENCE_S
 
 MAKEFILE = Path(__file__).parents[2] / "Makefile"
@@ -113,12 +113,12 @@ class Terminal(io.StringIO):
 
 
 def test_what_is_compiled_is_one_line_that_goes_when_all_is_done() -> None:
-    compiler, screen = Compiler(), Terminal()
+    compiler, screen = FakeWorkers(), Terminal()
     service = Service()
-    compiling = service.compiling = compiler.compiling([RECOMMENDED, "ktm"])
+    compiling = service.compiler = compiler.compiling([RECOMMENDED, "ktm"])
     Starting(service, "http://127.0.0.1:1/", screen)
     compiler.allow()
-    compiling.begin()
+    compiling.start()
     compiling.join()
     shown = screen.getvalue()
     assert shown.count("\n") == 2, "the settings, and that it is ready"

@@ -15,14 +15,14 @@ from uvicorn.protocols.utils import ClientDisconnected
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection
 
-import pointpred.server.connections.talk
-import pointpred.server.listening.cutting
+import pointpred.server.connection
+import pointpred.server.websocket_protocol
 from pointpred.protocol.server_messages import Limits
-from pointpred.server.connections.talk import Talk
-from pointpred.server.listening import listening
+from pointpred.server import listening
+from pointpred.server.connection import Connection
 from pointpred.server.logs import JsonLines, PlainLines
-from pointpred.server.sessions.conversation import Close
-from pointpred.server.sessions.session import Session
+from pointpred.server.sessions.lifecycle import Close
+from pointpred.server.sessions.pointing import PointingSession
 from tests.server.hurried import HurriedLoop
 from tests.server.listener import soon
 from tests.server.running import HELLO, PATIENCE_S, Running, running
@@ -54,14 +54,14 @@ def ended(here: Running, code: str) -> float | None:
 def test_what_breaks_in_a_session_ends_that_session_only(
     monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
-    real: Callable[[Session, str | bytes, float], None] = Session.receive
+    real: Callable[[PointingSession, str | bytes, float], None] = PointingSession.receive
 
-    def broken(self: Session, frame: str | bytes, now: float) -> None:
+    def broken(self: PointingSession, frame: str | bytes, now: float) -> None:
         if frame == '{"type":"reset"}':
             raise RuntimeError(f"at {SECRET}")
         real(self, frame, now)
 
-    monkeypatch.setattr(Session, "receive", broken)
+    monkeypatch.setattr(PointingSession, "receive", broken)
     with running() as here, here.greeted() as other, here.greeted() as socket:
         socket.send('{"type":"reset"}')
         answer = told(socket)
@@ -86,9 +86,9 @@ def test_what_breaks_in_a_session_ends_that_session_only(
 
 def test_a_client_that_never_reads_again_is_told_and_then_cut(monkeypatch: pytest.MonkeyPatch) -> None:
     """Its session ends as too slow, and its connection with it, although it stays open on its side."""
-    monkeypatch.setattr(pointpred.server.connections.talk, "STUCK_S", 1.0)
-    monkeypatch.setattr(pointpred.server.connections.talk, "LAST_S", 1.0)
-    monkeypatch.setattr(pointpred.server.listening.cutting, "LINGER_S", 0.5)
+    monkeypatch.setattr(pointpred.server.connection, "STUCK_S", 1.0)
+    monkeypatch.setattr(pointpred.server.connection, "LINGER_S", 1.0)
+    monkeypatch.setattr(pointpred.server.websocket_protocol, "LINGER_S", 0.5)
     with running(max_events_per_s=10**8) as here:
         with here.greeted(EACH, max_queue=1, close_timeout=0.1) as silent:
             with suppress(ConnectionClosed):  # it may be cut before it has said everything
@@ -105,12 +105,12 @@ def test_a_client_that_reads_slowly_goes_on_and_one_that_does_not_is_given_up(
     monkeypatch: pytest.MonkeyPatch, each_s: float, close: int | None
 ) -> None:
     """Something always waits to be sent, far longer than a client may be stuck."""
-    monkeypatch.setattr(pointpred.server.connections.talk, "TICK_S", 0.1)
-    monkeypatch.setattr(pointpred.server.connections.talk, "STUCK_S", 0.5)
-    monkeypatch.setattr(pointpred.server.connections.talk, "LAST_S", 0.3)
+    monkeypatch.setattr(pointpred.server.connection, "TICK_S", 0.1)
+    monkeypatch.setattr(pointpred.server.connection, "STUCK_S", 0.5)
+    monkeypatch.setattr(pointpred.server.connection, "LINGER_S", 0.3)
 
     async def talk() -> Close | None:
-        session = Session("here", Limits(max_events_per_s=10**6), asyncio.get_running_loop().time())
+        session = PointingSession("here", Limits(max_events_per_s=10**6), asyncio.get_running_loop().time())
         frames = iter([HELLO, *(event(float(t)) for t in range(100_000))])
 
         async def receive() -> dict[str, str]:
@@ -121,8 +121,8 @@ def test_a_client_that_reads_slowly_goes_on_and_one_that_does_not_is_given_up(
             await asyncio.sleep(each_s)
 
         with suppress(TimeoutError):
-            await asyncio.wait_for(Talk(session, receive, send, lambda delay: None).run(), 2.0)
-        assert session.outbox.dropped_in_all > 0
+            await asyncio.wait_for(Connection(session, receive, send, lambda delay: None).run(), 2.0)
+        assert session.outbox.dropped_total > 0
         return session.close
 
     with asyncio.Runner(loop_factory=HurriedLoop) as runner:
@@ -134,7 +134,7 @@ def test_what_a_client_sent_before_it_left_is_taken_in() -> None:
     """Its end stands behind its last frames, and the answer to the first of them cannot be sent any more."""
     heard: list[str | bytes] = []
 
-    class Listening(Session):
+    class Listening(PointingSession):
         def receive(self, frame: str | bytes, now: float) -> None:
             heard.append(frame)
             super().receive(frame, now)
@@ -150,7 +150,7 @@ def test_what_a_client_sent_before_it_left_is_taken_in() -> None:
         async def send(message: object) -> None:
             raise ClientDisconnected
 
-        await Talk(session, receive, send, lambda delay: None).run()
+        await Connection(session, receive, send, lambda delay: None).run()
 
     asyncio.run(talk())
     assert len(heard) == 101
@@ -213,7 +213,7 @@ def test_text_that_is_not_utf8_ends_that_connection_only() -> None:
 
 
 def test_a_client_without_hello_is_sent_away_with_1008(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("pointpred.server.sessions.conversation.HELLO_S", 0.5)
+    monkeypatch.setattr("pointpred.server.sessions.lifecycle.HELLO_S", 0.5)
     with running() as here, here.connect() as socket:
         answer = told(socket)
         assert (answer["code"], answer["recoverable"]) == ("idle", False)
@@ -239,9 +239,9 @@ def test_a_goodbye_is_heard_by_a_client_that_is_slow_to_hear_it_and_still_sends(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Closing at once would reset the connection, and what was said last would be lost."""
-    assert listening.GOODBYE_S > 1.5  # the second that follows, and some
-    monkeypatch.setattr(listening, "GOODBYE_S", PATIENCE_S)  # that second may last longer on a busy machine
-    monkeypatch.setattr(pointpred.server.listening.cutting, "LINGER_S", PATIENCE_S)
+    assert listening.CLOSE_S > 1.5  # the second that follows, and some
+    monkeypatch.setattr(listening, "CLOSE_S", PATIENCE_S)  # that second may last longer on a busy machine
+    monkeypatch.setattr(pointpred.server.websocket_protocol, "LINGER_S", PATIENCE_S)
     with running() as here, socket_module.create_connection(("127.0.0.1", here.port)) as plain:
         key = "AAAAAAAAAAAAAAAAAAAAAA=="
         plain.sendall(

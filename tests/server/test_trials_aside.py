@@ -11,7 +11,7 @@ from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection
 
 import pointpred.server.sessions.trials
-from pointpred.server.compiling.compiling import Compiling
+from pointpred.server.compiling.compiler import Compiler
 from pointpred.server.compiling.parts import predict, score_trial
 from pointpred.server.service import Service
 from tests.server.listener import soon
@@ -52,7 +52,7 @@ def held(monkeypatch: pytest.MonkeyPatch) -> Iterator[Held]:
 
     predict("switched")  # here, where nobody waits for the compiler
     score_trial()
-    monkeypatch.setattr("pointpred.server.listening.listening.GOODBYE_S", PATIENCE_S)
+    monkeypatch.setattr("pointpred.server.listening.CLOSE_S", PATIENCE_S)
     monkeypatch.setattr(pointpred.server.sessions.trials, "prepare", slow)
     yield here
     here.go.set()
@@ -61,7 +61,7 @@ def held(monkeypatch: pytest.MonkeyPatch) -> Iterator[Held]:
 @pytest.fixture
 def service(held: Held) -> Iterator[Running]:
     def prepare(service: Service) -> None:
-        service.compiling = Compiling([])  # it would score a trial, too
+        service.compiler = Compiler([])  # it would score a trial, too
 
     with running(prepare) as here:
         yield here

@@ -16,10 +16,10 @@ import pytest
 from httpx2 import Response, get, post
 
 from pointpred.errors import RecordingError
-from pointpred.server.uploads import opening, unpacking, uploads
-from pointpred.server.uploads.scoring import score_body
-from pointpred.server.uploads.unpacking import MOST_ROWS, MOST_UNPACKED, check_unpacked
-from pointpred.server.uploads.uploads import UploadError
+from pointpred.server.uploads import limits, receiving, recordings
+from pointpred.server.uploads.limits import MOST_ROWS, MOST_UNPACKED, check_unpacked
+from pointpred.server.uploads.receiving import UploadError
+from pointpred.server.uploads.recordings import score_body
 from pointpred.sources import Reading
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, Running, running
@@ -71,7 +71,7 @@ def test_a_small_file_of_long_words_is_refused_before_it_is_unpacked(
 ) -> None:
     body = parquet(**columns(300_000, "x" * 1000))
     assert len(body) < 100_000
-    monkeypatch.setattr(opening, "read_any", lambda path, reading: pytest.fail("it was unpacked"))
+    monkeypatch.setattr(recordings, "read_any", lambda path, reading: pytest.fail("it was unpacked"))
     message = refused(post(f"{service.url}/v1/score", content=body, timeout=PATIENCE_S), 413, "too_large")
     assert f"{MOST_UNPACKED} bytes" in message
 
@@ -79,9 +79,9 @@ def test_a_small_file_of_long_words_is_refused_before_it_is_unpacked(
 @pytest.mark.parametrize(
     ("column", "words"),
     [
-        (pa.array([[0.0] * 1000] * 10), "expected words or numbers"),
-        (pa.array([b"x" * 1000] * 10, pa.binary(1000)), "expected words or numbers"),
-        (pa.array([{"a": 1}] * 10), "expected words or numbers"),
+        (pa.array([[0.0] * 1000] * 10), "expected text or numbers"),
+        (pa.array([b"x" * 1000] * 10, pa.binary(1000)), "expected text or numbers"),
+        (pa.array([{"a": 1}] * 10), "expected text or numbers"),
     ],
 )
 def test_what_is_neither_words_nor_numbers_is_not_unpacked(column: Any, words: str) -> None:
@@ -108,7 +108,7 @@ def test_an_honest_file_is_no_larger_than_allowed() -> None:
     file = io.BytesIO()
     whole = pa.table({**columns(count), "trial": trial, "t_s": t, "x_px": t, "y_px": t})
     pq.write_table(whole, file, compression="zstd")
-    assert len(file.getvalue()) < uploads.MOST_BYTES
+    assert len(file.getvalue()) < receiving.MOST_BYTES
     check_unpacked(file.getvalue())
     file = io.BytesIO()
     pq.write_table(pa.table({**columns(5), "trial": pa.array(["a", "b", None, "a", "c"])}), file)
@@ -121,14 +121,14 @@ def test_a_torn_parquet_file_is_no_recording() -> None:
 
 
 def test_many_trials_are_for_the_command_line(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(opening, "MOST_TRIALS", 2)
+    monkeypatch.setattr(recordings, "MOST_TRIALS", 2)
     with pytest.raises(UploadError, match="at most 2 trials"):
         score_body(CSV, ("hold",))
 
 
 def test_the_length_is_refused_before_the_body_comes(service: Running) -> None:
     with socket_module.create_connection(("127.0.0.1", service.port)) as plain:
-        said = uploads.MOST_BYTES + 1
+        said = receiving.MOST_BYTES + 1
         plain.sendall(
             f"POST /v1/score HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: {said}\r\n\r\n".encode()
         )
@@ -145,7 +145,7 @@ def begun(here: Running, sent: bytes = CSV[:50]) -> socket_module.socket:
 
 
 def test_a_slow_upload_holds_up_nobody(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(uploads, "READ_S", PATIENCE_S)
+    monkeypatch.setattr(receiving, "READ_S", PATIENCE_S)
     with running() as here, begun(here):
         soon(lambda: here.service.uploads == 1, "the upload has begun")
         answer = post(f"{here.url}/v1/score?predictors=hold", content=CSV, timeout=PATIENCE_S)
@@ -154,7 +154,7 @@ def test_a_slow_upload_holds_up_nobody(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_slow_upload_ends_with_408(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(uploads, "READ_S", 1.0)
+    monkeypatch.setattr(receiving, "READ_S", 1.0)
     with running() as here, begun(here) as slow:
         slow.settimeout(PATIENCE_S)
         said = b""
@@ -166,7 +166,7 @@ def test_a_slow_upload_ends_with_408(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_an_upload_that_was_given_up_leaves_its_place(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(uploads, "MOST_AT_ONCE", 1)
+    monkeypatch.setattr(receiving, "MOST_AT_ONCE", 1)
     with running() as here:
         with begun(here):
             soon(lambda: here.service.uploads == 1, "the upload has begun")
@@ -185,7 +185,7 @@ def test_sessions_go_on_while_a_recording_is_scored(monkeypatch: pytest.MonkeyPa
         assert held.wait(PATIENCE_S)
         return {}
 
-    monkeypatch.setattr("pointpred.server.uploads.scoring.score_body", slow)
+    monkeypatch.setattr("pointpred.server.uploads.recordings.score_body", slow)
     with running() as here, here.greeted() as socket:
         options = {"content": CSV, "timeout": PATIENCE_S}
         asking = threading.Thread(target=post, args=(f"{here.url}/v1/score",), kwargs=options)
@@ -200,7 +200,7 @@ def test_sessions_go_on_while_a_recording_is_scored(monkeypatch: pytest.MonkeyPa
 
 
 def test_a_gzip_file_is_measured_as_it_is_unpacked() -> None:
-    bomb = gzip.compress(b"1,2,3\n" * (unpacking.MOST_ROWS + 2))
+    bomb = gzip.compress(b"1,2,3\n" * (limits.MOST_ROWS + 2))
     assert len(bomb) < 100_000
     with pytest.raises(UploadError) as refusal:
         check_unpacked(bomb)
@@ -208,18 +208,18 @@ def test_a_gzip_file_is_measured_as_it_is_unpacked() -> None:
 
 
 def test_text_of_few_lines_is_bounded_as_it_is_unpacked() -> None:
-    check_unpacked(gzip.compress(b"1" * unpacking.MOST_TEXT, 1))
+    check_unpacked(gzip.compress(b"1" * limits.MOST_TEXT, 1))
     with pytest.raises(UploadError) as refusal:
-        check_unpacked(gzip.compress(b"1" * (unpacking.MOST_TEXT + 1), 1))
+        check_unpacked(gzip.compress(b"1" * (limits.MOST_TEXT + 1), 1))
     assert refusal.value.code == "too_large"
 
 
 def test_a_binary_file_that_begins_like_text_is_refused() -> None:
-    body = b"MATLAB 5.0 MAT-file" + b" " * unpacking.HEAD_BYTES + b"\0" * 64
+    body = b"MATLAB 5.0 MAT-file" + b" " * limits.HEAD_BYTES + b"\0" * 64
     check_unpacked(body)
     with pytest.raises(RecordingError, match="neither text nor Parquet"):
-        opening.recordings_of(body, Reading())
+        recordings.recordings_of(body, Reading())
 
 
 def test_limits_fit_together() -> None:
-    assert MOST_ROWS * 8 * unpacking.MOST_COLUMNS <= MOST_UNPACKED
+    assert MOST_ROWS * 8 * limits.MOST_COLUMNS <= MOST_UNPACKED

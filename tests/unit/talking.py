@@ -8,7 +8,7 @@ from struct import Struct
 from typing import Any
 
 from pointpred.protocol.server_messages import Limits
-from pointpred.server.sessions.session import Session
+from pointpred.server.sessions.pointing import PointingSession
 
 EVENT = Struct("<dddhhH")
 PREDICTION = Struct("<dddddddBd")
@@ -37,10 +37,10 @@ def packed(*rows: Row) -> bytes:
 
 
 class Talk:
-    """A session that has been greeted, unless told otherwise."""
+    """A client of a session, which has sent hello unless ``greet`` is False."""
 
     def __init__(self, *, greet: dict[str, Any] | bool | None = True, **limits: Any) -> None:
-        self.session = Session("name", Limits(**limits), 0.0)
+        self.session = PointingSession("name", Limits(**limits), 0.0)
         if greet:
             self.say(hello() if greet is True else greet)
 
@@ -58,7 +58,7 @@ class Talk:
     def error(self, frame: dict[str, Any] | str | bytes, now: float = 0.0) -> dict[str, Any]:
         """The one error that a frame gets, in the one shape that errors have."""
         (answer,) = self.say(frame, now)
-        assert answer.keys() == {"type", "code", "message", "path", "recoverable"}
+        assert answer.keys() - {"field", "value"} == {"type", "code", "message", "path", "recoverable"}
         assert answer["type"] == "error"
         found: dict[str, Any] = answer
         return found

@@ -23,16 +23,16 @@ kept = compiled()
 assert len(kept) > 20, kept
 
 from pointpred.registry import REGISTRY
-from pointpred.server.uploads.scoring import score_body
-from pointpred.server.sessions.session import Session
+from pointpred.server.uploads.recordings import score_body
+from pointpred.server.sessions.pointing import PointingSession
 from pointpred.protocol.server_messages import Limits
-from pointpred.server.compiling.compiling import compile_all
+from pointpred.server.compiling.compiler import compile_all
 from tests.unit.talking import events, packed
 
 compile_all()
 rows = [(0.01 * i, 7.0 * i, 3.0 * i, 4, 2, 0) for i in range(60)]
 for name in REGISTRY:
-    session = Session("here", Limits(), 0.0)
+    session = PointingSession("here", Limits(), 0.0)
     for text in (
         '{"type":"hello","version":1,"predictor":"%s","device":{"cpi":800},"encoding":"binary"}' % name,
         '{"type":"trial","action":"start","target":{"x":413,"y":177,"width":20}}',

@@ -145,7 +145,7 @@ def test_time_backwards_drops_the_event_and_keeps_the_rest(form: Any) -> None:
     assert "0.15" in said["message"]
     assert "0.2" in said["message"]
     assert "1 more" in said["message"]
-    assert talk.session.refused == {"out_of_order": 2}
+    assert talk.session.refusals == {"out_of_order": 2}
     assert [answer for answer in error if answer["type"] == "prediction"] == prediction
 
 
@@ -222,4 +222,4 @@ def test_a_good_event_is_answered_after_everything_bad_at_once() -> None:
     for frame in ("", "{", "[]", b"x", events(row(0, None)), '{"type":"x"}', packed(row(0, nan))):
         talk.say(frame)
     assert talk.say(events(GOOD))[0]["t"] == 1e6
-    assert sum(talk.session.refused.values()) == 7
+    assert sum(talk.session.refusals.values()) == 7

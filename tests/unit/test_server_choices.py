@@ -7,8 +7,8 @@ from typing import Any
 
 import pytest
 
-from pointpred.server.sessions import choices as deciding
-from pointpred.server.sessions.choices import LIKELIEST
+from pointpred.server.sessions import target_tracker
+from pointpred.server.sessions.target_tracker import LIKELIEST
 from tests.unit.talking import Talk, events, hello, packed
 
 PLACES = {"left": (-520.0, -20.0), "right": (380.0, -20.0), "up": (-20.0, -520.0)}
@@ -97,7 +97,7 @@ def test_without_targets_a_prediction_says_nothing_of_them() -> None:
     talk.say({"type": "targets", "targets": []})
     assert "targets" not in talk.say(events(reach()[2]))[0]
     assert talk.session.stream is not None
-    assert talk.session.stream.choices is None
+    assert talk.session.stream.tracker is None
 
 
 @pytest.mark.parametrize(
@@ -239,7 +239,7 @@ def test_a_frame_with_many_targets_is_work_aside_and_answered_the_same(
     rows, heard = reach(end=0.4), []
     frame = packed(*rows) if encoding == "binary" else events(*rows)
     for at_once in (10**9, 41 * len(USUAL) - 1):
-        monkeypatch.setattr(deciding, "AT_ONCE", at_once)
+        monkeypatch.setattr(target_tracker, "AT_ONCE", at_once)
         talk = talk_of(encoding)
         talk.session.receive(json.dumps(frame) if isinstance(frame, dict) else frame, 0.0)
         assert (talk.session.work is None) == (at_once == 10**9)

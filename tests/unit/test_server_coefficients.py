@@ -15,7 +15,7 @@ from pointpred.cli.serve import settings_of
 from pointpred.errors import ParameterError
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.protocol.server_messages import Limits
-from pointpred.server.sessions.session import Session
+from pointpred.server.sessions.pointing import PointingSession
 from pointpred.server.settings import Settings, named_files
 from tests.unit.talking import Talk, events, hello
 
@@ -32,7 +32,7 @@ def other(path: Path) -> Path:
 
 def talk_with(files: dict[str, Path], greet: dict[str, Any]) -> tuple[Talk, list[Any]]:
     talk = Talk(greet=False)
-    talk.session = Session("name", Limits(), 0.0, coefficients=files)
+    talk.session = PointingSession("name", Limits(), 0.0, coefficients=files)
     return talk, talk.say(greet)
 
 

@@ -8,7 +8,7 @@ import pytest
 
 from pages.asyncapi.document import schemas
 from pointpred import REGISTRY, PointerEvent, build
-from pointpred.differentiators import DIFFERENTIATORS, sampling
+from pointpred.differentiators import DIFFERENTIATORS, HomogeneousDifferentiator
 from pointpred.protocol.client_messages import CLIENT_MESSAGES
 from pointpred.protocol.server_messages import SERVER_MESSAGES
 from pointpred.registry import parameters
@@ -43,7 +43,7 @@ def test_device_and_screen_reach_the_pipeline() -> None:
 @pytest.mark.parametrize("field", ["cpi", "dpi"])
 def test_cpi_and_dpi_have_the_bounds_of_the_pipeline(field: str) -> None:
     place, known = {"cpi": ("device", "cpi"), "dpi": ("screen", "dpi")}[field]
-    (bound,) = (p for p in sampling.PARAMETERS if p.name == known)
+    (bound,) = (p for p in HomogeneousDifferentiator.parameters if p.name == known)
     for value, good in ((bound.low, 1), (bound.high, 1), (bound.low * 0.99, 0), (bound.high * 1.01, 0)):
         talk = Talk(greet=False)
         (answer,) = talk.say(hello(**{place: {field: value}}))

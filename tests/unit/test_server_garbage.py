@@ -2,13 +2,13 @@ from __future__ import annotations
 
 import gc
 
-from pointpred.server.garbage import YOUNGEST, spare
+from pointpred.server.garbage import YOUNGEST, tune_collector
 
 
 def test_what_is_loaded_is_not_looked_at_again() -> None:
     threshold, frozen = gc.get_threshold(), gc.get_freeze_count()
     try:
-        spare()
+        tune_collector()
         assert gc.get_freeze_count() > frozen + 1000
         assert gc.get_threshold()[0] == YOUNGEST
         cycle: list[object] = []

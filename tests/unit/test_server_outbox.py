@@ -13,9 +13,9 @@ from pointpred.server.sessions.outbox import MOST_CHOICES, Outbox
 def test_what_is_said_comes_out_in_order_and_once() -> None:
     outbox = Outbox()
     assert not outbox
-    outbox.say("a")
+    outbox.add("a")
     outbox.predict(["p"], 1)
-    outbox.say("b")
+    outbox.add("b")
     assert outbox
     assert outbox.take() == ["a", "p", "b"]
     assert not outbox
@@ -25,9 +25,9 @@ def test_what_is_said_comes_out_in_order_and_once() -> None:
 def test_the_newest_prediction_takes_the_place_where_it_was_made() -> None:
     outbox = Outbox()
     outbox.predict(["old"], 1)
-    outbox.say("a")
+    outbox.add("a")
     outbox.predict([b"new"], 1)
-    outbox.say("b")
+    outbox.add("b")
     note, slow, *rest = outbox.take()
     assert (note, rest) == ("a", [b"new", "b"])
     assert json.loads(slow)["message"].startswith("1 prediction")
@@ -38,10 +38,10 @@ def test_a_frame_of_many_predictions_gives_way_whole() -> None:
     outbox.predict([b"3 records"], 3)
     outbox.predict(["1", "2"], 2)
     outbox.predict(["new"], 1)
-    assert (outbox.dropped, outbox.dropped_in_all) == (5, 5)
+    assert (outbox.dropped, outbox.dropped_total) == (5, 5)
     slow, new = outbox.take()
     assert (json.loads(slow)["code"], new) == ("slow", "new")
-    assert (outbox.dropped, outbox.dropped_in_all) == (0, 5)
+    assert (outbox.dropped, outbox.dropped_total) == (0, 5)
 
 
 def test_nothing_is_told_to_a_client_that_reads() -> None:
@@ -49,15 +49,15 @@ def test_nothing_is_told_to_a_client_that_reads() -> None:
     for name in "abc":
         outbox.predict([name], 1)
         assert outbox.take() == [name]
-    assert outbox.dropped_in_all == 0
+    assert outbox.dropped_total == 0
 
 
 def test_full_by_notes_and_not_by_what_gave_way() -> None:
     outbox = Outbox(most_notes=2)
     for _ in range(2):
-        outbox.say("a")
+        outbox.add("a")
     assert not outbox.full
-    outbox.say("a")
+    outbox.add("a")
     assert outbox.full
     outbox.take()
     assert not outbox.full
@@ -69,7 +69,7 @@ def test_full_by_notes_and_not_by_what_gave_way() -> None:
 
 def proposed(outbox: Outbox, *changes: str) -> None:
     for change in changes:
-        outbox.choose(Choice(change[1:], 0.5, "propose" if change[0] == "+" else "retract"))
+        outbox.add_choice(Choice(change[1:], 0.5, "propose" if change[0] == "+" else "retract"))
 
 
 def told(frames: list[Frame]) -> list[str]:
@@ -79,10 +79,10 @@ def told(frames: list[Frame]) -> list[str]:
 
 def test_choices_come_out_in_order_among_the_notes() -> None:
     outbox = Outbox()
-    outbox.say('"a"')
+    outbox.add('"a"')
     outbox.predict(['"p"'], 1)
     proposed(outbox, "+x", "-x")
-    outbox.say('"b"')
+    outbox.add('"b"')
     frames = outbox.take()
     assert (frames[:2], frames[-1]) == (['"a"', '"p"'], '"b"')
     assert told(frames[2:-1]) == ["+x", "-x"]
@@ -132,7 +132,7 @@ def test_too_many_choices_are_shortened_and_their_number_is_told() -> None:
     outbox = Outbox(most_notes=100)
     proposed(outbox, "+a")
     outbox.take()
-    outbox.say('"note"')
+    outbox.add('"note"')
     outbox.predict(['"old"'], 1)
     proposed(outbox, "-a", *("+b", "-b") * 200, "+c")
     outbox.predict(['"new"'], 1)

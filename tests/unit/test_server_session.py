@@ -7,7 +7,7 @@ import pytest
 
 from pointpred import REGISTRY
 from pointpred.protocol.server_messages import Limits
-from pointpred.server.sessions.conversation import HELLO_S
+from pointpred.server.sessions.lifecycle import HELLO_S
 from tests.unit.talking import EVENT, PREDICTION, Talk, events, hello, packed
 
 ROW = [0.5, 3.0, 4.0, None, None, 0]

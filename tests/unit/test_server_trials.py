@@ -14,8 +14,8 @@ from pointpred.protocol.client_messages import Goal, Hello
 from pointpred.protocol.server_messages import Limits
 from pointpred.recording import Recording
 from pointpred.scoring import prepare, replay
-from pointpred.server.sessions.session import Session
-from pointpred.server.sessions.trials import MOST_EVENTS, TrialKeeper
+from pointpred.server.sessions.pointing import PointingSession
+from pointpred.server.sessions.trials import MOST_EVENTS, TrialBuffer
 from tests.unit.talking import Talk, events, hello, packed
 
 START = {"type": "trial", "action": "start"}
@@ -107,7 +107,7 @@ def test_a_trial_that_cannot_be_scored_says_why(rows: list[Any]) -> None:
 
 
 def test_memory_is_bounded_and_a_trial_that_is_too_long_says_so() -> None:
-    keeper = TrialKeeper()
+    keeper = TrialBuffer()
     keeper.start(None)
     table = EventColumns.of(np.arange(30_000.0), np.zeros(30_000), np.zeros(30_000))
     for _ in range(5):
@@ -142,11 +142,11 @@ def test_work_shares_nothing_with_what_comes_after() -> None:
     talk.session.receive(json.dumps(END), 0.0)
     work = talk.session.work
     assert work is not None
-    first_time = work()
+    (first_time,) = work().args  # the score to send
     talk.say({"type": "configure", "predictor": "linear"})
     talk.say(START)
     talk.say(events([1e6, 1.0, 2.0, None, None, 0]))
-    assert work() == first_time
+    assert work().args == (first_time,)
     assert first_time.time_averaged_px == score["time_averaged_px"]
 
 
@@ -167,7 +167,7 @@ def test_a_score_that_comes_after_the_end_is_not_said() -> None:
     talk.say(START)
     talk.session.receive(json.dumps(END), 0.0)
     assert talk.session.work is not None
-    talk.session.lose()
+    talk.session.connection_lost()
     talk.session.finish(talk.session.work())
     assert talk.hear() == []
 
@@ -198,7 +198,7 @@ class Diary:
 @pytest.mark.parametrize("form", [events, packed])
 def test_who_looks_on_is_told_everything_that_was_taken_in(form: Any) -> None:
     diary, talk = Diary(), Talk(greet=False)
-    talk.session = Session("name", Limits(), 0.0, watch=diary.open)
+    talk.session = PointingSession("name", Limits(), 0.0, observe=diary.open)
     talk.say(events([0.0, 1.0, 1.0, None, None, 0]))
     talk.say(hello("linear"))
     rows = [[0.1 * i, 5.0 * i, 1.0, 3, 4, 0] for i in range(4)]

@@ -15,7 +15,7 @@ import pyarrow.parquet as pq
 import pytest
 from msgspec.structs import replace
 
-from pointpred.server.uploads.unpacking import check_unpacked
+from pointpred.server.uploads.limits import check_unpacked
 from pointpred.sources import read, write
 from pointpred.sources.files.arrow_files import in_memory, open_file
 from pointpred.sources.own.appended import SAMPLES

@@ -11,7 +11,7 @@ import pyarrow.parquet as pq
 import pytest
 
 from pointpred.errors import ColumnsError, RecordingError
-from pointpred.server.uploads.opening import open_body
+from pointpred.server.uploads.recordings import open_body
 from pointpred.sources import read_any, write
 from pointpred.sources.known_formats import format_of
 

@@ -1,4 +1,4 @@
-"""Open a port, serve the application on it, and say so once the page can be opened."""
+"""Open a port, serve the application on it, and announce when the page can be opened."""
 
 from __future__ import annotations
 
@@ -14,29 +14,29 @@ import msgspec
 import uvicorn
 
 from pointpred.errors import SourceError
+from pointpred.server.access import WILDCARDS, HostRule
 from pointpred.server.app import create_app
-from pointpred.server.garbage import spare
-from pointpred.server.hosts import WILDCARDS, HostRule
-from pointpred.server.listening.cutting import CuttingProtocol
-from pointpred.server.listening.patience import PatientProtocol
+from pointpred.server.garbage import tune_collector
+from pointpred.server.http_protocol import BoundedHttpProtocol
 from pointpred.server.service import Service
+from pointpred.server.websocket_protocol import BoundedWebSocketProtocol
 
 FRAME_BYTES = 2**20
 """The framework's own limit lies above every limit of ours, so that our error goes out first."""
 UNREAD_BYTES = 2**16
-"""What the kernel may hold unread for a client: more would be predictions long out of date."""
-GOODBYE_S = 2.0
-"""Seconds that clients get to answer a goodbye: closing before would reset the connection, unheard."""
+"""What the kernel may hold unread for a client: more would be old predictions."""
+CLOSE_S = 2.0
+"""Seconds that clients have to close: closing earlier would reset the connection, and lose the ``bye``."""
 STOP_S = 3
-"""Seconds that requests under way get to finish when the service stops."""
-ASK_S = 1.0
-"""Seconds that whoever holds a port gets to say whether it is pointpred."""
+"""Seconds that requests have to finish when the service stops."""
+PROBE_S = 1.0
+"""Seconds that the process on a port has to say whether it is pointpred."""
 HEALTH_BYTES = 1024
-"""Longest answer that is read of it."""
-CUT_S = 1.0
-"""Seconds in which requests that are cut have ended."""
+"""Longest answer that is read from it."""
+CANCEL_S = 1.0
+"""Seconds that cancelled requests have to end."""
 
-ALONE = getattr(socket, "SO_EXCLUSIVEADDRUSE", socket.SO_REUSEADDR)
+REUSE = getattr(socket, "SO_EXCLUSIVEADDRUSE", socket.SO_REUSEADDR)
 """Take a port that a closed service held. On Windows SO_REUSEADDR would also take one that is in use."""
 
 log = logging.getLogger("pointpred.service")
@@ -52,7 +52,7 @@ def listen(host: str, port: int, tries: int = 1) -> socket.socket:
             if error.errno not in ((errno.EADDRINUSE, errno.EACCES) if tries > 1 else (errno.EADDRINUSE,)):
                 raise SourceError(f"cannot listen on {host} port {candidate}: {error.strerror}") from error
         except UnicodeError as error:
-            raise SourceError(f"cannot listen on {host!r}: no name of a host") from error
+            raise SourceError(f"cannot listen on {host!r}: not the name of a host") from error
     if tries == 1 and answers_as_pointpred(host, port):
         raise SourceError(
             f"pointpred already runs on {host} port {port}: stop it with Ctrl-C where it was started, "
@@ -65,22 +65,22 @@ def listen(host: str, port: int, tries: int = 1) -> socket.socket:
 def answers_as_pointpred(host: str, port: int) -> bool:
     """Whether what listens on a port of this machine is pointpred; False where it does not answer soon."""
     name = "127.0.0.1" if host in WILDCARDS else host
-    asked = http.client.HTTPConnection(name, port, timeout=ASK_S)
+    connection = http.client.HTTPConnection(name, port, timeout=PROBE_S)
     try:
-        asked.request("GET", "/healthz")
-        found = msgspec.json.decode(asked.getresponse().read(HEALTH_BYTES))
+        connection.request("GET", "/healthz")
+        health = msgspec.json.decode(connection.getresponse().read(HEALTH_BYTES))
     except (OSError, http.client.HTTPException, msgspec.DecodeError, UnicodeError):
         return False
     finally:
-        asked.close()
-    return isinstance(found, dict) and found.keys() == {"status", "version"}
+        connection.close()
+    return isinstance(health, dict) and health.keys() == {"status", "version"}
 
 
 def _bind(host: str, port: int) -> socket.socket:
     family, kind, protocol, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
     opened = socket.socket(family, kind, protocol)
     try:
-        opened.setsockopt(socket.SOL_SOCKET, ALONE, 1)
+        opened.setsockopt(socket.SOL_SOCKET, REUSE, 1)
         opened.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, UNREAD_BYTES)  # connections inherit it
         opened.bind(address)
         opened.listen(socket.SOMAXCONN)
@@ -96,8 +96,8 @@ def address(host: str, opened: socket.socket) -> str:
     return f"http://{f'[{name}]' if ':' in name else name}:{opened.getsockname()[1]}/"
 
 
-class _Cuts(logging.Filter):
-    """What uvicorn says of requests that it cuts, at length and as an error: counted here, and said once."""
+class _Cancellations(logging.Filter):
+    """Counts what uvicorn logs of requests that it cancels, and drops those entries: we log one instead."""
 
     requests = 0
 
@@ -110,7 +110,7 @@ class _Cuts(logging.Filter):
 
 
 class _Server(uvicorn.Server):
-    """uvicorn that says when it has begun to answer, and tells sessions when it is asked to stop."""
+    """uvicorn that announces when it has begun to answer, and stops the sessions when it is asked to stop."""
 
     announce: Callable[[], None]
     service: Service
@@ -122,24 +122,28 @@ class _Server(uvicorn.Server):
 
     async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
         self.service.stop()
-        until = time.monotonic() + GOODBYE_S
-        while self._talking() and time.monotonic() < until:
+        until = time.monotonic() + CLOSE_S
+        while self._has_websockets() and time.monotonic() < until:
             await asyncio.sleep(0.01)
-        cuts = _Cuts()
+        cancellations = _Cancellations()
         library = logging.getLogger("uvicorn.error")
-        library.addFilter(cuts)
+        library.addFilter(cancellations)
         try:
             await super().shutdown(sockets)
-            if cut := list(self.server_state.tasks):
-                await asyncio.wait(cut, timeout=CUT_S)
+            if cancelled := list(self.server_state.tasks):
+                await asyncio.wait(cancelled, timeout=CANCEL_S)
         finally:
-            library.removeFilter(cuts)
-        if cuts.requests:
-            log.warning("%d requests were cut: they had not ended %d s after the stop", cuts.requests, STOP_S)
+            library.removeFilter(cancellations)
+        if cancellations.requests:
+            log.warning(
+                "%d requests were cancelled: they had not ended %d s after the stop",
+                cancellations.requests,
+                STOP_S,
+            )
 
-    def _talking(self) -> bool:
+    def _has_websockets(self) -> bool:
         """Whether a WebSocket is still open."""
-        return any(isinstance(one, CuttingProtocol) for one in self.server_state.connections)
+        return any(isinstance(one, BoundedWebSocketProtocol) for one in self.server_state.connections)
 
 
 def make_server(hosts: HostRule, service: Service, announce: Callable[[], None]) -> _Server:
@@ -149,8 +153,8 @@ def make_server(hosts: HostRule, service: Service, announce: Callable[[], None])
         log_config=None,
         log_level="warning",
         access_log=False,
-        http=PatientProtocol,  # httptools, and an end for requests that never come
-        ws=CuttingProtocol,  # websockets-sansio, and an end for clients that do not read
+        http=BoundedHttpProtocol,  # httptools, with bounds
+        ws=BoundedWebSocketProtocol,  # websockets-sansio, with bounds
         ws_max_size=FRAME_BYTES,
         ws_per_message_deflate=False,
         server_header=False,
@@ -164,6 +168,6 @@ def make_server(hosts: HostRule, service: Service, announce: Callable[[], None])
 def serve(opened: socket.socket, hosts: HostRule, service: Service, announce: Callable[[], None]) -> None:
     """Answer on a listening socket until interrupted; ``announce`` is called when the page can be opened."""
     server = make_server(hosts, service, announce)
-    spare()
+    tune_collector()
     with opened:
         server.run([opened])

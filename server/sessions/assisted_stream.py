@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from math import hypot
 from pathlib import Path
 
@@ -17,37 +17,36 @@ from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import Cursor, ErrorMessage, Likely, encode
 from pointpred.regions import as_normal
-from pointpred.server.sessions.building import NO_COEFFICIENTS, cpi_of, dpi_of
 from pointpred.server.sessions.outbox import Outbox
-from pointpred.server.sessions.stream import Stream
-from pointpred.server.sessions.watch import Watch
+from pointpred.server.sessions.pipelines import NO_COEFFICIENTS, cpi_of, dpi_of
+from pointpred.server.sessions.prediction_stream import PredictionStream, SessionObserver
 from pointpred.transfer import ConstantGain, GuardedTransfer, SigmoidGain
 from pointpred.transfer.assistance import UNGUIDED
 
 
-def stream_of(hello: Hello, coefficients: Mapping[str, Path] = NO_COEFFICIENTS) -> Stream:
+def open_stream(hello: Hello, coefficients: Mapping[str, Path] = NO_COEFFICIENTS) -> PredictionStream:
     """The stream that a client asks for; raises ProtocolError."""
     if hello.assist is None:
-        return Stream(hello, coefficients=coefficients)
+        return PredictionStream(hello, coefficients=coefficients)
     return AssistedStream(hello, hello.assist, coefficients=coefficients)
 
 
-class AssistedStream(Stream):
-    """Counts move the cursor, and the pipeline is told where it then is.
+class AssistedStream(PredictionStream):
+    """Counts move the cursor, and the pipeline predicts from where the cursor then is.
 
     The first event of the session says where the cursor stands before it; positions in later ones are not
-    looked at, so answers that are still on their way do no harm. A reset leaves the cursor where it is.
+    used: the client learns later where the cursor is. A reset leaves the cursor where it is.
     """
 
     def __init__(
         self,
         hello: Hello,
         assist: Assist,
-        watch: Watch | None = None,
+        observer: SessionObserver | None = None,
         coefficients: Mapping[str, Path] = NO_COEFFICIENTS,
     ) -> None:
-        """Raises ProtocolError as ``Stream`` does, and where the device's counts per inch are not said."""
-        super().__init__(hello, watch, coefficients)
+        """Raises ProtocolError as ``PredictionStream`` does, and where the hello has no counts per inch."""
+        super().__init__(hello, observer, coefficients)
         self.transfer = _transfer(hello, assist)
         self.place: tuple[float, float] | None = None
         """The cursor, px; ``None`` before the first event."""
@@ -55,24 +54,25 @@ class AssistedStream(Stream):
         self._guidance: tuple[float, ...] = ()  # the newest endpoint and its covariance
 
     def feed(self, table: FloatArray, outbox: Outbox) -> tuple[ErrorMessage | None, int]:
-        """As ``Stream.feed``, one event after another: the prediction after each guides the next."""
+        """As ``PredictionStream.feed``, event by event: the prediction after each guides the next."""
         check_numbers(table)
-        silent = np.isnan(table[:, 3])
-        if silent.any():
-            where = f"$.events[{int(silent.argmax())}][3]"
-            raise ProtocolError("bad_field", "assistance needs counts: dx and dy must be numbers", where)
-        error, kept = self._without_late(table)
-        if len(kept):
-            kept, predictions = self._moved(kept)
-            self._keep(kept, predictions)
-            self._answer(kept, predictions, outbox)
-        return error, len(table) - len(kept)
+        missing = np.isnan(table[:, 3])
+        if missing.any():
+            path = f"$.events[{int(missing.argmax())}][3]"
+            sentence = "assistance needs counts: dx and dy must be numbers"
+            raise ProtocolError("bad_field", sentence, path, field="dx")
+        error, used = self._in_order(table)
+        if len(used):
+            used, predictions = self._moved(used)
+            self._record(used, predictions)
+            self._reply(used, predictions, outbox)
+        return error, len(table) - len(used)
 
-    def feed_one(self, row: Sequence[float], outbox: Outbox) -> bool:
-        """As ``Stream.feed_one``: the one event of most frames, without a table."""
-        if self.place is None or self.watch or self._trial.running or self.choices:
+    def feed_event(self, row: tuple[float, ...], outbox: Outbox) -> bool:
+        """As ``PredictionStream.feed_event``: the one event of most frames, without a table."""
+        if self.place is None or self.observer or self._trial.running or self.tracker:
             return False
-        kept, before = self.transfer.remembered(), (self.place, self.added_px)
+        memory, before = self.transfer.remembered(), (self.place, self.added_px)
         t, _, _, dx, dy, buttons = row
         prediction: tuple[float, ...] | None = None
         try:
@@ -80,25 +80,25 @@ class AssistedStream(Stream):
             prediction = None if place is None else self.pipeline.advance((t, *place, dx, dy, buttons))
         finally:
             if prediction is None:
-                self.transfer.recall(kept)
+                self.transfer.recall(memory)
                 self.place, self.added_px = before
         if prediction is None:
             return False
         self._guide(prediction)
         self.events += 1
         self._last_t = t
-        outbox.predict([self._cursor(t), self._frame(prediction)], 1)
+        outbox.predict([self._cursor(t), self._encode_row(prediction)], 1)
         return True
 
     def configure(self, message: Configure) -> None:
-        """As ``Stream.configure``; ``assist`` replaces what was asked for, raises ProtocolError."""
+        """As ``PredictionStream.configure``; ``assist`` replaces the former one. Raises ProtocolError."""
         transfer = None if message.assist is None else _transfer(self.hello, message.assist)
         super().configure(message)
         if transfer is not None:
             self.transfer = transfer
 
     def _check_assist(self, message: Configure) -> None:
-        """It may be changed here."""
+        """Assistance may be changed here."""
 
     def _forget(self) -> None:
         super()._forget()
@@ -106,9 +106,9 @@ class AssistedStream(Stream):
         self._guidance = ()
 
     def _moved(self, table: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """The events with the cursor's places, and their predictions; raises EventError, nothing changed."""
+        """The events where the cursor is, and their predictions; raises EventError, nothing changed."""
         stages = (self.transfer, self.pipeline.differentiator, self.pipeline.predictor)
-        kept = [stage.remembered() for stage in stages]
+        memories = [stage.remembered() for stage in stages]
         before = self.place, self.added_px, self._guidance
         moved, predictions = table.copy(), np.empty((len(table), 10))
         try:
@@ -120,7 +120,7 @@ class AssistedStream(Stream):
                 moved[i, 1:3], predictions[i] = place, answer
                 self._guide(answer)
         except EventError:
-            for stage, memory in zip(stages, kept, strict=True):
+            for stage, memory in zip(stages, memories, strict=True):
                 stage.recall(memory)
             self.place, self.added_px, self._guidance = before
             raise
@@ -129,12 +129,12 @@ class AssistedStream(Stream):
     def _step(self, t: float, x: float, y: float, dx: float, dy: float) -> tuple[float, float] | None:
         """Where one report brings the cursor, within the screen; ``None`` where it is refused."""
         x, y = self.place or (x, y)
-        told = UNGUIDED
+        guidance = UNGUIDED
         if self._guidance:
             to_x, to_y, sxx, sxy, syy = self._guidance
             if abs(to_x - x) <= LARGEST and abs(to_y - y) <= LARGEST:
-                told = (to_x - x, to_y - y, sxx, sxy, syy)
-        accepted, px, py, added_x, added_y = self.transfer.advance(t, dx, dy, told)
+                guidance = (to_x - x, to_y - y, sxx, sxy, syy)
+        accepted, px, py, added_x, added_y = self.transfer.advance(t, dx, dy, guidance)
         if accepted != accepted:
             return None
         self.added_px += hypot(added_x, added_y)
@@ -155,16 +155,16 @@ class AssistedStream(Stream):
     def _frames(
         self, predictions: FloatArray, likely: list[list[Likely]] | None = None
     ) -> tuple[list[Frame], int]:
-        """Where the cursor is now goes before the predictions, as text in either encoding."""
-        found, count = super()._frames(predictions, likely)
-        return [self._cursor(float(predictions[-1, 0])), *found], count
+        """The cursor goes before the predictions, as text in either encoding."""
+        frames, count = super()._frames(predictions, likely)
+        return [self._cursor(float(predictions[-1, 0])), *frames], count
 
 
 def _transfer(hello: Hello, assist: Assist) -> GuardedTransfer:
     cpi = cpi_of(hello)
     if cpi is None:
-        words = "assistance needs the counts per inch of the device"
-        raise ProtocolError("bad_field", words, "$.device.cpi")
+        sentence = "assistance needs the counts per inch of the device"
+        raise ProtocolError("bad_field", sentence, "$.device.cpi", field="cpi")
     function = ConstantGain(assist.gain) if assist.function == "constant" else SigmoidGain()
     return GuardedTransfer(function, cpi=cpi, dpi=dpi_of(hello), rho=assist.rho, strength=assist.strength)
 

@@ -1,4 +1,4 @@
-"""How large a recording is once it is unpacked, found out before it is."""
+"""The size of a recording once it is unpacked, checked before it is."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ import io
 from typing import Any
 
 from pointpred.errors import RecordingError
-from pointpred.server.uploads.uploads import UploadError
+from pointpred.server.uploads.receiving import UploadError
 from pointpred.sources.files.encodings import DAMAGED, GZIP, HEAD_BYTES, UTF_16
 
 PARQUET = b"PAR1"
 MOST_ROWS = 500_000
-"""At 1000 events a second more than eight minutes of movement alone."""
+"""More than eight minutes of movement at 1000 events a second."""
 MOST_COLUMNS = 32
 MOST_UNPACKED = 2**27
 """Bytes; reading needs a few times as many."""
@@ -25,7 +25,7 @@ def check_unpacked(body: bytes) -> None:
     """Raise UploadError where the rows of a file, or what it holds, take more than is allowed.
 
     Raises RecordingError for a Parquet file that is damaged or holds what no recording holds, and for any
-    other file that is no text. A Parquet file that lies about the size of its pages is not found out.
+    other file that is no text. A Parquet file with a false size of its pages is not detected.
     """
     if body.startswith(PARQUET):
         _check_parquet(body)
@@ -38,7 +38,7 @@ def check_unpacked(body: bytes) -> None:
 
 
 def _unpacked(body: bytes) -> bytes:
-    """What gzip has packed, read no further than is allowed."""
+    """The content of a gzip file, read no further than is allowed."""
     try:
         with gzip.GzipFile(fileobj=io.BytesIO(body)) as file:
             unpacked = file.read(MOST_TEXT + 1)
@@ -63,10 +63,10 @@ def _check_parquet(body: bytes) -> None:
         groups = [about.row_group(i) for i in range(about.num_row_groups)]
         size = sum(group.total_byte_size for group in groups)
         check_most("bytes", max(size, 8 * about.num_rows * about.num_columns), MOST_UNPACKED)
-        words = _words(about.schema.to_arrow_schema())
-        if words:
-            with pq.ParquetFile(file, read_dictionary=words) as opened:
-                size += sum(_spelled_out(column) for column in opened.read(columns=words).columns)
+        text_columns = _text_columns(about.schema.to_arrow_schema())
+        if text_columns:
+            with pq.ParquetFile(file, read_dictionary=text_columns) as opened:
+                size += sum(_text_bytes(column) for column in opened.read(columns=text_columns).columns)
             check_most("bytes", size, MOST_UNPACKED)
     except RecordingError:
         raise
@@ -74,38 +74,38 @@ def _check_parquet(body: bytes) -> None:
         raise RecordingError(f"the recording: {' '.join(str(error).split())}") from None
 
 
-def _words(schema: Any) -> list[str]:
-    """The columns of words; raises RecordingError for what is no words, numbers, dates or times."""
+def _text_columns(schema: Any) -> list[str]:
+    """The columns of text; raises RecordingError for one that holds no text, numbers, dates or times."""
     import pyarrow as pa
 
     from pointpred.sources.tables.arrow_tables import PLAIN
 
-    found = []
+    names = []
     for field in schema:
         kind = field.type.value_type if pa.types.is_dictionary(field.type) else field.type
         if not any(fits(kind) for fits in (*PLAIN, pa.types.is_temporal)):
             raise RecordingError(
-                f"the recording: column {field.name!r} holds {kind}, expected words or numbers"
+                f"the recording: column {field.name!r} holds {kind}, expected text or numbers"
             )
         if pa.types.is_string(kind) or pa.types.is_large_string(kind):
-            found.append(field.name)
-    return found
+            names.append(field.name)
+    return names
 
 
-def _spelled_out(column: Any) -> int:
-    """The most bytes that a column takes with every word written where it occurs."""
+def _text_bytes(column: Any) -> int:
+    """The most bytes that a column takes with every text written out where it occurs."""
     import pyarrow.compute as pc
 
     size = 0
     for chunk in column.chunks:
-        words = chunk.dictionary if hasattr(chunk, "dictionary") else chunk
-        longest = max((int(n or 0) for n in pc.binary_length(words).to_pylist()), default=0)
+        texts = chunk.dictionary if hasattr(chunk, "dictionary") else chunk
+        longest = max((int(n or 0) for n in pc.binary_length(texts).to_pylist()), default=0)
         size += len(chunk) * (4 + longest)
     return size
 
 
 def check_most(what: str, count: int, most: int) -> None:
-    """Raise UploadError for a recording that is to be scored with ``pointpred score``."""
+    """Raise UploadError for a recording that only ``pointpred score`` takes."""
     if count > most:
-        words = f"a recording scored here holds at most {most} {what}, received {count}"
-        raise UploadError("too_large", f"{words}; 'pointpred score' takes larger ones", 413)
+        sentence = f"a recording scored here holds at most {most} {what}, received {count}"
+        raise UploadError("too_large", f"{sentence}; 'pointpred score' takes larger ones", 413)

@@ -1,7 +1,7 @@
-"""The recorder: off unless asked for; sessions go to disk while they last, and a killed process loses little.
+"""Writes sessions to disk while they last, when asked to: a killed process loses little.
 
-The event loop only puts copies of the tables aside; one thread turns them into rows and writes them, every
-0.1 s, and sees every 0.3 s that they survive a loss of power.
+The event loop only queues copies of the tables; one thread turns them into rows and writes them every 0.1 s,
+and syncs the files every 0.3 s, so that they survive a loss of power.
 """
 
 from __future__ import annotations
@@ -20,11 +20,10 @@ import msgspec
 from pointpred.protocol.client_messages import Hello
 from pointpred.recording import Provenance
 from pointpred.server.logs import place_of
-from pointpred.server.recorder.batch import Item, rows_of
 from pointpred.server.recorder.files import SessionFiles, Write, warm_rows
 from pointpred.server.recorder.recordings import name_of, prepare
-from pointpred.server.recorder.session import SessionRecorder
-from pointpred.server.sessions.building import cpi_of, dpi_of
+from pointpred.server.recorder.session_recorder import Item, SessionRecorder, rows_of
+from pointpred.server.sessions.pipelines import cpi_of, dpi_of
 from pointpred.sources.own.appended import FORMAT
 
 WRITE_S = 0.1
@@ -38,7 +37,7 @@ log = logging.getLogger("pointpred.recorder")
 
 
 class Recorder:
-    """Writes sessions into a folder from a thread of its own; raises SourceError where it cannot.
+    """Writes sessions into a folder from its own thread; raises SourceError where it cannot.
 
     ``waiting_most`` bounds the events that wait in memory. ``write`` is for tests of full disks.
     """
@@ -53,7 +52,7 @@ class Recorder:
     ) -> None:
         self.folder = folder
         self.lost = 0
-        """Events, and ends of trials, of all sessions that stand in no file."""
+        """Events and ends of trials of all sessions that are in no file."""
         self.failures = 0
         """Sessions whose recording stopped because of an error."""
         self.waiting = 0
@@ -86,11 +85,11 @@ class Recorder:
         return self.record(SessionFiles(self.folder, name, about_of(origin, begun), self._write), hello)
 
     def record(self, files: SessionFiles, hello: Hello) -> SessionRecorder:
-        """A recording into files of the caller's choice."""
+        """A recording into the caller's files."""
         return SessionRecorder(self._put, files, hello)
 
     def _put(self, session: SessionRecorder, item: Item) -> None:
-        """Put something aside for the thread; events beyond the bound are lost and counted."""
+        """Queue something for the thread; events beyond the bound are lost and counted."""
         count, mark = len(item), item.starts or item.ends
         with self._lock:
             full = self.waiting + count > self._most or (mark and self._marks >= self._most)
@@ -188,19 +187,19 @@ class Recorder:
             log.warning("recording %s: %d events and ends of trials were lost", session.name, session.lost)
 
     def _lose(self, session: SessionRecorder, count: int) -> None:
-        """Count what stands in no file."""
+        """Count what is in no file."""
         with self._lock:
             session.lost += count
             self.lost += count
 
     def _fail(self, session: SessionRecorder, error: Exception) -> None:
-        """Give up the recording of a session, and say so once; the session itself goes on."""
+        """Stop the recording of a session, and log that once; the session itself goes on."""
         with self._lock:
             session.failed = True
             self.failures += 1
-        # An operating system's words are of files; another error's might quote an event.
-        said = error if isinstance(error, OSError) else place_of(error)
-        log.error("recording %s stopped: %s", session.name, said)
+        # The sentence of an OSError is about files; that of another error might quote an event.
+        reason = error if isinstance(error, OSError) else place_of(error)
+        log.error("recording %s stopped: %s", session.name, reason)
         if session in self._dirty:
             self._dirty.remove(session)
         try:
@@ -210,5 +209,5 @@ class Recorder:
 
 
 def about_of(origin: Provenance, begun: datetime) -> dict[str, Any]:
-    """What the header of a recording says."""
+    """The header of a recording."""
     return {"provenance": msgspec.to_builtins(origin), "begun": begun.isoformat(timespec="seconds")}

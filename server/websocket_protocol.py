@@ -1,7 +1,7 @@
-"""uvicorn's WebSocket connection, with bounds on what a client may do below the messages of a session.
+"""uvicorn's WebSocket protocol, with bounds on what a client may do below the messages of a session.
 
-Frames that are too long, messages in too many pieces, pings without end, and last frames that nobody reads:
-the session never sees these, so they are answered and ended here.
+Sessions do not see frames that are too long, messages in too many fragments, floods of pings, and last frames
+that nobody reads: they are bounded here.
 """
 
 from __future__ import annotations
@@ -17,74 +17,74 @@ from pointpred.protocol.server_messages import Code, ErrorMessage, encode
 from pointpred.protocol.token_bucket import TokenBucket
 
 LINGER_S = 5.0
-"""A client may read its last frames and say goodbye for so long."""
+"""So long a client may take to read its last frames and close."""
 WAITING_BYTES = 2**15
-"""More than this in the process, and answers wait in the session's outbox, where newer ones replace them."""
-PIECE_BYTES = 2**14
-"""What comes at once is looked at in pieces of this size: no more is taken in after the end of a session."""
+"""With more than this unsent, answers wait in the session's outbox, where newer predictions replace them."""
+READ_BYTES = 2**14
+"""Received data is parsed in pieces of this size: little is parsed after the end of a session."""
 FRAGMENTS_MOST = 64
-"""Pieces of one message; a client of ours sends one."""
-CONTROLS_PER_S = 100
+"""Fragments of one message; our own clients send one."""
+CONTROL_FRAMES_PER_S = 100
 """Pings and pongs together."""
 PONG = bytes([0x80 | Opcode.PONG])
 
 
-class CuttingProtocol(WebSocketsSansIOProtocol):
-    """A connection that ends for a client that breaks the bounds, and is cut where its end is not read.
+class BoundedWebSocketProtocol(WebSocketsSansIOProtocol):
+    """A connection that ends where the client exceeds a bound, and is aborted where it does not close.
 
-    Without this a client that stops reading keeps its connection, and the memory of it, although its session
-    has ended.
+    Without the abort, a client that stops reading keeps its connection, and the memory of it, although its
+    session has ended.
     """
 
-    _cut: asyncio.TimerHandle | None = None
-    _over = False  # whether the client has been told that this is the end: nothing more is taken in
+    _abort_timer: asyncio.TimerHandle | None = None
+    _ended = False  # whether the client has been told why it ends: nothing more is received
     _pong: bytes | None = None  # the newest answer to a ping that has to wait
 
     async def run_asgi(self) -> None:
-        """Talk, then give the goodbye a bounded time."""
+        """Run the session, then abort the connection where it does not close in time."""
         await super().run_asgi()
         self._linger()
 
     def connection_made(self, transport: BaseTransport) -> None:
-        """Begin, with a bound on what may wait to be written."""
+        """Begin, with a bound on unsent data."""
         super().connection_made(transport)
         self.transport.set_write_buffer_limits(high=WAITING_BYTES)
-        self._controls = TokenBucket(CONTROLS_PER_S, self.loop.time())
+        self._control_frames = TokenBucket(CONTROL_FRAMES_PER_S, self.loop.time())
 
     def connection_lost(self, exc: Exception | None) -> None:
-        """Nothing is left to cut."""
-        if self._cut is not None:
-            self._cut.cancel()
+        """Nothing is left to abort."""
+        if self._abort_timer is not None:
+            self._abort_timer.cancel()
         super().connection_lost(exc)
 
     def data_received(self, data: bytes) -> None:
-        """Take in what came, no further than to the end of the session."""
-        if len(data) <= PIECE_BYTES:
-            if not self._over:
+        """Parse received data, no further than to the end of the session."""
+        if len(data) <= READ_BYTES:
+            if not self._ended:
                 super().data_received(data)
             return
-        for place in range(0, len(data), PIECE_BYTES):
-            if self._over:
+        for place in range(0, len(data), READ_BYTES):
+            if self._ended:
                 return
-            super().data_received(data[place : place + PIECE_BYTES])
+            super().data_received(data[place : place + READ_BYTES])
 
     def resume_writing(self) -> None:
         """The client reads again: it gets the answer to its newest ping."""
         super().resume_writing()
-        if self._pong is not None and not self._over:
+        if self._pong is not None and not self._ended:
             self.transport.write(self._pong)
         self._pong = None
 
     def handle_cont(self, event: Frame) -> None:
-        """A further piece of a message."""
+        """A further fragment of a message."""
         if len(self.frames) >= FRAGMENTS_MOST:
             self._refuse("too_large", f"a message has at most {FRAGMENTS_MOST} fragments", 1009)
-        elif not self._over:
+        elif not self._ended:
             super().handle_cont(event)
 
     def handle_ping(self) -> None:
-        """Answer the newest of the pings that came together, and that when it can be sent."""
-        if not self._controlled():
+        """Answer the newest of the pings that arrived together, as soon as the answer can be sent."""
+        if not self._count_control_frame():
             return
         parts = self.conn.data_to_send()
         pongs = [part for part in parts if part.startswith(PONG)]
@@ -98,12 +98,12 @@ class CuttingProtocol(WebSocketsSansIOProtocol):
             self.transport.write(b"".join(others))
 
     def handle_pong(self, event: Frame) -> None:
-        """The answer to a ping of ours, or what pretends to be one."""
-        if self._controlled():
+        """The answer to a ping of ours, or an unsolicited one."""
+        if self._count_control_frame():
             super().handle_pong(event)
 
     def handle_parser_exception(self) -> None:
-        """What came is no frame, or one that is longer than any session takes."""
+        """What was received is no frame, or a longer one than any session takes."""
         close = self.conn.close_sent
         if close is None:  # before the handshake, where there is nobody to tell
             self.transport.abort()
@@ -119,42 +119,42 @@ class CuttingProtocol(WebSocketsSansIOProtocol):
         super().keepalive_timeout()
         self._end(1011, "keepalive ping timeout", None)
 
-    def _controlled(self) -> bool:
-        """Whether one more ping or pong is taken in."""
-        if self._over:
+    def _count_control_frame(self) -> bool:
+        """Whether one more ping or pong is allowed."""
+        if self._ended:
             return False
-        if self._controls.allows(1, self.loop.time()):
+        if self._control_frames.take(1, self.loop.time()):
             return True
-        self._refuse("too_fast", f"at most {CONTROLS_PER_S} pings and pongs a second", 1008)
+        self._refuse("too_fast", f"at most {CONTROL_FRAMES_PER_S} pings and pongs a second", 1008)
         return False
 
     def _refuse(self, code: Code | None, message: str, close: int) -> None:
-        """Say why the connection ends, end it, and let the client read that; its session hears it too."""
-        if self._over or self.close_sent:
+        """Send why the connection ends, end it, and let the client read that; its session is told, too."""
+        if self._ended or self.close_sent:
             return
         if not self.handshake_complete:
             self.transport.abort()
             return
         if self.conn.state is State.OPEN:
             self.conn.send_close(close, message[:120])
-        last = [part for part in self.conn.data_to_send() if not part.startswith(PONG)]
+        parts = [part for part in self.conn.data_to_send() if not part.startswith(PONG)]
         if code is not None:  # ahead of the close frame, which the parser may have written already
             error = encode(ErrorMessage(code, message, None, recoverable=False))
-            last.insert(0, Frame(Opcode.TEXT, error).serialize(mask=False))
-        self.transport.write(b"".join(last))
+            parts.insert(0, Frame(Opcode.TEXT, error).serialize(mask=False))
+        self.transport.write(b"".join(parts))
         self.close_sent = True
         self._end(close, message, code)
         if self.transport.can_write_eof():
             self.transport.write_eof()
-        if self.read_paused:  # what is left unread would turn the end into a reset, unheard
+        if self.read_paused:  # data left unread would turn the close into a reset
             self.read_paused = False
             self.transport.resume_reading()
         # The base class closes at once unless it waits for the client's close frame.
         self.close_timer = self.loop.call_later(LINGER_S, self.transport.abort)
 
     def _end(self, close: int, reason: str, refused: Code | None) -> None:
-        """Tell the session; whatever it still says is not sent."""
-        self._over, self.disconnected = True, True
+        """Tell the session; whatever it still sends is dropped."""
+        self._ended, self.disconnected = True, True
         self.frames, self._pong = [], None
         self.stop_keepalive()
         message = {"type": "websocket.disconnect", "code": close, "reason": reason, "refused": refused}
@@ -162,6 +162,6 @@ class CuttingProtocol(WebSocketsSansIOProtocol):
         self._linger()
 
     def _linger(self) -> None:
-        """Cut the connection where it does not end by itself in time."""
-        if self._cut is None and self in self.connections:
-            self._cut = self.loop.call_later(LINGER_S, self.transport.abort)
+        """Abort the connection where it does not close by itself in time."""
+        if self._abort_timer is None and self in self.connections:
+            self._abort_timer = self.loop.call_later(LINGER_S, self.transport.abort)

@@ -1,6 +1,6 @@
-"""Compiling beside answering: threads that let worker processes compile, and load what these have compiled.
+"""Compiling in the background: threads that have worker processes compile, and load the result.
 
-Nothing of it runs on the event loop. Where everything is in the cache, it is only loaded.
+Nothing of this runs on the event loop. Where everything is in the cache, it is only loaded.
 """
 
 from __future__ import annotations
@@ -16,20 +16,20 @@ from contextlib import suppress
 from msgspec import Struct
 
 from pointpred.registry import RECOMMENDED, REGISTRY
-from pointpred.server.compiling.order import Order
+from pointpred.server.compiling.order import PartQueue
 from pointpred.server.compiling.parts import FIRST, Part, parts
-from pointpred.server.compiling.worker import ASIDE, Worker
+from pointpred.server.compiling.worker import LOW_PRIORITY, Worker
 from pointpred.server.logs import place_of
 
 log = logging.getLogger("pointpred.service")
 
 WORKERS = 2
 REPLACEMENTS = 2
-"""Workers that may take the place of one that has ended; after them parts are compiled by this process."""
+"""Workers that may replace one that has ended; after them this process compiles by itself."""
 
 
 class Progress(Struct, frozen=True):
-    """How far compiling is: predictors that are compiled, of how many, what is under way, which are ready."""
+    """How many predictors are compiled, of how many, what is compiled now, and which are ready."""
 
     done: int
     of: int
@@ -38,42 +38,44 @@ class Progress(Struct, frozen=True):
     recommended: str = RECOMMENDED
 
 
-class Compiling:
-    """What is compiled, what comes next, and who waits for it."""
+class Compiler:
+    """What is compiled, what is next, and who waits for it."""
 
-    def __init__(self, all: Sequence[Part] | None = None, worker: Callable[[], Worker] = Worker) -> None:
-        self._order = Order(parts() if all is None else all, FIRST)
-        self._worker = worker
+    def __init__(
+        self, all: Sequence[Part] | None = None, start_worker: Callable[[], Worker] = Worker
+    ) -> None:
+        self._queue = PartQueue(parts() if all is None else all, FIRST)
+        self._start_worker = start_worker
         self._changed = threading.Condition()
         self._loading = threading.Lock()
         self._waiting: set[tuple[asyncio.AbstractEventLoop, asyncio.Event]] = set()
-        self._lanes: list[threading.Thread] = []
+        self._threads: list[threading.Thread] = []
         self._workers: list[Worker] = []
         self._replacements = REPLACEMENTS
         self._alone = False  # whether parts are compiled by this process, without workers
-        self._telling = threading.Lock()
+        self._progress_lock = threading.Lock()
         self._logged: set[str] = set()
         self._began = 0.0
         self.stopped = False
         self.failed: set[str] = set()
         """Parts that raised when they were run; clients are served all the same."""
-        self.once = False
+        self.compiled_any = False
         """Whether something had to be compiled, rather than loaded."""
-        self.tell: Callable[[Progress], None] = lambda progress: None
-        """Called by other threads when something is under way or done."""
+        self.on_progress: Callable[[Progress], None] = lambda progress: None
+        """Called by other threads when a part begins or is done."""
         self.on_ready: Callable[[], None] = lambda: None
         """Called by another thread when the recommended predictor is compiled."""
 
-    def begin(self) -> None:
-        """Compile in threads of their own, from now on."""
+    def start(self) -> None:
+        """Compile in threads, from now on."""
         self._began = time.monotonic()
         for number in range(min(WORKERS, _processors())):
-            lane = threading.Thread(target=self._run, name=f"compiling {number}", daemon=True)
-            self._lanes.append(lane)
-            lane.start()
+            thread = threading.Thread(target=self._run, name=f"compiling {number}", daemon=True)
+            self._threads.append(thread)
+            thread.start()
 
     def stop(self) -> None:
-        """Give up what is under way and begin nothing further; nobody waits any more."""
+        """Kill the workers and begin nothing further; nobody waits any more."""
         with self._changed:
             self.stopped = True
             for worker in self._workers:
@@ -82,31 +84,31 @@ class Compiling:
 
     def join(self) -> None:
         """Wait until all is done."""
-        for lane in self._lanes:
-            lane.join()
+        for thread in self._threads:
+            thread.join()
 
     @property
     def over(self) -> bool:
-        """Whether nobody has to wait: nothing has begun, all is done, or the service stops."""
-        return not self._lanes or self.stopped or self._order.finished
+        """Whether nobody has to wait: compiling has not begun, has ended, or the service stops."""
+        return not self._threads or self.stopped or self._queue.finished
 
     def ready(self, name: str) -> bool:
         """Whether a part is compiled."""
-        return name in self._order.done and name not in self.failed
+        return name in self._queue.done and name not in self.failed
 
     def missing(self, names: Iterable[str]) -> list[str]:
-        """Parts that somebody who needs these has to wait for."""
+        """Those of the parts that are not compiled yet."""
         with self._changed:
-            return [] if self.over else self._order.missing(names)
+            return [] if self.over else self._queue.missing(names)
 
     async def until(self, names: Sequence[str]) -> None:
-        """Wait until these are compiled, or cannot be; they are next."""
+        """Wait until these parts are compiled, or have failed; they are compiled next."""
         if not (names := self.missing(names)):
             return
         event = asyncio.Event()
         waiting = (asyncio.get_running_loop(), event)
         with self._changed:
-            self._order.wish(names)
+            self._queue.prefer(names)
             self._waiting.add(waiting)
         try:
             while self.missing(names):
@@ -119,21 +121,21 @@ class Compiling:
     def progress(self) -> Progress:
         """How far it is."""
         with self._changed:
-            order = self._order
+            queue = self._queue
             ready = [name for name in REGISTRY if self.ready(name)]
-            first = [RECOMMENDED] if any(name in FIRST for name in order.missing(FIRST)) else []
-            under_way = next(iter([*first, *order.under_way]), None)
+            first = [RECOMMENDED] if any(name in FIRST for name in queue.missing(FIRST)) else []
+            under_way = next(iter([*first, *queue.under_way]), None)
             return Progress(len(ready), len(REGISTRY), None if self.over else under_way, ready)
 
     def _run(self) -> None:
-        """One lane: part after part, with a worker where something is to be compiled."""
+        """One thread: part after part, with a worker where something is to be compiled."""
         worker: Worker | None = None
         while (part := self._next()) is not None:
             try:
                 if part.awaits:
-                    self.once = True
-                    self._say()
-                    worker = self._compiled_by(worker, part.name)
+                    self.compiled_any = True
+                    self._report()
+                    worker = self._compile(worker, part.name)
                 if not self.stopped:
                     with self._loading:
                         part.run()
@@ -144,26 +146,26 @@ class Compiling:
         if worker is not None:
             worker.end()
 
-    def _compiled_by(self, worker: Worker | None, name: str) -> Worker | None:
-        """The worker that has compiled a part; ``None`` where there is none, and this thread has to."""
-        while worker := worker or self._helped():
+    def _compile(self, worker: Worker | None, name: str) -> Worker | None:
+        """Have a worker compile a part; returns the worker, ``None`` where this thread has to compile."""
+        while worker := worker or self._new_worker():
             if name not in FIRST:
-                worker.compile(ASIDE)
+                worker.compile(LOW_PRIORITY)
             if worker.compile(name) or self.stopped:
                 return worker
             worker.end()
             worker = None
-            self._lament("a process that compiles has ended")
+            self._log_lost_worker("a compiling process has ended")
         return None
 
-    def _helped(self) -> Worker | None:
-        """A worker, which is ended when all is done or the service stops; ``None`` where none can be had."""
+    def _new_worker(self) -> Worker | None:
+        """A worker, which ends when all is done or the service stops; ``None`` where none can be started."""
         if self._alone:
             return None
         try:
-            worker = self._worker()
+            worker = self._start_worker()
         except OSError as error:
-            self._lament("no process that compiles can be started", place_of(error), most=0)
+            self._log_lost_worker("no compiling process can be started", place_of(error), most=0)
             return None
         with self._changed:
             self._workers.append(worker)
@@ -171,47 +173,47 @@ class Compiling:
                 worker.kill()
         return worker
 
-    def _lament(self, what: str, error: str | None = None, most: int = REPLACEMENTS) -> None:
-        """Log a lost worker, and whether another one takes its place."""
+    def _log_lost_worker(self, what: str, error: str | None = None, most: int = REPLACEMENTS) -> None:
+        """Log that a worker was lost, and whether another one replaces it."""
         with self._changed:
             if self._alone:
                 return
             self._replacements = min(self._replacements, most) - 1
             self._alone = self._replacements < 0
         about = {"error": error} if error else {}
-        instead = "this process compiles the rest itself" if self._alone else "another one takes its place"
+        instead = "this process compiles the rest itself" if self._alone else "another one replaces it"
         log.warning("%s; %s", what, instead, extra=about)
 
     def _next(self) -> Part | None:
         with self._changed:
-            while not self.stopped and self._order.waiting:
-                if (part := self._order.take()) is not None:
+            while not self.stopped and self._queue.waiting:
+                if (part := self._queue.take()) is not None:
                     return part
                 self._changed.wait()
             return None
 
     def _finish(self, part: Part) -> None:
         with self._changed:
-            self._order.finish(part.name)
-            last = self._order.finished and not self.stopped
+            self._queue.finish(part.name)
+            last = self._queue.finished and not self.stopped
             self._notify()
         if part.name == RECOMMENDED and self.ready(RECOMMENDED) and not self.stopped:
             self.on_ready()
-        self._say()
-        if self.once and last:
+        self._report()
+        if self.compiled_any and last:
             log.info("Compiled, in %.1f s", time.monotonic() - self._began)
 
-    def _say(self) -> None:
-        """Tell how far it is: each step once in the log, and in order, whichever lane it is."""
-        with self._telling:
+    def _report(self) -> None:
+        """Report the progress; each step is logged once, and in order, whichever thread makes it."""
+        with self._progress_lock:
             progress = self.progress()
-            if self.once and progress.next is not None and progress.next not in self._logged:
+            if self.compiled_any and progress.next is not None and progress.next not in self._logged:
                 self._logged.add(progress.next)
                 log.info("Compiling once: %d of %d, %s", progress.done, progress.of, progress.next)
-            self.tell(progress)
+            self.on_progress(progress)
 
     def _notify(self) -> None:
-        """Wake who waits, in this thread's lanes and on event loops."""
+        """Wake the threads and the event loops that wait."""
         self._changed.notify_all()
         for loop, event in self._waiting:
             with suppress(RuntimeError):  # its loop has closed: nobody waits there
@@ -219,12 +221,12 @@ class Compiling:
 
 
 def _processors() -> int:
-    """How many this process may use."""
+    """How many processors this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def compile_all() -> None:
     """Compile everything that the service may run, and wait for it."""
-    compiling = Compiling()
-    compiling.begin()
-    compiling.join()
+    compiler = Compiler()
+    compiler.start()
+    compiler.join()

@@ -1,8 +1,7 @@
-"""A pipeline as a client asked for it; what is wrong with the wish, and where it says so."""
+"""The pipeline that a client asks for, or the error that says what is wrong in its hello."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -14,19 +13,20 @@ from pointpred.pipeline import Pipeline
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.protocol.client_messages import Hello, Setting
 from pointpred.protocol.errors import ProtocolError
-from pointpred.registry import REGISTRY, build, takes
+from pointpred.protocol.server_messages import Code
+from pointpred.registry import build, takes
 
 DPI = 96.0
 COEFFICIENTS = "coefficients"
 NO_COEFFICIENTS: Mapping[str, Path] = {}
 ELSEWHERE = {"cpi": "device.cpi", "dpi": "screen.dpi", "name": "predictor", "person": "person"}
-"""What ``build`` takes besides parameters, and where a client says it."""
+"""What ``build`` takes besides parameters, and where in a hello it belongs."""
 SUBSTEPS_MOST = 200
-"""Sub-steps that one event may take in a session: some 15 us, where an event without any takes one."""
+"""Sub-steps that one event may take in a session: they take some 15 us, an event without any takes 1 us."""
 
 
 def cpi_of(hello: Hello) -> float | None:
-    """Counts per inch of the client's device; ``None`` where it does not say."""
+    """Counts per inch of the client's device; ``None`` where the hello has none."""
     return hello.device.cpi if hello.device else None
 
 
@@ -36,36 +36,44 @@ def dpi_of(hello: Hello) -> float:
 
 
 def pipeline_of(hello: Hello, coefficients: Mapping[str, Path] = NO_COEFFICIENTS) -> Pipeline:
-    """A fresh pipeline that knows the person the client named.
+    """A fresh pipeline that knows the person of the client's hello.
 
     ``coefficients``: the files that a client may ask for by name; it never names a path.
 
-    Raises ProtocolError, naming what is known, for an unknown predictor, a wrong parameter or a person that
-    the predictor cannot take.
+    Raises ProtocolError for an unknown predictor, a wrong parameter or an unusable person.
     """
-    if hello.predictor not in REGISTRY:
-        words = f"unknown predictor {hello.predictor!r}; known: {', '.join(REGISTRY)}"
-        raise ProtocolError("unknown_predictor", words, "$.predictor")
-    for name, place in ELSEWHERE.items():
-        if name in hello.parameters:
-            raise ProtocolError("bad_field", f"{name} is said as {place}", f"$.parameters.{name}")
     try:
-        settings: dict[str, Any] = {name: _whole(value) for name, value in hello.parameters.items()}
-        if COEFFICIENTS in settings and takes(hello.predictor, COEFFICIENTS):
-            settings[COEFFICIENTS] = _file_of(settings[COEFFICIENTS], coefficients)
+        settings = _settings(hello, coefficients)
         pipeline = build(hello.predictor, cpi=cpi_of(hello), dpi=dpi_of(hello), **settings)
         _check_substeps(pipeline)
     except ParameterError as error:
-        raise ProtocolError("bad_field", str(error), _place(str(error), hello)) from None
+        raise _refusal(error, _path(error, hello)) from None
     except (TypeError, ValueError) as error:
-        given = list(hello.parameters)
-        path = f"$.parameters.{given[0]}" if len(given) == 1 else "$.parameters"
+        path = _path(ParameterError(), hello)
         raise ProtocolError("bad_field", f"a parameter is of a wrong type: {error}", path) from None
     try:
         restore(pipeline.predictor, hello.person)
     except ParameterError as error:
-        raise ProtocolError("bad_field", str(error), "$.person") from None
+        raise _refusal(error, "$.person") from None
     return pipeline
+
+
+def _settings(hello: Hello, coefficients: Mapping[str, Path]) -> dict[str, Any]:
+    """The parameters of a hello, as ``build`` takes them; raises ParameterError or ProtocolError."""
+    by_name = takes(hello.predictor, COEFFICIENTS)
+    for name, place in ELSEWHERE.items():
+        if name in hello.parameters:
+            sentence = f"{name} is no parameter of a predictor; it belongs to {place}"
+            raise ProtocolError("bad_field", sentence, f"$.parameters.{name}", field=name)
+    settings: dict[str, Any] = {name: _whole(value) for name, value in hello.parameters.items()}
+    if by_name and COEFFICIENTS in settings:
+        settings[COEFFICIENTS] = _file_of(settings[COEFFICIENTS], coefficients)
+    return settings
+
+
+def _refusal(error: ParameterError, path: str) -> ProtocolError:
+    code: Code = "unknown_predictor" if error.code == "unknown_predictor" else "bad_field"
+    return ProtocolError(code, str(error), path, field=error.field, value=error.value)
 
 
 def _file_of(name: Setting, coefficients: Mapping[str, Path]) -> Path:
@@ -73,12 +81,13 @@ def _file_of(name: Setting, coefficients: Mapping[str, Path]) -> Path:
     path = f"$.parameters.{COEFFICIENTS}"
     if not isinstance(name, str) or name not in coefficients:
         known = ", ".join(sorted(coefficients)) or "none; the service names them when it is started"
-        raise ProtocolError("bad_field", f"unknown coefficients {name!r}; known: {known}", path)
+        sentence = f"unknown coefficients {name!r}; known: {known}"
+        raise ProtocolError("bad_field", sentence, path, field=COEFFICIENTS, value=name)
     try:
         coefficient_file.read(coefficients[name])
     except ParameterError:
-        words = f"the coefficients {name!r} cannot be read any more; ask who runs the service"
-        raise ProtocolError("bad_field", words, path) from None
+        sentence = f"the coefficients {name!r} can no longer be read; ask the person who runs the service"
+        raise ProtocolError("bad_field", sentence, path, field=COEFFICIENTS, value=name) from None
     return coefficients[name]
 
 
@@ -98,20 +107,18 @@ def _check_substeps(pipeline: Pipeline) -> None:
 
 
 def _whole(value: Setting) -> Setting:
-    """JSON does not tell 4.0 from 4; a parameter that counts wants the latter, the others take both."""
+    """A whole float as an int: in JSON 4.0 may be 4, and some parameters accept whole numbers only."""
     return int(value) if isinstance(value, float) and value.is_integer() else value
 
 
-def _place(words: str, hello: Hello) -> str:
-    """The path of the parameter that an error speaks of first."""
-    found = {name: _mentioned(name, words) for name in hello.parameters}
-    named = [name for name, at in found.items() if at >= 0]
-    return f"$.parameters.{min(named, key=found.__getitem__)}" if named else "$.parameters"
+def _path(error: ParameterError, hello: Hello) -> str:
+    """Where in a message the parameter stands that an error is about.
 
-
-def _mentioned(name: str, words: str) -> int:
-    """Where words mention a parameter, -1 where they do not: quoted where it is unknown, else as a word."""
-    if (quoted := words.find(repr(name))) >= 0:
-        return quoted
-    found = re.search(rf"\b{re.escape(name)}\b", words)
-    return found.start() if found else -1
+    An error about how several parameters go together names one of them, which may be a default.
+    """
+    if error.code == "unknown_predictor":
+        return "$.predictor"
+    if error.field in hello.parameters:
+        return f"$.parameters.{error.field}"
+    names = list(hello.parameters)
+    return f"$.parameters.{names[0]}" if len(names) == 1 else "$.parameters"

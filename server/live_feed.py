@@ -1,4 +1,4 @@
-"""The attached device inside the service: from the thread that reads it to everybody who looks on."""
+"""The attached device inside the service: from the thread that reads it to every viewer."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from pointpred.protocol.client_messages import Events
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.live_messages import Attached, Curve, Status
 from pointpred.protocol.server_messages import PredictionMessage, Region, encode
-from pointpred.server.live.viewer import Viewer
+from pointpred.server.sessions.viewing import ViewingSession
 
 FRAME_S = 1 / 120
-"""Viewers hear at most so often: what came meanwhile goes as one frame, with its newest prediction."""
+"""Viewers get one frame in this time: the events since the last one, with the newest prediction."""
 MOST_WAITING = 1024
-"""Events of one frame; of more, the oldest are left out and counted."""
+"""Events of one frame; of more, the oldest are dropped and counted."""
 
 
 class LiveFeed:
-    """What an attached device says, for viewers of ``/v1/live``.
+    """What an attached device sends, for the viewers of ``/v1/live``.
 
     ``take`` is called on the device's thread, everything else on the event loop. Each viewer has an outbox of
-    its own: one that reads slowly gets the newest frame, and hears how many gave way.
+    its own: one that reads slowly gets the newest frame, and is told how many were dropped.
     """
 
     def __init__(self, attached: Attached, status: Callable[[], Status]) -> None:
@@ -36,8 +36,8 @@ class LiveFeed:
         self.curve: Curve | None = None
         """The newest transfer function; replaced whole, from any thread."""
         self.skipped = 0
-        """Events no viewer was shown because the event loop was late."""
-        self._viewers: dict[Viewer, Callable[[], None]] = {}
+        """Events that no viewer got because the event loop was late."""
+        self._viewers: dict[ViewingSession, Callable[[], None]] = {}
         self._waiting: deque[Pair] = deque()
         self._lock = threading.Lock()
         self._due = False
@@ -46,25 +46,25 @@ class LiveFeed:
 
     @property
     def watched(self) -> bool:
-        """Whether somebody looks on."""
+        """Whether there are viewers."""
         return bool(self._viewers)
 
-    def begin(self, loop: asyncio.AbstractEventLoop) -> None:
-        """From now on viewers can be told."""
+    def start(self, loop: asyncio.AbstractEventLoop) -> None:
+        """Send to viewers from now on, from this loop."""
         self._loop = loop
 
-    def join(self, viewer: Viewer, wake: Callable[[], None]) -> None:
-        """Tell one more viewer; ``wake`` sends what its outbox holds."""
+    def join(self, viewer: ViewingSession, wake: Callable[[], None]) -> None:
+        """Send to one more viewer; ``wake`` sends what its outbox holds."""
         self._viewers[viewer] = wake
         viewer.show(self)
         wake()
 
-    def leave(self, viewer: Viewer) -> None:
-        """Tell it no more."""
+    def leave(self, viewer: ViewingSession) -> None:
+        """Send nothing more to it."""
         self._viewers.pop(viewer, None)
 
     def take(self, pairs: Sequence[Pair]) -> None:
-        """Put aside what the session made; a ``Watcher``. Does not wait."""
+        """Keep events and predictions until the next frame; a ``Watcher``. Does not wait."""
         if self._loop is None or not self._viewers or not pairs:
             return
         with self._lock:
@@ -74,28 +74,28 @@ class LiveFeed:
                 self.skipped += 1
             call, self._due = not self._due, True
         if call:
-            self._soon(self._plan)
+            self._call(self._schedule)
 
-    def end(self, why: str) -> None:
-        """The session has failed: say so and close; on the event loop."""
+    def end(self, reason: str) -> None:
+        """The device has failed: send why, and close; on the event loop."""
         for viewer, wake in list(self._viewers.items()):
-            viewer.end("internal", why, 1011)
+            viewer.fail("internal", reason, 1011)
             wake()
 
-    def fail(self, why: str) -> None:
+    def fail(self, reason: str) -> None:
         """``end`` from the device's thread."""
-        self._soon(self.end, why)
+        self._call(self.end, reason)
 
-    def _soon(self, call: Callable[..., None], *about: str) -> None:
-        """Have something called on the event loop."""
+    def _call(self, function: Callable[..., None], *arguments: str) -> None:
+        """Have a function called on the event loop."""
         if self._loop is None:
             return
         try:
-            self._loop.call_soon_threadsafe(call, *about)
-        except RuntimeError:  # the loop has ended, and with it everybody who looked on
+            self._loop.call_soon_threadsafe(function, *arguments)
+        except RuntimeError:  # the loop has ended, and every viewer with it
             self._loop = None
 
-    def _plan(self) -> None:
+    def _schedule(self) -> None:
         loop = asyncio.get_running_loop()
         loop.call_at(max(loop.time(), self._sent_at + FRAME_S), self._send)
 
@@ -114,17 +114,19 @@ class LiveFeed:
 
 def frames_of(pairs: Sequence[Pair]) -> list[Frame]:
     """One ``events`` and one ``prediction``, the newest, as texts."""
-    rows = [_row(event) for event, _ in islice(pairs, MOST_WAITING)]
+    rows = [_event_row(event) for event, _ in islice(pairs, MOST_WAITING)]
     event, newest = pairs[-1]
-    return [encode(Events(rows)).decode(), encode(_message(event.t, newest)).decode()]
+    return [encode(Events(rows)).decode(), encode(_prediction_message(event.t, newest)).decode()]
 
 
-def _row(event: PointerEvent) -> tuple[float, float, float, float | None, float | None, int]:
+def _event_row(event: PointerEvent) -> tuple[float, float, float, float | None, float | None, int]:
     return event.t, event.x, event.y, event.dx, event.dy, event.buttons
 
 
-def _message(t: float, one: Prediction | None) -> PredictionMessage:
-    if one is None:
+def _prediction_message(t: float, prediction: Prediction | None) -> PredictionMessage:
+    if prediction is None:
         return PredictionMessage(t)
-    region = Region(*one.scale, one.tail) if one.scale else None
-    return PredictionMessage(one.t, one.x, one.y, region, one.phase, one.remaining_s)
+    region = Region(*prediction.scale, prediction.tail) if prediction.scale else None
+    return PredictionMessage(
+        prediction.t, prediction.x, prediction.y, region, prediction.phase, prediction.remaining_s
+    )

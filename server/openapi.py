@@ -1,4 +1,4 @@
-"""What the OpenAPI document says of the HTTP part beyond names and parameters."""
+"""What the OpenAPI document says about the HTTP part beyond names and parameters."""
 
 from __future__ import annotations
 
@@ -10,13 +10,15 @@ from pointpred.protocol.server_messages import Code
 
 
 class Error(BaseModel):
-    """Why nothing else is answered: one shape for all."""
+    """Why a request is refused: one shape for all errors."""
 
     type: Literal["error"]
     code: Code
     message: str = Field(description="What was wrong, the bound, the value received.")
     path: str | None = Field(description="Where in a message it was; null over HTTP.")
     recoverable: bool
+    field: str | None = Field(None, description="The name of the parameter or field that is wrong.")
+    value: bool | int | float | str | None = Field(None, description="What was received there.")
     columns: list[str] | None = Field(None, description="With the code columns: those of the table.")
     guess: dict[str, str] | None = Field(
         None, description="A field, such as t, and the column that may be it."
@@ -60,9 +62,9 @@ class Health(BaseModel):
 METRICS = "text/plain; version=0.0.4; charset=utf-8"
 """As Prometheus reads them."""
 
-Told = dict[int | str, dict[str, Any]]
+Responses = dict[int | str, dict[str, Any]]
 
-_WORDS = {
+_DESCRIPTIONS = {
     400: "The connection was lost before the recording had come.",
     401: "The token is missing or another.",
     403: "The host name is not served here, or pages of this origin may not post.",
@@ -75,9 +77,9 @@ _WORDS = {
 }
 
 
-def refusals(*statuses: int) -> Told:
-    """The answers to what is refused, each in the shape of errors."""
-    return {status: {"model": Error, "description": _WORDS[status]} for status in (*statuses, 500)}
+def error_responses(*statuses: int) -> Responses:
+    """The responses to refused requests, each in the shape of errors."""
+    return {status: {"model": Error, "description": _DESCRIPTIONS[status]} for status in (*statuses, 500)}
 
 
 TABLE_PARAMETERS: list[dict[str, Any]] = [
@@ -95,15 +97,15 @@ TABLE_PARAMETERS: list[dict[str, Any]] = [
         ("cut", "string", "How a stream is cut: clicks, bursts or whole."),
     )
 ]
-"""What can be said of any table that is uploaded."""
+"""What a query may say about any table that is uploaded."""
 
 
-def holds(kind: str) -> Told:
-    """An answer that is no JSON."""
+def text_response(kind: str) -> Responses:
+    """A response that is not JSON."""
     return {200: {"description": "As text.", "content": {kind: {"schema": {"type": "string"}}}}}
 
 
-NOT_READY: Told = {503: {"model": Readiness, "description": "Not yet, or no more."}}
+NOT_READY: Responses = {503: {"model": Readiness, "description": "Not yet, or no more."}}
 PARQUET = "application/vnd.apache.parquet"
 UPLOAD: dict[str, Any] = {
     "parameters": TABLE_PARAMETERS,

@@ -1,0 +1,159 @@
+"""Which requests are answered: their ``Host`` header, the origin of the page that asks, and the token.
+
+A page of another name must not reach a service on this machine. A page that is refused is told which flag of
+``pointpred serve`` admits it, and the refusal is logged once an origin.
+"""
+
+from __future__ import annotations
+
+import logging
+import re
+from collections.abc import Awaitable, Callable, Collection, Iterable, Mapping, MutableMapping
+from ipaddress import ip_address
+from secrets import compare_digest
+from typing import Any
+from urllib.parse import parse_qs
+
+from pointpred.protocol.server_messages import ErrorMessage, encode
+
+log = logging.getLogger("pointpred.service")
+
+LOOPBACK = frozenset({"127.0.0.1", "localhost", "::1"})
+WILDCARDS = frozenset({"0.0.0.0", "::"})
+HOST = re.compile(r"(?:\[([0-9a-f:.]+)\]|([^\s:/@\[\]?#]+))(?::[0-9]{0,5})?")
+HOST_REFUSED = encode(ErrorMessage("unauthorized", "this host name is not served here"))
+ORIGIN = re.compile(r"https?://[a-z0-9._~%:\[\]-]{1,300}")
+ORIGIN_FLAG = "--allow-origin"
+MOST_ORIGINS = 64
+"""Origins that are remembered as logged: anybody can invent more."""
+FILE_PAGE = "a page opened as a file has no origin that could be allowed: serve it over http"
+
+Scope = MutableMapping[str, Any]
+Receive = Callable[[], Awaitable[MutableMapping[str, Any]]]
+Send = Callable[[MutableMapping[str, Any]], Awaitable[None]]
+Application = Callable[[Scope, Receive, Send], Awaitable[None]]
+
+
+class HostRule:
+    """Admits the loopback names, the bound address and further names.
+
+    DNS rebinding needs a name, so a service bound to every address admits every numeric address as well.
+    """
+
+    def __init__(self, bound: str = "127.0.0.1", further: Iterable[str] = ()) -> None:
+        self.names = LOOPBACK | {bound.lower()} | {name.lower() for name in further}
+        self.any_address = bound in WILDCARDS
+
+    def admits(self, header: str) -> bool:
+        """Whether a request with this ``Host`` header is answered."""
+        name = _without_port(header.strip().lower())
+        return name in self.names or (self.any_address and is_address(name))
+
+
+class HostGuard:
+    """ASGI middleware: 403 for a ``Host`` header the rule does not admit, before anything else runs."""
+
+    def __init__(
+        self,
+        app: Application,
+        rule: HostRule,
+        headers: Mapping[str, str] | None = None,
+        on_refusal: Callable[[], None] = lambda: None,
+    ) -> None:
+        """``headers`` are sent with every refusal, and ``on_refusal`` is called for it."""
+        self.app = app
+        self.on_refusal = on_refusal
+        self.headers = [(name.lower().encode(), text.encode()) for name, text in (headers or {}).items()]
+        self.rule = rule
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Pass the request on, or refuse it."""
+        if scope["type"] not in ("http", "websocket"):
+            await self.app(scope, receive, send)
+            return
+        hosts = [value.decode("latin-1") for key, value in scope["headers"] if key == b"host"]
+        if len(hosts) == 1 and self.rule.admits(hosts[0]):
+            await self.app(scope, receive, send)
+            return
+        self.on_refusal()
+        if scope["type"] == "websocket":
+            await receive()
+            await send({"type": "websocket.close", "code": 1008})
+        else:
+            headers = [(b"content-type", b"application/json"), *self.headers]
+            await send({"type": "http.response.start", "status": 403, "headers": headers})
+            await send({"type": "http.response.body", "body": HOST_REFUSED})
+
+
+def header(scope: Scope, name: bytes) -> str | None:
+    """The value of a header; several are joined by commas, as HTTP has it."""
+    values = [value.decode("latin-1") for key, value in scope["headers"] if key == name]
+    return ", ".join(values) if values else None
+
+
+def _without_port(host: str) -> str:
+    """The name or address in a ``Host`` header; empty, which no rule admits, where it is malformed."""
+    match = HOST.fullmatch(host)
+    return (match.group(1) or match.group(2)) if match else ""
+
+
+def is_address(name: str) -> bool:
+    """Whether a name is a numeric address."""
+    try:
+        ip_address(name)
+    except ValueError:
+        return False
+    return True
+
+
+def admits_origin(scope: Scope, allowed: Collection[str]) -> bool:
+    """Whether the page that asks is ours or allowed; a client without an ``Origin`` header is no page."""
+    origin = header(scope, b"origin")
+    if origin is None or origin in allowed:
+        return True
+    scheme = "https" if scope.get("scheme") in ("https", "wss") else "http"  # as a proxy says, where one is
+    return origin == f"{scheme}://{header(scope, b'host')}"
+
+
+def origin_advice(origin: str | None) -> str:
+    """What admits pages of an origin, as its ``Origin`` header has it.
+
+    >>> origin_advice("https://a.example")
+    'pages of https://a.example may not connect; pointpred serve --allow-origin https://a.example allows them'
+    """
+    if origin == "null":
+        return FILE_PAGE
+    if not is_origin(origin):
+        return f"this origin cannot be allowed; {ORIGIN_FLAG} takes one such as https://page.example"
+    return f"pages of {origin} may not connect; pointpred serve {ORIGIN_FLAG} {origin} allows them"
+
+
+def is_origin(origin: str | None) -> bool:
+    """Whether an origin is written as browsers write it; one that is not is never quoted."""
+    return origin is not None and ORIGIN.fullmatch(origin) is not None
+
+
+class RefusedOrigins:
+    """Logs the first refusal of each origin; memory is bounded."""
+
+    def __init__(self) -> None:
+        self._logged: set[str] = set()
+
+    def add(self, origin: str | None) -> None:
+        """A page of this origin was refused."""
+        advice = origin_advice(origin)
+        if advice in self._logged or len(self._logged) == MOST_ORIGINS:
+            return
+        self._logged.add(advice)
+        log.warning("a page was refused: %s", advice)
+
+
+def has_token(scope: Scope, token: str | None) -> bool:
+    """Whether a request carries the token, where one is needed."""
+    if token is None:
+        return True
+    tokens = parse_qs(scope.get("query_string", b"").decode("latin-1")).get("token", [])
+    scheme, _, credentials = (header(scope, b"authorization") or "").partition(" ")
+    if scheme.lower() == "bearer":
+        tokens.append(credentials.strip())
+    return any(compare_digest(one.encode(), token.encode()) for one in tokens)

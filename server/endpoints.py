@@ -1,0 +1,185 @@
+"""The WebSocket endpoints, ``/v1/stream`` and ``/v1/live``: who may connect, and a session for those who may.
+
+They are ASGI applications without a framework's wrapper: they run for every event.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from collections.abc import Coroutine
+from functools import partial
+from typing import Any
+
+from uvicorn.protocols.utils import ClientDisconnected
+
+from pointpred.protocol.client_messages import SUBPROTOCOL
+from pointpred.protocol.server_messages import Code, ErrorMessage, encode
+from pointpred.server.access import Scope, admits_origin, has_token, header
+from pointpred.server.compiling.parts import parts_for
+from pointpred.server.connection import LINGER_S, Connection, Message, Receive, Send
+from pointpred.server.live_feed import LiveFeed
+from pointpred.server.logs import place_of
+from pointpred.server.receive_buffer import ReceiveBuffer
+from pointpred.server.service import Service
+from pointpred.server.sessions.lifecycle import FAILED, Session
+
+log = logging.getLogger("pointpred.service")
+
+UPGRADE = b"This path speaks WebSocket, subprotocol pointpred.v1.\n"
+TOKEN_NEEDED = "show the token as ?token= or Authorization: Bearer"
+NO_DEVICE = (
+    "no device is attached; to show a mouse here, run 'pointpred live --serve' "
+    "on the machine it is plugged into"
+)
+
+
+class StreamEndpoint:
+    """``WS /v1/stream``: pointing sessions."""
+
+    def __init__(self, service: Service) -> None:
+        self.service = service
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Refuse foreign origins before the upgrade; then check the token, then the limits; then serve."""
+        if scope["type"] != "websocket":
+            await _ask_to_upgrade(send)
+            return
+        try:
+            await receive()  # websocket.connect
+            if await self._admit(scope, send):
+                await self._serve(receive, send)
+        except ClientDisconnected:
+            pass  # it left before it had a session
+
+    async def _admit(self, scope: Scope, send: Send) -> bool:
+        """Whether a session may begin; a client that is refused is told why, and counted."""
+        service = self.service
+        if not admits_origin(scope, service.settings.allow_origin):
+            service.refuse_origin(header(scope, b"origin"))
+            await send({"type": "websocket.close", "code": 1008})  # before accept: HTTP 403
+            return False
+        subprotocol = SUBPROTOCOL if SUBPROTOCOL in scope.get("subprotocols", ()) else None
+        await send({"type": "websocket.accept", "subprotocol": subprotocol})
+        if not has_token(scope, service.settings.token):
+            await self._refuse(send, "unauthorized", TOKEN_NEEDED, 1008)
+            return False
+        if service.full:
+            most = service.settings.max_sessions
+            await self._refuse(send, "too_many", f"{most} sessions are open, which is the most", 1013)
+            return False
+        return True
+
+    async def _refuse(self, send: Send, code: Code, message: str, close: int) -> None:
+        self.service.metrics.connections_refused.labels(code).inc()
+        await send_error(send, code, message, close)
+
+    async def _serve(self, receive: Receive, send: Send) -> None:
+        service = self.service
+        session = service.open_session(asyncio.get_running_loop().time())
+        buffer = None if service.compiler.over else ReceiveBuffer(receive, partial(self._prepare, session))
+        delay = service.metrics.delay.observe
+        try:
+            await self._run(Connection(session, buffer or receive, send, delay, service.scorer), send)
+        finally:
+            if buffer is not None:
+                buffer.close()
+            service.close_session(session)
+
+    async def _run(self, connection: Connection, send: Send) -> None:
+        """Run a connection; whatever breaks, the process and the other sessions go on."""
+        session = connection.session
+        try:
+            self.service.attach(session, connection)
+            await connection.run()
+        except ClientDisconnected:
+            pass  # it went away while something was sent
+        except Exception as error:
+            # The message might quote an event: the entry names the place, not the values.
+            log.error("session failed", extra={"session": session.name, "error": place_of(error)})
+            session.fail()
+            await send_error(send, "internal", FAILED, 1011)
+
+    def _prepare(self, session: Session, message: Message) -> Coroutine[Any, Any, None] | None:
+        """Compile what a message needs before the session gets it; its first event would wait for it."""
+        compiler = self.service.compiler
+        if message["type"] != "websocket.receive" or compiler.over:
+            return None
+        frame = message.get("bytes")
+        names = compiler.missing(parts_for(message["text"] if frame is None else frame))
+        return self._wait(session, names) if names else None
+
+    async def _wait(self, session: Session, names: list[str]) -> None:
+        session.waits_for_compiler = True
+        try:
+            await self.service.compiler.until(names)
+        finally:
+            session.waits_for_compiler = False
+
+
+class LiveEndpoint(StreamEndpoint):
+    """``WS /v1/live``: viewers of the attached device; the same origins, token and limits as for sessions."""
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Refuse foreign origins, then everybody where nothing is attached, then as for sessions."""
+        try:
+            await receive()  # websocket.connect
+            if self._nothing_attached(scope):
+                self.service.metrics.connections_refused.labels("out_of_place").inc()
+                await _send_not_found(scope, send)
+            elif await self._admit(scope, send) and (feed := self.service.live) is not None:
+                await self._show(feed, receive, send)
+        except ClientDisconnected:
+            pass  # it left before it saw anything
+
+    def _nothing_attached(self, scope: Scope) -> bool:
+        """Whether to answer that no device is attached, which only clients learn that may connect."""
+        settings = self.service.settings
+        return (
+            self.service.live is None
+            and admits_origin(scope, settings.allow_origin)
+            and has_token(scope, settings.token)
+        )
+
+    async def _show(self, feed: LiveFeed, receive: Receive, send: Send) -> None:
+        service = self.service
+        viewer = service.open_viewer(asyncio.get_running_loop().time())
+        connection = Connection(viewer, receive, send, lambda seconds: None)  # it sends nothing to predict
+        try:
+            feed.join(viewer, connection.wake)
+            await self._run(connection, send)
+        finally:
+            feed.leave(viewer)
+            service.close_session(viewer)
+
+
+async def send_error(send: Send, code: Code, message: str, close: int) -> None:
+    """An error and the close, where the client takes them."""
+    text = encode(ErrorMessage(code, message, None, recoverable=False)).decode()
+    try:
+        async with asyncio.timeout(LINGER_S):
+            await send({"type": "websocket.send", "text": text})
+            await send({"type": "websocket.close", "code": close, "reason": message[:120]})
+    except (OSError, RuntimeError) as error:  # a timeout is an OSError
+        log.info("a client left before it was told why", extra={"code": code, "error": place_of(error)})
+
+
+async def _ask_to_upgrade(send: Send) -> None:
+    headers = [
+        (b"content-type", b"text/plain; charset=utf-8"),
+        (b"connection", b"upgrade"),
+        (b"upgrade", b"websocket"),
+    ]
+    await send({"type": "http.response.start", "status": 426, "headers": headers})
+    await send({"type": "http.response.body", "body": UPGRADE})
+
+
+async def _send_not_found(scope: Scope, send: Send) -> None:
+    """404 before the upgrade, with the error in it where the server can send it."""
+    if "websocket.http.response" not in scope.get("extensions", {}):
+        await send({"type": "websocket.close", "code": 1008})
+        return
+    body = encode(ErrorMessage("out_of_place", NO_DEVICE, None))
+    headers = [(b"content-type", b"application/json"), (b"content-length", str(len(body)).encode())]
+    await send({"type": "websocket.http.response.start", "status": 404, "headers": headers})
+    await send({"type": "websocket.http.response.body", "body": body})

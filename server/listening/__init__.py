@@ -1,1 +1,0 @@
-"""uvicorn, with bounds on what a client may do below the messages."""

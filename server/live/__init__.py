@@ -1,1 +1,0 @@
-"""The attached device: its feed and those who look on."""

@@ -1,0 +1,222 @@
+"""One pointing session without a socket: frames in, frames out, and when to close."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import partial
+from pathlib import Path
+from typing import Any, ClassVar
+
+from pointpred.columns import FloatArray
+from pointpred.errors import EventError
+from pointpred.protocol.client_messages import (
+    VERSION,
+    Bye,
+    ClientMessage,
+    Configure,
+    Events,
+    Hello,
+    Person,
+    Reset,
+    Targets,
+    TrialMark,
+)
+from pointpred.protocol.decoding import decode_client_message, row_of, table_of_bytes, table_of_rows
+from pointpred.protocol.errors import ProtocolError
+from pointpred.protocol.records import EVENT, unpack_event
+from pointpred.protocol.server_messages import (
+    KnownPerson,
+    Limits,
+    ServerMessage,
+    TargetsTaken,
+    Welcome,
+)
+from pointpred.server.sessions.assisted_stream import open_stream
+from pointpred.server.sessions.lifecycle import TRANSITIONS, TRIGGERS, Session, State, Trigger
+from pointpred.server.sessions.pipelines import NO_COEFFICIENTS
+from pointpred.server.sessions.prediction_stream import PredictionStream, SessionObserver
+
+RECORD_BYTES = EVENT.itemsize
+CLOSED, STREAMING = State.CLOSED, State.STREAMING
+Handler = Callable[[Any, Any, float], ServerMessage | None]
+
+
+class PointingSession(Session):
+    """The server's side of one connection to ``/v1/stream``.
+
+    ``observe`` opens, at the client's hello, what is told of the session's events, such as a recording.
+    ``coefficients``: the files that the client may ask for by name.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        limits: Limits,
+        now: float,
+        observe: Callable[[str, Hello], SessionObserver | None] | None = None,
+        coefficients: Mapping[str, Path] = NO_COEFFICIENTS,
+    ) -> None:
+        super().__init__(name, limits, now)
+        self.stream: PredictionStream | None = None
+        self._observe = observe
+        self._coefficients = coefficients
+
+    @property
+    def events(self) -> int:
+        """How many events the session has taken in."""
+        return self.stream.events if self.stream else 0
+
+    def receive(self, frame: str | bytes, now: float) -> None:
+        """Take in one frame, as ``Session.receive``; what is left to do for the frame before comes first."""
+        if self.work is not None:
+            self.finish(self.work())
+        stream = self.stream
+        if stream is not None and self.state is not CLOSED:
+            if now > self.last_received:  # a frame that was kept waiting came before
+                self.last_received = now
+            # Most frames of a fast device, and cheap: one packed event with nothing wrong about it.
+            if (
+                len(frame) == RECORD_BYTES
+                and isinstance(frame, bytes)
+                and self._receive_event(stream, frame, now)
+            ):
+                return
+        super().receive(frame, now)
+
+    def _receive_event(self, stream: PredictionStream, frame: bytes, now: float) -> bool:
+        """Predict from one packed event; False, and nothing taken, where there is more to do for it."""
+        rate = self._quota.events
+        if not rate.take(1, now):
+            return False
+        if not stream.feed_event(unpack_event(frame), self.outbox):
+            rate.give_back(1)
+            return False
+        if self.state is not STREAMING:
+            self.move(Trigger.EVENTS)
+        return True
+
+    def _receive(self, frame: str | bytes, now: float) -> None:
+        try:
+            if isinstance(frame, str):
+                self._receive_message(self._decode(frame, now), now)
+                return
+            self._quota.take_events(len(frame) // RECORD_BYTES, now)
+            if self.stream is None:
+                raise _no_hello("a binary frame")
+            self._feed(self.stream, table_of_bytes(frame))
+        except EventError as error:
+            raise ProtocolError("bad_field", str(error), "$.events") from None
+
+    def _decode(self, text: str, now: float) -> ClientMessage:
+        """A message; raises ProtocolError, a text that is no message having been counted."""
+        try:
+            return decode_client_message(text)
+        except ProtocolError:
+            self._quota.take_invalid(text, now)
+            raise
+
+    def _receive_message(self, message: ClientMessage, now: float) -> None:
+        kind = type(message)
+        in_place = TRIGGERS.get(kind, Trigger.MESSAGE) in TRANSITIONS[self.state]
+        if kind is not Bye and not (kind is Events and in_place):  # events have a limit of their own
+            self._quota.take_message(now)
+        if not in_place:
+            if kind is Hello:
+                raise ProtocolError("out_of_place", f"expected 'hello' once, the session is {self.state}")
+            raise _no_hello(repr(message.__struct_config__.tag))
+        reply = self.handlers[kind](self, message, now)
+        if reply is not None:
+            self.send(reply)
+
+    @property
+    def _open_stream(self) -> PredictionStream:
+        """The stream, which every state but the first has."""
+        assert self.stream is not None
+        return self.stream
+
+    def handle_hello(self, message: Hello, now: float) -> Welcome:
+        """Open the stream that the client asks for."""
+        if message.version != VERSION:
+            sentence = f"version must be {VERSION}, received {message.version}"
+            raise ProtocolError("bad_field", sentence, "$.version")
+        stream = open_stream(message, self._coefficients)
+        stream.observer = self._observe(self.name, message) if self._observe else None
+        self.stream = stream
+        self.move(Trigger.HELLO)
+        self.last_received = max(now, self.last_received)
+        return self._welcome()
+
+    def handle_events(self, message: Events, now: float) -> None:
+        """Predict from events in JSON."""
+        stream, rows = self._open_stream, message.events
+        self._quota.take_events(len(rows), now)
+        if len(rows) == 1 and stream.feed_event(row_of(rows[0]), self.outbox):
+            self.move(Trigger.EVENTS)
+        else:
+            self._feed(stream, table_of_rows(rows))
+
+    def handle_targets(self, message: Targets, now: float) -> TargetsTaken:
+        """Replace the set of targets."""
+        self._quota.check_targets(message.targets)
+        self._open_stream.replace_targets(message.targets, self.outbox)
+        self._quota.weigh_events(len(message.targets))
+        return TargetsTaken(len(message.targets))
+
+    def handle_trial(self, message: TrialMark, now: float) -> None:
+        """Start a trial, or end it: its score is sent once the work is done."""
+        stream = self._open_stream
+        if message.action == "start":
+            stream.start_trial(message.target)
+            return
+        scoring = stream.end_trial(message.target)
+        self.work = lambda: partial(self.send, scoring())
+
+    def handle_configure(self, message: Configure, now: float) -> Welcome:
+        """Change the predictor, its parameters or the kind of reply."""
+        self._open_stream.configure(message)
+        return self._welcome()
+
+    def handle_reset(self, message: Reset, now: float) -> None:
+        """Forget every event."""
+        self._open_stream.reset()
+
+    def handle_person(self, message: Person, now: float) -> KnownPerson:
+        """Send what is known of the person."""
+        return KnownPerson(self._open_stream.person(message.person))
+
+    def handle_bye(self, message: Bye, now: float) -> None:
+        """Close as the client asks."""
+        self.end(1000, message.reason or "bye")
+
+    handlers: ClassVar[Mapping[type[ClientMessage], Handler]] = {
+        Hello: handle_hello,
+        Events: handle_events,
+        Targets: handle_targets,
+        TrialMark: handle_trial,
+        Configure: handle_configure,
+        Reset: handle_reset,
+        Person: handle_person,
+        Bye: handle_bye,
+    }
+    """The method for each message. It returns the message that answers, if any, and raises ProtocolError."""
+
+    def end(self, code: int, reason: str) -> None:
+        """As ``Session.end``; the observer is told, too."""
+        if self.state is not CLOSED and self.stream is not None and self.stream.observer is not None:
+            self.stream.observer.close()
+        super().end(code, reason)
+
+    def _feed(self, stream: PredictionStream, table: FloatArray) -> None:
+        error, dropped = stream.feed(table, self.outbox)
+        self.work, stream.work = stream.work, None
+        if len(table):
+            self.move(Trigger.EVENTS)
+        if error is not None:
+            self.refuse(error, dropped)
+
+    def _welcome(self) -> Welcome:
+        return Welcome(VERSION, self.name, self._open_stream.hello.predictor, self.limits)
+
+
+def _no_hello(received: str) -> ProtocolError:
+    return ProtocolError("out_of_place", f"expected 'hello' first, received {received}")

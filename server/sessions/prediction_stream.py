@@ -1,0 +1,234 @@
+"""The predicting side of a session: events in, frames of predictions out."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import partial
+from pathlib import Path
+from typing import Protocol
+
+import numpy as np
+from msgspec import structs
+
+from pointpred.columns import EventColumns, FloatArray, PredictionColumns
+from pointpred.person import portable, restore
+from pointpred.pipeline import run
+from pointpred.protocol.client_messages import Configure, Goal, Hello, Target
+from pointpred.protocol.decoding import check_numbers
+from pointpred.protocol.errors import ProtocolError
+from pointpred.protocol.frames import Frame, prediction_frames, row_encoder
+from pointpred.protocol.server_messages import ErrorMessage, Likely
+from pointpred.server.sessions.lifecycle import Work
+from pointpred.server.sessions.outbox import Outbox
+from pointpred.server.sessions.pipelines import NO_COEFFICIENTS, cpi_of, dpi_of, pipeline_of
+from pointpred.server.sessions.target_tracker import Changes, TargetTracker
+from pointpred.server.sessions.trials import Scoring, TrialBuffer, with_outcome
+
+NEVER = float("-inf")
+NO_RESETS = np.zeros(100_000, np.bool_)
+"""A frame resets nothing between its events; as long as the longest frame that settings allow."""
+
+
+class SessionObserver(Protocol):
+    """What is told of a session's events, such as a recorder; no method may raise."""
+
+    def configure(self, hello: Hello) -> None:
+        """The predictor and its parameters from now on."""
+
+    def events(self, table: EventColumns, predictions: PredictionColumns) -> None:
+        """The events that the pipeline took in, and the prediction after each."""
+
+    def trial(self, action: str, target: Goal | None = None) -> None:
+        """A trial starts or ends."""
+
+    def close(self) -> None:
+        """The session has ended."""
+
+
+class PredictionStream:
+    """A pipeline as a client asked for it, the targets it decides among, and the trial that is marked."""
+
+    def __init__(
+        self,
+        hello: Hello,
+        observer: SessionObserver | None = None,
+        coefficients: Mapping[str, Path] = NO_COEFFICIENTS,
+    ) -> None:
+        """Raises ProtocolError for an unknown predictor, a wrong parameter or an unusable person.
+
+        ``coefficients``: the files that the client may ask for by name.
+        """
+        self._build = partial(pipeline_of, coefficients=coefficients)
+        self.pipeline = self._build(hello)
+        self.hello = structs.replace(hello, person="")  # the pipeline knows it, and learns on
+        self.precision: float | None = None
+        """The share of proposals that shall be right, where the client has chosen it."""
+        self.tracker: TargetTracker | None = None
+        """Decides among the targets, where there are any."""
+        self.events = 0
+        """Events taken in."""
+        self.observer = observer
+        self.work: Work | None = None
+        """What is to be run before the next frame is taken in."""
+        self._binary = hello.encoding == "binary"
+        self._encode_row = row_encoder(binary=self._binary)
+        self._last_t = NEVER
+        self._trial = TrialBuffer()
+
+    def feed(self, table: FloatArray, outbox: Outbox) -> tuple[ErrorMessage | None, int]:
+        """Predict; events before the last one are dropped, the rest of the frame is used.
+
+        Returns the error for the dropped events, and how many they are. Raises ProtocolError, nothing
+        changed, where a number cannot be used.
+        """
+        error, used, count = None, table, len(table)
+        predictions = self.pipeline.advance_all(NO_RESETS[:count], table)
+        if predictions is None:  # the pipeline finds that something is wrong, the protocol says where
+            check_numbers(table)
+            error, used = self._in_order(table)
+            predictions = run(self.pipeline, EventColumns(used)).table
+        if len(used):
+            self._record(used, predictions)
+            self._reply(used, predictions, outbox)
+        return error, count - len(used)
+
+    def feed_event(self, row: tuple[float, ...], outbox: Outbox) -> bool:
+        """``feed`` for the one event of most frames, without a table: the same steps, the same answer.
+
+        False, and nothing changed, where the event is refused, somebody observes, a trial runs or there are
+        targets: then ``feed`` has to be called.
+        """
+        if self.observer or self._trial.running or self.tracker:
+            return False
+        prediction = self.pipeline.advance(row)
+        if prediction is None:
+            return False
+        self.events += 1
+        self._last_t = row[0]
+        outbox.predict([self._encode_row(prediction)], 1)
+        return True
+
+    def _reply(self, events: FloatArray, predictions: FloatArray, outbox: Outbox) -> None:
+        """Put the predictions into the outbox, after their choices; many targets make that ``work``."""
+        tracker = self.tracker
+        if tracker is None:
+            outbox.predict(*self._frames(predictions))
+            return
+        follow = partial(tracker.follow, events, predictions, each=self.hello.reply == "event")
+
+        def send(changes: Changes) -> None:
+            tracker.announce(changes.choices)
+            outbox.predict(*self._frames(predictions, changes.likely))
+
+        if tracker.takes_long(len(events)):
+            self.work = lambda: partial(send, follow())
+        else:
+            send(follow())
+
+    def _frames(
+        self, predictions: FloatArray, likely: list[list[Likely]] | None = None
+    ) -> tuple[list[Frame], int]:
+        each = self.hello.reply == "event"
+        return prediction_frames(predictions, binary=self._binary, each=each, likely=likely)
+
+    def configure(self, message: Configure) -> None:
+        """Another predictor or other parameters begin without memory; raises ProtocolError, nothing changed.
+
+        Parameters add to those chosen before, but another predictor begins with its own. What is known of
+        the person stays while the predictor has the same name and learns. A running trial goes on, and is
+        scored with the predictor it ends with.
+        """
+        self._check_assist(message)
+        another = message.predictor is not None
+        parameters = {} if another else self.hello.parameters
+        hello = structs.replace(
+            self.hello,
+            predictor=self.hello.predictor if message.predictor is None else message.predictor,
+            parameters={**parameters, **message.parameters},
+            reply=message.reply or self.hello.reply,
+            assist=message.assist or self.hello.assist,
+        )
+        if another or message.parameters:
+            pipeline = self._build(hello)
+            if pipeline.name == self.pipeline.name and portable(pipeline.predictor):
+                restore(pipeline.predictor, self.pipeline.person)
+            self.pipeline = pipeline
+            self._forget()
+        self.hello = hello
+        if message.precision is not None:
+            self.precision = message.precision
+            if self.tracker:
+                self.tracker.configure(message.precision)
+        if self.observer:
+            self.observer.configure(hello)
+
+    def replace_targets(self, targets: list[Target], outbox: Outbox) -> None:
+        """Replace the set of targets; raises ProtocolError, nothing changed."""
+        tracker = self.tracker or TargetTracker(outbox, self.precision)
+        tracker.replace(targets)
+        self.tracker = tracker if targets else None
+
+    def reset(self) -> None:
+        """Forget every event: the next one starts a movement."""
+        self.pipeline.reset()
+        self._forget()
+
+    def person(self, replacement: str | None) -> str:
+        """What is known of the person; with a ``replacement`` the session begins anew, knowing that.
+
+        Raises ProtocolError for what the predictor cannot use, nothing changed.
+        """
+        if replacement is not None:
+            self.pipeline = self._build(structs.replace(self.hello, person=replacement))
+            self._forget()
+        return self.pipeline.person
+
+    def start_trial(self, goal: Goal | None) -> None:
+        """A movement starts at the next event; its events are kept until the trial ends."""
+        self._trial.start(goal)
+        self.reset()
+        if self.observer:
+            self.observer.trial("start", goal)
+
+    def end_trial(self, goal: Goal | None) -> Scoring:
+        """The function that scores the trial; raises ProtocolError where none was started."""
+        if not self._trial.running:
+            sentence = "expected 'trial' with action 'start' before 'end'"
+            raise ProtocolError("out_of_place", sentence, "$.action")
+        if self.observer:
+            self.observer.trial("end", goal)
+        outcome = self.tracker.finish_trial(goal or self._trial.goal) if self.tracker else None
+        scoring = self._trial.end(goal, self.pipeline, cpi_of(self.hello), dpi_of(self.hello))
+        return scoring if outcome is None else partial(with_outcome, scoring, outcome)
+
+    def _check_assist(self, message: Configure) -> None:
+        if message.assist is not None:
+            sentence = "expected assistance to be asked for in 'hello'; it may be changed afterwards"
+            raise ProtocolError("out_of_place", sentence, "$.assist")
+
+    def _forget(self) -> None:
+        self._last_t = NEVER
+        if self.tracker:
+            self.tracker.reset()
+
+    def _record(self, table: FloatArray, predictions: FloatArray) -> None:
+        """Note events that were used: how many, the time of the last, for the trial and the observer."""
+        self.events += len(table)
+        self._last_t = float(table[-1, 0])
+        self._trial.add(table)
+        if self.observer:
+            self.observer.events(EventColumns(table), PredictionColumns(predictions))
+
+    def _in_order(self, table: FloatArray) -> tuple[ErrorMessage | None, FloatArray]:
+        """The error for the events that run backwards, and the events that do not."""
+        t = table[:, 0]
+        before = np.maximum.accumulate(np.concatenate([[self._last_t], t[:-1]]))
+        late = t < before
+        if not late.any():
+            return None, table
+        row, more = int(late.argmax()), int(late.sum()) - 1
+        also = f" ({more} more in this frame)" if more else ""
+        time = float(t[row])
+        sentence = f"t must not run backwards: {time!r} s after {float(before[row])!r} s; dropped{also}"
+        error = ErrorMessage("out_of_order", sentence, f"$.events[{row}][0]", field="t", value=time)
+        return error, table[~late]

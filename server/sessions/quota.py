@@ -1,0 +1,72 @@
+"""How much a session may send: the bytes and events of a frame, events and messages a second, targets."""
+
+from __future__ import annotations
+
+from pointpred.protocol.client_messages import Target
+from pointpred.protocol.errors import ProtocolError
+from pointpred.protocol.server_messages import Limits
+from pointpred.protocol.token_bucket import TokenBucket
+
+MESSAGES_PER_S = 500
+"""Messages other than events, a second: two for each refresh of a fast display."""
+BYTES_A_MESSAGE = 4096
+"""A frame that cannot be used counts once more for each so many bytes: finding what is wrong takes time."""
+TARGETS_AN_EVENT = 64
+"""An event counts once more for each so many targets: each target is looked at."""
+
+
+class Quota:
+    """The limits of one session; every check raises ProtocolError."""
+
+    def __init__(self, limits: Limits, now: float) -> None:
+        self.limits = limits
+        self.events = TokenBucket(limits.max_events_per_s, now)
+        self._weight = 1  # what an event counts
+        self._messages = TokenBucket(MESSAGES_PER_S, now)
+
+    def check_size(self, frame: str | bytes) -> None:
+        """The bytes of a frame; the session ends where it holds more."""
+        most, size = self.limits.max_frame_bytes, len(frame)
+        # A character takes at most four bytes: most texts need not be encoded to be measured.
+        if isinstance(frame, str) and most < 4 * size <= 4 * most:
+            size = len(frame.encode(errors="surrogatepass"))
+        if size > most:
+            sentence = f"a frame holds at most {most} bytes, received {size}"
+            raise ProtocolError("too_large", sentence, close=1009)
+
+    def take_events(self, count: int, now: float) -> None:
+        """The events of a frame, and of the last second; a frame without any counts as one."""
+        most = self.limits.max_events_per_frame
+        if count > most:
+            sentence = f"a frame holds at most {most} events, received {count}"
+            raise ProtocolError("too_large", sentence, "$.events", close=1009)
+        if not self.events.take((count or 1) * self._weight, now):
+            sentence = f"at most {self.limits.max_events_per_s // self._weight} events a second"
+            sentence += " with so many targets" if self._weight > 1 else ""
+            raise ProtocolError("too_fast", sentence, close=1008)
+
+    def take_message(self, now: float, count: int = 1) -> None:
+        """A message other than events; the session ends where there are more in a second."""
+        if not self._messages.take(count, now):
+            sentence = f"at most {MESSAGES_PER_S} messages a second beside events; a long one counts more"
+            raise ProtocolError("too_fast", sentence, close=1008)
+
+    def take_invalid(self, frame: str, now: float) -> None:
+        """A text that is not a message."""
+        self.take_message(now, 1 + len(frame) // BYTES_A_MESSAGE)
+
+    def check_targets(self, targets: list[Target]) -> None:
+        """The number of targets, and that no two have the same id."""
+        count, most = len(targets), self.limits.max_targets
+        if count > most:
+            raise ProtocolError("too_many", f"at most {most} targets, received {count}", "$.targets")
+        ids: set[str] = set()
+        for place, target in enumerate(targets):
+            if target.id in ids:
+                sentence, path = f"id {target.id!r} occurs twice", f"$.targets[{place}].id"
+                raise ProtocolError("bad_field", sentence, path, field="id", value=target.id)
+            ids.add(target.id)
+
+    def weigh_events(self, targets: int) -> None:
+        """From now on, each event counts as ``targets`` targets make it cost."""
+        self._weight = 1 + targets // TARGETS_AN_EVENT

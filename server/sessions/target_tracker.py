@@ -1,0 +1,116 @@
+"""The targets of a session: how likely each is, which is proposed, and how good the proposals were."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from pointpred.columns import FloatArray
+from pointpred.errors import ParameterError
+from pointpred.protocol.client_messages import Goal, Target
+from pointpred.protocol.errors import ProtocolError
+from pointpred.protocol.server_messages import Choice, Likely
+from pointpred.server.sessions.outbox import Outbox
+from pointpred.targets import Choice as Change
+from pointpred.targets import Chooser
+from pointpred.targets import Target as Rectangle
+
+LIKELIEST = 5
+"""Targets that are sent with a prediction."""
+PRECISION = next(bound for bound in Chooser.parameters if bound.name == "precision")
+
+AT_ONCE = 4096
+"""Events times targets that are processed while other sessions wait: about a millisecond."""
+
+
+class Changes(NamedTuple):
+    """What events lead to: choices with their times, and the likeliest targets for each prediction sent."""
+
+    choices: list[tuple[float, Change]]
+    likely: list[list[Likely]]
+
+
+class Outcome(NamedTuple):
+    """How good the proposals of a trial were, as in ``Score``."""
+
+    fired: int
+    hit: bool
+    wasted: int
+    lead_s: float | None
+
+
+class TargetTracker:
+    """Decides among the targets of a session; what it proposes and retracts goes into the outbox.
+
+    Memory: the chooser's, which grows with the targets only.
+    """
+
+    def __init__(self, outbox: Outbox, precision: float | None = None) -> None:
+        self._outbox = outbox
+        self._chooser = Chooser()
+        self._targets: Sequence[Target] = ()
+        self._last_t: float | None = None
+        if precision is not None:
+            self.configure(precision)
+
+    def configure(self, precision: float) -> None:
+        """The share of proposals that shall be right, brought within the bounds of the chooser."""
+        self._chooser.configure(precision=min(max(precision, PRECISION.low), PRECISION.high))
+
+    def replace(self, targets: Sequence[Target]) -> None:
+        """Replace the targets; a proposal of one that is gone is retracted. Raises ProtocolError."""
+        rectangles = [Rectangle(one.id, one.x, one.y, one.width, one.height, one.weight) for one in targets]
+        try:
+            changes = self._chooser.replace(rectangles)
+        except ParameterError as error:
+            raise ProtocolError(
+                "bad_field", str(error), "$.targets", field=error.field, value=error.value
+            ) from None
+        self._targets = targets
+        self.announce([(self._last_t, change) for change in changes])
+
+    def reset(self) -> None:
+        """Forget every event; what is proposed is retracted."""
+        proposed = (self._chooser.standing, self._chooser.entered)
+        self.announce([(self._last_t, Change(id, 0.0, "retract")) for id in proposed if id is not None])
+        self._chooser.reset()
+        self._last_t = None
+
+    def takes_long(self, events: int) -> bool:
+        """Whether so many events would keep other sessions waiting."""
+        return events * len(self._targets) > AT_ONCE
+
+    def follow(self, table: FloatArray, predictions: FloatArray, *, each: bool) -> Changes:
+        """Decide after events and their predictions; any thread may run it.
+
+        ``each``: the likeliest targets after each event, otherwise after the last.
+        """
+        last = len(table) if each else 1
+        changes, likely = self._chooser.follow(table, predictions, most=LIKELIEST, last=last)
+        self._last_t = float(table[-1, 0])
+        return Changes(changes, [[Likely(str(id), p) for id, p in one] for one in likely])
+
+    def announce(self, choices: Sequence[tuple[float | None, Change]]) -> None:
+        """Send choices to the client."""
+        for t, (id, p, action, reason) in choices:
+            self._outbox.add_choice(Choice(str(id), p, action, t, reason))
+
+    def finish_trial(self, goal: Goal | None) -> Outcome | None:
+        """Finish the movement: how good its proposals were, ``None`` where the goal is unknown."""
+        if goal is None:
+            return None
+        movement = self._chooser.finish(self._target_at(goal))
+        return Outcome(movement.proposed, movement.hit, movement.wasted, movement.lead_entry_s)
+
+    def _target_at(self, goal: Goal) -> str | None:
+        """The target that holds the goal's centre, the one with the nearest centre; ``None`` without any."""
+
+        def distance(one: Target) -> tuple[float, float]:
+            return abs(one.x + one.width / 2 - goal.x), abs(one.y + one.height / 2 - goal.y)
+
+        around = [
+            one
+            for one in self._targets
+            if distance(one)[0] <= one.width / 2 and distance(one)[1] <= one.height / 2
+        ]
+        return min(around, key=lambda one: sum(distance(one))).id if around else None
