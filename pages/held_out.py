@@ -26,16 +26,16 @@ from pointpred.predictors import KinematicPredictor
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording
 from pointpred.scoring import resolution
-from pointpred.training import people, train
+from pointpred.training import data, train
 from pointpred.training.__main__ import in_one_thread
+from pointpred.training.data import TrainingData
 from pointpred.training.examples import Examples
 from pointpred.training.fitting import Settings
-from pointpred.training.people import School
 
 CODE = (
-    *("training/[!pv]*", "training/people*", "training/variants*"),  # not the page, nor the validation
+    "training/*",
     *("predictors/kinematic/*", "predictors/m[io]*", "predictors/predictor*", "differentiators/*"),
-    *("scoring/*", "sources/*", "recording*", "columns*", "registry*"),
+    *("scoring/**/*", "sources/**/*", "recording*", "columns*", "registry*"),
 )
 """What the coefficients hang on."""
 SET_OUT, PEOPLE_OUT = " (set left out)", " (people left out)"
@@ -100,7 +100,7 @@ def place(folder: Path) -> Path:
 
 def held_out(folder: Path | None) -> HeldOut:
     """The coefficients, from the cache or fitted now, in a process of one thread so that sums repeat."""
-    if folder is None or not any((folder / f"{name}_samples.parquet").is_file() for name in people.SETS):
+    if folder is None or not any((folder / f"{name}_samples.parquet").is_file() for name in data.SETS):
         return HeldOut({}, [], {})
     where = place(folder)
     if not where.is_dir():
@@ -118,7 +118,7 @@ def stored(where: Path) -> HeldOut:
     return HeldOut(sets, folds, json.loads((where / "people.json").read_text(encoding="utf-8")))
 
 
-def fit(school: School, settings: Settings, where: Path) -> None:
+def fit(school: TrainingData, settings: Settings, where: Path) -> None:
     """Fit all networks and write them. The regions of each are calibrated on people its table may know.
 
     A fold's table comes from the people of the other folds. A left-out set's table comes from people of the
@@ -133,29 +133,29 @@ def fit(school: School, settings: Settings, where: Path) -> None:
     fold_of = {}
     for k, (users, fitted) in enumerate(nets):
         others = [net for place, net in enumerate(nets) if place != k]
-        train.save(where / f"fold {k}.npz", fitted, train.table_of(school, others, settings), {})
+        train.save(where / f"fold {k}.npz", fitted, train.calibration_table(school, others, settings), {})
         fold_of |= {name: k for name, user in school.users.items() if user in users}
     (where / "people.json").write_text(json.dumps(fold_of), encoding="utf-8")
     for name, number in everybody.items() if len(everybody) > 1 else ():
         rest = msgspec.structs.replace(school, own=tuple(_without(school, number)))
-        table = train.table_of(rest, nets, settings)
-        train.save(where / f"set {name}.npz", train.taught(school, set(), number, settings), table, {})
+        table = train.calibration_table(rest, nets, settings)
+        train.save(where / f"set {name}.npz", train.fit_without(school, set(), number, settings), table, {})
         say(f"{name} left out")
 
 
-def _without(school: School, number: int) -> Iterator[Examples]:
+def _without(school: TrainingData, number: int) -> Iterator[Examples]:
     return (part for k, part in enumerate(school.own) if k != number)
 
 
 def main(arguments: list[str]) -> None:
     """Fit, into the folder named or into the cache; the folder appears only when it is complete."""
-    folder = people.folder()
+    folder = data.folder()
     where = Path(*arguments) if arguments else place(folder)
     if where.exists():
         raise SystemExit(f"{where} is there already: remove it, or name another folder")
     where.parent.mkdir(parents=True, exist_ok=True)
     settings = Settings()
-    school = people.school(people.read_sets(folder), settings.seed, lambda what: print(what, flush=True))
+    school = data.training_data(data.read_sets(folder), settings.seed, lambda what: print(what, flush=True))
     with tempfile.TemporaryDirectory(dir=where.parent) as made:
         whole = Path(made) / "made"
         whole.mkdir()

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from pointpred.recording import Recording
-from pointpred.training import calibrate, people, train
+from pointpred.training import calibration, data, train
 from pointpred.training.fitting import Settings
 
 
@@ -24,15 +24,15 @@ def coefficients(where: Path) -> Iterator[tuple[Recording, Path]]:
 
     The calibration of a fifth comes from the other fifths. Files are kept in ``where`` and used again.
     """
-    sets, settings = people.read_sets(people.folder()), Settings()
-    school = people.school(sets, settings.seed, say)
+    sets, settings = data.read_sets(data.folder()), Settings()
+    school = data.training_data(sets, settings.seed, say)
     of = school.fold()
-    if not all((where / f"fold{number}.npz").is_file() for number in range(people.FOLDS)):
+    if not all((where / f"fold{number}.npz").is_file() for number in range(data.FOLDS)):
         nets = train.folds(school, settings, say)
-        held = [train.held_out(school, fitted, users, settings) for users, fitted in nets]
+        held = [train.claims_about(school, fitted, users, settings) for users, fitted in nets]
         for number, (_, fitted) in enumerate(nets):
             others = [one for place, one in enumerate(held) if place != number and one is not None]
-            table = calibrate.calibrated(calibrate.joined(others))
+            table = calibration.fit_table(calibration.join(others))
             train.save(where / f"fold{number}.npz", fitted, table, {})
     for recording in sets:
         folds = np.array([of[school.users[f"{recording.name} {one.user}"]] for one in recording.trials])

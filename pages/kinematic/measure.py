@@ -14,20 +14,20 @@ from pages import DOCS
 from pointpred.columns import FloatArray
 from pointpred.predictors.kinematic import features
 from pointpred.scoring import SetScore, score
-from pointpred.training import calibrate, people
+from pointpred.training import calibration, data
 from pointpred.training.__main__ import in_one_thread
-from pointpred.training.calibrate import Held
+from pointpred.training.calibration import Claims
+from pointpred.training.custom import known_by_set, of_users, pipeline_of
+from pointpred.training.data import Say, TrainingData
 from pointpred.training.fitting import Fitted, Settings
-from pointpred.training.own import known_by_set, of_users, pipeline_of
-from pointpred.training.people import Say, School
-from pointpred.training.train import Nets, folds, taught
+from pointpred.training.train import Nets, fit_without, folds
 
 
 class Verdict(msgspec.Struct, frozen=True):
     """One set scored with networks that did not know its people, or did not know it at all."""
 
     score: SetScore
-    known: Held
+    known: Claims
     """Claims, calibrated, and how they turned out."""
     clock: tuple[float, float]
     """Error of the time left in s, and that of a clock that knows the set's median time."""
@@ -40,7 +40,7 @@ class Validation(msgspec.Struct, frozen=True):
     set_out: tuple[Verdict, ...]
 
 
-def validate(school: School, settings: Settings, say: Say, nets: Nets | None = None) -> Validation:
+def validate(school: TrainingData, settings: Settings, say: Say, nets: Nets | None = None) -> Validation:
     """Hold out users in folds, and each set in turn; the project's scorer judges.
 
     The table of a fold comes from the people of the other folds, that of a set left out from the people
@@ -51,7 +51,7 @@ def validate(school: School, settings: Settings, say: Say, nets: Nets | None = N
     tables = []
     for place in range(len(nets)):
         others = [one for k, row in enumerate(known) if k != place for one in row.values()]
-        tables.append(calibrate.calibrated(calibrate.joined(others)))
+        tables.append(calibration.fit_table(calibration.join(others)))
     users_out, set_out = [], []
     for number, recording in enumerate(school.recordings):
         runs = [
@@ -64,8 +64,8 @@ def validate(school: School, settings: Settings, say: Say, nets: Nets | None = N
     everybody = set(school.users.values())
     for number, recording in enumerate(school.recordings):
         others = [one for row in known for k, one in row.items() if k != number]
-        fitted = taught(school, set(), number, settings)
-        table = calibrate.calibrated(calibrate.joined(others))
+        fitted = fit_without(school, set(), number, settings)
+        table = calibration.fit_table(calibration.join(others))
         set_out.append(_judged(school, number, everybody, fitted, table, settings))
         say(f"{recording.name}: set left out {ratio(set_out[-1].score):.3f} of hold")
     return Validation(tuple(users_out), tuple(set_out))
@@ -78,7 +78,7 @@ def ratio(score: SetScore) -> float:
 
 
 def _judged(
-    school: School, number: int, users: set[int], fitted: Fitted, table: FloatArray, settings: Settings
+    school: TrainingData, number: int, users: set[int], fitted: Fitted, table: FloatArray, settings: Settings
 ) -> Verdict:
     """A set's trials by some people, scored with a network that did not know these."""
     own = school.own[number]
@@ -90,9 +90,9 @@ def _judged(
     _, first = np.unique(own.trial, return_index=True)
     since = mine.features[:, features.TIME].astype(np.float64)
     clock = np.maximum(float(np.median(whole[first])) - since, 0.0)
-    left = calibrate.time_left(fitted, mine)
+    left = calibration.time_left(fitted, mine)
     errors = [float((mine.weight * np.abs(said - mine.left_s)).sum()) for said in (left, clock)]
-    known = calibrate.applied(calibrate.held(fitted, mine, settings), table)
+    known = calibration.apply_table(calibration.claims_of(fitted, mine, settings), table)
     return Verdict(scored, known, (errors[0], errors[1]))
 
 
@@ -113,7 +113,7 @@ def _merged(runs: list[Verdict]) -> Verdict:
     trials = tuple(trial for run in runs for trial in run.score.trials)
     together = msgspec.structs.replace(first, trials=trials, predictors=tuple(predictors))
     clocks = np.array([run.clock for run in runs]).sum(axis=0)
-    known = calibrate.joined([run.known for run in runs])
+    known = calibration.join([run.known for run in runs])
     return Verdict(together, known, (float(clocks[0]), float(clocks[1])))
 
 
@@ -127,7 +127,7 @@ def main() -> None:
         print(f"{time.monotonic() - began:6.1f} s  {what}", file=sys.stderr, flush=True)
 
     settings = Settings()
-    school = people.school(people.read_sets(people.folder()), settings.seed, say)
+    school = data.training_data(data.read_sets(data.folder()), settings.seed, say)
     (DOCS / "evidence" / "kinematic.md").write_text(
         tables.page(validate(school, settings, say)), encoding="utf-8"
     )

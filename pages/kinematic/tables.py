@@ -9,7 +9,7 @@ from pointpred.predictors.kinematic import coefficient_file
 from pointpred.scoring import summarise
 from pointpred.scoring.results import PATH_FRACTIONS, TIME_FRACTIONS
 from pointpred.scoring.summary import Measure, PredictorSummary, SetSummary
-from pointpred.training import calibrate
+from pointpred.training import calibration
 
 HEAD = """# The learned predictor, `kinematic`
 
@@ -135,12 +135,12 @@ def _series(documents: list[SetSummary], name: str, fractions: tuple[float, ...]
 
 def _coverage(verdicts: tuple[Verdict, ...], first: int) -> str:
     rows = []
-    together = calibrate.joined([verdict.known for verdict in verdicts])
+    together = calibration.join([verdict.known for verdict in verdicts])
     named = [(verdict.score.name, verdict.known) for verdict in verdicts]
     for name, known in [*named, ("all", together)]:
-        shares = 100.0 * calibrate.coverage(known)[:, first : first + 3]
+        shares = 100.0 * calibration.coverage(known)[:, first : first + 3]
         rows.append([name, *(" / ".join(f"{value:.0f}" for value in row) for row in shares.tolist())])
-    return _table(["set", *(f"{10 * k} %" for k in range(1, calibrate.DECILES + 1))], rows)
+    return _table(["set", *(f"{10 * k} %" for k in range(1, calibration.DECILES + 1))], rows)
 
 
 def _clock(verdicts: tuple[Verdict, ...]) -> str:

@@ -26,7 +26,7 @@ from pointpred.scoring import resolution
 from pointpred.sources import read
 from pointpred.targets import Chooser, Target
 from pointpred.targets.posterior import FITTED_NEAREST
-from pointpred.training.people import folder
+from pointpred.training.data import folder
 
 MOVEMENTS, LEAST_PX = 160, 80.0
 """Movements of a set, evenly from its people, in their order, each at least so long."""

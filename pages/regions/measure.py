@@ -25,7 +25,7 @@ from pointpred.columns import FloatArray
 from pointpred.recording import Recording
 from pointpred.scoring import Prepared, prepare, resolution
 from pointpred.scoring.measures.moments import moments
-from pointpred.training import people
+from pointpred.training import data
 
 NAMES = ("kinematic", "kinematic-adaptive")
 
@@ -98,5 +98,5 @@ def main(coefficients: HeldOut, recordings: list[Recording]) -> None:
 
 if __name__ == "__main__":
     given = words(__doc__, named="folder", most=1)
-    folder = people.folder()
-    main(stored(Path(given[0])) if given else held_out(folder), people.read_sets(folder))
+    folder = data.folder()
+    main(stored(Path(given[0])) if given else held_out(folder), data.read_sets(folder))

@@ -26,7 +26,7 @@ from pointpred.report.figures.style import GREY, PALETTE, canvas, legend_outside
 from pointpred.scoring.target_choice import NEAREST, score_targets, target_summary
 from pointpred.targets import Chooser, around
 from pointpred.targets.evidence import NEAR
-from pointpred.training.people import folder
+from pointpred.training.data import folder
 
 PAGE = DOCS / "guide" / "targets.md"
 SHOWN = tuple(name for name in ("kalman", "minimum-jerk", "kinematic") if name in REGISTRY)

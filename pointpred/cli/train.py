@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
+import msgspec
 import typer
 from rich.table import Table
 
@@ -17,7 +18,7 @@ from pointpred.predictors.kinematic import coefficient_file
 
 if TYPE_CHECKING:
     from pointpred.sources import Reading
-    from pointpred.training.own import HeldOut, Trained
+    from pointpred.training.custom import SetComparison, TrainingResult
 
 HEADINGS = ("recording", "movements", "hold", "shipped", "yours", "yours / shipped (95 %)")
 VERDICT = {
@@ -72,13 +73,13 @@ def train(
     coefficient_file.check_writable(out)
     require("train", "training")  # before minutes of reading
     from pointpred.cli.progress import following
-    from pointpred.training.own import train_own
+    from pointpred.training.custom import train_custom
 
     with following() as advance:
         recordings = [one for one in read_all(files, reading) if one.trials]
         if not recordings:
             raise RecordingError("no recording to learn from could be read; the reasons stand above")
-        trained = train_own(
+        trained = train_custom(
             recordings,
             out,
             seed=seed,
@@ -86,36 +87,70 @@ def train(
             progress=advance or (lambda what, done, total: None),
         )
     if json is not None:
-        write_json({"version": 1, "out": str(out), **described(trained)}, json)
+        write_json(document(trained, out), json)
     if json is None or str(json) != "-":
         _print(trained, out)
 
 
-def described(trained: Trained) -> dict[str, Any]:
-    """The scores as JSON has them: means of time-averaged errors, px."""
-    return {
-        "movements": trained.movements,
-        "people": trained.people,
-        "held_out": trained.parts,
-        "better": trained.better,
-        "sets": [
-            {
-                "name": one.name,
-                "movements": len(one.hold),
-                "hold_px": float(one.hold.mean()),
-                "shipped_px": float(one.shipped.mean()),
-                "own_px": float(one.own.mean()),
-                "ratio": one.ratio[0],
-                "low": _number(one.ratio[1]),
-                "high": _number(one.ratio[2]),
-                "shipped_saw_it": one.seen,
-            }
-            for one in trained.held_out
-        ],
-    }
+class TrainedSet(msgspec.Struct, frozen=True):
+    """Time-averaged errors on one recording, means over movements that were held out, px."""
+
+    name: str
+    movements: int
+    hold_px: float
+    shipped_px: float
+    own_px: float
+    ratio: float
+    """Own over shipped, with the bounds of its interval; ``None`` where there is none."""
+    low: float | None
+    high: float | None
+    shipped_saw_it: bool
+    """Whether the shipped coefficients were fitted to these people."""
 
 
-def _print(trained: Trained, out: Path) -> None:
+class TrainDocument(msgspec.Struct, frozen=True):
+    """What ``pointpred train --json`` writes."""
+
+    version: int
+    out: str
+    movements: int
+    people: int
+    held_out: str
+    """``people``, ``recordings`` or ``movements``."""
+    better: int
+    """As ``TrainingResult.better``."""
+    sets: tuple[TrainedSet, ...]
+
+
+def document(result: TrainingResult, out: Path) -> TrainDocument:
+    """The scores as JSON has them."""
+    from pointpred.scoring.summary.document import number
+
+    return TrainDocument(
+        1,
+        str(out),
+        result.movements,
+        result.people,
+        result.parts,
+        result.better,
+        tuple(
+            TrainedSet(
+                one.name,
+                len(one.hold),
+                float(one.hold.mean()),
+                float(one.shipped.mean()),
+                float(one.own.mean()),
+                one.ratio[0],
+                number(one.ratio[1]),
+                number(one.ratio[2]),
+                one.seen,
+            )
+            for one in result.held_out
+        ),
+    )
+
+
+def _print(trained: TrainingResult, out: Path) -> None:
     screen = results()
     screen.print(
         f"{counted(trained.movements, 'movement')}; {HELD_OUT[trained.parts]}", style="bold", markup=False
@@ -136,11 +171,7 @@ def _print(trained: Trained, out: Path) -> None:
     screen.print(f"written: {out}", markup=False, soft_wrap=True)
 
 
-def _row(one: HeldOut) -> tuple[str, ...]:
+def _row(one: SetComparison) -> tuple[str, ...]:
     ratio, low, high = one.ratio
     means = (f"{errors.mean():.1f}" for errors in (one.hold, one.shipped, one.own))
     return str(len(one.hold)), *means, f"{ratio:.3f} ({low:.3f}-{high:.3f})"
-
-
-def _number(value: float) -> float | None:
-    return value if value == value else None

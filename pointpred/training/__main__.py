@@ -30,12 +30,12 @@ def main() -> None:
         print(f"{time.monotonic() - began:6.1f} s  {what}", file=sys.stderr, flush=True)
 
     from pointpred.predictors.kinematic import coefficient_file
-    from pointpred.training import people, train
+    from pointpred.training import data, train
     from pointpred.training.fitting import Settings
 
     settings = Settings()
-    school = people.school(people.read_sets(people.folder()), settings.seed, say)
-    train.train(school, settings, coefficient_file.OWN, say)
+    material = data.training_data(data.read_sets(data.folder()), settings.seed, say)
+    train.train(material, settings, coefficient_file.OWN, say)
 
 
 def parse_arguments() -> None:

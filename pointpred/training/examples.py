@@ -103,7 +103,7 @@ def _thinned(every: Examples, passed: FloatArray, random: np.random.Generator) -
     return msgspec.structs.replace(drawn, weight=total)
 
 
-def joined(parts: list[Examples]) -> Examples:
+def join(parts: list[Examples]) -> Examples:
     """Examples of several recordings, their trials numbered through."""
     numbered, trials = [], 0
     for part in parts:

@@ -9,18 +9,18 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.predictors.kinematic import coefficient_file
-from pointpred.training import calibrate
-from pointpred.training.calibrate import Held
-from pointpred.training.examples import Examples, joined
+from pointpred.training import calibration
+from pointpred.training.calibration import Claims
+from pointpred.training.data import FOLDS, SETS, Say, TrainingData
+from pointpred.training.examples import Examples, join
 from pointpred.training.fitting import Fitted, Settings, fit
-from pointpred.training.people import FOLDS, SETS, Say, School
 
 Nets = list[tuple[set[int], Fitted]]
 """Users held out, and the network fitted to the others."""
 
 
-def taught(
-    school: School,
+def fit_without(
+    data: TrainingData,
     without_users: set[int],
     without_set: int | None,
     settings: Settings,
@@ -29,37 +29,37 @@ def taught(
     """A network fitted to everybody but some users or a set; ``start``: a network to go on from."""
     parts = [
         part.only(~np.isin(part.user, list(without_users)))
-        for part in (*school.own, *school.varied)
+        for part in (*data.own, *data.varied)
         if without_set is None or int(part.set[0]) != without_set
     ]
-    return fit(joined([part for part in parts if len(part.reach)]), settings, start=start)
+    return fit(join([part for part in parts if len(part.reach)]), settings, start=start)
 
 
-def held_out(school: School, fitted: Fitted, users: set[int], settings: Settings) -> Held | None:
+def claims_about(data: TrainingData, fitted: Fitted, users: set[int], settings: Settings) -> Claims | None:
     """What the network claims about the own movements of users it was not fitted to."""
-    parts = [part.only(np.isin(part.user, list(users))) for part in school.own]
+    parts = [part.only(np.isin(part.user, list(users))) for part in data.own]
     parts = [part for part in parts if len(part.reach)]
-    return calibrate.held(fitted, joined(parts), settings) if parts else None
+    return calibration.claims_of(fitted, join(parts), settings) if parts else None
 
 
-def folds(school: School, settings: Settings, say: Say, start: Fitted | None = None) -> Nets:
+def folds(data: TrainingData, settings: Settings, say: Say, start: Fitted | None = None) -> Nets:
     """A network for each fold of users, fitted to the other folds."""
-    of = school.fold()
+    of = data.fold()
     found = []
     for number in range(FOLDS):
         users = {user for user, fold in of.items() if fold == number}
         if not users or len(users) == len(of):
             continue
-        found.append((users, taught(school, users, None, settings, start)))
+        found.append((users, fit_without(data, users, None, settings, start)))
         say(f"fold {number + 1} of {FOLDS}: {len(users)} users held out")
     return found
 
 
-def table_of(school: School, nets: Nets, settings: Settings) -> FloatArray:
+def calibration_table(data: TrainingData, nets: Nets, settings: Settings) -> FloatArray:
     """The calibration from all people held out."""
-    parts = [held_out(school, fitted, users, settings) for users, fitted in nets]
+    parts = [claims_about(data, fitted, users, settings) for users, fitted in nets]
     known = [part for part in parts if part is not None]
-    return calibrate.calibrated(calibrate.joined(known))
+    return calibration.fit_table(calibration.join(known))
 
 
 def save(path: Path, fitted: Fitted, table: FloatArray, card: dict[str, Any]) -> None:
@@ -69,9 +69,9 @@ def save(path: Path, fitted: Fitted, table: FloatArray, card: dict[str, Any]) ->
     coefficient_file.write(path, fitted.mean, fitted.scale, fitted.layers, table, card)
 
 
-def card_of(school: School, settings: Settings) -> dict[str, Any]:
+def card_of(data: TrainingData, settings: Settings) -> dict[str, Any]:
     """What a file says of how it was made."""
-    moments: list[Examples] = list(school.own)
+    moments: list[Examples] = list(data.own)
     return {
         "sets": [
             {
@@ -81,9 +81,9 @@ def card_of(school: School, settings: Settings) -> dict[str, Any]:
                 "trials": len(np.unique(part.trial)),
                 "moments": len(part.reach),
             }
-            for recording, part in zip(school.recordings, moments, strict=True)
+            for recording, part in zip(data.recordings, moments, strict=True)
         ],
-        "variants": len(school.varied) // max(len(school.own), 1),
+        "variants": len(data.varied) // max(len(data.own), 1),
         "hidden": list(settings.hidden),
         "passes": settings.passes,
         "seed": settings.seed,
@@ -91,10 +91,10 @@ def card_of(school: School, settings: Settings) -> dict[str, Any]:
     }
 
 
-def train(school: School, settings: Settings, path: Path, say: Say) -> None:
+def train(data: TrainingData, settings: Settings, path: Path, say: Say) -> None:
     """Fit, calibrate and write."""
-    nets = folds(school, settings, say)
-    table = table_of(school, nets, settings)
+    nets = folds(data, settings, say)
+    table = calibration_table(data, nets, settings)
     say("calibrated on the people held out")
-    save(path, taught(school, set(), None, settings), table, card_of(school, settings))
+    save(path, fit_without(data, set(), None, settings), table, card_of(data, settings))
     say(f"{path.name}: {path.stat().st_size} bytes, {coefficient_file.digest(path)}")

@@ -14,7 +14,7 @@ import pytest
 from pointpred import EventColumns, build, run
 from pointpred.recording import Recording
 from pointpred.scoring import prepare, score
-from pointpred.training import calibrate, people, train
+from pointpred.training import calibration, data, train
 from pointpred.training.fitting import Settings
 
 FOLDER = os.environ.get("POINTPRED_RECORDINGS")
@@ -97,18 +97,18 @@ def test_regions_are_as_sure_as_they_say_on_other_people() -> None:
     from pointpred.sources import read
 
     whole = read(Path(FOLDER or "") / "freihaut2021_samples.parquet")
-    school = people.school([whole], 1, lambda _: None, variants=1)
+    school = data.training_data([whole], 1, lambda _: None, variants=1)
     order = np.random.default_rng(2).permutation(len(school.users)).tolist()
-    fitted = train.taught(school, set(order[12:]), None, settings)
+    fitted = train.fit_without(school, set(order[12:]), None, settings)
     own = school.own[0]
     known, tested = (
-        calibrate.held(fitted, own.only(np.isin(own.user, users)), settings)
+        calibration.claims_of(fitted, own.only(np.isin(own.user, users)), settings)
         for users in (order[12:24], order[24:])
     )
-    table = calibrate.calibrated(known)
-    after = calibrate.coverage(calibrate.applied(tested, table))
-    wanted = np.array([*calibrate.LEVELS, *calibrate.LEVELS])
+    table = calibration.fit_table(known)
+    after = calibration.coverage(calibration.apply_table(tested, table))
+    wanted = np.array([*calibration.LEVELS, *calibration.LEVELS])
     off = np.abs(after - wanted)[:, :5]  # the table knows the intervals of 50 and 80 % only
-    before = np.abs(calibrate.coverage(tested) - wanted)[:, :5]
+    before = np.abs(calibration.coverage(tested) - wanted)[:, :5]
     assert off.mean() < 0.5 * before.mean()
     assert off.mean() < 0.035

@@ -18,7 +18,7 @@ from pointpred.protocol.server_messages import PredictionMessage as Told
 from pointpred.protocol.server_messages import Region as Sent
 from pointpred.regions import as_normal, reach
 from pointpred.scoring.measures import regions
-from pointpred.training import calibrate
+from pointpred.training import calibration
 
 NONE = float("nan")
 LEVELS = (0.1, 0.5, 0.8, 0.95, 0.999)
@@ -234,7 +234,7 @@ def test_scoring_and_training_have_the_same_law() -> None:
     heavy = np.geomspace(0.05, 1e17, 40)
     for level in LEVELS:
         wanted = [reach(level, tail) for tail in heavy.tolist()]
-        assert calibrate.reaches(level, heavy) == pytest.approx(wanted, rel=1e-14)
+        assert calibration.reaches(level, heavy) == pytest.approx(wanted, rel=1e-14)
         assert [regions.reach(level, tail) for tail in heavy] == pytest.approx(wanted, rel=1e-14)
         assert regions.reach(level, NONE) == pytest.approx(reach(level, NONE), rel=1e-14)
 

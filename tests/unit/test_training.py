@@ -16,8 +16,8 @@ from pointpred.predictors.kinematic import coefficient_file, features
 from pointpred.predictors.kinematic import network as net
 from pointpred.recording import Recording, Trial
 from pointpred.scoring import prepare
-from pointpred.training import calibrate, fitting, losses, network, people, train
-from pointpred.training.examples import examples, joined
+from pointpred.training import calibration, data, fitting, losses, network, train
+from pointpred.training.examples import examples, join
 from pointpred.training.fitting import Settings
 from pointpred.training.variants import varied
 
@@ -39,8 +39,8 @@ def reaches(count: int = 24, seed: int = 3) -> Recording:
 
 
 @pytest.fixture(scope="module")
-def school() -> people.School:
-    return people.school([reaches()], 1, lambda _: None, variants=1)
+def material() -> data.TrainingData:
+    return data.training_data([reaches()], 1, lambda _: None, variants=1)
 
 
 def test_slopes_agree_with_differences() -> None:
@@ -100,12 +100,12 @@ def _time_held(outputs: losses.Floats, frozen: losses.Floats, truth: losses.Trut
     return losses._time(judged, no_error, zeros) + losses._time(outputs, no_law, zeros)
 
 
-def test_the_law_computes_what_training_computes(school: people.School, tmp_path: Path) -> None:
-    fitted = train.taught(school, set(), None, SMALL)
+def test_the_law_computes_what_training_computes(material: data.TrainingData, tmp_path: Path) -> None:
+    fitted = train.fit_without(material, set(), None, SMALL)
     path = tmp_path / "small.npz"
     train.save(path, fitted, np.zeros((kinematic_calibration.KNOTS, kinematic_calibration.FACTORS)), {})
     flat = coefficient_file.read(path)
-    rows = school.own[0].features[:50]
+    rows = material.own[0].features[:50]
     for seen, wanted in zip(rows, fitted.outputs(rows), strict=True):
         said = np.empty(net.OUTPUTS)
         at = net.evaluate(flat, seen.astype(np.float64), said)
@@ -116,19 +116,21 @@ def test_the_law_computes_what_training_computes(school: people.School, tmp_path
 def test_training_is_reproducible_to_the_byte(tmp_path: Path) -> None:
     files = []
     for name in ("one.npz", "two.npz"):
-        made = people.school([reaches()], 1, lambda _: None, variants=1)
+        made = data.training_data([reaches()], 1, lambda _: None, variants=1)
         train.train(made, SMALL, tmp_path / name, lambda _: None)
         files.append((tmp_path / name).read_bytes())
     assert files[0] == files[1]
-    made = people.school([reaches()], 2, lambda _: None, variants=1)
+    made = data.training_data([reaches()], 2, lambda _: None, variants=1)
     train.train(made, msgspec.structs.replace(SMALL, seed=2), tmp_path / "three.npz", lambda _: None)
     assert (tmp_path / "three.npz").read_bytes() != files[0]
 
 
-def test_training_learns(school: people.School) -> None:
+def test_training_learns(material: data.TrainingData) -> None:
     """Reaches of one shape are learnt well from some of them."""
-    fitted = train.taught(school, {0}, None, msgspec.structs.replace(SMALL, passes=60, hidden=(24, 24)))
-    own = school.own[0].only(school.own[0].user == 0)
+    fitted = train.fit_without(
+        material, {0}, None, msgspec.structs.replace(SMALL, passes=60, hidden=(24, 24))
+    )
+    own = material.own[0].only(material.own[0].user == 0)
     wanted = fitting.truth(own, SMALL)
     along, across = losses.point(fitted.outputs(own.features), wanted)
     error = np.hypot(along - wanted.along, across - wanted.across) * own.reach
@@ -175,12 +177,12 @@ def test_calibration_mends_what_is_too_sure() -> None:
     said = np.clip(share + random.normal(0.0, 0.1, count), 0.0, 1.0)
     true_tail = 3.0
     chi = random.chisquare(2, count) / (random.chisquare(true_tail, count) / true_tail)
-    known = calibrate.Held(
+    known = calibration.Claims(
         said, share, 4.0 * chi, np.full(count, 6.0), 1.7 * random.standard_normal(count), np.ones(count)
     )
-    before = calibrate.coverage(known)
-    after = calibrate.coverage(calibrate.applied(known, calibrate.calibrated(known)))
-    wanted = np.array([*calibrate.LEVELS, *calibrate.LEVELS])
+    before = calibration.coverage(known)
+    after = calibration.coverage(calibration.apply_table(known, calibration.fit_table(known)))
+    wanted = np.array([*calibration.LEVELS, *calibration.LEVELS])
     assert np.abs(before - wanted).max() > 0.15
     assert np.abs(after - wanted).max() < 0.03
 
@@ -188,13 +190,13 @@ def test_calibration_mends_what_is_too_sure() -> None:
 def test_a_missing_folder_is_said(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.delenv("POINTPRED_RECORDINGS", raising=False)
     with pytest.raises(ParameterError, match="must name a folder of recordings, received None"):
-        people.folder()
+        data.folder()
     with pytest.raises(ParameterError, match="must hold one of freihaut2021"):
-        people.read_sets(tmp_path)
+        data.read_sets(tmp_path)
 
 
 def test_users_are_dealt_evenly_into_folds() -> None:
-    many = people.School((), (), (), {f"set {number}": number for number in range(23)})
+    many = data.TrainingData((), (), (), {f"set {number}": number for number in range(23)})
     sizes = np.bincount(list(many.fold().values()))
     assert sizes.tolist() == [5, 5, 5, 4, 4]
 
@@ -204,7 +206,7 @@ def test_what_a_moment_weighs() -> None:
     given = examples(reaches(4), 0, {"reaches ann": 0, "reaches bob": 1}, 1)
     moments = len(given.set)
     other = msgspec.structs.replace(given, set=np.full(moments, 1), own=np.zeros(moments, bool))
-    both = joined([given, other.only(other.trial == 0)])
+    both = join([given, other.only(other.trial == 0)])
     found = fitting.truth(both, Settings())
     hold, weight, reach = both.hold(), both.weight, both.reach.astype(np.float64)
     trials = [both.trial == k for k in range(5)]

@@ -30,7 +30,7 @@ NORMAL = (0.6744897501960817, 1.2815515655446004, 1.959963984540054)
 """Deviations of a normal law within which its middle 50, 80, 95 % lie."""
 
 
-class Held(msgspec.Struct, frozen=True):
+class Claims(msgspec.Struct, frozen=True):
     """What a network said of moments of people it was not fitted to, and how it turned out."""
 
     said_share: FloatArray
@@ -43,12 +43,12 @@ class Held(msgspec.Struct, frozen=True):
     """Deviations of the logarithm of the time left."""
     weight: FloatArray
 
-    def only(self, rows: NDArray[np.bool_] | NDArray[np.int64]) -> Held:
+    def only(self, rows: NDArray[np.bool_] | NDArray[np.int64]) -> Claims:
         """Some of the rows."""
-        return Held(*(getattr(self, name)[rows] for name in self.__struct_fields__))
+        return Claims(*(getattr(self, name)[rows] for name in self.__struct_fields__))
 
 
-def held(fitted: Fitted, given: Examples, settings: Settings) -> Held:
+def claims_of(fitted: Fitted, given: Examples, settings: Settings) -> Claims:
     """A fitted network's claims about examples, before any calibration."""
     outputs, wanted = fitted.outputs(given.features), truth(given, settings)
     along, across = losses.point(outputs, wanted)
@@ -57,7 +57,7 @@ def held(fitted: Fitted, given: Examples, settings: Settings) -> Held:
     broad = np.exp(np.clip(said[:, net.BROAD], *net.WIDTH_LOGS))
     left = _left(said, given)
     spread = np.exp(np.clip(said[:, net.SPREAD], *net.SPREAD_LOGS))
-    return Held(
+    return Claims(
         wanted.since_s / (wanted.since_s + left),
         given.share,
         ((along - wanted.along) / wide) ** 2 + ((across - wanted.across) / broad) ** 2,
@@ -78,10 +78,10 @@ def time_left(fitted: Fitted, given: Examples) -> FloatArray:
     return _left(fitted.outputs(given.features).astype(np.float64), given)
 
 
-def joined(parts: list[Held]) -> Held:
+def join(parts: list[Claims]) -> Claims:
     """Rows of several networks together."""
-    names = Held.__struct_fields__
-    return Held(*(np.concatenate([getattr(part, name) for part in parts]) for name in names))
+    names = Claims.__struct_fields__
+    return Claims(*(np.concatenate([getattr(part, name) for part in parts]) for name in names))
 
 
 def factors(table: FloatArray, share: FloatArray, which: int) -> FloatArray:
@@ -100,7 +100,7 @@ def reaches(level: float, tail: FloatArray) -> FloatArray:
     return far
 
 
-def calibrated(known: Held, seed: int = 0) -> FloatArray:
+def fit_table(known: Claims, seed: int = 0) -> FloatArray:
     """The table with which each level's share of endpoints inside is right at every decile of the time."""
     from scipy.optimize import least_squares
 
@@ -149,7 +149,7 @@ def calibrated(known: Held, seed: int = 0) -> FloatArray:
     return np.round(table, 6)
 
 
-def applied(known: Held, table: FloatArray) -> Held:
+def apply_table(known: Claims, table: FloatArray) -> Claims:
     """The claims after calibration."""
     widths = factors(table, known.said_share, table_law.WIDTH)
     return msgspec.structs.replace(
@@ -160,7 +160,7 @@ def applied(known: Held, table: FloatArray) -> Held:
     )
 
 
-def coverage(known: Held) -> FloatArray:
+def coverage(known: Claims) -> FloatArray:
     """Shares inside, a row a decile, a column a level: regions, then intervals of the time left."""
     decile = np.clip(np.round(known.share * 10.0).astype(int) - 1, 0, DECILES - 1)
     total = np.bincount(decile, known.weight, DECILES)

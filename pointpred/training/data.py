@@ -31,7 +31,7 @@ VARIANTS = 6
 Say = Callable[[str], None]
 
 
-class School(msgspec.Struct, frozen=True):
+class TrainingData(msgspec.Struct, frozen=True):
     """Everything there is to learn from: recordings, examples, users numbered through all sets."""
 
     recordings: tuple[Recording, ...]
@@ -67,9 +67,9 @@ def numbered(recordings: list[Recording], *, by_name: bool = False) -> dict[str,
     return users
 
 
-def school(
+def training_data(
     recordings: list[Recording], seed: int, say: Say, variants: int = VARIANTS, *, by_name: bool = False
-) -> School:
+) -> TrainingData:
     """Make the examples of recordings; ``by_name``: users of one name are one person in all of them."""
     users = numbered(recordings, by_name=by_name)
     own, otherwise = [], []
@@ -79,7 +79,7 @@ def school(
             seeds = seed + 1000 * (number + 1) + variant
             otherwise.append(examples(varied(recording, seeds), number, users, seeds, own=False))
         say(f"{recording.name}: {len(recording.trials)} trials, {len(own[-1].reach)} moments")
-    return School(tuple(recordings), tuple(own), tuple(otherwise), users)
+    return TrainingData(tuple(recordings), tuple(own), tuple(otherwise), users)
 
 
 def read_sets(where: Path) -> list[Recording]:

@@ -22,9 +22,9 @@ from pointpred.predictors.kinematic import network as net
 from pointpred.recording import Recording
 from pointpred.scoring import score
 from pointpred.sources.own.recordings import write
-from pointpred.training import fitting, own, people, train
+from pointpred.training import custom, data, fitting, train
+from pointpred.training.data import FOLDS
 from pointpred.training.fitting import Settings
-from pointpred.training.people import FOLDS
 from tests.unit.test_training import reaches
 
 TINY = Settings(passes=1, batch=512, rate=3e-4)
@@ -37,9 +37,9 @@ def mine(count: int = 60, users: int = 2) -> Recording:
     return msgspec.structs.replace(made, trials=trials)
 
 
-def trained(path: Path, recording: Recording | None = None, **options: Any) -> own.Trained:
+def trained(path: Path, recording: Recording | None = None, **options: Any) -> custom.TrainingResult:
     options = {"settings": TINY, "variants": 0, **options}
-    return own.train_own([recording or mine()], path, **options)
+    return custom.train_custom([recording or mine()], path, **options)
 
 
 def named(name: str, *users: str, count: int = 30) -> Recording:
@@ -51,7 +51,7 @@ def named(name: str, *users: str, count: int = 30) -> Recording:
 
 def test_the_network_of_the_file_is_what_training_goes_on_from() -> None:
     start = fitting.of_file()
-    rows = people.school([mine(10)], 1, lambda _: None, variants=0).own[0].features
+    rows = data.training_data([mine(10)], 1, lambda _: None, variants=0).own[0].features
     flat = coefficient_file.read(coefficient_file.OWN)
     for seen, wanted in zip(rows[:20], start.outputs(rows[:20]), strict=True):
         said = np.empty(net.OUTPUTS)
@@ -115,15 +115,15 @@ def test_a_name_is_one_person_in_all_recordings(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    made: list[tuple[train.School, train.Nets]] = []
+    made: list[tuple[train.TrainingData, train.Nets]] = []
     counted: list[tuple[int, int]] = []
 
-    def folds(school: train.School, *rest: Any) -> train.Nets:
+    def folds(school: train.TrainingData, *rest: Any) -> train.Nets:
         made.append((school, train.folds(school, *rest)))
         return made[0][1]
 
-    monkeypatch.setattr(own, "folds", folds)
-    result = own.train_own(
+    monkeypatch.setattr(custom, "folds", folds)
+    result = custom.train_custom(
         [named("one", *first), named("two", *second)],
         tmp_path / "me.npz",
         settings=TINY,
@@ -146,7 +146,7 @@ def test_a_name_is_one_person_in_all_recordings(
 def test_few_movements_of_each_of_many_recordings_are_held_out(tmp_path: Path) -> None:
     """Stretches go through all recordings: one of a single movement can still be held out."""
     recordings = [named(f"part {k}", "ann", count=10) for k in range(6)]
-    result = own.train_own(recordings, tmp_path / "me.npz", settings=TINY, variants=0)
+    result = custom.train_custom(recordings, tmp_path / "me.npz", settings=TINY, variants=0)
     assert [len(one.hold) for one in result.held_out] == [10] * 6
 
 
@@ -204,7 +204,7 @@ def test_an_interruption_leaves_no_file_and_an_old_one_as_it_was(
         raise KeyboardInterrupt
 
     monkeypatch.setattr(coefficient_file.np, "savez", interrupted)
-    school = people.school([mine(20)], 1, lambda _: None, variants=0)
+    school = data.training_data([mine(20)], 1, lambda _: None, variants=0)
     with pytest.raises(KeyboardInterrupt):
         train.save(path, fitting.of_file(), np.zeros((10, 3)), train.card_of(school, TINY))
     assert path.read_bytes() == b"before"
@@ -225,7 +225,7 @@ def test_both_names_take_the_file(name: str, me: Path, tmp_path: Path) -> None:
 @pytest.fixture
 def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     """Training that takes a second."""
-    monkeypatch.setattr(own, "GENTLE", TINY)
+    monkeypatch.setattr(custom, "GENTLE", TINY)
 
 
 @pytest.fixture

@@ -25,11 +25,11 @@ from pointpred.recording import Recording
 from pointpred.registry import build
 from pointpred.scoring import score
 from pointpred.scoring.summary.bootstrap import ratio_intervals
-from pointpred.training import calibrate
-from pointpred.training.calibrate import Held
+from pointpred.training import calibration
+from pointpred.training.calibration import Claims
+from pointpred.training.data import FOLDS, VARIANTS, TrainingData, numbered, training_data
 from pointpred.training.fitting import Fitted, Settings, of_file
-from pointpred.training.people import FOLDS, VARIANTS, School, numbered, school
-from pointpred.training.train import Nets, card_of, folds, save, table_of, taught
+from pointpred.training.train import Nets, calibration_table, card_of, fit_without, folds, save
 
 GENTLE = Settings(passes=4, batch=512, rate=3e-4)
 """How the package's network is fitted further to few movements: more would be learnt by heart."""
@@ -52,7 +52,7 @@ WORDS: dict[Parts, str] = {
 """As the card says it."""
 
 
-class HeldOut(msgspec.Struct, frozen=True):
+class SetComparison(msgspec.Struct, frozen=True):
     """One recording's movements, each predicted by coefficients that were not fitted to it.
 
     Time-averaged errors in px, a movement each.
@@ -68,7 +68,7 @@ class HeldOut(msgspec.Struct, frozen=True):
     """Whether the shipped coefficients were fitted to these people: their error is then too small."""
 
 
-class Trained(msgspec.Struct, frozen=True):
+class TrainingResult(msgspec.Struct, frozen=True):
     """What came of training."""
 
     movements: int
@@ -76,7 +76,7 @@ class Trained(msgspec.Struct, frozen=True):
     """Names of users; where recordings were held out, these may be one person."""
     parts: Parts
     """What was held out; movements of one person in stretches of their order."""
-    held_out: tuple[HeldOut, ...]
+    held_out: tuple[SetComparison, ...]
 
     @property
     def better(self) -> int:
@@ -86,7 +86,7 @@ class Trained(msgspec.Struct, frozen=True):
         return -1 if all(one.ratio[1] > 1.0 for one in self.held_out) else 0
 
 
-def train_own(
+def train_custom(
     recordings: list[Recording],
     path: Path,
     *,
@@ -95,7 +95,7 @@ def train_own(
     settings: Settings | None = None,
     variants: int = VARIANTS,
     progress: Progress = lambda what, done, total: None,
-) -> Trained:
+) -> TrainingResult:
     """Fit ``kinematic``'s coefficients to recordings, write them, and score them on what was held out.
 
     ``from_scratch``: begin with a network at random instead of the package's. The same recordings, seed and
@@ -114,7 +114,7 @@ def train_own(
     people = {trial.user for one in recordings for trial in one.trials}
     parts = _parts(recordings, len(people))
     taken = _in_stretches(recordings) if parts == "movements" else recordings
-    done, steps = 0, _steps(School(tuple(taken), (), (), numbered(taken, by_name=True)))
+    done, steps = 0, _steps(TrainingData(tuple(taken), (), (), numbered(taken, by_name=True)))
 
     def say(what: str) -> None:
         nonlocal done
@@ -122,7 +122,7 @@ def train_own(
         progress(what, done, steps)
 
     progress("reading movements", 0, steps)
-    made = school(taken, seed, lambda _: None, variants, by_name=True)
+    made = training_data(taken, seed, lambda _: None, variants, by_name=True)
     movements = sum(len(np.unique(part.trial)) for part in made.own)
     _check_enough(movements)  # some trials hold none
     if settings is None:
@@ -133,7 +133,7 @@ def train_own(
     nets = folds(made, settings, say, start)
     known = [known_by_set(made, fitted, users, settings) for users, fitted in nets]
     held_out = tuple(_judged(made, k, nets, known, parts != "movements", say) for k in range(len(taken)))
-    table = table_of(made, nets, settings)
+    table = calibration_table(made, nets, settings)
     card = card_of(made, settings) | {
         "pointpred": pointpred.__version__,
         "start": None if from_scratch else coefficient_file.digest(),
@@ -142,9 +142,9 @@ def train_own(
     for one in card["sets"]:
         one["licence"] = "unknown"
         one["users"] = 1 if parts == "movements" else one["users"]
-    save(path, taught(made, set(), None, settings, start), table, card)
+    save(path, fit_without(made, set(), None, settings, start), table, card)
     say("written")
-    return Trained(movements, len(people), parts, held_out)
+    return TrainingResult(movements, len(people), parts, held_out)
 
 
 def _check_enough(movements: int) -> None:
@@ -171,7 +171,7 @@ def _parts(recordings: list[Recording], people: int) -> Parts:
     return "recordings" if single else "people"
 
 
-def _steps(made: School) -> int:
+def _steps(made: TrainingData) -> int:
     """How many steps are reported: reading, a fit each fold, a score each fold and recording, the file."""
     fold = made.fold()
     scores = [
@@ -194,13 +194,13 @@ def _in_stretches(recordings: list[Recording]) -> list[Recording]:
 
 
 def _judged(
-    made: School,
+    made: TrainingData,
     number: int,
     nets: Nets,
-    known: list[dict[int, calibrate.Held]],
+    known: list[dict[int, calibration.Claims]],
     by_person: bool,
     say: Callable[[str], None],
-) -> HeldOut:
+) -> SetComparison:
     """A recording's movements, each scored with the coefficients of the fold that did not know it."""
     recording = made.recordings[number]
     rows, users, seen = [], [], False
@@ -209,7 +209,7 @@ def _judged(
         if not part.trials:
             continue
         others = [one for k, row in enumerate(known) if k != place for one in row.values()]
-        pipeline = _named("own", pipeline_of(fitted, calibrate.calibrated(calibrate.joined(others))))
+        pipeline = _named("own", pipeline_of(fitted, calibration.fit_table(calibration.join(others))))
         (scored,) = score([part], [pipeline, "kinematic"])
         rows.append(np.stack([one.time_averaged for one in scored.predictors]))
         users += [one.trial.user if by_person else "" for one in scored.trials]
@@ -218,7 +218,7 @@ def _judged(
     hold, own, shipped = np.concatenate(rows, axis=1)
     interval = ratio_intervals(own[:, None], shipped[:, None], users)
     ratio = (float(own.mean() / shipped.mean()), float(interval.low[0]), float(interval.high[0]))
-    return HeldOut(recording.name, hold, shipped, own, ratio, seen)
+    return SetComparison(recording.name, hold, shipped, own, ratio, seen)
 
 
 def _named(name: str, pipeline: Pipeline) -> Pipeline:
@@ -234,13 +234,15 @@ def pipeline_of(fitted: Fitted, table: FloatArray) -> Pipeline:
     return Pipeline("kinematic", build("hold").differentiator, predictor)
 
 
-def known_by_set(school: School, fitted: Fitted, users: set[int], settings: Settings) -> dict[int, Held]:
+def known_by_set(
+    data: TrainingData, fitted: Fitted, users: set[int], settings: Settings
+) -> dict[int, Claims]:
     """What a network claims of the people it did not know, set by set."""
     found = {}
-    for number, part in enumerate(school.own):
+    for number, part in enumerate(data.own):
         rows = np.isin(part.user, list(users))
         if rows.any():
-            found[number] = calibrate.held(fitted, part.only(rows), settings)
+            found[number] = calibration.claims_of(fitted, part.only(rows), settings)
     return found
 
 
