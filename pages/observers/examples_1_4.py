@@ -10,7 +10,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.observers import SeededSignal, closed_loop, design_observer, simulate, steady_state_map
-from pointpred.observers.interconnected.examples import Bioreactor, academic, chua_circuits, robotic_arm
+from pointpred.observers.examples import Bioreactor, academic, chua_circuits, robotic_arm
 
 TRUE, SEEN, OTHER = "tab:blue", "tab:orange", "tab:green"
 

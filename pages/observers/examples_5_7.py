@@ -27,7 +27,7 @@ from pointpred.observers import (
     invariant_stage,
     simulate,
 )
-from pointpred.observers.reduced_order.examples import (
+from pointpred.observers.examples import (
     UNMEASURED,
     fused,
     pushes,

@@ -2,8 +2,7 @@
 
 from pointpred.observers.bounds import ErrorBound, convergence_bound, interconnection_bound
 from pointpred.observers.detectability import undetectable
-from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities, Solution
-from pointpred.observers.inequalities.printed import check
+from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities, Solution, check
 from pointpred.observers.interconnected.design import ObserverDesign, design_observer
 from pointpred.observers.interconnected.generator import Generator
 from pointpred.observers.interconnected.interconnection import theorem_3_2_1
@@ -23,9 +22,12 @@ from pointpred.observers.interconnected.tracking import (
 )
 from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.reduced_order.design import ReducedOrderDesign, design_reduced_order
-from pointpred.observers.reduced_order.invariant_stage import invariant_stage
 from pointpred.observers.reduced_order.reversed_certificate import Convergence, certify_convergence
-from pointpred.observers.reduced_order.reversed_connection import InvariantObserver, invariant_observer
+from pointpred.observers.reduced_order.reversed_connection import (
+    InvariantObserver,
+    invariant_observer,
+    invariant_stage,
+)
 from pointpred.observers.regressors.excitation import (
     Excitation,
     discrete_excitation,
@@ -39,11 +41,9 @@ from pointpred.observers.regressors.nonlinear_regression import (
     regression_margin,
 )
 from pointpred.observers.simulate import SeededSignal, simulate
-from pointpred.observers.triangular.feedback_form import feedback
-from pointpred.observers.triangular.feedforward_form import feedforward
+from pointpred.observers.triangular.forms import feedback, feedforward, interlaced
 from pointpred.observers.triangular.interlaced_certificate import InterlacedCertificate
 from pointpred.observers.triangular.interlaced_certificate import certify as certify_interlaced
-from pointpred.observers.triangular.interlaced_form import interlaced
 from pointpred.observers.triangular.interlaced_observer import InterlacedEstimate, InterlacedObserver
 from pointpred.observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 from pointpred.observers.unknown_input.boxes import Box

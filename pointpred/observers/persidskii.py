@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -12,8 +11,6 @@ from pointpred.errors import ParameterError
 from pointpred.observers.matrices import matrix
 from pointpred.observers.nonlinearity import Nonlinearity, nonlinearity
 
-Varying = FloatArray | Callable[[float], Any]
-"""A matrix, or a function of the time (continuous) or of the index (discrete)."""
 NAMES = ("A0", "A1", "H", "B", "Q", "C0", "C1")
 
 

@@ -42,7 +42,7 @@ def advance(memory: FloatArray, axis: int, t: float, place: float, v: float, a: 
     if abs(v) < memory[THRESHOLD] * memory[axis + PEAK]:
         third = drem.estimates(regression, UNKNOWNS) + 2
         memory[third] = held
-        known = drem.advance(memory, regression, UNKNOWNS, memory[DELAY_S], memory[GAMMA], t, place)
+        known = drem.advance(memory, regression, UNKNOWNS, memory[DELAY_S], memory[GAMMA], (t, place))
         if known and abs(memory[third] - held) < memory[BOUND] * abs(place):
             memory[axis + ENDPOINT] = memory[third]
     else:

@@ -13,9 +13,9 @@ from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
 from pointpred.regression import delay, gradient, mixing
 
-# Relative to `at`: a first sample is known, its time, the determinant phi of the last step, the integral of
+# Relative to `at`: whether a sample came, its time, the determinant phi of the last step, the integral of
 # gamma phi^2 so far, the regressor w (n).
-KNOWN, T, PHI, EXCITATION, REGRESSOR = 0, 1, 2, 3, 4
+STARTED, T, PHI, EXCITATION, REGRESSOR = range(5)
 # Behind it: the largest |w_i| so far (n), the estimates (n), the extended output (n), the mixed output (n),
 # the extended regressor (n^2), scratch (n^2), the ring of (t, w, y).
 
@@ -77,8 +77,8 @@ def extend(memory: FloatArray, at: int, n: int, delay_s: float, t: float) -> boo
 def remember(memory: FloatArray, at: int, n: int, delay_s: float, t: float, output: float) -> float:
     """Take in output = regressor . theta at ``t`` without learning; returns the step in s."""
     scale = at + REGRESSOR + n
-    h = t - memory[at + T] if memory[at + KNOWN] == 1.0 else 0.0
-    memory[at + KNOWN] = 1.0
+    h = t - memory[at + T] if memory[at + STARTED] == 1.0 else 0.0
+    memory[at + STARTED] = 1.0
     memory[at + T] = t
     slot = delay.push(memory, ring(at, n), n + 1, delay.capacity(n - 1), delay_s / delay.PER_DELAY, t)
     for j in range(n):
@@ -91,15 +91,16 @@ def remember(memory: FloatArray, at: int, n: int, delay_s: float, t: float, outp
 
 @law
 def advance(
-    memory: FloatArray, at: int, n: int, delay_s: float, gamma: float, t: float, output: float
+    memory: FloatArray, at: int, n: int, delay_s: float, gamma: float, sample: tuple[float, float]
 ) -> bool:
-    """Take in output = regressor . theta at ``t``; False while the history is shorter than (n - 1) delays.
+    """Take in a sample (t, regressor . theta); False while the history is shorter than (n - 1) delays.
 
     With Phi the extended regressor: phi = det Phi, Y~ = adj(Phi) Y = phi theta, and each theta_i follows
     theta_i' = gamma phi (Y~_i - phi theta_i) exactly over the step. ``gamma`` is in 1/s.
     """
     scale, theta, extended = at + REGRESSOR + n, estimates(at, n), at + REGRESSOR + 3 * n
     mixed, rows = extended + n, extended + 2 * n
+    t, output = sample
     h = remember(memory, at, n, delay_s, t, output)
     memory[at + PHI] = 0.0
     if not extend(memory, at, n, delay_s, t):

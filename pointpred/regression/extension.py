@@ -9,13 +9,12 @@ from typing import Any
 import msgspec
 
 from pointpred.columns import FloatArray
-from pointpred.errors import ParameterError
-from pointpred.parameter import Parameter, check
+from pointpred.parameter import parameter
 from pointpred.regression import drem
 from pointpred.regression.recursive_least_squares import moment, sample
 from pointpred.stage import CompiledStage
 
-DELAY_S, GAMMA, AT = 0, 1, 2
+DELAY_S, GAMMA, AT = range(3)
 
 
 class Estimate(msgspec.Struct, frozen=True):
@@ -58,19 +57,19 @@ class DynamicRegressorExtension(CompiledStage):
     [3.0, 2.0]
     """
 
-    parameters = (
-        Parameter("count", "", 2, 6, "number of unknown constants"),
-        Parameter("delay_s", "s", 1e-4, 1e2, "basic delay tau"),
-        Parameter("gamma", "1/s", 0.0, 1e18, "rate of the estimates at full excitation"),
-    )
+    count: int = parameter("", 2, 6, "number of unknown constants", default=3, whole=True, kw_only=False)
+    delay_s: float = parameter("s", 1e-4, 1e2, "basic delay tau", default=0.1)
+    gamma: float = parameter("1/s", 0.0, 1e18, "rate of the estimates at full excitation", default=1e6)
 
-    def __init__(self, count: int = 3, *, delay_s: float = 0.1, gamma: float = 1e6) -> None:
-        values: dict[str, Any] = {"count": count, "delay_s": delay_s, "gamma": gamma}
-        check(self.parameters, values)
-        if count != int(count):
-            raise ParameterError(f"count must be a whole number, received {count!r}")
-        self.count = int(count)
-        self.lay_out([float(delay_s), float(gamma)], drem.states(self.count))
+    def declare(self, **values: Any) -> None:
+        """Check the values."""
+        super().declare(**values)
+        self.count = int(self.count)
+        self.states = drem.states(self.count)
+
+    def settings(self) -> list[float]:
+        """What stands first in the memory."""
+        return [float(self.delay_s), float(self.gamma)]
 
     def update(self, regressor: Sequence[float] | FloatArray, output: float, t: float) -> Estimate | None:
         """Take in output = regressor . theta at ``t`` s; ``None`` while the history is too short.
@@ -79,11 +78,11 @@ class DynamicRegressorExtension(CompiledStage):
         regressor of another length, EventOrderError when time runs backwards; nothing is then changed.
         """
         memory, n = self._memory, self.count
-        last_t = float(memory[AT + drem.T]) if memory[AT + drem.KNOWN] == 1.0 else None
+        last_t = float(memory[AT + drem.T]) if memory[AT + drem.STARTED] == 1.0 else None
         w, y = sample(n, regressor, output)
         now = moment(t, last_t)
         memory[AT + drem.REGRESSOR : AT + drem.REGRESSOR + n] = w
-        if not drem.advance(memory, AT, n, memory[DELAY_S], memory[GAMMA], now, y):
+        if not drem.advance(memory, AT, n, memory[DELAY_S], memory[GAMMA], (now, y)):
             return None
         first = drem.estimates(AT, n)
         learnt = -expm1(-float(memory[AT + drem.EXCITATION]))

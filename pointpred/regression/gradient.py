@@ -22,12 +22,13 @@ def descend(theta: float, mixed: float, phi: float, gamma: float, h: float) -> f
 
 
 @law
-def descend_along(memory: FloatArray, theta: int, w: int, n: int, gain: int, output: float, h: float) -> None:
-    """Follow theta' = G w (output - w'theta) over ``h`` s with w and output held; w at ``w``, G at ``gain``.
+def descend_along(memory: FloatArray, at: tuple[int, int, int], n: int, output: float, h: float) -> None:
+    """Follow theta' = G w (output - w'theta) over ``h`` s with w and output constant; theta, w, G lie ``at``.
 
     Exactly: theta moves along G w by (1 - exp(-w'G w h)) / w'G w times the error, so it never passes the
     plane w'theta = output. G is n x n, row-major, positive definite; theta stays where G w = 0.
     """
+    theta, w, gain = at
     error, square = output, 0.0
     for i in range(n):
         error -= memory[w + i] * memory[theta + i]

@@ -12,13 +12,12 @@ from numpy.typing import ArrayLike
 
 from pointpred.columns import FloatArray
 from pointpred.errors import EventError, EventOrderError, ParameterError
-from pointpred.parameter import Parameter, check
+from pointpred.parameter import option, parameter
 from pointpred.regression import least_squares
 from pointpred.stage import CompiledStage
 
-# Parameters, then the state: known, last time, the triangle.
-FORGETTING, RATE, LEAST, RIDGE = 0, 1, 2, 3
-KNOWN, T, AT = 4, 5, 6
+# Parameters, then the state: whether a time was given, the last one, the triangle.
+FORGETTING, RATE, LEAST, RIDGE, STARTED, T, AT = range(7)
 
 
 class Fit(msgspec.Struct, frozen=True):
@@ -71,37 +70,38 @@ class RecursiveLeastSquares(CompiledStage):
     (None, (1,))
     """
 
-    parameters = (
-        Parameter("count", "", 1, 32, "number of unknown constants"),
-        Parameter("forgetting", "", 1e-6, 1.0, "factor on the weight of the past at each sample"),
-        Parameter("forgetting_rate", "1/s", 0.0, 1e6, "rate at which the weight of the past fades"),
-        Parameter("least_excitation", "", 1e-14, 1.0, "sine below which a parameter is not excited"),
-        Parameter("ridge", "regressor^2", 0.0, 1e12, "weight of the start; 0: exact, no estimate too early"),
+    count: int = parameter("", 1, 32, "number of unknown constants", whole=True, kw_only=False)
+    forgetting: float = parameter(
+        "", 1e-6, 1.0, "factor on the weight of the past at each sample", default=1.0
     )
+    forgetting_rate: float = parameter(
+        "1/s", 0.0, 1e6, "rate at which the weight of the past fades", default=0.0
+    )
+    least_excitation: float = parameter(
+        "", 1e-14, 1.0, "sine below which a parameter is not excited", default=1e-6
+    )
+    ridge: float = parameter(
+        "regressor^2", 0.0, 1e12, "weight of the start; 0: exact, no estimate too early", default=0.0
+    )
+    start: Sequence[float] | FloatArray | None = option("the estimate that a ridge draws to", default=None)
 
-    def __init__(
-        self,
-        count: int,
-        *,
-        forgetting: float = 1.0,
-        forgetting_rate: float = 0.0,
-        least_excitation: float = 1e-6,
-        ridge: float = 0.0,
-        start: Sequence[float] | FloatArray | None = None,
-    ) -> None:
-        values: dict[str, Any] = {"count": count, "forgetting": forgetting, "ridge": ridge}
-        check(
-            self.parameters,
-            {**values, "forgetting_rate": forgetting_rate, "least_excitation": least_excitation},
-        )
-        if count != int(count):
-            raise ParameterError(f"count must be a whole number, received {count!r}")
-        self.count = int(count)
-        if start is not None and ridge == 0.0:
-            raise ParameterError("start needs a ridge above 0: the exact start draws to nothing")
-        self._start = np.zeros(self.count) if start is None else starting(self.count, start)
-        settings = [float(forgetting), float(forgetting_rate), float(least_excitation), float(ridge)]
-        self.lay_out(settings, 2 + least_squares.states(self.count))
+    def declare(self, **values: Any) -> None:
+        """Check the values, and that a start has a ridge."""
+        super().declare(**values)
+        if self.start is not None and self.ridge == 0.0:
+            raise ParameterError(
+                "start needs a ridge above 0: the exact start draws to nothing",
+                field="start",
+                value=self.start,
+            )
+        self.count = int(self.count)
+        self._start = starting(self.count, self.start)
+        self.states = 2 + least_squares.states(self.count)
+
+    def settings(self) -> list[float]:
+        """What stands first in the memory."""
+        weights = [float(self.forgetting), float(self.forgetting_rate)]
+        return [*weights, float(self.least_excitation), float(self.ridge)]
 
     def update(self, regressor: Sequence[float] | FloatArray, output: float, t: float | None = None) -> None:
         """Take in output = regressor . theta at ``t`` s; ``None``: no time has passed since the last sample.
@@ -110,12 +110,12 @@ class RecursiveLeastSquares(CompiledStage):
         regressor of another length, EventOrderError when time runs backwards; nothing is then changed.
         """
         memory = self._memory
-        last_t = float(memory[T]) if memory[KNOWN] == 1.0 else None
+        last_t = float(memory[T]) if memory[STARTED] == 1.0 else None
         w, y = sample(self.count, regressor, output)
         now = last_t if t is None else moment(t, last_t)
         h = 0.0 if last_t is None or now is None else now - last_t
         if now is not None:
-            memory[KNOWN], memory[T] = 1.0, now
+            memory[STARTED], memory[T] = 1.0, now
         if memory[RIDGE] > 0.0 and memory[AT + least_squares.SAMPLES] == 0.0:
             self._lean()
         memory[AT + least_squares.REGRESSOR : AT + least_squares.REGRESSOR + self.count] = w
@@ -133,14 +133,17 @@ class RecursiveLeastSquares(CompiledStage):
         memory[root - n : root] = weight * self._start
 
 
-def starting(count: int, start: ArrayLike) -> FloatArray:
-    """The estimate to begin with; raises ParameterError unless it is ``count`` finite numbers."""
+def starting(count: int, start: ArrayLike | None) -> FloatArray:
+    """The first estimate, zeros for ``None``; raises ParameterError unless it is ``count`` numbers."""
+    if start is None:
+        return np.zeros(count)
+    wrong = f"start must be {count} finite numbers, received {start!r}"
     try:
         values = np.array(start, np.float64)
     except (TypeError, ValueError) as unusable:
-        raise ParameterError(f"start must be {count} numbers, received {start!r}") from unusable
+        raise ParameterError(wrong, field="start", value=start) from unusable
     if values.shape != (count,) or not np.isfinite(values).all():
-        raise ParameterError(f"start must be {count} finite numbers, received {start!r}")
+        raise ParameterError(wrong, field="start", value=start)
     return values
 
 
@@ -150,9 +153,13 @@ def sample(count: int, regressor: ArrayLike, output: float) -> tuple[FloatArray,
     try:
         w, y = np.asarray(regressor, np.float64), float(output)
     except (TypeError, ValueError, OverflowError) as unusable:
-        raise EventError(f"sample must be numbers, {received}") from unusable
+        raise EventError(
+            f"sample must be numbers, {received}", field="regressor", value=regressor
+        ) from unusable
     if w.shape != (count,):
-        raise EventError(f"regressor needs {count} values, received shape {w.shape}")
+        raise EventError(
+            f"regressor needs {count} values, received shape {w.shape}", field="regressor", value=regressor
+        )
     if not (np.isfinite(w).all() and isfinite(y)):
         raise EventError(f"sample must be finite, {received}")
     return w, y
@@ -163,11 +170,13 @@ def moment(t: float, last_t: float | None) -> float:
     try:
         now = float(t)
     except (TypeError, ValueError, OverflowError) as unusable:
-        raise EventError(f"t must be a number of seconds, received {t!r}") from unusable
+        raise EventError(f"t must be a number of seconds, received {t!r}", field="t", value=t) from unusable
     if not isfinite(now):
-        raise EventError(f"t must be finite, received {t!r}")
+        raise EventError(f"t must be finite, received {t!r}", field="t", value=t)
     if last_t is not None and now < last_t:
-        raise EventOrderError(f"t must not run backwards: received {now!r} s after {last_t!r} s")
+        raise EventOrderError(
+            f"t must not run backwards: received {now!r} s after {last_t!r} s", field="t", value=now
+        )
     return now
 
 

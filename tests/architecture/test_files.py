@@ -35,11 +35,6 @@ def compiled_functions(path: Path) -> dict[str, ast.FunctionDef]:
     }
 
 
-OWN_LOOPS = ("pointpred.camera", "pointpred.observers", "pointpred.transfer")
-"""Rooms whose laws still write their own loops."""
-
-
 @pytest.mark.parametrize("path", package_files(), ids=module_of)
 def test_loops_are_made_of_steps_and_not_written(path: Path) -> None:
-    if not module_of(path).startswith(OWN_LOOPS):
-        assert "loop" not in compiled_functions(path)
+    assert "loop" not in compiled_functions(path)

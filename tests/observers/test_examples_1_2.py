@@ -15,7 +15,7 @@ from pointpred.observers import (
     steady_state_map,
     theorem_3_2_1,
 )
-from pointpred.observers.interconnected.examples import (
+from pointpred.observers.examples import (
     Bioreactor,
     academic,
 )

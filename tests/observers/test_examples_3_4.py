@@ -20,7 +20,7 @@ from pointpred.observers import (
     theorem_3_2_2,
     theorem_3_2_3,
 )
-from pointpred.observers.interconnected.examples import (
+from pointpred.observers.examples import (
     ROBOT_INPUT_MODIFIED,
     academic,
     chua_circuits,

@@ -12,7 +12,7 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import solve_sylvester
 
 from pointpred.errors import InfeasibleError, ParameterError
-from pointpred.observers.triangular.feedforward_form import feedforward
+from pointpred.observers.triangular.forms import feedforward
 from pointpred.observers.triangular.polynomials import composed
 from pointpred.observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 

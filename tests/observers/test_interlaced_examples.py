@@ -9,7 +9,7 @@ import pytest
 
 from pointpred.errors import ParameterError
 from pointpred.observers.simulate import simulate
-from pointpred.observers.triangular.interlaced_form import interlaced
+from pointpred.observers.triangular.forms import interlaced
 from pointpred.observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 
 sp = pytest.importorskip("sympy")

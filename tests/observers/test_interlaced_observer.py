@@ -16,8 +16,8 @@ from pointpred.errors import (
     EventOrderError,
     ParameterError,
 )
-from pointpred.observers.triangular import interlaced_law
-from pointpred.observers.triangular.interlaced_form import interlaced
+from pointpred.observers.triangular import interlaced_observer
+from pointpred.observers.triangular.forms import interlaced
 from pointpred.observers.triangular.interlaced_observer import InterlacedObserver, output_matrix
 from pointpred.observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 
@@ -103,12 +103,12 @@ def test_columns_samples_and_chunks_agree(observer: InterlacedObserver) -> None:
 
 
 def test_plain_python_agrees(observer: InterlacedObserver) -> None:
-    step = getattr(interlaced_law.step, "py_func", interlaced_law.step)
+    step = getattr(interlaced_observer.step, "py_func", interlaced_observer.step)
     memory, compiled = observer.fresh()._memory, observer.fresh()._memory
     out, other = np.empty(7), np.empty(7)
     for time, value in zip(*irregular(10, 4), strict=True):
-        step(memory, time, np.array([value]), out)
-        interlaced_law.step(compiled, time, np.array([value]), other)
+        step(memory, np.array([time, value]), out)
+        interlaced_observer.step(compiled, np.array([time, value]), other)
         assert out == pytest.approx(other, rel=1e-13, abs=1e-15)
 
 

@@ -16,8 +16,7 @@ from pointpred.observers import (
     invariant_stage,
     simulate,
 )
-from pointpred.observers.bounds import convergence_bound
-from pointpred.observers.reduced_order.reversed_bounds import continuous_bound, discrete_bound
+from pointpred.observers.bounds import continuous_bound, convergence_bound, discrete_bound
 from pointpred.observers.reduced_order.reversed_certificate import theorem_3_3_1
 
 PI = [[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]]

@@ -18,7 +18,7 @@ from pointpred.observers import (
     regression_margin,
     simulate,
 )
-from pointpred.observers.reduced_order.examples import UNMEASURED, fused, pushes, two_masses, two_sensors
+from pointpred.observers.examples import UNMEASURED, fused, pushes, two_masses, two_sensors
 from pointpred.observers.reduced_order.reversed_certificate import theorem_3_3_1
 
 PAGES = Path(__file__).parents[2] / "docs" / "guide" / "observers"

@@ -13,7 +13,7 @@ from scipy import integrate, linalg
 
 from pointpred.errors import EventError, EventOrderError, ParameterError
 from pointpred.observers import GradientRegressor
-from pointpred.observers.regressors import gradient_law
+from pointpred.observers.regressors import gradient as gradient_regressor
 from pointpred.regression import gradient
 
 SEEDS = st.integers(0, 2**32 - 1)
@@ -36,7 +36,7 @@ def test_one_held_sample_is_followed_exactly(seed: int, h: float) -> None:
     random = np.random.default_rng(seed)
     w, start, gain = random.standard_normal(3), random.standard_normal(3), definite(random, 3)
     memory = np.concatenate([start, w, gain.ravel()])
-    gradient.descend_along(memory, 0, 3, 3, 6, 0.7, h)
+    gradient.descend_along(memory, (0, 3, 6), 3, 0.7, h)
     flow = np.zeros((4, 4))
     flow[:3, :3], flow[:3, 3] = -np.outer(gain @ w, w), 0.7 * gain @ w
     wanted = linalg.expm(flow * h) @ [*start, 1.0]
@@ -148,10 +148,10 @@ def test_a_table_gives_what_single_samples_give() -> None:
     assert answers[39].tobytes() == left[37].tobytes()
     fresh = single.fresh()
     assert fresh.update(d[0], y[0], t[0]).tolist() == [0.0, 0.0, 0.0]
-    plain = getattr(gradient_law.step, "py_func", gradient_law.step)
+    plain = getattr(gradient_regressor.step, "py_func", gradient_regressor.step)
     memory, out = GradientRegressor(3, outputs=2, gain=2.0)._memory, np.empty(3)
     for i in range(40):
-        plain(memory, rows[i, 0], rows[i, 1:], out)
+        plain(memory, rows[i], out)
     assert out == pytest.approx(table[39], abs=1e-13)
 
 
@@ -160,37 +160,40 @@ def test_what_is_refused_changes_nothing() -> None:
     stage.update([1.0, 2.0], 3.0, 1.0)
     stage.update([1.0, 1.0], 3.0, 1.5)
     kept = pickle.dumps(stage)
-    wrong: list[tuple[Any, Any, Any, type, str]] = [
-        ([1.0], 1.0, 2.0, EventError, r"regressor of shape \(1, 2\) and 1 outputs"),
-        ([1.0, 2.0], [1.0, 2.0], 2.0, EventError, "1 outputs"),
-        ([1.0, np.nan], 1.0, 2.0, EventError, "must be finite"),
-        (["a", 1.0], 1.0, 2.0, EventError, "must be numbers"),
-        ([1.0, 2.0], 1.0, 1.0, EventOrderError, "t must not run backwards: received 1.0 s after 1.5 s"),
-        ([1.0, 2.0], 1.0, np.inf, EventError, "t must be finite"),
-        ([1.0, 2.0], 1.0, None, EventError, "needs the time of every sample"),
+    wrong: list[tuple[Any, Any, Any, type[EventError], str]] = [
+        ([1.0], 1.0, 2.0, EventError, "regressor"),
+        ([1.0, 2.0], [1.0, 2.0], 2.0, EventError, "output"),
+        ([1.0, np.nan], 1.0, 2.0, EventError, "regressor"),
+        (["a", 1.0], 1.0, 2.0, EventError, "regressor"),
+        ([1.0, 2.0], 1.0, 1.0, EventOrderError, "t"),
+        ([1.0, 2.0], 1.0, np.inf, EventError, "t"),
+        ([1.0, 2.0], 1.0, None, EventError, "t"),
     ]
-    for regressor, output, t, kind, message in wrong:
-        with pytest.raises(kind, match=message):
+    for regressor, output, t, kind, field in wrong:
+        with pytest.raises(kind) as refused:
             stage.update(regressor, output, t)
+        assert refused.value.field == field
         assert pickle.dumps(stage) == kept
 
 
-REFUSED: list[tuple[dict[str, Any], str]] = [
-    ({"count": 0}, r"count must lie in \[1, 32\], received 0"),
-    ({"count": 2.5}, "count must be a whole number, received 2.5"),
-    ({"count": 2, "outputs": 33}, "outputs must lie in"),
-    ({"count": 2, "gain": 0.0}, "positive definite, its least eigenvalue is 0"),
-    ({"count": 2, "gain": [1.0, 2.0, 3.0]}, "a finite number, 2 or 2 x 2"),
-    ({"count": 2, "gain": [[1.0, 2.0], [0.0, 1.0]]}, "gain must be symmetric"),
-    ({"count": 2, "gain": "much"}, "gain must be numbers, received 'much'"),
-    ({"count": 2, "time": "both"}, "'continuous' or 'discrete', received 'both'"),
-    ({"count": 2, "normalised": True}, "normalised needs time='discrete'"),
-    ({"count": 2, "start": [1.0]}, "start must be 2 finite numbers"),
-    ({"count": 2, "start": "here"}, "start must be 2 numbers, received 'here'"),
+REFUSED: list[dict[str, Any]] = [
+    {"count": 0},
+    {"count": 2.5},
+    {"count": 2, "outputs": 33},
+    {"count": 2, "gain": 0.0},
+    {"count": 2, "gain": [1.0, 2.0, 3.0]},
+    {"count": 2, "gain": [[1.0, 2.0], [0.0, 1.0]]},
+    {"count": 2, "gain": "much"},
+    {"count": 2, "time": "both"},
+    {"count": 2, "normalised": True},
+    {"count": 2, "start": [1.0]},
+    {"count": 2, "start": "here"},
 ]
 
 
-@pytest.mark.parametrize(("parameters", "message"), REFUSED)
-def test_the_constructor_says_what_is_wrong(parameters: dict[str, Any], message: str) -> None:
-    with pytest.raises(ParameterError, match=message):
+@pytest.mark.parametrize("parameters", REFUSED)
+def test_the_constructor_names_the_wrong_parameter(parameters: dict[str, Any]) -> None:
+    with pytest.raises(ParameterError) as refused:
         GradientRegressor(**parameters)
+    assert refused.value.field == list(parameters)[-1]
+    assert refused.value.value == parameters[refused.value.field]

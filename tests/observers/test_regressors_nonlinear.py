@@ -11,7 +11,7 @@ from scipy import integrate, linalg
 
 from pointpred.errors import EventError, EventOrderError, ParameterError, UndecidedError
 from pointpred.observers import GradientRegressor, NonlinearRegressor, regression_margin
-from pointpred.observers.regressors import nonlinear_law
+from pointpred.observers.regressors import nonlinear_regression
 
 TRUTH = np.array([3.0, 5.0])
 
@@ -63,47 +63,39 @@ def test_a_table_gives_what_single_samples_give_and_refusals_change_nothing() ->
         if begin[i]:
             single.reset()
         assert single.update(*parts[i], t[i]).tobytes() == table[i].tobytes()
-    plain = getattr(nonlinear_law.step, "py_func", nonlinear_law.step)
+    plain = getattr(nonlinear_regression.step, "py_func", nonlinear_regression.step)
     memory, out = NonlinearRegressor(2, gain=3.0)._memory, np.empty(2)
     for row in rows[:25]:
-        plain(memory, row[0], row[1:], out)
+        plain(memory, row, out)
     assert out == pytest.approx(table[24], abs=1e-12)
     spoiled = rows.copy()
     spoiled[10, 1], spoiled[12, 4] = np.inf, 1.5
     answers = NonlinearRegressor(2, gain=3.0).walk(begin, spoiled)
     assert np.isnan(answers).any(axis=1).nonzero()[0].tolist() == [10, 12]
     kept = pickle.dumps(single)
-    wrong: list[tuple[Any, Any, Any, Any, type, str]] = [
-        ([1.0], 0.5, 1.0, 99.0, EventError, r"regressor of shape \(1, 2\)"),
-        ([1.0, 1.0], 1.5, 1.0, 99.0, EventError, r"weight must lie in \[0, 1\], received 1\.5"),
-        ([1.0, 1.0], np.nan, 1.0, 99.0, EventError, "weight must lie in"),
-        ([1.0, 1.0], "half", 1.0, 99.0, EventError, "weight must be a number"),
-        ([1.0, 1.0], 0.5, 1.0, 0.0, EventOrderError, "t must not run backwards"),
-        ([1.0, 1.0], 0.5, 1.0, 1e9, EventError, "more than 10000 steps"),
-        ([1.0, 1e200], 0.5, 1.0, 99.0, EventError, "more than 10000 steps"),
+    wrong: list[tuple[Any, Any, Any, Any, type[EventError], str]] = [
+        ([1.0], 0.5, 1.0, 99.0, EventError, "regressor"),
+        ([1.0, 1.0], 1.5, 1.0, 99.0, EventError, "weight"),
+        ([1.0, 1.0], np.nan, 1.0, 99.0, EventError, "weight"),
+        ([1.0, 1.0], "half", 1.0, 99.0, EventError, "weight"),
+        ([1.0, 1.0], 0.5, 1.0, 0.0, EventOrderError, "t"),
+        ([1.0, 1.0], 0.5, 1.0, 1e9, EventError, "t"),
+        ([1.0, 1e200], 0.5, 1.0, 99.0, EventError, "t"),
     ]
-    for regressor, weight, output, moment, kind, message in wrong:
-        with np.errstate(over="ignore"), pytest.raises(kind, match=message):
+    for regressor, weight, output, moment, kind, field in wrong:
+        with np.errstate(over="ignore"), pytest.raises(kind) as refused:
             single.update(regressor, weight, output, moment)
+        assert refused.value.field == field
         assert pickle.dumps(single) == kept
 
 
 @pytest.mark.parametrize(
-    ("parameters", "message"),
-    [
-        (
-            {"f": "sin"},
-            "f must be one of identity, tanh, atan, saturation, which do not fall, received 'sin'",
-        ),
-        ({"f": "cube"}, "f must be one of"),
-        ({"gain": 0.0}, "gain must lie in"),
-        ({"start": [1.0]}, "start must be 2 finite numbers"),
-        ({"outputs": 1.5}, "outputs must be a whole number"),
-    ],
+    ("field", "value"), [("f", "sin"), ("f", "cube"), ("gain", 0.0), ("start", [1.0]), ("outputs", 1.5)]
 )
-def test_the_constructor_says_what_is_wrong(parameters: dict[str, Any], message: str) -> None:
-    with pytest.raises(ParameterError, match=message):
-        NonlinearRegressor(2, **parameters)
+def test_the_constructor_names_the_wrong_parameter(field: str, value: Any) -> None:
+    with pytest.raises(ParameterError) as refused:
+        NonlinearRegressor(2, **{field: value})
+    assert (refused.value.field, refused.value.value) == (field, value)
 
 
 def test_p_solves_its_equation() -> None:

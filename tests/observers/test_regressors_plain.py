@@ -16,7 +16,7 @@ import pointpred.compiled
 from pointpred import EventColumns
 from pointpred.differentiators import ReducedOrderDifferentiator
 from pointpred.observers import GradientRegressor, NonlinearRegressor, invariant_observer, invariant_stage
-from pointpred.observers.reduced_order.examples import UNMEASURED, two_masses
+from pointpred.observers.examples import UNMEASURED, two_masses
 
 def answers(seed):
     random = np.random.default_rng(seed)

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from pointpred.errors import InfeasibleError, MissingExtraError, ParameterError
-from pointpred.observers.triangular.feedback_form import feedback
+from pointpred.observers.triangular.forms import feedback
 from pointpred.observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 
 sp = pytest.importorskip("sympy")

@@ -14,7 +14,7 @@ from pointpred.regression import DynamicRegressorExtension, drem, gradient
 
 def feed(memory: np.ndarray, n: int, w: np.ndarray, y: float, t: float, delay_s: float, gamma: float) -> bool:
     memory[drem.REGRESSOR : drem.REGRESSOR + n] = w
-    return drem.advance(memory, 0, n, delay_s, gamma, t, y)
+    return drem.advance(memory, 0, n, delay_s, gamma, (t, y))
 
 
 @settings(max_examples=40, deadline=None)
@@ -121,7 +121,7 @@ def test_restart_is_a_new_beginning_anywhere_in_a_memory() -> None:
     rng = np.random.default_rng(1)
     for t in np.arange(0.0, 0.5, 0.002):
         memory[at + drem.REGRESSOR : at + drem.REGRESSOR + n] = rng.standard_normal(n)
-        drem.advance(memory, at, n, 0.05, 10.0, t, 1.0)
+        drem.advance(memory, at, n, 0.05, 10.0, (t, 1.0))
     drem.restart(memory, at, n)
     assert (memory[at : at + drem.states(n)] == 0.0).all()
     assert (memory[:at] == 7.0).all()

@@ -242,3 +242,15 @@ class MatrixInequalities:
             return -np.inf, "no matrices"
         margins = self.margins(vars(self.unknowns.matrices(answer.numbers)))
         return min((margins[name] / scale, name) for name, scale in scales.items())
+
+
+def check(
+    printed: Mapping[str, Any], theorem: MatrixInequalities, *, rounding: float = 0.0
+) -> dict[str, float]:
+    """The margins of matrices that somebody prints, as ``theorem.check`` gives them, or CertificateError.
+
+    >>> decay = MatrixInequalities("decay").positive("P", 1).below("-2 P", lambda v: -2.0 * v.P)
+    >>> check({"P": 3.0}, decay)
+    {'P > 0': 3.0, '-2 P': 6.0}
+    """
+    return theorem.check(printed, rounding=rounding)

@@ -4,18 +4,16 @@ from __future__ import annotations
 
 from math import ceil
 
-import numpy as np
-
-from pointpred.columns import BoolArray, FloatArray
+from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
 from pointpred.observers import nonlinearity
+from pointpred.stage import loop_into
 
 # Parameters: states q, components k, inputs, outputs, discrete?, step, gap; then codes (k), N (q, q), L (q,
 # k), J (k, q), K (q, inputs), R0 (outputs, q), R1 (outputs, k), R (k, inputs), R2 (outputs, inputs) and the
-# start (q). The state behind them:
-# known, t, w less its start (q), the last inputs, and room for the stages of an integration step.
-STATES, COMPONENTS, INPUTS, OUTPUTS, DISCRETE, STEP, GAP = 0, 1, 2, 3, 4, 5, 6
-CODES = 7
+# start (q). The state behind them: whether a sample came, t, w less its start (q), the last inputs, and room
+# for the stages of an integration step.
+STATES, COMPONENTS, INPUTS, OUTPUTS, DISCRETE, STEP, GAP, CODES = range(8)
 
 ACCEPTED, REPEATED, BACKWARDS = 0, 1, 2
 
@@ -30,12 +28,6 @@ def injected_at(q: int, k: int, inputs: int, outputs: int) -> int:
 def start_at(q: int, k: int, inputs: int, outputs: int) -> int:
     """Where the start lies."""
     return injected_at(q, k, inputs, outputs) + (k + outputs) * inputs
-
-
-@layout
-def state_at(q: int, k: int, inputs: int, outputs: int) -> int:
-    """Where the state begins."""
-    return start_at(q, k, inputs, outputs) + q
 
 
 @layout
@@ -72,19 +64,20 @@ def slope(memory: FloatArray, w: int, inputs: int, nonlinear: int, to: int) -> N
 
 
 @law
-def flow(memory: FloatArray, w: int, last: int, room: int, row: FloatArray, begin: float, h: float) -> None:
-    """One step of the classical Runge-Kutta method at w, with inputs on a line between last and row.
+def flow(memory: FloatArray, w: int, row: FloatArray, begin: float, h: float) -> None:
+    """One step of the classical Runge-Kutta method at w, with inputs on a line between the last ones and row.
 
     ``begin`` and ``h`` are fractions of the interval between the two samples, whose length is row[0] - t.
     """
     q, k, m = int(memory[STATES]), int(memory[COMPONENTS]), int(memory[INPUTS])
-    total, stage, change, held = room, room + q, room + 2 * q, room + 3 * q
+    last, room = w + q, w + q + m
+    total, stage, change, first = room, room + q, room + 2 * q, room + 3 * q
     nonlinear, inputs = room + 4 * q, room + 4 * q + k
     length = h * (row[0] - memory[w - 1])
     for i in range(q):
-        held_i = memory[w + i]
-        memory[held + i] = held_i
-        memory[stage + i] = held_i
+        value = memory[w + i]
+        memory[first + i] = value
+        memory[stage + i] = value
         memory[total + i] = 0.0
     for part in range(4):
         at = begin + (0.0 if part == 0 else h if part == 3 else 0.5 * h)
@@ -95,9 +88,9 @@ def flow(memory: FloatArray, w: int, last: int, room: int, row: FloatArray, begi
         ahead = length if part == 2 else 0.5 * length
         for i in range(q):
             memory[total + i] += weight * memory[change + i]
-            memory[stage + i] = memory[held + i] + ahead * memory[change + i]
+            memory[stage + i] = memory[first + i] + ahead * memory[change + i]
     for i in range(q):
-        memory[w + i] = memory[held + i] + length / 6.0 * memory[total + i]
+        memory[w + i] = memory[first + i] + length / 6.0 * memory[total + i]
 
 
 @law
@@ -105,14 +98,14 @@ def advance(memory: FloatArray, row: FloatArray) -> int:
     """Take in the sample (t, inputs): go on from the last one, or begin; a repeated t replaces its inputs."""
     q, k, m = int(memory[STATES]), int(memory[COMPONENTS]), int(memory[INPUTS])
     start = start_at(q, k, m, int(memory[OUTPUTS]))
-    known = start + q
-    t, w = known + 1, known + 2
+    started = start + q
+    t, w = started + 1, started + 2
     last, room = w + q, w + q + m
     h = row[0] - memory[t]
     verdict = ACCEPTED
-    if memory[known] == 1.0 and h < 0.0:
+    if memory[started] == 1.0 and h < 0.0:
         return BACKWARDS
-    if memory[known] == 0.0 or (memory[DISCRETE] == 0.0 and h > memory[GAP]):
+    if memory[started] == 0.0 or (memory[DISCRETE] == 0.0 and h > memory[GAP]):
         for i in range(q):
             memory[w + i] = 0.0
     elif h == 0.0:
@@ -127,10 +120,10 @@ def advance(memory: FloatArray, row: FloatArray) -> int:
         else:
             count = max(1, ceil(h / memory[STEP]))
             for i in range(count):
-                flow(memory, w, last, room, row, i / count, 1.0 / count)
+                flow(memory, w, row, i / count, 1.0 / count)
         for i in range(q):
             memory[w + i] -= memory[start + i]
-    memory[known], memory[t] = 1.0, row[0]
+    memory[started], memory[t] = 1.0, row[0]
     for j in range(m):
         memory[last + j] = row[1 + j]
     return verdict
@@ -167,19 +160,11 @@ def read(memory: FloatArray, out: FloatArray) -> None:
 
 @law
 def step(memory: FloatArray, row: FloatArray, out: FloatArray) -> int:
-    """One sample (t, inputs): the state is carried to t and read out."""
+    """One sample (t, inputs): the state is carried to t and read out; an earlier t changes nothing."""
     verdict = advance(memory, row)
-    if verdict == BACKWARDS:
-        out[:] = np.nan
-    else:
+    if verdict != BACKWARDS:
         read(memory, out)
     return verdict
 
 
-@law
-def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
-    """The same step over a table; a row of an earlier time than the last leaves NaN and changes nothing."""
-    for i in range(len(rows)):
-        if begin[i]:
-            memory[first:] = 0.0
-        step(memory, rows[i], out[i])
+loop = loop_into(step)

@@ -15,8 +15,10 @@ from pointpred.observers.interconnected.generator import Generator
 from pointpred.observers.matrices import matrix
 from pointpred.observers.nonlinearity import nonlinearity
 from pointpred.observers.persidskii import Persidskii
-from pointpred.parameter import Parameter, check
+from pointpred.parameter import option, parameter
 from pointpred.stage import CompiledStage
+
+STEPS_MOST = 100_000
 
 
 class PersidskiiObserver(CompiledStage):
@@ -43,10 +45,9 @@ class PersidskiiObserver(CompiledStage):
     [0.0, 0.221199, 0.632121]
     """
 
-    parameters = (
-        Parameter("step_s", "s", 1e-6, 1.0, "longest step of the integration"),
-        Parameter("gap_s", "s", 1e-6, 1e6, "longest time between two samples that is bridged"),
-    )
+    step_s: float = parameter("s", 1e-6, 1.0, "longest step of the integration", default=1e-2)
+    gap_s: float = parameter("s", 1e-6, 1e6, "longest time between two samples that is bridged", default=1.0)
+    time: str = option("'continuous' or 'discrete'", default="continuous")
     step = staticmethod(law.step)
     loop = staticmethod(law.loop)
 
@@ -63,27 +64,21 @@ class PersidskiiObserver(CompiledStage):
         R: ArrayLike | None = None,
         R2: ArrayLike | None = None,
         start: ArrayLike | None = None,
-        step_s: float = 1e-2,
-        gap_s: float = 1.0,
-        time: str = "continuous",
+        **values: Any,
     ) -> None:
-        check(self.parameters, {"step_s": step_s, "gap_s": gap_s})
-        if gap_s / step_s > 1e5:
-            raise ParameterError(
-                f"gap_s must hold at most 1e5 steps, received {gap_s!r} and step_s {step_s!r}"
-            )
-        if time not in ("continuous", "discrete"):
-            raise ParameterError(f"time must be 'continuous' or 'discrete', received {time!r}")
+        self.declare(**values)
         q = len(matrix("N", N))
         ell = np.zeros((q, 0)) if L is None else matrix("L", L, q, 1 if np.ndim(L) == 1 else None)
         k = ell.shape[1]
-        known = nonlinearity(f, k)
-        if known.codes is None:
-            raise ParameterError("a compiled stage needs an f that has a name, received a function")
+        codes = nonlinearity(f, k).codes
+        if codes is None:
+            raise ParameterError(
+                "a compiled stage needs an f that has a name, received a function", field="f"
+            )
         kay = np.zeros((q, 0)) if K is None else matrix("K", K, q, 1 if np.ndim(K) == 1 else None)
         out = np.eye(q) if R0 is None else matrix("R0", R0, None, q)
         parts = [
-            np.array(known.codes, np.float64),
+            np.array(codes, np.float64),
             matrix("N", N, q, q),
             ell,
             np.zeros((0, q)) if k == 0 else matrix("J", J, k, q),
@@ -94,12 +89,28 @@ class PersidskiiObserver(CompiledStage):
             np.zeros((len(out), kay.shape[1])) if R2 is None else matrix("R2", R2, len(out), kay.shape[1]),
             np.zeros(q) if start is None else matrix("start", start, 1, q),
         ]
-        self.inputs, self.time = kay.shape[1], time
+        self.inputs = kay.shape[1]
         self.width = len(out)
-        shape = [q, k, self.inputs, len(out), float(time == "discrete"), step_s, gap_s]
+        shape = [q, k, self.inputs, len(out), float(self.time == "discrete"), self.step_s, self.gap_s]
         settings = np.concatenate([np.array(shape, np.float64), *(part.ravel() for part in parts)])
         self._time_at = len(settings)
         self.lay_out(settings, law.floats(q, k, self.inputs))
+
+    def declare(self, **values: Any) -> None:
+        """Check the values, and that a gap holds no more steps than one sample may cost."""
+        super().declare(**values)
+        if self.gap_s / self.step_s > STEPS_MOST:
+            raise ParameterError(
+                f"gap_s must be at most {STEPS_MOST:.0e} step_s = {self.step_s!r} s, received {self.gap_s!r}",
+                field="gap_s",
+                value=self.gap_s,
+            )
+        if self.time not in ("continuous", "discrete"):
+            raise ParameterError(
+                f"time must be 'continuous' or 'discrete', received {self.time!r}",
+                field="time",
+                value=self.time,
+            )
 
     def update(self, t: float, inputs: ArrayLike = ()) -> FloatArray:
         """Take in the inputs measured at ``t`` (s, or the index) and return what is known at t.
@@ -112,7 +123,9 @@ class PersidskiiObserver(CompiledStage):
         out = np.empty(self.width)
         if law.step(self._memory, row, out) == law.BACKWARDS:
             raise EventOrderError(
-                f"t must not run backwards: received {row[0]!r} after {before[self._time_at + 1]!r}"
+                f"t must not run backwards: received {row[0]!r} after {before[self._time_at + 1]!r}",
+                field="t",
+                value=t,
             )
         if not np.isfinite(self._memory).all():
             self._memory[:] = before

@@ -11,13 +11,12 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
-from pointpred.observers.bounds import ErrorBound
+from pointpred.observers.bounds import ErrorBound, continuous_bound, discrete_bound
 from pointpred.observers.detectability import vertices
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.inequalities.unknowns import Block
 from pointpred.observers.matrices import matrix, moments, positive
 from pointpred.observers.persidskii import Persidskii
-from pointpred.observers.reduced_order.reversed_bounds import continuous_bound, discrete_bound
 from pointpred.observers.reduced_order.reversed_connection import Connection, InvariantObserver
 
 SHARES = (0.6, 0.4, 0.2, 0.05)

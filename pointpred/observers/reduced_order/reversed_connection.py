@@ -7,9 +7,11 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from numpy.typing import ArrayLike
 
 from pointpred.columns import FloatArray
 from pointpred.errors import InfeasibleError, ParameterError
+from pointpred.observers.interconnected.persidskii_observer import PersidskiiObserver
 from pointpred.observers.matrices import matrix, share
 from pointpred.observers.persidskii import Persidskii
 
@@ -223,3 +225,53 @@ def _demand(left: dict[str, FloatArray], tolerance: float, size: float, t: float
         residual = float(np.abs(one).max(initial=0.0))
         if residual > tolerance * size:
             raise InfeasibleError(f"{name} = 0 cannot hold: its residual is {residual:.3g} at t = {t:g}")
+
+
+def invariant_stage(
+    observer: InvariantObserver,
+    *,
+    start: ArrayLike | None = None,
+    **settings: Any,
+) -> PersidskiiObserver:
+    """Observer (3.17) or (3.19) as a stage: inputs are y, then u; it returns the plant's x.
+
+    Assumes constant matrices, C1 = 0 and w, y that determine x, as a reduced-order observer has them.
+    The measured part of the answer is the measurement: its noise goes through, also into the rest by
+    Upsilon.
+
+    Parameters: ``start`` a guess of the plant's state, zeros unless given; ``step_s`` and ``gap_s`` as for
+    ``PersidskiiObserver``. Raises ParameterError.
+
+    Reference: Khalin 2022, (3.17), (3.19), (3.29).
+
+    >>> from pointpred.observers import Persidskii, invariant_observer
+    >>> plant = Persidskii([[0.0, 1.0], [0.0, 0.0]], None, None, "sin", C0=[1.0, 0.0])  # position, velocity
+    >>> stage = invariant_stage(invariant_observer(plant, [[0.0, 1.0]], [[-20.0]]), step_s=0.01)
+    >>> for i in range(100):
+    ...     state = stage.update(i / 100, [0.3 * i / 100])
+    >>> state.round(6).tolist()
+    [0.297, 0.3]
+    """
+    if observer.varying:
+        raise ParameterError(
+            "a compiled stage needs constant matrices, received some that vary",
+            field="observer",
+            value=observer.varying,
+        )
+    now, plant = observer.at(0.0), observer.plant
+    onto, straight = observer.recovery(0.0)
+    inputs = plant.m + plant.z
+    guess = np.zeros(plant.n) if start is None else matrix("start", start, 1, plant.n)[0]
+    return PersidskiiObserver(
+        now.S0,
+        now.S1,
+        now.J,
+        np.hstack([now.B, now.O]),
+        plant.f,
+        R0=onto,
+        R=np.hstack([now.R, np.zeros((plant.k, inputs))]),
+        R2=np.hstack([straight, np.zeros((plant.n, inputs))]),
+        start=now.Z @ guess,
+        time=plant.time,
+        **settings,
+    )

@@ -1,4 +1,4 @@
-"""Regressors as observers of constants: gradient estimators, beside the project's recursive least squares.
+"""Gradient estimators (3.46) and (3.58): regressors as observers of constants.
 
 The parameters are the state of a plant that stands still; what the reversed connection of section 3.3
 makes of it is an estimator of them.
@@ -6,20 +6,129 @@ makes of it is an estimator of them.
 
 from __future__ import annotations
 
-from typing import Literal
+from math import inf
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from pointpred.columns import FloatArray
+from pointpred.compiled import law, layout
 from pointpred.errors import EventError, ParameterError
-from pointpred.observers.regressors import gradient_law as law
-from pointpred.parameter import Parameter, check
-from pointpred.regression import RecursiveLeastSquares
+from pointpred.parameter import option, parameter
+from pointpred.regression import gradient
 from pointpred.regression.recursive_least_squares import moment, starting
-from pointpred.stage import CompiledStage
+from pointpred.stage import CompiledStage, loop_into
 
-__all__ = ["GradientRegressor", "RecursiveLeastSquares"]
+CONTINUOUS, DISCRETE, NORMALISED = 0.0, 1.0, 2.0
+"""Kinds of law, as they stand in the memory."""
+TAKEN, BACKWARDS, TOO_STEEP, UNUSABLE = 0, 1, 2, 3
+"""What became of a sample."""
+
+# Parameters: unknowns n, outputs p, kind of law, then the start (n) and the gain (n x n). The state
+# behind them: whether there was a sample, its time, the estimate less its start (n), the last sample,
+# the sample in between.
+COUNT, OUTPUTS, KIND, START = range(4)
+# A row holds the time, then a sample: p rows of the regressor, then p outputs.
+SAMPLE = 1
+
+
+@layout
+def width(n: int, p: int) -> int:
+    """Floats of a sample: p rows of the regressor, then p outputs."""
+    return p * n + p
+
+
+@layout
+def state_at(n: int) -> int:
+    """Where the state begins."""
+    return START + n + n * n
+
+
+@layout
+def states(n: int, p: int) -> int:
+    """Floats of the state."""
+    return 2 + n + 2 * width(n, p)
+
+
+@law
+def finite(row: FloatArray) -> bool:
+    """Whether every number of a row is finite."""
+    for i in range(1, len(row)):
+        if not abs(row[i]) < inf:
+            return False
+    return bool(abs(row[0]) < inf)
+
+
+@law
+def steepness(memory: FloatArray, row: FloatArray, n: int, p: int) -> float:
+    """The trace of D G D': the sum of the decay rates of the errors of the outputs, in 1/s or per sample."""
+    gain = START + n
+    total = 0.0
+    for output in range(p):
+        w = SAMPLE + output * n
+        for i in range(n):
+            for j in range(n):
+                total += row[w + i] * memory[gain + i * n + j] * row[w + j]
+    return total
+
+
+@law
+def flow(memory: FloatArray, n: int, p: int, sample: int, h: float) -> None:
+    """Follow (3.46) over ``h`` s: exact for one output, several there and back, of second order."""
+    theta = state_at(n) + 2
+    for i in range(2 * p):
+        row = i if i < p else 2 * p - 1 - i
+        output = memory[sample + p * n + row]
+        for j in range(n):
+            output -= memory[sample + row * n + j] * memory[START + j]
+        gradient.descend_along(memory, (theta, sample + row * n, START + n), n, output, 0.5 * h)
+
+
+@law
+def jump(memory: FloatArray, n: int, p: int, sample: int, share: float) -> None:
+    """One step of (3.58) with ``share`` of the gain; the outputs at ``sample`` become their errors."""
+    theta, gain, errors = state_at(n) + 2, START + n, sample + p * n
+    for row in range(p):
+        for j in range(n):
+            memory[errors + row] -= memory[sample + row * n + j] * (memory[START + j] + memory[theta + j])
+    for row in range(p):
+        for i in range(n):
+            for j in range(n):
+                way = memory[gain + i * n + j] * memory[sample + row * n + j]
+                memory[theta + i] += share * way * memory[errors + row]
+
+
+@law
+def step(memory: FloatArray, row: FloatArray, out: FloatArray) -> int:
+    """Take in a row, the estimate to ``out``; a row that is not taken changes nothing."""
+    n, p = int(memory[COUNT]), int(memory[OUTPUTS])
+    state, wide = state_at(n), width(n, p)
+    last = state + 2 + n
+    middle = last + wide
+    if not finite(row):
+        return UNUSABLE
+    started, h = memory[state] == 1.0, row[0] - memory[state + 1]
+    if started and h < 0.0:
+        return BACKWARDS
+    if memory[KIND] == CONTINUOUS:
+        for i in range(wide):
+            memory[middle + i] = 0.5 * (memory[last + i] + row[SAMPLE + i])
+        if started:
+            flow(memory, n, p, middle, h)
+    else:
+        steep = steepness(memory, row, n, p)
+        if memory[KIND] == DISCRETE and not steep < 2.0:
+            return TOO_STEEP
+        for i in range(wide):
+            memory[middle + i] = row[SAMPLE + i]
+        jump(memory, n, p, middle, 1.0 / (1.0 + steep) if memory[KIND] == NORMALISED else 1.0)
+    for i in range(wide):
+        memory[last + i] = row[SAMPLE + i]
+    memory[state], memory[state + 1] = 1.0, row[0]
+    for i in range(n):
+        out[i] = memory[START + i] + memory[state + 2 + i]
+    return TAKEN
 
 
 class GradientRegressor(CompiledStage):
@@ -52,39 +161,39 @@ class GradientRegressor(CompiledStage):
     [3.0, 5.0]
     """
 
-    parameters = (
-        Parameter("count", "", 1, 32, "number of unknown constants"),
-        Parameter("outputs", "", 1, 32, "number of outputs in a sample"),
-    )
-    loop = staticmethod(law.loop)
+    count: int = parameter("", 1, 32, "number of unknown constants", whole=True, kw_only=False)
+    outputs: int = parameter("", 1, 32, "number of outputs in a sample", default=1, whole=True)
+    gain: ArrayLike = option("the gain G: a number, one for each constant, or a matrix", default=1.0)
+    time: Literal["continuous", "discrete"] = option("'continuous' or 'discrete'", default="continuous")
+    normalised: bool = option("whether each step divides the gain by 1 + trace(D G D')", default=False)
+    start: ArrayLike | None = option("the first estimate", default=None)
+    loop = staticmethod(loop_into(step))
 
-    def __init__(
-        self,
-        count: int,
-        *,
-        outputs: int = 1,
-        gain: ArrayLike = 1.0,
-        time: Literal["continuous", "discrete"] = "continuous",
-        normalised: bool = False,
-        start: ArrayLike | None = None,
-    ) -> None:
-        check(self.parameters, {"count": count, "outputs": outputs})
-        for name, value in (("count", count), ("outputs", outputs)):
-            if value != int(value):
-                raise ParameterError(f"{name} must be a whole number, received {value!r}")
-        if time not in ("continuous", "discrete"):
-            raise ParameterError(f"time must be 'continuous' or 'discrete', received {time!r}")
-        if normalised and time == "continuous":
+    def declare(self, **values: Any) -> None:
+        """Check the values, and which of them go together."""
+        super().declare(**values)
+        if self.time not in ("continuous", "discrete"):
             raise ParameterError(
-                "normalised needs time='discrete': no gain of the continuous law is too large"
+                f"time must be 'continuous' or 'discrete', received {self.time!r}",
+                field="time",
+                value=self.time,
             )
-        self.count, self.outputs, self.time = int(count), int(outputs), time
-        self.width = self.count
-        kind = law.CONTINUOUS if time == "continuous" else law.NORMALISED if normalised else law.DISCRETE
-        first = np.zeros(self.count) if start is None else starting(self.count, start)
+        if self.normalised and self.time == "continuous":
+            raise ParameterError(
+                "normalised needs time='discrete': no gain of the continuous law is too large",
+                field="normalised",
+                value=self.normalised,
+            )
+        self.count, self.outputs = int(self.count), int(self.outputs)
+        self.width, self.states = self.count, states(self.count, self.outputs)
+
+    def settings(self) -> FloatArray:
+        """What stands first in the memory: sizes, kind of law, start and gain."""
+        kind = CONTINUOUS if self.time == "continuous" else NORMALISED if self.normalised else DISCRETE
         shape = np.array([float(self.count), float(self.outputs), kind])
-        settings = np.concatenate([shape, first, positive(self.count, gain).ravel()])
-        self.lay_out(settings, law.states(self.count, self.outputs))
+        return np.concatenate(
+            [shape, starting(self.count, self.start), positive(self.count, self.gain).ravel()]
+        )
 
     def update(self, regressor: ArrayLike, output: ArrayLike, t: float | None = None) -> FloatArray:
         """Take in output = regressor theta at ``t`` s and return the estimate.
@@ -92,52 +201,61 @@ class GradientRegressor(CompiledStage):
         The discrete law needs no time. Raises EventError for what is not finite, of another shape or
         too steep, and EventOrderError when time runs backwards; nothing is then changed.
         """
-        state = law.known(self.count)
+        state = state_at(self.count)
         last_t = float(self._memory[state + 1])
         sample = joined(self.count, self.outputs, regressor, output)
         if t is None and self.time == "continuous":
-            raise EventError("the continuous law needs the time of every sample, received t=None")
+            raise EventError("the continuous law needs the time of every sample, received t=None", field="t")
         now = last_t if t is None else moment(t, last_t if self._memory[state] == 1.0 else None)
         out = np.empty(self.count)
-        if law.step(self._memory, now, sample, out) == law.TOO_STEEP:
+        if step(self._memory, np.concatenate([[now], sample]), out) == TOO_STEEP:
             raise EventError(
                 "the trace of D G D' must lie below 2, where a step may enlarge the error, received "
-                f"regressor {regressor!r}: choose a smaller gain or normalised=True"
+                f"regressor {regressor!r}: choose a smaller gain or normalised=True",
+                field="regressor",
+                value=regressor,
             )
         return out
 
 
 def joined(count: int, outputs: int, regressor: ArrayLike, output: ArrayLike) -> FloatArray:
     """A sample as one row; raises EventError where it cannot be taken in."""
-    received = f"received regressor {regressor!r}, output {output!r}"
     try:
         d, y = np.asarray(regressor, np.float64), np.asarray(output, np.float64)
     except (TypeError, ValueError, OverflowError) as unusable:
-        raise EventError(f"a sample must be numbers, {received}") from unusable
-    if d.shape not in ((outputs, count), (count,) if outputs == 1 else ()) or y.size != outputs:
         raise EventError(
-            f"a sample needs a regressor of shape ({outputs}, {count}) and {outputs} outputs, {received}"
+            f"a sample must be numbers, received regressor {regressor!r}, output {output!r}",
+            field="regressor",
+        ) from unusable
+    if d.shape not in ((outputs, count), (count,) if outputs == 1 else ()) or not np.isfinite(d).all():
+        raise EventError(
+            f"regressor must be finite and of shape ({outputs}, {count}), received {regressor!r}",
+            field="regressor",
+            value=regressor,
         )
-    row = np.concatenate([d.ravel(), y.ravel()])
-    if not np.isfinite(row).all():
-        raise EventError(f"a sample must be finite, {received}")
-    return row
+    if y.size != outputs or not np.isfinite(y).all():
+        raise EventError(
+            f"output must be {outputs} finite numbers, received {output!r}", field="output", value=output
+        )
+    return np.concatenate([d.ravel(), y.ravel()])
 
 
 def positive(count: int, gain: ArrayLike) -> FloatArray:
     """A gain as a matrix; raises ParameterError unless it is symmetric and positive definite."""
     try:
-        given = np.asarray(gain, np.float64)
+        values = np.asarray(gain, np.float64)
     except (TypeError, ValueError) as unusable:
-        raise ParameterError(f"gain must be numbers, received {gain!r}") from unusable
-    if given.shape not in ((), (count,), (count, count)) or not np.isfinite(given).all():
-        raise ParameterError(f"gain must be a finite number, {count} or {count} x {count}, received {gain!r}")
-    matrix = np.diag(np.broadcast_to(given, count)) if given.ndim < 2 else given
+        raise _wrong_gain("be numbers", gain) from unusable
+    if values.shape not in ((), (count,), (count, count)) or not np.isfinite(values).all():
+        raise _wrong_gain(f"be a finite number, {count} or {count} x {count}", gain)
+    matrix = np.diag(np.broadcast_to(values, count)) if values.ndim < 2 else values
     if np.abs(matrix - matrix.T).max() > 1e-12 * np.abs(matrix).max():
-        raise ParameterError(f"gain must be symmetric, received {gain!r}")
+        raise _wrong_gain("be symmetric", gain)
     least = float(np.linalg.eigvalsh(matrix).min())
     if least <= 0.0:
-        raise ParameterError(
-            f"gain must be positive definite, its least eigenvalue is {least:g}, received {gain!r}"
-        )
+        raise _wrong_gain(f"be positive definite, its least eigenvalue is {least:g}", gain)
     return np.array(matrix, np.float64)
+
+
+def _wrong_gain(must: str, gain: ArrayLike) -> ParameterError:
+    return ParameterError(f"gain must {must}, received {gain!r}", field="gain", value=gain)

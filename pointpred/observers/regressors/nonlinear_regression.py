@@ -1,24 +1,131 @@
-"""Nonlinear regression (3.50): an estimator, and the condition under which Theorem 3.3.3 proves it."""
+"""Nonlinear regression (3.49)-(3.51): an estimator, and the condition under which Theorem 3.3.3 proves it."""
 
 from __future__ import annotations
+
+from math import ceil
+from typing import Any
 
 import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
 
 from pointpred.columns import FloatArray
+from pointpred.compiled import law, layout
 from pointpred.errors import EventError, ParameterError, UndecidedError
+from pointpred.observers import nonlinearity
 from pointpred.observers.nonlinearity import KNOWN
-from pointpred.observers.regressors import nonlinear_law as law
 from pointpred.observers.regressors.excitation import increasing, samples
-from pointpred.observers.regressors.gradient import joined
-from pointpred.parameter import Parameter, check
+from pointpred.observers.regressors.gradient import finite, joined
+from pointpred.parameter import option, parameter
 from pointpred.regression.recursive_least_squares import moment, starting
-from pointpred.stage import CompiledStage
+from pointpred.stage import CompiledStage, loop_into
 
 MONOTONE = tuple(name for name, one in KNOWN.items() if one.low >= 0.0 and np.isfinite(one.high))
 """Nonlinearities that do not fall and are nowhere infinitely steep."""
 PASSES_MOST = 200
+TAKEN, BACKWARDS, TOO_FAST, UNUSABLE = 0, 1, 2, 3
+"""What became of a sample."""
+STEPS_MOST = 10_000
+"""Bound on the cost of one sample."""
+STEP_MOST = 0.5
+"""Longest step of the integration, in units of the fastest time constant."""
+
+# Parameters: unknowns n, outputs r, gain, code of f, its steepest slope, then the start (n). The state
+# behind them: known, time, the estimate less its start (n), the last sample, then room for one in
+# between (a sample is r rows of J, r outputs, the weight D1) and for the integration (3 n).
+COUNT, OUTPUTS, GAIN, CODE, STEEPEST, START = range(6)
+# A row holds the time, then a sample.
+SAMPLE = 1
+
+
+@layout
+def width(n: int, r: int) -> int:
+    """Floats of a sample."""
+    return r * n + r + 1
+
+
+@layout
+def states(n: int, r: int) -> int:
+    """Floats of the state."""
+    return 2 + n + 2 * width(n, r) + 3 * n
+
+
+@law
+def pace(sample: FloatArray, at: int, n: int, r: int) -> float:
+    """The sum of the squares of J, which bounds the eigenvalues of J'J."""
+    total = 0.0
+    for i in range(r * n):
+        total += sample[at + i] * sample[at + i]
+    return total
+
+
+@law
+def slope(memory: FloatArray, theta: int, sample: int, to: int) -> None:
+    """Write g J'(y - (1 - D1) J theta - D1 f(J theta)) at ``to``; theta without its start."""
+    n, r = int(memory[COUNT]), int(memory[OUTPUTS])
+    weight = memory[sample + r * n + r]
+    for i in range(n):
+        memory[to + i] = 0.0
+    for row in range(r):
+        s = 0.0
+        for i in range(n):
+            s += memory[sample + row * n + i] * (memory[theta + i] + memory[START + i])
+        error = memory[sample + r * n + row] - (1.0 - weight) * s
+        error -= weight * nonlinearity.value(memory[CODE], s)
+        for i in range(n):
+            memory[to + i] += memory[GAIN] * memory[sample + row * n + i] * error
+
+
+@law
+def flow(memory: FloatArray, row: FloatArray, begin: float, h: float, dt: float) -> None:
+    """A step of the classical Runge-Kutta method over the share ``h`` of the interval ``dt``."""
+    n, r = int(memory[COUNT]), int(memory[OUTPUTS])
+    theta, last = START + n + 2, START + n + 2 + n
+    wide = width(n, r)
+    between, room = last + wide, last + 2 * wide
+    for i in range(n):
+        memory[room + i] = memory[theta + i]
+        memory[room + 2 * n + i] = 0.0
+    for part in range(4):
+        at = begin + (0.0 if part == 0 else h if part == 3 else 0.5 * h)
+        for i in range(wide):
+            memory[between + i] = memory[last + i] + at * (row[SAMPLE + i] - memory[last + i])
+        slope(memory, room, between, room + n)
+        weight = 1.0 if part == 0 or part == 3 else 2.0
+        ahead = h * dt if part == 2 else 0.5 * h * dt
+        for i in range(n):
+            memory[room + 2 * n + i] += weight * memory[room + n + i]
+            memory[room + i] = memory[theta + i] + ahead * memory[room + n + i]
+    for i in range(n):
+        memory[theta + i] += h * dt / 6.0 * memory[room + 2 * n + i]
+
+
+@law
+def step(memory: FloatArray, row: FloatArray, out: FloatArray) -> int:
+    """Take in a row, the estimate to ``out``; a row that is not taken changes nothing."""
+    n, r = int(memory[COUNT]), int(memory[OUTPUTS])
+    state = START + n
+    theta, last = state + 2, state + 2 + n
+    if not finite(row) or not 0.0 <= row[SAMPLE + r * n + r] <= 1.0:
+        return UNUSABLE
+    if memory[state] == 1.0:
+        dt = row[0] - memory[state + 1]
+        if dt < 0.0:
+            return BACKWARDS
+        steep = max(pace(memory, last, n, r), pace(row, SAMPLE, n, r))
+        needed = memory[GAIN] * steep * memory[STEEPEST] * dt / STEP_MOST
+        if not needed <= STEPS_MOST:
+            return TOO_FAST
+        steps = max(1, ceil(needed))
+        if dt > 0.0:
+            for i in range(steps):
+                flow(memory, row, i / steps, 1.0 / steps, dt)
+    memory[state], memory[state + 1] = 1.0, row[0]
+    for i in range(width(n, r)):
+        memory[last + i] = row[SAMPLE + i]
+    for i in range(n):
+        out[i] = memory[theta + i] + memory[START + i]
+    return TAKEN
 
 
 class NonlinearRegressor(CompiledStage):
@@ -46,33 +153,30 @@ class NonlinearRegressor(CompiledStage):
     [3.0, 5.0]
     """
 
-    parameters = (
-        Parameter("count", "", 1, 32, "number of unknown constants"),
-        Parameter("outputs", "", 1, 32, "number of outputs in a sample"),
-        Parameter("gain", "1/s", 1e-9, 1e9, "speed of the estimate where J has length 1"),
-    )
-    loop = staticmethod(law.loop)
+    count: int = parameter("", 1, 32, "number of unknown constants", whole=True, kw_only=False)
+    outputs: int = parameter("", 1, 32, "number of outputs in a sample", default=1, whole=True)
+    gain: float = parameter("1/s", 1e-9, 1e9, "speed of the estimate where J has length 1", default=1.0)
+    f: str = option("the nonlinearity of the saturating sensor", default="atan")
+    start: ArrayLike | None = option("the first estimate", default=None)
+    loop = staticmethod(loop_into(step))
 
-    def __init__(
-        self,
-        count: int,
-        *,
-        outputs: int = 1,
-        gain: float = 1.0,
-        f: str = "atan",
-        start: ArrayLike | None = None,
-    ) -> None:
-        check(self.parameters, {"count": count, "outputs": outputs, "gain": gain})
-        for name, value in (("count", count), ("outputs", outputs)):
-            if value != int(value):
-                raise ParameterError(f"{name} must be a whole number, received {value!r}")
-        if f not in MONOTONE:
-            raise ParameterError(f"f must be one of {', '.join(MONOTONE)}, which do not fall, received {f!r}")
-        self.count, self.outputs = int(count), int(outputs)
-        self.width = self.count
-        shape = np.array([self.count, self.outputs, gain, KNOWN[f].code, max(1.0, KNOWN[f].high)])
-        first = np.zeros(self.count) if start is None else starting(self.count, start)
-        self.lay_out(np.concatenate([shape, first]), law.states(self.count, self.outputs))
+    def declare(self, **values: Any) -> None:
+        """Check the values."""
+        super().declare(**values)
+        if self.f not in MONOTONE:
+            raise ParameterError(
+                f"f must be one of {', '.join(MONOTONE)}, which do not fall, received {self.f!r}",
+                field="f",
+                value=self.f,
+            )
+        self.count, self.outputs = int(self.count), int(self.outputs)
+        self.width, self.states = self.count, states(self.count, self.outputs)
+
+    def settings(self) -> FloatArray:
+        """What stands first in the memory: sizes, gain, nonlinearity and start."""
+        f = KNOWN[self.f]
+        shape = np.array([self.count, self.outputs, self.gain, f.code, max(1.0, f.high)])
+        return np.concatenate([shape, starting(self.count, self.start)])
 
     def update(self, regressor: ArrayLike, weight: float, output: ArrayLike, t: float) -> FloatArray:
         """Take in a sample at ``t`` s, ``weight`` being D1, and return the estimate.
@@ -80,20 +184,24 @@ class NonlinearRegressor(CompiledStage):
         Raises EventError for what is not finite, of another shape, a weight outside [0, 1], or a gap
         over which the gain is too large; EventOrderError when time runs backwards; nothing is then changed.
         """
-        row = joined(self.count, self.outputs, regressor, output)
+        sample = joined(self.count, self.outputs, regressor, output)
         try:
             share = float(weight)
         except (TypeError, ValueError) as unusable:
-            raise EventError(f"weight must be a number, received {weight!r}") from unusable
-        if not 0.0 <= share <= 1.0:
-            raise EventError(f"weight must lie in [0, 1], received {weight!r}")
-        known = law.START + self.count
-        now = moment(t, float(self._memory[known + 1]) if self._memory[known] == 1.0 else None)
-        out = np.empty(self.count)
-        if law.step(self._memory, now, np.append(row, share), out) == law.TOO_FAST:
             raise EventError(
-                f"gain J'J over the gap would need more than {law.STEPS_MOST} steps, received t={t!r}, "
-                f"regressor {regressor!r}"
+                f"weight must be a number, received {weight!r}", field="weight", value=weight
+            ) from unusable
+        if not 0.0 <= share <= 1.0:
+            raise EventError(f"weight must lie in [0, 1], received {weight!r}", field="weight", value=weight)
+        state = START + self.count
+        now = moment(t, float(self._memory[state + 1]) if self._memory[state] == 1.0 else None)
+        out = np.empty(self.count)
+        if step(self._memory, np.concatenate([[now], sample, [share]]), out) == TOO_FAST:
+            raise EventError(
+                f"gain J'J over the gap would need more than {STEPS_MOST} steps, received t={t!r}, "
+                f"regressor {regressor!r}",
+                field="t",
+                value=t,
             )
         return out
 
@@ -136,31 +244,33 @@ def regression_margin(
     j = samples(regressor, len(times))
     d1 = np.asarray(weight, np.float64)
     if d1.shape != times.shape or not ((d1 >= 0.0) & (d1 <= 1.0)).all():
-        raise ParameterError(f"weight must be {len(times)} numbers in [0, 1], received shape {d1.shape}")
+        raise ParameterError(
+            f"weight must be {len(times)} numbers in [0, 1], received shape {d1.shape}", field="weight"
+        )
     if not 0.0 < gain < np.inf or not 0.0 <= flattest <= 1.0:
         raise ParameterError(
             f"gain must be above 0 and flattest in [0, 1], received {gain!r} and {flattest!r}"
         )
     squares = np.einsum("kri,krj->kij", j, j)
-    held, h = 0.5 * (squares[:-1] + squares[1:]), np.diff(times)
-    values, vectors = np.linalg.eigh(held)
+    middle, h = 0.5 * (squares[:-1] + squares[1:]), np.diff(times)
+    values, vectors = np.linalg.eigh(middle)
     rate = gain * np.maximum(values, 0.0) * h[:, None]
     fade = np.einsum("kia,ka,kja->kij", vectors, np.exp(-rate), vectors)
     gained = np.einsum("kia,ka,kja->kij", vectors, _share(2.0 * rate) * h[:, None], vectors)
     p, last = np.zeros(squares.shape[1:]), np.inf
     for _ in range(PASSES_MOST):
-        begun, found = p, []
+        first, backwards = p, []
         for forget, new in zip(fade[::-1], gained[::-1], strict=True):
             p = new + forget @ p @ forget
-            found.append(p)
-        last = float(np.abs(p - begun).max()) / float(np.abs(p).max())
+            backwards.append(p)
+        last = float(np.abs(p - first).max()) / float(np.abs(p).max())
         if last < 1e-9:
             break
     else:
         raise UndecidedError(
             f"P still changes by {last:.2g} of itself after {PASSES_MOST} passes: no excitation?"
         )
-    return _least(times, np.array(found[::-1]), squares[:-1], d1[:-1], gain * (1.0 - flattest))
+    return _least(times, np.array(backwards[::-1]), squares[:-1], d1[:-1], gain * (1.0 - flattest))
 
 
 def _share(x: FloatArray) -> FloatArray:

@@ -1,24 +1,126 @@
-"""The reduced-order observer of an interlaced system (4.16) as a stage on irregular samples."""
+"""The reduced-order observer of an interlaced system (4.16) as a stage on irregular samples.
+
+w' = A w + L (y - C w) is followed exactly, then the maps of the steady state are evaluated.
+"""
 
 from __future__ import annotations
 
-from math import isfinite
+from math import ceil, isfinite
 
 import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
 
 from pointpred.columns import FloatArray
+from pointpred.compiled import law, layout
 from pointpred.errors import EventError, ParameterError
 from pointpred.observers.matrices import matrix
-from pointpred.observers.triangular import interlaced_law as law
 from pointpred.observers.triangular.interlaced_certificate import InterlacedCertificate, certify
 from pointpred.observers.triangular.polynomials import symbolic
-from pointpred.observers.triangular.program import ROW, program
+from pointpred.observers.triangular.program import ROW, execute, program
 from pointpred.observers.triangular.system import SymbolicSteadyState
-from pointpred.parameter import Parameter, check
+from pointpred.parameter import parameter
 from pointpred.regression.recursive_least_squares import moment
-from pointpred.stage import CompiledStage
+from pointpred.stage import CompiledStage, loop_into
+
+TAKEN, BACKWARDS = 0, 1
+"""What became of a sample."""
+
+# Parameters: states of the generator q, outputs p, rows of the program, where they begin, where the answers
+# begin and how many there are, where the state begins, the longest interval over which outputs are joined by
+# a line (s), the largest row sums of A - L C and of A (1/s); start, A and A - L C (q x q), L (q x p).
+Q, P, ROWS, PROGRAM, ANSWERS, ANSWERED, STATE, GAP_S, FAST, SLOW, START = range(11)
+# The state: whether there was a sample, its time, whether its outputs were there, they (p), the estimate (q).
+STARTED, T, MEASURED, Y = range(4)
+
+ORDER = 14
+"""Terms of the exponential series; with a norm of at most 1/2 the rest lies below 1e-16."""
+NEGLIGIBLE = 1e-18
+"""Share of the estimate below which the rest of the series cannot be seen in it."""
+STEPS_MOST = 4096
+"""Sub-steps of one interval; after a longer one the estimate begins anew."""
+
+
+@layout
+def settings(q: int, p: int) -> int:
+    """Floats before the program."""
+    return START + q + 2 * q * q + q * p
+
+
+@layout
+def states(q: int, p: int) -> int:
+    """Floats of the state, with two vectors to compute in, before what the program computes."""
+    return Y + p + 3 * q
+
+
+@law
+def drive(memory: FloatArray, i: int, k: int, passed: float, share: float, row: FloatArray) -> float:
+    """What L y adds to row i of the first two derivatives, y on a line from the last sample to this one."""
+    q, p = int(memory[Q]), int(memory[P])
+    gain, last = START + q + 2 * q * q + i * p, int(memory[STATE]) + Y
+    total = 0.0
+    for j in range(p):
+        rise = row[1 + j] - memory[last + j]
+        total += memory[gain + j] * (memory[last + j] + passed * rise if k == 1 else share * rise)
+    return total
+
+
+@law
+def follow(memory: FloatArray, matrix: int, h: float, steps: int, row: FloatArray, driven: bool) -> None:
+    """Follow w' = M w + L y over ``h`` s by the exponential series; without L y unless ``driven``."""
+    q = int(memory[Q])
+    w = int(memory[STATE]) + Y + int(memory[P])
+    term, after = w + q, w + 2 * q
+    for n in range(steps):
+        for k in range(1, ORDER + 1):
+            source = w if k == 1 else term
+            for i in range(q):
+                total = drive(memory, i, k, n / steps, 1.0 / steps, row) if driven and k <= 2 else 0.0
+                for j in range(q):
+                    total += memory[matrix + i * q + j] * memory[source + j]
+                memory[after + i] = total * h / (steps * k)
+            moved, most = 0.0, 0.0
+            for i in range(q):
+                memory[term + i] = memory[after + i]
+                memory[w + i] += memory[after + i]
+                moved = max(moved, abs(memory[after + i]))
+                most = max(most, abs(memory[w + i]))
+            if k > 2 and moved <= NEGLIGIBLE * most:
+                break
+
+
+@law
+def step(memory: FloatArray, row: FloatArray, out: FloatArray) -> int:
+    """Take in t and the outputs (NaN: not measured), the answers to ``out``; time backwards changes nothing.
+
+    Over an interval longer than ``gap_s``, or with an end that was not measured, the generator runs alone.
+    """
+    q, p, state = int(memory[Q]), int(memory[P]), int(memory[STATE])
+    w, a, h = state + Y + p, START + q, row[0] - memory[state + T]
+    started = memory[state + STARTED] == 1.0
+    if started and h < 0.0:
+        return BACKWARDS
+    measured = True
+    for j in range(p):
+        if row[1 + j] != row[1 + j]:
+            measured = False
+    driven = measured and memory[state + MEASURED] == 1.0 and h <= memory[GAP_S]
+    steps = max(1.0, ceil(2.0 * h * memory[FAST if driven else SLOW]))
+    if started and steps <= STEPS_MOST:
+        follow(memory, a + q * q if driven else a, h, int(steps), row, driven)
+    else:
+        for i in range(q):
+            memory[w + i] = memory[START + i]
+    memory[state + STARTED], memory[state + T] = 1.0, row[0]
+    memory[state + MEASURED] = 1.0 if measured else 0.0
+    for j in range(p):
+        memory[state + Y + j] = row[1 + j] if measured else 0.0
+    execute(memory, int(memory[PROGRAM]), int(memory[ROWS]))
+    for i in range(q):
+        out[i] = memory[w + i]
+    for i in range(int(memory[ANSWERED])):
+        out[q + i] = memory[int(memory[ANSWERS]) + i]
+    return TAKEN
 
 
 class InterlacedEstimate(msgspec.Struct, frozen=True):
@@ -48,7 +150,7 @@ class InterlacedObserver(CompiledStage):
     EventOrderError from ``update``. Reference: Khalin 2022, Theorem 4.4.1.
 
     >>> import sympy as sp
-    >>> from pointpred.observers.triangular.interlaced_form import interlaced
+    >>> from pointpred.observers.triangular.forms import interlaced
     >>> from pointpred.observers.triangular.system import SymbolicGenerator, SymbolicSystem
     >>> x1, x2, u, w1, w2 = sp.symbols("x1 x2 u w1 w2")
     >>> plant = SymbolicSystem((x1, x2), (-x1 + x2**2, -x2 + u), u, outputs=(x2,))
@@ -61,8 +163,8 @@ class InterlacedObserver(CompiledStage):
     (0.2887, 0.2887)
     """
 
-    parameters = (Parameter("gap_s", "s", 1e-6, 1e6, "over a longer gap the generator runs alone"),)
-    loop = staticmethod(law.loop)
+    gap_s: float = parameter("s", 1e-6, 1e6, "over a longer gap the generator runs alone", default=1.0)
+    loop = staticmethod(loop_into(step))
 
     def __init__(
         self,
@@ -70,26 +172,26 @@ class InterlacedObserver(CompiledStage):
         certificate: InterlacedCertificate,
         *,
         start: ArrayLike | None = None,
-        gap_s: float = 1.0,
+        **values: float,
     ) -> None:
-        check(self.parameters, {"gap_s": gap_s})
+        self.declare(**values)
         a, c = steady.generator.matrix(), output_matrix(steady)
         q, p = len(a), len(c)
         gain = matrix("L", certificate.L, q, p)
         first = np.zeros(q) if start is None else matrix("start", start, q, 1).ravel()
         maps = program(steady.generator.states, (*steady.maps, *steady.zero_maps, steady.input))
-        state = law.settings(q, p) + ROW * len(maps.rows) + len(maps.constants)
-        computed = state + law.states(q, p)
-        rows = maps.placed(state + law.Y + p, state - len(maps.constants), computed)
+        state = settings(q, p) + ROW * len(maps.rows) + len(maps.constants)
+        computed = state + states(q, p)
+        rows = maps.placed(state + Y + p, state - len(maps.constants), computed)
         closed = a - gain @ c
         speeds = [float(np.abs(one).sum(axis=1).max()) for one in (closed, a)]
         answers = computed + maps.computed - maps.outputs
-        shape = [q, p, len(maps.rows), law.settings(q, p), answers, maps.outputs, state, gap_s, *speeds]
+        shape = [q, p, len(maps.rows), settings(q, p), answers, maps.outputs, state, self.gap_s, *speeds]
         flat = np.concatenate([shape, first, a.ravel(), closed.ravel(), gain.ravel(), rows, maps.constants])
         self.steady, self.certificate = steady, certificate
         self._states, self._outputs = q, p
         self.width = q + maps.outputs
-        self.lay_out(flat, law.states(q, p) + maps.computed)
+        self.lay_out(flat, states(q, p) + maps.computed)
 
     @classmethod
     def design(
@@ -99,11 +201,11 @@ class InterlacedObserver(CompiledStage):
         rate: float = 0.5,
         gain: ArrayLike | None = None,
         start: ArrayLike | None = None,
-        gap_s: float = 1.0,
+        **values: float,
     ) -> InterlacedObserver:
-        """Find a gain, or certify a given one, and build the observer with it; see ``certify``."""
-        found = certify(steady.generator.matrix(), output_matrix(steady), rate=rate, gain=gain)
-        return cls(steady, found, start=start, gap_s=gap_s)
+        """Find a gain, or certify one, and build the observer with it; see ``certify``."""
+        certificate = certify(steady.generator.matrix(), output_matrix(steady), rate=rate, gain=gain)
+        return cls(steady, certificate, start=start, **values)
 
     def update(self, y: ArrayLike | None, t: float) -> InterlacedEstimate:
         """Take in the outputs at ``t`` s, ``None`` where nothing was measured, and return the estimate.
@@ -112,15 +214,14 @@ class InterlacedObserver(CompiledStage):
         backwards; nothing is then changed.
         """
         memory = self._memory
-        state = int(memory[law.STATE])
-        sample = self._sample(y)
-        now = moment(t, float(memory[state + law.T]) if memory[state] == 1.0 else None)
+        state = int(memory[STATE])
+        now = moment(t, float(memory[state + T]) if memory[state] == 1.0 else None)
         out = np.empty(self.width)
-        law.step(memory, now, sample, out)
+        step(memory, np.concatenate([[now], self._outputs_of(y)]), out)
         values, q, n = out.tolist(), self._states, self._states + len(self.steady.maps)
         return InterlacedEstimate(now, tuple(values[:q]), tuple(values[q:n]), tuple(values[n:-1]), values[-1])
 
-    def _sample(self, y: ArrayLike | None) -> FloatArray:
+    def _outputs_of(self, y: ArrayLike | None) -> FloatArray:
         if y is None:
             return np.full(self._outputs, np.nan)
         try:

@@ -131,16 +131,6 @@ def program(inputs: Sequence[Any], expressions: Sequence[Any]) -> Program:
     return writer.finished(ends)
 
 
-def _nested(e: Any, inputs: Sequence[Any]) -> Any:
-    """A polynomial, or a fraction of two, by Horner's rule; anything else as it is."""
-    sp = symbolic()
-    above, below = (sp.sympify(one) for one in sp.fraction(e))
-    parts = [
-        sp.horner(one, wrt=list(inputs)) if one.is_polynomial(*inputs) else one for one in (above, below)
-    ]
-    return parts[0] / parts[1]
-
-
 class _Writer:
     """Rows while they are written; a register is known by its kind and its number among that kind."""
 

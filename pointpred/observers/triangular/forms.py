@@ -1,0 +1,115 @@
+"""Steady states of systems in triangular form: feedback, feedforward, and one driven by the other.
+
+Propositions 4.3.1 and 4.3.2, the second corrected, and the form (4.12), (4.13) that interlaces them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from pointpred.errors import ParameterError
+from pointpred.observers.triangular.nonzero import Region
+from pointpred.observers.triangular.order import Solving
+from pointpred.observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
+
+
+def feedback(
+    system: SymbolicSystem,
+    generator: SymbolicGenerator,
+    first: Any,
+    *,
+    zero: Sequence[Any] | None = None,
+    degree: int | None = None,
+    region: Region = None,
+) -> SymbolicSteadyState:
+    """The input that makes the first state follow a chosen function of the generator, and all states with it.
+
+    Assumes xi_i' = f_i + g_i xi_(i+1) with f_i, g_i of xi_1 ... xi_i and z, the last row with the input in
+    place of the next state. Says nothing about attraction. f_i and g_i are read off the rows.
+
+    pi_(i+1) = (Dpi_i s - f_i) / g_i, l = (Dpi_n s - f_n) / g_n
+
+    Parameters: ``first`` pi_1; ``zero`` rho where it is known, else the zero dynamics are solved as a power
+    series up to ``degree``; ``region`` bounds of each state of the generator, in which g_i must vanish
+    nowhere, ``None`` the whole space. Raises ParameterError for a row of another form, InfeasibleError with
+    the place where a g_i vanishes and at a resonance of the zero dynamics, UndecidedError where neither is
+    shown.
+    Reference: Khalin 2022, Proposition 4.3.1.
+
+    >>> import sympy as sp
+    >>> x3, x4, u, w1, w2 = sp.symbols("x3 x4 u w1 w2")
+    >>> plant = SymbolicSystem((x3, x4), (-x3**3 + x4, -x4 + (1 + x3**2) * u), u)
+    >>> steady = feedback(plant, SymbolicGenerator((w1, w2), (w2, -w1)), w1)
+    >>> steady.maps, steady.input, steady.exact
+    ((w1, w1**3 + w2), (w1**3 + 3*w1**2*w2 - w1 + w2)/(w1**2 + 1), True)
+    """
+    known = {system.states[0]: first}
+    return Solving(system, generator, known, upper=0, zero=zero, degree=degree, region=region).solve()
+
+
+def feedforward(
+    system: SymbolicSystem,
+    generator: SymbolicGenerator,
+    input: Any,
+    degree: int,
+    *,
+    zero: Sequence[Any] | None = None,
+) -> SymbolicSteadyState:
+    """The steady state under a given input as a power series in the generator's states.
+
+    Assumes zeta_i' = f_i(zeta_i) + g_i(zeta_(i+1) ... zeta_n, z, u), analytic and zero at the origin; the row
+    of zeta_i may also mix zeta_i with what follows it. Good near the origin only, unless ``exact``.
+
+    The series is the centre manifold, found degree by degree. The print solves a Cauchy problem with
+    pi = 0 where w_q = 0 instead; its solution takes another value after each turn of the generator and is no
+    steady state.
+
+    Parameters: ``input`` l(w); ``degree`` of the series, 1 to 15; ``zero`` rho where it is known. Raises
+    ParameterError for a row of another form, InfeasibleError at a resonance without solution, naming degree
+    and equation. Reference: Khalin 2022, Proposition 4.3.2; Carr 1981, section 1.4.
+
+    >>> import sympy as sp
+    >>> x1, x2, u, w1, w2 = sp.symbols("x1 x2 u w1 w2")
+    >>> plant = SymbolicSystem((x1, x2), (-x1 + x2**2 * u, -x2 + u), u)
+    >>> steady = feedforward(plant, SymbolicGenerator((w1, w2), (w2, -w1)), w1, degree=3)
+    >>> steady.maps[1], steady.maps[0].coeff(w1, 3), steady.exact
+    (w1/2 - w2/2, 1/40, True)
+    """
+    known = {system.input: input}
+    upper = len(system.states)
+    return Solving(system, generator, known, upper=upper, zero=zero, degree=degree, region=None).solve()
+
+
+def interlaced(
+    system: SymbolicSystem,
+    generator: SymbolicGenerator,
+    upper: int,
+    first: Any,
+    degree: int | None = None,
+    *,
+    zero: Sequence[Any] | None = None,
+    region: Region = None,
+) -> SymbolicSteadyState:
+    """The input and the steady state for which the first state of the lower part is a chosen function.
+
+    Assumes the form (4.12), (4.13): the first ``upper`` states feed forward, the others feed back. Rows of
+    the upper part may also contain later states of the lower part where these follow without it (Example 9).
+    Exact where the series of the upper part end, else good near the origin.
+
+    Parameters: as in ``feedback`` and ``feedforward``; ``upper`` mu, 0 to the number of states less one;
+    ``first`` pi_(mu+1); ``degree`` is needed where a series is. Raises as they do.
+    Reference: Khalin 2022, section 4.4.
+
+    >>> import sympy as sp
+    >>> x1, x2, u, w1, w2 = sp.symbols("x1 x2 u w1 w2")
+    >>> plant = SymbolicSystem((x1, x2), (-x1 + x2, x1 + u), u)
+    >>> steady = interlaced(plant, SymbolicGenerator((w1, w2), (w2, -w1)), 1, w1, 1)
+    >>> steady.maps, steady.input
+    ((w1/2 - w2/2, w1), -w1/2 + 3*w2/2)
+    """
+    if not isinstance(upper, int) or not 0 <= upper < len(system.states):
+        most = len(system.states) - 1
+        raise ParameterError(f"upper must be a whole number in [0, {most}], received {upper!r}")
+    known = {system.states[upper]: first}
+    return Solving(system, generator, known, upper=upper, zero=zero, degree=degree, region=region).solve()
