@@ -91,7 +91,7 @@ def _pieces() -> Iterable[Part]:
     of_anybody, of_a_person, together, motions = PIECES
     return (
         Part(of_anybody, lambda: beneath().advance(MOTION), (beneath.step,)),
-        Part(of_a_person, _adapt, (adaptation.conclude, adaptation.adapted)),
+        Part(of_a_person, _adapt, (adaptation.conclude, adaptation.adapt)),
         Part(together, partial(_follow, whole), (whole.step, whole.loop), (of_anybody, of_a_person)),
         Part(
             motions, _move, (HomogeneousDifferentiator.step, HomogeneousDifferentiator.loop, unpack_records)
@@ -106,7 +106,7 @@ MOTION = (0.0, 5.0, 2.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 1.0)
 def _adapt() -> None:
     memory = np.zeros(adaptation.LENGTH)
     adaptation.conclude(memory)
-    adaptation.adapted(memory, (0.0, 5.0, 2.0, 1.0, 0.0, 1.0, 0.1, 1.0, 1.0, 1.0))
+    adaptation.adapt(memory, (0.0, 5.0, 2.0, 1.0, 0.0, 1.0, 0.1, 1.0, 1.0, 1.0))
 
 
 def _follow(kind: Callable[[], Predictor]) -> None:

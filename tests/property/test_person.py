@@ -37,12 +37,12 @@ def number(slot: Slot) -> st.SearchStrategy[float]:
 def consistent(numbers: Sequence[float]) -> FloatArray:
     """The numbers, changed as little as ``doubt`` asks for: what is held fits, and belief sums to 1."""
     known = np.array(numbers)
-    far, long = known[law.DISTANCES : law.CLOCK], known[law.CLOCK : law.LEVELS]
+    far, long = known[law.DISTANCES : law.DURATIONS], known[law.DURATIONS : law.REGIONS]
     far[distances.DISTANCES : distances.BELIEF] = np.maximum(
         far[distances.DISTANCES : distances.BELIEF], distances.SHORTEST_PX
     )
-    long[clock.HELD] = far[distances.HELD]
-    held = int(long[clock.HELD])
+    long[clock.COUNT] = far[distances.COUNT]
+    held = int(long[clock.COUNT])
     if held:
         durations = long[clock.DURATIONS : clock.DURATIONS + held]
         durations[:] = np.maximum(durations, 1e-6)

@@ -7,6 +7,8 @@ import pytest
 
 from pointpred.columns import FloatArray
 from pointpred.predictors.adaptation import distances, stages
+from pointpred.predictors.adaptation.distances import Ahead
+from pointpred.predictors.adaptation.stages import Moment
 
 FORGETTING, RIDGE = 0.97, 20.0
 LAWS = [(time, width) for time in (1.5, 12.0) for width in (0.02, 0.08, 0.35)]
@@ -62,7 +64,7 @@ def test_the_answer_is_the_median_of_the_product(history: list[float], wide: flo
     """With a normal law the product is known: integrated over a fine grid it gives the same median."""
     reached = 120.0
     memory = remembered(history)
-    own, width = distances.drawn(memory, 0, reached, ahead, wide, 0.0, 1e9)
+    own, width = distances.combine(memory, 0, reached, Ahead(ahead, wide, 0.0, 1e9))
     grid = np.linspace(ahead - 8.0 * wide, ahead + 8.0 * wide, 400_001)
     law = np.exp(-0.5 * ((grid - ahead) / wide) ** 2)
     belief, last = beliefs(history), np.array(history[::-1][:12])
@@ -82,30 +84,26 @@ def test_the_answer_is_the_median_of_the_product(history: list[float], wide: flo
 
 def test_nearer_where_the_direction_is_uncertain() -> None:
     memory = remembered([400.0] * 12)
-    sure, _ = distances.drawn(memory, 0, 10.0, 300.0, 120.0, 0.0, 8.0)
-    unsure, _ = distances.drawn(memory, 0, 10.0, 300.0, 120.0, 200.0, 8.0)
+    sure, _ = distances.combine(memory, 0, 10.0, Ahead(300.0, 120.0, 0.0, 8.0))
+    unsure, _ = distances.combine(memory, 0, 10.0, Ahead(300.0, 120.0, 200.0, 8.0))
     assert sure == pytest.approx(390.0, abs=3.0)
     assert unsure == pytest.approx(400.0 / np.sqrt(1.0 + 0.5 * 0.25) - 10.0, abs=3.0)
 
 
-def moment(random: np.random.Generator) -> tuple[FloatArray, float, float, float]:
+def moment(random: np.random.Generator) -> tuple[Moment, float, float, float]:
     """A moment of a movement along x, and where and when it ended."""
-    said = np.zeros(stages.MOMENT)
     reached, ahead = random.uniform(20.0, 300.0), random.uniform(20.0, 300.0)
-    said[stages.TAKEN], said[stages.T] = 1.0, random.uniform(0.1, 0.5)
-    said[stages.X], said[stages.UX] = reached, 1.0
-    said[stages.ALONG], said[stages.ACROSS] = ahead, random.normal(0.0, 5.0)
-    said[stages.SAID_WIDE], said[stages.SAID_BROAD] = random.uniform(10.0, 60.0, 2)
-    said[stages.TAIL] = random.uniform(2.0, 20.0)
-    said[stages.LEFT] = random.uniform(0.2, 0.6)
-    said[stages.REACHED] = reached
+    t, across = random.uniform(0.1, 0.5), random.normal(0.0, 5.0)
+    wide, broad = random.uniform(10.0, 60.0, 2).tolist()
+    tail, left = random.uniform(2.0, 20.0), random.uniform(0.2, 0.6)
     x = reached + 1.2 * ahead + 10.0 * random.standard_t(3.0)
-    return said, x, random.normal(0.0, 15.0), said[stages.T] + random.uniform(0.2, 0.9)
+    m = Moment(t, reached, 0.0, 1.0, 0.0, ahead, across, wide, broad, tail, left, reached)
+    return m, x, random.normal(0.0, 15.0), t + random.uniform(0.2, 0.9)
 
 
 def test_the_bias_is_weighted_least_squares_over_the_whole_history() -> None:
     random = np.random.default_rng(3)
-    memory = np.zeros(stages.LEARNED + stages.MOMENT)
+    memory = np.zeros(stages.LEARNED)
     inputs: list[FloatArray] = []
     targets: list[float] = []
     weights: list[float] = []
@@ -113,22 +111,20 @@ def test_the_bias_is_weighted_least_squares_over_the_whole_history() -> None:
     across2: list[float] = []
     along2: list[float] = []
     for _ in range(60):
-        said, x, y, t = moment(random)
-        wide, tail = said[stages.SAID_WIDE], said[stages.TAIL]
-        total = np.hypot(said[stages.REACHED] + said[stages.ALONG], said[stages.ACROSS])
-        inputs.append(np.array([total, said[stages.ALONG]]) / wide)
-        targets.append((x - said[stages.X] - said[stages.ALONG]) / wide)
+        m, x, y, t = moment(random)
+        total = np.hypot(m.reached + m.along, m.across)
+        inputs.append(np.array([total, m.along]) / m.wide)
+        targets.append((x - m.x - m.along) / m.wide)
         rest = targets[-1] - inputs[-1] @ theta
-        weights.append((tail + 1.0) / (tail + rest**2))
+        weights.append((m.tail + 1.0) / (m.tail + rest**2))
         ages = FORGETTING ** np.arange(len(targets) - 1, -1, -1)
-        for kept, off in ((along2, rest), (across2, (y - said[stages.ACROSS]) / said[stages.SAID_BROAD])):
+        for kept, off in ((along2, rest), (across2, (y - m.across) / m.broad)):
             scale = (ages[:-1] @ np.array(kept) + 2.0) / (ages[:-1].sum() + 2.0)
-            kept.append((tail + 1.0) / (tail + off**2 / scale) * off**2)
+            kept.append((m.tail + 1.0) / (m.tail + off**2 / scale) * off**2)
         rows, weight = np.array(inputs), ages * np.array(weights)
         gram = (rows * weight[:, None]).T @ rows + RIDGE * np.eye(2)
         theta = np.linalg.solve(gram, (rows * weight[:, None]).T @ np.array(targets))
-        memory[stages.LEARNED :] = said
-        stages.learn(memory, 0, stages.LEARNED, x, y, t)
+        stages.learn(memory, 0, m, x, y, t)
     np.testing.assert_allclose(memory[[stages.TOTAL, stages.AHEAD]], theta, rtol=1e-9)
     np.testing.assert_allclose(memory[stages.COUNT], ages.sum(), rtol=1e-12)
     np.testing.assert_allclose(memory[stages.WIDE], ages @ np.array(along2), rtol=1e-9)
@@ -142,7 +138,7 @@ def test_between_stages_lie_lines() -> None:
         memory[at + stages.TOTAL] = 0.1 * (stage + 1) ** 2
         memory[at + stages.BIAS_PAID] = memory[at + stages.BIAS_SIZE] = 1e12
     shares = np.linspace(0.0, 1.0, 200)
-    own = [stages.corrected(memory, 0, share, 100.0, 50.0)[0] for share in shares]
+    own = [stages.correct(memory, 0, share, 100.0, 50.0)[0] for share in shares]
     knots = [10.0 * (stage + 1) ** 2 for stage in range(stages.STAGES)]
     expected = np.interp(shares, [0.1, 0.3, 0.5, 0.7, 0.9], knots)
     np.testing.assert_allclose(own, expected, rtol=1e-9, atol=1e-9)

@@ -44,11 +44,11 @@ def session(
         start, duration = 10.0 * n, random.uniform(0.3, 1.5)
         for k, share in enumerate(SHARES):
             said = float(np.clip(share + noise * random.standard_normal(), 0.0, 1.0))
-            factor, stated = levels.corrected(memory, 0, said, TAIL)
+            factor, stated = levels.widen(memory, 0, said, TAIL)
             law = (0.0, 0.0, 1600.0 * factor, 0.0, 400.0 * factor, stated)
-            levels.keep(memory, AT, start + share * duration, float(k), 0.0, law)
+            levels.record(memory, AT, start + share * duration, float(k), 0.0, law)
             held[n, k] = mass(np.array((x / 40.0) ** 2 + (y / 20.0) ** 2) / factor, np.array(stated))
-        levels.learn(memory, 0, AT, x, y, start, start + duration)
+        levels.learn(memory, 0, AT, (x, y), (start, start + duration))
     return held, memory
 
 
@@ -79,7 +79,7 @@ def test_the_radii_are_the_quantiles_of_the_errors(times: float, tail: float) ->
     radii = []
     for _ in range(40):
         _, memory = session(random, 60, tail, times, noise=0.0)
-        stated = [levels.corrected(memory, 0, share, TAIL) for share in (0.3, 0.5, 0.7)]
+        stated = [levels.widen(memory, 0, share, TAIL) for share in (0.3, 0.5, 0.7)]
         radii.append([np.log(2.0 * by * stats.f.ppf([0.5, 0.8], 2.0, own)) for by, own in stated])
     expected = np.log(np.quantile(far, [0.5, 0.8]))
     found: FloatArray = np.median(np.array(radii), axis=0)
@@ -93,8 +93,8 @@ def test_the_radii_are_the_quantiles_of_the_errors(times: float, tail: float) ->
 )
 def test_whatever_was_learned_the_law_is_one(offsets: list[float], share: float, tail: float) -> None:
     memory = np.zeros(SIZE)
-    memory[levels.COUNT], memory[levels.OFFSETS : levels.LEARNED] = 7.0, offsets
-    factor, stated = levels.corrected(memory, 0, share, tail)
+    memory[levels.MOVEMENTS], memory[levels.OFFSETS : levels.LEARNED] = 7.0, offsets
+    factor, stated = levels.widen(memory, 0, share, tail)
     assert np.isfinite([factor, stated]).all()
     assert factor > 0.0
     assert 2.0 / levels.HEAVIEST <= stated <= 2.0 / levels.LIGHTEST
@@ -105,9 +105,9 @@ def test_whatever_was_learned_the_law_is_one(offsets: list[float], share: float,
 def test_the_law_has_the_radii_that_were_learned(tail: float, half: float, most: float) -> None:
     """By scipy's F law; where no tail has such a ratio, both miss by the same factor."""
     memory = np.zeros(SIZE)
-    memory[levels.COUNT] = 5.0
+    memory[levels.MOVEMENTS] = 5.0
     memory[levels.OFFSETS : levels.LEARNED : 2], memory[levels.OFFSETS + 1 : levels.LEARNED : 2] = half, most
-    factor, stated = levels.corrected(memory, 0, 0.4, tail)
+    factor, stated = levels.widen(memory, 0, 0.4, tail)
     wanted = np.log(2.0 * stats.f.ppf([0.5, 0.8], 2.0, tail)) + np.array([half, most])
     own = np.log(2.0 * factor * stats.f.ppf([0.5, 0.8], 2.0, stated))
     bounds = [2.0 / levels.HEAVIEST, 2.0 / levels.LIGHTEST]
@@ -118,7 +118,7 @@ def test_the_law_has_the_radii_that_were_learned(tail: float, half: float, most:
 
 
 def test_nobody_is_told_what_was_claimed() -> None:
-    assert levels.corrected(np.zeros(SIZE), 0, 0.3, 2.5) == (1.0, 2.5)
+    assert levels.widen(np.zeros(SIZE), 0, 0.3, 2.5) == (1.0, 2.5)
 
 
 @pytest.mark.parametrize("rate", [30.0, 125.0, 1000.0, 8000.0])
@@ -129,8 +129,8 @@ def test_a_movement_is_judged_by_what_was_stated_at_each_share(rate: float, dura
     t = np.arange(0.0, duration + 10.0, 1.0 / rate) + 3.0
     for now in t.tolist():
         cursor = min((now - 3.0) / duration, 1.0)
-        levels.keep(memory, AT, now, cursor, 0.0, (now - 3.0, 0.0, 1.0, 0.0, 1.0, 9.0))
-    kept = int(memory[AT + levels.KEPT])
+        levels.record(memory, AT, now, cursor, 0.0, (now - 3.0, 0.0, 1.0, 0.0, 1.0, 9.0))
+    kept = int(memory[AT + levels.COUNT])
     assert kept <= levels.MOST
     rows = memory[AT + levels.FIRST : AT + levels.FIRST + kept * levels.MOMENT].reshape(kept, -1)
     assert (np.diff(rows[:, levels.T]) > 0.0).all()
@@ -143,9 +143,9 @@ def test_of_moments_at_one_time_the_last_counts() -> None:
     once, twice = np.zeros(SIZE), np.zeros(SIZE)
     for k in range(40):
         law = (10.0 * k, 1.0, 9.0, 1.0, 16.0, 4.0)
-        levels.keep(once, AT, 0.02 * k, float(k), 2.0, law)
-        levels.keep(twice, AT, 0.02 * k, float(k) + 5.0, 3.0, (0.0, 9.0, 1.0, 0.0, 1.0, 2.0))
-        levels.keep(twice, AT, 0.02 * k, float(k), 2.0, law)
+        levels.record(once, AT, 0.02 * k, float(k), 2.0, law)
+        levels.record(twice, AT, 0.02 * k, float(k) + 5.0, 3.0, (0.0, 9.0, 1.0, 0.0, 1.0, 2.0))
+        levels.record(twice, AT, 0.02 * k, float(k), 2.0, law)
     np.testing.assert_array_equal(twice, once)
 
 
@@ -154,9 +154,9 @@ def test_a_stage_learns_from_the_true_share_and_no_other() -> None:
     memory = np.zeros(SIZE)
     for k in range(100):
         far = 0.0 if k >= 35 else 1e6
-        levels.keep(memory, AT, 0.01 * k, float(k), 0.0, (far, 0.0, 1.0, 0.0, 1.0, 9.0))
-    levels.learn(memory, 0, AT, 0.0, 0.0, 0.0, 1.0)
+        levels.record(memory, AT, 0.01 * k, float(k), 0.0, (far, 0.0, 1.0, 0.0, 1.0, 9.0))
+    levels.learn(memory, 0, AT, (0.0, 0.0), (0.0, 1.0))
     offsets = memory[levels.OFFSETS : levels.LEARNED].reshape(-1, 2)
     assert (offsets[:2] > 0.3).all()
     assert (offsets[2:] < 0.0).all()
-    assert memory[levels.COUNT] == 1.0
+    assert memory[levels.MOVEMENTS] == 1.0

@@ -16,7 +16,7 @@ from pointpred.columns import FloatArray
 from pointpred.datasets import sample
 from pointpred.errors import ParameterError
 from pointpred.predictors import AdaptiveKinematicPredictor, KinematicPredictor
-from pointpred.predictors.adaptation import correction as adaptation_law
+from pointpred.predictors.adaptation import correction
 from pointpred.scoring import prepare
 from pointpred.scoring.replay import replay
 
@@ -155,16 +155,16 @@ def test_with_counts_the_screen_scales_the_answers() -> None:
 
 
 def test_what_claims_too_little_is_passed_on() -> None:
-    memory = np.zeros(adaptation_law.LEARNED + adaptation_law.STATES)
+    memory = np.zeros(correction.LEARNED + correction.STATES)
     none = float("nan")
     for answer in (
         (0.1, 5.0, 6.0, none, none, none, none, 1.0, none, none),
         (0.1, 5.0, 6.0, 1.0, 0.0, 1.0, none, 1.0, 4.0, 0.3),
         (0.1, 5.0, 6.0, 1.0, 2.0, 1.0, 0.4, 1.0, 4.0, 0.3),
     ):
-        at = adaptation_law.LEARNED
-        adaptation_law.follow(memory, at, 0.1, 4.0, 3.0, 0.0, 0.0, 0.0)
-        np.testing.assert_array_equal(adaptation_law.adapted(memory, 0, at, 1.0, answer), answer)
+        at = correction.LEARNED
+        correction.follow(memory, at, (0.1, 4.0, 3.0), (0.0, 0.0, 0.0))
+        np.testing.assert_array_equal(correction.adapt(memory, 0, at, 1.0, answer), answer)
 
 
 def test_it_is_better_than_unadapted_on_simulated_people_and_no_worse_at_first() -> None:

@@ -53,7 +53,7 @@ def test_the_best_mixture_is_the_one_with_the_least_discounted_error() -> None:
         ages = KEEP ** np.arange(len(errors) - 1, -1, -1)
         sums = ages @ np.array(errors)
         np.testing.assert_allclose(memory[clock.ERRORS : clock.ERRORS + 5], sums, rtol=1e-12)
-        assert memory[clock.COUNT] == pytest.approx(ages.sum(), rel=1e-12)
+        assert memory[clock.MOVEMENTS] == pytest.approx(ages.sum(), rel=1e-12)
         sums += FIRST * sums[0] / ages.sum()
         assert memory[clock.BEST] == SHARES[int(np.argmin(sums))]
         assert memory[clock.MEDIAN] == np.median(durations[-KEPT:])
@@ -63,9 +63,9 @@ def test_a_predictor_that_knows_is_left_alone_and_one_that_does_not_is_overruled
     random = np.random.default_rng(5)
     free, regular = random.uniform(0.3, 1.5, 80), 0.6 * np.exp(0.03 * random.standard_normal(80))
     knows, _ = taught(lambda duration: [(0.4 * duration, 0.6 * duration)], free)
-    assert clock.mixed(knows, 0, 0.2, 0.5) == 0.5
+    assert clock.mix(knows, 0, 0.2, 0.5) == 0.5
     guesses, _ = taught(lambda duration: [(0.4 * duration, 1.8 * duration)], regular)
-    assert clock.mixed(guesses, 0, 0.2, 1.5) == pytest.approx(0.4, abs=0.05)
+    assert clock.mix(guesses, 0, 0.2, 1.5) == pytest.approx(0.4, abs=0.05)
 
 
 def test_at_first_half_of_it_is_believed() -> None:
@@ -76,8 +76,8 @@ def test_at_first_half_of_it_is_believed() -> None:
 
 def test_some_time_is_always_left() -> None:
     guesses, _ = taught(lambda duration: [(0.4 * duration, 1.8 * duration)], np.full(20, 0.6))
-    assert clock.mixed(guesses, 0, 5.0, 1.5) == pytest.approx(0.05 * 1.5)
-    assert clock.mixed(np.zeros(clock.LEARNED), 0, 5.0, 1.5) == 1.5
+    assert clock.mix(guesses, 0, 5.0, 1.5) == pytest.approx(0.05 * 1.5)
+    assert clock.mix(np.zeros(clock.LEARNED), 0, 5.0, 1.5) == 1.5
 
 
 def slow_reach(px: float, duration: float) -> EventColumns:
@@ -114,4 +114,4 @@ def test_the_median_is_numpys_to_the_bit(count: int) -> None:
     for kinds in (2, 100):  # with many equal values, and with hardly any
         for _ in range(50):
             values = random.integers(0, kinds, count + 3) / 7.0
-            assert clock.middle(values, 3, count) == np.median(values[3:])
+            assert clock.median(values, 3, count) == np.median(values[3:])

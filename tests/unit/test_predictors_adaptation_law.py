@@ -7,25 +7,25 @@ import pytest
 
 from pointpred import EventColumns, build, run
 from pointpred.columns import FloatArray
-from pointpred.predictors.adaptation import correction as adaptation_law
-from pointpred.predictors.adaptation import distances, stages
+from pointpred.predictors.adaptation import correction, distances, stages
 from pointpred.predictors.adaptation import durations as clock
 from pointpred.predictors.adaptation import predictor as adaptation
+from pointpred.predictors.adaptation.distances import Ahead
 from pointpred.recording import Recording, Trial
 from pointpred.scoring import prepare
 
-AT = adaptation_law.LEARNED
+AT = correction.LEARNED
 ALONG, WIDE, REACHED, LEFT = 60.0, 60.0, 200.0, 0.4
 
 
 def person(durations: float, shift: float = 0.0) -> FloatArray:
     """Somebody who made 400 px eight times; a clock that alone is believed; a bias of so many px."""
-    memory = np.zeros(adaptation_law.LEARNED + adaptation_law.STATES)
+    memory = np.zeros(correction.LEARNED + correction.STATES)
     for _ in range(8):
-        distances.remember(memory, adaptation_law.DISTANCES, 400.0)
-    memory[adaptation_law.CLOCK + clock.HELD] = 8.0
-    memory[adaptation_law.CLOCK + clock.MEDIAN] = durations
-    memory[adaptation_law.CLOCK + clock.BEST] = 1.0
+        distances.remember(memory, correction.DISTANCES, 400.0)
+    memory[correction.DURATIONS + clock.COUNT] = 8.0
+    memory[correction.DURATIONS + clock.MEDIAN] = durations
+    memory[correction.DURATIONS + clock.BEST] = 1.0
     for stage in range(stages.STAGES):
         of = stage * stages.WIDTH
         memory[of + stages.AHEAD] = shift / ALONG
@@ -36,10 +36,10 @@ def person(durations: float, shift: float = 0.0) -> FloatArray:
 def asked(memory: FloatArray, since: float, ask: float) -> tuple[float, float, float]:
     """Way ahead, its deviation and the time left, adapted, ``since`` after the start."""
     memory = memory.copy()
-    memory[AT + adaptation_law.KNOWN] = 1.0
-    memory[AT + adaptation_law.T], memory[AT + adaptation_law.X] = since, REACHED
+    memory[AT + correction.STARTED] = 1.0
+    memory[AT + correction.T], memory[AT + correction.X] = since, REACHED
     answer = (since, REACHED + ALONG, 0.0, WIDE**2, 0.0, 40.0**2, LEFT, 0.0, 8.0, 0.3)
-    _, x, y, sxx, _, _, left, *_ = adaptation_law.adapted(memory, 0, AT, ask, answer)
+    _, x, y, sxx, _, _, left, *_ = correction.adapt(memory, 0, AT, ask, answer)
     assert y == 0.0
     return x - REACHED, float(np.sqrt(sxx)), left
 
@@ -55,12 +55,13 @@ def test_bias_and_distances_fade_out_by_the_clock(since: float, gone: float) -> 
     assert along == pytest.approx(biased, rel=1e-12)
     assert wide == pytest.approx(WIDE, rel=1e-12)
     assert left == pytest.approx(max(0.5 - since, 0.02), rel=1e-12)
-    drawn, narrow = distances.drawn(memory, adaptation_law.DISTANCES, REACHED, biased, WIDE, 40.0, 8.0)
-    assert drawn > biased + 50.0
+    ahead = Ahead(biased, WIDE, 40.0, 8.0)
+    usual, narrow = distances.combine(memory, correction.DISTANCES, REACHED, ahead)
+    assert usual > biased + 50.0
     assert narrow < 0.8 * WIDE
     still = min((1.0 - gone) / 0.5, 1.0)
     along, wide, _ = asked(memory, since, 1.0)
-    assert along == pytest.approx(biased + still * (drawn - biased), rel=1e-9)
+    assert along == pytest.approx(biased + still * (usual - biased), rel=1e-9)
     assert wide == pytest.approx(WIDE * (narrow / WIDE) ** still, rel=1e-9)
 
 
@@ -74,7 +75,7 @@ def learned(path: EventColumns, **settings: float) -> FloatArray:
 
 
 def duration(memory: FloatArray) -> float:
-    return float(memory[adaptation.PERSON + adaptation_law.CLOCK + clock.DURATIONS])
+    return float(memory[adaptation.PERSON + correction.DURATIONS + clock.DURATIONS])
 
 
 @pytest.mark.parametrize("rate", [60.0, 125.0, 500.0, 1000.0, 8000.0])
@@ -111,4 +112,4 @@ def test_a_movement_that_ends_where_it_began_teaches_nothing() -> None:
         table = run(pipeline, path).table
     assert np.isfinite(table[-1]).all()
     memory = learned(there_and_back, shortest_px=0.0)
-    assert not memory[adaptation.PERSON : adaptation.SIGHT].any()
+    assert not memory[adaptation.PERSON : adaptation.OBSERVATION].any()

@@ -11,24 +11,25 @@ from math import floor, hypot, sqrt
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.predictors.adaptation import distances, durations, region_widening, stages
+from pointpred.predictors.adaptation.distances import Ahead
+from pointpred.predictors.adaptation.stages import Moment
 from pointpred.rows import TenFloats
+from pointpred.stage import offsets
 
-# What is known of the person, relative to `known`: the stages, the distances, the durations, the regions.
-DISTANCES = stages.LEARNED
-CLOCK = DISTANCES + distances.LEARNED
-LEVELS = CLOCK + durations.LEARNED
-LEARNED = LEVELS + region_widening.LEARNED
+# What is known of the person, relative to `person`: the stages, the distances, the durations, the regions.
+_, DISTANCES, DURATIONS, REGIONS, LEARNED = offsets(
+    stages.LEARNED, distances.LEARNED, durations.LEARNED, region_widening.LEARNED
+)
 SLOTS = (*stages.SLOTS, *distances.SLOTS, *durations.SLOTS, *region_widening.SLOTS)
 
-# The movement, relative to `at`: whether there is one, its start, its last sample, how many
-# places of the way were kept, samples of different times; the last of these places; a moment of each stage;
-# the regions that were stated.
-KNOWN, T0, X0, Y0, T, X, Y, LATELY, COUNT, TRACE = 0, 1, 2, 3, 4, 5, 6, 7, 8, 9
-TRACED, APART_S = 96, 0.005
-"""Places kept of the last way, and how far apart in time at least; while it stands none is kept."""
-MOMENTS = TRACE + 3 * TRACED
-STATED = MOMENTS + stages.STATES
-STATES = STATED + region_widening.STATES
+TRACE_PLACES, APART_S = 96, 0.005
+"""Places of the last way that are remembered, and how far apart in time at least; none while it stands."""
+# The movement, relative to `at`: whether there is one, its start, its last sample; how many places of the way
+# there were, samples of different times; the last places; a moment of each stage; the regions stated.
+STARTED, T0, X0, Y0, T, X, Y, PLACES, SAMPLES = range(9)
+_, TRACE, MOMENTS, STATED, STATES = offsets(
+    SAMPLES + 1, 3 * TRACE_PLACES, stages.STATES, region_widening.STATES
+)
 NEAR_PX, NEAR_SHARE = 8.0, 0.03
 """The movement has arrived when the cursor stays so near its end: px, share of the distance."""
 
@@ -37,24 +38,24 @@ SAMPLES_LEAST, LEAST_S = 6, 0.08
 BIAS_FADE, FADE = 0.2, 0.5
 """From these shares of the time on the bias and the last distances fade out: what is left is a correction."""
 EARLY = 0.1
-"""A stage is taken from this share of its length before its middle on."""
+"""A stage begins at this share of its length before its middle."""
 
 
-def doubt(known: FloatArray) -> str:
+def doubt(learned: FloatArray) -> str:
     """What is wrong with numbers that are within the bounds of ``SLOTS``; empty for nothing."""
-    far, long = known[DISTANCES + distances.HELD], known[CLOCK + durations.HELD]
+    far, long = learned[DISTANCES + distances.COUNT], learned[DURATIONS + durations.COUNT]
     if far != long:
-        return f"distances held must be as many as durations held, are {far:g} and {long:g}"
-    return distances.doubt(known[DISTANCES:CLOCK]) or durations.doubt(known[CLOCK:LEVELS])
+        return f"there must be as many distances as durations, are {far:g} and {long:g}"
+    return distances.doubt(learned[DISTANCES:DURATIONS]) or durations.doubt(learned[DURATIONS:REGIONS])
 
 
 @law
-def arrived(memory: FloatArray, at: int, near: float) -> float:
-    """When the cursor came near its end for good; the oldest time that is kept where that is longer ago."""
-    kept = int(memory[at + LATELY])
+def arrival(memory: FloatArray, at: int, near: float) -> float:
+    """When the cursor came near its end for good; the oldest time remembered where that is longer ago."""
+    places = int(memory[at + PLACES])
     when = memory[at + T]
-    for back in range(min(kept, TRACED)):
-        place = at + TRACE + 3 * ((kept - 1 - back) % TRACED)
+    for back in range(min(places, TRACE_PLACES)):
+        place = at + TRACE + 3 * ((places - 1 - back) % TRACE_PLACES)
         if hypot(memory[place + 1] - memory[at + X], memory[place + 2] - memory[at + Y]) > near:
             return float(when)
         when = memory[place]
@@ -62,102 +63,86 @@ def arrived(memory: FloatArray, at: int, near: float) -> float:
 
 
 @law
-def conclude(memory: FloatArray, known: int, at: int, shortest: float) -> None:
+def learn(memory: FloatArray, person: int, at: int, distance: float, end: float) -> None:
+    """Learn from a movement over ``distance`` px that arrived at ``end`` s where the cursor is."""
+    x, y, start = memory[at + X], memory[at + Y], memory[at + T0]
+    duration = end - start
+    clock = person + DURATIONS
+    not_first = memory[clock + durations.COUNT] > 0.0
+    if not_first:
+        durations.forget(memory, clock)
+    for number in range(stages.STAGES):
+        place, stage = at + MOMENTS + number * stages.MOMENT, person + number * stages.WIDTH
+        if memory[place + stages.PRESENT] == 1.0:
+            m = stages.moment_at(memory, place)
+            if not_first and m.t < end:
+                left = m.left * stages.tempo_factor(memory, stage)
+                durations.judge(memory, clock, m.t - start, left, end - m.t, duration)
+            stages.learn(memory, stage, m, x, y, end)
+    distances.remember(memory, person + DISTANCES, distance)
+    durations.remember(memory, clock, duration)
+    region_widening.learn(memory, person + REGIONS, at + STATED, (x, y), (start, end))
+
+
+@law
+def conclude(memory: FloatArray, person: int, at: int, shortest: float) -> None:
     """The movement has ended where the cursor is: learn from it, and forget it."""
-    x, y = memory[at + X], memory[at + Y]
-    distance = hypot(x - memory[at + X0], y - memory[at + Y0])
-    moved = arrived(memory, at, max(NEAR_PX, NEAR_SHARE * distance))
-    teaches = memory[at + KNOWN] == 1.0 and memory[at + COUNT] >= SAMPLES_LEAST
-    duration = moved - memory[at + T0]
-    if teaches and duration >= LEAST_S and distance >= max(shortest, distances.SHORTEST_PX):
-        told = memory[known + CLOCK + durations.HELD] > 0.0
-        if told:
-            durations.forget(memory, known + CLOCK)
-        for stage in range(stages.STAGES):
-            moment, of = at + MOMENTS + stage * stages.MOMENT, known + stage * stages.WIDTH
-            if memory[moment + stages.TAKEN] == 1.0:
-                when = memory[moment + stages.T]
-                if told and when < moved:
-                    said = memory[moment + stages.LEFT] * stages.slowed(memory, of)
-                    durations.judge(
-                        memory, known + CLOCK, when - memory[at + T0], said, moved - when, duration
-                    )
-                stages.learn(memory, of, moment, x, y, moved)
-        distances.remember(memory, known + DISTANCES, distance)
-        durations.remember(memory, known + CLOCK, duration)
-        region_widening.learn(memory, known + LEVELS, at + STATED, x, y, memory[at + T0], moved)
+    distance = hypot(memory[at + X] - memory[at + X0], memory[at + Y] - memory[at + Y0])
+    end = arrival(memory, at, max(NEAR_PX, NEAR_SHARE * distance))
+    whole = memory[at + STARTED] == 1.0 and memory[at + SAMPLES] >= SAMPLES_LEAST
+    if whole and end - memory[at + T0] >= LEAST_S and distance >= max(shortest, distances.SHORTEST_PX):
+        learn(memory, person, at, distance, end)
     memory[at : at + STATES] = 0.0
 
 
 @law
 def follow(
-    memory: FloatArray, at: int, t: float, x: float, y: float, t0: float, x0: float, y0: float
+    memory: FloatArray, at: int, now: tuple[float, float, float], start: tuple[float, float, float]
 ) -> None:
-    """Take one sample in; the movement started at ``t0``, ``x0``, ``y0``."""
-    kept = int(memory[at + LATELY])
-    last = at + TRACE + 3 * ((kept - 1) % TRACED)
-    if memory[at + KNOWN] == 0.0 or t > memory[at + T]:
-        memory[at + COUNT] += 1.0
+    """Take in one sample (t, x, y) of the movement that started at ``start``."""
+    t, x, y = now
+    places = int(memory[at + PLACES])
+    last = at + TRACE + 3 * ((places - 1) % TRACE_PLACES)
+    if memory[at + STARTED] == 0.0 or t > memory[at + T]:
+        memory[at + SAMPLES] += 1.0
     moved = x != memory[last + 1] or y != memory[last + 2]
-    if kept > 0 and t == memory[last]:
+    if places > 0 and t == memory[last]:
         memory[last + 1], memory[last + 2] = x, y
-    elif kept == 0 or (moved and t - memory[last] >= APART_S):
-        place = at + TRACE + 3 * (kept % TRACED)
+    elif places == 0 or (moved and t - memory[last] >= APART_S):
+        place = at + TRACE + 3 * (places % TRACE_PLACES)
         memory[place], memory[place + 1], memory[place + 2] = t, x, y
-        memory[at + LATELY] = kept + 1.0
-    memory[at + KNOWN] = 1.0
-    memory[at + T0], memory[at + X0], memory[at + Y0] = t0, x0, y0
+        memory[at + PLACES] = places + 1.0
+    memory[at + STARTED] = 1.0
+    memory[at + T0], memory[at + X0], memory[at + Y0] = start
     memory[at + T], memory[at + X], memory[at + Y] = t, x, y
 
 
 @law
-def take(
-    memory: FloatArray,
-    at: int,
-    share: float,
-    ux: float,
-    uy: float,
-    reached: float,
-    along: float,
-    across: float,
-    wide: float,
-    broad: float,
-    tail: float,
-    left: float,
-) -> None:
-    """Keep the first moment of a stage, as its last sample has it; none leapt over, none that is behind."""
+def record(memory: FloatArray, at: int, share: float, moment: Moment) -> None:
+    """Remember the first moment of a stage, as its last sample has it.
+
+    Stages are taken in their order: none that was passed over, none that is behind.
+    """
     stage = floor(share * stages.STAGES - 0.5 + EARLY)
     if stage < 0 or stage >= stages.STAGES:
         return
-    moment = at + MOMENTS + stage * stages.MOMENT
-    again = memory[moment + stages.TAKEN] == 1.0 and memory[moment + stages.T] == memory[at + T]
+    place = at + MOMENTS + stage * stages.MOMENT
+    again = memory[place + stages.PRESENT] == 1.0 and memory[place + stages.T] == moment.t
     for later in range(stage, stages.STAGES):
-        if memory[at + MOMENTS + later * stages.MOMENT + stages.TAKEN] == 1.0 and not again:
+        if memory[at + MOMENTS + later * stages.MOMENT + stages.PRESENT] == 1.0 and not again:
             return
-    memory[moment + stages.TAKEN], memory[moment + stages.T] = 1.0, memory[at + T]
-    memory[moment + stages.X], memory[moment + stages.Y] = memory[at + X], memory[at + Y]
-    memory[moment + stages.UX], memory[moment + stages.UY] = ux, uy
-    memory[moment + stages.ALONG], memory[moment + stages.ACROSS] = along, across
-    memory[moment + stages.SAID_WIDE], memory[moment + stages.SAID_BROAD] = wide, broad
-    memory[moment + stages.TAIL] = tail
-    memory[moment + stages.LEFT], memory[moment + stages.REACHED] = left, reached
+    stages.record(memory, place, moment)
 
 
 @law
-def fading(gone: float, since: float) -> float:
+def fading(share: float, since: float) -> float:
     """1 up to a share of the time, then falling to 0 at the end."""
-    return min((1.0 - gone) / (1.0 - since), 1.0)
+    return min((1.0 - share) / (1.0 - since), 1.0)
 
 
 @law
-def adapted(
-    memory: FloatArray,
-    known: int,
-    at: int,
-    ask: float,
-    answer: TenFloats,
-) -> TenFloats:
-    """The prediction as it is for this person; as given where it claims too little or has no direction."""
+def adapt(memory: FloatArray, person: int, at: int, with_distances: float, answer: TenFloats) -> TenFloats:
+    """The prediction as it is for this person; as it was where it claims too little or has no direction."""
     t, px, py, sxx, sxy, syy, left, phase, tail, spread = answer
     x, y = memory[at + X], memory[at + Y]
     away_x, away_y = x - memory[at + X0], y - memory[at + Y0]
@@ -172,32 +157,32 @@ def adapted(
     wide, broad = sqrt(wide2), sqrt(broad2)
     along = (px - x) * ux + (py - y) * uy
     across = (py - y) * ux - (px - x) * uy
-    since = memory[at + T] - memory[at + T0]
+    now = memory[at + T]
+    since = now - memory[at + T0]
     share = since / (since + left)
-    take(memory, at, share, ux, uy, reached, along, across, wide, broad, tail, left)
-    if memory[known + DISTANCES + distances.HELD] == 0.0:
-        region_widening.keep(memory, at + STATED, memory[at + T], x, y, (px, py, sxx, sxy, syy, tail))
+    record(memory, at, share, Moment(now, x, y, ux, uy, along, across, wide, broad, tail, left, reached))
+    if memory[person + DISTANCES + distances.COUNT] == 0.0:
+        region_widening.record(memory, at + STATED, now, x, y, (px, py, sxx, sxy, syy, tail))
         return answer
     total = hypot(reached + along, across)
-    shift, widen, broaden, slow = stages.corrected(memory, known, share, total, along)
-    left = durations.mixed(memory, known + CLOCK, since, left * slow)
+    shift, widen, broaden, slow = stages.correct(memory, person, share, total, along)
+    left = durations.mix(memory, person + DURATIONS, since, left * slow)
     new_wide, new_broad = wide * widen, broad * broaden
-    gone = since / (since + left)
-    new_along = along + shift * fading(gone, BIAS_FADE)
-    if ask == 1.0:
-        drawn_along, drawn_wide = distances.drawn(
-            memory, known + DISTANCES, reached, new_along, new_wide, new_broad, tail
-        )
-        still = fading(gone, FADE)
-        new_along += still * (drawn_along - new_along)
-        new_wide *= (drawn_wide / new_wide) ** still
+    share = since / (since + left)
+    new_along = along + shift * fading(share, BIAS_FADE)
+    if with_distances == 1.0:
+        ahead = Ahead(new_along, new_wide, new_broad, tail)
+        usual_along, usual_wide = distances.combine(memory, person + DISTANCES, reached, ahead)
+        weight = fading(share, FADE)
+        new_along += weight * (usual_along - new_along)
+        new_wide *= (usual_wide / new_wide) ** weight
     ratio, moved = new_wide / wide, new_along - along
     cross = (sxy * (ux * ux - uy * uy) + (syy - sxx) * ux * uy) * ratio * broaden
-    factor, tail = region_widening.corrected(memory, known + LEVELS, gone, tail)
+    factor, tail = region_widening.widen(memory, person + REGIONS, share, tail)
     wide2, broad2, cross = factor * new_wide * new_wide, factor * new_broad * new_broad, factor * cross
     px, py = px + moved * ux, py + moved * uy
     sxx = wide2 * ux * ux - 2.0 * cross * ux * uy + broad2 * uy * uy
     sxy = (wide2 - broad2) * ux * uy + cross * (ux * ux - uy * uy)
     syy = wide2 * uy * uy + 2.0 * cross * ux * uy + broad2 * ux * ux
-    region_widening.keep(memory, at + STATED, memory[at + T], x, y, (px, py, sxx, sxy, syy, tail))
+    region_widening.record(memory, at + STATED, now, x, y, (px, py, sxx, sxy, syy, tail))
     return t, px, py, sxx, sxy, syy, left, phase, tail, spread

@@ -8,17 +8,19 @@ each law had made it, and the laws share the belief accordingly; some of it alwa
 from __future__ import annotations
 
 from math import exp, log, sqrt
+from typing import NamedTuple
 
 import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.events import LARGEST
-from pointpred.stage import Slot
+from pointpred.stage import Slot, offsets
 
-KEPT = 12
+CAPACITY = 12
+"""Distances that are remembered."""
 LEAST = 2
-"""With fewer distances nothing is said."""
+"""With fewer distances the prediction stays as it is."""
 WIDTHS = (0.02, 0.08, 0.35)
 """Standard deviations of the kernels, as shares of the distance."""
 AGES = (1.5, 12.0)
@@ -42,41 +44,47 @@ NEGLIGIBLE = 1e-4
 
 # Layout, relative to `at`: how many; the distances in px, the last first; belief in each law and in none;
 # the weight of each distance under each width.
-HELD, DISTANCES = 0, 1
-BELIEF = DISTANCES + KEPT
-WEIGHTS = BELIEF + LAWS + 1
-LEARNED = WEIGHTS + KEPT * len(WIDTHS)
+COUNT, DISTANCES, BELIEF, WEIGHTS, LEARNED = offsets(1, CAPACITY, LAWS + 1, CAPACITY * len(WIDTHS))
 
 ROUNDING = 1e-6
 """The sum of the belief is off by less."""
 SHORTEST_PX = 1e-6
 """A shorter distance is none, whatever is set: its logarithm is taken."""
 SLOTS = (
-    Slot("distances held", 1, 0.0, KEPT, whole=True),
-    Slot("distances", KEPT, 0.0, 4.0 * LARGEST),
+    Slot("distances held", 1, 0.0, CAPACITY, whole=True),
+    Slot("distances", CAPACITY, 0.0, 4.0 * LARGEST),
     Slot("belief", LAWS + 1, 0.0, 1.0),
-    Slot("weights", KEPT * len(WIDTHS), 0.0, 1.0),
+    Slot("weights", CAPACITY * len(WIDTHS), 0.0, 1.0),
 )
 """What is known of a person's distances, in the order of the layout."""
 
 
-def doubt(known: FloatArray) -> str:
+def doubt(learned: FloatArray) -> str:
     """What is wrong with numbers that are within the bounds of their slots; empty for nothing."""
-    held = int(known[HELD])
-    if held and not known[DISTANCES : DISTANCES + held].min() >= SHORTEST_PX:
-        return f"distances: each of the {held} that are held must be at least {SHORTEST_PX:g} px"
-    if held and not known[BELIEF + LAWS] >= (least := FORGET * UNKNOWN_SHARE):
-        return f"belief: that nothing is known must be at least {least:g}, is {known[BELIEF + LAWS]:g}"
-    if held and not abs((total := known[BELIEF:WEIGHTS].sum()) - 1.0) <= ROUNDING:
+    count = int(learned[COUNT])
+    if count and not learned[DISTANCES : DISTANCES + count].min() >= SHORTEST_PX:
+        return f"distances: each of the {count} must be at least {SHORTEST_PX:g} px"
+    if count and not learned[BELIEF + LAWS] >= (least := FORGET * UNKNOWN_SHARE):
+        return f"belief: that nothing is known must be at least {least:g}, is {learned[BELIEF + LAWS]:g}"
+    if count and not abs((total := learned[BELIEF:WEIGHTS].sum()) - 1.0) <= ROUNDING:
         return f"belief must sum to 1, sums to {total:g}"
     return ""
 
 
+class Ahead(NamedTuple):
+    """A Student law of the way that is left: ``ahead`` px along, widths along and across in px, degrees."""
+
+    ahead: float
+    wide: float
+    broad: float
+    tail: float
+
+
 @law
-def aged(age: int, held: int, time: float) -> float:
-    """Weight of a distance ``age`` movements old, of all that are held."""
+def age_weight(age: int, count: int, time: float) -> float:
+    """Weight of a distance ``age`` movements old, of ``count``."""
     total = 0.0
-    for j in range(held):
+    for j in range(count):
         total += exp(-j / time)
     return float(exp(-age / time) / total)
 
@@ -84,13 +92,15 @@ def aged(age: int, held: int, time: float) -> float:
 @law
 def judge(memory: FloatArray, at: int, distance: float) -> None:
     """Share the belief among the laws by how likely each had made a distance."""
-    held, belief, total = int(memory[at + HELD]), at + BELIEF, 0.0
+    count, belief, total = int(memory[at + COUNT]), at + BELIEF, 0.0
     for k in range(LAWS):
         width, time = WIDTHS[k % len(WIDTHS)], AGES[k // len(WIDTHS)]
         likely = 0.0
-        for j in range(held):
+        for j in range(count):
             off = log(distance / memory[at + DISTANCES + j]) / width
-            likely += aged(j, held, time) * exp(-0.5 * min(off * off, 1000.0)) / (width * sqrt(2.0 * np.pi))
+            likely += (
+                age_weight(j, count, time) * exp(-0.5 * min(off * off, 1000.0)) / (width * sqrt(2.0 * np.pi))
+            )
         memory[belief + k] *= max(UNKNOWN_LOGS * likely, LEAST_LIKELY)
         total += memory[belief + k]
     total += memory[belief + LAWS]
@@ -102,43 +112,41 @@ def judge(memory: FloatArray, at: int, distance: float) -> None:
 
 @law
 def remember(memory: FloatArray, at: int, distance: float) -> None:
-    """Take the distance of a finished movement in."""
-    if memory[at + HELD] == 0.0:
+    """Take in the distance of a finished movement."""
+    if memory[at + COUNT] == 0.0:
         memory[at + BELIEF : at + BELIEF + LAWS] = (1.0 - UNKNOWN_SHARE) / LAWS
         memory[at + BELIEF + LAWS] = UNKNOWN_SHARE
-    if memory[at + HELD] >= LEAST:
+    if memory[at + COUNT] >= LEAST:
         judge(memory, at, distance)
-    for j in range(KEPT - 1, 0, -1):
+    for j in range(CAPACITY - 1, 0, -1):
         memory[at + DISTANCES + j] = memory[at + DISTANCES + j - 1]
     memory[at + DISTANCES] = distance
-    memory[at + HELD] = min(memory[at + HELD] + 1.0, KEPT)
-    held = int(memory[at + HELD])
-    for j in range(held):
+    memory[at + COUNT] = min(memory[at + COUNT] + 1.0, CAPACITY)
+    count = int(memory[at + COUNT])
+    for j in range(count):
         for w in range(len(WIDTHS)):
             weight = 0.0
             for a in range(len(AGES)):
-                weight += memory[at + BELIEF + a * len(WIDTHS) + w] * aged(j, held, AGES[a])
+                weight += memory[at + BELIEF + a * len(WIDTHS) + w] * age_weight(j, count, AGES[a])
             memory[at + WEIGHTS + j * len(WIDTHS) + w] = weight
 
 
 @law
-def drawn(
-    memory: FloatArray, at: int, reached: float, ahead: float, wide: float, broad: float, tail: float
-) -> tuple[float, float]:
-    """The way ahead and its width after the last distances have been asked: (px, px).
+def combine(memory: FloatArray, at: int, reached: float, predicted: Ahead) -> tuple[float, float]:
+    """The way ahead and its width along, by the predicted law and the last distances: (px, px).
 
-    ``reached``: px from the start to the cursor; ``ahead``: px from there, ``wide`` and ``broad`` the widths
-    along and across of a Student law of ``tail`` degrees. The answer is the median of the product of the law
-    with each kernel, a normal law each, and of the law alone where nothing is known.
+    ``reached``: px from the start to the cursor. The answer is the median of the product of the law with
+    each kernel, a normal law each, and of the law alone where nothing is known.
     """
-    held = int(memory[at + HELD])
-    if held < LEAST:
+    ahead, wide, broad, tail = predicted
+    count = int(memory[at + COUNT])
+    if count < LEAST:
         return ahead, wide
-    most = held * len(WIDTHS) + 1
+    most = count * len(WIDTHS) + 1
     weight, shift, width = np.empty(most), np.empty(most), np.empty(most)
     total, low, high, parts = memory[at + BELIEF + LAWS], 0.0, 0.0, 1
     weight[0], shift[0], width[0] = total, 0.0, wide
-    for j in range(held):
+    for j in range(count):
         distance = memory[at + DISTANCES + j]
         gap = distance / sqrt(1.0 + ARC * (broad / distance) ** 2) - reached - ahead
         for w in range(len(WIDTHS)):

@@ -14,13 +14,12 @@ from pointpred.predictors.kinematic import predictor as kinematic
 from pointpred.predictors.kinematic.predictor import KinematicPredictor
 from pointpred.predictors.predictor import loop_over_motions
 from pointpred.rows import MotionRow, Row, TenFloats
+from pointpred.stage import offsets
 
-# Settings, what is known of the person, the movement as the learned predictor and as the adaptation sees it.
-ADAPT, DISTANCES, SHORTEST_PX, SETTINGS = 0, 1, 2, 3
-PERSON = SETTINGS
-SIGHT = PERSON + correction.LEARNED
-MOVEMENT = SIGHT + observation.STATES
-LENGTH = MOVEMENT + correction.STATES
+# The settings, what is known of the person, the movement of the learned predictor and that of the adaptation.
+ADAPT, DISTANCES, SHORTEST_PX, PERSON, OBSERVATION, MOVEMENT, LENGTH = offsets(
+    1, 1, 1, correction.LEARNED, observation.STATES, correction.STATES
+)
 
 
 @law
@@ -31,24 +30,24 @@ def conclude(memory: FloatArray) -> None:
 
 
 @law
-def adapted(memory: FloatArray, answer: TenFloats) -> TenFloats:
-    """What the learned predictor says, corrected for the person."""
-    return correction.adapted(memory, PERSON, MOVEMENT, memory[DISTANCES], answer)
+def adapt(memory: FloatArray, answer: TenFloats) -> TenFloats:
+    """The learned predictor's answer, corrected for the person."""
+    return correction.adapt(memory, PERSON, MOVEMENT, memory[DISTANCES], answer)
 
 
 @law
 def step(memory: FloatArray, motion: Row, coefficients: FloatArray) -> TenFloats:
     """The learned predictor's step, then what is known of the person."""
     m = MotionRow(*motion)
-    own = memory[SIGHT:MOVEMENT]
+    own = memory[OBSERVATION:MOVEMENT]
     answer = kinematic.step(own, motion, coefficients)
     if memory[ADAPT] == 0.0 or answer[0] != answer[0]:
         return answer
     if m.start == 1.0:
         conclude(memory)
-    t0, x0, y0 = own[movement.T0], own[movement.X0], own[movement.Y0]
-    correction.follow(memory, MOVEMENT, m.t, m.x, m.y, t0, x0, y0)
-    return adapted(memory, answer)
+    start = own[movement.T0], own[movement.X0], own[movement.Y0]
+    correction.follow(memory, MOVEMENT, (m.t, m.x, m.y), start)
+    return adapt(memory, answer)
 
 
 loop = loop_over_motions(step, conclude)
@@ -129,4 +128,4 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
         """Check the values; without adaptation nothing of the person is remembered."""
         super().declare(**values)
         self.learned = correction.LEARNED if self.adapt else 0
-        self.states = LENGTH - SETTINGS - self.learned
+        self.states = LENGTH - PERSON - self.learned

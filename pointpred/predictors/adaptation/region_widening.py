@@ -16,10 +16,10 @@ from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.events import ROUNDING_S
 from pointpred.predictors.adaptation.stages import STAGES, place
-from pointpred.stage import Slot
+from pointpred.stage import Slot, offsets
 
 LEVELS = (0.5, 0.8)
-"""The levels that are kept true."""
+"""The levels whose regions are to hold as many ends as they say."""
 JUDGED = 9
 """A movement is judged at 10, 20 ... 90 % of its time."""
 STEP, STEP_OF, STEP_LEAST = 6.0, 5.0, 0.2
@@ -32,8 +32,7 @@ HALVINGS = 12
 
 # What is learned, relative to its place: movements so far; at each stage, the logarithms of what the squared
 # radii of the levels are multiplied by.
-COUNT, OFFSETS = 0, 1
-LEARNED = OFFSETS + STAGES * len(LEVELS)
+MOVEMENTS, OFFSETS, LEARNED = offsets(1, STAGES * len(LEVELS))
 MOVEMENTS_MOST = 1e6
 """The count stops here: the step has long been at its least."""
 SLOTS = (
@@ -42,12 +41,12 @@ SLOTS = (
 )
 """What is known of a person's levels, in the order of the layout."""
 
-# The movement, relative to its place: how many moments are kept, their distance in time, the cursor at the
-# last; then of each moment its time and the region that was stated: endpoint, scale matrix, tail.
-KEPT, APART, CURSOR_X, CURSOR_Y, FIRST = 0, 1, 2, 3, 4
-T, X, Y, SXX, SXY, SYY, TAIL = range(7)
-MOMENT, MOST = 7, 48
-STATES = FIRST + MOMENT * MOST
+# The movement, relative to its place: how many moments there are, their distance in time, the cursor at the
+# last; then of each moment its time and the law that was stated: endpoint, scale matrix, tail.
+T, X, Y, SXX, SXY, SYY, TAIL, MOMENT = range(8)
+MOST = 48
+"""Moments that are remembered."""
+COUNT, APART, CURSOR_X, CURSOR_Y, FIRST, STATES = offsets(1, 1, 1, 1, MOMENT * MOST)
 APART_S = 0.0071
 """Distance of the moments at first; when all places are taken every second is dropped and it doubles."""
 LOWEST, HIGHEST = 1e-6, 40.0
@@ -72,16 +71,16 @@ def offset(memory: FloatArray, at: int, share: float, which: int) -> float:
 
 
 @law
-def corrected(memory: FloatArray, at: int, share: float, tail: float) -> tuple[float, float]:
+def widen(memory: FloatArray, at: int, share: float, tail: float) -> tuple[float, float]:
     """(factor of the scale matrix, tail) of the law whose regions of both levels have the learned radii.
 
     Their ratio fixes the tail. Where the ratio is out of a tail's bounds, both radii miss by the same factor.
     """
-    if memory[at + COUNT] == 0.0:
+    if memory[at + MOVEMENTS] == 0.0:
         return 1.0, tail
-    given = min(max(2.0 / tail, LOWEST), HIGHEST)
-    near = log(radius(LEVELS[0], given) * 2.0 / given) + offset(memory, at, share, 0)
-    far = log(radius(LEVELS[1], given) * 2.0 / given) + offset(memory, at, share, 1)
+    heavy_now = min(max(2.0 / tail, LOWEST), HIGHEST)
+    near = log(radius(LEVELS[0], heavy_now) * 2.0 / heavy_now) + offset(memory, at, share, 0)
+    far = log(radius(LEVELS[1], heavy_now) * 2.0 / heavy_now) + offset(memory, at, share, 1)
     ratio, low, high = exp(far - near), LIGHTEST, HEAVIEST
     for _ in range(HALVINGS):
         heavy = 0.5 * (low + high)
@@ -95,7 +94,7 @@ def corrected(memory: FloatArray, at: int, share: float, tail: float) -> tuple[f
 
 
 @law
-def keep(
+def record(
     memory: FloatArray,
     at: int,
     t: float,
@@ -103,27 +102,27 @@ def keep(
     cursor_y: float,
     law: tuple[float, float, float, float, float, float],
 ) -> None:
-    """Keep what is stated at a moment: endpoint, scale matrix, tail. Of moments at one time the last is kept.
+    """Remember the law stated at a moment: endpoint, scale matrix, tail. Of one time the last is remembered.
 
-    A cursor that stands makes no other moment drop, however long it stands.
+    A cursor that stands makes no other moment drop out, however long it stands.
     """
-    kept = int(memory[at + KEPT])
-    last = at + FIRST + MOMENT * (kept - 1)
-    if kept == 0 or t != memory[last + T]:
-        if kept == 0:
+    count = int(memory[at + COUNT])
+    last = at + FIRST + MOMENT * (count - 1)
+    if count == 0 or t != memory[last + T]:
+        if count == 0:
             memory[at + APART] = APART_S
         elif t - memory[last + T] < memory[at + APART]:
             return
-        if kept == MOST:
+        if count == MOST:
             if cursor_x == memory[at + CURSOR_X] and cursor_y == memory[at + CURSOR_Y]:
                 return
-            kept = MOST // 2
-            for k in range(1, kept):
+            count = MOST // 2
+            for k in range(1, count):
                 for i in range(MOMENT):
                     memory[at + FIRST + MOMENT * k + i] = memory[at + FIRST + 2 * MOMENT * k + i]
             memory[at + APART] *= 2.0
-        memory[at + KEPT] = kept + 1.0
-        last = at + FIRST + MOMENT * kept
+        memory[at + COUNT] = count + 1.0
+        last = at + FIRST + MOMENT * count
     memory[at + CURSOR_X], memory[at + CURSOR_Y], memory[last + T] = cursor_x, cursor_y, t
     for i in range(len(law)):
         memory[last + X + i] = law[i]
@@ -148,26 +147,30 @@ def add(memory: FloatArray, slot: int, change: float) -> None:
 
 
 @law
-def learn(memory: FloatArray, known: int, at: int, x: float, y: float, start: float, end: float) -> None:
-    """Judge a movement from ``start`` to ``end`` in s, which ended at (x, y).
+def learn(
+    memory: FloatArray, person: int, at: int, place_of_end: tuple[float, float], span: tuple[float, float]
+) -> None:
+    """Judge a movement over ``span``, its start and end in s, which ended at a place in px.
 
     A stage learns from the share of the true time that it stands for, whatever share was predicted there.
     """
-    kept = int(memory[at + KEPT])
-    if kept == 0:
+    count = int(memory[at + COUNT])
+    if count == 0:
         return
-    memory[known + COUNT] = min(memory[known + COUNT] + 1.0, MOVEMENTS_MOST)
-    step = max(STEP / (memory[known + COUNT] + STEP_OF), STEP_LEAST)
+    x, y = place_of_end
+    start, end = span
+    memory[person + MOVEMENTS] = min(memory[person + MOVEMENTS] + 1.0, MOVEMENTS_MOST)
+    step = max(STEP / (memory[person + MOVEMENTS] + STEP_OF), STEP_LEAST)
     k = 0
     for judged in range(1, JUDGED + 1):
         share = judged / (JUDGED + 1.0)
         due = share * (end - start) + ROUNDING_S + 0.5 * memory[at + APART]
-        while k + 1 < kept and memory[at + FIRST + MOMENT * (k + 1) + T] - start <= due:
+        while k + 1 < count and memory[at + FIRST + MOMENT * (k + 1) + T] - start <= due:
             k += 1
         stated = surprise(memory, at + FIRST + MOMENT * k, x, y)
         stage, part = place(share)
         for which in range(len(LEVELS)):
             missed = LEVELS[which] - 1.0 if stated <= LEVELS[which] else LEVELS[which]
-            low = known + OFFSETS + len(LEVELS) * stage + which
+            low = person + OFFSETS + len(LEVELS) * stage + which
             add(memory, low, step * (1.0 - part) * missed)
             add(memory, low + len(LEVELS), step * part * missed)

@@ -6,10 +6,11 @@ A stage is a share of the time that has passed, as predicted: 0.1, 0.3 ... 0.9; 
 from __future__ import annotations
 
 from math import exp, floor, log, sqrt
+from typing import NamedTuple
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.stage import Slot
+from pointpred.stage import Slot, offsets
 
 STAGES = 5
 KEEP = 0.97
@@ -29,10 +30,8 @@ TEMPO_MOST, TEMPO_OFF = 0.4, 0.3
 
 # A stage, relative to its place: the normal equations of the bias, its two coefficients, what believing it
 # was and would have been worth; sums for the widths; the same for the tempo.
-G00, G01, G11, R0, R1, TOTAL, AHEAD, BIAS_PAID, BIAS_SIZE = 0, 1, 2, 3, 4, 5, 6, 7, 8
-COUNT, WIDE, BROAD = 9, 10, 11
-TEMPO, TIMED, TEMPO_PAID, TEMPO_SIZE = 12, 13, 14, 15
-WIDTH = 16
+G00, G01, G11, R0, R1, TOTAL, AHEAD, BIAS_PAID, BIAS_SIZE, COUNT, WIDE, BROAD, TEMPO, TIMED = range(14)
+TEMPO_PAID, TEMPO_SIZE, WIDTH = range(14, 17)
 LEARNED = STAGES * WIDTH
 
 LARGEST = 1e30
@@ -61,10 +60,31 @@ _STAGE = (
 SLOTS = _STAGE * STAGES
 """What is known of a person at each stage, in the order of the layout."""
 
-# A moment of the movement at a stage, relative to its place: whether there is one; time, place, direction;
-# the way ahead along and across, the widths, the tail, the time left, as predicted; px from the start.
-TAKEN, T, X, Y, UX, UY, ALONG, ACROSS, SAID_WIDE, SAID_BROAD, TAIL, LEFT, REACHED = range(13)
-MOMENT = 13
+
+class Moment(NamedTuple):
+    """What was predicted at a moment of a movement.
+
+    ``t`` s, cursor ``x y`` px and ``reached`` px from the start, in the direction ``ux uy``; the way ahead
+    along and across it and the widths of its law in px, the law's tail, the time left in s.
+    """
+
+    t: float
+    x: float
+    y: float
+    ux: float
+    uy: float
+    along: float
+    across: float
+    wide: float
+    broad: float
+    tail: float
+    left: float
+    reached: float
+
+
+# The moment of a stage, relative to its place: whether there is one, and its parts, the time first.
+PRESENT, PARTS, MOMENT = offsets(1, len(Moment._fields))
+T = PARTS
 STATES = STAGES * MOMENT
 
 
@@ -77,7 +97,7 @@ def place(share: float) -> tuple[int, float]:
 
 
 @law
-def believed(memory: FloatArray, at: int, paid: int) -> float:
+def belief(memory: FloatArray, at: int, paid: int) -> float:
     """Share of a correction that has paid so far: 0 to 1."""
     return float(min(max(memory[at + paid] / (memory[at + paid + 1] + DOUBT), 0.0), 1.0))
 
@@ -89,7 +109,7 @@ def bias(memory: FloatArray, at: int, total: float, along: float) -> float:
 
 
 @law
-def widened(memory: FloatArray, at: int, which: int) -> float:
+def width_log(memory: FloatArray, at: int, which: int) -> float:
     """Logarithm of what a stage multiplies a width by."""
     return float(0.5 * log((memory[at + which] + WIDTHS_OF) / (memory[at + COUNT] + WIDTHS_OF)))
 
@@ -101,13 +121,13 @@ def tempo(memory: FloatArray, at: int) -> float:
 
 
 @law
-def slowed(memory: FloatArray, at: int) -> float:
+def tempo_factor(memory: FloatArray, at: int) -> float:
     """What a stage multiplies the time left by."""
-    return float(exp(tempo(memory, at) * believed(memory, at, TEMPO_PAID)))
+    return float(exp(tempo(memory, at) * belief(memory, at, TEMPO_PAID)))
 
 
 @law
-def corrected(
+def correct(
     memory: FloatArray, at: int, share: float, total: float, along: float
 ) -> tuple[float, float, float, float]:
     """(bias px, factors of the width along, the width across, the time left)."""
@@ -115,10 +135,10 @@ def corrected(
     shift, wide, broad, slow = 0.0, 0.0, 0.0, 0.0
     for side in range(2):
         a, weight = at + (stage + side) * WIDTH, part if side == 1 else 1.0 - part
-        shift += weight * bias(memory, a, total, along) * believed(memory, a, BIAS_PAID)
-        wide += weight * widened(memory, a, WIDE)
-        broad += weight * widened(memory, a, BROAD)
-        slow += weight * tempo(memory, a) * believed(memory, a, TEMPO_PAID)
+        shift += weight * bias(memory, a, total, along) * belief(memory, a, BIAS_PAID)
+        wide += weight * width_log(memory, a, WIDE)
+        broad += weight * width_log(memory, a, BROAD)
+        slow += weight * tempo(memory, a) * belief(memory, a, TEMPO_PAID)
     return shift, exp(wide), exp(broad), exp(slow)
 
 
@@ -142,40 +162,53 @@ def solve(memory: FloatArray, at: int) -> None:
 @law
 def scale(memory: FloatArray, at: int, which: int, off: float, tail: float) -> None:
     """One step towards the scale of a Student law: what is far off counts little."""
-    known = (memory[at + which] + WIDTHS_OF) / (memory[at + COUNT] + WIDTHS_OF)
-    memory[at + which] += (tail + 1.0) / (tail + off * off / known) * off * off
+    before = (memory[at + which] + WIDTHS_OF) / (memory[at + COUNT] + WIDTHS_OF)
+    memory[at + which] += (tail + 1.0) / (tail + off * off / before) * off * off
 
 
 @law
-def learn(memory: FloatArray, at: int, moment: int, x: float, y: float, t: float) -> None:
-    """Take one stage of a finished movement in: where it ended, and when the cursor came to rest."""
+def record(memory: FloatArray, place: int, moment: Moment) -> None:
+    """Write the moment of a stage."""
+    memory[place + PRESENT] = 1.0
+    for i in range(len(moment)):
+        memory[place + PARTS + i] = moment[i]
+
+
+@law
+def moment_at(memory: FloatArray, place: int) -> Moment:
+    """The moment of a stage."""
+    p = memory[place + PARTS : place + MOMENT]
+    return Moment(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9], p[10], p[11])
+
+
+@law
+def learn(memory: FloatArray, at: int, m: Moment, x: float, y: float, t: float) -> None:
+    """Learn from one stage of a finished movement: where it ended, and when the cursor came to rest."""
     for i in range(WIDTH):
         if i != TOTAL and i != AHEAD:
             memory[at + i] *= KEEP
-    wide, tail = memory[moment + SAID_WIDE], memory[moment + TAIL]
-    dx, dy = x - memory[moment + X], y - memory[moment + Y]
-    ux, uy, along = memory[moment + UX], memory[moment + UY], memory[moment + ALONG]
-    off = (dx * ux + dy * uy - along) / wide
-    aside = (dy * ux - dx * uy - memory[moment + ACROSS]) / memory[moment + SAID_BROAD]
-    total = sqrt((memory[moment + REACHED] + along) ** 2 + memory[moment + ACROSS] ** 2)
-    said = bias(memory, at, total, along) / wide
-    rest = off - said
-    paid = bounded(said, FURTHEST)
+    dx, dy = x - m.x, y - m.y
+    off = (dx * m.ux + dy * m.uy - m.along) / m.wide
+    aside = (dy * m.ux - dx * m.uy - m.across) / m.broad
+    total = sqrt((m.reached + m.along) ** 2 + m.across**2)
+    shift = bias(memory, at, total, m.along) / m.wide
+    rest = off - shift
+    paid = bounded(shift, FURTHEST)
     memory[at + BIAS_PAID] += paid * bounded(off, FURTHEST)
     memory[at + BIAS_SIZE] += paid * paid
-    weight = (tail + 1.0) / (tail + rest * rest)
-    f0, f1 = total / wide, along / wide
+    weight = (m.tail + 1.0) / (m.tail + rest * rest)
+    f0, f1 = total / m.wide, m.along / m.wide
     memory[at + G00] += weight * f0 * f0
     memory[at + G01] += weight * f0 * f1
     memory[at + G11] += weight * f1 * f1
     memory[at + R0] += weight * f0 * off
     memory[at + R1] += weight * f1 * off
     solve(memory, at)
-    scale(memory, at, WIDE, rest, tail)
-    scale(memory, at, BROAD, aside, tail)
-    left = t - memory[moment + T]
+    scale(memory, at, WIDE, rest, m.tail)
+    scale(memory, at, BROAD, aside, m.tail)
+    left = t - m.t
     if left > 0.0:
-        late = bounded(log(left / memory[moment + LEFT]), TEMPO_MOST)
+        late = bounded(log(left / m.left), TEMPO_MOST)
         slow = tempo(memory, at)
         memory[at + TEMPO_PAID] += slow * late / TEMPO_OFF**2
         memory[at + TEMPO_SIZE] += slow * slow / TEMPO_OFF**2
