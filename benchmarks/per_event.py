@@ -25,7 +25,7 @@ from benchmarks.arguments import words
 from benchmarks.naive_kep import NaiveKep
 from pages.markdown import filled
 from pointpred import REGISTRY, EventColumns, Pipeline, build, run
-from pointpred.cli.screen import counted
+from pointpred.console import counted
 from pointpred.scoring import prepare, replay
 from pointpred.simulation import thesis_setup
 

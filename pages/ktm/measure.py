@@ -19,7 +19,7 @@ from pages.held_out import seen, trained
 from pages.markdown import filled, table
 from pages.sets import VARIABLE, recordings
 from pointpred import REGISTRY, build
-from pointpred.cli.screen import counted
+from pointpred.console import counted
 from pointpred.recording import Recording
 from pointpred.scoring import ktm_protocol as protocol
 from pointpred.scoring import prepare, resolution

@@ -13,7 +13,7 @@ from pages.ktm import measure as ktm_protocol
 from pages.markdown import table
 from pages.results.scores import patterns
 from pointpred import build
-from pointpred.cli.screen import counted
+from pointpred.console import counted
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
 from pointpred.scoring import ktm_protocol as protocol

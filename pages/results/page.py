@@ -12,7 +12,7 @@ from pages.markdown import table
 from pages.results import claims as results_claims
 from pages.results import ktm as results_ktm
 from pages.results.verdict import OVERVIEW, verdict
-from pointpred.cli.screen import counted
+from pointpred.console import counted
 from pointpred.datasets import DataSet
 
 Json = dict[str, Any]

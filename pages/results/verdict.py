@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from pages.held_out import PEOPLE_OUT, SET_OUT
-from pointpred.cli.screen import counted
+from pointpred.console import counted
 from pointpred.errors import ParameterError
 from pointpred.registry import parameters
 from pointpred.scoring import FLOOR

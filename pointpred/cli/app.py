@@ -12,19 +12,20 @@ import typer
 
 import pointpred
 from pointpred.cli.camera import app as camera
+from pointpred.cli.convert import convert
 from pointpred.cli.datasets import app as datasets
 from pointpred.cli.devices import app as devices
 from pointpred.cli.doctor import doctor
-from pointpred.cli.help_text import teach
+from pointpred.cli.help_text import add_help
 from pointpred.cli.live import live
+from pointpred.cli.option_errors import bad_value
 from pointpred.cli.predictors import predictors
 from pointpred.cli.recordings import app as recordings
 from pointpred.cli.replay import replay
 from pointpred.cli.score import score
 from pointpred.cli.serve import serve
+from pointpred.cli.simulate import simulate
 from pointpred.cli.train import train
-from pointpred.cli.transform import convert, simulate
-from pointpred.cli.wrong_values import bad_value
 from pointpred.console import plain
 from pointpred.errors import ParameterError, PointpredError
 
@@ -45,7 +46,7 @@ app.add_typer(camera, name="camera")
 app.add_typer(datasets, name="datasets")
 app.add_typer(devices, name="devices")
 app.add_typer(recordings, name="recordings")
-teach(app)
+add_help(app)
 
 
 def _version(wanted: bool) -> None:
@@ -81,8 +82,8 @@ def main(arguments: list[str] | None = None) -> NoReturn:
     except (typer.TyperException, PointpredError, OSError) as error:
         if os.environ.get("POINTPRED_DEBUG") == "1":
             raise
-        if said := _sentence(error):
-            print(f"pointpred: {plain(said)}", file=sys.stderr)
+        if sentence := _sentence(error):
+            print(f"pointpred: {plain(sentence)}", file=sys.stderr)
         code = WRONG_USE if isinstance(error, typer.TyperException | ParameterError) else NOTHING
     sys.exit(code or DONE)
 
@@ -109,13 +110,13 @@ def _sentence(error: Exception) -> str:
         command = context.command_path if context is not None else "pointpred"
         if not error.format_message():  # the help stands there already
             return ""
-        return f"{_said(error).rstrip('.')}. See '{command} --help'."
+        return f"{_words(error).rstrip('.')}. See '{command} --help'."
     if isinstance(error, OSError) and error.strerror:
         return f"{error.strerror}: {error.filename}" if error.filename else error.strerror
     return str(error)
 
 
-def _said(error: typer.TyperException) -> str:
+def _words(error: typer.TyperException) -> str:
     """An error of the command line; of an option's value, in our words."""
     options = getattr(getattr(error, "param", None), "opts", None)
     if type(error) is typer.BadParameter and options:

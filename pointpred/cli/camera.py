@@ -7,8 +7,9 @@ from typing import Annotated, Any
 
 import typer
 
-from pointpred.cli.reading import there
-from pointpred.cli.screen import check_target, check_targets, counted, remarks, write_json
+from pointpred.cli.output_files import check_target, check_targets, write_json
+from pointpred.cli.reading_options import there
+from pointpred.console import counted, remarks
 from pointpred.errors import ParameterError
 
 app = typer.Typer(

@@ -8,7 +8,7 @@ import numpy as np
 from rich.table import Table
 
 from pointpred.camera import CameraTable
-from pointpred.cli.screen import results
+from pointpred.console import results
 
 MOMENTS = 11
 HEADINGS = ("t s", "Z observer m", "Z filter m", "v_z observer m/s", "v_z filter m/s", "believe")

@@ -9,7 +9,7 @@ import msgspec
 import typer
 from rich.table import Table
 
-from pointpred.cli.screen import write_json
+from pointpred.cli.output_files import write_json
 from pointpred.console import WIDE, remarks, results
 
 BOUNDLESS = 1000

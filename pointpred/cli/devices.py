@@ -13,7 +13,7 @@ import typer
 from rich.live import Live
 from rich.table import Table
 
-from pointpred.cli.screen import write_json
+from pointpred.cli.output_files import write_json
 from pointpred.console import plain, remark, remarks, results
 from pointpred.errors import SourceError
 

@@ -14,7 +14,7 @@ import typer
 from rich.table import Table
 
 from pointpred import compiled
-from pointpred.cli.screen import write_json
+from pointpred.cli.output_files import write_json
 from pointpred.console import counted, results
 from pointpred.errors import PointpredError, SourceError
 from pointpred.extras import EXTRAS, absent, install_command
@@ -45,7 +45,7 @@ def doctor(
 
       pointpred doctor --json | jq '.findings[] | select(.state != "good")'
     """
-    findings = [finding for look in LOOKS for finding in looked(look)]
+    findings = [finding for check in CHECKS for finding in run_check(check)]
     broken = [one for one in findings if one.state == "broken"]
     if as_json:
         write_json({"version": 1, "findings": msgspec.to_builtins(findings)}, Path("-"))
@@ -67,20 +67,20 @@ def show(findings: list[Finding]) -> None:
         results().print(f"\n{one.name}: {one.advice}", markup=False, soft_wrap=True)
 
 
-def looked(look: Callable[[], list[Finding]]) -> list[Finding]:
+def run_check(check: Callable[[], list[Finding]]) -> list[Finding]:
     """What a look finds; one that fails is itself a finding."""
     try:
-        return look()
+        return check()
     except (PointpredError, OSError, ImportError) as error:
-        return [Finding(look.__name__, "broken", f"{type(error).__name__}: {error}", "report this line")]
+        return [Finding(check.__name__, "broken", f"{type(error).__name__}: {error}", "report this line")]
 
 
 def python() -> list[Finding]:
     """The interpreter."""
-    said = f"{sys.version.split()[0]} at {sys.executable}"
+    words = f"{sys.version.split()[0]} at {sys.executable}"
     if sys.version_info < OLDEST:
-        return [Finding("python", "broken", said, "install pointpred under Python 3.11 or later")]
-    return [Finding("python", "good", said)]
+        return [Finding("python", "broken", words, "install pointpred under Python 3.11 or later")]
+    return [Finding("python", "good", words)]
 
 
 def laws() -> list[Finding]:
@@ -100,9 +100,9 @@ def laws() -> list[Finding]:
         ]
     folder = compiled._cache_folder()
     if folder is None or not os.access(_standing(folder), os.W_OK | os.X_OK):
-        said = "no folder can be written" if folder is None else f"{folder} cannot be written"
+        words = "no folder can be written" if folder is None else f"{folder} cannot be written"
         advice = "name a folder of your own with POINTPRED_CACHE_DIR, or every start compiles anew"
-        return [*findings, Finding("laws", "missing", f"compiled, not kept: {said}", advice)]
+        return [*findings, Finding("laws", "missing", f"compiled, not kept: {words}", advice)]
     return [*findings, Finding("laws", "good", f"compiled, kept in {folder}")]
 
 
@@ -131,23 +131,23 @@ def devices() -> list[Finding]:
     findings = []
     if sys.platform != "linux":
         return [Finding("mice", "good", "not read on this system: 'pointpred live' follows the cursor")]
-    for kind, listed in (("hidraw", list_hid), ("evdev", list_evdev)):
+    for kind, list_kind in (("hidraw", list_hid), ("evdev", list_evdev)):
         name = f"mice, {kind}"
         try:
-            found = listed()
+            mice = list_kind()
         except SourceError as error:
             findings.append(Finding(name, "missing", "cannot be listed", str(error)))
             continue
-        closed = [one for one in found if not one.openable]
-        said = f"{counted(len(found), 'mouse' if len(found) == 1 else 'device')}, {len(closed)} closed"
-        if not found:
+        closed = [one for one in mice if not one.openable]
+        words = f"{counted(len(mice), 'mouse' if len(mice) == 1 else 'device')}, {len(closed)} closed"
+        if not mice:
             advice = "plug one in; virtual machines and containers have none of their own"
             findings.append(Finding(name, "missing", "none found", advice))
-        elif len(closed) == len(found):
+        elif len(closed) == len(mice):
             advice = closed[0].advice or "see 'pointpred devices list'"
-            findings.append(Finding(name, "missing", f"{said}: {closed[0].why}", advice))
+            findings.append(Finding(name, "missing", f"{words}: {closed[0].why}", advice))
         else:
-            findings.append(Finding(name, "good", said))
+            findings.append(Finding(name, "good", words))
     return findings
 
 
@@ -158,10 +158,10 @@ def cursor() -> list[Finding]:
     try:
         with closing(system_cursor()) as screen:
             x, y = screen.position()
-            said = f"at {x:g}, {y:g} of {screen.size[0]} x {screen.size[1]}: {screen.words}"
+            words = f"at {x:g}, {y:g} of {screen.size[0]} x {screen.size[1]}: {screen.words}"
             if sys.platform in UNTRIED:
-                said += f"; looked at {RATE_HZ:g} times a second; untested on this platform"
-            return [Finding("cursor", "good", said)]
+                words += f"; looked at {RATE_HZ:g} times a second; untested on this platform"
+            return [Finding("cursor", "good", words)]
     except SourceError as error:
         return [Finding("cursor", "missing", "cannot be followed", str(error))]
 
@@ -200,5 +200,5 @@ def port() -> list[Finding]:
     return [Finding("port", "good", f"{PORT} is free on {LOOPBACK}")]
 
 
-LOOKS = (python, laws, extras, devices, cursor, folders, port)
+CHECKS = (python, laws, extras, devices, cursor, folders, port)
 """In the order in which one thing builds on another."""

@@ -68,7 +68,7 @@ def _named(parameters: list[Any]) -> list[Any]:
     return parameters
 
 
-def teach(app: typer.Typer) -> None:
+def add_help(app: typer.Typer) -> None:
     """Give every command of ``app``, and of its groups, the help that its docstring tells."""
     from rich.markup import escape
 
@@ -80,4 +80,4 @@ def teach(app: typer.Typer) -> None:
             command.help = escape(flowing(words))
     for group in app.registered_groups:
         if group.typer_instance is not None:
-            teach(group.typer_instance)
+            add_help(group.typer_instance)

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from pointpred.cli.coefficients import Coefficients, with_coefficients
-from pointpred.cli.playing import SPEED, TRIAL, complain, one_recording, speed_of
-from pointpred.cli.reading import options_in, to_read, with_reading
-from pointpred.cli.screen import check_target
+from pointpred.cli.output_files import check_target
+from pointpred.cli.playback import SPEED, TRIAL, one_recording, print_skipped, speed_of
+from pointpred.cli.reading_options import options_in, to_read, with_reading
 from pointpred.cli.serve import open_port, settings_of
 from pointpred.errors import ParameterError
 from pointpred.events import CPI, DPI
@@ -181,7 +181,7 @@ def live(
     pace = speed_of(speed or "1")
     recording = one_recording(replay, reading)
     trials, skipped = playable_trials(recording, trial or ())
-    complain(tuple(skipped))
+    print_skipped(skipped)
     about = recording.provenance
     resolutions = outputs(about.cpi if cpi is None else cpi, about.dpi if dpi is None else dpi)
     follow_replay(replay, recording, trials, pace, resolutions)

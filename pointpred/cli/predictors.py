@@ -8,7 +8,7 @@ from typing import Annotated, Any
 import typer
 from rich.table import Table
 
-from pointpred.cli.screen import write_json
+from pointpred.cli.output_files import write_json
 from pointpred.console import NARROW, results
 from pointpred.registry import RECOMMENDED, REGISTRY, build, describe
 

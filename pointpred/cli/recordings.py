@@ -1,13 +1,14 @@
-"""``pointpred recordings``: what the service has recorded, and how to get rid of it."""
+"""``pointpred recordings``: list and delete the sessions that the service has recorded."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
+import msgspec
 import typer
 
-from pointpred.cli.screen import write_json
+from pointpred.cli.output_files import write_json
 from pointpred.console import counted, remarks, results
 from pointpred.errors import ParameterError
 
@@ -22,6 +23,20 @@ Folder = Annotated[
         metavar="FOLDER", envvar="POINTPRED_RECORD", file_okay=False, help="Folder of the recordings."
     ),
 ]
+
+
+class RecordingRow(msgspec.Struct, frozen=True):
+    """A recorded session in the JSON of ``list``."""
+
+    name: str
+    begun: str
+    events: int
+    trials: int
+    skipped: int
+    bytes: int
+    files: list[str]
+    notes: tuple[str, ...]
+    problem: str | None
 
 
 @app.command("list")
@@ -41,11 +56,11 @@ def list_recordings(
     """
     from pointpred.server.recorder.recordings import listing
 
-    found = listing(_chosen(folder))
+    recordings = listing(_chosen(folder))
     if as_json:
-        write_json({"version": 1, "recordings": [_described(one) for one in found]}, Path("-"))
-    elif found:
-        _show(found)
+        write_json({"version": 1, "recordings": [_row(one) for one in recordings]}, Path("-"))
+    elif recordings:
+        _show(recordings)
     else:
         remarks().print(f"nothing is recorded in {_chosen(folder)}", markup=False)
 
@@ -104,32 +119,32 @@ def _sure(question: str) -> bool:
         return False
 
 
-def _show(found: list[Recorded]) -> None:
+def _show(recordings: list[Recorded]) -> None:
     from rich.table import Table
 
     table = Table(box=None, pad_edge=False)
     for column in ("name", "begun (UTC)", "events", "trials", "skipped", "size", "remark"):
         number = column in ("events", "trials", "skipped", "size")
         table.add_column(column, no_wrap=column == "name", justify="right" if number else "left")
-    for one in found:
+    for one in recordings:
         counts = (str(one.events), str(one.trials), str(one.skipped)) if one.problem is None else ("-",) * 3
         remark = one.problem or "; ".join(one.notes)
         table.add_row(one.name, f"{one.begun:%Y-%m-%d %H:%M:%S}", *counts, _size(one.size), remark)
     results().print(table, markup=False)
 
 
-def _described(one: Recorded) -> dict[str, Any]:
-    return {
-        "name": one.name,
-        "begun": one.begun.isoformat(),
-        "events": one.events,
-        "trials": one.trials,
-        "skipped": one.skipped,
-        "bytes": one.size,
-        "files": [str(path) for path in one.files],
-        "notes": list(one.notes),
-        "problem": one.problem,
-    }
+def _row(one: Recorded) -> RecordingRow:
+    return RecordingRow(
+        one.name,
+        one.begun.isoformat(),
+        one.events,
+        one.trials,
+        one.skipped,
+        one.size,
+        [str(path) for path in one.files],
+        one.notes,
+        one.problem,
+    )
 
 
 def _size(size: float) -> str:

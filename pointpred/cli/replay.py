@@ -9,16 +9,17 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from pointpred.cli.coefficients import named_file, with_coefficients
-from pointpred.cli.playing import SPEED, TRIAL, complain, one_recording, speed_of
-from pointpred.cli.reading import Cpi, Dpi, to_read, with_reading
-from pointpred.cli.replay_tables import described, plain, print_played
-from pointpred.cli.screen import check_target, write_json
+from pointpred.cli.output_files import check_target, write_json
+from pointpred.cli.playback import SPEED, TRIAL, one_recording, print_skipped, speed_of
+from pointpred.cli.reading_options import Cpi, Dpi, to_read, with_reading
 from pointpred.console import remarks
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.registry import RECOMMENDED
 
 if TYPE_CHECKING:
+    from pointpred.cli.replay_tables import DriveDocument, ReplayDocument
     from pointpred.recording import Recording
+    from pointpred.replaying import Replayed
     from pointpred.sources import Reading
 
 PAGE = "As the mouse of a page"
@@ -98,61 +99,74 @@ def replay(
     recording = one_recording(file, reading)
     names = trial or []
     if devtools is not None:
-        answer = _drive(devtools, url, recording, names, speed=pace, offset=shift, scale=scale)
-    else:
-        assert to is not None
-        asked = {"predictor": predictor, "coefficients": own, "cpi": cpi, "dpi": dpi, "token": token}
-        answer = _send(to, recording, quiet=str(json) == "-", trials=names, speed=pace, **asked)
-    if json is not None:
-        write_json(answer, json)
-    if not answer["trials"]:
-        raise RecordingError("no trial could be played; see the reasons above")
-    if answer.get("agree") is False:
-        raise typer.Exit(1)
+        driven = _drive(devtools, url, recording, names, speed=pace, offset=shift, scale=scale)
+        _finish(driven, json, agree=True)
+        return
+    assert to is not None
+    played = _send(
+        to,
+        recording,
+        predictor=predictor,
+        speed=pace,
+        trials=names,
+        cpi=cpi,
+        dpi=dpi,
+        coefficients=own,
+        token=token,
+    )
+    from pointpred.cli.replay_tables import document, print_played
+
+    if str(json) != "-":
+        print_played(played)
+    _finish(document(played), json, agree=played.agrees)
 
 
-def _send(to: str, recording: Recording, *, quiet: bool, **asked: Any) -> dict[str, Any]:
-    """Play to a service, as ``replay_to`` is asked, and print what came back."""
+def _send(to: str, recording: Recording, **options: Any) -> Replayed:
+    """Play to a service, with the options of ``replay_to``."""
     from pointpred.cli.progress import following
     from pointpred.replaying import replay_to
 
     with following() as progress:
-        played = replay_to(to, recording, progress=progress, **asked)
-    complain(played.skipped)
-    if not quiet:
-        print_played(played)
-    return described(played)
+        played = replay_to(to, recording, progress=progress, **options)
+    print_skipped(played.skipped)
+    return played
 
 
 def _drive(
-    devtools: str, url: str | None, recording: Recording, names: list[str], **how: Any
-) -> dict[str, Any]:
-    """Play as the mouse of a page and say what was done."""
+    devtools: str, url: str | None, recording: Recording, names: list[str], **options: Any
+) -> DriveDocument:
+    """Play as the mouse of a page, with the options of ``drive_mouse``, and print what was done."""
+    from pointpred.cli.replay_tables import DriveDocument, DrivenTrialRow
     from pointpred.replaying import drive_mouse, open_page
-    from pointpred.replaying.choosing import chosen, named, unplayable
+    from pointpred.replaying.choosing import named, playable
 
-    places = chosen(recording, names)
-    skips = {k: skip for k in places if (skip := unplayable(recording, k)) is not None}
-    skipped = (*(() if names else recording.skipped), *skips.values())
-    complain(skipped)
-    done = []
+    places, skipped = playable(recording, names)
+    print_skipped(skipped)
+    trials = []
     with open_page(devtools, url) as page:
         for k in places:
-            if k in skips:
-                continue
-            driven = drive_mouse(page, recording.rows(k), **how)
-            done.append({"trial": named(recording, k), **plain(driven)})
+            driven = drive_mouse(page, recording.rows(k), **options)
+            trials.append(
+                DrivenTrialRow(
+                    named(recording, k), driven.moves, driven.presses, driven.releases, driven.seconds
+                )
+            )
             remarks().print(
                 f"{named(recording, k)}: {driven.moves} moves, {driven.presses} presses, "
                 f"{driven.releases} releases in {driven.seconds:.2f} s",
                 markup=False,
             )
-    return {
-        "version": 1,
-        "recording": recording.name,
-        "trials": done,
-        "skipped": [plain(s) for s in skipped],
-    }
+    return DriveDocument(recording=recording.name, trials=trials, skipped=skipped)
+
+
+def _finish(document: ReplayDocument | DriveDocument, json: Path | None, *, agree: bool) -> None:
+    """Write the JSON; raise RecordingError where nothing was played, and exit with 1 where answers differ."""
+    if json is not None:
+        write_json(document, json)
+    if not document.trials:
+        raise RecordingError("no trial could be played; see the reasons above")
+    if not agree:
+        raise typer.Exit(1)
 
 
 def _pair(text: str) -> tuple[float, float]:

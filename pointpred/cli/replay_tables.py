@@ -1,39 +1,84 @@
-"""What a replay has shown: one line a trial, and the same as JSON."""
+"""The outcome of a replay: one line a trial, and as JSON."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+import msgspec
 
 from pointpred.console import results
+from pointpred.protocol.server_messages import Score
+from pointpred.recording import Skip
+from pointpred.replaying import Replayed
 
-if TYPE_CHECKING:
-    from pointpred.replaying import Replayed
+
+class ReplayedTrialRow(msgspec.Struct, frozen=True):
+    """One trial of ``ReplayDocument``; ``score`` from the service's answers, ``batch`` from a local run."""
+
+    user: str
+    trial: str
+    events: int
+    predictions: int
+    gave_way: int
+    unlike: int
+    seconds: float
+    agree: bool
+    score: Score
+    batch: Score
 
 
-def described(played: Replayed) -> dict[str, Any]:
-    """What ``--json`` writes."""
-    return {
-        "version": 1,
-        "recording": played.recording,
-        "predictor": played.predictor,
-        "agree": played.agrees,
-        "trials": [
-            {
-                "user": one.user,
-                "trial": one.trial,
-                "events": one.events,
-                "predictions": one.predictions,
-                "gave_way": one.gave_way,
-                "unlike": one.unlike,
-                "seconds": one.seconds,
-                "agree": one.agrees,
-                "score": plain(one.score),
-                "batch": plain(one.local),
-            }
-            for one in played.trials
-        ],
-        "skipped": [plain(skip) for skip in played.skipped],
-    }
+class ReplayDocument(msgspec.Struct, frozen=True, kw_only=True):
+    """What ``--json`` writes of a replay to a service."""
+
+    version: int = 1
+    recording: str
+    predictor: str
+    agree: bool
+    trials: list[ReplayedTrialRow]
+    skipped: tuple[Skip, ...]
+
+
+class DrivenTrialRow(msgspec.Struct, frozen=True):
+    """One trial of ``DriveDocument``: what was done to the mouse of the page."""
+
+    trial: str
+    moves: int
+    presses: int
+    releases: int
+    seconds: float
+
+
+class DriveDocument(msgspec.Struct, frozen=True, kw_only=True):
+    """What ``--json`` writes of a replay as the mouse of a page."""
+
+    version: int = 1
+    recording: str
+    trials: list[DrivenTrialRow]
+    skipped: tuple[Skip, ...]
+
+
+def document(played: Replayed) -> ReplayDocument:
+    """The document of a replay to a service."""
+    trials = [
+        ReplayedTrialRow(
+            one.user,
+            one.trial,
+            one.events,
+            one.predictions,
+            one.gave_way,
+            one.unlike,
+            one.seconds,
+            one.agrees,
+            one.score,
+            one.local,
+        )
+        for one in played.trials
+    ]
+    return ReplayDocument(
+        recording=played.recording,
+        predictor=played.predictor,
+        agree=played.agrees,
+        trials=trials,
+        skipped=played.skipped,
+    )
 
 
 def print_played(played: Replayed) -> None:
@@ -62,10 +107,3 @@ def print_played(played: Replayed) -> None:
 
 def _px(value: float | None) -> str:
     return "-" if value is None else f"{value:.1f}"
-
-
-def plain(value: Any) -> Any:
-    """A struct as what JSON knows."""
-    import msgspec
-
-    return msgspec.to_builtins(value)

@@ -10,8 +10,9 @@ import msgspec
 import typer
 
 from pointpred.cli.coefficients import Coefficients, with_coefficients
-from pointpred.cli.reading import Cpi, Dpi, recordings_in, shown, to_read, with_reading
-from pointpred.cli.screen import check_targets, remarks, write_json
+from pointpred.cli.output_files import check_targets, write_json
+from pointpred.cli.reading_options import Cpi, Dpi, recordings_in, shown, to_read, with_reading
+from pointpred.console import remarks
 from pointpred.errors import ParameterError, PointpredError, RecordingError
 from pointpred.extras import require
 from pointpred.registry import REGISTRY, build

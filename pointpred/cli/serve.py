@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from pointpred.cli.starting import Starting
-from pointpred.cli.wrong_values import refused
+from pointpred.cli.option_errors import option_error
+from pointpred.cli.service_start import ServiceStart
 from pointpred.console import remarks
 from pointpred.errors import ParameterError
 
@@ -96,7 +96,7 @@ def serve(
         remarks().print(f"port {PORT} is in use; taking the next free one. --port N chooses another")
     service = Service(settings)
 
-    starting = Starting(service, address(settings.host, opened))
+    starting = ServiceStart(service, address(settings.host, opened))
     try:
         answer(opened, HostRule(settings.host, settings.allow_host), service, starting.announce)
     except KeyboardInterrupt:
@@ -123,5 +123,5 @@ def settings_of(given: dict[str, Any]) -> Settings:
         first = error.errors()[0]
         name = "_".join(str(part) for part in first["loc"]) or "settings"
         raise ParameterError(
-            f"{refused(name, first)} (flag --{name.replace('_', '-')} or POINTPRED_{name.upper()})"
+            f"{option_error(name, first)} (flag --{name.replace('_', '-')} or POINTPRED_{name.upper()})"
         ) from None

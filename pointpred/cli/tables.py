@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from rich.table import Table
 
-from pointpred.cli.screen import NARROW, counted, remarks, results
+from pointpred.console import NARROW, counted, remarks, results
 from pointpred.recording import Skip
 from pointpred.scoring import HEADINGS, footnotes, rows
 from pointpred.scoring.summary import SetSummary

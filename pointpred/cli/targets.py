@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from rich.table import Table
 
-from pointpred.cli.screen import counted, results
+from pointpred.console import counted, results
 from pointpred.scoring.results import TIME_FRACTIONS
 
 if TYPE_CHECKING:

@@ -9,9 +9,10 @@ import msgspec
 import typer
 from rich.table import Table
 
-from pointpred.cli.reading import to_read, with_reading
+from pointpred.cli.output_files import check_targets, write_json
+from pointpred.cli.reading_options import to_read, with_reading
 from pointpred.cli.score import read_all
-from pointpred.cli.screen import check_targets, counted, plain, results, write_json
+from pointpred.console import counted, plain, results
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.extras import require
 from pointpred.predictors.kinematic import coefficient_file

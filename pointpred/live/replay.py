@@ -14,20 +14,16 @@ from pointpred.live.run import LiveRun, OutputOptions, compile_for
 from pointpred.live.session import LiveSession
 from pointpred.recording import Recording, Skip
 from pointpred.registry import build
-from pointpred.replaying.choosing import chosen, named, unplayable
+from pointpred.replaying.choosing import named, playable
 from pointpred.server.garbage import tune_collector
 
 
-def playable_trials(recording: Recording, names: Sequence[str]) -> tuple[list[PlayedTrial], list[Skip]]:
+def playable_trials(recording: Recording, names: Sequence[str]) -> tuple[list[PlayedTrial], tuple[Skip, ...]]:
     """The trials to play, all where none is named, and those that cannot be; raises ParameterError."""
-    places = chosen(recording, names)
-    skips = {k: skip for k in places if (skip := unplayable(recording, k)) is not None}
-    trials = [
-        PlayedTrial(recording.trials[k].user, named(recording, k), recording.rows(k))
-        for k in places
-        if k not in skips
-    ]
-    return trials, [*(() if names else recording.skipped), *skips.values()]
+    places, left_out = playable(recording, names)
+    return [
+        PlayedTrial(recording.trials[k].user, named(recording, k), recording.rows(k)) for k in places
+    ], left_out
 
 
 def follow_replay(

@@ -36,6 +36,17 @@ def chosen(recording: Recording, names: Sequence[str]) -> list[int]:
     return list(dict.fromkeys(found)) if names else list(range(len(recording.trials)))
 
 
+def playable(recording: Recording, names: Sequence[str]) -> tuple[list[int], tuple[Skip, ...]]:
+    """Places of the trials to play, and the trials left out; all trials where no name is given.
+
+    Raises ParameterError for a name of no trial.
+    """
+    places = chosen(recording, names)
+    skips = {k: skip for k in places if (skip := unplayable(recording, k)) is not None}
+    left_out = (*(() if names else recording.skipped), *skips.values())
+    return [k for k in places if k not in skips], left_out
+
+
 def unplayable(recording: Recording, k: int) -> Skip | None:
     """Why a trial cannot be played event by event."""
     trial, events = recording.trials[k], recording.rows(k)

@@ -21,7 +21,7 @@ from pointpred.protocol.server_messages import Score
 from pointpred.protocol.token_bucket import TokenBucket
 from pointpred.recording import Recording, Skip
 from pointpred.registry import RECOMMENDED, build
-from pointpred.replaying.choosing import chosen, unplayable
+from pointpred.replaying.choosing import playable
 from pointpred.replaying.local import local_scores
 from pointpred.replaying.pacing import due
 
@@ -93,10 +93,7 @@ def replay_to(
     named = {} if coefficients is None else {"coefficients": coefficients[0]}
     own: dict[str, Any] = {} if coefficients is None else {"coefficients": coefficients[1]}
     pipeline = build(predictor, cpi=cpi, dpi=dpi, **own)
-    wanted = chosen(recording, trials)
-    skips = {k: skip for k in wanted if (skip := unplayable(recording, k)) is not None}
-    left_out = (*(() if trials else recording.skipped), *skips.values())
-    played = [k for k in wanted if k not in skips]
+    played, left_out = playable(recording, trials)
     local = local_scores(recording, played, pipeline, cpi=cpi, dpi=dpi)
     total, done, answers = sum(len(recording.rows(k)) for k in played), 0, []
     for _, turn in groupby(played, key=lambda k: recording.trials[k].user):

@@ -15,7 +15,7 @@ from pathlib import Path
 
 import pytest
 
-from pointpred.cli.starting import Starting, told
+from pointpred.cli.service_start import ServiceStart, changed_settings
 from pointpred.registry import RECOMMENDED, REGISTRY
 from pointpred.server.service import Service
 from pointpred.server.settings import Settings
@@ -96,7 +96,7 @@ def test_elsewhere_entries_are_json_and_the_settings_can_say_otherwise() -> None
     ],
 )
 def test_only_settings_of_ones_own_are_told(settings: Settings, words: str) -> None:
-    assert told(settings) == words
+    assert changed_settings(settings) == words
 
 
 def test_setting_up_says_that_it_takes_a_while() -> None:
@@ -116,7 +116,7 @@ def test_what_is_compiled_is_one_line_that_goes_when_all_is_done() -> None:
     compiler, screen = FakeWorkers(), Terminal()
     service = Service()
     compiling = service.compiler = compiler.compiling([RECOMMENDED, "ktm"])
-    Starting(service, "http://127.0.0.1:1/", screen)
+    ServiceStart(service, "http://127.0.0.1:1/", screen)
     compiler.allow()
     compiling.start()
     compiling.join()

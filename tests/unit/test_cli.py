@@ -19,7 +19,7 @@ import pointpred
 from pointpred import __version__
 from pointpred.cli import predictors as predictors_module
 from pointpred.cli.app import app
-from pointpred.cli.help_text import teach
+from pointpred.cli.help_text import add_help
 from pointpred.registry import REGISTRY, parameters
 
 COMMANDS = ("score", "simulate", "convert", "predictors", "serve")
@@ -79,7 +79,7 @@ def test_brackets_of_a_docstring_are_shown(capsys: pytest.CaptureFixture[str]) -
 
     small = typer.Typer()
     small.command()(one)
-    teach(small)
+    add_help(small)
     get_command(small).main(["--help"], standalone_mode=False)
     assert "pointpred[train]." in capsys.readouterr().out
 

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from pointpred import compiled, extras
-from pointpred.cli.doctor import LOOKS, Finding, looked
+from pointpred.cli.doctor import CHECKS, Finding, run_check
 from pointpred.devices.source import DeviceInfo
 from pointpred.errors import SourceError
 
@@ -109,10 +109,10 @@ def test_a_look_that_fails_is_a_finding() -> None:
     def cellar() -> list[Finding]:
         raise SourceError("the door is locked")
 
-    (one,) = looked(cellar)
+    (one,) = run_check(cellar)
     assert (one.name, one.state) == ("cellar", "broken")
     assert "the door is locked" in one.found
-    assert all(look.__doc__ for look in LOOKS)
+    assert all(look.__doc__ for look in CHECKS)
 
 
 @pytest.mark.parametrize(

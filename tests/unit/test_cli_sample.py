@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from pointpred.cli.reading import reading, recordings_in
+from pointpred.cli.reading_options import reading, recordings_in
 from pointpred.datasets import sample
 from pointpred.sources import read, write
 from tests.unit.test_training import reaches

@@ -18,7 +18,7 @@ CLEAR = "\r\x1b[2K"
 """Back to the beginning of the line, which becomes empty."""
 
 
-class Starting:
+class ServiceStart:
     """Tells the settings, the address, that the page can be used, and how far compiling is.
 
     The address goes to stdout, all else to ``screen``. The progress is one line that is written over, only
@@ -33,7 +33,7 @@ class Starting:
         if self._watched:
             service.compiler.on_progress = self.progress
         service.compiler.on_ready = self.ready
-        self._say(f"Settings: {told(service.settings)}")
+        self._say(f"Settings: {changed_settings(service.settings)}")
 
     def announce(self) -> None:
         """The page can be opened."""
@@ -60,11 +60,13 @@ class Starting:
         self._screen.flush()
 
 
-def told(settings: Settings) -> str:
+def changed_settings(settings: Settings) -> str:
     """The settings that differ from their defaults; the token masked."""
-    usual = {name: field.default for name, field in type(settings).model_fields.items()}
-    own = {
-        name: value for name, value in settings.printable().items() if value not in (usual[name], [], None)
-    }
-    said = ", ".join(f"{name} {value}" for name, value in own.items())
-    return f"{said}; everything else default" if said else "all default"
+    defaults = {name: field.default for name, field in type(settings).model_fields.items()}
+    changed = [
+        f"{name} {value}"
+        for name, value in settings.printable().items()
+        if value not in (defaults[name], [], None)
+    ]
+    words = ", ".join(changed)
+    return f"{words}; everything else default" if words else "all default"

@@ -6,7 +6,7 @@ import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from pointpred.cli.reading import recordings_in
+from pointpred.cli.reading_options import recordings_in
 from pointpred.console import remarks
 from pointpred.errors import ParameterError, RecordingError
 
@@ -17,7 +17,7 @@ SPEED = "1 as recorded, 2 twice as fast, max without waiting."
 TRIAL = "USER-TRIAL, or its number counted from 1; repeatable. Not given: all."
 
 
-def one_recording(file: Path | None, told: Any) -> Recording:
+def one_recording(file: Path | None, reading: Any) -> Recording:
     """The recording to play; the embedded sample where no file is named."""
     if file is None:
         from pointpred.datasets import sample
@@ -27,10 +27,10 @@ def one_recording(file: Path | None, told: Any) -> Recording:
     from pointpred.cli.progress import following
 
     with following() as progress:
-        found = recordings_in(file, told, progress)
-    if len(found) != 1:
-        raise RecordingError(f"{file} holds {len(found)} recordings; name a file with one")
-    return found[0]
+        recordings = recordings_in(file, reading, progress)
+    if len(recordings) != 1:
+        raise RecordingError(f"{file} holds {len(recordings)} recordings; name a file with one")
+    return recordings[0]
 
 
 def speed_of(text: str) -> float:
@@ -44,7 +44,7 @@ def speed_of(text: str) -> float:
     return value
 
 
-def complain(skips: tuple[Any, ...]) -> None:
+def print_skipped(skips: tuple[Any, ...]) -> None:
     """Say which trials are left out, and why."""
     for skip in skips:
         remarks().print(f"left out: {skip.user}-{skip.trial} {skip.reason}", style="red", markup=False)

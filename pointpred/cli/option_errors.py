@@ -21,7 +21,7 @@ BOUNDS = {
 """By pydantic's type of an error: what was expected, with the details that come with it."""
 
 
-def refused(name: str, problem: Mapping[str, Any]) -> str:
+def option_error(name: str, problem: Mapping[str, Any]) -> str:
     """A sentence on the option ``name``, from one entry of a ``ValidationError``'s ``errors()``.
 
     >>> refused("--threads", {"type": "greater_than_equal", "ctx": {"ge": 1}, "input": "0"})
@@ -37,4 +37,4 @@ def refused(name: str, problem: Mapping[str, Any]) -> str:
 def bad_value(error: BaseException, name: str, message: str) -> str:
     """The same for an error of the command line, whose cause may be a ``ValidationError``."""
     problems = getattr(error.__cause__, "errors", None)
-    return refused(name, problems()[0]) if problems is not None else f"{name}: {message}"
+    return option_error(name, problems()[0]) if problems is not None else f"{name}: {message}"

@@ -8,13 +8,15 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 from tempfile import TemporaryFile
+from typing import Annotated
 
 import msgspec
+import typer
 
-from pointpred.console import NARROW, counted, plain, remarks, results
 from pointpred.errors import ParameterError, RecordingError
 
-__all__ = ["NARROW", "check_target", "check_targets", "counted", "plain", "remarks", "results", "write_json"]
+Out = Annotated[Path, typer.Option(metavar="FILE", help="Samples file to write: .parquet or .csv.")]
+Force = Annotated[bool, typer.Option("--force", help="Replace files that exist.")]
 
 
 def write_json(value: object, target: Path) -> None:
@@ -49,7 +51,7 @@ def check_target(target: Path | None) -> None:
 def check_targets(targets: dict[str, Path | None], inputs: Sequence[Path]) -> None:
     """Raise ParameterError where a result could not be written, or would replace a recording or each other.
 
-    ``targets`` by the option that names them; nobody ever wants scores in place of what was scored.
+    ``targets`` by the option that names them.
     """
     from pointpred.sources.own import recordings
 
@@ -78,3 +80,16 @@ def _is_recording(path: Path) -> bool:
         return form is not None and (not form.tabular or form.key == "delimited")
     except RecordingError:  # empty or not to be read: no recording is lost
         return False
+
+
+def check_recording(out: Path, force: bool) -> None:
+    """Raise ParameterError before any work where the result could not be written, or not without --force."""
+    check_target(out)
+    from pointpred.sources.own import recordings
+
+    if out.suffix not in recordings.EXTENSIONS:
+        raise ParameterError(
+            f"--out {out}: cannot write {out.suffix or 'no extension'}, expected .parquet or .csv"
+        )
+    if not force:
+        recordings.check_free(out)

@@ -1,0 +1,59 @@
+"""``pointpred convert``: recordings of other formats in pointpred's own."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from pointpred.cli.output_files import Force, Out, check_recording
+from pointpred.cli.reading_options import recordings_in, to_read, with_reading
+from pointpred.console import counted, remarks
+from pointpred.errors import RecordingError
+
+if TYPE_CHECKING:
+    from pointpred.sources import Reading
+
+
+@with_reading
+def convert(
+    source: Annotated[
+        Path, typer.Argument(callback=to_read, help="A file in any format pointpred reads, or a folder.")
+    ],
+    out: Out,
+    force: Force = False,
+    *,
+    reading: Reading,
+) -> None:
+    """Convert a recording to pointpred's own format, and list what was skipped and why.
+
+    Knows GoFitts, Balabit and SapiMouse, jsPsych, OpenSesame mousetrap, PsychoPy, evemu, evtest, libinput
+    record, hid-recorder, the Pointing Dynamics Dataset, its own Parquet and CSV, and any table of samples.
+    The format is recognised by the file's content.
+
+    Try:
+
+      pointpred convert block.sd3 --out block_samples.parquet
+
+      pointpred convert mouse.evemu --cut bursts --cpi 1600 --out mouse_samples.parquet
+
+      pointpred convert my.csv --columns t=time,x=px,y=py --time-unit ms --out my_samples.csv
+
+      pointpred convert psychopy_data.csv --unit height --screen 1920x1080 --out psychopy_samples.csv
+    """
+    check_recording(out, force or source.is_dir())
+    from pointpred.sources import write_recordings
+
+    summary = write_recordings(recordings_in(source, reading), out, replace=force)
+    for file in summary.files:
+        typer.echo(file)
+    screen_out = remarks()
+    trials, users = counted(summary.trials, "trial"), counted(summary.users, "user")
+    screen_out.print(f"kept {trials} of {users}, {counted(summary.rows, 'row')}")
+    for reason, count in summary.skipped.items():
+        screen_out.print(f"skipped {count}: {reason}", markup=False)
+    for note in summary.notes:
+        screen_out.print(note, markup=False)
+    if not summary.trials:
+        raise RecordingError(f"{source}: no trial could be read; see the reasons above")
