@@ -27,21 +27,24 @@ format: $(READY)  ## format the code with ruff
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
 
-bench: $(READY)  ## print the cost of each pipeline, and of the service beside an echo
+bench: $(READY)  ## measure the cost of each pipeline, and of the service
 	$(BIN)/python -m benchmarks.per_event
 	$(BIN)/python -m benchmarks.service
+	$(BIN)/python -m pages
 
-docs: $(READY)  ## write the generated parts of the pages again, and the README's score table
-	$(BIN)/python -m pages scores
+docs: $(READY)  ## write the pages made from code and from the measured numbers in pages/
+	$(BIN)/python -m pages
 
-results: $(READY)  ## write docs/evidence/results.md from the recordings in POINTPRED_RECORDINGS and the sample
+results: $(READY)  ## score every predictor on the recordings in POINTPRED_RECORDINGS and the sample
 	$(BIN)/python -m pages.results.measure
+	$(BIN)/python -m pages
 
 train: $(READY)  ## fit kinematic's coefficients to the recordings in POINTPRED_RECORDINGS
 	$(BIN)/python -m pointpred.training
 
-crossvalidate: $(READY)  ## score kinematic on people and sets held out, and write docs/evidence/kinematic.md
+crossvalidate: $(READY)  ## score kinematic on people and sets held out
 	$(BIN)/python -m pages.kinematic.measure
+	$(BIN)/python -m pages
 
 sample: $(READY)  ## generate the embedded sample again (same bytes)
 	$(BIN)/python -m pointpred.datasets.generate
@@ -50,8 +53,9 @@ fuzz: $(READY)  ## fuzz the HID decoder for ten minutes; new inputs are kept in 
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check 'atheris>=3.0'
 	$(BIN)/python -m tests.fuzz.run -max_total_time=600 -max_len=600 -artifact_prefix=tests/fuzz/ tests/fuzz/corpus
 
-inputs: $(READY)  ## read the public recordings in FOLDER twice and write docs/evidence/inputs.md
+inputs: $(READY)  ## read the public recordings in FOLDER twice, and compare
 	$(BIN)/python -m pages.inputs.measure '$(FOLDER)'
+	$(BIN)/python -m pages
 
 fuzz-inputs: $(READY)  ## read damaged copies of the public recordings in FOLDER
 	$(BIN)/python -m tests.fuzz.inputs '$(FOLDER)'

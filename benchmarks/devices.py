@@ -1,4 +1,4 @@
-"""What live devices cost: ``python -m benchmarks.devices`` writes docs/evidence/devices-cost.md.
+"""What live devices cost: ``python -m benchmarks.devices`` prints, and writes ``pages/costs/devices.json``.
 
 ``realtime`` after it runs the mouse and its reader before everything else, on a machine that others use.
 """
@@ -9,17 +9,17 @@ import os
 import time
 import timeit
 from functools import partial
-from pathlib import Path
 
-from benchmarks.arguments import words
 from benchmarks.devices_live import Live, measure
-from benchmarks.service import machine
-from pages.markdown import filled, table
+from benchmarks.machine import machine
+from pages import PAGES
+from pages.arguments import words
+from pages.data import Table, Tables, write
 from pointpred.hid.report_descriptor import parse_descriptor
 from tests.devices.mice import ENCODERS
 from tests.devices.umockdev import missing
 
-PAGE = Path(__file__).parent.parent / "docs" / "evidence" / "devices-cost.md"
+FILE = PAGES / "costs" / "devices.json"
 REALTIME = "realtime"
 ROUNDS, CALLS = 15, 20_000
 RUNS = ((1000.0, 20.0), (8000.0, 60.0))
@@ -85,14 +85,11 @@ LIVE = (
 
 def main(wanted: list[str]) -> None:
     realtime = wanted == [REALTIME]
-    told = machine()
+    told = machine(load=True)
     if realtime:
         told += "; the mouse and its reader ran before everything else (SCHED_RR), the decoder did not"
-    page = PAGE.read_text(encoding="utf-8")
-    page = filled(page, "machine", told)
-    page = filled(page, "decoding", table(DECODING, decoding_rows()))
-    page = filled(page, "live", table(LIVE, live_rows(realtime)))
-    PAGE.write_text(page, encoding="utf-8")
+    tables = {"decoding": Table.of(DECODING, decoding_rows()), "live": Table.of(LIVE, live_rows(realtime))}
+    write(Tables(tables, told), FILE)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""The first hour's first minutes: ``python -m benchmarks.first_start`` writes docs/evidence/first-start.md.
+"""The first hour's first minutes: ``python -m benchmarks.first_start``.
 
 A fresh clone of the last commit in a temporary folder, a home and a compile cache that are empty, an
 environment with nothing but a path; then what ``make run`` does: install, start, and start again. Seconds are
@@ -23,14 +23,14 @@ from urllib.request import urlopen
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Subprotocol
 
-from benchmarks.arguments import words
-from benchmarks.service import machine
-from pages.markdown import filled, table
+from benchmarks.machine import machine
+from pages.arguments import words
+from pages.data import Table, Tables, write
 from pointpred.protocol.client_messages import SUBPROTOCOL
 from pointpred.registry import RECOMMENDED
 
 ROOT = Path(__file__).parent.parent
-PAGE = ROOT / "docs" / "evidence" / "first-start.md"
+FILE = ROOT / "pages" / "costs" / "first_start.json"
 PROCESSORS = 2
 RATE_HZ = 125.0
 PATIENCE_S = 900.0
@@ -141,21 +141,18 @@ def cpu_s() -> float:
 
 
 def main() -> None:
-    """Measure, print, and write the page."""
+    """Measure, print, and keep the numbers."""
     if hasattr(os, "sched_setaffinity"):
         os.sched_setaffinity(0, set(sorted(os.sched_getaffinity(0))[:PROCESSORS]))
-    where = machine()
+    where = machine(load=True)
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         environment = fresh(folder)
         rows = [*installed(folder, environment), *started("first start", folder, environment)]
         rows += started("second start", folder, environment)
-    page = PAGE.read_text(encoding="utf-8")
-    text = table(("", "s", "processor s"), rows)
-    print(text, where, sep="\n\n")
-    for part, content in (("numbers", text), ("machine", where)):
-        page = filled(page, part, content)
-    PAGE.write_text(page, encoding="utf-8")
+    for row in rows:
+        print("  ".join(row))
+    write(Tables({"numbers": Table.of(("", "s", "processor s"), rows)}, where), FILE)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""What template matching costs with 1, 64 and 1,000 generated templates, beside other predictors."""
+"""Cost of template matching with 1, 64 and 1,000 templates: ``python -m benchmarks.ktm_cost``."""
 
 from __future__ import annotations
 
@@ -7,8 +7,11 @@ import time
 
 import numpy as np
 
+from benchmarks.machine import machine
 from benchmarks.per_event import reach
-from pages.markdown import table
+from pages import PAGES
+from pages.arguments import words
+from pages.data import Table, Tables, write
 from pointpred import Pipeline, build
 from pointpred.columns import EventColumns, FloatArray
 
@@ -43,7 +46,7 @@ def streamed(pipeline: Pipeline, events: EventColumns) -> FloatArray:
     return np.asarray(np.median(times, axis=0))
 
 
-def costs() -> str:
+def costs() -> Table:
     """A row a pipeline: microseconds an event, mean and largest, and the ratio to ``hold``."""
     pipelines = {f"`{name}`": build(name) for name in OTHERS}
     for count in (1, 64, 1000):
@@ -63,4 +66,9 @@ def costs() -> str:
             cells += [f"{mean:.1f}", f"{spent.max():.0f}", f"{mean / floors[rate]:.1f}"]
         lines.append((name, *cells))
     header = [f"{what}, {rate} Hz" for rate in RATES_HZ for what in ("mean us", "largest us", "times `hold`")]
-    return table(("pipeline", *header), lines)
+    return Table.of(("pipeline", *header), lines)
+
+
+if __name__ == "__main__":
+    words(__doc__)
+    write(Tables({"cost": costs()}, machine()), PAGES / "ktm" / "data.json")

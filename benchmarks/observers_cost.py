@@ -6,7 +6,7 @@ from time import process_time
 
 import numpy as np
 
-from benchmarks.arguments import words
+from pages.arguments import words
 from pointpred.observers import (
     Generator,
     Persidskii,

@@ -1,4 +1,4 @@
-"""What one event costs: ``make bench`` prints the table and writes it into docs/evidence/cost.md.
+"""What one event costs: ``make bench`` prints tables and writes ``pages/costs/events.json``.
 
 Every pipeline is measured in the same run, in turns, so that a slow moment of the machine hits all alike:
 streaming (``update`` an event), frames of 32 events, whole trials; beside them the plain-Python run of the
@@ -11,25 +11,24 @@ from __future__ import annotations
 import json
 import os
 import pickle
-import platform
 import statistics
 import subprocess
 import sys
 import time
 from collections.abc import Callable
-from pathlib import Path
 
 import numpy as np
 
-from benchmarks.arguments import words
+from benchmarks.machine import machine
 from benchmarks.naive_kep import NaiveKep
-from pages.markdown import filled
+from pages import PAGES
+from pages.arguments import words
+from pages.data import Table, Tables, write
 from pointpred import REGISTRY, EventColumns, Pipeline, build, run
-from pointpred.console import counted
 from pointpred.scoring import prepare, replay
 from pointpred.simulation import thesis_setup
 
-PAGE = Path(__file__).parent.parent / "docs" / "evidence" / "cost.md"
+FILE = PAGES / "costs" / "events.json"
 PLAIN = "plain"
 """What the process is told that measures the laws as plain Python."""
 ROUNDS = 5
@@ -121,33 +120,37 @@ def measure_plain() -> dict[str, dict[str, float]]:
     return table
 
 
-def rows(compiled: dict[str, dict[str, float]], plain: dict[str, dict[str, float]]) -> list[str]:
-    """The table in Markdown."""
-    lines = [
-        "| pipeline | streaming, ns | frame of 32, ns | whole trial, ns | plain Python, ns "
-        "| plain / compiled | memory, bytes |",
-        "| --- | ---: | ---: | ---: | ---: | ---: | ---: |",
-    ]
+COST = (
+    "pipeline",
+    "streaming, ns",
+    "frame of 32, ns",
+    "whole trial, ns",
+    "plain Python, ns",
+    "plain / compiled",
+    "memory, bytes",
+)
+
+
+def cost_rows(
+    compiled: dict[str, dict[str, float]], plain: dict[str, dict[str, float]]
+) -> list[tuple[str, ...]]:
+    """Nanoseconds an event, a row a pipeline."""
+    rows = []
     for name, cost in compiled.items():
         if name not in REGISTRY:
-            lines.append(f"| {name} | {cost['streaming']:.0f} | | | | | grows |")
+            rows.append((name, f"{cost['streaming']:.0f}", "", "", "", "", "grows"))
             continue
         slow = plain[name]["streaming"]
+        times = (f"{cost[mode]:.0f}" for mode in ("streaming", "frame", "whole"))
         size = len(pickle.dumps(build(name, cpi=2000.0)))
-        lines.append(
-            f"| `{name}` | {cost['streaming']:.0f} | {cost['frame']:.0f} | {cost['whole']:.0f} | {slow:.0f} "
-            f"| {slow / cost['streaming']:.1f} | {size} |"
-        )
-    return lines
+        rows.append((f"`{name}`", *times, f"{slow:.0f}", f"{slow / cost['streaming']:.1f}", f"{size}"))
+    return rows
 
 
-def scoring_rows() -> list[str]:
+def scoring_rows() -> list[tuple[str, ...]]:
     """Events scored a second with all processors: replay and measures of 960 simulated trials."""
     prepared = prepare(thesis_setup(1))
-    lines = [
-        "| pipeline | million events a second, scored | us of processor an event |",
-        "| --- | ---: | ---: |",
-    ]
+    rows = []
     for name in REGISTRY:
         pipeline = build(name, cpi=2000.0)
         replay(prepared, pipeline)  # compiled code is loaded here
@@ -157,50 +160,39 @@ def scoring_rows() -> list[str]:
             costs.append(replay(prepared, pipeline).us_per_event)
             times.append(time.perf_counter() - start)
         rate = len(prepared.events) / statistics.median(times) / 1e6
-        lines.append(f"| `{name}` | {rate:.1f} | {statistics.median(costs):.2f} |")
-    return lines
+        rows.append((f"`{name}`", f"{rate:.1f}", f"{statistics.median(costs):.2f}"))
+    return rows
 
 
-def machine(cpuinfo: Path = Path("/proc/cpuinfo")) -> str:
-    """The processor that measures, as far as the system names it, its cores, and Python."""
-    lines = cpuinfo.read_text(encoding="utf-8").splitlines() if cpuinfo.exists() else []
-    named = next((line.partition(":")[2].strip() for line in lines if line.startswith("model name")), "")
-    model = named or platform.processor() or platform.machine()
-    cores = counted(os.cpu_count() or 1, "core")
-    return f"Measured on: {model}, {cores}, Python {platform.python_version()}."
-
-
-def command_rows() -> list[str]:
+def command_rows() -> list[tuple[str, ...]]:
     """Seconds until the command line has answered, with the compile cache present."""
-    lines = ["| command | s |", "| --- | ---: |"]
+    rows = []
     for arguments in (["--help"], ["predictors"], ["score", "--predictors", "switched"]):
         times = []
         for _ in range(4):
             start = time.perf_counter()
             subprocess.run([sys.executable, "-m", "pointpred", *arguments], check=True, capture_output=True)
             times.append(time.perf_counter() - start)
-        lines.append(f"| `pointpred {' '.join(arguments)}` | {statistics.median(times[1:]):.2f} |")
-    return lines
+        rows.append((f"`pointpred {' '.join(arguments)}`", f"{statistics.median(times[1:]):.2f}"))
+    return rows
 
 
 def main(wanted: list[str]) -> None:
-    """Measure, print, and write the page; for ``PLAIN``, print what plain Python needs, and no more."""
+    """Measure and keep the numbers; for ``PLAIN``, print what plain Python needs, and no more."""
     if wanted == [PLAIN]:
         print(json.dumps(measure(plain=True)))
         return
     print("measuring every pipeline in turns; this takes about two minutes", file=sys.stderr)
-    page = PAGE.read_text(encoding="utf-8")
-    parts = {
-        "machine": [machine()],
-        "cost": rows(measure(), measure_plain()),
-        "scoring": scoring_rows(),
-        "commands": command_rows(),
+    tables = {
+        "cost": Table.of(COST, cost_rows(measure(), measure_plain())),
+        "scoring": Table.of(
+            ("pipeline", "million events a second, scored", "us of processor an event"), scoring_rows()
+        ),
+        "commands": Table.of(("command", "s"), command_rows()),
     }
-    for name, lines in parts.items():
-        text = "\n".join(lines)
-        print(text, end="\n\n")
-        page = filled(page, name, text)
-    PAGE.write_text(page, encoding="utf-8")
+    for one in tables.values():
+        print("\n".join("  ".join(row) for row in one.texts()), end="\n\n")
+    write(Tables(tables, machine()), FILE)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""What the service costs: ``python -m benchmarks.service`` writes docs/evidence/service-cost.md.
+"""What the service costs: ``python -m benchmarks.service`` writes ``pages/costs/service.json``.
 
 A server in a process of its own, a load generator in another, loopback between them. Prediction and echo
 take turns of a twentieth of a second, and the median ratio of neighbours counts. Of rounds that have no
@@ -10,22 +10,22 @@ from __future__ import annotations
 
 import json
 import os
-import platform
 import subprocess
 import sys
 import tempfile
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
-from pathlib import Path
 from typing import Any
 from urllib.error import HTTPError
 from urllib.request import urlopen
 
-from benchmarks.arguments import words
-from pages.markdown import filled, table
+from benchmarks.machine import machine
+from pages import PAGES
+from pages.arguments import words
+from pages.data import Table, Tables, write
 
-PAGE = Path(__file__).parent.parent / "docs" / "evidence" / "service-cost.md"
+FILE = PAGES / "costs" / "service.json"
 TURNS_SECONDS = 15.0
 ROUNDS, SECONDS = 5, 1.0
 PACED_ROUNDS, PACED_SECONDS = 10, 3.0
@@ -162,17 +162,6 @@ def start_rows() -> list[tuple[str, ...]]:
     return [("with the compile cache", f"{warm:.2f}"), ("the first ever", f"{cold:.1f}")]
 
 
-def machine() -> str:
-    """What was measured on."""
-    described = Path("/proc/cpuinfo").read_text(encoding="utf-8")
-    models = [line for line in described.splitlines() if "model name" in line]
-    name = models[0].partition(":")[2].strip() if models else platform.machine()
-    return (
-        f"{name}, {os.cpu_count()} processors, Python {platform.python_version()}, "
-        f"load average before the run {os.getloadavg()[0]:.1f}"
-    )
-
-
 COST = (
     "encoding",
     "events a frame",
@@ -198,17 +187,14 @@ PACE = (
 def main() -> None:
     """Measure, print, and write the page."""
     print("measuring the service beside an echo; this takes about three minutes", file=sys.stderr)
-    parts = {"machine": machine()}
+    where_measured, tables = machine(load=True), {}
     with server() as where:
-        parts["targets"] = table(("encoding", "targets", "us a frame"), target_rows(where))
-        parts["cost"] = table(COST, cost_rows(where))
-        parts["paced"] = table(PACE, paced_rows(where))
-    parts["start"] = table(("start", "s until ready"), start_rows())
-    page = PAGE.read_text(encoding="utf-8")
-    for name, text in parts.items():
-        print(text, end="\n\n")
-        page = filled(page, name, text)
-    PAGE.write_text(page, encoding="utf-8")
+        tables["targets"] = Table.of(("encoding", "targets", "us a frame"), target_rows(where))
+        tables["cost"] = Table.of(COST, cost_rows(where))
+        tables["paced"] = Table.of(PACE, paced_rows(where))
+    tables["start"] = Table.of(("start", "s until ready"), start_rows())
+    write(Tables(tables, where_measured), FILE)
+    print(f"wrote {FILE}")
 
 
 if __name__ == "__main__":

@@ -5,3 +5,5 @@ from pathlib import Path
 ROOT = Path(__file__).parents[1]
 """The project."""
 DOCS = ROOT / "docs"
+FIGURES = DOCS / "figures"
+PAGES = ROOT / "pages"

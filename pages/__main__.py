@@ -1,146 +1,121 @@
-"""Write the generated parts of the pages: ``make docs``.
+"""Write the pages that are made from code and from measured numbers: ``make docs``. Nothing is measured here.
 
-The tests compare each part with the code, except the README's score table: that takes a scoring run, and
-``python -m pages scores`` writes it as well.
+A page is a template, ``pages/NAME/page.md``, and what its ``context`` takes from JSON or from the code. The
+README keeps its own text: one part of it is made. The tests compare every page with what this writes.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
-import msgspec
-
-from benchmarks.arguments import words
-from pages import DOCS, ROOT
+from pages import DOCS, PAGES, ROOT, data
+from pages.arguments import words
 from pages.asyncapi import document as asyncapi
-from pages.markdown import filled, table
+from pages.commands import page as commands
+from pages.errors import page as errors
+from pages.kinematic import page as kinematic
+from pages.ktm import page as ktm
+from pages.markdown import filled
 from pages.openapi import document as openapi
-from pages.predictors.which import which
-from pages.results.verdict import recorded
-from pointpred.differentiators import DIFFERENTIATORS
-from pointpred.registry import GAINS, REGISTRY, describe
-from pointpred.registry import parameters as values_of
+from pages.predictors import page as predictors
+from pages.readme import page as readme
+from pages.rendering import rendered
+from pages.results import page as results
+from pages.settings import page as settings
 
-HEADER = ("parameter", "unit", "bounds", "default", "meaning")
-
-
-def predictors() -> str:
-    """Every name of the registry in one table."""
-    described = [describe(name) for name in REGISTRY]
-    rows = [(f"[`{one['name']}`](#{one['name']})", one["title"], one["reference"]) for one in described]
-    return table(("name", "what it does", "reference"), rows)
+Context = Callable[[], dict[str, Any]]
 
 
-def parameters() -> str:
-    """A section a predictor, with its own parameters and the preset values of its differentiator."""
-    sections = []
-    for name, entry in REGISTRY.items():
-        one = describe(name)
-        own = [_row(p) for p in one["parameters"] if p["of"] == "predictor"]
-        listed = table(HEADER, own) if own else "No parameters."
-        gains = ", ".join(f"`{key}` {value:g}" for key, value in own_gains(name).items())
-        own_names = {parameter.name for parameter in entry.predictor.parameters}
-        preset = [f"`{key}` {value:g}" for key, value in entry.preset.items() if key in own_names]
-        sets = f" It sets {', '.join(preset)}." if preset else ""
-        head = f"{one['title']}. Differentiator: `{one['differentiator']}` with {gains}.{sets}"
-        sections.append(f"### {name}\n\n{head[0].upper()}{head[1:]}\n\n{listed}")
-    return "\n\n".join(sections)
+def measured(page: str) -> Context:
+    """The tables of a page that needs nothing else."""
+    return lambda: {
+        "tables": data.stored(page).tables,
+        "machine": data.stored(page).machine,
+        "numbers": data.stored(page).numbers,
+    }
 
 
-def own_gains(name: str) -> dict[str, float]:
-    """What ``build(name)`` gives its differentiator, where the registry says it."""
-    stage = DIFFERENTIATORS[REGISTRY[name].differentiator]
-    said = GAINS | REGISTRY[name].preset
-    return {p.name: values_of(name)[p.name][1] for p in stage.parameters if p.name in said}
+def several(**parts: str) -> Context:
+    """The tables of several files, by name: ``part="page/file"``."""
+    return lambda: {name: data.read(PAGES / f"{where}.json", data.Tables) for name, where in parts.items()}
 
 
-def gains() -> str:
-    """Which names use which gains: the classes' defaults in the tables below them are not used."""
-    groups: dict[str, list[str]] = {}
-    for name in REGISTRY:
-        values = ", ".join(f"`{key}` {value:g}" for key, value in own_gains(name).items())
-        groups.setdefault(values, []).append(f"`{name}`")
-    told = "; ".join(f"{values} for {', '.join(names)}" for values, names in groups.items())
-    return f"The defaults below are those of the classes. `build(name)` sets {told}."
+def costs() -> dict[str, Any]:
+    """The four measurements of what things cost."""
+    names = ("events", "service", "devices", "first_start")
+    return several(**{name: f"costs/{name}" for name in names})()
 
 
-def differentiators() -> str:
-    """A section a differentiator."""
-    sections = []
-    for name, stage in DIFFERENTIATORS.items():
-        rows = [_row(msgspec.structs.asdict(p)) for p in stage.parameters]
-        summary = (stage.__doc__ or "").strip().splitlines()[0]
-        sections.append(f"### {name}\n\n{summary}\n\n{table(HEADER, rows)}")
-    return "\n\n".join(sections)
+def targets() -> dict[str, Any]:
+    """Choices among targets, and proposals with a page's defaults."""
+    return {**measured("targets")(), **several(proposals="proposals/data")()}
 
 
-def _row(p: dict[str, Any]) -> tuple[str, ...]:
-    bounds = f"[{p['low']:g}, {p['high']:g}]"
-    return (f"`{p['name']}`", p["unit"] or "-", bounds, f"`{p['default']}`", p["meaning"])
-
-
-def settings() -> str:
-    """Every setting of the service."""
-    from pointpred.server.settings import Settings
-
-    rows = [
-        (
-            f"`--{name.replace('_', '-')}`",
-            f"`POINTPRED_{name.upper()}`",
-            _shown(field.default),
-            field.description or "",
+PAGES_MADE: dict[str, tuple[str, Context]] = {
+    "docs/evidence/results.md": ("results", results.context),
+    "docs/evidence/kinematic.md": ("kinematic", kinematic.context),
+    "docs/evidence/ktm.md": ("ktm", ktm.context),
+    "docs/evidence/costs.md": ("costs", costs),
+    "docs/evidence/targets.md": ("targets", targets),
+    **{
+        f"docs/evidence/{name}.md": (name, measured(name))
+        for name in (
+            *("adaptation", "assistance", "camera", "differentiators", "inputs", "regions"),
+            *("simulation", "switched", "thesis", "transfer"),
         )
-        for name, field in Settings.model_fields.items()
-    ]
-    return table(("flag", "environment", "default", "meaning"), rows)
-
-
-def _shown(default: object) -> str:
-    return "-" if default is None or default == () else f"`{default}`"
-
-
-PARTS: dict[str, dict[str, Callable[[], str]]] = {
-    "docs/reference/predictors.md": {
-        "which": lambda: which(DOCS),
-        "predictors": predictors,
-        "parameters": parameters,
-        "gains": gains,
-        "differentiators": differentiators,
     },
-    "docs/guide/service.md": {"settings": settings},
-    "README.md": {"recorded": lambda: recorded(DOCS / "evidence" / "results.md")},
+    "docs/reference/commands.md": ("commands", commands.context),
+    "docs/reference/errors.md": ("errors", errors.context),
+    "docs/reference/predictors.md": ("predictors", predictors.context),
+    "docs/reference/settings.md": ("settings", settings.context),
 }
-"""What the tests compare with the code: page, part, and the function that writes it."""
+"""Where a page goes, the folder of its template, and what it shows."""
 
-
-WHOLE: dict[str, Callable[[], str]] = {
+DOCUMENTS: dict[str, Callable[[], str]] = {
     "docs/reference/asyncapi.yaml": asyncapi.render,
     "docs/reference/openapi.json": openapi.render,
 }
-"""Files that are written as a whole."""
+"""Descriptions of the protocols, made from the messages and the routes."""
+
+PARTS: dict[str, dict[str, Callable[[], str]]] = {
+    "README.md": {"scores": lambda: rendered("readme/scores.md", readme.context())},
+    "docs/guide/observers/example-7.md": {
+        "sniffer": lambda: rendered("observers/sniffer.md", measured("observers")()),
+    },
+}
+"""Made parts of pages that are written by hand."""
 
 
-def rendered(path: str) -> str:
+def made(path: str) -> str:
     """A page as it should be."""
-    if path in WHOLE:
-        return WHOLE[path]()
+    if path in DOCUMENTS:
+        return DOCUMENTS[path]()
+    if path in PAGES_MADE:
+        folder, context = PAGES_MADE[path]
+        return rendered(f"{folder}/page.md", context())
     page = (ROOT / path).read_text(encoding="utf-8")
     for name, write in PARTS[path].items():
-        page = filled(page, name, write())
+        page = filled(page, name, write().strip())
     return page
 
 
-def main(arguments: list[str]) -> None:
-    """Write every page; with ``scores``, the README's score table as well."""
-    for path in (*PARTS, *WHOLE):
-        (ROOT / path).write_text(rendered(path), encoding="utf-8")
-        print(f"wrote {path}")
-    if "scores" in arguments:
-        from pages.readme.scores import write_scores
+def everything() -> list[str]:
+    """Every page that is made, whole or in part."""
+    return [*PAGES_MADE, *DOCUMENTS, *PARTS]
 
-        print(f"wrote {write_scores(ROOT)}")
+
+def main() -> None:
+    """Write every page, and the figures of the results."""
+    for path in everything():
+        file: Path = ROOT / path
+        file.write_text(made(path), encoding="utf-8")
+        print(f"wrote {path}")
+    results.figures(results.stored())
+    print(f"drew the results into {DOCS.relative_to(ROOT)}/figures")
 
 
 if __name__ == "__main__":
-    main(words(__doc__, named="scores", known=["scores"]))
+    words(__doc__)
+    main()

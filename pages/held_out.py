@@ -19,7 +19,7 @@ from pathlib import Path
 import msgspec
 
 import pointpred
-from benchmarks.arguments import words
+from pages.arguments import words
 from pointpred import REGISTRY, build
 from pointpred.pipeline import Pipeline
 from pointpred.predictors import KinematicPredictor

@@ -12,9 +12,9 @@ from pathlib import Path
 
 import numpy as np
 
-from benchmarks.arguments import words
 from pages.adaptation.folds import coefficients, kept, say
 from pages.adaptation.tables import FLOOR, PART, PLAIN, WHOLE, Measured, written
+from pages.arguments import words
 from pointpred import Pipeline, build
 from pointpred.columns import FloatArray
 from pointpred.predictors import AdaptiveKinematicPredictor, KinematicPredictor

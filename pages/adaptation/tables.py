@@ -8,14 +8,15 @@ from itertools import pairwise
 import msgspec
 import numpy as np
 
-from pages import DOCS
-from pages.markdown import filled, table
+from pages import FIGURES
+from pages.data import Table, keep
+from pages.thinning import save
 from pointpred.columns import FloatArray
 from pointpred.report.figures.style import GREY, MARKERS, PALETTE, canvas, legend_outside, picture
 from pointpred.scoring.measures import regions, time_left
 from pointpred.scoring.results import PredictorErrors
 
-PAGE, FIGURE = DOCS / "guide" / "adaptation.md", DOCS / "figures" / "adaptation.svg"
+FIGURE = FIGURES / "adaptation.svg"
 FLOOR, PLAIN, WHOLE, PART = "hold", "kinematic", "kinematic-adaptive", "without the distances"
 STAGES = ((0, 5, "1-5"), (5, 10, "6-10"), (10, 20, "11-20"), (20, 10**9, "21+"))
 EDGES = (0, 1, 2, 3, 5, 8, 12, 20, 48, 150, 10**9)
@@ -51,7 +52,7 @@ def number(value: float) -> str:
     return "" if np.isnan(value) else f"{value:.3f}"
 
 
-def by_trial(sets: Sequence[Measured]) -> str:
+def by_trial(sets: Sequence[Measured]) -> Table:
     """Error over `hold`, by how many movements of the person came before."""
     rows = []
     for one in sets:
@@ -60,10 +61,10 @@ def by_trial(sets: Sequence[Measured]) -> str:
             cells = [number(ratio(one, name, FLOOR, low, high)) for low, high, _ in STAGES]
             label = f"`{name}`" if name != PART else name
             rows.append((one.name, str(users), label, *cells, number(ratio(one, name, FLOOR))))
-    return table(("set", "people", "predictor", *(label for _, _, label in STAGES), "all"), rows)
+    return Table.of(("set", "people", "predictor", *(label for _, _, label in STAGES), "all"), rows)
 
 
-def claims(sets: Sequence[Measured]) -> str:
+def claims(sets: Sequence[Measured]) -> Table:
     """Regions and the time left, before and after."""
     rows = []
     for one in sets:
@@ -88,10 +89,10 @@ def claims(sets: Sequence[Measured]) -> str:
         "intervals",
         "adapted",
     )
-    return table(header, rows)
+    return Table.of(header, rows)
 
 
-def templates(sets: Sequence[Measured]) -> str:
+def templates(sets: Sequence[Measured]) -> Table:
     """The protocol of template matching."""
     rows = []
     for one in sets:
@@ -102,7 +103,7 @@ def templates(sets: Sequence[Measured]) -> str:
                 rule = "never nearer" if monotone else "all"
                 label = f"`{name}`" if name in (PLAIN, WHOLE, FLOOR) else name
                 rows.append((one.name, rule, str(len(errors)), label, *means))
-    return table(("set", "trials", "number", "predictor", "50 %", "75 %", "90 %"), rows)
+    return Table.of(("set", "trials", "number", "predictor", "50 %", "75 %", "90 %"), rows)
 
 
 def figure(sets: Sequence[Measured]) -> None:
@@ -124,13 +125,13 @@ def figure(sets: Sequence[Measured]) -> None:
         axes.xaxis.set_major_formatter("{x:g}")
         legend_outside(drawing, axes, columns=4)
         made = picture(drawing, "error over that of kinematic, by movement", "")
-    FIGURE.write_text(made.svg, encoding="utf-8")
+    save(made.svg, FIGURE)
 
 
 def written(sets: Sequence[Measured]) -> None:
-    """Fill the page and draw the figure."""
-    page = PAGE.read_text(encoding="utf-8")
-    for name, made in (("by trial", by_trial), ("claims", claims), ("templates", templates)):
-        page = filled(page, name, made(sets))
-    PAGE.write_text(page, encoding="utf-8")
+    """Keep the tables and draw the figure."""
+    keep(
+        "adaptation",
+        {"by trial": by_trial(sets), "claims": claims(sets), "templates": templates(sets)},
+    )
     figure(sets)

@@ -9,7 +9,7 @@ import argparse
 import sys
 from math import inf
 
-from pages import DOCS, ROOT
+from pages import FIGURES
 from pages.assistance import figure as assistance_figure
 from pages.assistance.movements import (
     LEARNT,
@@ -22,10 +22,10 @@ from pages.assistance.movements import (
     remark,
     scripted,
 )
-from pages.markdown import filled, table
+from pages.data import Table, keep
 from pointpred import RECOMMENDED, build
 
-PAGE, FIGURE = DOCS / "guide" / "assistance.md", DOCS / "figures" / "assistance.svg"
+FIGURE = FIGURES / "assistance.svg"
 STRENGTH, RHO = 0.5, 8.0
 ANGLES, FACTORS = (0.0, 5.0, 10.0, 20.0, 45.0), (0.5, 0.7, 0.85, 1.0, 1.15, 1.3, 1.5)
 PREDICTORS = ("hold", "minimum-jerk", "switched", "switched-direction", "kinematic", RECOMMENDED)
@@ -70,7 +70,7 @@ def percent(ratio: float) -> str:
 HEADER = (*SKILLS, "overshot", "missed")
 
 
-def right_table(measure: Measuring) -> str:
+def right_table(measure: Measuring) -> Table:
     """A right prediction, by strength, for people who know of the help or do not."""
     plain = measure.plain
     seconds = [f"{plain.seconds(group):.2f} s" for group in SKILLS]
@@ -82,7 +82,7 @@ def right_table(measure: Measuring) -> str:
             rows.append((f"{strength:g}", "yes" if learnt else "no", *cells(found, plain)))
     gain = measure("a higher gain", faster(6.0))
     rows.append(("gain 6 instead of 4, no help", "yes", *cells(gain, plain)))
-    return table(("strength", "used to it", *HEADER), rows)
+    return Table.of(("strength", "used to it", *HEADER), rows)
 
 
 def curves(
@@ -100,7 +100,7 @@ def curves(
     return assistance_figure.Curves(places, found)
 
 
-def laws_table(measure: Measuring) -> tuple[str, dict[str, dict[str, float]]]:
+def laws_table(measure: Measuring) -> tuple[Table, dict[str, dict[str, float]]]:
     """The remark as printed, bounded, and guarded; and the times for the figure."""
     laws = {
         "as printed": lambda wrong: remark(RHO, inf, **wrong),
@@ -115,10 +115,10 @@ def laws_table(measure: Measuring) -> tuple[str, dict[str, dict[str, float]]]:
         rows.append(
             (words, *(f"{percent(times[words][law])}, {100 * found[law].missed():.0f} %" for law in laws))
         )
-    return table(("prediction", *laws), rows), times
+    return Table.of(("prediction", *laws), rows), times
 
 
-def predictors_table(measure: Measuring) -> str:
+def predictors_table(measure: Measuring) -> Table:
     """Predictors in the loop: they learn of the endpoint while the hand moves."""
     few = max(2, measure.movements - 2)
     plain = measure("no help", scripted(0.0), few)
@@ -129,7 +129,7 @@ def predictors_table(measure: Measuring) -> str:
         for habit in (0.0, 0.2, LEARNT * STRENGTH):
             found = measure(f"{words}, habit {habit:g}", looped(pipeline, STRENGTH, habit, practice), few)
             rows.append((words, f"{habit:g}", *cells(found, plain)))
-    return table(("predictor", "expects", *HEADER), rows)
+    return Table.of(("predictor", "expects", *HEADER), rows)
 
 
 def main() -> None:
@@ -139,8 +139,7 @@ def main() -> None:
     parser.add_argument("--people", type=int, default=30, help="people of all skills (30)")
     given = parser.parse_args()
     measure = Measuring(given.movements, given.people)
-    page = PAGE.read_text(encoding="utf-8")
-    page = filled(page, "right", right_table(measure))
+    right = right_table(measure)
     drawn = {
         words: (
             curves(measure, "angle_deg", ANGLES, learnt),
@@ -149,11 +148,8 @@ def main() -> None:
         for words, learnt in (("people used to help", True), ("people who do not know of it", False))
     }
     laws, times = laws_table(measure)
-    page = filled(page, "laws", laws)
-    page = filled(page, "predictors", predictors_table(measure))
+    keep("assistance", {"right": right, "laws": laws, "predictors": predictors_table(measure)})
     assistance_figure.draw(drawn, times, FIGURE)
-    PAGE.write_text(page, encoding="utf-8")
-    print(f"wrote {PAGE.relative_to(ROOT)} and {FIGURE.relative_to(ROOT)}", file=sys.stderr)
 
 
 if __name__ == "__main__":

@@ -6,12 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks.arguments import words
-from benchmarks.per_event import machine
-from pages import DOCS
+from pages import FIGURES
+from pages.arguments import words
 from pages.camera.figures import draw
-from pages.camera.tables import costs, designs, residuals
-from pages.markdown import filled, table
+from pages.camera.tables import designs, residuals
+from pages.data import Table, keep
 from pointpred.camera import (
     SCENARIOS,
     WAYS,
@@ -30,8 +29,6 @@ from pointpred.camera import (
 from pointpred.camera.samples import observed
 from pointpred.cli.progress import following
 
-PAGE = DOCS / "guide" / "camera.md"
-FIGURES = PAGE.parent / "figures"
 FOCAL, RUNS, RATE_HZ, LENGTH_S = 800.0, 24, 33.0, 10.0
 GUESSED_S = 63.0
 """The length with which cos for sin comes nearest to TABLE I."""
@@ -104,16 +101,16 @@ def mean(runs: list[dict[str, Any]], *keys: str) -> Any:
     return np.sqrt(np.mean(np.square(values), axis=0))
 
 
-def errors_table(runs: dict[float, list[dict[str, Any]]]) -> str:
+def errors_table(runs: dict[float, list[dict[str, Any]]]) -> Table:
     """RMSE by noise: the observer with every way, and the peer."""
     rows = []
     for noise_px, done in runs.items():
         rows += [(f"{noise_px:g}", f"observer, {way}", *_short(mean(done, "ways", way))) for way in WAYS]
         rows.append((f"{noise_px:g}", "**filter (peer)**", *_short(mean(done, "peer"))))
-    return table(("noise px", "estimator", "chi 1/m", "eta 1/s", "v_x m/s", "v_y m/s", "v_z m/s"), rows)
+    return Table.of(("noise px", "estimator", "chi 1/m", "eta 1/s", "v_x m/s", "v_y m/s", "v_z m/s"), rows)
 
 
-def peer_table(runs: dict[float, list[dict[str, Any]]], truth: Trajectory) -> str:
+def peer_table(runs: dict[float, list[dict[str, Any]]], truth: Trajectory) -> Table:
     """The peer beside the bound, its consistency, and the observer over the same time."""
     rows = []
     for noise_px, done in runs.items():
@@ -145,10 +142,10 @@ def peer_table(runs: dict[float, list[dict[str, Any]]], truth: Trajectory) -> st
         "since it started",
         "at 10 s",
     )
-    return table(header, rows)
+    return Table.of(header, rows)
 
 
-def table_one(runs: dict[float, list[dict[str, Any]]], truth: Trajectory) -> str:
+def table_one(runs: dict[float, list[dict[str, Any]]], truth: Trajectory) -> Table:
     """TABLE I as printed, ours from the printed start, and ours from a start that is right in v_z."""
     rows = []
     paper = SCENARIOS["paper"]
@@ -159,7 +156,7 @@ def table_one(runs: dict[float, list[dict[str, Any]]], truth: Trajectory) -> str
         rows.append((f"{noise_px}", "ours", *_short(mean(runs[float(noise_px)], "ways", "difference"))))
     rows.append(("0", "ours, v_z right at the start: eta(0) = -1.2", *_short(_without_noise(truth, -1.2))))
     rows.append(("0", "ours, cos for sin in v_z, 63 s", *_short(_without_noise(cosine, -1.6))))
-    return table(("noise px", "", *NAMES), rows)
+    return Table.of(("noise px", "", *NAMES), rows)
 
 
 def _cosine(t: Any) -> tuple[Any, Any, Any]:
@@ -193,17 +190,12 @@ def main() -> None:
         "peer": peer_table(runs, truth),
         "table one": table_one(runs, truth),
         "sensors": sensors(truth),
-        "cost": f"{costs()}\n\n{machine()}",
     }
-    page = PAGE.read_text(encoding="utf-8")
-    for name, text in parts.items():
-        print(text, end="\n\n")
-        page = filled(page, name, text)
-    PAGE.write_text(page, encoding="utf-8")
+    keep("camera", parts)
     draw(FIGURES, FOCAL)
 
 
-def sensors(truth: Trajectory) -> str:
+def sensors(truth: Trajectory) -> Table:
     """What imperfect sensors do at 2 px: noise that the filter is told of, and biases that nobody is."""
     cases = {
         "perfect": (Noise(noise_px=2.0), None),
@@ -220,7 +212,7 @@ def sensors(truth: Trajectory) -> str:
         late, peer = mean(done, "late"), mean(done, "peer")
         nees = np.mean([run["nees"] for run in done])
         rows.append((name, *_short(late[[0, 4]]), *_short(peer[[0, 4]]), f"{nees:.0f}"))
-    return table(("sensors", "observer chi", "v_z", "filter chi", "v_z", "filter's NEES"), rows)
+    return Table.of(("sensors", "observer chi", "v_z", "filter chi", "v_z", "filter's NEES"), rows)
 
 
 if __name__ == "__main__":

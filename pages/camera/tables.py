@@ -1,4 +1,4 @@
-"""Tables on the camera that take no Monte Carlo: the print audited, designs, and what a step costs."""
+"""Tables on the camera that take no Monte Carlo: the print audited, and designs."""
 
 from __future__ import annotations
 
@@ -7,17 +7,14 @@ from typing import Any
 
 import numpy as np
 
-from pages.markdown import table
+from pages.data import Table
 from pointpred.camera import (
     SCENARIOS,
-    DepthObserver,
-    PointFilter,
     camera_box,
     camera_system,
     printed,
     trajectory,
 )
-from pointpred.camera.samples import observed
 from pointpred.errors import InfeasibleError
 from pointpred.observers.unknown_input.observer import UnknownInputObserver
 
@@ -25,7 +22,7 @@ FOCAL, RATE_HZ = 800.0, 33.0
 START = {"start_chi": 4.0, "start_eta": -1.6}
 
 
-def residuals() -> str:
+def residuals() -> Table:
     """How far printed equations are from the derivative of the trajectory, beside the corrected ones."""
     truth = trajectory(SCENARIOS["paper"], np.arange(331) / RATE_HZ)
     expected = printed.derivatives(truth)
@@ -46,10 +43,10 @@ def residuals() -> str:
         ("T F, below (23)", _tiny(t @ system.f(point)), _tiny(system.t(point) @ system.f(point))),
         ("least eigenvalue of P, demanded >= 1e-12", f"{least:.2g}", "P >= I by scale"),
     ]
-    return table(("what", "largest error as printed", "corrected"), rows)
+    return Table.of(("what", "largest error as printed", "corrected"), rows)
 
 
-def designs() -> str:
+def designs() -> Table:
     """What can be designed: certificates at two thirds of the largest sigma, and refusals."""
     bounds = {"turn": (-0.02, 0.02), "a_z": (-0.1, 0.1), "w": (-0.06, 0.06), "dw": (-0.1, 0.1)}
     rows = []
@@ -64,34 +61,7 @@ def designs() -> str:
         seconds = time.perf_counter() - start
         rows.append((f"[{eta[0]:g}, {eta[1]:g}]", f"{sigma:.3g}", *said, f"{seconds:.2f}"))
     header = ("eta 1/s", "sigma 1/s", "largest", "phi1", "phi2 s", "margin", "seconds")
-    return table(header, rows)
-
-
-def costs() -> str:
-    """Microseconds a step of the compiled laws, through ``step`` alone, ``update`` and a table."""
-    samples = observed(trajectory(SCENARIOS["paper"], np.arange(3301) / 330.0), focal_px=FOCAL)
-    rows, values, records = [], [tuple(row) for row in samples.table.tolist()], samples.samples()
-    stages: list[tuple[str, Any]] = [
-        ("observer", DepthObserver(focal_px=FOCAL, **START)),
-        ("filter (peer)", PointFilter(focal_px=FOCAL)),
-    ]
-    for name, stage in stages:
-        ways = {
-            "step": lambda stage=stage: [stage.step(stage._memory, row) for row in values],
-            "update": lambda stage=stage: [stage.update(record) for record in records],
-            "table": lambda stage=stage: stage.run(samples),
-        }
-        cells = []
-        for run in ways.values():
-            times = []
-            for _ in range(15):
-                stage.reset()
-                start = time.perf_counter()
-                run()
-                times.append(time.perf_counter() - start)
-            cells.append(f"{1e6 * min(times) / len(values):.2f}")
-        rows.append((name, *cells))
-    return table(("us a sample", "step", "update", "in a table"), rows)
+    return Table.of(header, rows)
 
 
 def _share(error: Any, of: Any) -> str:

@@ -10,9 +10,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from benchmarks.arguments import words
-from pages import DOCS
-from pages.__main__ import filled, table
+from pages.arguments import words
+from pages.data import Table, keep
 from pointpred.differentiators import (
     DIFFERENTIATORS,
     Differentiator,
@@ -25,7 +24,6 @@ from pointpred.differentiators.bounds import BOUNDS, measure, named
 from pointpred.differentiators.signals import SIGNALS, Signal, exact, minimum_jerk, quantised
 from pointpred.errors import ParameterError
 
-PAGE = DOCS / "evidence" / "differentiators.md"
 WEIGHT = 0.3
 """What a relative acceleration error counts beside a relative velocity error."""
 
@@ -66,7 +64,7 @@ GRIDS: dict[type[Differentiator], dict[str, tuple[float, ...]]] = {
 }
 
 
-def bounds() -> str:
+def bounds() -> Table:
     """The table of error bounds with what was measured."""
     rows = []
     for name, one in itertools.product(DIFFERENTIATORS, SIGNALS):
@@ -92,10 +90,10 @@ def bounds() -> str:
         "peak late ms",
         "settles ms",
     )
-    return table(header, rows)
+    return Table.of(header, rows)
 
 
-def between() -> str:
+def between() -> Table:
     """HOMD with the printed gains: the position between two samples on a line, or held at the newer one."""
     rows = []
     for rate, kind, step_s in itertools.product((1000.0, 125.0, 60.0), ("line", "hold"), (0.0015, 0.00025)):
@@ -106,12 +104,12 @@ def between() -> str:
         late = f"{1e3 * (errors.delay_s or 0.0):+.1f}"
         rms = (_short(errors.velocity_rms), _short(errors.acceleration_rms))
         rows.append((f"{rate:g}", kind, f"{1e3 * step_s:g}", *rms, late))
-    return table(
+    return Table.of(
         ("rate Hz", "between", "step ms", "velocity RMS m/s", "acceleration RMS m/s^2", "peak late ms"), rows
     )
 
 
-def best() -> str:
+def best() -> Table:
     """The best HOMD gains for each movement and source, beside the printed ones."""
     kind, rows = HomogeneousDifferentiator, []
     for source in SOURCES:
@@ -127,10 +125,10 @@ def best() -> str:
                     _percent(kind, {}, source, (movement,)),
                 )
             )
-    return table(("source", "movement", "lambda", "xi", "alpha", "error", "printed gains"), rows)
+    return Table.of(("source", "movement", "lambda", "xi", "alpha", "error", "printed gains"), rows)
 
 
-def recommended() -> str:
+def recommended() -> Table:
     """The setting of each differentiator that is best over all movements of a source."""
     rows = []
     for source, kind in itertools.product(SOURCES, GRIDS):
@@ -145,7 +143,7 @@ def recommended() -> str:
                 _percent(kind, {}, source, MOVEMENTS),
             )
         )
-    return table(("source", "differentiator", "best", "error", "with defaults"), rows)
+    return Table.of(("source", "differentiator", "best", "error", "with defaults"), rows)
 
 
 def _settings(kind: type[Differentiator]) -> Iterator[dict[str, float]]:
@@ -204,13 +202,9 @@ PARTS = {"bounds": bounds, "between": between, "best": best, "recommended": reco
 
 
 def main() -> None:
-    """Print every table and write it into its place on the page."""
-    page = PAGE.read_text(encoding="utf-8")
-    for name, write in PARTS.items():
-        text = write()
-        print(f"{name}\n{text}\n")
-        page = filled(page, name, text)
-    PAGE.write_text(page, encoding="utf-8")
+    """Measure every table."""
+    for name, measured in PARTS.items():
+        keep("differentiators", {name: measured()})
 
 
 if __name__ == "__main__":

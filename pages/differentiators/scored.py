@@ -1,22 +1,20 @@
 """The same predictors behind other differentiators: ``python -m pages.differentiators.scored``.
 
-Scores the embedded sample and the sets in the folder that POINTPRED_RECORDINGS names; without one the page
-is left as it is.
+Scores the embedded sample and the sets in the folder that POINTPRED_RECORDINGS names; without one
+nothing is kept.
 """
 
 from __future__ import annotations
 
 from typing import Any
 
-from benchmarks.arguments import words
-from pages import DOCS
-from pages.markdown import filled, table
+from pages.arguments import words
+from pages.data import Table, keep
 from pages.sets import folder, recordings
 from pointpred import build
 from pointpred.pipeline import Pipeline
 from pointpred.scoring import score, summarise
 
-PAGE = DOCS / "evidence" / "differentiators.md"
 PREDICTORS = ("minimum-jerk", "switched-direction")
 PRINTED = {"gain_lambda": 5.0, "gain_xi": 2.0, "alpha": -0.2}
 CHOICES: dict[str, dict[str, Any]] = {
@@ -38,7 +36,7 @@ def patterns() -> list[Pipeline]:
 
 
 def main() -> None:
-    """Print the table, and write it where recordings are at hand."""
+    """Print the table, and keep it where recordings are at hand."""
     found, unread = folder(), {}
     shares: dict[str, dict[str, float]] = {}
     for recording in recordings(found, unread):
@@ -50,12 +48,13 @@ def main() -> None:
     for name, values in shares.items():
         predictor, _, choice = name.partition(", ")
         rows.append((predictor, choice, *(f"{values[one]:.3f}" for one in sets)))
-    text = table(("predictor", "differentiator", *sets), rows)
-    print(text)
+    scored = Table.of(("predictor", "differentiator", *sets), rows)
+    for row in scored.texts():
+        print("  ".join(row))
     for file, reason in unread.items():
         print(f"{file}: {reason}")
     if found:
-        PAGE.write_text(filled(PAGE.read_text(encoding="utf-8"), "scored", text), encoding="utf-8")
+        keep("differentiators", {"scored": scored})
 
 
 if __name__ == "__main__":

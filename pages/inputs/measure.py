@@ -1,8 +1,8 @@
 """Public recordings, each beside an independent reading: ``python -m pages.inputs.measure FOLDER``.
 
 ``inputs.toml`` lists the files. They are fetched by hand into FOLDER, where each lies at
-``OWNER+NAME/PATH``; the project ships none of them. Writes the table of ``docs/evidence/inputs.md``; with
-``--partial`` also where files are missing or differ from those of the list. Ends in an error where rows
+``OWNER+NAME/PATH``; the project ships none of them. Keeps the numbers; with ``--partial``
+also where files are missing or differ from those of the list. Ends in an error where rows
 are lost, values differ or a file is refused without a reason in the list.
 """
 
@@ -20,16 +20,16 @@ from typing import Any
 
 import msgspec
 
-from pages import DOCS
+from pages import PAGES
+from pages.data import Table, keep
 from pages.inputs.account import Account, account
 from pages.inputs.independent import LAYOUTS
-from pages.markdown import filled, table
 from pointpred.errors import PointpredError
 from pointpred.sources import read_any
 from pointpred.sources.reading import Reading
 
 LIST = Path(__file__).with_name("inputs.toml")
-PAGE = DOCS / "evidence" / "inputs.md"
+OUT = PAGES / "inputs" / "data.json"
 HEADER = (
     "file",
     "what it is",
@@ -84,11 +84,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("folder", type=Path, metavar="FOLDER")
-    parser.add_argument("--partial", action="store_true", help="write the page although files are missing")
+    parser.add_argument("--partial", action="store_true", help="keep the numbers although files are missing")
     parser.add_argument("--list", type=Path, default=LIST, help="the files, instead of inputs.toml")
-    parser.add_argument(
-        "--page", type=Path, default=PAGE, help="the page, instead of docs/evidence/inputs.md"
-    )
+    parser.add_argument("--out", type=Path, default=OUT, help="the numbers, instead of data.json")
     given = parser.parse_args(arguments)
     files = listed(given.list)
     absent = missing(files, given.folder)
@@ -96,7 +94,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
         print(line, file=sys.stderr)
     if absent and not given.partial:
         raise SystemExit(
-            f"{len(absent)} of {len(files)} files are missing: --partial writes the page without"
+            f"{len(absent)} of {len(files)} files are missing: --partial keeps the numbers without"
         )
     present = [
         file for file in files if not any(line.startswith(f"{file.under(given.folder)}:") for line in absent)
@@ -105,9 +103,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
     for number, file in enumerate(present, 1):
         outcomes.append(outcome(file, given.folder))
         print(f"{number} of {len(present)} {file.path}: {brief(outcomes[-1])}", file=sys.stderr)
-    given.page.write_text(
-        filled(given.page.read_text(encoding="utf-8"), "files", text(outcomes)), encoding="utf-8"
-    )
+    files = Table.of(HEADER, [row(one) for one in outcomes])
+    keep("inputs", {"files": files}, numbers={"totals": totals(outcomes)}, file=given.out)
     raise SystemExit(not all(one.good for one in outcomes))
 
 
@@ -172,11 +169,6 @@ def brief(one: Outcome) -> str:
     return said if found.agrees else f"{said}, {found.lost} LOST, {found.px:g} px, {found.s:g} s"
 
 
-def text(outcomes: Sequence[Outcome]) -> str:
-    """The generated part of the page: totals and the table."""
-    return f"{totals(outcomes)}\n\n{table(HEADER, [row(one) for one in outcomes])}"
-
-
 def row(one: Outcome) -> tuple[str, ...]:
     """A file's row of the table."""
     file = one.file
@@ -203,20 +195,26 @@ def short(words: str) -> str:
     return words if len(words) <= 160 else f"{words[:157]}..."
 
 
-def totals(outcomes: Sequence[Outcome]) -> str:
-    """One paragraph of totals."""
+def totals(outcomes: Sequence[Outcome]) -> dict[str, float]:
+    """What became of all files together."""
     read = [one.account for one in outcomes if one.account]
     sources = len({one.file.repository for one in outcomes})
     plain = sum(1 for one in outcomes if one.account and not one.file.options)
     left, lost = sum(sum(one.left.values()) for one in read), sum(one.lost for one in read)
     px, s = max((one.px for one in read), default=0.0), max((one.s for one in read), default=0.0)
-    return (
-        f"{len(outcomes)} files of {sources} sources: {len(read)} are read, {plain} without an option, and "
-        f"{len(outcomes) - len(read)} are refused. {sum(one.trials for one in read)} trials with "
-        f"{sum(one.read for one in read)} rows are read, {left} rows are left out for a reason that is said, "
-        f"and {lost} rows are lost without a word. The largest differences from the independent readings are "
-        f"{px:.1g} px and {s:.1g} s."
-    )
+    return {
+        "files": len(outcomes),
+        "sources": sources,
+        "read": len(read),
+        "plain": plain,
+        "refused": len(outcomes) - len(read),
+        "trials": sum(one.trials for one in read),
+        "rows": sum(one.read for one in read),
+        "left": left,
+        "lost": lost,
+        "px": px,
+        "s": s,
+    }
 
 
 if __name__ == "__main__":

@@ -9,14 +9,16 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from benchmarks.arguments import words
-from pages import DOCS
+from pages import PAGES, data
+from pages.arguments import words
+from pages.kinematic.records import Claims, Held, Ratio, SetRow, Validation
 from pointpred.columns import FloatArray
 from pointpred.predictors.kinematic import features
-from pointpred.scoring import SetScore, score
-from pointpred.training import calibration, data
+from pointpred.scoring import SetScore, score, summarise
+from pointpred.scoring.summary import Measure
+from pointpred.training import calibration
+from pointpred.training import data as training_data
 from pointpred.training.__main__ import in_one_thread
-from pointpred.training.calibration import Claims
 from pointpred.training.custom import known_by_set, of_users, pipeline_of
 from pointpred.training.data import Say, TrainingData
 from pointpred.training.fitting import Fitted, Settings
@@ -27,20 +29,20 @@ class Verdict(msgspec.Struct, frozen=True):
     """One set scored with networks that did not know its people, or did not know it at all."""
 
     score: SetScore
-    known: Claims
+    known: calibration.Claims
     """Claims, calibrated, and how they turned out."""
     clock: tuple[float, float]
     """Error of the time left in s, and that of a clock that knows the set's median time."""
 
 
-class Validation(msgspec.Struct, frozen=True):
+class Verdicts(msgspec.Struct, frozen=True):
     """Both ways of holding out, a verdict a set."""
 
     users_out: tuple[Verdict, ...]
     set_out: tuple[Verdict, ...]
 
 
-def validate(school: TrainingData, settings: Settings, say: Say, nets: Nets | None = None) -> Validation:
+def validate(school: TrainingData, settings: Settings, say: Say, nets: Nets | None = None) -> Verdicts:
     """Hold out users in folds, and each set in turn; the project's scorer judges.
 
     The table of a fold comes from the people of the other folds, that of a set left out from the people
@@ -68,7 +70,7 @@ def validate(school: TrainingData, settings: Settings, say: Say, nets: Nets | No
         table = calibration.fit_table(calibration.join(others))
         set_out.append(_judged(school, number, everybody, fitted, table, settings))
         say(f"{recording.name}: set left out {ratio(set_out[-1].score):.3f} of hold")
-    return Validation(tuple(users_out), tuple(set_out))
+    return Verdicts(tuple(users_out), tuple(set_out))
 
 
 def ratio(score: SetScore) -> float:
@@ -117,20 +119,57 @@ def _merged(runs: list[Verdict]) -> Verdict:
     return Verdict(together, known, (float(clocks[0]), float(clocks[1])))
 
 
-def main() -> None:
-    """Validate and write docs/evidence/kinematic.md; progress goes to the error stream."""
-    from pages.kinematic import tables
+def record(verdicts: Verdicts) -> Validation:
+    """The numbers that are kept."""
+    return Validation(_held(verdicts.users_out), _held(verdicts.set_out))
 
+
+def _held(verdicts: tuple[Verdict, ...]) -> Held:
+    together = calibration.join([verdict.known for verdict in verdicts])
+    return Held(tuple(_row(verdict) for verdict in verdicts), _claims(together))
+
+
+def _row(verdict: Verdict) -> SetRow:
+    document = summarise(verdict.score)
+    ours = next(one for one in document.predictors if one.name == "kinematic")
+    clean = ours.groups.get("clean_trials")
+    left, clock = (1e3 * s / document.trials for s in verdict.clock)
+    return SetRow(
+        document.name,
+        document.users,
+        document.trials,
+        _ratio(ours.time_averaged),
+        _ratio(clean.time_averaged) if clean else None,
+        {at: cell.of_hold or 0.0 for at, cell in ours.by_time.items()},
+        {at: cell.of_hold or 0.0 for at, cell in ours.by_path.items()},
+        _claims(verdict.known),
+        left,
+        clock,
+        left / clock,
+    )
+
+
+def _ratio(measure: Measure) -> Ratio:
+    return Ratio(measure.of_hold, measure.interval)
+
+
+def _claims(known: calibration.Claims) -> Claims:
+    shares = calibration.coverage(known).tolist()
+    return Claims(
+        tuple((row[0], row[1], row[2]) for row in shares), tuple((row[3], row[4], row[5]) for row in shares)
+    )
+
+
+def main() -> None:
+    """Validate and keep the numbers; progress goes to the error stream."""
     began = time.monotonic()
 
     def say(what: str) -> None:
         print(f"{time.monotonic() - began:6.1f} s  {what}", file=sys.stderr, flush=True)
 
     settings = Settings()
-    school = data.training_data(data.read_sets(data.folder()), settings.seed, say)
-    (DOCS / "evidence" / "kinematic.md").write_text(
-        tables.page(validate(school, settings, say)), encoding="utf-8"
-    )
+    school = training_data.training_data(training_data.read_sets(training_data.folder()), settings.seed, say)
+    data.write(record(validate(school, settings, say)), PAGES / "kinematic" / "data.json")
 
 
 if __name__ == "__main__":

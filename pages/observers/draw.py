@@ -10,8 +10,8 @@ from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
 
-from benchmarks.arguments import words
 from pages import DOCS
+from pages.arguments import words
 
 FIGURES = DOCS / "guide" / "observers" / "figures"
 PARTS = ("examples_1_4", "examples_5_7", "examples_8_9")

@@ -13,9 +13,9 @@ from time import perf_counter
 
 import numpy as np
 
-from benchmarks.arguments import words
 from pages import DOCS
-from pages.markdown import filled, table
+from pages.arguments import words
+from pages.data import Table, keep
 from pages.observers.examples_1_4 import OTHER, SEEN, TRUE, panels
 from pointpred.columns import FloatArray
 from pointpred.observers import (
@@ -69,7 +69,7 @@ def estimates(rows: FloatArray, outputs: FloatArray, ridge: float) -> FloatArray
     return found
 
 
-def starts(rows: FloatArray, outputs: FloatArray) -> str:
+def starts(rows: FloatArray, outputs: FloatArray) -> Table:
     """What each start makes of the data, as a table."""
     listed = {
         "ordinary least squares (LAPACK)": np.linalg.lstsq(rows, outputs, rcond=None)[0],
@@ -80,7 +80,7 @@ def starts(rows: FloatArray, outputs: FloatArray) -> str:
             rows[3:], outputs[3:], rows[:3].T @ rows[:3], np.zeros(4)
         ),
     }
-    return table(("start", *NAMES), [(name, *(f"{v:.4f}" for v in x)) for name, x in listed.items()])
+    return Table.of(("start", *NAMES), [(name, *(f"{v:.4f}" for v in x)) for name, x in listed.items()])
 
 
 def _followed(observer: InvariantObserver, t: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -173,8 +173,7 @@ def main() -> None:
     if data is None:
         print("sniffer.csv is not at hand: the table of example 7 stays as it is")
     else:
-        page = PAGES / "example-7.md"
-        page.write_text(filled(page.read_text(encoding="utf-8"), "sniffer", starts(*data)), encoding="utf-8")
+        keep("observers", {"sniffer": starts(*data)})
     print(f"a step of example 5's observer: {step_us():.2f} us")
 
 

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from benchmarks.arguments import words
 from pages import DOCS
+from pages.arguments import words
 from pointpred.observers import (
     InterlacedObserver,
     SeededSignal,

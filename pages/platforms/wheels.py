@@ -15,8 +15,8 @@ from importlib.metadata import PackageNotFoundError, requires
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
-from benchmarks.arguments import words
 from pages import ROOT
+from pages.arguments import words
 
 WINDOWS = {"sys_platform": "win32", "platform_system": "Windows", "os_name": "nt"}
 MACOS = {"sys_platform": "darwin", "platform_system": "Darwin", "os_name": "posix"}

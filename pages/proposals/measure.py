@@ -1,6 +1,6 @@
-"""Measure a page's proposals with the defaults, and write docs/guide/targets.md and docs/guide/browser.md.
+"""Measure a page's proposals with the defaults: ``python -m pages.proposals.measure``.
 
-``python -m pages.proposals.measure`` lays cards, links and a menu under recorded movements, so that each
+Lays cards, links and a menu under recorded movements, so that each
 movement ends in one of them, and says what a page would have heard. The recommended predictor's coefficients
 do not know the people; the evidence that turns predictions into shares was fitted on all sets. Recordings
 come from the folder named by POINTPRED_RECORDINGS.
@@ -14,10 +14,9 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from benchmarks.arguments import words
-from pages import DOCS
+from pages.arguments import words
+from pages.data import Table, keep
 from pages.held_out import HeldOut, held_out
-from pages.markdown import filled, table
 from pages.proposals.layouts import LAYOUTS, placed
 from pointpred import RECOMMENDED, EventColumns, build, run
 from pointpred.columns import FloatArray
@@ -167,7 +166,7 @@ def nearest(people: dict[str, list[Played]], layout: str, proposals: float) -> D
 HEADS = ("right before entry", "right at entry at the latest", "lead", "predictions", "wrong", "passed")
 
 
-def measured(sets: Sequence[Recording], held: HeldOut) -> tuple[str, str]:
+def measured(sets: Sequence[Recording], held: HeldOut) -> dict[str, Table]:
     """The table of every set, and that of their means."""
     people = {
         name: {one.name: list(played(one, name, held)) for one in sets}
@@ -189,18 +188,17 @@ def measured(sets: Sequence[Recording], held: HeldOut) -> tuple[str, str]:
             middle[2] = float(np.median(known)) if known else float("nan")
             means.append((layout, way.name, *cells(middle)))
             print(layout, way.name, means[-1][2:], flush=True)
-    return table(("layout", "set", "chosen by", *HEADS), every), table(("layout", "chosen by", *HEADS), means)
+    return {
+        "layouts": Table.of(("layout", "set", "chosen by", *HEADS), every),
+        "means": Table.of(("layout", "chosen by", *HEADS), means),
+    }
 
 
 def main() -> None:
-    """Write the generated parts of both pages."""
+    """Measure every set at hand."""
     where = folder()
     sets = [read(path) for path in sorted(where.glob("*_samples.parquet"))]
-    every, means = measured(sets, held_out(where))
-    for name, part, text in (("targets.md", "layouts", every), ("browser.md", "layouts", means)):
-        page = DOCS / name
-        page.write_text(filled(page.read_text(encoding="utf-8"), part, text), encoding="utf-8")
-        print(f"wrote {page}")
+    keep("proposals", measured(sets, held_out(where)))
 
 
 if __name__ == "__main__":

@@ -16,7 +16,7 @@ from pathlib import Path
 
 import numpy as np
 
-from benchmarks.arguments import words
+from pages.arguments import words
 from pages.held_out import HeldOut, held_out, stored
 from pages.regions.played import KnownService, hello_of, in_session, over_socket, served
 from pages.regions.tables import LEVELS, MIDDLE, SHARES, Drawn, written

@@ -1,4 +1,4 @@
-"""Tables of docs/guide/regions.md: how often what is drawn holds the endpoint, and how large it is."""
+"""Tables of regions: how often what is drawn holds the endpoint, and how large it is."""
 
 from __future__ import annotations
 
@@ -8,11 +8,9 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pages import DOCS
-from pages.markdown import filled, table
+from pages.data import Table, keep
 from pointpred.columns import BoolArray, FloatArray
 
-PAGE = DOCS / "guide" / "regions.md"
 LEVELS, SHARES = (0.5, 0.8), (0.3, 0.5, 0.7)
 """The ellipses that are drawn, and when: shares of the time from onset to arrival."""
 LEARNT = 20
@@ -46,7 +44,7 @@ def pooled(sets: Sequence[Drawn]) -> Drawn:
     return Drawn(EVERY, sets[0].predictor, people, **columns)
 
 
-def coverage(sets: Sequence[Drawn]) -> str:
+def coverage(sets: Sequence[Drawn]) -> Table:
     """Shares inside, %, of all movements and of those after the first ones of each person."""
     rows = []
     for one in (*sets, pooled(sets)):
@@ -56,7 +54,7 @@ def coverage(sets: Sequence[Drawn]) -> str:
             rows.append((one.set, label, str(people), str(int(some.sum())), *shares))
     times = " / ".join(f"{100 * share:.0f}" for share in SHARES)
     held = (f"in the {100 * level:.0f} % ellipse at {times} % of the time" for level in LEVELS)
-    return table(("set", "movements", "people", "number", *held), rows)
+    return Table.of(("set", "movements", "people", "number", *held), rows)
 
 
 def parts(one: Drawn) -> list[tuple[str, BoolArray]]:
@@ -71,14 +69,14 @@ def share(inside: FloatArray) -> str:
     return " / ".join(_mean(inside[:, k], lambda mean: f"{100 * mean:.0f}") for k in range(inside.shape[1]))
 
 
-def sizes(sets: Sequence[Drawn]) -> str:
+def sizes(sets: Sequence[Drawn]) -> Table:
     """Median size at half of the time, beside the way that is left."""
     rows = []
     for one in (*sets, pooled(sets)):
         half = [f"{np.nanmedian(one.size[:, k]):.0f}" for k in range(len(LEVELS))]
         rows.append((one.set, *half, f"{np.median(one.way):.0f}"))
     names = (f"{100 * level:.0f} % ellipse, px" for level in LEVELS)
-    return table(("set", *names, "from the cursor to the endpoint, px"), rows)
+    return Table.of(("set", *names, "from the cursor to the endpoint, px"), rows)
 
 
 def _mean(values: FloatArray, text: Callable[[float], str]) -> str:
@@ -87,10 +85,10 @@ def _mean(values: FloatArray, text: Callable[[float], str]) -> str:
 
 
 def written(found: Sequence[Drawn]) -> None:
-    """Fill the page."""
-    page = PAGE.read_text(encoding="utf-8")
+    """Keep the tables."""
+    tables = {}
     for name in dict.fromkeys(one.predictor for one in found):
         mine = [one for one in found if one.predictor == name]
-        page = filled(page, f"coverage {name}", coverage(mine))
-        page = filled(page, f"sizes {name}", sizes(mine))
-    PAGE.write_text(page, encoding="utf-8")
+        tables[f"coverage {name}"] = coverage(mine)
+        tables[f"sizes {name}"] = sizes(mine)
+    keep("regions", tables)

@@ -1,236 +1,187 @@
-"""The text of ``docs/evidence/results.md``, from the summaries of all sets."""
+"""What the results' pages show, taken from the JSON of all sets: no words, only numbers and names."""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
-from importlib.metadata import version
+from collections.abc import Mapping, Sequence
 from typing import Any
 
-from pages.held_out import SET_OUT
-from pages.markdown import table
-from pages.results import claims as results_claims
-from pages.results import ktm as results_ktm
-from pages.results.verdict import OVERVIEW, verdict
-from pointpred.console import counted
-from pointpred.datasets import DataSet
+import msgspec
 
-Json = dict[str, Any]
+from pages import FIGURES
+from pages.held_out import PEOPLE_OUT, SET_OUT
+from pages.results.records import SetResults, stored
+from pages.thinning import save
+from pointpred.datasets import listing
+from pointpred.errors import ParameterError
+from pointpred.registry import RECOMMENDED, parameters
+from pointpred.report.choice import highlighted
+from pointpred.report.figures.claims import inside_curves, time_left_bars
+from pointpred.report.figures.errors import cost, curves
+from pointpred.report.figures.style import Picture
+from pointpred.scoring import FLOOR, SetSummary
 
-PROTOCOL = """Written by `make results`; do not edit. The protocol stands in [scoring.md](scoring.md). In
-short: every trial counts, from the onset of the movement to the selecting click or the last sample; the
-truth is the last position; where a predictor does not answer, the cursor's position is scored in its place.
-**Every number is the mean error over trials divided by that of `hold`** (no prediction, the cursor's own
-position), unless px is written beside it: below 1 a predictor helps, above 1 it does harm. Sets are
-never pooled. A cell says `all / clean`: over all trials, and over
-the clean ones, as the set itself judges or, where it does not, by the rule in scoring.md.
-
-Brackets hold 95 % bootstrap intervals: people are drawn with replacement, or trials where a set has one
-person only (the interval then says nothing about other people). `answers` is the share of events with a
-prediction. The cost is processor time of the whole pipeline, differentiator included, in microseconds an
-event, on the machine that wrote this page. All else repeats to the last digit with the same versions."""
-
-LEARNED = """What has learned from recordings is judged on a recorded set by coefficients that did not see the
-set (*set left out*: fitted to the other sets) and by coefficients that did not see the person (*people left
-out*: five folds of the people of all sets, each judged by a fit to the other four), never by those that come
-with the package, which saw them all. These stand only on sets that they did not see, as the simulated one. Of
-the regions of a left-out set the calibration comes from people of the other sets, as judged by fits that knew
-the set. Features and settings were chosen on these same held-out people and sets
-([experiments.md](experiments.md)): the scores are a little too good."""
-
-OUT = " left out)"
-
-AXIS = ("0.1", "0.2", "0.3", "0.4", "0.5", "0.6", "0.7", "0.8", "0.9", "1.0")
+EARLY = 0.2
+"""The share of the time at which a predictor that only looks a fixed time ahead gives itself away."""
+LEVELS = (0.5, 0.8, 0.95)
 
 
-def page(
-    sets: Sequence[Json],
-    figures: Mapping[str, Mapping[str, str]],
-    known: Mapping[str, DataSet],
-    absent: Sequence[str],
-    unread: Mapping[str, str],
-    choices: Sequence[str] = (),
-) -> str:
-    """The whole page."""
-    libraries = ", ".join(f"{name} {version(name)}" for name in ("pointpred", "numpy", "numba"))
-    seeds = ", ".join(sorted({str(one["interval"]["seed"]) for one in sets}))
-    draws = ", ".join(sorted({str(one["interval"]["draws"]) for one in sets}))
-    about = f"Versions: {libraries}. Bootstrap: {draws} draws, seed {seeds}."
-    missing = [f"`{name}`" for name in absent]
-    said = [f"Sets of the catalogue that were not at hand: {', '.join(missing)}."] if missing else []
-    said += [f"Not read: {reason}." for reason in unread.values()]
-    parts = [
-        "# Results",
-        *verdict(sets),
-        PROTOCOL,
-        LEARNED,
-        about,
-        *said,
-        contents(sets, choices),
-        OVERVIEW,
-        overview(sets),
-    ]
+class Learned(msgspec.Struct, frozen=True):
+    """A predictor that has learned from recordings, on the people whom its coefficients did not see."""
+
+    name: str
+    without: str
+    """``set`` or ``person``: what its coefficients did not see."""
+    low: float
+    high: float
+    below: int
+    """Sets with the whole interval below 1."""
+    sets: int
+    worst: float
+    """At the worst share of the time, on the worst set."""
+    worst_set: str
+    worst_time: float
+
+
+class Cautious(msgspec.Struct, frozen=True):
+    """The most frequent winner, where it only looks a fixed time ahead."""
+
+    name: str
+    horizon_s: float
+    early: tuple[float, float]
+    lowest: tuple[float, float]
+
+
+def shares(sets: Sequence[SetResults]) -> dict[str, list[float]]:
+    """The time-averaged error over hold's, a number a set, of each predictor but hold that has all."""
+    found: dict[str, list[float]] = {}
     for one in sets:
-        parts += section(one, figures.get(one["name"], {}), known.get(one["name"]))
-    parts += choices
-    return "\n\n".join(parts) + "\n"
+        for name, predictor in one.judged.items():
+            if name != FLOOR and predictor.time_averaged.of_hold is not None:
+                found.setdefault(name, []).append(predictor.time_averaged.of_hold)
+    return {name: values for name, values in found.items() if len(values) == len(sets)}
 
 
-def contents(sets: Sequence[Json], choices: Sequence[str] = ()) -> str:
-    """A link to each section."""
-    lines = [OVERVIEW.lstrip("# "), *(title(one) for one in sets), *(c.lstrip("# ") for c in choices[:1])]
-    return "\n".join(f"- [{line}](#{anchor(line)})" for line in lines)
+def winners(sets: Sequence[SetResults]) -> Counter[str]:
+    """On how many sets each predictor has the lowest error in px, which has more digits than the ratio."""
+    found: Counter[str] = Counter()
+    for one in sets:
+        px = {name: p.time_averaged.px for name, p in one.judged.items() if name != FLOOR}
+        found[min(px, key=lambda name: float("inf") if px[name] is None else float(px[name] or 0.0))] += 1
+    return found
 
 
-def anchor(heading: str) -> str:
-    """The anchor that GitHub gives a heading.
-
-    >>> anchor("simulated-circle (simulated)")
-    'simulated-circle-simulated'
-    """
-    return "".join(c for c in heading.lower().replace(" ", "-") if c.isalnum() or c in "-_")
+def spread(columns: Mapping[str, Sequence[float]]) -> tuple[float, float]:
+    """The smallest and the largest of the sets' lowest shares."""
+    lowest = [min(column) for column in zip(*columns.values(), strict=True)]
+    return min(lowest), max(lowest)
 
 
-def title(one: Json) -> str:
-    """The set's name; people who were simulated are called so."""
-    return f"{one['name']} (simulated)" if one["simulated"] else str(one["name"])
+def learned(people: Sequence[SetResults]) -> list[Learned]:
+    """How what has learned does without the set, and without the person."""
+    found = []
+    for without, ending in (("set", SET_OUT), ("person", PEOPLE_OUT)):
+        names = dict.fromkeys(p.name for one in people for p in one.summary.predictors)
+        for name in (name for name in names if name.endswith(ending)):
+            rows = {one.summary.name: p for one in people for p in one.summary.predictors if p.name == name}
+            ratios = [p.time_averaged.of_hold or 0.0 for p in rows.values()]
+            bounds = [p.time_averaged.interval for p in rows.values()]
+            worst, where, when = max(
+                (cell.of_hold or 0.0, which, t) for which, p in rows.items() for t, cell in p.by_time.items()
+            )
+            below = sum(bound is not None and bound[1] < 1.0 for bound in bounds)
+            found.append(
+                Learned(
+                    name.removesuffix(ending), without, min(ratios), max(ratios), below, len(rows), worst,
+                    where, when,
+                )
+            )  # fmt: skip
+    return found
 
 
-def overview(sets: Sequence[Json]) -> str:
-    """A row a predictor, a column a set; the package's own coefficients never saw a simulated set."""
-    found: dict[str, list[str]] = {}
-    learners = {
-        p["name"].removesuffix(SET_OUT) for one in sets for p in one["predictors"] if SET_OUT in p["name"]
+def cautious(people: Sequence[SetResults]) -> Cautious | None:
+    """The most frequent winner and its early errors; ``None`` where it looks at the movement."""
+    (name, _), *_ = winners(people).most_common()
+    horizon = parameters(name).get("horizon_s")
+    if horizon is None:
+        return None
+    early = {
+        other: [one.judged[other].by_time[EARLY].of_hold or 0.0 for one in people] for other in shares(people)
     }
+    return Cautious(name, float(horizon[1]), (min(early[name]), max(early[name])), spread(early))
+
+
+def overall(sets: Sequence[SetResults]) -> dict[str, Any]:
+    """What the sets say together; raises ParameterError where no recorded set was scored."""
+    scored = [one for one in sets if one.summary.trials]
+    people = [one for one in scored if not one.summary.simulated]
+    if not people:
+        raise ParameterError("no recorded set was scored; run `make results` with recordings", code="missing")
+    every, recorded = shares(scored), shares(people)
+    return {
+        "recorded": len(people),
+        "shares": recorded,
+        "predictors": len(every),
+        "steady": [name for name, values in every.items() if max(values) < 1.0],
+        "worse": sum(max(values) >= 1.0 for values in every.values()),
+        "worse_recorded": sum(max(values) > 1.0 for values in recorded.values()),
+        "lowest": spread(recorded),
+        "wins": winners(people).most_common(),
+        "recommended": RECOMMENDED,
+        "learned": learned(people),
+        "cautious": cautious(people),
+        "alone": [one.summary.name for one in scored if one.summary.users == 1],
+    }
+
+
+def overview(sets: Sequence[SetResults]) -> dict[str, list[float | None]]:
+    """A row a predictor, a column a set; the package's own coefficients never saw a simulated set."""
+    learners = {
+        p.name.removesuffix(SET_OUT) for one in sets for p in one.summary.predictors if SET_OUT in p.name
+    }
+    found: dict[str, list[float | None]] = {}
     for place, one in enumerate(sets):
-        for p in one["predictors"]:
-            name = p["name"] + SET_OUT if p["name"] in learners else p["name"]
-            row = found.setdefault(name, ["-"] * len(sets))
-            row[place] = number(p["time_averaged"]["of_hold"])
-    rows = [(f"`{name}`", *cells) for name, cells in found.items()]
-    return table(("predictor", *(title(one) for one in sets)), rows)
+        for p in one.summary.predictors:
+            name = p.name + SET_OUT if p.name in learners else p.name
+            found.setdefault(name, [None] * len(sets))[place] = p.time_averaged.of_hold
+    return found
 
 
-def section(one: Json, figures: Mapping[str, str], entry: DataSet | None) -> list[str]:
-    """Everything about one set."""
-    parts = [f"## {title(one)}"]
-    if entry is not None:
-        parts.append(f"{entry.title}. {entry.sampling}; {entry.targets}. {entry.citation}, {entry.licence}.")
-    clean = one["groups"].get("clean_trials", {}).get("trials")
-    judged = f", {clean} of them clean" if clean else ", none of them clean"
-    people = "1 person" if one["users"] == 1 else f"{one['users']} people"
-    parts.append(
-        f"{people}, {counted(one['trials'], 'trial')}{judged}, {counted(one['events'], 'event')}; "
-        f"{counted(len(one['skipped']), 'trial')} skipped. Resampled: {one['interval']['resampled']}."
-    )
-    parts += [*told_apart(one), *skipped(one), *(f"{note[0].upper()}{note[1:]}." for note in one["notes"])]
-    if not one["trials"]:
-        return [*parts, "No trial could be scored."]
-    parts += ["### Time-averaged error", averaged(one)]
-    parts += ["### By time from onset to arrival", series(one, "by_time")]
-    parts += ["### By path", series(one, "by_path")]
-    parts += ["### Mean absolute error on the longer axis, px, by path along it", single_axis(one)]
-    parts += results_claims.section(one)
-    if one.get("ktm"):
-        parts += [
-            "### The protocol of template matching",
-            results_ktm.WORDS,
-            *results_ktm.section(one["ktm"]),
-        ]
-    return [*parts, "### Figures", *figures.values()]
+def drawings(one: SetSummary) -> dict[str, Picture]:
+    """The figures of a set by what they show."""
+    judged = tuple(p for p in one.predictors if not p.name.endswith(PEOPLE_OUT))
+    shown = highlighted(msgspec.structs.replace(one, predictors=judged))
+    drawn = {
+        "by-time": curves(one, shown, "by_time", "of_hold"),
+        "cost": cost(one),
+        "regions": inside_curves(one, "calibration"),
+        "time-left": time_left_bars(one),
+    }
+    return {kind: figure for kind, figure in drawn.items() if figure is not None}
 
 
-def told_apart(one: Json) -> list[str]:
-    """What the groups of trials are, those with the same basis together."""
-    named: dict[str, list[str]] = {}
-    for group in one["groups"].values():
-        named.setdefault(group["basis"], []).append(group["label"])
-    told = [f"{' and '.join(keys)}: {basis}" for basis, keys in named.items()]
-    return [f"How trials were told apart. {'; '.join(told)}."] if told else []
+def figures(sets: Sequence[SetResults]) -> dict[str, dict[str, Picture]]:
+    """Draw every set; files go to ``docs/figures``."""
+    found = {one.summary.name: drawings(one.summary) for one in sets if one.summary.trials}
+    for name, drawn in found.items():
+        for kind, figure in drawn.items():
+            save(figure.svg, FIGURES / f"{name}-{kind}.svg")
+    return found
 
 
-def skipped(one: Json) -> list[str]:
-    """Skipped trials, and trials in which a predictor failed, counted by reason."""
-    lines = []
-    if one["skipped"]:
-        reasons = Counter(skip["reason"] for skip in one["skipped"])
-        lines.append("Skipped: " + "; ".join(f"{reason} ({n})" for reason, n in reasons.most_common()) + ".")
-    for predictor in one["predictors"]:
-        if predictor["failed"]:
-            first = predictor["failed"][0]
-            trials = counted(len(predictor["failed"]), "trial")
-            lines.append(
-                f"`{predictor['name']}` failed in {trials}, scored there as if it had not answered; the "
-                f"first: trial {first['trial']}, {first['reason']}."
-            )
-    return lines
-
-
-def averaged(one: Json) -> str:
-    """The first table of a set: intervals, groups, coverage, cost."""
-    groups = list(one["groups"])
-    rows = []
-    for predictor in one["predictors"]:
-        whole = predictor["time_averaged"]
-        cells = [predictor["groups"][key]["time_averaged"] for key in groups]
-        rows.append(
-            (
-                f"`{predictor['name']}`",
-                number(whole["px"], 1),
-                share(whole),
-                *(share(cell) for cell in cells),
-                f"{predictor['coverage']:.0%}",
-                number(predictor["us_per_event"]),
-            )
-        )
-    heads = (f"{group['label']} ({group['trials']})" for group in one["groups"].values())
-    return table(("predictor", "px", "all trials", *heads, "answers", "us/event"), rows)
-
-
-def series(one: Json, kind: str) -> str:
-    """Error of hold in px, then every predictor's share of it, all and clean side by side."""
-    fractions = list(one["predictors"][0][kind])
-    floor = one["predictors"][0]
-    head = ("predictor", *(f"{float(fraction):.0%}" for fraction in fractions))
-    rows = [("`hold`, px", *_beside(floor, kind, fractions, lambda cell: number(cell["px"], 0)))]
-    for predictor in one["predictors"][1:]:
-        cells = _beside(predictor, kind, fractions, lambda cell: number(cell["of_hold"]))
-        rows.append((f"`{predictor['name']}`", *cells))
-        if OUT in predictor["name"]:
-            bounds = (predictor[kind][fraction]["interval"] for fraction in fractions)
-            spread = ("-" if b is None else f"[{b[0]:.2f}, {b[1]:.2f}]" for b in bounds)
-            rows.append((f"`{predictor['name']}`, interval", *spread))
-    return table(head, rows)
-
-
-def _beside(
-    predictor: Json, kind: str, fractions: Sequence[str], say: Callable[[Json], str]
-) -> tuple[str, ...]:
-    """A cell a fraction: all trials, and the clean ones."""
-    clean = predictor["groups"].get("clean_trials")
-    return tuple(
-        say(predictor[kind][fraction]) + (f" / {say(clean[kind][fraction])}" if clean else "")
-        for fraction in fractions
-    )
-
-
-def single_axis(one: Json) -> str:
-    """The thesis's protocol in px."""
-    rows = [
-        (f"`{predictor['name']}`", *(number(predictor["single_axis"][f]["px"], 1) for f in AXIS))
-        for predictor in one["predictors"]
-    ]
-    return table(("predictor", *(f"{float(fraction):.0%}" for fraction in AXIS)), rows)
-
-
-def share(cell: Json) -> str:
-    """A ratio with its interval."""
-    if cell["interval"] is None:
-        return number(cell["of_hold"])
-    low, high = cell["interval"]
-    return f"{number(cell['of_hold'])} [{low:.2f}, {high:.2f}]"
-
-
-def number(value: float | None, digits: int = 2) -> str:
-    """A number, or a dash where there is none."""
-    return "-" if value is None else f"{value:.{digits}f}"
+def context(sets: Sequence[SetResults] | None = None) -> dict[str, Any]:
+    """What the template of ``docs/evidence/results.md`` needs."""
+    known = stored() if sets is None else list(sets)
+    catalogue = {entry.name: entry for entry in listing()}
+    present = {one.summary.name for one in known}
+    return {
+        "sets": known,
+        "overall": overall(known),
+        "overview": overview(known),
+        "catalogue": catalogue,
+        "absent": [name for name in catalogue if name not in present],
+        "levels": LEVELS,
+        "skipped": {one.summary.name: Counter(s.reason for s in one.summary.skipped) for one in known},
+        "figures": {one.summary.name: drawings(one.summary) for one in known if one.summary.trials},
+        "versions": known[0].versions,
+    }

@@ -12,9 +12,9 @@ from pathlib import Path
 
 import numpy as np
 
-from benchmarks.arguments import words
-from pages import DOCS
-from pages.markdown import table
+from pages import FIGURES
+from pages.arguments import words
+from pages.data import Table, keep
 from pages.simulation import figures as simulation_figures
 from pages.simulation.shape import Shape, shapes
 from pointpred import build
@@ -60,7 +60,7 @@ def row(title: str, recording: Recording, chosen: Callable[[int], bool] = lambda
     return (title, str(len(found)), *cells, f"{100 * np.mean([s.one_piece for s in found]):.0f} %")
 
 
-def comparison(simulated: Recording) -> tuple[str, list[str]]:
+def comparison(simulated: Recording) -> tuple[Table, list[str]]:
     """The table of simulated and recorded people, and the sets that are not there."""
     slow = thinned(simulated, FRAME_S)
     skills = [float(trial.condition["skill"]) for trial in simulated.trials]
@@ -78,10 +78,10 @@ def comparison(simulated: Recording) -> tuple[str, list[str]]:
         else:
             absent.append(name)
     header = ("people", "movements", *NUMBERS, "one piece")
-    return table(header, rows), absent
+    return Table.of(header, rows), absent
 
 
-def assistance() -> str:
+def assistance() -> Table:
     """Time to the click with an assisted transfer function, by how far its estimate is off."""
     persons, target = people(10, SEED), Aim(520.0, -226.0, 26.0)
 
@@ -106,7 +106,7 @@ def assistance() -> str:
             for k in range(3)
         ]
         rows.append(("2", "0.5", f"`{name}` in the loop: {told(made, target)}", "", "", ""))
-    return table(("rho 1/s", "bound", "true endpoint", "20 px off", "60 px off", "150 px off"), rows)
+    return Table.of(("rho 1/s", "bound", "true endpoint", "20 px off", "60 px off", "150 px off"), rows)
 
 
 def told(made: list[Movement], target: Aim) -> str:
@@ -116,7 +116,7 @@ def told(made: list[Movement], target: Aim) -> str:
     return f"{np.mean([one.click_s for one in made]):.2f} s, {100 * missed:.0f} % missed"
 
 
-def recovered() -> str:
+def recovered() -> Table:
     """T, b1/b2 and 1/b2 from the signals of section 2.6.2 by DREM."""
     signals = corrective_signals(duration_s=5.0)
     rows = []
@@ -128,24 +128,16 @@ def recovered() -> str:
         inverse, ratio, goal = answer.values
         rows.append((f"{delay_s:g}", f"{goal:.2f}", f"{ratio:.5f}", f"{inverse:.5f}"))
     rows.append(("true", "600", f"{4 / 7:.5f}", f"{1 / 7:.5f}"))
-    return table(("delay tau s", "T px", "b1 / b2", "1 / b2"), rows)
+    return Table.of(("delay tau s", "T px", "b1 / b2", "1 / b2"), rows)
 
 
 def main() -> None:
-    """Write the page and its figures."""
+    """Measure, and draw the figures."""
     simulated = thesis_setup(SEED)
     compared, absent = comparison(simulated)
-    note = f"Not there when this page was written: {', '.join(absent)}.\n" if absent else ""
-    page = (Path(__file__).with_name("page.md")).read_text(encoding="utf-8")
-    for name, text in (
-        ("comparison", f"{compared}\n\n{note}".rstrip()),
-        ("assistance", assistance()),
-        ("recovered", recovered()),
-    ):
-        page = page.replace(f"{{{name}}}", text)
-    simulation_figures.draw(simulated, DOCS / "figures")
-    (DOCS / "evidence" / "simulation.md").write_text(page, encoding="utf-8")
-    print(page)
+    tables = {"comparison": compared, "assistance": assistance(), "recovered": recovered()}
+    keep("simulation", tables, numbers={"absent": absent})
+    simulation_figures.draw(simulated, FIGURES)
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 """What each part of ``switched-direction`` is worth: ``python -m pages.switched.measure``.
 
 Scores the predictor and versions of it that lack one part each, on the embedded sample and on the
-recordings that POINTPRED_RECORDINGS names, and writes the tables and the figure of docs/evidence/switched.md.
+recordings that POINTPRED_RECORDINGS names.
 ``python -m pages.switched.measure search`` repeats the search for its constants instead.
 """
 
@@ -16,9 +16,10 @@ from typing import Any, cast
 
 import numpy as np
 
-from pages import DOCS
-from pages.markdown import filled, table
+from pages import FIGURES
+from pages.data import Table, keep
 from pages.switched.parts import AxisWise, Held
+from pages.thinning import save
 from pointpred import Pipeline, build
 from pointpred.datasets import sample
 from pointpred.recording import Recording
@@ -27,7 +28,6 @@ from pointpred.scoring import SetScore, resolution, score
 from pointpred.scoring.results import TIME_FRACTIONS, PredictorErrors
 from pointpred.sources import read
 
-PAGE = DOCS / "evidence" / "switched.md"
 NAME = "switched-direction"
 OTHERS = ("switched", "switched-printed", "minimum-jerk", "kalman")
 SETS = ("freihaut2021", "pvplib23714", "cryslacks", "kh2017", "humanmovemouse", "gofitts_demo", "jrcalgo")
@@ -76,20 +76,20 @@ def by_time(scored: SetScore, name: str) -> list[float]:
     return [float(one) for one in ours / floor]
 
 
-def shares_table(scores: Iterable[SetScore], names: Iterable[str]) -> str:
+def shares_table(scores: Iterable[SetScore], names: Iterable[str]) -> Table:
     """A row a predictor, a column a set."""
     scored = list(scores)
     rows = [
         (f"`{name}`" if " " not in name else name, *(of_hold(one, name) for one in scored)) for name in names
     ]
-    return table(("predictor", *(one.name for one in scored)), rows)
+    return Table.of(("predictor", *(one.name for one in scored)), rows)
 
 
-def deciles_table(scores: Iterable[SetScore]) -> str:
+def deciles_table(scores: Iterable[SetScore]) -> Table:
     """The predictor against no prediction at each decile of the time, a row a set."""
     header = ("set", *(f"{fraction:.0%}" for fraction in TIME_FRACTIONS))
     rows = [(one.name, *(f"{value:.2f}" for value in by_time(one, NAME))) for one in scores]
-    return table(header, rows)
+    return Table.of(header, rows)
 
 
 def draw(scores: Iterable[SetScore], file: Path) -> None:
@@ -114,7 +114,7 @@ def draw(scores: Iterable[SetScore], file: Path) -> None:
         panels[2].set_ylabel("error / error of hold")
         panels[0].legend(fontsize=8)
         drawn = picture(figure, "Error against time as a share of that of no prediction", "")
-    file.write_text(drawn.svg, encoding="utf-8")
+    save(drawn.svg, file)
 
 
 def recordings() -> list[Recording]:
@@ -141,13 +141,15 @@ def main(arguments: list[str]) -> None:
         parts = variants(recording)
         names = [part.name for part in parts]
         scores += score([recording], [*parts, *OTHERS])
-    page = PAGE.read_text(encoding="utf-8")
-    page = filled(page, "comparison", shares_table(scores, (NAME, *OTHERS)))
-    page = filled(page, "deciles", deciles_table(scores))
-    page = filled(page, "ablations", shares_table(scores, names))
-    PAGE.write_text(page, encoding="utf-8")
-    draw(scores, PAGE.parent / "figures" / "switched-time.svg")
-    print(f"wrote {PAGE}")
+    keep(
+        "switched",
+        {
+            "comparison": shares_table(scores, (NAME, *OTHERS)),
+            "deciles": deciles_table(scores),
+            "ablations": shares_table(scores, names),
+        },
+    )
+    draw(scores, FIGURES / "switched-time.svg")
 
 
 if __name__ == "__main__":

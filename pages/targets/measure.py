@@ -1,4 +1,4 @@
-"""Measure choices among targets and write docs/guide/targets.md: ``python -m pages.targets.measure``.
+"""Measure choices among targets: ``python -m pages.targets.measure``.
 
 Evidence and learned predictor are fitted anew for each set without that set; the last fit of the evidence,
 on all sets as predicted by networks that did not know them, is what comes with pointpred. Recordings come
@@ -7,28 +7,25 @@ from the folder named by POINTPRED_RECORDINGS.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
 
-from benchmarks.arguments import words
-from pages import DOCS
+from pages import FIGURES
+from pages.arguments import words
+from pages.data import Table, keep
 from pages.held_out import HeldOut, held_out, seen, trained
-from pages.markdown import filled, table
 from pages.targets import fit as targets_fit
-from pointpred import PointerEvent, Prediction
+from pages.thinning import save
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
 from pointpred.registry import REGISTRY
 from pointpred.report.figures.style import GREY, PALETTE, canvas, legend_outside, picture
 from pointpred.scoring.target_choice import NEAREST, score_targets, target_summary
-from pointpred.targets import Chooser, around
 from pointpred.targets.evidence import NEAR
 from pointpred.training.data import folder
 
-PAGE = DOCS / "guide" / "targets.md"
 SHOWN = tuple(name for name in ("kalman", "minimum-jerk", "kinematic") if name in REGISTRY)
 TIMES = ("0.2", "0.3", "0.4", "0.5", "0.6", "0.7", "0.8", "0.9")
 LEAST_LEAD_S = 0.05
@@ -84,17 +81,17 @@ def measured(sets: Sequence[Recording], held: HeldOut) -> tuple[list[Json], list
     return found, list(cases.values())
 
 
-def right(sets: list[Json]) -> str:
+def right(sets: list[Json]) -> Table:
     """Share of movements whose likeliest target is right, by time."""
     rows = [
         (one["name"], one["layout"], f"`{p['name']}`" if p["name"] != NEAREST else NEAREST,
          *(f"{100 * p['right'][t]:.0f}" for t in TIMES), f"{np.mean(list(p['log_loss'].values())):.2f}")
         for one in sets for p in one["predictors"]
     ]  # fmt: skip
-    return table(("set", "targets", "predictor", *(f"{float(t):.0%}" for t in TIMES), "log loss"), rows)
+    return Table.of(("set", "targets", "predictor", *(f"{float(t):.0%}" for t in TIMES), "log loss"), rows)
 
 
-def decisions(sets: list[Json], chosen: str) -> str:
+def decisions(sets: list[Json], chosen: str) -> Table:
     """What proposals came to: with the dial at 0.8, or where 80 % of proposals were right."""
     rows = []
     for one in sets:
@@ -103,7 +100,7 @@ def decisions(sets: list[Json], chosen: str) -> str:
             name = NEAREST if p["name"] == NEAREST else f"`{p['name']}`"
             rows.append((one["name"], one["layout"], name, *_cells(d)))
     heads = ("dial", "right", "before entry", "lead to entry", "per movement", "to click", "proposals")
-    return table(("set", "targets", "predictor", *heads), rows)
+    return Table.of(("set", "targets", "predictor", *heads), rows)
 
 
 def _cells(d: Json | None) -> tuple[str, ...]:
@@ -117,29 +114,8 @@ def _cells(d: Json | None) -> tuple[str, ...]:
     return (f"{d['asked']:g}", *shares, *lead, f"{d['proposals']:.2f}")
 
 
-def cost() -> str:
-    """Microseconds of one update of a chooser, by the number of targets."""
-    rows = []
-    for count in (1, 13, 100, 1000):
-        generator = np.random.default_rng(count)
-        places = [around(i, *generator.uniform(0.0, 2000.0, 2).tolist(), 40.0) for i in range(count)]
-        cells = []
-        for tail in (None, 4.0):
-            chooser, t = Chooser(places), 0.0
-            law = Prediction(0.0, 900.0, 500.0, (900.0, 100.0, 400.0), "ballistic", 0.3, tail)
-            took = []
-            for i in range(300):
-                event = PointerEvent(0.001 * i, 3.0 * i, 2.0 * i)
-                t = time.perf_counter()
-                chooser.update(law, event)
-                took.append(time.perf_counter() - t)
-            cells.append(f"{1e6 * float(np.median(took[20:])):.0f}")
-        rows.append((str(count), *cells))
-    return table(("targets", "normal law, us", "Student law, us"), rows)
-
-
-def draw(sets: list[Json]) -> str:
-    """Share right against time, a panel a set, and its Markdown."""
+def draw(sets: list[Json]) -> None:
+    """Share right against time, a panel a set."""
     with canvas(2, 4, width=11.0, height=5.6, share=True) as (figure, axes):
         for ax, one in zip(axes, sets, strict=False):
             for place, p in enumerate(one["predictors"]):
@@ -154,23 +130,22 @@ def draw(sets: list[Json]) -> str:
         figure.supylabel("% right")
         alt = "Share of movements whose likeliest target is right, against time, for each set."
         drawn = picture(figure, alt, "Which target it is, by share of the time.", wide=True)
-    (DOCS / "figures" / "targets.svg").write_text(drawn.svg, encoding="utf-8")
-    return f"![{drawn.alt}](figures/targets.svg)\n\n*{drawn.caption}*"
+    save(drawn.svg, FIGURES / "targets.svg")
 
 
 def main() -> None:
     """Write the coefficients, the figure and the generated parts of the page."""
     sets, cases = measured(targets_fit.recordings(), held_out(folder()))
     targets_fit.write(cases)
-    page = PAGE.read_text(encoding="utf-8")
-    parts = {
-        "figure": draw(sets), "right": right(sets), "decisions": decisions(sets, "precision"),
-        "dial": decisions(sets, "dial"), "cost": cost(),
-    }  # fmt: skip
-    for name, text in parts.items():
-        page = filled(page, name, text)
-    PAGE.write_text(page, encoding="utf-8")
-    print(f"wrote {PAGE}")
+    draw(sets)
+    keep(
+        "targets",
+        {
+            "right": right(sets),
+            "decisions": decisions(sets, "precision"),
+            "dial": decisions(sets, "dial"),
+        },
+    )
 
 
 if __name__ == "__main__":

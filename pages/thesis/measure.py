@@ -10,12 +10,13 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from benchmarks.arguments import words
-from pages import DOCS
-from pages.markdown import filled, table
+from pages import FIGURES
+from pages.arguments import words
+from pages.data import Table, keep
 from pages.thesis.figures import write_figures
 from pointpred import Pipeline, build
 from pointpred.columns import FloatArray
@@ -28,7 +29,6 @@ from pointpred.scoring.trials import resolution
 from pointpred.simulation import thesis_setup
 from pointpred.sources import read
 
-PAGE = DOCS / "evidence" / "thesis.md"
 SEED = 1
 CPI = 2000.0
 OURS, THEIRS = "switched-printed", "kep-quartic-gated"
@@ -67,7 +67,7 @@ def cells(values: Iterable[float]) -> tuple[str, ...]:
     return tuple(f"{value:.1f}" for value in values)
 
 
-def errors_table(scored: SetScore, quantity: str) -> str:
+def errors_table(scored: SetScore, quantity: str) -> Table:
     """Mean absolute error along the longer axis in px, a row a predictor, a column a decile of the path."""
     header = ("predictor", *(f"{AXIS_FRACTIONS[i]:.0%}" for i in DECILES))
     rows = []
@@ -75,10 +75,10 @@ def errors_table(scored: SetScore, quantity: str) -> str:
         profile = axis_profile(errors)
         values = profile.mae if quantity == "all" else profile.mae_replaced
         rows.append((f"`{errors.name}`", *cells(values[i] for i in DECILES)))
-    return table(header, rows)
+    return Table.of(header, rows)
 
 
-def groups_table(scored: SetScore) -> str:
+def groups_table(scored: SetScore) -> Table:
     """The thesis's two predictors in each group of trials."""
     header = ("trials", "predictor", *(f"{AXIS_FRACTIONS[i]:.0%}" for i in DECILES))
     rows = []
@@ -87,7 +87,7 @@ def groups_table(scored: SetScore) -> str:
             profile = axis_profile(find(scored, name), group.mask)
             label = f"{group.label} ({int(group.mask.sum())})"
             rows.append((label, f"`{name}`", *cells(profile.mae[i] for i in DECILES)))
-    return table(header, rows)
+    return Table.of(header, rows)
 
 
 def find(scored: SetScore, name: str) -> PredictorErrors:
@@ -95,22 +95,21 @@ def find(scored: SetScore, name: str) -> PredictorErrors:
     return next(errors for errors in scored.predictors if errors.name == name)
 
 
-def verdict(scored: SetScore) -> str:
-    """Where the switched predictor beats KEP and where it does not, in words."""
-    lines = []
+def losses(scored: SetScore) -> list[dict[str, Any]]:
+    """The deciles at which a switched predictor's mean error is not below that of KEP."""
+    found = []
     for quantity in ("mae", "mae_replaced"):
-        kind = "of all errors" if quantity == "mae" else "with outliers replaced by the quartile"
         for ours in (OURS, "switched"):
             for theirs in (THEIRS, "kep-quadratic"):
                 left = getattr(axis_profile(find(scored, ours)), quantity)
                 right = getattr(axis_profile(find(scored, theirs)), quantity)
-                lost = [f"{AXIS_FRACTIONS[i]:.0%}" for i in DECILES if left[i] >= right[i]]
-                outcome = f"loses at {', '.join(lost)}" if lost else "wins at every decile"
-                lines.append(f"- Mean {kind}: `{ours}` against `{theirs}` {outcome}.")
-    return "\n".join(lines)
+                lost = [AXIS_FRACTIONS[i] for i in DECILES if left[i] >= right[i]]
+                replaced = quantity == "mae_replaced"
+                found.append({"replaced": replaced, "switched": ours, "kep": theirs, "at": lost})
+    return found
 
 
-def anova_table(scored: SetScore) -> str:
+def anova_table(scored: SetScore) -> tuple[Table, dict[str, Any]]:
     """The effect of the model at each decile, with all errors and with outliers replaced."""
     series = axis_anova(scored, (OURS, THEIRS))
     header = ("path", "F", "p", "partial eta squared", "F, outliers replaced", "p", "partial eta squared")
@@ -121,12 +120,11 @@ def anova_table(scored: SetScore) -> str:
             model = next(effect for effect in effects if effect.factors == ("model",))
             row += [f"F({model.df1:g}, {model.df2:g}) = {model.f:.2f}", f"{model.p:.2g}", f"{model.eta2:.2f}"]
         rows.append(tuple(row))
-    notes = "".join(f"\n\n{note}" for note in series.notes)
-    factors = ", ".join(series.factors)
-    return f"{series.users} people; factors: {factors}.\n\n{table(header, rows)}{notes}"
+    about = {"users": series.users, "factors": list(series.factors), "notes": list(series.notes)}
+    return Table.of(header, rows), about
 
 
-def open_choices(folder: Path) -> str:
+def open_choices(folder: Path) -> Table:
     """Time-averaged error over hold's of ``switched-printed`` with each open choice made differently."""
     rows = []
     recordings = [read(folder / f"{name}_samples.parquet") for name in OPEN_SETS]
@@ -138,10 +136,10 @@ def open_choices(folder: Path) -> str:
             floor = find(scored, "hold").time_averaged.mean()
             shares.append(f"{find(scored, label).time_averaged.mean() / floor:.3f}")
         rows.append((label, *shares))
-    return table(("choice", *OPEN_SETS), rows)
+    return Table.of(("choice", *OPEN_SETS), rows)
 
 
-def peaks_table(simulated: Recording, folder: Path | None) -> str:
+def peaks_table(simulated: Recording, folder: Path | None) -> Table:
     """How much of the way is done when the speed of the hand peaks, along the line from start to end."""
     sets = {"simulated": simulated}
     for name in OPEN_SETS if folder else ():
@@ -155,7 +153,7 @@ def peaks_table(simulated: Recording, folder: Path | None) -> str:
         whole = np.array([not trial.submovements for trial in prepared.trials])
         cut = [np.quantile(part, [0.25, 0.5, 0.75]) for part in (shares, shares[whole])]
         rows.append((name, *(f"{middle:.2f} ({low:.2f}-{high:.2f})" for low, middle, high in cut)))
-    return table(("people", "all trials", "without sub-movements"), rows)
+    return Table.of(("people", "all trials", "without sub-movements"), rows)
 
 
 def peak_share(prepared: Prepared, speed: FloatArray, k: int) -> float:
@@ -168,26 +166,25 @@ def peak_share(prepared: Prepared, speed: FloatArray, k: int) -> float:
 
 
 def main() -> None:
-    """Simulate, score, write."""
+    """Simulate, score, keep the numbers."""
     print("simulating 960 trials and scoring them; this takes about half a minute")
     recording = thesis_setup(SEED)
     patterns = [*(build(name, cpi=CPI) for name in NAMES[1:]), unbounded_kep(), corrective_alone()]
     scored = score([recording], patterns)[0]
-    page = PAGE.read_text(encoding="utf-8")
-    page = filled(page, "verdict", verdict(scored))
-    page = filled(page, "errors", errors_table(scored, "all"))
-    page = filled(page, "replaced", errors_table(scored, "replaced"))
-    page = filled(page, "groups", groups_table(scored))
-    page = filled(page, "anova", anova_table(scored))
+    anova, about = anova_table(scored)
+    tables = {
+        "errors": errors_table(scored, "all"),
+        "replaced": errors_table(scored, "replaced"),
+        "groups": groups_table(scored),
+        "anova": anova,
+    }
     folder = os.environ.get("POINTPRED_RECORDINGS")
     if folder:
-        page = filled(page, "open", open_choices(Path(folder)))
-        page = filled(page, "peaks", peaks_table(recording, Path(folder)))
+        tables |= {"open": open_choices(Path(folder)), "peaks": peaks_table(recording, Path(folder))}
     else:
         print("POINTPRED_RECORDINGS is not set: the tables of recorded people stay as they were")
-    PAGE.write_text(page, encoding="utf-8")
-    write_figures(prepare(recording), scored, PAGE.parent / "figures")
-    print(f"wrote {PAGE}")
+    keep("thesis", tables, numbers={"losses": losses(scored), "anova": about})
+    write_figures(prepare(recording), scored, FIGURES)
 
 
 if __name__ == "__main__":

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 import yaml
 
-from pages.__main__ import ROOT
+from pages import ROOT
 from pages.asyncapi.document import document, keys, schemas
 from pages.asyncapi.examples import EVENT_ROWS
 from pages.asyncapi.live import EXAMPLES

@@ -8,7 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pages.__main__ import PARTS, ROOT, WHOLE, rendered
+from pages import ROOT
+from pages.__main__ import everything, made
 from pages.markdown import filled
 from pointpred.differentiators import DIFFERENTIATORS, HomogeneousDifferentiator
 from pointpred.registry import REGISTRY, build, parameters
@@ -16,9 +17,9 @@ from pointpred.registry import REGISTRY, build, parameters
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "CHANGELOG.md", *(ROOT / "docs").rglob("*.md")]
 
 
-@pytest.mark.parametrize("path", [*PARTS, *WHOLE])
-def test_generated_parts_are_current(path: str) -> None:
-    assert (ROOT / path).read_text(encoding="utf-8") == rendered(path), "run `make docs`"
+@pytest.mark.parametrize("path", everything())
+def test_made_pages_are_current(path: str) -> None:
+    assert (ROOT / path).read_text(encoding="utf-8") == made(path), "run `make docs`"
 
 
 def test_every_predictor_and_parameter_is_listed() -> None:
@@ -34,7 +35,7 @@ def test_every_predictor_and_parameter_is_listed() -> None:
 @pytest.mark.parametrize("name", REGISTRY)
 def test_the_gains_on_the_page_are_those_that_build_gives(name: str) -> None:
     page = (ROOT / "docs/reference/predictors.md").read_text(encoding="utf-8")
-    section = page.partition(f"### {name}\n")[2].partition("###")[0].partition("<!-- end -->")[0]
+    section = page.partition(f"### {name}\n")[2].partition("##")[0]
     said = {key: float(value) for key, value in re.findall(r"`(gain_\w+|alpha)` (-?[\d.]+\d|\d)", section)}
     assert set(said) == {"gain_lambda", "gain_xi", "alpha"}
     expected = HomogeneousDifferentiator(dpi=96.0, **said)
@@ -50,6 +51,21 @@ def test_a_part_that_is_missing_is_an_error() -> None:
 def test_links_inside_the_project_lead_somewhere(page: Path) -> None:
     for link in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", page.read_text(encoding="utf-8")):
         assert (page.parent / link).exists(), f"{page.name} links to {link}"
+
+
+def anchors(page: Path) -> set[str]:
+    """The anchors that GitHub gives the headings of a page."""
+    text = re.sub(r"^```.*?^```", "", page.read_text(encoding="utf-8"), flags=re.DOTALL | re.MULTILINE)
+    headings = [re.sub(r"[`*]|\]\([^)]*\)|\[", "", one) for one in re.findall(r"^#+ (.*)$", text, flags=re.M)]
+    named = set(re.findall(r'<a id="([^"]+)"', text))
+    return named | {re.sub(r"[^\w\- ]", "", one.lower()).replace(" ", "-") for one in headings}
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda path: path.name)
+def test_links_to_a_section_lead_to_one(page: Path) -> None:
+    for link, anchor in re.findall(r"\]\(([^)#:]*)#([^)]+)\)", page.read_text(encoding="utf-8")):
+        where = page.parent / link if link else page
+        assert anchor in anchors(where), f"{page.name} links to {link}#{anchor}"
 
 
 NAMED = re.compile(r"`((?:pointpred|server|datasets|tests|benchmarks|pages|docs)/[a-z0-9_/.-]+\.[a-z]+)")

@@ -17,7 +17,7 @@ import time
 from collections import Counter
 from pathlib import Path
 
-from benchmarks.arguments import words
+from pages.arguments import words
 from pointpred.sources import read_any
 
 PROCESSES = 2000

@@ -5,7 +5,7 @@ or ``--each``, by a generator whose seed is the file's SHA-256; half of the dama
 options of the list, half with a mapping made of random columns, fields, units and paths. Reading must end in
 a recording that is in order or in an error of pointpred's own that names the file, within 5 s of the
 processor and 1 GiB. What does not is kept in a folder that is named, and the command ends in an error.
-Writes its part of ``docs/evidence/inputs.md``. Linux only.
+Keeps its numbers for ``docs/evidence/inputs.md``. Linux only.
 """
 
 from __future__ import annotations
@@ -29,8 +29,8 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pages.inputs.measure import LIST, PAGE, File, listed, reading_of
-from pages.markdown import filled
+from pages.data import keep
+from pages.inputs.measure import LIST, OUT, File, listed, reading_of
 from pointpred.errors import PointpredError
 from pointpred.recording import Recording
 from pointpred.sources import read_any
@@ -95,9 +95,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument("--each", type=int, default=EACH, help="damaged copies of a file")
     parser.add_argument("--seed", default="", help="other damages than those of the page")
     parser.add_argument("--only", default="", help="files whose path holds this")
-    parser.add_argument(
-        "--page", type=Path, default=PAGE, help="the page, instead of docs/evidence/inputs.md"
-    )
+    parser.add_argument("--out", type=Path, default=OUT, help="the numbers, instead of the page's JSON")
     given = parser.parse_args(arguments)
     files = [file for file in listed(LIST) if file.under(given.folder).is_file() and given.only in file.path]
     kept = Path(tempfile.mkdtemp(prefix="broken-"))
@@ -111,9 +109,10 @@ def main(arguments: Sequence[str] | None = None) -> None:
     for line in total.broken:
         print(line, file=sys.stderr)
     if not given.only and not given.seed:
-        text = f"{sum(total.ends.values())} damaged copies of {len(files)} files: {said(total)}."
-        page = filled(given.page.read_text(encoding="utf-8"), "fuzz", text)
-        given.page.write_text(page, encoding="utf-8")
+        counts = {"copies": sum(total.ends.values()), "files": len(files), "broken": len(total.broken)}
+        ends = {"read": total.ends["read"], "refused": total.ends["refused"]}
+        most = {"mib": round(total.mib), "s": round(total.s, 1)}
+        keep("inputs", {}, numbers={"fuzz": {**counts, **ends, **most}}, file=given.out)
     raise SystemExit(bool(total.broken))
 
 

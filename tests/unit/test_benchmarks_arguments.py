@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from benchmarks import per_event
-from benchmarks.arguments import words
+from pages.arguments import words
 
 ROOT = Path(__file__).parents[2]
 SERVANTS = {"benchmarks/devices_live", "benchmarks/service_load", "benchmarks/service_server"}

@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 
+from pages.data import Tables, read
 from pages.inputs import measure as inputs
 from pages.inputs.account import account
 from pages.inputs.independent import delimited
@@ -20,7 +21,6 @@ ROWS += [f"{10 * i},{5},{5},anna,still" for i in range(4)]
 ROWS += [f"{10 * i},{i},{i},anna," for i in range(2)]
 STREAM = ["t;x;y", *(f"{20 * i};{7 * i};0" for i in range(8)), *(f"{900 + 20 * i};{i};0" for i in range(5))]
 TOLD: dict[str, Any] = {"t": "ms", "x": "px", "y": "py", "user": "who", "trial": "n", "per_second": 1000}
-PAGE = "# Page\n\n<!-- generated: files -->\n<!-- end -->\n"
 
 
 @pytest.fixture
@@ -53,20 +53,20 @@ def write_list(folder: Path, *, sha256: str | None = None) -> Path:
     return path
 
 
-def run(folder: Path, listed: Path, *more: str) -> tuple[str, int]:
-    """The page that the command writes and its exit status."""
-    page = folder / "page.md"
-    page.write_text(PAGE, encoding="utf-8")
+def run(folder: Path, listed: Path, *more: str) -> tuple[Tables | None, int]:
+    """The numbers that the command keeps, and its exit status."""
+    out = folder / "data.json"
     with pytest.raises(SystemExit) as ended:
-        inputs.main([str(folder), "--list", str(listed), "--page", str(page), *more])
+        inputs.main([str(folder), "--list", str(listed), "--out", str(out), *more])
     code = ended.value.code
-    return page.read_text(encoding="utf-8"), code if isinstance(code, int) else 2
+    return read(out, Tables) if out.exists() else None, code if isinstance(code, int) else 2
 
 
 def test_every_row_is_read_or_left_out_with_its_reason(folder: Path) -> None:
-    page, code = run(folder, write_list(folder))
+    kept, code = run(folder, write_list(folder))
     assert code == 0
-    rows = [line.split(" | ") for line in page.splitlines() if line.startswith("| [")]
+    assert kept is not None
+    rows = kept.tables["files"].texts()
     assert [row[2] for row in rows] == [
         "`--columns t=ms,x=px,y=py,user=who,trial=n`",
         "`--cut bursts`",
@@ -74,8 +74,8 @@ def test_every_row_is_read_or_left_out_with_its_reason(folder: Path) -> None:
     assert [row[3:5] for row in rows] == [["1", "6"], ["2", "13"]]
     assert rows[0][5].startswith("4 no movement")
     assert "; 2 rows without user or trial" in rows[0][5]
-    assert "2 files of 2 sources" in page
-    assert "and 0 rows are lost" in page
+    totals = kept.numbers["totals"]
+    assert [totals[key] for key in ("files", "sources", "read", "lost")] == [2, 2, 2, 0]
 
 
 def test_a_row_that_no_reason_names_is_lost_and_a_value_that_differs_is_measured(folder: Path) -> None:
@@ -94,18 +94,18 @@ def test_a_row_that_no_reason_names_is_lost_and_a_value_that_differs_is_measured
     assert (off.px, round(off.s, 9), off.agrees) == (0.5, 0.25, False)
 
 
-def test_missing_and_other_files_are_named_and_the_page_is_kept(
+def test_missing_and_other_files_are_named_and_nothing_is_kept(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     listed = write_list(folder, sha256="0" * 64)
     (folder / "own+stream/s.csv").unlink()
-    page, code = run(folder, listed)
-    assert (page, code) == (PAGE, 2)
+    assert run(folder, listed) == (None, 2)
     said = capsys.readouterr().err
     assert "own+data" in said
     assert "own+stream" in said
-    page, code = run(folder, listed, "--partial")
-    assert "0 files" in page
+    kept, _ = run(folder, listed, "--partial")
+    assert kept is not None
+    assert kept.numbers["totals"]["files"] == 0
 
 
 @pytest.mark.parametrize(
@@ -121,9 +121,10 @@ def test_what_the_list_does_not_expect_fails(folder: Path, known: str, wrong: st
     text = listed.read_text(encoding="utf-8")
     assert known in text
     listed.write_text(text.replace(known, wrong), encoding="utf-8")
-    page, code = run(folder, listed)
+    kept, code = run(folder, listed)
     assert code == 1
-    assert page.count("not as expected") == 1
+    assert kept is not None
+    assert [row[3] for row in kept.tables["files"].texts()].count("**not as expected**") == 1
 
 
 def test_damaged_files_are_the_same_each_time_and_what_breaks_is_kept(

@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pages.kinematic.tables import FALLS_SHORT, card_lines
 from pointpred import REGISTRY, EventColumns, Motion, Pipeline, build, run
 from pointpred.columns import FloatArray
 from pointpred.datasets import sample
@@ -170,7 +169,6 @@ def test_the_card_says_what_the_file_is() -> None:
         assert f"| {one['name']} | {one['licence']} | {one['users']} | {one['trials']} |" in page
         assert f"{one['name']} ({one['licence']})" in notice
     assert "kinematic" in REGISTRY
-    assert card_lines() + "\n" + FALLS_SHORT in page
 
 
 def test_a_region_widens_with_its_tail() -> None:

@@ -1,0 +1,72 @@
+"""What docs/reference/predictors.md shows: the registry, and which predictor to take."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+
+from pages import data
+from pages.results.page import overall
+from pages.results.records import stored
+from pointpred.differentiators import DIFFERENTIATORS
+from pointpred.registry import GAINS, RECOMMENDED, REGISTRY, describe
+from pointpred.registry import parameters as values_of
+from pointpred.scoring import FLOOR
+
+
+def gains_of(name: str) -> dict[str, float]:
+    """What ``build(name)`` gives its differentiator, where the registry says it."""
+    stage = DIFFERENTIATORS[REGISTRY[name].differentiator]
+    chosen = GAINS | REGISTRY[name].preset
+    return {p.name: values_of(name)[p.name][1] for p in stage.parameters if p.name in chosen}
+
+
+def predictor(name: str) -> dict[str, Any]:
+    """One name of the registry: its own parameters, its differentiator, what it sets."""
+    one, entry = describe(name), REGISTRY[name]
+    own = {parameter.name for parameter in entry.predictor.parameters}
+    return {
+        **one,
+        "own": [p for p in one["parameters"] if p["of"] == "predictor"],
+        "gains": gains_of(name),
+        "sets": {key: value for key, value in entry.preset.items() if key in own},
+    }
+
+
+def differentiator(name: str) -> dict[str, Any]:
+    """One differentiator with the defaults of its class."""
+    stage = DIFFERENTIATORS[name]
+    own = [msgspec.structs.asdict(p) for p in stage.parameters]
+    return {"name": name, "title": (stage.__doc__ or "").strip().splitlines()[0], "own": own}
+
+
+def grouped() -> list[dict[str, Any]]:
+    """Which names use which gains."""
+    groups: dict[tuple[tuple[str, float], ...], list[str]] = {}
+    for name in REGISTRY:
+        groups.setdefault(tuple(gains_of(name).items()), []).append(name)
+    return [{"gains": dict(gains), "names": names} for gains, names in groups.items()]
+
+
+def streaming_us() -> dict[str, float]:
+    """Microseconds of an event in a live session, by name."""
+    cost = data.stored("costs", "events").tables["cost"]
+    at = cost.columns.index("streaming, ns")
+    return {str(row[0]).strip("`"): float(row[at]) / 1000 for row in cost.rows}
+
+
+def context() -> dict[str, Any]:
+    """What the template needs."""
+    together = overall(stored())
+    return {
+        "recommended": RECOMMENDED,
+        "floor": FLOOR,
+        "shares": together["shares"],
+        "wins": dict(together["wins"]),
+        "recorded": together["recorded"],
+        "costs": streaming_us(),
+        "predictors": [predictor(name) for name in REGISTRY],
+        "differentiators": [differentiator(name) for name in DIFFERENTIATORS],
+        "groups": grouped(),
+    }
