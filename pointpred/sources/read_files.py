@@ -68,9 +68,9 @@ def _file(path: Path, reading: Reading) -> Recording:
     form = format_of(path, reading)
     if form is None:
         if advice := unsupported.advice(head_of(path)):
-            raise RecordingError(f"{path}: {advice}")
+            raise RecordingError(f"{path}: {advice}", code="unknown_format")
         tried = ", ".join(form.title for form in FORMATS)
-        raise RecordingError(f"{path}: no known recording format; tried {tried}")
+        raise RecordingError(f"{path}: no known recording format; tried {tried}", code="unknown_format")
     return _read(form, path, reading)
 
 
@@ -135,7 +135,9 @@ def _folder(path: Path, reading: Reading, progress: Progress | None) -> list[Rec
     parts = _distinct(own + [_joined(parts) for parts in foreign.values()])
     if not parts:
         reasons = [skip.reason for skip in skipped] + notes
-        raise RecordingError("; ".join([f"{path}: no recording among {len(files)} files", *reasons[:3]]))
+        raise RecordingError(
+            "; ".join([f"{path}: no recording among {len(files)} files", *reasons[:3]]), code="no_recording"
+        )
     parts[0] = msgspec.structs.replace(
         parts[0], skipped=(*parts[0].skipped, *skipped), notes=(*parts[0].notes, *notes)
     )

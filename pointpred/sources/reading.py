@@ -1,4 +1,4 @@
-"""What a reader must be told because the file does not say it."""
+"""How a recording is read: everything that its file may not say."""
 
 from __future__ import annotations
 
@@ -91,7 +91,7 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
         )
         for name, value, good, bound in bounds:
             if not good:
-                raise ParameterError(f"{name} must be {bound}, received {value!r}")
+                raise ParameterError(f"{name} must be {bound}, received {value!r}", field=name, value=value)
         _check_columns(self.columns or {})
 
 
@@ -108,7 +108,7 @@ def columns_of(text: str) -> dict[str, str | int]:
         field, equals, column = part.strip().partition("=")
         if not equals or field in columns:
             why = f"{field} is named twice" if equals else f"{part!r} has no ="
-            raise ParameterError(f"columns must be like t=time,x=px,y=py: {why}")
+            raise ParameterError(f"columns must be like t=time,x=px,y=py: {why}", field="columns", value=text)
         columns[field.strip()] = column.strip()
     return columns
 
@@ -118,12 +118,18 @@ def _check_columns(columns: dict[str, str | int]) -> None:
     owners: dict[str, str] = {}
     for field, column in columns.items():
         if field not in FIELDS:
-            raise ParameterError(f"columns: unknown field {field!r}; known: {', '.join(FIELDS)}")
+            raise ParameterError(
+                f"columns: unknown field {field!r}; known: {', '.join(FIELDS)}", field="columns", value=field
+            )
         if not str(column).strip():
-            raise ParameterError(f"columns: {field} needs the name of a column, received none")
+            raise ParameterError(
+                f"columns: {field} needs the name of a column, received none", field="columns", value=field
+            )
         if str(column) in owners:
             raise ParameterError(
-                f"columns: {str(column)!r} is both {owners[str(column)]} and {field}; name a column once"
+                f"columns: {str(column)!r} is both {owners[str(column)]} and {field}; name a column once",
+                field="columns",
+                value=column,
             )
         owners[str(column)] = field
 

@@ -81,16 +81,19 @@ def test_a_character_across_two_blocks_is_no_fault(tmp_path: Path, monkeypatch: 
 def test_what_is_no_text_is_refused(tmp_path: Path, data: bytes, packed: bool) -> None:
     path = tmp_path / "file"
     path.write_bytes(gzip.compress(data) if packed else data)
-    with pytest.raises(RecordingError, match="file: "):
+    with pytest.raises(RecordingError, match="file: ") as refused:
         read_text(path)
+    utf_16 = data.startswith((b"\xff\xfe", b"\xfe\xff"))
+    assert refused.value.code == ("damaged_file" if utf_16 else "not_text")
 
 
 @pytest.mark.parametrize("keep", [3, 12, 30])
 def test_a_damaged_gzip_file_is_refused(tmp_path: Path, keep: int) -> None:
     path = tmp_path / "file.gz"
     path.write_bytes(gzip.compress(TEXT.encode())[:keep])
-    with pytest.raises(RecordingError, match=r"file\.gz: damaged"):
+    with pytest.raises(RecordingError, match=r"file\.gz: ") as refused:
         read_text(path)
+    assert refused.value.code == "damaged_file"
     with pytest.raises(RecordingError, match=r"file\.gz: "):
         read_any(path)
 

@@ -60,7 +60,9 @@ class HidSource(ReaderSource):
         """Open a device and learn its reports; raises SourceError."""
         info = device_info(device)
         if not info.openable:
-            raise SourceError(f"{device.described}: {info.why}; {info.advice}")
+            raise SourceError(
+                f"{device.described}: {info.why}; {info.advice}", code="cannot_open", value=device.path
+            )
         handle: Any = hidraw().device()
         try:
             handle.open_path(device.path.encode())

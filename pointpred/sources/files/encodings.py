@@ -106,7 +106,7 @@ def open_unpacked(path: Path) -> Iterator[BinaryIO]:
             with gzip.GzipFile(fileobj=raw, mode="rb") as file:
                 yield cast(BinaryIO, file)
     except DAMAGED as error:
-        raise RecordingError(f"{path}: damaged gzip file: {error}") from error
+        raise RecordingError(f"{path}: damaged gzip file: {error}", code="damaged_file") from error
     except OSError as error:
         raise RecordingError(f"{path}: cannot be read: {error.strerror or error}") from error
 
@@ -119,7 +119,9 @@ def open_text(path: Path) -> Iterator[TextIO]:
         with open_unpacked(path) as file, io.TextIOWrapper(file, encoding=name) as text:
             yield text
     except UnicodeDecodeError as error:  # UTF-16 alone: it is taken by its mark
-        raise RecordingError(f"{path}: damaged {name.upper()} text: {error.reason}") from error
+        raise RecordingError(
+            f"{path}: damaged {name.upper()} text: {error.reason}", code="damaged_file"
+        ) from error
 
 
 @contextmanager
@@ -141,7 +143,7 @@ def read_text(path: Path) -> str:
     with open_text(path) as file:
         text = file.read()
     if not text.strip():
-        raise RecordingError(f"{path}: the file is empty, expected a recording")
+        raise RecordingError(f"{path}: the file is empty, expected a recording", code="empty_file")
     return text
 
 
@@ -159,7 +161,7 @@ def head_of(path: Path, most: int = HEAD_BYTES) -> bytes:
     with open_unpacked(path) as file:
         head = file.read(most)
     if not head:
-        raise RecordingError(f"{path}: the file is empty, expected a recording")
+        raise RecordingError(f"{path}: the file is empty, expected a recording", code="empty_file")
     if head.startswith(UTF_16):
         head = head.decode("utf-16", "ignore").encode("utf-8", "ignore")
     elif _odd(codecs.getincrementaldecoder("utf-8")(), head, 0) >= 0 and not CONTROLS.search(head):
@@ -210,7 +212,9 @@ def _blocks(path: Path, file: BinaryIO, place: int = 0) -> Iterator[bytes]:
     while block := file.read(BLOCK_BYTES):
         place += len(block)
         if place > MOST_BYTES:
-            raise RecordingError(f"{path}: more than {MOST_BYTES} bytes, at most so many are read")
+            raise RecordingError(
+                f"{path}: more than {MOST_BYTES} bytes, at most so many are read", code="too_large"
+            )
         yield block
 
 
@@ -231,5 +235,7 @@ def _odd(decoder: codecs.IncrementalDecoder, block: bytes, place: int) -> int:
 
 def _binary(path: Path, place: int, what: str) -> RecordingError:
     return RecordingError(
-        f"{path}: byte {place} {what}, so this is no text (binary, or UTF-16 without a mark?)"
+        f"{path}: byte {place} {what}, so this is no text (binary, or UTF-16 without a mark?)",
+        code="not_text",
+        value=place,
     )

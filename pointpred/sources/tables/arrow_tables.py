@@ -72,7 +72,9 @@ def read_table(path: Path, text: Callable[[str], bool], separator: str = ",") ->
             raise RecordingError(f"{path}: column {name!r} holds {kind}, expected words or numbers")
     if header.rows not in (None, table.num_rows):
         raise RecordingError(
-            f"{path}: truncated, it holds {table.num_rows} rows, expected {header.rows} rows"
+            f"{path}: truncated, it holds {table.num_rows} rows, expected {header.rows} rows",
+            code="truncated",
+            value=table.num_rows,
         )
     unbroken(path, table, [name for name in names if not text(name)])
     return table, header
@@ -82,7 +84,9 @@ def check_names(path: Path, names: Sequence[str]) -> None:
     """Raise RecordingError where two columns have one name."""
     twice = sorted({name for name in names if names.count(name) > 1})
     if twice:
-        raise RecordingError(f"{path}: column {twice[0]!r} occurs twice, expected every column once")
+        raise RecordingError(
+            f"{path}: column {twice[0]!r} occurs twice, expected every column once", field=twice[0]
+        )
 
 
 def parquet_names(path: Path) -> tuple[bool, set[str]]:
@@ -116,7 +120,9 @@ def _rows(path: Path, file: BinaryIO, text: Callable[[str], bool], separator: st
     columns = file.readline(1 << 26) if marked else first
     header = _header(path, first[len(MARK) :] if marked else None)
     if marked and not is_ended(path):
-        raise RecordingError(f"{path}: truncated, the last row does not end with a line break")
+        raise RecordingError(
+            f"{path}: truncated, the last row does not end with a line break", code="truncated"
+        )
     names = next(csv.reader(columns.decode().splitlines()[:1], delimiter=separator), [])
     words = {name: pa.string() for name in names if text(name)}
     numeric = {name: pa.float64() for name in names if name not in words}
@@ -247,7 +253,15 @@ def need_columns(path: Path, names: Iterable[str], required: Iterable[str], vali
     names, valid = list(names), list(valid)
     missing = [name for name in required if name not in names]
     if missing:
-        raise RecordingError(f"{path}: column {missing[0]!r} is missing, found {', '.join(names)}")
+        raise RecordingError(
+            f"{path}: column {missing[0]!r} is missing, found {', '.join(names)}",
+            code="missing_column",
+            field=missing[0],
+        )
     unknown = [name for name in names if name not in valid]
     if unknown:
-        raise RecordingError(f"{path}: unknown column {unknown[0]!r}, expected only {', '.join(valid)}")
+        raise RecordingError(
+            f"{path}: unknown column {unknown[0]!r}, expected only {', '.join(valid)}",
+            code="unknown_column",
+            field=unknown[0],
+        )
