@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, get_type_hints
 
 import msgspec
 import numpy as np
@@ -16,19 +16,14 @@ from pointpred.protocol.client_messages import CLIENT_MESSAGES, SUBPROTOCOL
 from pointpred.protocol.live_messages import LIVE_MESSAGES
 from pointpred.protocol.records import EVENT, NO_COUNTS, PREDICTION, pack_predictions
 from pointpred.protocol.server_messages import SERVER_MESSAGES
+from pointpred.server.sessions.pointing import PointingSession
 
 CHANNEL = {"$ref": "#/channels/stream"}
-REPLIES = {
-    "hello": ["welcome"],
-    "events": ["prediction", "binaryPredictions", "cursor", "choice"],
-    "binaryEvents": ["prediction", "binaryPredictions", "cursor", "choice"],
-    "targets": ["targetsTaken", "choice"],
-    "trial": ["score", "choice"],
-    "configure": ["welcome", "choice"],
-    "reset": ["choice"],
-    "person": ["knownPerson", "choice"],
-    "bye": [],
-}
+PREDICTIONS = ["prediction", "binaryPredictions", "cursor"]
+LATER = {"events": PREDICTIONS, "trial": ["score"]}
+"""Replies that a handler does not return, because they are made elsewhere."""
+NO_CHOICES = ("hello", "bye")
+"""All other messages may change which target is proposed."""
 
 
 def document() -> dict[str, Any]:
@@ -164,12 +159,27 @@ def _binary(summary: str, fields: list[tuple[str, str]], example: bytes) -> dict
     }
 
 
+def replies() -> dict[str, list[str]]:
+    """The keys of the messages that answer each message: those that its handler returns, and later ones."""
+    client, server = keys()
+    key_of = {kind: key for key, kind in server.items()}
+    by_message: dict[str, list[str]] = {}
+    for key, kind in client.items():
+        returned = get_type_hints(PointingSession.handlers[kind])["return"]
+        answers = [key_of[returned]] if returned in key_of else []
+        choices = [] if key in NO_CHOICES else ["choice"]
+        by_message[key] = answers + LATER.get(key, []) + choices
+        if key == "events":
+            by_message["binaryEvents"] = by_message[key]
+    return by_message
+
+
 def _operations() -> dict[str, Any]:
     def refs(names: list[str]) -> list[dict[str, str]]:
         return [{"$ref": f"#/channels/stream/messages/{name}"} for name in names]
 
     operations: dict[str, Any] = {}
-    for name, answers in REPLIES.items():
+    for name, answers in replies().items():
         said = {"action": "receive", "channel": CHANNEL, "messages": refs([name])}
         if answers:
             said["reply"] = {"channel": CHANNEL, "messages": refs([*answers, "error"])}

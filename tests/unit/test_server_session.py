@@ -6,8 +6,10 @@ from typing import Any
 import pytest
 
 from pointpred import REGISTRY
+from pointpred.protocol.client_messages import CLIENT_MESSAGES
 from pointpred.protocol.server_messages import Limits
-from pointpred.server.sessions.lifecycle import HELLO_S
+from pointpred.server.sessions.lifecycle import HELLO_S, TRANSITIONS, State, Trigger
+from pointpred.server.sessions.pointing import PointingSession
 from tests.unit.talking import EVENT, PREDICTION, Talk, events, hello, packed
 
 ROW = [0.5, 3.0, 4.0, None, None, 0]
@@ -212,3 +214,15 @@ def test_limits_are_those_of_the_session() -> None:
 
 def test_the_packed_records_have_the_sizes_of_the_contract() -> None:
     assert (EVENT.size, PREDICTION.size) == (30, 65)
+
+
+def test_every_message_has_a_handler() -> None:
+    assert PointingSession.handlers.keys() == set(CLIENT_MESSAGES)
+
+
+def test_every_state_is_reached_and_left_as_the_table_says() -> None:
+    assert TRANSITIONS.keys() == set(State)
+    reached = {state for row in TRANSITIONS.values() for state in row.values()}
+    assert reached == set(State) - {State.CONNECTING}
+    assert all(Trigger.CLOSE in row for state, row in TRANSITIONS.items() if state is not State.CLOSED)
+    assert not TRANSITIONS[State.CLOSED]
