@@ -15,7 +15,7 @@ import pytest
 
 from pointpred import RECOMMENDED, REGISTRY, EventColumns, build, run
 from pointpred.client import connect, connect_async
-from pointpred.client.dialogue import Dialogue
+from pointpred.client.session import hello_message
 from tests.unit.talking import Talk, events
 
 ROWS = [[i / 60, 3.0 * i * i, 0.5 * i * i, None, None, 0] for i in range(12)]
@@ -55,7 +55,7 @@ def test_every_default_is_the_recommended_one() -> None:
     assert {
         "pointpred.cli.live.live",
         "pointpred.cli.replay.replay",
-        "pointpred.client.dialogue.Dialogue.__init__",
+        "pointpred.client.session.hello_message",
         "pointpred.replaying.socket.replay_to",
     } <= set(found)
 
@@ -79,8 +79,8 @@ def test_the_scripts_say_it(script: str, default: str) -> None:
 
 @pytest.mark.parametrize("call", [connect, connect_async])
 def test_the_python_client_says_it(call: Callable[..., Any]) -> None:
-    assert "predictor" not in inspect.signature(call).parameters  # both hand it to the dialogue
-    assert msgspec.to_builtins(Dialogue().hello)["predictor"] == RECOMMENDED
+    assert "predictor" not in inspect.signature(call).parameters  # both pass it to hello_message
+    assert msgspec.to_builtins(hello_message())["predictor"] == RECOMMENDED
 
 
 @pytest.mark.parametrize("more", [{}, {"assist": {}, "device": {"cpi": 1000}}])

@@ -17,7 +17,7 @@ from websockets.exceptions import ConnectionClosed
 from websockets.sync.server import ServerConnection, serve
 
 from pointpred.client import AsyncConnection, Connection, ServiceError, connect, connect_async
-from pointpred.client.dialogue import KEPT_NOTICES, Dialogue
+from pointpred.client.session import KEPT_NOTICES, ClientSession, hello_message
 from pointpred.errors import ParameterError, SourceError
 from pointpred.protocol.server_messages import ErrorMessage, Limits, PredictionMessage, Welcome, encode
 from tests.server.listener import Listener, soon
@@ -62,7 +62,8 @@ def calls(kind: type) -> dict[str, list[str]]:
 
 def test_both_connections_have_the_same_calls() -> None:
     assert calls(AsyncConnection) == calls(Connection)
-    for name in set(calls(Connection)) - {"greet"}:
+    shared = {"choices", "proposed", "cursor", "welcome", "limits", "notices", "noticed"}
+    for name in (calls(Connection).keys() | shared) - {"start"}:
         assert re.search(rf"\| .*`{name}\b", PAGE.read_text()), f"{name} is not in {PAGE.name}"
 
 
@@ -160,7 +161,7 @@ def test_predictions_do_not_lengthen_the_wait_for_an_answer() -> None:
 
 def test_a_client_that_was_told_more_than_it_read_can_leave(monkeypatch: pytest.MonkeyPatch) -> None:
     """The library's reader stands still while many frames wait to be read; leaving must not wait for it."""
-    monkeypatch.setattr("pointpred.client.connection.QUEUE", 4)
+    monkeypatch.setattr("pointpred.client.session.QUEUE", 4)
     all_is_said = threading.Event()
 
     def flood(socket: ServerConnection) -> None:
@@ -180,9 +181,9 @@ def test_a_client_that_was_told_more_than_it_read_can_leave(monkeypatch: pytest.
 
 
 def test_the_newest_notices_are_kept_and_all_are_counted() -> None:
-    talk = Dialogue()
+    talk = ClientSession(hello_message())
     for _ in range(KEPT_NOTICES + 5):
-        assert talk.heard(GAVE_WAY) is None
+        assert talk.receive(GAVE_WAY) is None
     assert len(talk.notices) == KEPT_NOTICES
     assert talk.noticed == KEPT_NOTICES + 5
 

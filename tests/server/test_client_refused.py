@@ -13,8 +13,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pointpred.client import ServiceError, connect, connect_async
-from pointpred.client.dialogue import Dialogue
-from pointpred.protocol.server_messages import Limits, Welcome, encode
+from pointpred.client.session import ClientSession, hello_message
+from pointpred.protocol.server_messages import Limits, Welcome
 from pointpred.server.sessions.pointing import PointingSession
 from tests.server.listener import Listener
 
@@ -22,19 +22,19 @@ Rows = Sequence[tuple[float, float, float]]
 
 
 class Pair:
-    """A dialogue and a session without a socket: answers are heard when the test says so."""
+    """The sessions of a client and of the server without a socket: answers arrive when the test wants it."""
 
     def __init__(self, **hello: Any) -> None:
-        self.dialogue = Dialogue(predictor="hold", **hello)
+        self.client = ClientSession(hello_message(predictor="hold", **hello))
         self.session = PointingSession("here", Limits(), 0.0)
-        self.tell(encode(self.dialogue.hello).decode())
+        self.tell(self.client.hello_frame())
         assert self.hear() == []
 
     def tell(self, frame: str | bytes) -> None:
         self.session.receive(frame, 0.0)
 
     def send(self, rows: Rows) -> None:
-        for frame in self.dialogue.events(rows):
+        for frame in self.client.event_frames(rows):
             self.tell(frame)
 
     def hear(self) -> list[str]:
@@ -45,13 +45,13 @@ class Pair:
         codes = []
         for frame in frames:
             try:
-                self.dialogue.heard(frame)
+                self.client.receive(frame)
             except ServiceError as error:
                 codes.append(error.code)
         return codes
 
     def times(self) -> list[float]:
-        return self.dialogue.take_all().t.tolist()
+        return self.client.take_all().t.tolist()
 
 
 BAD: dict[str, tuple[Rows, str, list[float]]] = {
@@ -76,14 +76,14 @@ def test_nothing_is_awaited_for_a_refused_frame(
     pair.send([(1.0, 0, 0)])
     assert pair.hear() == []
     pair.send(rows)
-    assert not pair.dialogue.answered
+    assert not pair.client.answered
     assert pair.hear() == [code]
-    assert pair.dialogue.answered
+    assert pair.client.answered
     assert pair.times() == [1.0, *kept]
     pair.send([(2.0, 0, 0)])
-    assert not pair.dialogue.answered
+    assert not pair.client.answered
     assert pair.hear() == []
-    assert pair.dialogue.answered
+    assert pair.client.answered
     assert pair.times() == [2.0]
 
 
@@ -99,40 +99,40 @@ def test_frames_sent_before_the_refusal_was_heard(rows: Rows, together: bool) ->
             answers += pair.session.outbox.take()
     refused = 0
     for frame in answers or pair.session.outbox.take():
-        assert not pair.dialogue.answered
+        assert not pair.client.answered
         try:
-            pair.dialogue.heard(frame)
+            pair.client.receive(frame)
         except ServiceError:
             refused += 1
     assert refused == 1
-    assert pair.dialogue.answered
+    assert pair.client.answered
     assert pair.times()[-1] == 2.0
-    assert len(pair.dialogue.notices) == together
+    assert len(pair.client.notices) == together
 
 
 def test_a_refused_first_event_leaves_the_start_over_in_force() -> None:
     pair = Pair(reply="event")
     pair.send([(9.0, 0, 0)])
-    pair.tell(pair.dialogue.reset())
+    pair.tell(pair.client.reset_frame())
     pair.send([(0.0, math.nan, 0)])
     pair.send([(1.0, 0, 0)])
     assert pair.hear() == ["bad_field"]
-    assert pair.dialogue.answered
+    assert pair.client.answered
     pair.send([(0.9, 0, 0)])
     assert pair.hear() == ["out_of_order"]
-    assert pair.dialogue.answered
+    assert pair.client.answered
 
 
 def test_what_else_is_refused_leaves_events_awaited() -> None:
     pair = Pair()
-    pair.tell(pair.dialogue.configure(predictor="nobody"))
+    pair.tell(pair.client.configure_frame(predictor="nobody"))
     pair.send([(1.0, 0, 0)])
     refusal, prediction = pair.session.outbox.take()
     with pytest.raises(ServiceError, match="unknown_predictor"):
-        pair.dialogue.heard(refusal)
-    assert not pair.dialogue.answered
-    pair.dialogue.heard(prediction)
-    assert pair.dialogue.answered
+        pair.client.receive(refusal)
+    assert not pair.client.answered
+    pair.client.receive(prediction)
+    assert pair.client.answered
 
 
 def test_the_call_after_a_refusal_gives_what_comes_after() -> None:
@@ -166,14 +166,14 @@ def test_the_call_after_a_refusal_for_asyncio() -> None:
 def test_a_welcome_forgets_nothing_that_was_asked() -> None:
     pair = Pair()
     pair.send([(1.0, 0, 0)])
-    pair.tell(pair.dialogue.configure(predictor="linear"))
-    assert not pair.dialogue.answered
+    pair.tell(pair.client.configure_frame(predictor="linear"))
+    assert not pair.client.answered
     assert pair.hear() == []
-    pair.dialogue.configured(predictor="linear")
-    assert isinstance(pair.dialogue.welcome, Welcome)
+    pair.client.configured(predictor="linear")
+    assert isinstance(pair.client.greeting, Welcome)
     pair.send([(0.5, 0, 0)])  # another predictor begins without memory
     assert pair.hear() == []
-    assert pair.dialogue.answered
+    assert pair.client.answered
 
 
 def test_the_newest_of_equal_times_speaks_for_those_that_gave_way() -> None:
@@ -181,7 +181,7 @@ def test_the_newest_of_equal_times_speaks_for_those_that_gave_way() -> None:
     for x in range(3):
         pair.send([(1.0, x, 0)])
     assert pair.hear() == []
-    assert pair.dialogue.answered
+    assert pair.client.answered
 
 
 TIMES = st.sampled_from([0.0, 1.0, 1.0, 2.0, 3.0, 4.0, 1e12, math.nan])
@@ -197,17 +197,17 @@ def test_whatever_is_sent_the_last_answer_is_the_last_awaited(steps: list[Any], 
     answers: deque[list[str | bytes]] = deque()
     for step in steps:
         if step == "reset":
-            pair.tell(pair.dialogue.reset())
+            pair.tell(pair.client.reset_frame())
         elif step == "hear" and answers:
-            assert not pair.dialogue.answered
+            assert not pair.client.answered
             pair.take_in(answers.popleft())
         elif isinstance(step, list):
             pair.send([(t, 0.0, 0.0) for t in step])
             answers.append(pair.session.outbox.take())
     for frames in answers:
-        assert not pair.dialogue.answered
+        assert not pair.client.answered
         pair.take_in(frames)
-    assert pair.dialogue.answered
+    assert pair.client.answered
 
 
 @given(steps=STEPS, reply=st.sampled_from(["frame", "event"]))
@@ -217,12 +217,12 @@ def test_nothing_is_awaited_once_all_is_heard_though_predictions_gave_way(
     pair = Pair(reply=reply)
     for step in steps:
         if step == "reset":
-            pair.tell(pair.dialogue.reset())
+            pair.tell(pair.client.reset_frame())
         elif step == "hear":
             pair.hear()
-            assert pair.dialogue.answered
+            assert pair.client.answered
         else:
             pair.send([(t, 0.0, 0.0) for t in step])
-            assert not pair.dialogue.answered
+            assert not pair.client.answered
     pair.hear()
-    assert pair.dialogue.answered
+    assert pair.client.answered

@@ -12,7 +12,7 @@ import pytest
 
 from pointpred import EventColumns, PointerEvent, build, client, run
 from pointpred.client import ServiceError
-from pointpred.client.wire import address
+from pointpred.client.session import service_address
 from pointpred.datasets import sample
 from pointpred.errors import EventError, ParameterError, SourceError
 from pointpred.protocol.frames import packable
@@ -223,9 +223,9 @@ def test_the_same_calls_for_asyncio(listener: Listener) -> None:
     ],
 )
 def test_addresses(given: str, wanted: str) -> None:
-    assert address(given) == wanted
+    assert service_address(given) == wanted
     with pytest.raises(ParameterError, match="must be ws"):
-        address("127.0.0.1:8765")
+        service_address("127.0.0.1:8765")
 
 
 def test_counts_that_do_not_fit_are_not_packed() -> None:

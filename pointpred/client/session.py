@@ -1,0 +1,333 @@
+"""The client's side of a session without a socket: what to send, and what an answer means.
+
+``Connection`` and ``AsyncConnection`` add the socket, and nothing else.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any, Self
+from urllib.parse import urlsplit, urlunsplit
+
+import msgspec
+import numpy as np
+from websockets.exceptions import ConnectionClosed
+from websockets.typing import Subprotocol
+
+from pointpred.client.unanswered import UnansweredFrames
+from pointpred.columns import EventColumns, PredictionColumns
+from pointpred.errors import EventError, ParameterError, PointpredError, SourceError
+from pointpred.events import PointerEvent
+from pointpred.protocol.client_messages import (
+    SUBPROTOCOL,
+    VERSION,
+    Bye,
+    ClientMessage,
+    Configure,
+    Encoding,
+    Goal,
+    Hello,
+    Person,
+    Reply,
+    Reset,
+    Target,
+    Targets,
+    TrialMark,
+)
+from pointpred.protocol.decoding import decode_server_message
+from pointpred.protocol.frames import Frame, event_frames, message_of, row_of
+from pointpred.protocol.records import NONE, unpack_predictions
+from pointpred.protocol.server_messages import (
+    Choice,
+    Cursor,
+    ErrorMessage,
+    Likely,
+    Limits,
+    PredictionMessage,
+    Welcome,
+    encode,
+)
+from pointpred.registry import RECOMMENDED
+
+Row = Sequence[float | None]
+"""t, x, y and then, where they are known, dx, dy, buttons."""
+STREAM_PATH = "/v1/stream"
+QUEUE = 1024
+"""Frames kept for a script that does not read; then the service keeps only its newest prediction."""
+KEPT_NOTICES = 100
+"""The newest notices that are kept; ``noticed`` counts them all."""
+KEPT_CHOICES = 1000
+"""The newest choices that are kept until they are taken."""
+
+
+class ServiceError(PointpredError, ValueError):
+    """The service refused something: ``code``, ``path``, ``field``, ``value`` of its ``error`` message."""
+
+    def __init__(self, answer: ErrorMessage) -> None:
+        place = f" at {answer.path}" if answer.path else ""
+        field = "" if answer.field is msgspec.UNSET else answer.field
+        value = None if answer.value is msgspec.UNSET else answer.value
+        super().__init__(
+            f"{answer.code}{place}: {answer.message}", code=answer.code, field=field, value=value
+        )
+        self.path = answer.path
+        self.recoverable = answer.recoverable
+
+
+class ClientSession:
+    """Remembers what was sent and what is still unanswered; not safe for threads."""
+
+    def __init__(self, hello: Hello, timeout_s: float = 10.0) -> None:
+        self.hello = hello
+        self.timeout_s = timeout_s
+        """The longest wait for an answer."""
+        self.greeting: Welcome | None = None
+        """The newest welcome of the service; ``None`` before the first."""
+        self.notices: deque[ErrorMessage] = deque(maxlen=KEPT_NOTICES)
+        """The newest messages about predictions that newer ones replaced; they break nothing."""
+        self.noticed = 0
+        """How many of them there were."""
+        self.cursor: Cursor | None = None
+        """Where the service has put the cursor, in a session opened with ``assist``; the newest received."""
+        self._rows: deque[tuple[list[float], list[Likely] | msgspec.UnsetType]] = deque()
+        self._choices: deque[Choice] = deque(maxlen=KEPT_CHOICES)
+        self._proposed: list[str] = []
+        self._unanswered = UnansweredFrames()
+
+    @property
+    def dialogue(self) -> Self:
+        """The connection itself: earlier versions had ``notices`` and ``noticed`` here."""
+        return self
+
+    @property
+    def welcome(self) -> Welcome:
+        """The newest welcome of the service."""
+        assert self.greeting is not None
+        return self.greeting
+
+    @property
+    def limits(self) -> Limits:
+        """What the session may do."""
+        return self.welcome.limits
+
+    @property
+    def proposed(self) -> str | None:
+        """The newest of the targets that are proposed, as far as it was received."""
+        return self._proposed[-1] if self._proposed else None
+
+    @property
+    def answered(self) -> bool:
+        """Whether every event has its prediction, or the error that refused it."""
+        return not self._unanswered
+
+    def choices(self) -> list[Choice]:
+        """What was proposed and retracted since the last call, oldest first, without waiting.
+
+        The choices of an event are received before its prediction: once a prediction is there, so are its
+        choices. The newest thousand are kept.
+        """
+        choices = list(self._choices)
+        self._choices.clear()
+        return choices
+
+    def take(self) -> PredictionMessage | None:
+        """The oldest prediction not yet taken, ``None`` where there is none."""
+        return message_of(*self._rows.popleft()) if self._rows else None
+
+    def take_all(self) -> PredictionColumns:
+        """Every prediction not yet taken."""
+        rows = [row for row, _ in self._rows]
+        self._rows.clear()
+        return PredictionColumns(np.array(rows, dtype=np.float64).reshape(-1, len(PredictionColumns.names)))
+
+    def hello_frame(self) -> Frame:
+        """Begins the session."""
+        return self._text(self.hello)
+
+    def event_frames(self, events: EventColumns | Iterable[PointerEvent | Row]) -> Iterator[Frame]:
+        """Frames to send, one after another; each counts as sent once it is taken."""
+        if self.greeting is None:
+            raise ParameterError("events may be sent after the service has sent welcome")
+        for frame, part in event_frames(columns_of(events), self.hello.encoding, self.limits):
+            self._unanswered.add(part.table, each=self.hello.reply == "event")
+            yield frame
+
+    def targets_frame(self, targets: Iterable[dict[str, Any] | Target]) -> Frame:
+        """Replaces the set of targets."""
+        plain = [msgspec.to_builtins(each) for each in targets]
+        return self._text(_fit(Targets, {"type": "targets", "targets": plain}))
+
+    def trial_frame(self, action: str, target: dict[str, float] | Goal | None) -> Frame:
+        """Starts or ends a trial; a start forgets every event, as ``reset`` does."""
+        mark = {"type": "trial", "action": action, "target": msgspec.to_builtins(target)}
+        frame = self._text(_fit(TrialMark, mark))
+        if action == "start":
+            self._unanswered.restart()
+        return frame
+
+    def configure_frame(self, **changes: Any) -> Frame:
+        """Changes the predictor, its parameters or the kind of reply."""
+        return self._text(_fit(Configure, {"type": "configure", **changes}))
+
+    def configured(self, **changes: Any) -> None:
+        """The service accepted the changes."""
+        if "reply" in changes:
+            self.hello.reply = changes["reply"]
+        if {"predictor", "parameters"} & changes.keys():
+            self._unanswered.restart()
+
+    def person_frame(self, replacement: str | None) -> Frame:
+        """Asks what is known of the person; with a ``replacement`` the session begins anew, knowing that."""
+        frame = self._text(_fit(Person, {"type": "person", "person": replacement}))
+        if replacement is not None:
+            self._unanswered.restart()
+        return frame
+
+    def reset_frame(self) -> Frame:
+        """Forgets every event."""
+        self._unanswered.restart()
+        return self._text(Reset())
+
+    def bye_frame(self) -> Frame:
+        """Ends the session."""
+        return self._text(Bye())
+
+    def receive(self, frame: Frame) -> msgspec.Struct | None:
+        """Take in a frame: returns a message that somebody waits for, ``None`` for what is kept here.
+
+        Raises ServiceError for an error.
+        """
+        if isinstance(frame, bytes):
+            for row in unpack_predictions(frame):
+                self._add_prediction(row)
+            return None
+        message = decode_server_message(frame)
+        if isinstance(message, PredictionMessage):
+            self._add_prediction(row_of(message), message.targets)
+            return None
+        if isinstance(message, Choice):
+            self._choices.append(message)
+            self._proposed = [id for id in self._proposed if id != message.id]
+            if message.action == "propose":
+                self._proposed.append(message.id)
+            return None
+        if isinstance(message, Cursor):
+            self.cursor = message
+            return None
+        if isinstance(message, ErrorMessage):
+            if not (message.code == "slow" and message.recoverable):
+                self._unanswered.refuse(message)
+                raise ServiceError(message)
+            self._unanswered.skip()
+            self.notices.append(message)
+            self.noticed += 1
+            return None
+        if isinstance(message, Welcome):
+            self.greeting = message
+        return message
+
+    def _add_prediction(
+        self, row: list[float], likely: list[Likely] | msgspec.UnsetType = msgspec.UNSET
+    ) -> None:
+        self._rows.append((row, likely))
+        self._unanswered.answer(row[0])
+
+    def _text(self, message: ClientMessage) -> str:
+        """Raises ParameterError where the service would end the session for the size of the message."""
+        text = encode(message)
+        if self.greeting is not None and len(text) > (most := self.limits.max_frame_bytes):
+            kind = message.__struct_config__.tag
+            sentence = f"{kind}: a frame holds at most {most} bytes, received {len(text)}"
+            raise ParameterError(sentence, field=str(kind), value=len(text))
+        return text.decode()
+
+
+def hello_message(
+    predictor: str = RECOMMENDED,
+    parameters: dict[str, Any] | None = None,
+    device: dict[str, float] | None = None,
+    screen: dict[str, float] | None = None,
+    reply: Reply = "frame",
+    encoding: Encoding = "binary",
+    assist: dict[str, Any] | None = None,
+    **others: Any,
+) -> Hello:
+    """The first message of a session; raises ParameterError where a field does not fit the protocol."""
+    fields = {"predictor": predictor, "parameters": parameters or {}, "device": device, **others}
+    fields |= {"screen": screen, "reply": reply, "encoding": encoding}
+    fields |= {} if assist is None else {"assist": assist}
+    hello: Hello = _fit(Hello, {"type": "hello", "version": VERSION, **fields})
+    return hello
+
+
+def service_address(url: str) -> str:
+    """The address of the stream: ``http`` becomes ``ws``, a bare address gets the usual path.
+
+    >>> service_address("http://127.0.0.1:8765/")
+    'ws://127.0.0.1:8765/v1/stream'
+    """
+    parts = urlsplit(url)
+    scheme = {"http": "ws", "https": "wss"}.get(parts.scheme, parts.scheme)
+    if scheme not in ("ws", "wss") or not parts.netloc:
+        sentence = f"the address must be ws://HOST:PORT or http://HOST:PORT, received {url!r}"
+        raise ParameterError(sentence, field="url", value=url)
+    path = parts.path if parts.path not in ("", "/") else STREAM_PATH
+    return urlunsplit((scheme, parts.netloc, path, parts.query, ""))
+
+
+def dial_options(token: str | None, timeout_s: float) -> dict[str, Any]:
+    """What both clients pass to ``websockets`` to connect."""
+    return {
+        "subprotocols": [Subprotocol(SUBPROTOCOL)],
+        "additional_headers": {} if token is None else {"Authorization": f"Bearer {token}"},
+        "compression": None,
+        "max_queue": QUEUE,
+        "open_timeout": timeout_s,
+        "proxy": None,
+    }
+
+
+def columns_of(events: EventColumns | Iterable[PointerEvent | Row]) -> EventColumns:
+    """Events as a table, from records or from rows; raises EventError."""
+    if isinstance(events, EventColumns):
+        return events
+    table = [_numbers(event) for event in events]
+    return EventColumns(np.array(table, dtype=np.float64).reshape(-1, 6))
+
+
+def _numbers(event: PointerEvent | Row) -> list[float]:
+    if isinstance(event, PointerEvent):
+        row: Row = (event.t, event.x, event.y, event.dx, event.dy, event.buttons)
+    elif 3 <= len(event) <= 6:
+        row = (*event, *(None, None, 0)[len(event) - 3 :])
+    else:
+        raise EventError(f"an event is t, x, y[, dx, dy, buttons], received {len(event)} values")
+    return [NONE if value is None else float(value) for value in row]
+
+
+def no_answer(timeout_s: float) -> SourceError:
+    """The error for an answer that did not come."""
+    return SourceError(f"the service did not answer for {timeout_s:g} s", code="no_answer", value=timeout_s)
+
+
+def no_connection(address: str, error: Exception) -> SourceError:
+    """The error for a service that cannot be reached."""
+    return SourceError(f"cannot connect to {address}: {error}", code="no_connection", value=address)
+
+
+def connection_closed(closed: ConnectionClosed) -> SourceError:
+    """The error for a connection that has ended, with the close code as its value."""
+    frame = closed.rcvd
+    if frame is None:
+        return SourceError("the connection to the service was lost", code="connection_lost")
+    sentence = f"the service closed the session: {frame.code} {frame.reason}".rstrip()
+    return SourceError(sentence, code="session_closed", value=frame.code)
+
+
+def _fit(kind: type[Any], fields: dict[str, Any]) -> Any:
+    """A message from its fields; raises ParameterError where they do not fit."""
+    try:
+        return msgspec.convert(fields, kind)
+    except msgspec.ValidationError as error:
+        raise ParameterError(f"{fields['type']}: {error}", field=str(fields["type"])) from None
