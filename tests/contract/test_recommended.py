@@ -67,7 +67,7 @@ def test_it_is_a_name_of_the_registry() -> None:
 @pytest.mark.parametrize(
     ("script", "default"),
     [
-        ("service.js", r'^export const PREFERRED = "([^"]*)";$'),
+        ("service/http.js", r'^export const PREFERRED = "([^"]*)";$'),
         ("pointpred.js", r'^    this\.#options = \{ predictor: "([^"]*)",'),
         ("pointpred.js", r'\[predictor\] a name of the registry; "([^"]*)" unless given$'),
     ],
