@@ -15,11 +15,13 @@ from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor, loop_over_motions
 from pointpred.recording import Recording
 from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
+from pointpred.stage import offsets
 
-SLOPE, OFFSET, FALL, AT = 0, 1, 2, 3
-# Where the speed was highest, its direction from the start, and whether it has fallen since.
-PEAK_X, PEAK_Y, UNIT_X, UNIT_Y, FALLEN = (AT + movement.STATES + i for i in range(5))
-STATES = movement.STATES + 5
+# The parameters; the movement; where the speed was highest, its direction from the start, whether it has
+# fallen since.
+SLOPE, OFFSET, FALL, AT, PEAK_X, PEAK_Y, UNIT_X, UNIT_Y, FALLEN, END = offsets(
+    1, 1, 1, movement.STATES, 1, 1, 1, 1, 1
+)
 
 
 @law
@@ -32,7 +34,7 @@ def step(memory: FloatArray, motion: Row) -> TenFloats:
         return REFUSED
     phase = movement.phase(memory, AT, m)
     if new:
-        memory[AT + movement.STATES :] = 0.0
+        memory[PEAK_X:] = 0.0
     peak, speed = memory[AT + movement.PEAK], hypot(m.vx, m.vy)
     if new or peak > before:
         away_x, away_y = m.x - memory[AT + movement.X0], m.y - memory[AT + movement.Y0]
@@ -86,7 +88,7 @@ class DelphianPredictor(Predictor):
     )
     step = staticmethod(step)
     loop = staticmethod(loop)
-    states = STATES
+    states = END - AT
 
 
 def fit_line(recording: Recording, differentiator: Differentiator) -> tuple[float, float]:

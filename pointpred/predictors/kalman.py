@@ -10,25 +10,24 @@ from pointpred.parameter import parameter
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor, loop_over_motions
 from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
+from pointpred.stage import offsets
 
 PRIOR_SPEED = 100.0
 """Standard deviation (px/s) of the velocity before a movement's first sample."""
 PRIOR_ACCELERATION = 1000.0
 """Standard deviation (px/s^2) of the acceleration before a movement's first sample."""
 
-HORIZON_S, JERK_DENSITY, NOISE_PX, GAP_S, AT = 0, 1, 2, 3, 4
-# What was expected at the last time, before its position was seen, relative to the movement's start:
-# position, velocity, acceleration of x, of y, and the covariance (pp pv pa vv va aa) they share.
-MEAN_X = AT + movement.STATES
-MEAN_Y = MEAN_X + 3
-SPREAD = MEAN_Y + 3
-STATES = movement.STATES + 12
+# The parameters; the movement; what was expected at the last time, before its position came, relative to the
+# movement's start: position, velocity, acceleration of x, of y, the covariance (pp pv pa vv va aa) of both.
+HORIZON_S, JERK_DENSITY, NOISE_PX, GAP_S, AT, MEAN_X, MEAN_Y, SPREAD, END = offsets(
+    1, 1, 1, 1, movement.STATES, 3, 3, 6
+)
 
 
 @law
 def expect_rest(memory: FloatArray, x: float, y: float) -> None:
     """Expect a cursor that rests at (x, y)."""
-    memory[MEAN_X : SPREAD + 6] = 0.0
+    memory[MEAN_X:END] = 0.0
     memory[MEAN_X], memory[MEAN_Y] = x, y
     memory[SPREAD] = memory[NOISE_PX] ** 2
     memory[SPREAD + 3] = PRIOR_SPEED**2
@@ -36,8 +35,8 @@ def expect_rest(memory: FloatArray, x: float, y: float) -> None:
 
 
 @law
-def corrected(memory: FloatArray, mean: int, measured: float) -> tuple[float, float, float]:
-    """Position, velocity and acceleration of one axis after its position was seen."""
+def correct(memory: FloatArray, mean: int, measured: float) -> tuple[float, float, float]:
+    """Position, velocity and acceleration of one axis after its position was measured."""
     total = memory[SPREAD] + memory[NOISE_PX] ** 2
     share = (measured - memory[mean]) / total
     return (
@@ -73,8 +72,8 @@ def step(memory: FloatArray, motion: Row) -> TenFloats:
     elif dt > 0.0:
         expect(memory, dt, last_x - x0, last_y - y0)
     h = memory[HORIZON_S]
-    px, vx_px, ax_px = corrected(memory, MEAN_X, m.x - x0)
-    py, vy_px, ay_px = corrected(memory, MEAN_Y, m.y - y0)
+    px, vx_px, ax_px = correct(memory, MEAN_X, m.x - x0)
+    py, vy_px, ay_px = correct(memory, MEAN_Y, m.y - y0)
     return endpoint(
         m.t,
         x0 + px + h * (vx_px + 0.5 * h * ax_px),
@@ -128,4 +127,4 @@ class KalmanPredictor(Predictor):
     )
     step = staticmethod(step)
     loop = staticmethod(loop)
-    states = STATES
+    states = END - AT

@@ -11,40 +11,39 @@ from pointpred.parameter import parameter
 from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor, loop_over_motions
 from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
+from pointpred.stage import offsets
 
-KEPT_MOST = 8
-
-HORIZON_S, WINDOW_S, AT = 0, 1, 2
-KEPT = AT + movement.STATES  # how many past samples are kept
-PAST = KEPT + 1  # (t, x, y) of each, the newest first
-STATES = movement.STATES + 1 + 3 * KEPT_MOST
+CAPACITY = 8
+"""Past samples that are remembered."""
+# The parameters; the movement; how many past samples there are, and (t, x, y) of each, the newest first.
+HORIZON_S, WINDOW_S, AT, COUNT, PAST, END = offsets(1, 1, movement.STATES, 1, 3 * CAPACITY)
 
 
 @law
 def remember(memory: FloatArray, t: float, x: float, y: float) -> None:
-    """Keep a sample if the newest kept is an eighth of the window old; one of the same time is replaced."""
-    kept = int(memory[KEPT])
-    same = kept > 0 and memory[PAST] == t
-    if kept > 0 and not same and t - memory[PAST] < memory[WINDOW_S] / KEPT_MOST - ROUNDING_S:
+    """Remember a sample if the newest is an eighth of the window old; one of the same time is replaced."""
+    count = int(memory[COUNT])
+    same = count > 0 and memory[PAST] == t
+    if count > 0 and not same and t - memory[PAST] < memory[WINDOW_S] / CAPACITY - ROUNDING_S:
         return
     if not same:
-        for i in range(3 * KEPT_MOST - 1, 2, -1):
+        for i in range(3 * CAPACITY - 1, 2, -1):
             memory[PAST + i] = memory[PAST + i - 3]
-        memory[KEPT] = min(kept + 1, KEPT_MOST)
+        memory[COUNT] = min(count + 1, CAPACITY)
     memory[PAST], memory[PAST + 1], memory[PAST + 2] = t, x, y
 
 
 @law
 def before(memory: FloatArray, t: float) -> tuple[bool, float, float, float]:
-    """Whether a sample before ``t`` is kept, and the oldest within the window, else the newest: (t, x, y)."""
-    found = -1
-    for i in range(int(memory[KEPT])):
+    """Whether there is a sample before ``t``; the oldest within the window, else the newest: (t, x, y)."""
+    place = -1
+    for i in range(int(memory[COUNT])):
         age = t - memory[PAST + 3 * i]
-        if age > 0.0 and (found < 0 or age <= memory[WINDOW_S] + ROUNDING_S):
-            found = PAST + 3 * i
-    if found < 0:
+        if age > 0.0 and (place < 0 or age <= memory[WINDOW_S] + ROUNDING_S):
+            place = PAST + 3 * i
+    if place < 0:
         return False, t, 0.0, 0.0
-    return True, memory[found], memory[found + 1], memory[found + 2]
+    return True, memory[place], memory[place + 1], memory[place + 2]
 
 
 @law
@@ -55,13 +54,13 @@ def step(memory: FloatArray, motion: Row) -> TenFloats:
     if not accepted:
         return REFUSED
     if new:
-        memory[KEPT] = 0.0
+        memory[COUNT] = 0.0
     phase = movement.phase(memory, AT, m)
-    known, before_t, before_x, before_y = before(memory, m.t)
+    any_before, before_t, before_x, before_y = before(memory, m.t)
     remember(memory, m.t, m.x, m.y)
-    if not known:
+    if not any_before:
         return endpoint(m.t, nan, nan, phase)
-    ahead = memory[HORIZON_S] / max(m.t - before_t, memory[WINDOW_S] / KEPT_MOST)
+    ahead = memory[HORIZON_S] / max(m.t - before_t, memory[WINDOW_S] / CAPACITY)
     return endpoint(m.t, m.x + ahead * (m.x - before_x), m.y + ahead * (m.y - before_y), phase)
 
 
@@ -100,4 +99,4 @@ class LinearPredictor(Predictor):
     window_s: float = parameter("s", 1e-3, 1.0, "over how long the velocity is averaged", default=0.12)
     step = staticmethod(step)
     loop = staticmethod(loop)
-    states = STATES
+    states = END - AT

@@ -7,8 +7,7 @@ from pointpred.compiled import law
 
 # State, relative to `at`: highest speed in m/s; where it was; lowest speed since then; where that was; where
 # the sub-movement started.
-PEAK, PEAK_X, PEAK_Y, VALLEY, VALLEY_X, VALLEY_Y, START_X, START_Y = 0, 1, 2, 3, 4, 5, 6, 7
-STATES = 8
+PEAK, PEAK_X, PEAK_Y, VALLEY, VALLEY_X, VALLEY_Y, START_X, START_Y, STATES = range(9)
 
 
 @law

@@ -9,19 +9,16 @@ from pointpred.predictors import movement
 from pointpred.predictors.predictor import Predictor, loop_over_motions
 from pointpred.regression import drem
 from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
+from pointpred.stage import offsets
 
 UNKNOWNS = 3  # theta = (1/b2, b1/b2, T)
 
-THRESHOLD, BOUND, DELAY_S, GAMMA = 0, 1, 2, 3
-SETTINGS = 4
-AT = SETTINGS
-X_AXIS = AT + movement.STATES
-
 # State of an axis, relative to its place: largest speed in m/s, displacement and endpoint in px; then DREM.
-PEAK, PLACE, ENDPOINT, DREM = 0, 1, 2, 3
-AXIS_STATES = DREM + drem.states(UNKNOWNS)
-Y_AXIS = X_AXIS + AXIS_STATES
-STATES = movement.STATES + 2 * AXIS_STATES
+PEAK, PLACE, ENDPOINT, DREM, AXIS_STATES = offsets(1, 1, 1, drem.states(UNKNOWNS))
+# The parameters; the movement; both axes.
+THRESHOLD, BOUND, DELAY_S, GAMMA, AT, X_AXIS, Y_AXIS, END = offsets(
+    1, 1, 1, 1, movement.STATES, AXIS_STATES, AXIS_STATES
+)
 
 
 @law
@@ -34,21 +31,21 @@ def advance(memory: FloatArray, axis: int, t: float, place: float, v: float, a: 
     moved = place - memory[axis + PLACE]
     memory[axis + PLACE] = place
     memory[axis + PEAK] = max(memory[axis + PEAK], abs(v))
-    held = memory[axis + ENDPOINT]
+    before = memory[axis + ENDPOINT]
     regression = axis + DREM
     memory[regression + drem.REGRESSOR] = -a
     memory[regression + drem.REGRESSOR + 1] = -v
     memory[regression + drem.REGRESSOR + 2] = 1.0
     if abs(v) < memory[THRESHOLD] * memory[axis + PEAK]:
         third = drem.estimates(regression, UNKNOWNS) + 2
-        memory[third] = held
-        known = drem.advance(memory, regression, UNKNOWNS, memory[DELAY_S], memory[GAMMA], (t, place))
-        if known and abs(memory[third] - held) < memory[BOUND] * abs(place):
+        memory[third] = before
+        solved = drem.advance(memory, regression, UNKNOWNS, memory[DELAY_S], memory[GAMMA], (t, place))
+        if solved and abs(memory[third] - before) < memory[BOUND] * abs(place):
             memory[axis + ENDPOINT] = memory[third]
     else:
         drem.remember(memory, regression, UNKNOWNS, memory[DELAY_S], t, place)
         if a * v >= 0.0:
-            memory[axis + ENDPOINT] = held + 2.0 * moved
+            memory[axis + ENDPOINT] = before + 2.0 * moved
     return float(memory[axis + ENDPOINT])
 
 
@@ -107,4 +104,4 @@ class SwitchedPredictor(Predictor):
     gamma: float = parameter("1/s", 0.0, 1e9, "rate of the regression at full excitation", default=1e4)
     step = staticmethod(step)
     loop = staticmethod(loop)
-    states = STATES
+    states = END - AT

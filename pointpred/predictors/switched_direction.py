@@ -10,12 +10,15 @@ from pointpred.parameter import parameter
 from pointpred.predictors import movement, submovement
 from pointpred.predictors.predictor import Predictor, loop_over_motions
 from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
+from pointpred.stage import offsets
 
-RISE, TYPICAL_S, OWN, TURN, WATCHED, STOPPING, AT = 0, 1, 2, 3, 4, 5, 6
-UNIT = AT + movement.STATES
-# The hand: its last velocity, its displacement in m since the movement's start; the gain's two sums.
-VX, VY, HAND_X, HAND_Y, CROSS, SQUARE = (UNIT + submovement.STATES + i for i in range(6))
-STATES = SQUARE + 1 - AT
+# The parameters.
+RISE, TYPICAL_S, OWN, TURN, WATCHED, STOPPING, AT = range(7)
+# The movement; its sub-movement; the hand's last velocity, its displacement in m since the movement's start;
+# the gain's two sums.
+_, UNIT, VX, VY, HAND_X, HAND_Y, CROSS, SQUARE, END = offsets(
+    AT + movement.STATES, submovement.STATES, 1, 1, 1, 1, 1, 1
+)
 
 
 @law
@@ -42,17 +45,17 @@ def time_constant(own: float, typical_s: float, done: float, peak: float) -> flo
 
 @law
 def approach(memory: FloatArray, px_m: float, x: float, y: float, speed: float) -> float:
-    """Rate k in 1/s of the approach V = k (T - x): from the switch, and as seen since; 0 where unknown."""
+    """Rate k in 1/s of the approach V = k (T - x): from the switch and the slope since; 0 where unknown."""
     peak = memory[UNIT + submovement.PEAK]
     peak_x, peak_y = memory[UNIT + submovement.PEAK_X], memory[UNIT + submovement.PEAK_Y]
     done = hypot(peak_x - memory[UNIT + submovement.START_X], peak_y - memory[UNIT + submovement.START_Y])
     if done == 0.0:
         return 0.0
-    switched = 1.0 / time_constant(memory[OWN], memory[TYPICAL_S], done, peak * px_m)
+    at_switch = 1.0 / time_constant(memory[OWN], memory[TYPICAL_S], done, peak * px_m)
     since = hypot(x - peak_x, y - peak_y)
-    watched = (peak - speed) * px_m / since if since > 0.0 else 0.0
+    slope = (peak - speed) * px_m / since if since > 0.0 else 0.0
     share = (speed / peak) ** memory[TURN]
-    return float(share * switched + (1.0 - share) * memory[WATCHED] * watched)
+    return float(share * at_switch + (1.0 - share) * memory[WATCHED] * slope)
 
 
 @law
@@ -63,7 +66,7 @@ def step(memory: FloatArray, motion: Row) -> TenFloats:
     if not accepted:
         return REFUSED
     if new:
-        memory[VX : SQUARE + 1] = 0.0
+        memory[VX:END] = 0.0
     if new or m.t == memory[AT + movement.T0]:
         submovement.begin(memory, UNIT, m.x, m.y)
     speed = hypot(m.vx, m.vy)
@@ -131,4 +134,4 @@ class SwitchedDirectionPredictor(Predictor):
     stopping: float = parameter("", 0.0, 1e6, "way left at most, in speed^2 / deceleration", default=0.5)
     step = staticmethod(step)
     loop = staticmethod(loop)
-    states = STATES
+    states = END - AT

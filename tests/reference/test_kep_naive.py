@@ -13,7 +13,7 @@ from pointpred.columns import FloatArray
 from pointpred.differentiators import BackwardDifferentiator, HomogeneousDifferentiator
 from pointpred.predictors import KinematicEndpointPredictor
 from pointpred.predictors.kep import predictor as kep
-from pointpred.predictors.kep import quartic as kep_zero
+from pointpred.predictors.kep import quartic
 from pointpred.regression import least_squares
 
 
@@ -63,7 +63,7 @@ def test_the_registry_names_the_degrees() -> None:
 
 def fitted(distances: FloatArray, speeds: FloatArray, degree: int) -> FloatArray:
     """Coefficients of the recursive fit, from the constant up, of the distance in px."""
-    memory = np.zeros(kep.AT + kep.STATES)
+    memory = np.zeros(kep.END)
     memory[kep.DEGREE] = degree
     for distance, speed in zip(distances, speeds, strict=True):
         kep.add(memory, distance, speed)
@@ -101,7 +101,7 @@ COEFFICIENT = st.floats(-100.0, 100.0).filter(lambda c: c == 0.0 or abs(c) > 1e-
 )
 @settings(max_examples=300, deadline=None, derandomize=True)
 def test_the_first_zero_is_that_of_numpy(c: tuple[float, ...], far: float) -> None:
-    zero = kep_zero.first_zero(*c, far)
+    zero = quartic.first_zero(quartic.Quartic(*c), far)
     polynomial = np.polynomial.Polynomial(c)
     roots = np.roots(c[::-1])
     real = np.sort(roots.real[(np.abs(roots.imag) < 1e-7) & (roots.real > 0.0)])
@@ -129,7 +129,7 @@ def test_the_first_zero_is_that_of_numpy(c: tuple[float, ...], far: float) -> No
     ],
 )
 def test_zeros_known_by_hand(c: tuple[float, ...], far: float, expected: float | None) -> None:
-    zero = kep_zero.first_zero(*c, far)
+    zero = quartic.first_zero(quartic.Quartic(*c), far)
     assert np.isnan(zero) if expected is None else zero == pytest.approx(expected, rel=1e-12)
 
 

@@ -74,7 +74,7 @@ def test_what_a_session_teaches_is_what_a_library_holds() -> None:
     pupil = TemplatePredictor(templates=5, shortest_px=0.0)
     for move in taught:
         answers(pupil, move)
-    held = pupil.held()
+    held = pupil.template_table()
     given = templates_of(recording(taught))
     order = [5, 6, 7, 3, 4]  # places are taken in turn: the oldest gives way
     np.testing.assert_array_equal(held, given[order])
@@ -99,7 +99,7 @@ def test_each_end_of_a_movement_teaches_it_once(how: str) -> None:
     later[:, 0] += 100.0
     predictor.walk(begin, later[:3])
     predictor.reset()  # three points make no template
-    assert len(predictor.held()) == 1
+    assert len(predictor.template_table()) == 1
 
 
 def test_too_short_too_long_and_too_near_teach_nothing() -> None:
@@ -107,7 +107,7 @@ def test_too_short_too_long_and_too_near_teach_nothing() -> None:
         predictor = TemplatePredictor(longest_s=1.0, shortest_px=30.0)
         t = np.linspace(0.0, seconds, points)
         answers(predictor, (t, np.linspace(0.0, px, points), 0.0 * t))
-        return len(predictor.held())
+        return len(predictor.template_table())
 
     assert [taught(0.5, 30.0), taught(1.0, 40.0), taught(0.5, 40.0, 4)] == [1, 1, 1]
     assert [taught(0.5, 29.0), taught(1.06, 40.0), taught(0.04, 40.0), taught(0.5, 40.0, 3)] == [0, 0, 0, 0]
@@ -151,7 +151,7 @@ def test_a_long_silence_costs_no_more_than_the_longest_template() -> None:
 
 def test_a_library_is_checked() -> None:
     good = templates_of(recording(moves(3, 8)))
-    assert len(TemplatePredictor(templates=997, library=good).held()) == 3
+    assert len(TemplatePredictor(templates=997, library=good).template_table()) == 3
     with pytest.raises(ParameterError) as too_many:
         TemplatePredictor(templates=998, library=good)
     assert (too_many.value.field, too_many.value.value) == ("templates", 998)

@@ -9,18 +9,19 @@ from pointpred.compiled import law
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
 from pointpred.predictors.kep import quartic
+from pointpred.predictors.kep.quartic import Quartic
 from pointpred.predictors.predictor import Predictor, loop_over_motions
 from pointpred.regression import least_squares
 from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
+from pointpred.stage import offsets
 
-DEGREE, REACH, CHANGE_MOST, AT = 0, 1, 2, 3
-FIT = AT + movement.STATES
 DEGREE_MOST = 4
 TERMS = DEGREE_MOST + 1
-COEFFICIENTS = FIT + least_squares.states(TERMS)
-# The stability check: length predicted after the sample before, whether an endpoint was accepted, which.
-LENGTH, HELD, HELD_X, HELD_Y = (COEFFICIENTS + TERMS + i for i in range(4))
-STATES = HELD_Y + 1 - AT
+# The parameters; the movement, the fit and its solution; the stability check: the length predicted after the
+# sample before, whether an endpoint was accepted, which.
+DEGREE, REACH, CHANGE_MOST, AT, FIT, COEFFICIENTS, LENGTH, ACCEPTED, ACCEPTED_X, ACCEPTED_Y, END = offsets(
+    1, 1, 1, movement.STATES, least_squares.states(TERMS), TERMS, 1, 1, 1, 1
+)
 
 EXCITATION_LEAST = 1e-5
 """A power of the distance whose own part is smaller than this share depends on the lower powers."""
@@ -49,15 +50,14 @@ def remaining(memory: FloatArray, travelled: float) -> float:
     c3 = memory[COEFFICIENTS + 3] * travelled**3 if degree > 2 else 0.0
     c4 = memory[COEFFICIENTS + 4] * travelled**4 if degree > 3 else 0.0
     # The same polynomial of the distance from here.
-    zero = quartic.first_zero(
-        quartic.value(c0, c1, c2, c3, c4, 1.0),
+    here = Quartic(
+        quartic.value(Quartic(c0, c1, c2, c3, c4), 1.0),
         c1 + 2.0 * c2 + 3.0 * c3 + 4.0 * c4,
         c2 + 3.0 * c3 + 6.0 * c4,
         c3 + 4.0 * c4,
         c4,
-        memory[REACH],
     )
-    return float(zero * travelled)
+    return float(quartic.first_zero(here, memory[REACH]) * travelled)
 
 
 @law
@@ -65,7 +65,7 @@ def judge(memory: FloatArray, length: float, x: float, y: float) -> None:
     """Accept an endpoint when the predicted length changed little since the sample before."""
     before = memory[LENGTH]
     if before > 0.0 and abs(length - before) < memory[CHANGE_MOST] * before:
-        memory[HELD], memory[HELD_X], memory[HELD_Y] = 1.0, x, y
+        memory[ACCEPTED], memory[ACCEPTED_X], memory[ACCEPTED_Y] = 1.0, x, y
     memory[LENGTH] = length if length > 0.0 else 0.0
 
 
@@ -90,8 +90,8 @@ def step(memory: FloatArray, motion: Row) -> TenFloats:
         if dt > 0.0:
             judge(memory, travelled + ahead, end_x, end_y)
     if memory[CHANGE_MOST] > 0.0:
-        held = memory[HELD] == 1.0
-        end_x, end_y = memory[HELD_X] if held else nan, memory[HELD_Y] if held else nan
+        accepted = memory[ACCEPTED] == 1.0
+        end_x, end_y = memory[ACCEPTED_X] if accepted else nan, memory[ACCEPTED_Y] if accepted else nan
     return endpoint(m.t, end_x, end_y, movement.phase(memory, AT, m))
 
 
@@ -148,4 +148,4 @@ class KinematicEndpointPredictor(Predictor):
     )
     step = staticmethod(step)
     loop = staticmethod(loop)
-    states = STATES
+    states = END - AT

@@ -45,7 +45,7 @@ def profile_of(rows: EventColumns, longest_s: float) -> FloatArray:
     motions = np.zeros((len(rows), 10))
     motions[:, :3] = rows.table[:, :3]
     pupil.walk(np.zeros(len(rows), np.bool_), motions)
-    return pupil.held()
+    return pupil.template_table()
 
 
 def _size(rows: EventColumns) -> str:

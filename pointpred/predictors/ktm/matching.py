@@ -12,6 +12,7 @@ from math import exp
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.predictors import movement
+from pointpred.stage import offsets
 
 RATE_HZ = 20.0
 STEP_S = 1.0 / RATE_HZ
@@ -24,21 +25,17 @@ KERNEL = tuple(exp(-0.5 * (i / SIGMA) ** 2) for i in range(TAPS))
 """Half of it. Its sum is not 1: a factor on every score alike decides nothing."""
 POINTS_LEAST = 4
 
-# Settings, the kernel, then the templates: those given, those learned, and how many were learned.
-LEARNED_MOST, GIVEN, LONGEST, SHORTEST_PX, HALF = 0, 1, 2, 3, 4
-STORE = HALF + TAPS
+# Settings, the kernel, then the templates: those of the library, those learned, and how many were learned.
+LEARNED_MOST, LIBRARY, LONGEST, SHORTEST_PX, HALF, STORE = offsets(1, 1, 1, 1, TAPS)
 # A template: samples of its profile (0: an empty place), straight distance px, speeds px/s.
-LENGTH, DISTANCE, SPEEDS = 0, 1, 2
+LENGTH, DISTANCE, SPEEDS = range(3)
 # After the templates: how many were learned, and the place of the next.
-COUNT, NEXT, LEARNED = 0, 1, 2
+COUNT, NEXT, LEARNED = range(3)
 # The movement, after `movement`'s own state: its points, its samples, the last of them, the last 22 speeds,
 # the whole profile; then for each template the running sum, the final part of its score, its score and the
 # last 22 smoothed differences.
-POINTS = movement.STATES
-SAMPLES, GRID_X, GRID_Y, RECENT = (POINTS + 1 + i for i in range(4))
-PROFILE = RECENT + TAPS
-SUM, FINAL, SCORE, SMOOTH = 0, 1, 2, 3
-MATCH = SMOOTH + TAPS
+_, POINTS, SAMPLES, GRID_X, GRID_Y, RECENT, PROFILE = offsets(movement.STATES, 1, 1, 1, 1, TAPS)
+SUM, FINAL, SCORE, SMOOTH, MATCH = offsets(1, 1, 1, TAPS)
 
 
 @law
@@ -48,15 +45,15 @@ def template(memory: FloatArray, k: int) -> int:
 
 
 @law
-def known(memory: FloatArray) -> int:
-    """Place of what is said of the learned templates: after the last of them."""
-    return template(memory, int(memory[GIVEN]) + int(memory[LEARNED_MOST]))
+def counts(memory: FloatArray) -> int:
+    """Place of the counts of learned templates: after the last of them."""
+    return template(memory, int(memory[LIBRARY]) + int(memory[LEARNED_MOST]))
 
 
 @law
-def filled(memory: FloatArray) -> int:
+def template_count(memory: FloatArray) -> int:
     """How many templates there are to compare with."""
-    return int(memory[GIVEN]) + int(memory[known(memory) + COUNT])
+    return int(memory[LIBRARY]) + int(memory[counts(memory) + COUNT])
 
 
 @law
@@ -80,7 +77,7 @@ def score(memory: FloatArray, n: int, speed: float, own: float, place: int, matc
 
 @law
 def sample(memory: FloatArray, at: int, speed: float) -> None:
-    """Take the next sample of the movement's speed in, and score every template."""
+    """Take in the next sample of the movement's speed, and score every template."""
     n, longest, recent = int(memory[at + SAMPLES]), int(memory[LONGEST]), at + RECENT
     for k in range(TAPS - 1):
         memory[recent + k] = memory[recent + k + 1]
@@ -90,7 +87,7 @@ def sample(memory: FloatArray, at: int, speed: float) -> None:
     own = 0.0
     for k in range(TAPS):
         own += memory[HALF + TAPS - 1 - k] * memory[recent + k]
-    for j in range(filled(memory)):
+    for j in range(template_count(memory)):
         place, match = template(memory, j), at + PROFILE + longest + j * MATCH
         score(memory, n, speed, own, place, match)
     memory[at + SAMPLES] = n + 1.0
@@ -100,7 +97,7 @@ def sample(memory: FloatArray, at: int, speed: float) -> None:
 def winner(memory: FloatArray, at: int, times: float) -> int:
     """Add each score that many times to its running sum; the first with the lowest sum, -1 without any."""
     first, best = at + PROFILE + int(memory[LONGEST]), -1
-    for j in range(filled(memory)):
+    for j in range(template_count(memory)):
         match = first + j * MATCH
         memory[match + SUM] += times * memory[match + SCORE]
         if best < 0 or memory[match + SUM] < memory[first + best * MATCH + SUM]:
@@ -116,10 +113,10 @@ def keep(memory: FloatArray, at: int, distance: float) -> None:
         return
     if not distance >= memory[SHORTEST_PX]:
         return
-    told = known(memory)
-    place = template(memory, int(memory[GIVEN]) + int(memory[told + NEXT]))
+    place_of_counts = counts(memory)
+    place = template(memory, int(memory[LIBRARY]) + int(memory[place_of_counts + NEXT]))
     memory[place + LENGTH], memory[place + DISTANCE] = samples, distance
     for k in range(int(memory[LONGEST])):
         memory[place + SPEEDS + k] = memory[at + PROFILE + k]  # zeros behind the last sample
-    memory[told + NEXT] = (memory[told + NEXT] + 1.0) % most
-    memory[told + COUNT] = min(memory[told + COUNT] + 1.0, most)
+    memory[place_of_counts + NEXT] = (memory[place_of_counts + NEXT] + 1.0) % most
+    memory[place_of_counts + COUNT] = min(memory[place_of_counts + COUNT] + 1.0, most)

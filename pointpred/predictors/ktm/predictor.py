@@ -29,7 +29,7 @@ def distance(memory: FloatArray, at: int) -> float:
 @law
 def conclude(memory: FloatArray) -> None:
     """The movement has ended: keep it as a template."""
-    at = matching.known(memory) + matching.LEARNED
+    at = matching.counts(memory) + matching.LEARNED
     matching.keep(memory, at, distance(memory, at))
 
 
@@ -53,15 +53,15 @@ def resample(memory: FloatArray, at: int, since: float, x_before: float, y_befor
 def step(memory: FloatArray, motion: Row) -> TenFloats:
     """Follow the speed profile and go as far as the template that is most like it."""
     m = MotionRow(*motion)
-    at = matching.known(memory) + matching.LEARNED
-    ended = distance(memory, at)
+    at = matching.counts(memory) + matching.LEARNED
+    last_distance = distance(memory, at)
     x_before, y_before = memory[at + movement.X], memory[at + movement.Y]
     accepted, new, dt = movement.follow(memory, at, m)
     if not accepted:
         return REFUSED
     phase = movement.phase(memory, at, m)
     if new:
-        matching.keep(memory, at, ended)
+        matching.keep(memory, at, last_distance)
         memory[at + movement.STATES :] = 0.0
         memory[at + matching.POINTS] = 1.0
         matching.sample(memory, at, 0.0)
@@ -155,14 +155,14 @@ class TemplatePredictor(Predictor):
         numbers = [templates, len(library), longest, self.shortest_px, *matching.KERNEL]
         return np.concatenate([numbers, wide.ravel()])
 
-    def held(self) -> FloatArray:
+    def template_table(self) -> FloatArray:
         """The templates it would compare with after a reset, in the order in which ties are decided."""
         twin = copy.copy(self)
         twin.reset()
         first = matching.template(twin._memory, 0)
         wide = matching.SPEEDS + int(twin._memory[matching.LONGEST])
-        held = matching.filled(twin._memory)
-        return twin._memory[first : first + held * wide].reshape(held, wide).copy()
+        count = matching.template_count(twin._memory)
+        return twin._memory[first : first + count * wide].reshape(count, wide).copy()
 
 
 def samples_of(longest_s: float) -> int:
