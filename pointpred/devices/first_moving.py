@@ -6,12 +6,11 @@ import threading
 import time
 from collections.abc import Callable, Sequence
 from itertools import dropwhile
-from types import TracebackType
 from typing import Self
 
 import msgspec
 
-from pointpred.devices.source import DeviceInfo, DeviceSource, Report
+from pointpred.devices.source import ClosedOnExit, DeviceInfo, DeviceSource, Report
 from pointpred.errors import SourceError
 
 SLICE_S = 0.01
@@ -27,7 +26,7 @@ class Candidate(msgspec.Struct, frozen=True):
     make: Callable[[], DeviceSource]
 
 
-class FirstMoving:
+class FirstMoving(ClosedOnExit):
     """A ``DeviceSource`` over several devices, which becomes the first of them that moves by one count.
 
     All candidates are open until one moves; then the others are closed, and it is followed until it is
@@ -64,11 +63,6 @@ class FirstMoving:
         if len(self._listened) == 1:
             self._followed, self._listened = self._listened[0], ()
         return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.close()
 
     @property
     def devices(self) -> tuple[DeviceSource, ...]:

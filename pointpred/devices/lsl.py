@@ -6,13 +6,12 @@ import re
 import time
 from collections.abc import Sequence
 from math import isfinite
-from types import TracebackType
 from typing import Any, Self
 
 import msgspec
 
 from pointpred.devices.cursor_paths import PositionReport
-from pointpred.devices.source import Report
+from pointpred.devices.source import ClosedOnExit, Report
 from pointpred.errors import SourceError
 from pointpred.events import PointerEvent
 from pointpred.extras import require
@@ -60,7 +59,7 @@ class Channels(msgspec.Struct, frozen=True):
     buttons: int | None = None
 
 
-class LslInlet:
+class LslInlet(ClosedOnExit):
     """A ``DeviceSource`` over the samples of one stream.
 
     Assumes a stream of numbers with a position in px, y downwards. Times are moved to this computer's
@@ -117,11 +116,6 @@ class LslInlet:
         )
         self.words = f"positions of the stream {self.name!r}, {_described(self._channels, labels)}"
         return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.close()
 
     def take(self, timeout_s: float) -> list[Report]:
         """Everything that came since the last call; waits at most ``timeout_s`` until something came."""

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import threading
-from abc import ABC, abstractmethod
-from types import TracebackType
+from abc import abstractmethod
 
-from pointpred.devices.source import BoundedQueue, Report
+from pointpred.devices.source import BoundedQueue, ClosedOnExit, Report
 from pointpred.errors import SourceError
 
 
-class ReaderSource(ABC):
+class ReaderSource(ClosedOnExit):
     """Reads on its own thread into a bounded queue; what ends the thread is raised by ``take``.
 
     A kind of source adds ``_read_all``, which reads until the source is closed, and ``_let_go``, which the
@@ -23,11 +22,6 @@ class ReaderSource(ABC):
         self._queue = BoundedQueue(most)
         self._stopping = threading.Event()
         self._thread: threading.Thread | None = None
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.close()
 
     @property
     def lost(self) -> int:

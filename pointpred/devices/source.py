@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 import time
+from abc import ABC, abstractmethod
 from collections import deque
 from types import TracebackType
 from typing import Literal, Protocol, Self
@@ -99,6 +100,22 @@ class BoundedQueue:
             self._closed = True
             self._failure = self._failure or failure
             self._filled.notify_all()
+
+
+class ClosedOnExit(ABC):
+    """A context manager that is its own target and is closed at the end."""
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    @abstractmethod
+    def close(self) -> None:
+        """Stop; may be called twice."""
 
 
 class DeviceSource(Protocol):

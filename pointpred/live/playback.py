@@ -5,14 +5,13 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable, Iterator, Sequence
-from types import TracebackType
 from typing import Literal, Self
 
 import msgspec
 
 from pointpred.columns import EventColumns
 from pointpred.devices.cursor_paths import Space
-from pointpred.devices.source import Report
+from pointpred.devices.source import ClosedOnExit, Report
 from pointpred.errors import ParameterError
 from pointpred.events import PointerEvent, Prediction
 from pointpred.stage import Stage
@@ -51,7 +50,7 @@ class PlayedReport(Report, frozen=True, kw_only=True, gc=False):
     event: PlayedEvent
 
 
-class PlayedSource:
+class PlayedSource(ClosedOnExit):
     """A ``DeviceSource`` that plays trials one after another.
 
     ``speed``: 1 as recorded, 2 twice as fast, infinity without waiting. The first ``take`` that may wait
@@ -123,14 +122,6 @@ class PlayedSource:
 
     def close(self) -> None:
         """Nothing is open."""
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.close()
 
     def _wait_s(self, at_s: float) -> float:
         """How long until what is due ``at_s`` after the beginning, at speed 1."""

@@ -165,7 +165,7 @@ def test_small_and_shaky_movements_are_seen_and_teach_as_before() -> None:
     with first_of(touchpad, mouse) as source:
         session = LiveSession(source, MotorPath(cpi=200.0), pipeline)
         session.advance(0.0)
-    assert (session.moved, source.path, session.refusals) == (True, "event5", 0)
+    assert (session.moved, source.path, session.refused) == (True, "event5", 0)
     pipeline.reset()
     assert pipeline.person
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import os
-from types import TracebackType
-from typing import Any, Self
+from typing import Any
 
 from pointpred.devices.cursor.source import mask_of
+from pointpred.devices.source import ClosedOnExit
 from pointpred.errors import SourceError
 
 OTHERWISE = (
@@ -18,7 +18,7 @@ LEFT, MIDDLE, RIGHT = 1 << 8, 1 << 9, 1 << 10
 """Button1Mask to Button3Mask of the core protocol."""
 
 
-class ScreenCursor:
+class ScreenCursor(ClosedOnExit):
     """The cursor of an X11 screen, asked for anew at each call: one round trip to the server.
 
     Assumes X11. Under Wayland a program hears of the cursor only while it is over a window of its own kind:
@@ -70,14 +70,6 @@ class ScreenCursor:
             self._display.close()
         except (ConnectionClosedError, OSError):
             return
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.close()
 
 
 def _session() -> str:

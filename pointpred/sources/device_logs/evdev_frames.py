@@ -1,8 +1,9 @@
-"""Kernel input events (evdev) to pointer events: a frame of motion and buttons ends at SYN_REPORT."""
+"""Kernel input events (evdev) as pointer events: SYN_REPORT ends a frame of motion and buttons."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import re
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
 import msgspec
@@ -11,8 +12,8 @@ import numpy as np
 from pointpred.columns import EventColumns
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording
-from pointpred.sources.device_logs.unreadable_lines import Unreadable
-from pointpred.sources.files.encodings import stem_of
+from pointpred.sources.device_logs.unreadable_lines import UnreadableLines
+from pointpred.sources.files.encodings import read_text, stem_of
 from pointpred.sources.reading import Reading
 from pointpred.sources.tables.column_table import IntArray
 from pointpred.sources.trials.segmentation import trials_of_stream
@@ -37,13 +38,27 @@ class Frames(msgspec.Struct):
     notes: list[str]
 
 
-def moving(path: Path, raw: Iterable[RawEvent], unreadable: Unreadable) -> Frames:
-    """``frames`` of a device that must move, with notes on what cannot be read; raises RecordingError."""
-    stream = frames(path, raw)
+def text_recording(
+    path: Path,
+    form: str,
+    name: re.Pattern[str],
+    events: Callable[[str, UnreadableLines], Iterable[RawEvent]],
+    reading: Reading,
+    clock: str,
+) -> Recording:
+    """The recording of a text about one device, which ``name`` names; ``events`` finds its raw events.
+
+    Lines that cannot be read are counted in notes. Raises RecordingError where nothing moves.
+    """
+    text = read_text(path)
+    match = name.search(text)
+    device = match.group(1).strip() if match else stem_of(path)
+    unreadable = UnreadableLines()
+    stream = frames(path, events(text, unreadable))
     if isinstance(stream, str):
-        raise RecordingError(f"{path}: {'; '.join([stream, *unreadable.notes])}")
+        raise RecordingError(f"{path}: {'; '.join([stream, *unreadable.notes])}", code="no_motion")
     stream.notes += unreadable.notes
-    return stream
+    return recording(path, form, device, stream, reading, clock)
 
 
 def frames(path: Path, raw: Iterable[RawEvent]) -> Frames | str:
@@ -51,7 +66,7 @@ def frames(path: Path, raw: Iterable[RawEvent]) -> Frames | str:
 
     Frames without motion and button (the wheel) are left aside and counted in a note. After SYN_DROPPED the
     kernel has lost events: what came before it in the frame is void, and the frame is a fault.
-    Returns in words what there is instead when nothing moves; raises RecordingError when a value cannot be
+    Returns in words what there is instead where nothing moves; raises RecordingError when a value cannot be
     one.
     """
     table: list[tuple[int, int, int, int]] = []
@@ -88,11 +103,21 @@ def frames(path: Path, raw: Iterable[RawEvent]) -> Frames | str:
     notes = [f"frames without motion or button left aside: {aside}"] if aside else []
     if useful:
         notes.append(f"the last frame, from event {begins}, is not complete and left aside")
+    return frames_of_counts(table, rows, notes, faults)
+
+
+def frames_of_counts(
+    table: Sequence[tuple[int, int, int, int]],
+    rows: Sequence[int],
+    notes: list[str],
+    faults: dict[int, str] | None = None,
+) -> Frames:
+    """Frames from rows of time in us, dx, dy, buttons; x and y are the summed counts."""
     whole = np.array(table, dtype=np.int64)
     x, y = np.cumsum(whole[:, 1]), np.cumsum(whole[:, 2])
     seconds = (whole[:, 0] - whole[0, 0]) / 1e6
     events = EventColumns.of(seconds, x, y, whole[:, 1], whole[:, 2], whole[:, 3])
-    return Frames(events, np.array(rows, dtype=np.int64), faults, notes)
+    return Frames(events, np.array(rows, dtype=np.int64), faults or {}, notes)
 
 
 def recording(path: Path, form: str, device: str, stream: Frames, reading: Reading, clock: str) -> Recording:

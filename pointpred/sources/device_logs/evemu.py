@@ -7,9 +7,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from pointpred.recording import Recording
-from pointpred.sources.device_logs.evdev_frames import RawEvent, moving, recording
-from pointpred.sources.device_logs.unreadable_lines import Unreadable
-from pointpred.sources.files.encodings import read_text, stem_of
+from pointpred.sources.device_logs.evdev_frames import RawEvent, text_recording
+from pointpred.sources.device_logs.unreadable_lines import UnreadableLines
 from pointpred.sources.reading import AS_IS, Reading
 
 TITLE = "evemu 1.x"
@@ -17,6 +16,7 @@ EVENT = re.compile(
     r"E: (\d{1,10})\.(\d{6}) ([0-9a-fA-F]{1,4}) ([0-9a-fA-F]{1,4}) (-?\d{1,10})(?:\s*#.*)?\s*$"
 )
 LIKELY = re.compile(rb"^E: \d+\.\d{6} [0-9a-fA-F]{4} [0-9a-fA-F]{4} -?\d+\s*(#|$)", re.MULTILINE)
+NAME = re.compile(r"^N: (.*)$", re.MULTILINE)
 OTHERS = "NIPBALS#"
 
 
@@ -30,15 +30,10 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
 
     Raises RecordingError.
     """
-    text = read_text(path)
-    named = re.search(r"^N: (.*)$", text, re.MULTILINE)
-    device = named.group(1).strip() if named else stem_of(path)
-    unreadable = Unreadable()
-    stream = moving(path, _events(text, unreadable), unreadable)
-    return recording(path, "evemu", device, stream, reading, "kernel stamps, us; which clock is not said")
+    return text_recording(path, "evemu", NAME, _events, reading, "kernel stamps, us; which clock is not said")
 
 
-def _events(text: str, unreadable: Unreadable) -> Iterator[RawEvent]:
+def _events(text: str, unreadable: UnreadableLines) -> Iterator[RawEvent]:
     """The events of the E lines."""
     for number, line in enumerate(text.splitlines(), 1):
         if not line.strip() or line[0] in OTHERS:

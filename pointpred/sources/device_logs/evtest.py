@@ -13,11 +13,9 @@ from pointpred.sources.device_logs.evdev_frames import (
     SYN_DROPPED,
     SYN_REPORT,
     RawEvent,
-    moving,
-    recording,
+    text_recording,
 )
-from pointpred.sources.device_logs.unreadable_lines import Unreadable
-from pointpred.sources.files.encodings import read_text, stem_of
+from pointpred.sources.device_logs.unreadable_lines import UnreadableLines
 from pointpred.sources.reading import AS_IS, Reading
 
 TITLE = "evtest text"
@@ -26,6 +24,7 @@ EVENT = re.compile(
     STAMP + r"type (\d{1,2}) \([^)]*\), code (\d{1,4}) \([^)]*\), value (-?[0-9a-fA-F]{1,10})\s*$"
 )
 MARK = re.compile(STAMP + r"[-+>]+ ?([A-Za-z_ ?]+?) ?[-+<]+\s*$")
+NAME = re.compile(r'^Input device name: "(.*)"$', re.MULTILINE)
 WHOLE = re.compile(r"-?\d+")
 UNREAD = "events that cannot be read"
 REPORTS = ("SYN_REPORT", "Report Sync")
@@ -42,24 +41,18 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
 
     Raises RecordingError.
     """
-    text = read_text(path)
-    named = re.search(r'^Input device name: "(.*)"$', text, re.MULTILINE)
-    device = named.group(1).strip() if named else stem_of(path)
-    unreadable = Unreadable()
-    stream = moving(path, _events(text, unreadable), unreadable)
-    return recording(
-        path, "evtest", device, stream, reading, "kernel stamps, us, usually the real-time clock"
-    )
+    clock = "kernel stamps, us, usually the real-time clock"
+    return text_recording(path, "evtest", NAME, _events, reading, clock)
 
 
-def _events(text: str, unreadable: Unreadable) -> Iterator[RawEvent]:
-    """The events of the lines that begin with Event; evtest's own header and footer are passed over."""
+def _events(text: str, unreadable: UnreadableLines) -> Iterator[RawEvent]:
+    """The events of the lines that begin with Event; evtest's own header and footer are skipped."""
     for number, line in enumerate(text.splitlines(), 1):
         if not line.startswith("Event: "):
             continue
-        found, mark = EVENT.match(line), MARK.match(line)
-        if found:
-            seconds, micros, kind, code, value = found.groups()
+        event, mark = EVENT.match(line), MARK.match(line)
+        if event:
+            seconds, micros, kind, code, value = event.groups()
             time = int(seconds) * 1_000_000 + int(micros)
             if int(kind) > EV_REL:
                 yield time, int(kind), int(code), 0

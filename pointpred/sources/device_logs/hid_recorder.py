@@ -6,15 +6,13 @@ import re
 from pathlib import Path
 
 import msgspec
-import numpy as np
 
-from pointpred.columns import EventColumns
 from pointpred.errors import RecordingError
 from pointpred.hid.report_decoder import ReportDecoder
 from pointpred.hid.report_descriptor import parse_descriptor
 from pointpred.recording import Recording
-from pointpred.sources.device_logs.evdev_frames import Frames, recording
-from pointpred.sources.device_logs.unreadable_lines import Unreadable
+from pointpred.sources.device_logs.evdev_frames import Frames, frames_of_counts, recording
+from pointpred.sources.device_logs.unreadable_lines import UnreadableLines
 from pointpred.sources.files.encodings import read_text, stem_of
 from pointpred.sources.reading import AS_IS, Reading
 from pointpred.sources.trials.merging import join
@@ -50,7 +48,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     """
     devices: dict[int, _Device] = {}
     current, row = 0, 0
-    unreadable = Unreadable()
+    unreadable = UnreadableLines()
     for number, line in enumerate(read_text(path).splitlines(), 1):
         device = devices.setdefault(current, _Device())
         if line.startswith("D: "):
@@ -128,9 +126,5 @@ def _report(line: str, device: _Device, row: int) -> str:
 
 def _frames(device: _Device) -> Frames:
     """A device's reports as pointer events."""
-    whole = np.array(device.events, dtype=np.int64)
-    x, y = np.cumsum(whole[:, 1]), np.cumsum(whole[:, 2])
-    seconds = (whole[:, 0] - whole[0, 0]) / 1e6
-    events = EventColumns.of(seconds, x, y, whole[:, 1], whole[:, 2], whole[:, 3])
     notes = [f"reports without motion or button left aside: {device.aside}"] if device.aside else []
-    return Frames(events, np.array(device.rows, dtype=np.int64), {}, notes)
+    return frames_of_counts(device.events, device.rows, notes)

@@ -14,7 +14,7 @@ import yaml
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording
 from pointpred.sources.device_logs.evdev_frames import Frames, RawEvent, frames, recording
-from pointpred.sources.device_logs.unreadable_lines import Unreadable
+from pointpred.sources.device_logs.unreadable_lines import UnreadableLines
 from pointpred.sources.files.encodings import open_text, stem_of
 from pointpred.sources.reading import AS_IS, Reading
 from pointpred.sources.trials.merging import join
@@ -45,7 +45,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     """
     parts: list[Recording] = []
     still: list[str] = []
-    unreadable = Unreadable()
+    unreadable = UnreadableLines()
     clock = "kernel stamps, us from the recording's start, monotonic"
     with open_text(path) as file:
         for index, lines in groupby(_lines(file), itemgetter(0)):
@@ -73,7 +73,7 @@ def _lines(file: Iterable[str]) -> Iterator[Line]:
 
 
 def _device(
-    path: Path, index: int, lines: Iterator[Line], unreadable: Unreadable
+    path: Path, index: int, lines: Iterator[Line], unreadable: UnreadableLines
 ) -> tuple[str, Frames | str]:
     """The name of a device and its frames, or in words what there is instead."""
     name = _name(path, index, takewhile(lambda line: not EVENTS.match(line[2]), lines))
@@ -97,7 +97,7 @@ def _name(path: Path, index: int, lines: Iterable[Line]) -> str:
     return str(about.get("name", index)) if isinstance(about, dict) else str(index)
 
 
-def _events(lines: Iterable[Line], unreadable: Unreadable) -> Iterator[RawEvent]:
+def _events(lines: Iterable[Line], unreadable: UnreadableLines) -> Iterator[RawEvent]:
     """The evdev events of one device."""
     inside = False
     for _, number, line in lines:

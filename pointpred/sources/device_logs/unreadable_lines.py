@@ -1,12 +1,12 @@
-"""Lines that cannot be read: each costs itself alone and is counted; a note names the first of a kind."""
+"""Lines of a log that cannot be read: they are skipped and counted; a note names the first of a kind."""
 
 from __future__ import annotations
 
 SHOWN = 60
 
 
-class Unreadable:
-    """Counts the lines of a file that are left aside, by kind."""
+class UnreadableLines:
+    """Counts the lines of a file that are skipped, by kind."""
 
     def __init__(self) -> None:
         self._kinds: dict[str, tuple[int, str]] = {}
