@@ -58,7 +58,7 @@ def measure(where: Path) -> list[Measured]:
         for pipeline in pipelines(part, path):
             one.errors.setdefault(pipeline.name, []).append(replay(prepared, pipeline, threads=1))
         for monotone, reads in one.template.items():
-            drawn = protocol.draw(prepared, only_monotone=monotone, share=1.0)
+            drawn = protocol.select(prepared, only_monotone=monotone, share=1.0)
             if drawn.tested:
                 matched = protocol.with_library(drawn)
                 reads.setdefault(matched.name, []).append(matched.errors)

@@ -19,9 +19,9 @@ from pointpred.scoring.summary import Measure
 from pointpred.training import calibration
 from pointpred.training import data as training_data
 from pointpred.training.__main__ import in_one_thread
-from pointpred.training.custom import known_by_set, of_users, pipeline_of
-from pointpred.training.data import Say, TrainingData
-from pointpred.training.fitting import Fitted, Settings
+from pointpred.training.custom import claims_by_set, of_users, pipeline_of
+from pointpred.training.data import Log, TrainingData
+from pointpred.training.fitting import FittedNetwork, Settings
 from pointpred.training.train import Nets, fit_without, folds
 
 
@@ -42,14 +42,14 @@ class Verdicts(msgspec.Struct, frozen=True):
     set_out: tuple[Verdict, ...]
 
 
-def validate(school: TrainingData, settings: Settings, say: Say, nets: Nets | None = None) -> Verdicts:
+def validate(school: TrainingData, settings: Settings, say: Log, nets: Nets | None = None) -> Verdicts:
     """Hold out users in folds, and each set in turn; the project's scorer judges.
 
     The table of a fold comes from the people of the other folds, that of a set left out from the people
     of the other sets. ``nets``: those of ``folds`` where they are known already.
     """
     nets = folds(school, settings, say) if nets is None else nets
-    known = [known_by_set(school, fitted, users, settings) for users, fitted in nets]
+    known = [claims_by_set(school, fitted, users, settings) for users, fitted in nets]
     tables = []
     for place in range(len(nets)):
         others = [one for k, row in enumerate(known) if k != place for one in row.values()]
@@ -80,7 +80,12 @@ def ratio(score: SetScore) -> float:
 
 
 def _judged(
-    school: TrainingData, number: int, users: set[int], fitted: Fitted, table: FloatArray, settings: Settings
+    school: TrainingData,
+    number: int,
+    users: set[int],
+    fitted: FittedNetwork,
+    table: FloatArray,
+    settings: Settings,
 ) -> Verdict:
     """A set's trials by some people, scored with a network that did not know these."""
     own = school.own[number]

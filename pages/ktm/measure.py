@@ -18,18 +18,18 @@ from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
 from pointpred.scoring import FLOOR, prepare, resolution
 from pointpred.scoring import ktm_protocol as protocol
-from pointpred.scoring.ktm_protocol import Drawn, DrawSummary, Read, summarise_draw
+from pointpred.scoring.ktm_protocol import ProtocolErrors, ProtocolSummary, Selection, summarise_protocol
 
 
-def measured(recording: Recording, predictors: Sequence[str], held: HeldOut) -> tuple[DrawSummary, ...]:
+def measured(recording: Recording, predictors: Sequence[str], held: HeldOut) -> tuple[ProtocolSummary, ...]:
     """The published rule of drawing trials, and all trials."""
     plain, by_person, _ = patterns(recording, predictors, held)
     settings = {k: v for k, v in resolution(recording, None, None).items() if v is not None}
     prepared = prepare(recording, **settings)
     found = []
     for monotone in (True, False):
-        drawn = protocol.draw(prepared, only_monotone=monotone, share=1.0)
-        reads: list[Read] = []
+        drawn = protocol.select(prepared, only_monotone=monotone, share=1.0)
+        reads: list[ProtocolErrors] = []
         if drawn.tested:
             print(f"protocol of template matching: {recording.name}", flush=True)
             others = [one if isinstance(one, Pipeline) else build(one, **settings) for one in plain]
@@ -37,11 +37,11 @@ def measured(recording: Recording, predictors: Sequence[str], held: HeldOut) -> 
             read += [_by_person(drawn, name, people) for name, people in by_person]
             floor = [one for one in read if one.name == FLOOR]
             reads = [*floor, protocol.with_library(drawn), *(one for one in read if one not in floor)]
-        found.append(summarise_draw(drawn, reads, monotone=monotone))
+        found.append(summarise_protocol(drawn, reads, monotone=monotone))
     return tuple(found)
 
 
-def _by_person(drawn: Drawn, name: str, people: Mapping[str, Pipeline]) -> Read:
+def _by_person(drawn: Selection, name: str, people: Mapping[str, Pipeline]) -> ProtocolErrors:
     """Each trial read from the pipeline of its person."""
     users = [drawn.prepared.trials[k].trial.user for k in drawn.tested]
     patterns = {id(people[user]): people[user] for user in users}

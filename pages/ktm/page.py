@@ -9,7 +9,7 @@ import msgspec
 from pages import data
 from pages.results.records import SetResults, stored
 from pointpred.scoring import FLOOR
-from pointpred.scoring.ktm_protocol import FRACTIONS, LIBRARY, DrawSummary, ReadSummary
+from pointpred.scoring.ktm_protocol import FRACTIONS, LIBRARY, ProtocolPredictor, ProtocolSummary
 
 LEFT_OUT = " left out)"
 
@@ -19,11 +19,11 @@ class Matched(msgspec.Struct, frozen=True):
 
     name: str
     simulated: bool
-    drawn: DrawSummary
-    shown: tuple[ReadSummary, ...]
+    drawn: ProtocolSummary
+    shown: tuple[ProtocolPredictor, ...]
     """Without those that have learned from recordings: they are in the results' JSON."""
     skill: dict[float, float]
-    best: dict[float, ReadSummary]
+    best: dict[float, ProtocolPredictor]
     """At each share of the distance, the lowest error of the others."""
 
 

@@ -23,13 +23,13 @@ def spans(offsets: NDArray[np.int64]) -> list[tuple[int, int]]:
     >>> spans(np.array([0, 20_000, 30_000, 40_000, 90_000]))
     [(0, 2), (2, 3), (3, 4)]
     """
-    found, first = [], 0
+    ranges, first = [], 0
     while first < len(offsets) - 1:
         reach = offsets[first] + CHUNK_EVENTS
         stop = max(first + 1, int(np.searchsorted(offsets, reach, side="right")) - 1)
-        found.append((first, stop))
+        ranges.append((first, stop))
         first = stop
-    return found
+    return ranges
 
 
 def users(names: Sequence[str], offsets: NDArray[np.int64]) -> list[list[tuple[int, int]]]:
@@ -38,14 +38,14 @@ def users(names: Sequence[str], offsets: NDArray[np.int64]) -> list[list[tuple[i
     >>> users(["ann", "ann", "bob", "ann"], np.array([0, 10, 20, 30, 40]))
     [[(0, 2), (3, 4)], [(2, 3)]]
     """
-    found: dict[str, list[tuple[int, int]]] = {}
+    ranges: dict[str, list[tuple[int, int]]] = {}
     for k, name in enumerate(names):
-        own = found.setdefault(name, [])
-        if own and own[-1][1] == k and offsets[k + 1] - offsets[own[-1][0]] <= CHUNK_EVENTS:
-            own[-1] = (own[-1][0], k + 1)
+        mine = ranges.setdefault(name, [])
+        if mine and mine[-1][1] == k and offsets[k + 1] - offsets[mine[-1][0]] <= CHUNK_EVENTS:
+            mine[-1] = (mine[-1][0], k + 1)
         else:
-            own.append((k, k + 1))
-    return list(found.values())
+            mine.append((k, k + 1))
+    return list(ranges.values())
 
 
 def in_threads(

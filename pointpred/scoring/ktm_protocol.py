@@ -27,7 +27,7 @@ LIBRARY = "ktm, library"
 """What template matching with the library is called beside names of the registry."""
 
 
-class Drawn(msgspec.Struct, frozen=True):
+class Selection(msgspec.Struct, frozen=True):
     """The trials of a set that are tested, and for each the trials that are its templates."""
 
     prepared: Prepared
@@ -39,7 +39,7 @@ class Drawn(msgspec.Struct, frozen=True):
     """Trials and users that take no part."""
 
 
-class Read(msgspec.Struct, frozen=True):
+class ProtocolErrors(msgspec.Struct, frozen=True):
     """Errors in px of one predictor, a row a tested trial, a column for each of FRACTIONS."""
 
     name: str
@@ -59,12 +59,12 @@ class Read(msgspec.Struct, frozen=True):
         """Share of trials whose error is at most 16 px."""
         return np.asarray((self.errors <= HIT_PX).mean(axis=0))
 
-    def skill(self, floor: Read) -> FloatArray:
+    def skill(self, floor: ProtocolErrors) -> FloatArray:
         """1 - mean error / mean error of ``floor``."""
         return 1.0 - self.mean_px() / floor.mean_px()
 
 
-class ReadSummary(msgspec.Struct, frozen=True):
+class ProtocolPredictor(msgspec.Struct, frozen=True):
     """The numbers of one predictor; mappings by each of FRACTIONS of the straight distance."""
 
     name: str
@@ -82,7 +82,7 @@ class ReadSummary(msgspec.Struct, frozen=True):
     """Of ``of_library``, over people, or over trials where there is one person."""
 
 
-class DrawSummary(msgspec.Struct, frozen=True):
+class ProtocolSummary(msgspec.Struct, frozen=True):
     """What was tested on one set by one rule of drawing, and what came of it."""
 
     monotone: bool
@@ -96,36 +96,40 @@ class DrawSummary(msgspec.Struct, frozen=True):
     """Trials and users that take no part."""
     distance_px: float | None
     """Mean straight distance, px."""
-    predictors: tuple[ReadSummary, ...]
+    predictors: tuple[ProtocolPredictor, ...]
     """``hold``, template matching with the library, the others; empty where nothing was tested."""
 
 
-def summarise_draw(drawn: Drawn, reads: Sequence[Read], *, monotone: bool) -> DrawSummary:
-    """The numbers of what was read on the drawn trials: ``hold`` first, then the library, then others."""
-    sizes = [len(library) - 1 for library in drawn.libraries.values()]
-    users = [drawn.prepared.trials[k].trial.user for k in drawn.tested]
-    floor, matched = reads[:2] if drawn.tested else (None, None)
-    return DrawSummary(
+def summarise_protocol(
+    selection: Selection, results: Sequence[ProtocolErrors], *, monotone: bool
+) -> ProtocolSummary:
+    """The numbers of each predictor: ``hold`` first, then template matching with the library."""
+    sizes = [len(library) - 1 for library in selection.libraries.values()]
+    users = [selection.prepared.trials[k].trial.user for k in selection.tested]
+    floor, matched = results[:2] if selection.tested else (None, None)
+    return ProtocolSummary(
         monotone,
-        len(drawn.tested),
-        len(drawn.libraries),
+        len(selection.tested),
+        len(selection.libraries),
         (min(sizes), max(sizes)) if sizes else None,
-        len(drawn.left_out),
+        len(selection.left_out),
         None if floor is None else float(floor.distances.mean()),
         ()
         if floor is None or matched is None
-        else tuple(_summarise(one, floor, matched, users) for one in reads),
+        else tuple(_summarise(one, floor, matched, users) for one in results),
     )
 
 
-def _summarise(one: Read, floor: Read, matched: Read, users: Sequence[str]) -> ReadSummary:
+def _summarise(
+    one: ProtocolErrors, floor: ProtocolErrors, matched: ProtocolErrors, users: Sequence[str]
+) -> ProtocolPredictor:
     bounds = ratio_intervals(one.errors, matched.errors, users)
 
     def by_share(values: FloatArray) -> dict[float, float]:
         return dict(zip(FRACTIONS, values.tolist(), strict=True))
 
     pairs = zip(FRACTIONS, bounds.low, bounds.high, strict=True)
-    return ReadSummary(
+    return ProtocolPredictor(
         one.name,
         by_share(one.mean_px()),
         by_share(one.share()),
@@ -148,20 +152,20 @@ def never_nearer(rows: EventColumns) -> bool:
     return bool((np.diff(np.hypot(rows.x - rows.x[0], rows.y - rows.y[0])) >= 0.0).all())
 
 
-def draw(
+def select(
     prepared: Prepared,
     *,
     only_monotone: bool = True,
     share: float = 0.1,
     seed: int = 0,
     least: int = MOVEMENTS_LEAST,
-) -> Drawn:
+) -> Selection:
     """Draw the trials that are tested: a share of each user's library at random, without repetition.
 
-    ``only_monotone``: trials whose distance from the start ever decreases are drawn again, as published;
-    they stay in the libraries. A library holds all movements of its user, at most 1000 at random. Users with
-    fewer than ``least`` movements and trials that make no template (fewer than 4 points of different time,
-    less than 50 ms) take no part.
+    ``only_monotone``: trials whose distance from the start ever decreases are replaced by others, as
+    published; they stay in the libraries. A library holds all movements of its user, at most 1000 at random.
+    Users with fewer than ``least`` movements and trials that make no template (fewer than 4 points of
+    different time, less than 50 ms) take no part.
     """
     random = np.random.default_rng(seed)
     t, first, last = prepared.events.t, prepared.offsets[:-1], prepared.offsets[1:] - 1
@@ -181,52 +185,52 @@ def draw(
             why = f"{len(trials)} movements of this person, a library needs {least}"
             left_out.append(Skip("*", why, user=user))
             continue
-        held = np.sort(random.permutation(trials)[:TEMPLATES_MOST])
-        libraries[user] = tuple(held.tolist())
-        may = [k for k in held.tolist() if not only_monotone or never_nearer(prepared.rows(k))]
-        count = min(len(may), max(1, int(share * len(held))))
+        library = np.sort(random.permutation(trials)[:TEMPLATES_MOST])
+        libraries[user] = tuple(library.tolist())
+        may = [k for k in library.tolist() if not only_monotone or never_nearer(prepared.rows(k))]
+        count = min(len(may), max(1, int(share * len(library))))
         tested += np.sort(random.permutation(may)[:count]).tolist()
-    return Drawn(prepared, tuple(tested), libraries, longest_s, tuple(left_out))
+    return Selection(prepared, tuple(tested), libraries, longest_s, tuple(left_out))
 
 
-def with_library(drawn: Drawn) -> Read:
+def with_library(selection: Selection) -> ProtocolErrors:
     """Template matching with the library, each tested trial left out of it."""
     profiles = {
-        user: np.concatenate([profile_of(drawn.prepared.rows(k), drawn.longest_s) for k in trials])
-        for user, trials in drawn.libraries.items()
+        user: np.concatenate([profile_of(selection.prepared.rows(k), selection.longest_s) for k in trials])
+        for user, trials in selection.libraries.items()
     }
 
     def answers() -> Iterator[tuple[int, FloatArray]]:
         differentiator = build("ktm").differentiator
-        for k in drawn.tested:
-            user = drawn.prepared.trials[k].trial.user
-            others = np.delete(profiles[user], drawn.libraries[user].index(k), axis=0)
-            predictor = TemplatePredictor(templates=0, longest_s=drawn.longest_s, library=others)
+        for k in selection.tested:
+            user = selection.prepared.trials[k].trial.user
+            others = np.delete(profiles[user], selection.libraries[user].index(k), axis=0)
+            predictor = TemplatePredictor(templates=0, longest_s=selection.longest_s, library=others)
             pipeline = Pipeline(LIBRARY, differentiator.fresh(), predictor)
-            yield k, run(pipeline, drawn.prepared.rows(k)).table
+            yield k, run(pipeline, selection.prepared.rows(k)).table
 
-    return _read(LIBRARY, drawn, dict(answers()))
+    return _read(LIBRARY, selection, dict(answers()))
 
 
-def without_library(drawn: Drawn, pattern: Pipeline) -> Read:
+def without_library(selection: Selection, pattern: Pipeline) -> ProtocolErrors:
     """Any pipeline on the tested trials; one that learns has seen the user's trials before them, in order."""
-    wanted, found = set(drawn.tested), {}
+    tested, answers = set(selection.tested), {}
     pipelines: dict[str, Pipeline] = {}
-    for k, scored in enumerate(drawn.prepared.trials):
+    for k, scored in enumerate(selection.prepared.trials):
         pipeline = pipelines.setdefault(scored.trial.user, pattern.fresh())
-        if pattern.learns or k in wanted:
-            table = run(pipeline, drawn.prepared.rows(k)).table
-            if k in wanted:
-                found[k] = table
-    return _read(pattern.name, drawn, found)
+        if pattern.learns or k in tested:
+            table = run(pipeline, selection.prepared.rows(k)).table
+            if k in tested:
+                answers[k] = table
+    return _read(pattern.name, selection, answers)
 
 
-def _read(name: str, drawn: Drawn, answers: dict[int, FloatArray]) -> Read:
-    errors = np.empty((len(drawn.tested), len(FRACTIONS)))
-    for row, k in zip(errors, drawn.tested, strict=True):
-        row[:] = errors_at(drawn.prepared.rows(k), answers[k])
-    distances = [drawn.prepared.trials[k].distance_px for k in drawn.tested]
-    return Read(name, errors, np.array(distances))
+def _read(name: str, selection: Selection, answers: dict[int, FloatArray]) -> ProtocolErrors:
+    errors = np.empty((len(selection.tested), len(FRACTIONS)))
+    for row, k in zip(errors, selection.tested, strict=True):
+        row[:] = errors_at(selection.prepared.rows(k), answers[k])
+    distances = [selection.prepared.trials[k].distance_px for k in selection.tested]
+    return ProtocolErrors(name, errors, np.array(distances))
 
 
 def errors_at(rows: EventColumns, answers: FloatArray) -> FloatArray:

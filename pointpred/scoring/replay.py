@@ -106,24 +106,24 @@ def _replay_chunk(prepared: Prepared, pipeline: Pipeline, clock: float, first: i
         reason = f"{type(error).__name__}: {error}"
         return _unanswered(prepared, clock, first, reason, time.thread_time() - before)
     seconds = time.thread_time() - before
-    found, faults = measure_trials(prepared, first, stop, events, answers, clock)
+    measures, faults = measure_trials(prepared, first, stop, events, answers, clock)
     failed: list[Skip] = []
     for k in np.flatnonzero(faults != endpoint.SOUND).tolist():
         reason = f"event {faults[k]}: the prediction is not finite"
         alone = _unanswered(prepared, clock, first + k, reason, 0.0)
-        found.put(k, alone.measures)
+        measures.put(k, alone.measures)
         failed.extend(alone.failed)
-    return _Chunk(first, stop, found, tuple(failed), len(events), seconds)
+    return _Chunk(first, stop, measures, tuple(failed), len(events), seconds)
 
 
 def _unanswered(prepared: Prepared, clock: float, trial: int, reason: str, seconds: float) -> _Chunk:
     """A trial in which the pipeline failed, measured as one without any answer."""
     events = prepared.rows(trial)
     nothing = PredictionColumns(np.full((len(events), len(PredictionColumns.names)), np.nan))
-    found, _ = measure_trials(prepared, trial, trial + 1, events, nothing, clock)
+    measures, _ = measure_trials(prepared, trial, trial + 1, events, nothing, clock)
     who = prepared.trials[trial].trial
     skip = Skip(who.trial, reason, user=who.user)
-    return _Chunk(trial, trial + 1, found, (skip,), len(events), seconds)
+    return _Chunk(trial, trial + 1, measures, (skip,), len(events), seconds)
 
 
 def _join(chunks: list[_Chunk]) -> _Chunk:

@@ -26,7 +26,7 @@ def main() -> None:
     """Train; progress goes to the error stream."""
     began = time.monotonic()
 
-    def say(what: str) -> None:
+    def log(what: str) -> None:
         print(f"{time.monotonic() - began:6.1f} s  {what}", file=sys.stderr, flush=True)
 
     from pointpred.predictors.kinematic import coefficient_file
@@ -34,8 +34,8 @@ def main() -> None:
     from pointpred.training.fitting import Settings
 
     settings = Settings()
-    material = data.training_data(data.read_sets(data.folder()), settings.seed, say)
-    train.train(material, settings, coefficient_file.OWN, say)
+    material = data.training_data(data.read_sets(data.folder()), settings.seed, log)
+    train.train(material, settings, coefficient_file.OWN, log)
 
 
 def parse_arguments() -> None:

@@ -1,4 +1,4 @@
-"""The table that makes regions as sure as they say, from people the network was not fitted to."""
+"""The table that makes regions as sure as they log, from people the network was not fitted to."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from pointpred.predictors.kinematic import network as net
 from pointpred.scoring.measures.regions import reach
 from pointpred.training import losses
 from pointpred.training.examples import Examples
-from pointpred.training.fitting import Fitted, Settings, truth
+from pointpred.training.fitting import FittedNetwork, Settings, truth
 
 LEVELS = (0.5, 0.8, 0.95)
 DECILES = 9
@@ -31,10 +31,10 @@ NORMAL = (0.6744897501960817, 1.2815515655446004, 1.959963984540054)
 
 
 class Claims(msgspec.Struct, frozen=True):
-    """What a network said of moments of people it was not fitted to, and how it turned out."""
+    """What a network predicted for moments of people it was not fitted to, and how it turned out."""
 
-    said_share: FloatArray
-    """Share of the time that has passed, as the network thinks."""
+    predicted_share: FloatArray
+    """Share of the time that has passed, as the network predicts."""
     share: FloatArray
     surprise: FloatArray
     """Squared Mahalanobis distance of the endpoint."""
@@ -48,34 +48,34 @@ class Claims(msgspec.Struct, frozen=True):
         return Claims(*(getattr(self, name)[rows] for name in self.__struct_fields__))
 
 
-def claims_of(fitted: Fitted, given: Examples, settings: Settings) -> Claims:
+def claims_of(fitted: FittedNetwork, examples: Examples, settings: Settings) -> Claims:
     """A fitted network's claims about examples, before any calibration."""
-    outputs, wanted = fitted.outputs(given.features), truth(given, settings)
-    along, across = losses.point(outputs, wanted)
-    said = outputs.astype(np.float64)
-    wide = np.exp(np.clip(said[:, net.WIDE], *net.WIDTH_LOGS))
-    broad = np.exp(np.clip(said[:, net.BROAD], *net.WIDTH_LOGS))
-    left = _left(said, given)
-    spread = np.exp(np.clip(said[:, net.SPREAD], *net.SPREAD_LOGS))
+    outputs, target = fitted.outputs(examples.features), truth(examples, settings)
+    along, across = losses.point(outputs, target)
+    values = outputs.astype(np.float64)
+    wide = np.exp(np.clip(values[:, net.WIDE], *net.WIDTH_LOGS))
+    broad = np.exp(np.clip(values[:, net.BROAD], *net.WIDTH_LOGS))
+    left = _left(values, examples)
+    spread = np.exp(np.clip(values[:, net.SPREAD], *net.SPREAD_LOGS))
     return Claims(
-        wanted.since_s / (wanted.since_s + left),
-        given.share,
-        ((along - wanted.along) / wide) ** 2 + ((across - wanted.across) / broad) ** 2,
-        np.exp(np.clip(said[:, net.TAIL], *net.TAIL_LOGS)),
-        np.log(np.maximum(given.left_s, 1e-4) / left) / spread,
-        wanted.law_weight.astype(np.float64),
+        target.since_s / (target.since_s + left),
+        examples.share,
+        ((along - target.along) / wide) ** 2 + ((across - target.across) / broad) ** 2,
+        np.exp(np.clip(values[:, net.TAIL], *net.TAIL_LOGS)),
+        np.log(np.maximum(examples.left_s, 1e-4) / left) / spread,
+        target.law_weight.astype(np.float64),
     )
 
 
-def _left(said: FloatArray, given: Examples) -> FloatArray:
-    since = given.features[:, features.TIME].astype(np.float64)
-    ahead: FloatArray = np.exp(np.clip(said[:, net.LEFT], *net.LEFT_LOGS))
+def _left(values: FloatArray, examples: Examples) -> FloatArray:
+    since = examples.features[:, features.TIME].astype(np.float64)
+    ahead: FloatArray = np.exp(np.clip(values[:, net.LEFT], *net.LEFT_LOGS))
     return (since + net.HEAD_START_S) * ahead
 
 
-def time_left(fitted: Fitted, given: Examples) -> FloatArray:
+def time_left(fitted: FittedNetwork, examples: Examples) -> FloatArray:
     """The time left in s that a network says for examples."""
-    return _left(fitted.outputs(given.features).astype(np.float64), given)
+    return _left(fitted.outputs(examples.features).astype(np.float64), examples)
 
 
 def join(parts: list[Claims]) -> Claims:
@@ -87,8 +87,8 @@ def join(parts: list[Claims]) -> Claims:
 def factors(table: FloatArray, share: FloatArray, which: int) -> FloatArray:
     """``kinematic_calibration.factor`` of many shares."""
     knots = (np.arange(table_law.KNOTS) + 0.5) / table_law.KNOTS
-    found: FloatArray = np.exp(np.interp(share, knots, table[:, which]))
-    return found
+    scales: FloatArray = np.exp(np.interp(share, knots, table[:, which]))
+    return scales
 
 
 @law
@@ -100,16 +100,16 @@ def reaches(level: float, tail: FloatArray) -> FloatArray:
     return far
 
 
-def fit_table(known: Claims, seed: int = 0) -> FloatArray:
+def fit_table(claims: Claims, seed: int = 0) -> FloatArray:
     """The table with which each level's share of endpoints inside is right at every decile of the time."""
     from scipy.optimize import least_squares
 
-    if len(known.share) > ROWS_MOST:
-        drawn = np.random.default_rng(seed).choice(len(known.share), ROWS_MOST, replace=False)
-        known = known.only(np.sort(drawn))
-    decile = np.clip(np.round(known.share * 10.0).astype(int) - 1, 0, DECILES - 1)
-    total = np.bincount(decile, known.weight, DECILES)
-    place = np.clip(known.said_share * table_law.KNOTS - 0.5, 0.0, table_law.KNOTS - 1.0)
+    if len(claims.share) > ROWS_MOST:
+        drawn = np.random.default_rng(seed).choice(len(claims.share), ROWS_MOST, replace=False)
+        claims = claims.only(np.sort(drawn))
+    decile = np.clip(np.round(claims.share * 10.0).astype(int) - 1, 0, DECILES - 1)
+    total = np.bincount(decile, claims.weight, DECILES)
+    place = np.clip(claims.predicted_share * table_law.KNOTS - 0.5, 0.0, table_law.KNOTS - 1.0)
     knot = np.minimum(place.astype(int), table_law.KNOTS - 2)
     part = place - knot
 
@@ -122,48 +122,48 @@ def fit_table(known: Claims, seed: int = 0) -> FloatArray:
         shares = []
         for level, gap in zip(LEVELS, logs, strict=False):
             inside = 1.0 / (1.0 + np.exp(np.clip(-gap / SOFT, -40.0, 40.0)))
-            shares.append(np.bincount(decile, known.weight * inside, DECILES) / total - level)
+            shares.append(np.bincount(decile, claims.weight * inside, DECILES) / total - level)
         bends = [SMOOTH * np.diff(column, 2) for column in columns] + [0.1 * SMOOTH * c for c in columns]
         return np.concatenate([*shares, *bends])
 
-    surprise = np.log(np.maximum(known.surprise, 1e-12))
+    surprise = np.log(np.maximum(claims.surprise, 1e-12))
 
     def regions(values: FloatArray) -> FloatArray:
         width, tail = values[: table_law.KNOTS], values[table_law.KNOTS :]
-        heavy = known.tail * np.exp(np.clip(at(tail), -3.0, 3.0))
+        heavy = claims.tail * np.exp(np.clip(at(tail), -3.0, 3.0))
         return off(
             [np.log(reaches(level, heavy)) + 2.0 * at(width) - surprise for level in LEVELS], [width, tail]
         )
 
-    late = np.log(np.maximum(np.abs(known.late), 1e-6))
+    late = np.log(np.maximum(np.abs(claims.late), 1e-6))
 
     def times(values: FloatArray) -> FloatArray:
         return off([2.0 * (log(z) + at(values) - late) for z in NORMAL[:2]], [values])
 
-    found = least_squares(regions, np.zeros(2 * table_law.KNOTS), max_nfev=15).x
+    solution = least_squares(regions, np.zeros(2 * table_law.KNOTS), max_nfev=15).x
     spread = least_squares(times, np.zeros(table_law.KNOTS), max_nfev=40).x
     table = np.empty((table_law.KNOTS, table_law.FACTORS))
-    table[:, table_law.WIDTH] = found[: table_law.KNOTS]
-    table[:, table_law.TAIL] = np.clip(found[table_law.KNOTS :], -3.0, 3.0)
+    table[:, table_law.WIDTH] = solution[: table_law.KNOTS]
+    table[:, table_law.TAIL] = np.clip(solution[table_law.KNOTS :], -3.0, 3.0)
     table[:, table_law.SPREAD] = spread
     return np.round(table, 6)
 
 
-def apply_table(known: Claims, table: FloatArray) -> Claims:
+def apply_table(claims: Claims, table: FloatArray) -> Claims:
     """The claims after calibration."""
-    widths = factors(table, known.said_share, table_law.WIDTH)
+    widths = factors(table, claims.predicted_share, table_law.WIDTH)
     return msgspec.structs.replace(
-        known,
-        surprise=known.surprise / widths**2,
-        tail=known.tail * factors(table, known.said_share, table_law.TAIL),
-        late=known.late / factors(table, known.said_share, table_law.SPREAD),
+        claims,
+        surprise=claims.surprise / widths**2,
+        tail=claims.tail * factors(table, claims.predicted_share, table_law.TAIL),
+        late=claims.late / factors(table, claims.predicted_share, table_law.SPREAD),
     )
 
 
-def coverage(known: Claims) -> FloatArray:
+def coverage(claims: Claims) -> FloatArray:
     """Shares inside, a row a decile, a column a level: regions, then intervals of the time left."""
-    decile = np.clip(np.round(known.share * 10.0).astype(int) - 1, 0, DECILES - 1)
-    total = np.bincount(decile, known.weight, DECILES)
-    columns = [known.surprise <= reaches(level, known.tail) for level in LEVELS]
-    columns += [np.abs(known.late) <= z for z in NORMAL]
-    return np.stack([np.bincount(decile, known.weight * c, DECILES) / total for c in columns], axis=1)
+    decile = np.clip(np.round(claims.share * 10.0).astype(int) - 1, 0, DECILES - 1)
+    total = np.bincount(decile, claims.weight, DECILES)
+    columns = [claims.surprise <= reaches(level, claims.tail) for level in LEVELS]
+    columns += [np.abs(claims.late) <= z for z in NORMAL]
+    return np.stack([np.bincount(decile, claims.weight * c, DECILES) / total for c in columns], axis=1)

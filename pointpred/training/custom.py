@@ -1,6 +1,6 @@
 """Coefficients fitted to somebody's own recordings, and what they are worth on movements they do not know.
 
-Training goes on from the package's network unless told otherwise. People are held out in folds. Where there
+Training goes on from the package's network unless ``from_scratch``. People are held out in folds. Where there
 is one person, movements are, in stretches of their order. Users of one name are one person everywhere.
 """
 
@@ -28,7 +28,7 @@ from pointpred.scoring.summary.bootstrap import ratio_intervals
 from pointpred.training import calibration
 from pointpred.training.calibration import Claims
 from pointpred.training.data import FOLDS, VARIANTS, TrainingData, numbered, training_data
-from pointpred.training.fitting import Fitted, Settings, of_file
+from pointpred.training.fitting import FittedNetwork, Settings, load_network
 from pointpred.training.train import Nets, calibration_table, card_of, fit_without, folds, save
 
 GENTLE = Settings(passes=4, batch=512, rate=3e-4)
@@ -108,33 +108,33 @@ def train_custom(
     if path.resolve() == coefficient_file.OWN.resolve():
         raise ParameterError(f"{path} is the package's own file, which `make train` writes; name another")
     coefficient_file.check_writable(path)
-    start = None if from_scratch else of_file()
+    start = None if from_scratch else load_network()
     _check_enough(sum(len(one.trials) for one in recordings))  # before the work on each of them
     recordings = [_unknown_apart(one, k) for k, one in enumerate(recordings)]
     people = {trial.user for one in recordings for trial in one.trials}
     parts = _parts(recordings, len(people))
-    taken = _in_stretches(recordings) if parts == "movements" else recordings
-    done, steps = 0, _steps(TrainingData(tuple(taken), (), (), numbered(taken, by_name=True)))
+    material = _in_stretches(recordings) if parts == "movements" else recordings
+    done, steps = 0, _steps(TrainingData(tuple(material), (), (), numbered(material, by_name=True)))
 
-    def say(what: str) -> None:
+    def log(what: str) -> None:
         nonlocal done
         done += 1
         progress(what, done, steps)
 
     progress("reading movements", 0, steps)
-    made = training_data(taken, seed, lambda _: None, variants, by_name=True)
-    movements = sum(len(np.unique(part.trial)) for part in made.own)
+    data = training_data(material, seed, lambda _: None, variants, by_name=True)
+    movements = sum(len(np.unique(part.trial)) for part in data.own)
     _check_enough(movements)  # some trials hold none
     if settings is None:
         firm = movements >= MOVEMENTS_FIRM
         settings = Settings() if from_scratch else FIRM if firm else GENTLE
     settings = msgspec.structs.replace(settings, seed=seed)
-    say("fitting")
-    nets = folds(made, settings, say, start)
-    known = [known_by_set(made, fitted, users, settings) for users, fitted in nets]
-    held_out = tuple(_judged(made, k, nets, known, parts != "movements", say) for k in range(len(taken)))
-    table = calibration_table(made, nets, settings)
-    card = card_of(made, settings) | {
+    log("fitting")
+    nets = folds(data, settings, log, start)
+    claims = [claims_by_set(data, fitted, users, settings) for users, fitted in nets]
+    held_out = tuple(_compare(data, k, nets, claims, parts != "movements", log) for k in range(len(material)))
+    table = calibration_table(data, nets, settings)
+    card = card_of(data, settings) | {
         "pointpred": pointpred.__version__,
         "start": None if from_scratch else coefficient_file.digest(),
         "held_out": WORDS[parts],
@@ -142,8 +142,8 @@ def train_custom(
     for one in card["sets"]:
         one["licence"] = "unknown"
         one["users"] = 1 if parts == "movements" else one["users"]
-    save(path, fit_without(made, set(), None, settings, start), table, card)
-    say("written")
+    save(path, fit_without(data, set(), None, settings, start), table, card)
+    log("written")
     return TrainingResult(movements, len(people), parts, held_out)
 
 
@@ -171,50 +171,50 @@ def _parts(recordings: list[Recording], people: int) -> Parts:
     return "recordings" if single else "people"
 
 
-def _steps(made: TrainingData) -> int:
+def _steps(data: TrainingData) -> int:
     """How many steps are reported: reading, a fit each fold, a score each fold and recording, the file."""
-    fold = made.fold()
+    fold = data.fold()
     scores = [
-        len({fold[made.users[f"{one.name} {trial.user}"]] for trial in one.trials}) for one in made.recordings
+        len({fold[data.users[f"{one.name} {trial.user}"]] for trial in one.trials}) for one in data.recordings
     ]
     return 1 + len(set(fold.values())) + sum(scores) + 1
 
 
 def _in_stretches(recordings: list[Recording]) -> list[Recording]:
     """One person's trials as if each fifth of them all, in their order, were another person's."""
-    count, first, found = sum(len(one.trials) for one in recordings), 0, []
+    count, first, stretches = sum(len(one.trials) for one in recordings), 0, []
     for recording in recordings:
         trials = tuple(
             msgspec.structs.replace(trial, user=f"{trial.user}, stretch {k * FOLDS // count + 1}")
             for k, trial in enumerate(recording.trials, first)
         )
-        found.append(msgspec.structs.replace(recording, trials=trials))
+        stretches.append(msgspec.structs.replace(recording, trials=trials))
         first += len(trials)
-    return found
+    return stretches
 
 
-def _judged(
-    made: TrainingData,
+def _compare(
+    data: TrainingData,
     number: int,
     nets: Nets,
-    known: list[dict[int, calibration.Claims]],
+    claims: list[dict[int, calibration.Claims]],
     by_person: bool,
-    say: Callable[[str], None],
+    log: Callable[[str], None],
 ) -> SetComparison:
     """A recording's movements, each scored with the coefficients of the fold that did not know it."""
-    recording = made.recordings[number]
+    recording = data.recordings[number]
     rows, users, seen = [], [], False
     for place, (out, fitted) in enumerate(nets):
-        part = of_users(recording, [name for name, user in made.users.items() if user in out])
+        part = of_users(recording, [name for name, user in data.users.items() if user in out])
         if not part.trials:
             continue
-        others = [one for k, row in enumerate(known) if k != place for one in row.values()]
+        others = [one for k, row in enumerate(claims) if k != place for one in row.values()]
         pipeline = _named("own", pipeline_of(fitted, calibration.fit_table(calibration.join(others))))
         (scored,) = score([part], [pipeline, "kinematic"])
         rows.append(np.stack([one.time_averaged for one in scored.predictors]))
         users += [one.trial.user if by_person else "" for one in scored.trials]
         seen = scored.predictors[2].seen
-        say(f"scoring {recording.name}")
+        log(f"scoring {recording.name}")
     hold, own, shipped = np.concatenate(rows, axis=1)
     interval = ratio_intervals(own[:, None], shipped[:, None], users)
     ratio = (float(own.mean() / shipped.mean()), float(interval.low[0]), float(interval.high[0]))
@@ -225,7 +225,7 @@ def _named(name: str, pipeline: Pipeline) -> Pipeline:
     return Pipeline(name, pipeline.differentiator, pipeline.predictor)
 
 
-def pipeline_of(fitted: Fitted, table: FloatArray) -> Pipeline:
+def pipeline_of(fitted: FittedNetwork, table: FloatArray) -> Pipeline:
     """``kinematic`` with other coefficients; they pass through a file, as the package's own do."""
     with tempfile.TemporaryDirectory() as where:
         path = Path(where) / "coefficients.npz"
@@ -234,21 +234,21 @@ def pipeline_of(fitted: Fitted, table: FloatArray) -> Pipeline:
     return Pipeline("kinematic", build("hold").differentiator, predictor)
 
 
-def known_by_set(
-    data: TrainingData, fitted: Fitted, users: set[int], settings: Settings
+def claims_by_set(
+    data: TrainingData, fitted: FittedNetwork, users: set[int], settings: Settings
 ) -> dict[int, Claims]:
     """What a network claims of the people it did not know, set by set."""
-    found = {}
+    claims = {}
     for number, part in enumerate(data.own):
         rows = np.isin(part.user, list(users))
         if rows.any():
-            found[number] = calibration.claims_of(fitted, part.only(rows), settings)
-    return found
+            claims[number] = calibration.claims_of(fitted, part.only(rows), settings)
+    return claims
 
 
 def of_users(recording: Recording, names: list[str]) -> Recording:
     """The trials of some people, named set and user."""
-    chosen = [k for k, trial in enumerate(recording.trials) if f"{recording.name} {trial.user}" in names]
+    trials = [k for k, trial in enumerate(recording.trials) if f"{recording.name} {trial.user}" in names]
     return Recording.of(
-        recording.name, [recording.rows(k) for k in chosen], [recording.trials[k] for k in chosen]
+        recording.name, [recording.rows(k) for k in trials], [recording.trials[k] for k in trials]
     )

@@ -28,7 +28,7 @@ FOLDS = 5
 VARIANTS = 6
 """How often each movement is seen otherwise."""
 
-Say = Callable[[str], None]
+Log = Callable[[str], None]
 
 
 class TrainingData(msgspec.Struct, frozen=True):
@@ -68,7 +68,7 @@ def numbered(recordings: list[Recording], *, by_name: bool = False) -> dict[str,
 
 
 def training_data(
-    recordings: list[Recording], seed: int, say: Say, variants: int = VARIANTS, *, by_name: bool = False
+    recordings: list[Recording], seed: int, log: Log, variants: int = VARIANTS, *, by_name: bool = False
 ) -> TrainingData:
     """Make the examples of recordings; ``by_name``: users of one name are one person in all of them."""
     users = numbered(recordings, by_name=by_name)
@@ -78,7 +78,7 @@ def training_data(
         for variant in range(variants):
             seeds = seed + 1000 * (number + 1) + variant
             otherwise.append(examples(varied(recording, seeds), number, users, seeds, own=False))
-        say(f"{recording.name}: {len(recording.trials)} trials, {len(own[-1].reach)} moments")
+        log(f"{recording.name}: {len(recording.trials)} trials, {len(own[-1].reach)} moments")
     return TrainingData(tuple(recordings), tuple(own), tuple(otherwise), users)
 
 
@@ -87,7 +87,7 @@ def read_sets(where: Path) -> list[Recording]:
     from pointpred.sources import read
 
     paths = {name: where / f"{name}_samples.parquet" for name in SETS}
-    found = [read(path) for path in paths.values() if path.is_file()]
-    if not found:
+    recordings = [read(path) for path in paths.values() if path.is_file()]
+    if not recordings:
         raise ParameterError(f"POINTPRED_RECORDINGS must hold one of {', '.join(SETS)}, found none")
-    return found
+    return recordings

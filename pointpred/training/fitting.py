@@ -41,107 +41,111 @@ class Settings(msgspec.Struct, frozen=True):
     """How much more a moment weighs the nearer the cursor is to the end: the power of that nearness."""
 
 
-class Fitted(msgspec.Struct, frozen=True):
+class FittedNetwork(msgspec.Struct, frozen=True):
     """A fitted network with what its inputs are brought to."""
 
     mean: FloatArray
     scale: FloatArray
     layers: network.Layers
 
-    def outputs(self, seen: Floats) -> Floats:
+    def outputs(self, moments: Floats) -> Floats:
         """The network's outputs for rows of features."""
-        said, _ = network.forward(self.layers, inputs(seen, self.mean, self.scale))
-        return said
+        outputs, _ = network.forward(self.layers, inputs(moments, self.mean, self.scale))
+        return outputs
 
 
-def of_file(path: Path | str = coefficient_file.OWN) -> Fitted:
+def load_network(path: Path | str = coefficient_file.OWN) -> FittedNetwork:
     """The network of a file, such as that of the package; raises ParameterError."""
     mean, scale, layers = coefficient_file.layers_of(path)
-    return Fitted(mean, scale, [(w.astype(np.float32), b.astype(np.float32)) for w, b in layers])
+    return FittedNetwork(mean, scale, [(w.astype(np.float32), b.astype(np.float32)) for w, b in layers])
 
 
-def sides(seen: Floats) -> Floats:
+def sides(moments: Floats) -> Floats:
     """``kinematic_net.side`` of rows."""
-    bent = seen[:, net.SIDES[0]] + seen[:, net.SIDES[1]]
+    bent = moments[:, net.SIDES[0]] + moments[:, net.SIDES[1]]
     side: Floats = bent / np.sqrt(bent**2 + np.float32(net.SIDE_SOFT**2))
     return side
 
 
-def unmirrored(seen: Floats) -> Floats:
+def unmirrored(moments: Floats) -> Floats:
     """Features as if every movement bent to the same side."""
-    turned = seen.copy()
-    turned[:, features.ODD :] *= sides(seen)[:, None]
+    turned = moments.copy()
+    turned[:, features.ODD :] *= sides(moments)[:, None]
     return turned
 
 
-def inputs(seen: Floats, mean: FloatArray, scale: FloatArray) -> Floats:
+def inputs(moments: Floats, mean: FloatArray, scale: FloatArray) -> Floats:
     """Features brought to the same mean and spread, extremes cut."""
-    brought = (unmirrored(seen) - mean.astype(np.float32)) * scale.astype(np.float32)
+    brought = (unmirrored(moments) - mean.astype(np.float32)) * scale.astype(np.float32)
     cut: Floats = np.clip(brought, -net.EXTREME, net.EXTREME).astype(np.float32)
     return cut
 
 
-def truth(given: Examples, settings: Settings) -> Truth:
-    """What is to be said for each example, and what it weighs.
+def truth(examples: Examples, settings: Settings) -> Truth:
+    """The answers that training works towards, and the weight of each example.
 
     A set's errors count as shares of what ``hold`` errs there; sets count by the fourth root of their
     trials less than by their number.
     """
-    seen, reach = given.features, given.reach
-    trials = np.bincount(given.trial, given.weight)
-    mean = np.bincount(given.trial, given.weight * given.hold()) / np.maximum(trials, 1e-9)
-    whole = np.bincount(given.trial, given.weight * (given.left_s / np.maximum(1.0 - given.share, 1e-3)))
+    moments, reach = examples.features, examples.reach
+    trials = np.bincount(examples.trial, examples.weight)
+    mean = np.bincount(examples.trial, examples.weight * examples.hold()) / np.maximum(trials, 1e-9)
+    whole = np.bincount(
+        examples.trial, examples.weight * (examples.left_s / np.maximum(1.0 - examples.share, 1e-3))
+    )
     share = np.empty(len(reach))
     mean_hold = np.empty(len(reach))
-    for number in np.unique(given.set).tolist():
-        rows = given.set == number
-        mine = np.unique(given.trial[rows])
+    for number in np.unique(examples.set).tolist():
+        rows = examples.set == number
+        mine = np.unique(examples.trial[rows])
         share[rows] = len(mine) ** -0.25
         mean_hold[rows] = mean[mine].mean()
-    near = mean[given.trial] / np.maximum(given.hold(), NEAR_SHARE * mean[given.trial])
-    moment = given.weight * share
-    duration = np.sqrt(np.maximum(whole[given.trial] / np.maximum(trials[given.trial], 1e-9), 0.05))
+    near = mean[examples.trial] / np.maximum(examples.hold(), NEAR_SHARE * mean[examples.trial])
+    moment = examples.weight * share
+    duration = np.sqrt(np.maximum(whole[examples.trial] / np.maximum(trials[examples.trial], 1e-9), 0.05))
 
     def even(weight: FloatArray, scale: float = 1.0) -> Floats:
         weighed: Floats = (scale * weight / weight.mean()).astype(np.float32)
         return weighed
 
     return Truth(
-        seen[:, list(net.BASIS_ALONG)],
-        seen[:, list(net.BASIS_ACROSS)],
-        sides(seen),
-        (given.along / reach).astype(np.float32),
-        (given.across / reach).astype(np.float32),
-        given.left_s.astype(np.float32),
-        seen[:, features.TIME],
+        moments[:, list(net.BASIS_ALONG)],
+        moments[:, list(net.BASIS_ACROSS)],
+        sides(moments),
+        (examples.along / reach).astype(np.float32),
+        (examples.across / reach).astype(np.float32),
+        examples.left_s.astype(np.float32),
+        moments[:, features.TIME],
         even(moment * near**settings.late * reach / mean_hold),
-        even(moment * np.where(given.own, 1.0, settings.varied_law), settings.law_share),
-        even(moment / duration * np.where(given.own, 1.0, settings.varied_time), settings.time_share),
+        even(moment * np.where(examples.own, 1.0, settings.varied_law), settings.law_share),
+        even(moment / duration * np.where(examples.own, 1.0, settings.varied_time), settings.time_share),
     )
 
 
-def _beginning(given: Examples, settings: Settings, random: np.random.Generator) -> Fitted:
+def _beginning(examples: Examples, settings: Settings, random: np.random.Generator) -> FittedNetwork:
     """A network that knows nothing, with its inputs brought to the mean and spread of the examples."""
-    turned = unmirrored(given.features)
+    turned = unmirrored(examples.features)
     mean, scale = turned.mean(axis=0, dtype=np.float64), 1.0 / (turned.std(axis=0, dtype=np.float64) + 1e-6)
-    return Fitted(mean, scale, network.made((features.FEATURES, *settings.hidden, net.OUTPUTS), random))
+    return FittedNetwork(
+        mean, scale, network.random_layers((features.FEATURES, *settings.hidden, net.OUTPUTS), random)
+    )
 
 
 def fit(
-    given: Examples,
+    examples: Examples,
     settings: Settings,
     progress: Callable[[int, int, float], None] | None = None,
-    start: Fitted | None = None,
-) -> Fitted:
+    start: FittedNetwork | None = None,
+) -> FittedNetwork:
     """Fit a network; the same examples and settings give the same network on the same machine.
 
     ``start``: a network to go on from, with its own sizes and inputs; ``None`` begins with one at random.
     """
     random = np.random.default_rng(settings.seed)
-    begun = _beginning(given, settings, random) if start is None else start
-    mean, scale = begun.mean, begun.scale
-    ready, wanted = inputs(given.features, mean, scale), truth(given, settings)
-    layers = [(weights.copy(), offset.copy()) for weights, offset in begun.layers]
+    initial = _beginning(examples, settings, random) if start is None else start
+    mean, scale = initial.mean, initial.scale
+    ready, target = inputs(examples.features, mean, scale), truth(examples, settings)
+    layers = [(weights.copy(), offset.copy()) for weights, offset in initial.layers]
     adam = network.Adam(layers, settings.decay)
     batches = max(len(ready) // settings.batch, 1)
     steps, step = settings.passes * batches, 0
@@ -152,14 +156,14 @@ def fit(
             noisy = ready[rows]
             if settings.noise > 0.0:
                 noisy = noisy + np.float32(settings.noise) * random.standard_normal(noisy.shape, np.float32)
-            said, kept = network.forward(layers, noisy)
-            loss, slope = slopes(said, wanted.only(rows))
+            outputs, cache = network.forward(layers, noisy)
+            loss, slope = slopes(outputs, target.only(rows))
             total += loss
-            adam.step(layers, network.backward(layers, kept, slope), _rate(settings.rate, step / steps))
+            adam.step(layers, network.backward(layers, cache, slope), _rate(settings.rate, step / steps))
             step += 1
         if progress is not None:
             progress(turn + 1, settings.passes, total / batches)
-    return Fitted(mean, scale, layers)
+    return FittedNetwork(mean, scale, layers)
 
 
 def _rate(most: float, share: float) -> float:

@@ -19,7 +19,7 @@ FAR = 3.0
 
 
 class Truth(msgspec.Struct, frozen=True):
-    """What the network should have said, a row a moment, and what each moment weighs."""
+    """What the network should have predicted_s, a row a moment, and what each moment weighs."""
 
     basis_along: Floats
     """What the shares of the basis multiply, along the direction; a column each."""
@@ -50,7 +50,7 @@ def point(outputs: Floats, truth: Truth) -> tuple[Floats, Floats]:
 def slopes(outputs: Floats, truth: Truth) -> tuple[float, Floats]:
     """The loss and its slope by each output, both as means over the rows.
 
-    The law around the point does not move the point: its errors count as given.
+    The law around the point does not move the point: its errors count as they are.
     """
     rows = np.float32(len(outputs))
     slope = np.zeros_like(outputs)
@@ -94,12 +94,12 @@ def _time(outputs: Floats, truth: Truth, slope: Floats) -> float:
     """The error of the time left, and minus the logarithm of a normal law of its logarithm."""
     rows = np.float32(len(outputs))
     log_ahead = np.clip(outputs[:, net.LEFT], *net.LEFT_LOGS)
-    said = (truth.since_s + np.float32(net.HEAD_START_S)) * np.exp(log_ahead)
-    off = said - truth.left_s
+    predicted_s = (truth.since_s + np.float32(net.HEAD_START_S)) * np.exp(log_ahead)
+    off = predicted_s - truth.left_s
     weight = truth.time_weight / rows
-    slope[:, net.LEFT] = weight * np.sign(off) * said * (log_ahead == outputs[:, net.LEFT])
+    slope[:, net.LEFT] = weight * np.sign(off) * predicted_s * (log_ahead == outputs[:, net.LEFT])
     spread_log = np.clip(outputs[:, net.SPREAD], *net.SPREAD_LOGS)
-    far = np.clip(np.log((said + FASTEST_S) / (truth.left_s + FASTEST_S)), -FAR, FAR)
+    far = np.clip(np.log((predicted_s + FASTEST_S) / (truth.left_s + FASTEST_S)), -FAR, FAR)
     relative = far**2 * np.exp(-2.0 * spread_log)
     law = truth.law_weight / rows
     slope[:, net.SPREAD] = law * (1.0 - relative) * (spread_log == outputs[:, net.SPREAD])

@@ -13,7 +13,7 @@ Layers = list[tuple[Floats, Floats]]
 STEEPEST = 60.0
 
 
-def made(sizes: tuple[int, ...], random: np.random.Generator) -> Layers:
+def random_layers(sizes: tuple[int, ...], random: np.random.Generator) -> Layers:
     """Layers at random; the last one small, so that training begins near no answer at all."""
     layers: Layers = []
     for inputs, outputs in pairwise(sizes):
@@ -25,25 +25,25 @@ def made(sizes: tuple[int, ...], random: np.random.Generator) -> Layers:
 
 def forward(layers: Layers, inputs: Floats) -> tuple[Floats, list[tuple[Floats, Floats, Floats]]]:
     """Outputs, and what the gradient needs of each layer: its inputs, its sums, their logistic function."""
-    kept = []
+    cache = []
     for weights, offset in layers[:-1]:
         sums = inputs @ weights + offset
         logistic = 1.0 / (1.0 + np.exp(np.minimum(-sums, np.float32(STEEPEST))))
-        kept.append((inputs, sums, logistic))
+        cache.append((inputs, sums, logistic))
         inputs = sums * logistic
     weights, offset = layers[-1]
-    kept.append((inputs, inputs, inputs))
-    return inputs @ weights + offset, kept
+    cache.append((inputs, inputs, inputs))
+    return inputs @ weights + offset, cache
 
 
-def backward(layers: Layers, kept: list[tuple[Floats, Floats, Floats]], slope: Floats) -> Layers:
+def backward(layers: Layers, cache: list[tuple[Floats, Floats, Floats]], slope: Floats) -> Layers:
     """The gradient of every weight from that of the outputs."""
     gradient: Layers = []
     for place in range(len(layers) - 1, -1, -1):
-        inputs, _, _ = kept[place]
+        inputs, _, _ = cache[place]
         gradient.append((inputs.T @ slope, slope.sum(axis=0)))
         if place > 0:
-            _, sums, logistic = kept[place - 1]
+            _, sums, logistic = cache[place - 1]
             bent = logistic * (1.0 + sums * (1.0 - logistic))
             slope = ((slope @ layers[place][0].T) * bent).astype(np.float32)
     return gradient[::-1]

@@ -11,11 +11,11 @@ from pointpred.columns import FloatArray
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.training import calibration
 from pointpred.training.calibration import Claims
-from pointpred.training.data import FOLDS, SETS, Say, TrainingData
+from pointpred.training.data import FOLDS, SETS, Log, TrainingData
 from pointpred.training.examples import Examples, join
-from pointpred.training.fitting import Fitted, Settings, fit
+from pointpred.training.fitting import FittedNetwork, Settings, fit
 
-Nets = list[tuple[set[int], Fitted]]
+Nets = list[tuple[set[int], FittedNetwork]]
 """Users held out, and the network fitted to the others."""
 
 
@@ -24,8 +24,8 @@ def fit_without(
     without_users: set[int],
     without_set: int | None,
     settings: Settings,
-    start: Fitted | None = None,
-) -> Fitted:
+    start: FittedNetwork | None = None,
+) -> FittedNetwork:
     """A network fitted to everybody but some users or a set; ``start``: a network to go on from."""
     parts = [
         part.only(~np.isin(part.user, list(without_users)))
@@ -35,34 +35,36 @@ def fit_without(
     return fit(join([part for part in parts if len(part.reach)]), settings, start=start)
 
 
-def claims_about(data: TrainingData, fitted: Fitted, users: set[int], settings: Settings) -> Claims | None:
+def claims_about(
+    data: TrainingData, fitted: FittedNetwork, users: set[int], settings: Settings
+) -> Claims | None:
     """What the network claims about the own movements of users it was not fitted to."""
     parts = [part.only(np.isin(part.user, list(users))) for part in data.own]
     parts = [part for part in parts if len(part.reach)]
     return calibration.claims_of(fitted, join(parts), settings) if parts else None
 
 
-def folds(data: TrainingData, settings: Settings, say: Say, start: Fitted | None = None) -> Nets:
+def folds(data: TrainingData, settings: Settings, log: Log, start: FittedNetwork | None = None) -> Nets:
     """A network for each fold of users, fitted to the other folds."""
     of = data.fold()
-    found = []
+    nets: Nets = []
     for number in range(FOLDS):
         users = {user for user, fold in of.items() if fold == number}
         if not users or len(users) == len(of):
             continue
-        found.append((users, fit_without(data, users, None, settings, start)))
-        say(f"fold {number + 1} of {FOLDS}: {len(users)} users held out")
-    return found
+        nets.append((users, fit_without(data, users, None, settings, start)))
+        log(f"fold {number + 1} of {FOLDS}: {len(users)} users held out")
+    return nets
 
 
 def calibration_table(data: TrainingData, nets: Nets, settings: Settings) -> FloatArray:
     """The calibration from all people held out."""
     parts = [claims_about(data, fitted, users, settings) for users, fitted in nets]
-    known = [part for part in parts if part is not None]
-    return calibration.fit_table(calibration.join(known))
+    claims = [part for part in parts if part is not None]
+    return calibration.fit_table(calibration.join(claims))
 
 
-def save(path: Path, fitted: Fitted, table: FloatArray, card: dict[str, Any]) -> None:
+def save(path: Path, fitted: FittedNetwork, table: FloatArray, card: dict[str, Any]) -> None:
     """Write a network and its calibration; one that has hardly learned may ask for factors without bound."""
     most = coefficient_file.LARGEST_LOG
     table = np.clip(table, -most, most)
@@ -91,10 +93,10 @@ def card_of(data: TrainingData, settings: Settings) -> dict[str, Any]:
     }
 
 
-def train(data: TrainingData, settings: Settings, path: Path, say: Say) -> None:
+def train(data: TrainingData, settings: Settings, path: Path, log: Log) -> None:
     """Fit, calibrate and write."""
-    nets = folds(data, settings, say)
+    nets = folds(data, settings, log)
     table = calibration_table(data, nets, settings)
-    say("calibrated on the people held out")
+    log("calibrated on the people held out")
     save(path, fit_without(data, set(), None, settings), table, card_of(data, settings))
-    say(f"{path.name}: {path.stat().st_size} bytes, {coefficient_file.digest(path)}")
+    log(f"{path.name}: {path.stat().st_size} bytes, {coefficient_file.digest(path)}")

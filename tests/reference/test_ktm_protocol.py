@@ -11,10 +11,10 @@ from pointpred.scoring import Prepared, prepare
 from pointpred.scoring.ktm_protocol import (
     FRACTIONS,
     LIBRARY,
-    Read,
-    draw,
+    ProtocolErrors,
     never_nearer,
-    summarise_draw,
+    select,
+    summarise_protocol,
     with_library,
     without_library,
 )
@@ -43,10 +43,10 @@ def moves(prepared: Prepared, trials: list[int]) -> list[tuple[np.ndarray, ...]]
 
 def test_errors_are_those_of_the_slow_implementation_with_the_trial_left_out() -> None:
     prepared = reaches(["ann", "bob"] * 12)
-    drawn = draw(prepared, only_monotone=False, share=0.5, least=5)
-    assert len(drawn.tested) == 12
-    result = with_library(drawn)
-    for row, k in zip(result.errors, drawn.tested, strict=True):
+    selection = select(prepared, only_monotone=False, share=0.5, least=5)
+    assert len(selection.tested) == 12
+    result = with_library(selection)
+    for row, k in zip(result.errors, selection.tested, strict=True):
         user = prepared.trials[k].trial.user
         others = [j for j in range(24) if prepared.trials[j].trial.user == user and j != k]
         ((t, x, y),) = moves(prepared, [k])
@@ -68,8 +68,8 @@ def test_a_movement_repeated_is_found_and_a_single_one_is_not() -> None:
             [Trial("ann", str(k)) for k in range(40)],
         )
     )
-    alone = with_library(draw(one, only_monotone=True, share=1.0))
-    again = with_library(draw(twice, only_monotone=True, share=1.0))
+    alone = with_library(select(one, only_monotone=True, share=1.0))
+    again = with_library(select(twice, only_monotone=True, share=1.0))
     assert again.errors.max() < 1e-6
     assert np.median(alone.errors) > 20.0
 
@@ -78,15 +78,15 @@ def test_trials_that_come_back_are_drawn_only_when_asked_for_and_always_are_temp
     prepared = reaches(["ann"] * 30)
     turning = [k for k in range(30) if k % 3 == 2]
     assert [k for k in range(30) if not never_nearer(prepared.rows(k))] == turning
-    drawn = draw(prepared, share=1.0)
-    assert set(drawn.tested) == set(range(30)) - set(turning)
-    assert drawn.libraries == {"ann": tuple(range(30))}
-    assert draw(prepared, share=1.0, only_monotone=False).tested == tuple(range(30))
+    selection = select(prepared, share=1.0)
+    assert set(selection.tested) == set(range(30)) - set(turning)
+    assert selection.libraries == {"ann": tuple(range(30))}
+    assert select(prepared, share=1.0, only_monotone=False).tested == tuple(range(30))
 
 
 def test_a_tenth_is_drawn_once_each_and_the_seed_decides_which() -> None:
     prepared = reaches(["ann"] * 60)
-    draws = [draw(prepared, seed=seed, only_monotone=False).tested for seed in (0, 0, 1)]
+    draws = [select(prepared, seed=seed, only_monotone=False).tested for seed in (0, 0, 1)]
     assert [len(set(tested)) for tested in draws] == [6, 6, 6]
     assert draws[0] == draws[1] != draws[2]
 
@@ -97,9 +97,9 @@ def test_who_and_what_takes_no_part_is_told() -> None:
     flick = EventColumns.of([0.0, 0.01, 0.02, 0.04], [0.0, 9.0, 50.0, 90.0], [0.0, 0.0, 0.0, 0.0])
     parts = [*(prepared.rows(k) for k in range(31)), flick]
     trials = [*(Trial(user, str(k)) for k, user in enumerate(users)), Trial("ann", "flick")]
-    drawn = draw(prepare(Recording.of("all", parts, trials)), share=1.0, only_monotone=False)
-    assert drawn.tested == tuple(range(16))
-    assert [(skip.user, skip.trial, skip.reason) for skip in drawn.left_out] == [
+    selection = select(prepare(Recording.of("all", parts, trials)), share=1.0, only_monotone=False)
+    assert selection.tested == tuple(range(16))
+    assert [(skip.user, skip.trial, skip.reason) for skip in selection.left_out] == [
         ("ann", "flick", "makes no template"),
         ("bob", "*", "15 movements of this person, a library needs 16"),
     ]
@@ -108,37 +108,39 @@ def test_who_and_what_takes_no_part_is_told() -> None:
 def test_a_thousand_templates_are_the_most() -> None:
     short = EventColumns.of(np.arange(6) / 60, 20.0 * np.arange(6) ** 2, np.zeros(6))
     many = prepare(Recording.of("many", [short] * 1100, [Trial("ann", str(k)) for k in range(1100)]))
-    drawn = draw(many, share=0.01)
-    assert len(set(drawn.libraries["ann"])) == 1000
-    assert len(drawn.tested) == 10
-    assert set(drawn.tested) <= set(drawn.libraries["ann"])
-    assert with_library(drawn).errors.shape == (10, 3)
+    selection = select(many, share=0.01)
+    assert len(set(selection.libraries["ann"])) == 1000
+    assert len(selection.tested) == 10
+    assert set(selection.tested) <= set(selection.libraries["ann"])
+    assert with_library(selection).errors.shape == (10, 3)
 
 
 def test_without_a_library_a_pipeline_answers_as_alone_and_one_that_learns_has_seen_what_came_before() -> (
     None
 ):
     prepared = reaches(["ann", "bob"] * 16)
-    drawn = draw(prepared, share=0.3, only_monotone=False)
-    held = without_library(drawn, build("hold"))
-    for row, k in zip(held.errors, drawn.tested, strict=True):
+    selection = select(prepared, share=0.3, only_monotone=False)
+    held = without_library(selection, build("hold"))
+    for row, k in zip(held.errors, selection.tested, strict=True):
         rows = prepared.rows(k)
         away = np.hypot(rows.x - rows.x[0], rows.y - rows.y[0])
         at = [np.flatnonzero(away >= share * away[-1])[0] for share in FRACTIONS]
         left = np.hypot(rows.x[-1] - rows.x[at], rows.y[-1] - rows.y[at])
         np.testing.assert_allclose(row, left)
-    learned = without_library(drawn, build("ktm"))
-    first = without_library(draw(prepared, share=1.0, only_monotone=False), build("ktm"))
+    learned = without_library(selection, build("ktm"))
+    first = without_library(select(prepared, share=1.0, only_monotone=False), build("ktm"))
     order = sorted(range(32), key=lambda k: prepared.trials[k].trial.user)
-    np.testing.assert_array_equal(learned.errors, first.errors[[order.index(k) for k in drawn.tested]])
-    held_first = without_library(draw(prepared, share=1.0, only_monotone=False), build("hold"))
+    np.testing.assert_array_equal(learned.errors, first.errors[[order.index(k) for k in selection.tested]])
+    held_first = without_library(select(prepared, share=1.0, only_monotone=False), build("hold"))
     np.testing.assert_array_equal(first.errors[[0, 16]], held_first.errors[[0, 16]])  # knows nothing yet
     assert (first.errors[[1, 17]] != held_first.errors[[1, 17]]).all()
 
 
 def test_the_summary_of_errors() -> None:
-    floor = Read("hold", np.array([[100.0, 50.0, 20.0], [300.0, 150.0, 60.0]]), np.array([200.0, 600.0]))
-    one = Read(LIBRARY, np.array([[16.0, 16.1, 0.0], [184.0, 33.9, 80.0]]), floor.distances)
+    floor = ProtocolErrors(
+        "hold", np.array([[100.0, 50.0, 20.0], [300.0, 150.0, 60.0]]), np.array([200.0, 600.0])
+    )
+    one = ProtocolErrors(LIBRARY, np.array([[16.0, 16.1, 0.0], [184.0, 33.9, 80.0]]), floor.distances)
     assert one.mean_px().tolist() == [100.0, 25.0, 40.0]
     assert one.share().tolist() == [0.25, 0.0625, 0.1]
     assert one.skill(floor).tolist() == [0.5, 0.75, 0.0]
@@ -146,9 +148,9 @@ def test_the_summary_of_errors() -> None:
 
 
 def test_the_summary_holds_the_numbers_of_what_was_read() -> None:
-    drawn = draw(reaches(["ann", "bob"] * 12), only_monotone=False, share=0.5, least=5)
-    reads = [without_library(drawn, build("hold")), with_library(drawn)]
-    one = summarise_draw(drawn, reads, monotone=False)
+    selection = select(reaches(["ann", "bob"] * 12), only_monotone=False, share=0.5, least=5)
+    reads = [without_library(selection, build("hold")), with_library(selection)]
+    one = summarise_protocol(selection, reads, monotone=False)
     assert (one.tested, one.users, one.templates) == (12, 2, (11, 11))
     hold, matched = one.predictors
     assert list(hold.px.values()) == reads[0].mean_px().tolist()
@@ -156,5 +158,5 @@ def test_the_summary_holds_the_numbers_of_what_was_read() -> None:
     assert set(matched.of_library.values()) == {1.0}
     low, high = hold.interval[0.5] or (0.0, 0.0)
     assert low <= hold.of_library[0.5] <= high
-    nobody = draw(reaches(["ann"] * 3))
-    assert summarise_draw(nobody, [], monotone=True).predictors == ()
+    nobody = select(reaches(["ann"] * 3))
+    assert summarise_protocol(nobody, [], monotone=True).predictors == ()

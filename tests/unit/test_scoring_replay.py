@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pointpred import REGISTRY, EventColumns, build, run, scoring
+from pointpred import REGISTRY, EventColumns, build, run
 from pointpred.columns import BoolArray, FloatArray, MotionColumns
 from pointpred.errors import ParameterError
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Provenance, Recording, Skip, Trial
-from pointpred.scoring import chunks, prepare, replay, score
+from pointpred.scoring import chunks, prepare, replay, score, scorer
 from pointpred.scoring.measures import endpoint
 from pointpred.scoring.results import PredictorErrors
 from tests.scripted import Scripted, pipeline_with
@@ -215,7 +215,7 @@ def test_resolution_reaches_the_pipelines_from_the_caller_or_else_from_the_recor
         seen.append(settings)
         return build(name, **settings)
 
-    monkeypatch.setattr(scoring, "build", watched)
+    monkeypatch.setattr(scorer, "build", watched)
     score([walks(2, provenance=Provenance("own", cpi=400.0, dpi=120.0))], ["linear"], **given)
     assert seen[2:] == [expected] * 2  # the first two only look for names and values that are wrong
 

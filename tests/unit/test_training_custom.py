@@ -50,7 +50,7 @@ def named(name: str, *users: str, count: int = 30) -> Recording:
 
 
 def test_the_network_of_the_file_is_what_training_goes_on_from() -> None:
-    start = fitting.of_file()
+    start = fitting.load_network()
     rows = data.training_data([mine(10)], 1, lambda _: None, variants=0).own[0].features
     flat = coefficient_file.read(coefficient_file.OWN)
     for seen, wanted in zip(rows[:20], start.outputs(rows[:20]), strict=True):
@@ -206,7 +206,7 @@ def test_an_interruption_leaves_no_file_and_an_old_one_as_it_was(
     monkeypatch.setattr(coefficient_file.np, "savez", interrupted)
     school = data.training_data([mine(20)], 1, lambda _: None, variants=0)
     with pytest.raises(KeyboardInterrupt):
-        train.save(path, fitting.of_file(), np.zeros((10, 3)), train.card_of(school, TINY))
+        train.save(path, fitting.load_network(), np.zeros((10, 3)), train.card_of(school, TINY))
     assert path.read_bytes() == b"before"
     assert [one.name for one in tmp_path.iterdir()] == ["me.npz"]
 

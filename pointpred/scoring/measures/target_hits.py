@@ -1,4 +1,4 @@
-"""How often the predicted point lies in the target that the movement was for, where the set knows it."""
+"""How often the predicted point lies in the target that the movement was for, where the set has one."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def hits(
     answers: FloatArray,
     offsets: NDArray[np.int64],
     arrivals: NDArray[np.int64],
-    known: FloatArray,
+    discs: FloatArray,
     shares: FloatArray,
     out: FloatArray,
 ) -> None:
@@ -40,7 +40,7 @@ def hits(
     out[:] = np.nan
     at = np.empty(len(shares), dtype=np.int64)
     for k in range(len(offsets) - 1):
-        if known[k, 0] != known[k, 0]:
+        if discs[k, 0] != discs[k, 0]:
             continue
         first, last = offsets[k] - offsets[0], offsets[k + 1] - offsets[0] - 1
         moments(rows, first, arrivals[k] - offsets[0], last, shares, at)
@@ -48,4 +48,4 @@ def hits(
             x, y = rows[at[m], 1], rows[at[m], 2]
             if answers[at[m], 1] == answers[at[m], 1]:
                 x, y = answers[at[m], 1], answers[at[m], 2]
-            out[k, m] = 1.0 if hypot(x - known[k, 0], y - known[k, 1]) <= 0.5 * known[k, 2] else 0.0
+            out[k, m] = 1.0 if hypot(x - discs[k, 0], y - discs[k, 1]) <= 0.5 * discs[k, 2] else 0.0

@@ -34,9 +34,9 @@ def clock_s(trials: Sequence[ScoredTrial]) -> float:
 
 
 @law
-def within(left: float, said: float, spread: float, deviations: float) -> bool:
-    """Whether the time left lies in the interval said: a normal law of its logarithm."""
-    off = log(max(left, SHORTEST_S) / max(said, SHORTEST_S))
+def within(left: float, predicted: float, spread: float, deviations: float) -> bool:
+    """Whether the time left lies in the predicted interval: a normal law of its logarithm."""
+    off = log(max(left, SHORTEST_S) / max(predicted, SHORTEST_S))
     return abs(off) <= deviations * spread
 
 
@@ -63,18 +63,18 @@ def time_left(
         for i in range(first, arrival):
             weight = min(rows[i + 1, 0] - rows[i, 0], WEIGHT_S)
             left, by_clock = rows[arrival, 0] - rows[i, 0], max(median_s - rows[i, 0] + rows[first, 0], 0.0)
-            said, spread = answers[i, REMAINING], answers[i, SPREADS]
+            predicted, spread = answers[i, REMAINING], answers[i, SPREADS]
             all_s += weight
             clock += weight * abs(left - by_clock)
-            if said != said:
+            if predicted != predicted:
                 error += weight * abs(left - by_clock)
                 continue
             claimed_s += weight
-            error += weight * abs(left - said)
+            error += weight * abs(left - predicted)
             if spread == spread:
                 spread_s += weight
                 for j in range(len(LEVELS)):
-                    if within(left, said, spread, DEVIATIONS[j]):
+                    if within(left, predicted, spread, DEVIATIONS[j]):
                         inside[j] += weight
         out[k, CLAIMED], out[k, SPREAD] = claimed_s / all_s, spread_s / all_s
         out[k, ERROR], out[k, CLOCK] = error / all_s, clock / all_s
@@ -102,9 +102,9 @@ def inside_by_time(
         first, arrival = offsets[k] - offsets[0], arrivals[k] - offsets[0]
         moments(rows, first, arrival, offsets[k + 1] - offsets[0] - 1, shares, at)
         for m in range(len(shares)):
-            said, spread = answers[at[m], REMAINING], answers[at[m], SPREADS]
-            if said != said or spread != spread:
+            predicted, spread = answers[at[m], REMAINING], answers[at[m], SPREADS]
+            if predicted != predicted or spread != spread:
                 continue
             left = rows[arrival, 0] - rows[at[m], 0]
             for j in range(len(LEVELS)):
-                out[k, m, j] = 1.0 if within(left, said, spread, DEVIATIONS[j]) else 0.0
+                out[k, m, j] = 1.0 if within(left, predicted, spread, DEVIATIONS[j]) else 0.0

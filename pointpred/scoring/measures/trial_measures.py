@@ -80,11 +80,11 @@ def measure_trials(
     """Trials ``first`` up to ``stop``, and the rows where answers were not finite."""
     out, faults = TrialMeasures.empty(stop - first), np.empty(stop - first, dtype=np.int64)
     offsets, arrivals = prepared.offsets[first : stop + 1], prepared.arrivals[first:stop]
-    given = (events.table, answers.table, offsets, arrivals)
+    columns = (events.table, answers.table, offsets, arrivals)
     endpoint.measure(events.table, answers.table, endpoint.FRACTIONS, offsets, arrivals, out.errors, faults)
-    regions.calibrate(*given, out.regions)
-    regions.inside_by_time(*given, SHARES, out.inside)
-    time_left.time_left(*given, clock_s, out.left)
-    time_left.inside_by_time(*given, SHARES, out.left_inside)
-    target_hits.hits(*given, target_hits.targets(prepared.trials[first:stop]), TIMES, out.hits)
+    regions.calibrate(*columns, out.regions)
+    regions.inside_by_time(*columns, SHARES, out.inside)
+    time_left.time_left(*columns, clock_s, out.left)
+    time_left.inside_by_time(*columns, SHARES, out.left_inside)
+    target_hits.hits(*columns, target_hits.targets(prepared.trials[first:stop]), TIMES, out.hits)
     return out, faults

@@ -59,14 +59,14 @@ def balance(users: Sequence[str], factors: Mapping[str, Sequence[str]]) -> Desig
     [0, 1, 2, 3, 4, 5]
     """
     people, everyone = np.unique(np.asarray(users, dtype=str), return_inverse=True)
-    chosen: dict[str, tuple[str, ...]] = {}
+    crossed: dict[str, tuple[str, ...]] = {}
     reasons: dict[str, list[str]] = {}
     inside = np.zeros(len(everyone), dtype=np.int64)
     cells = 1
-    kept = np.ones(len(people), dtype=np.bool_)
+    included = np.ones(len(people), dtype=np.bool_)
     for name, labels in factors.items():
         levels, index = np.unique(np.asarray(labels, dtype=str), return_inverse=True)
-        reason = _unfit(len(chosen), len(levels))
+        reason = _unfit(len(crossed), len(levels))
         if not reason:
             complete = _complete(everyone, len(people), inside * len(levels) + index, cells * len(levels))
             if complete.sum() < max(KEPT_USERS * len(people), LEAST_USERS):
@@ -76,14 +76,16 @@ def balance(users: Sequence[str], factors: Mapping[str, Sequence[str]]) -> Desig
         if reason:
             reasons.setdefault(reason, []).append(name)
             continue
-        chosen[name] = tuple(levels.tolist())
-        inside, cells, kept = inside * len(levels) + index, cells * len(levels), complete
+        crossed[name] = tuple(levels.tolist())
+        inside, cells, included = inside * len(levels) + index, cells * len(levels), complete
     notes = [f"{', '.join(names)}: not a factor, {reason}" for reason, names in reasons.items()]
-    if not kept.all():
-        notes.append(f"{(~kept).sum()} of {len(people)} people not counted: they miss a combination")
-    row = np.cumsum(kept) - 1
-    cell = np.where(kept[everyone], row[everyone] * cells + inside, -1)
-    return Design(tuple(people[kept].tolist()), tuple(chosen), tuple(chosen.values()), cell, tuple(notes))
+    if not included.all():
+        notes.append(f"{(~included).sum()} of {len(people)} people not counted: they miss a combination")
+    row = np.cumsum(included) - 1
+    cell = np.where(included[everyone], row[everyone] * cells + inside, -1)
+    return Design(
+        tuple(people[included].tolist()), tuple(crossed), tuple(crossed.values()), cell, tuple(notes)
+    )
 
 
 def _unfit(accepted: int, levels: int) -> str:
@@ -99,9 +101,9 @@ def _unfit(accepted: int, levels: int) -> str:
 
 def _complete(user: IndexArray, users: int, cell: IndexArray, cells: int) -> BoolArray:
     """Which people have a trial in every cell."""
-    seen = np.zeros((users, cells), dtype=np.bool_)
-    seen[user, cell] = True
-    complete: BoolArray = np.logical_and.reduce(seen, axis=1)
+    present = np.zeros((users, cells), dtype=np.bool_)
+    present[user, cell] = True
+    complete: BoolArray = np.logical_and.reduce(present, axis=1)
     return complete
 
 

@@ -26,11 +26,11 @@ def factors_of(trials: Sequence[ScoredTrial]) -> dict[str, list[str]]:
         return {}
     shared = set.intersection(*(set(trial.trial.condition) for trial in trials))
     shared = {name for name in shared if not name.startswith(OUTCOMES) and not _measured(name, trials)}
-    found = {name: [_label(trial.trial.condition[name]) for trial in trials] for name in sorted(shared)}
+    factors = {name: [_label(trial.trial.condition[name]) for trial in trials] for name in sorted(shared)}
     widths = [trial.trial.target_w for trial in trials]
-    if not any(name.startswith("width") for name in found) and np.isfinite(widths).all():
-        found["width"] = [_label(width) for width in widths]
-    return {name: found[name] for name in sorted(found, key=_rank)}
+    if not any(name.startswith("width") for name in factors) and np.isfinite(widths).all():
+        factors["width"] = [_label(width) for width in widths]
+    return {name: factors[name] for name in sorted(factors, key=_rank)}
 
 
 def _measured(name: str, trials: Sequence[ScoredTrial]) -> bool:

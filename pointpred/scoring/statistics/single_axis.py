@@ -127,11 +127,11 @@ def axis_anova(score: SetScore, names: Sequence[str]) -> AnovaSeries:
     are averaged per person and cell. A trial without a finite error at some fraction is left out and noted.
     Raises ParameterError for a name that was not scored.
     """
-    known = {predictor.name: predictor for predictor in score.predictors}
-    missing = [name for name in names if name not in known]
+    scored = {predictor.name: predictor for predictor in score.predictors}
+    missing = [name for name in names if name not in scored]
     if missing:
-        raise ParameterError(f"{', '.join(missing)} not scored on {score.name}; scored: {', '.join(known)}")
-    errors = np.stack([known[name].single_axis for name in names], axis=-1)
+        raise ParameterError(f"{', '.join(missing)} not scored on {score.name}; scored: {', '.join(scored)}")
+    errors = np.stack([scored[name].single_axis for name in names], axis=-1)
     usable = np.logical_and.reduce(np.isfinite(errors), axis=(1, 2))
     trials = [trial for trial, good in zip(score.trials, usable, strict=True) if good]
     notes = [f"trials without an error at some fraction: {(~usable).sum()}"] if not usable.all() else []

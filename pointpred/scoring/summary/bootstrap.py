@@ -13,7 +13,7 @@ from pointpred.columns import FloatArray
 DRAWS = 2000
 LEVEL = 0.95
 BLOCK = 4_000_000
-"""Random numbers held at once."""
+"""Random numbers in memory at once."""
 
 
 class Intervals(msgspec.Struct, frozen=True):
@@ -83,5 +83,5 @@ def _sums(values: FloatArray, unit: NDArray[np.intp]) -> FloatArray:
     """The sum of the rows of each unit; every number from 0 to the largest occurs."""
     order = np.argsort(unit, kind="stable")
     first = np.flatnonzero(np.diff(unit[order], prepend=-1))
-    found: FloatArray = np.add.reduceat(values[order], first, axis=0)
-    return found
+    sums: FloatArray = np.add.reduceat(values[order], first, axis=0)
+    return sums

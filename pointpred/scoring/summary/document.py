@@ -171,7 +171,7 @@ class GroupSummary(msgspec.Struct, frozen=True):
 
     label: str
     basis: str
-    """How its trials were told apart."""
+    """The rule that puts trials into the group."""
     trials: int
 
 

@@ -24,7 +24,7 @@ class Group(msgspec.Struct, frozen=True):
     label: str
     mask: BoolArray
     basis: str = ""
-    """How the trials were told apart."""
+    """The rule that puts trials into the group."""
 
 
 def groups_of(score: SetScore) -> tuple[Group, ...]:
@@ -35,23 +35,23 @@ def groups_of(score: SetScore) -> tuple[Group, ...]:
     submovements = np.array([trial.submovements for trial in score.trials], dtype=np.bool_)
     clean = np.array([trial.clean for trial in score.trials], dtype=np.bool_)
     own = any(trial.trial.clean is not None for trial in score.trials)
-    found = [
+    groups = [
         Group("all trials", np.ones(len(score.trials), dtype=np.bool_)),
         Group("with sub-movements", submovements, DIVIDED),
         Group("without sub-movements", ~submovements, WHOLE),
         Group("clean trials", clean, CLEAN_OWN if own else CLEAN_RULE),
         *_people(score, submovements),
     ]
-    return tuple(group for group in found if group.mask.any())
+    return tuple(group for group in groups if group.mask.any())
 
 
 def _people(score: SetScore, submovements: BoolArray) -> list[Group]:
     """Experienced people and novices: as the recording says, otherwise by their sub-movements."""
     for name in EXPERIENCE:
-        said = [str(trial.trial.condition.get(name, "")).lower() for trial in score.trials]
-        if "novice" in said and "experienced" in said:
+        labels = [str(trial.trial.condition.get(name, "")).lower() for trial in score.trials]
+        if "novice" in labels and "experienced" in labels:
             return [
-                Group(f"{label} people", np.array([word == label for word in said]), f"condition {name!r}")
+                Group(f"{label} people", np.array([one == label for one in labels]), f"condition {name!r}")
                 for label in ("experienced", "novice")
             ]
     users, index = np.unique([trial.trial.user for trial in score.trials], return_inverse=True)

@@ -120,12 +120,12 @@ def _measures(
     who: list[str] = users[group.mask].tolist()
     above = np.hstack([table[:, :WITH_INTERVAL] for table in tables])
     bounds = ratio_intervals(above, below[:, :WITH_INTERVAL], who, seed=score.seed, draws=draws)
-    found = []
+    measures = []
     for place, (errors, table) in enumerate(zip(score.predictors, tables, strict=True)):
         reach = slice(place * WITH_INTERVAL, (place + 1) * WITH_INTERVAL)
         cells = iter(_cells(table, below, bounds.low[reach], bounds.high[reach]))
         claimed = claims(errors, group.mask, who, seed=score.seed, draws=draws)
-        found.append(
+        measures.append(
             Measures(
                 next(cells),
                 {share: next(cells) for share in TIME_FRACTIONS},
@@ -134,7 +134,7 @@ def _measures(
                 *claimed,
             )
         )
-    return found
+    return measures
 
 
 def _cells(table: FloatArray, below: FloatArray, low: FloatArray, high: FloatArray) -> list[Measure]:
@@ -152,9 +152,9 @@ def _cells(table: FloatArray, below: FloatArray, low: FloatArray, high: FloatArr
 
 def _by_user(errors: PredictorErrors, floor: PredictorErrors, users: Users) -> dict[str, UserError]:
     """The time-averaged error of each person."""
-    found = {}
+    people = {}
     for user in np.unique(users).tolist():
         mask = users == user
         px, below = errors.time_averaged[mask].mean(), floor.time_averaged[mask].mean()
-        found[user] = UserError(int(mask.sum()), number(px), number(_ratio(px, below)))
-    return found
+        people[user] = UserError(int(mask.sum()), number(px), number(_ratio(px, below)))
+    return people

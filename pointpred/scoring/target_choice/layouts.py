@@ -1,4 +1,4 @@
-"""Candidate targets for recorded movements: circles found again, the targets of a block, or a grid.
+"""Candidate targets for recorded movements: the circle they go around, the targets of a block, or a grid.
 
 Blocks are successive trials of a user with one width, one block and one condition of distance or transfer.
 """
@@ -40,26 +40,28 @@ def layouts(prepared: Prepared, seed: int = 0) -> dict[str, list[Layout]]:
     A trial whose block is a circle is judged on that circle; one whose block has at least 5 other targets on
     those; over every other a grid is laid.
     """
-    found: dict[str, list[Layout]] = {}
+    by_kind: dict[str, list[Layout]] = {}
     free: list[int] = []
     for block in _blocks(prepared):
         ends = np.array([(t.trial.target_x, t.trial.target_y) for t in (prepared.trials[k] for k in block)])
         starts = prepared.events.table[prepared.offsets[block], 1:3]
         widths = [prepared.trials[k].trial.target_w for k in block]
-        known = len(block) >= LEAST_BLOCK and bool(np.isfinite(ends).all() and np.isfinite(widths).all())
-        places = circle(ends, starts) if known else None
+        has_targets = len(block) >= LEAST_BLOCK and bool(
+            np.isfinite(ends).all() and np.isfinite(widths).all()
+        )
+        places = circle(ends, starts) if has_targets else None
         if places is not None:
-            made = [_layout(k, points, widths[0], 0) for k, points in zip(block, places, strict=True)]
-            found.setdefault(f"circle of {len(places[0])}", []).extend(made)
-        elif known and len(apart := _apart(ends, widths[0])) >= LEAST_SCATTERED:
+            same = [_layout(k, points, widths[0], 0) for k, points in zip(block, places, strict=True)]
+            by_kind.setdefault(f"circle of {len(places[0])}", []).extend(same)
+        elif has_targets and len(apart := _apart(ends, widths[0])) >= LEAST_SCATTERED:
             right = [int(np.hypot(*(apart - end).T).argmin()) for end in ends]
-            made = [_layout(k, apart, widths[0], i) for k, i in zip(block, right, strict=True)]
-            found.setdefault("scattered targets", []).extend(made)
+            same = [_layout(k, apart, widths[0], i) for k, i in zip(block, right, strict=True)]
+            by_kind.setdefault("scattered targets", []).extend(same)
         else:
             free += block
     if free:
-        found[f"grid of {COLUMNS * ROWS}"] = grids(prepared, free, seed)
-    return found
+        by_kind[f"grid of {COLUMNS * ROWS}"] = grids(prepared, free, seed)
+    return by_kind
 
 
 def _layout(trial: int, places: FloatArray, width: float, right: int) -> Layout:
@@ -68,11 +70,11 @@ def _layout(trial: int, places: FloatArray, width: float, right: int) -> Layout:
 
 def _apart(ends: FloatArray, width: float) -> FloatArray:
     """The targets of a block, each once."""
-    kept: list[FloatArray] = []
+    places: list[FloatArray] = []
     for end in ends:
-        if all(np.hypot(*(end - other)) > 0.5 * width for other in kept):
-            kept.append(end)
-    return np.array(kept)
+        if all(np.hypot(*(end - other)) > 0.5 * width for other in places):
+            places.append(end)
+    return np.array(places)
 
 
 def circle(ends: FloatArray, starts: FloatArray) -> list[FloatArray] | None:
@@ -127,13 +129,13 @@ def grids(prepared: Prepared, trials: Sequence[int], seed: int = 0) -> list[Layo
     width = FILLED * pitch
     column, row = np.meshgrid(np.arange(COLUMNS), np.arange(ROWS))
     cells = pitch * np.column_stack([column.ravel(), row.ravel()])
-    found = []
+    laid = []
     for k in trials:
         right = int(generator.integers(len(cells)))
         off = np.clip(generator.normal(0.0, width / 4.133, 2), -0.5 * width, 0.5 * width)
         end = prepared.events.table[prepared.offsets[k + 1] - 1, 1:3]
-        found.append(_layout(k, cells + end - cells[right] - off, width, right))
-    return found
+        laid.append(_layout(k, cells + end - cells[right] - off, width, right))
+    return laid
 
 
 def _unlike(values: FloatArray) -> float:
@@ -147,8 +149,8 @@ def _blocks(prepared: Prepared) -> Sequence[list[int]]:
     last: object = None
     for k, scored in enumerate(prepared.trials):
         trial = scored.trial
-        said = [v for name, v in sorted(trial.condition.items()) if name.startswith(("block", "distance"))]
-        key = (trial.user, trial.target_w, trial.condition.get("transfer"), *said)
+        parts = [v for name, v in sorted(trial.condition.items()) if name.startswith(("block", "distance"))]
+        key = (trial.user, trial.target_w, trial.condition.get("transfer"), *parts)
         if key != last or not blocks:
             blocks.append([])
         blocks[-1].append(k)

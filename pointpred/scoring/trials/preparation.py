@@ -89,9 +89,9 @@ def prepare(
     divided = submovements(events, offsets, threads=threads, **resolution(recording, cpi, dpi))
     first, last = offsets[:-1], offsets[1:] - 1
     distance = np.hypot(events.x[last] - events.x[first], events.y[last] - events.y[first])
-    said = [recording.trials[k].clean for k in good.tolist()]
+    judged = [recording.trials[k].clean for k in good.tolist()]
     ruled = clean_trials(events, offsets).tolist()
-    clean = [rule if own is None else own for own, rule in zip(said, ruled, strict=True)]
+    clean = [rule if own is None else own for own, rule in zip(judged, ruled, strict=True)]
     measured = zip(
         good.tolist(),
         distance.tolist(),
