@@ -4,7 +4,7 @@ A conditional logit (McFadden 1974): the share of a target is proportional to th
 weighted sum of its features. Fitted on the recordings of POINTPRED_RECORDINGS and the embedded sample, each
 movement at each twentieth of its time. In a quarter of these situations, drawn at random, the right target
 is taken away, so that *none of them* is right. Each set has the same say, whatever its size. Written to
-pointpred/targets/weights.py.
+pointpred/targets/coefficients.py.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from pointpred.scoring.target_choice.layouts import Layout, layouts
 from pointpred.scoring.trials import Prepared, prepare, resolution
 from pointpred.sources import read
 from pointpred.targets import cursor, posterior
-from pointpred.targets.evidence import FEATURES, MASS, NEAR, features, unclaimed
+from pointpred.targets.evidence import FEATURES, MASS, NEAR, Law, features, unclaimed
 
 SETS = ("pvplib23714", "gofitts_demo", "freihaut2021", "cryslacks", "humanmovemouse", "jrcalgo")
 FRACTIONS = tuple(round(0.1 + 0.05 * i, 2) for i in range(18))
@@ -97,7 +97,7 @@ def _trial(
                 x, y = float(memory[cursor.X]), float(memory[cursor.Y])
             if not (sxx > 0.0 and syy > 0.0 and sxx * syy > sxy * sxy):
                 (sxx, sxy, syy), tail = unclaimed(memory, x, y), float("nan")
-            features(memory, layout.table, x, y, sxx, sxy, syy, tail, rows)
+            features(memory, layout.table, Law(x, y, sxx, sxy, syy, tail), rows)
             fast = memory[cursor.SPEED] / memory[cursor.PEAK] if memory[cursor.PEAK] > 0.0 else 0.0
             found.append((rows, float(fast), layout.right))
     return found
@@ -146,7 +146,7 @@ def coefficients(sets: Sequence[tuple[Cases, Cases]], only: Sequence[int] | None
 def write(sets: Sequence[tuple[Cases, Cases]]) -> None:
     """Fit on these sets and write the coefficients."""
     ours, near = coefficients(sets), fit([one[1] for one in sets], [NEAR])
-    file = ROOT / "pointpred" / "targets" / "weights.py"
+    file = ROOT / "pointpred" / "targets" / "coefficients.py"
     values = {"NEAREST": near[[NEAR, FEATURES + NEAR]], "NEAREST_NONE": near[2 * FEATURES :]}
     for prefix, part in (("", ours[: posterior.SET]), ("UNCLAIMED_", ours[posterior.SET :])):
         values[f"{prefix}SLOW"], values[f"{prefix}FAST"] = part[:FEATURES], part[FEATURES : 2 * FEATURES]

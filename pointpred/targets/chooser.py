@@ -12,9 +12,10 @@ from pointpred.columns import FloatArray, PredictionColumns
 from pointpred.errors import EventError, EventOrderError
 from pointpred.events import PointerEvent, Prediction
 from pointpred.parameter import Parameter, check
+from pointpred.rows import prediction_row
 from pointpred.targets import cursor, decision, posterior
-from pointpred.targets.choosing import ENTERED, INSIDE, OUTSIDE, RELEASED, step, walk
-from pointpred.targets.given import refuse, usable, write
+from pointpred.targets.choice_law import ENTERED, INSIDE, OUTSIDE, RELEASED, Model, Targets, step, walk
+from pointpred.targets.inputs import refuse, usable
 from pointpred.targets.ledger import Ledger, Movement
 from pointpred.targets.rectangles import Target, table
 
@@ -130,6 +131,14 @@ class Chooser:
         return self._ids.index(id) if id is not None and id in self._ids else decision.NOBODY
 
     @property
+    def _targets(self) -> Targets:
+        return self._table, self._inside, self._shares
+
+    @property
+    def _model(self) -> Model:
+        return self._coefficients, self._settings
+
+    @property
     def standing(self) -> Hashable | None:
         """The target that is predicted now."""
         return None if self._standing == decision.NOBODY else self._ids[self._standing]
@@ -174,22 +183,11 @@ class Chooser:
         memory = self._memory
         if memory[cursor.KNOWN] == 1.0 and t < memory[cursor.T]:
             raise EventOrderError(f"t must not run backwards: {t!r} after {memory[cursor.T]!r}")
-        write(self._answer, prediction)
+        self._answer[:] = prediction_row(prediction)
         pressed = float(event.buttons & 1)
         released = memory[cursor.PRESSED] > pressed
         chosen, over, entered = step(
-            memory,
-            self._table,
-            t,
-            x,
-            y,
-            pressed,
-            self._answer,
-            self._coefficients,
-            self._settings,
-            self._standing,
-            self._inside,
-            self._shares,
+            memory, (t, x, y, pressed), self._answer, self._targets, self._model, self._standing
         )
         if chosen == self._standing and over == self._over and not entered:
             return ()
@@ -204,33 +202,25 @@ class Chooser:
         events, all unless given. Other threads run meanwhile, except while a change is noted.
         """
         refuse(self._memory, events)
-        count, taken = len(events), 0
-        told = np.empty((count if last is None else min(last, count), 2 * min(most, len(self._table))))
+        count, done = len(events), 0
+        rows = count if last is None else min(last, count)
+        likeliest = np.empty((rows, 2 * min(most, len(self._table))))
         changes: list[tuple[float, Choice]] = []
         before = int(self._memory[cursor.PRESSED])
-        while taken < count:
-            taken, chosen, over, entered = walk(
-                self._memory,
-                self._table,
-                events,
-                answers,
-                taken,
-                self._coefficients,
-                self._settings,
-                self._standing,
-                self._over,
-                self._inside,
-                self._shares,
-                told,
+        tables = events, answers, likeliest
+        while done < count:
+            proposed = self._standing, self._over
+            done, chosen, over, entered = walk(
+                self._memory, tables, done, self._targets, self._model, proposed
             )
-            t = float(events[taken - 1, 0])
+            t = float(events[done - 1, 0])
             if chosen != self._standing or over != self._over or entered:
-                down = before if taken == 1 else int(events[taken - 2, 5]) & 1
-                released = down > int(events[taken - 1, 5]) & 1
+                down = before if done == 1 else int(events[done - 2, 5]) & 1
+                released = down > int(events[done - 1, 5]) & 1
                 changes += [(t, choice) for choice in self._note(t, chosen, over, entered, released)]
         if count:
             self._answer[:] = answers[-1]
-        return changes, [self._named(row) for row in told.tolist()]
+        return changes, [self._named(row) for row in likeliest.tolist()]
 
     def finish(self, target: Hashable | None) -> Movement:
         """Close the movement at the last event, a click on ``target``, in the ledger.

@@ -19,8 +19,7 @@ TRAIL_SHARE = 0.35
 
 # State: whether anything is known, the last event, the start, a point that trails the cursor, the velocity
 # in px/s, its size, a slower one, its peak.
-KNOWN, T, X, Y, PRESSED, T0, X0, Y0, TRAIL_X, TRAIL_Y, VX, VY, SPEED, SLOW, PEAK = range(15)
-STATES = 15
+KNOWN, T, X, Y, PRESSED, T0, X0, Y0, TRAIL_X, TRAIL_Y, VX, VY, SPEED, SLOW, PEAK, STATES = range(16)
 
 
 @law

@@ -7,6 +7,7 @@ from math import hypot
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.targets import cursor
+from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, WIDTH
 
 NOBODY = -1
 
@@ -46,7 +47,7 @@ def early(memory: FloatArray, row: FloatArray, remaining_s: float, least_s: floa
     It is there at once where both say so: the way to its edge over the present speed, and the predicted time
     left, where one is claimed (predictors that go by speed alone call a hand at rest arrived).
     """
-    left = cursor.until(memory, row[0], row[1], row[2], row[3])
+    left = cursor.until(memory, row[CENTRE_X], row[CENTRE_Y], row[WIDTH], row[HEIGHT])
     if left == 0.0:
         return False
     if remaining_s == remaining_s:
@@ -61,18 +62,16 @@ def decide(
     shares: FloatArray,
     standing: int,
     remaining_s: float,
-    ask: float,
-    keep: float,
-    least_s: float,
-    least_px: float,
+    bounds: tuple[float, float, float, float],
 ) -> int:
-    """The target that is proposed from now on, NOBODY for none.
+    """The target that is proposed from now on, NOBODY for none; ``bounds``: (ask, keep, least_s, least_px).
 
     One that stands is kept while its share is at least ``keep``, unless another reaches ``ask``. Without
     one, the likeliest is proposed from ``ask`` on, if early enough, and if the cursor is at least
     ``least_px`` from where the movement started. ``keep`` lies below ``ask``: a share that trembles about
     either changes nothing twice.
     """
+    ask, keep, least_s, least_px = bounds
     best = likeliest(shares, len(table))
     if best == NOBODY:
         return NOBODY

@@ -6,33 +6,56 @@ Every feature is free of scale and of the screen's orientation, so the same coef
 from __future__ import annotations
 
 from math import atan2, hypot, log, sqrt
-
-import numpy as np
+from typing import NamedTuple
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.rows import SixFloats
 from pointpred.targets import cursor
-from pointpred.targets.law import log_mass
+from pointpred.targets.rectangle_mass import log_mass
+from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, WIDTH
 
 ANGLE = 0.15
 """Angles (rad) below this are as good as straight."""
 ALONG, ACROSS, LEAST = 0.5, 0.2, 0.1
 """Deviations of a law that nobody claimed, as shares of the way left, and the least of it."""
 
-MASS, TRAIL, HEADING, PER_WAY, PER_SPEED, NEAR = range(6)
-FEATURES = 6
+MASS, TRAIL, HEADING, PER_WAY, PER_SPEED, NEAR, FEATURES = range(7)
 
-SITUATION = 14
-"""Numbers that the features of all targets share."""
+
+class Law(NamedTuple):
+    """A predicted law of the endpoint: centre in px, scale matrix in px^2, degrees of freedom or NaN."""
+
+    x: float
+    y: float
+    sxx: float
+    sxy: float
+    syy: float
+    tail: float
+
+
+class Situation(NamedTuple):
+    """What the features of all targets share: the cursor, its way of late, its velocity, how far it went."""
+
+    x: float
+    y: float
+    trail_x: float
+    trail_y: float
+    vx: float
+    vy: float
+    log_way: float
+    log_sweep: float
 
 
 @law
-def bend(ux: float, uy: float, gx: float, gy: float, far2: float, size: float) -> float:
+def bend(u: tuple[float, float], g: tuple[float, float], far2: float, size: float) -> float:
     """How little a direction u speaks for a goal at g: logarithm of 1 + (angle / what is straight)^2.
 
     What is straight: 0.15 rad, and more where the goal is so near that its own size fills an angle. ``far2``
     is the square of the distance to the goal.
     """
+    ux, uy = u
+    gx, gy = g
     if (ux == 0.0 and uy == 0.0) or far2 == 0.0:
         return 0.0
     angle = atan2(ux * gy - uy * gx, ux * gx + uy * gy)
@@ -61,58 +84,48 @@ def unclaimed(memory: FloatArray, x: float, y: float) -> tuple[float, float, flo
 
 
 @law
-def situation(
-    memory: FloatArray, x: float, y: float, sxx: float, sxy: float, syy: float, tail: float, out: FloatArray
-) -> None:
-    """What the features of all targets share: the cursor, and a law centred at (x, y) px."""
-    cx, cy = memory[cursor.X], memory[cursor.Y]
-    done = hypot(cx - memory[cursor.X0], cy - memory[cursor.Y0])
-    swept = memory[cursor.SPEED] * (memory[cursor.T] - memory[cursor.T0])
-    out[0], out[1], out[2], out[3] = cx, cy, cx - memory[cursor.TRAIL_X], cy - memory[cursor.TRAIL_Y]
-    out[4], out[5] = memory[cursor.VX], memory[cursor.VY]
-    out[6], out[7] = log(max(done, 1.0)), log(max(swept, 1.0))
-    out[8], out[9], out[10], out[11], out[12], out[13] = x, y, sxx, sxy, syy, tail
+def situation(memory: FloatArray) -> Situation:
+    """What the features of all targets share."""
+    x, y = memory[cursor.X], memory[cursor.Y]
+    way = hypot(x - memory[cursor.X0], y - memory[cursor.Y0])
+    sweep = memory[cursor.SPEED] * (memory[cursor.T] - memory[cursor.T0])
+    trail_x, trail_y = x - memory[cursor.TRAIL_X], y - memory[cursor.TRAIL_Y]
+    vx, vy = memory[cursor.VX], memory[cursor.VY]
+    return Situation(x, y, trail_x, trail_y, vx, vy, log(max(way, 1.0)), log(max(sweep, 1.0)))
 
 
 @law
-def feature(row: FloatArray, now: FloatArray, mass: bool) -> tuple[float, float, float, float, float, float]:
-    """The features of one target, a row of a table, in a ``situation``; MASS only where it is asked for.
+def feature(row: FloatArray, now: Situation, predicted: Law, mass: bool) -> SixFloats:
+    """The features of one target, a row of a table; MASS only where it is asked for.
 
     MASS: logarithm of the law's mass in the rectangle. TRAIL, HEADING: how far the target lies off the way of
     late and off the velocity. PER_WAY, PER_SPEED: logarithm of the way left over the way done, and over the
     speed times the time since the start. NEAR: logarithm of 1 + the way left over half the target's size.
     """
-    gx, gy, size = row[0] - now[0], row[1] - now[1], 0.5 * (row[2] + row[3])
+    x, y, width, height = row[CENTRE_X], row[CENTRE_Y], row[WIDTH], row[HEIGHT]
+    gx, gy, size = x - now.x, y - now.y, 0.5 * (width + height)
     far2 = gx * gx + gy * gy
     left = max(sqrt(far2), 1.0)
-    log_left, held = log(left), 0.0
+    log_left, inside = log(left), 0.0
     if mass:
-        held = log_mass(row[0] - now[8], row[1] - now[9], row[2], row[3], now[10], now[11], now[12], now[13])
+        spread = predicted.sxx, predicted.sxy, predicted.syy, predicted.tail
+        inside = log_mass((x - predicted.x, y - predicted.y, width, height), spread)
     return (
-        held,
-        bend(now[2], now[3], gx, gy, far2, size),
-        bend(now[4], now[5], gx, gy, far2, size),
-        log_left - now[6],
-        log_left - now[7],
+        inside,
+        bend((now.trail_x, now.trail_y), (gx, gy), far2, size),
+        bend((now.vx, now.vy), (gx, gy), far2, size),
+        log_left - now.log_way,
+        log_left - now.log_sweep,
         log(1.0 + 2.0 * left / size),
     )
 
 
 @law
-def features(
-    memory: FloatArray,
-    table: FloatArray,
-    x: float,
-    y: float,
-    sxx: float,
-    sxy: float,
-    syy: float,
-    tail: float,
-    out: FloatArray,
-) -> None:
-    """A row of features for each target, for a law centred at (x, y) px with a scale matrix in px^2."""
-    now = np.empty(SITUATION)
-    situation(memory, x, y, sxx, sxy, syy, tail, now)
+def features(memory: FloatArray, table: FloatArray, predicted: Law, out: FloatArray) -> None:
+    """A row of features for each target and a predicted law."""
+    now = situation(memory)
     for i in range(len(table)):
         f = out[i]
-        f[MASS], f[TRAIL], f[HEADING], f[PER_WAY], f[PER_SPEED], f[NEAR] = feature(table[i], now, True)
+        f[MASS], f[TRAIL], f[HEADING], f[PER_WAY], f[PER_SPEED], f[NEAR] = feature(
+            table[i], now, predicted, True
+        )

@@ -9,8 +9,9 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.events import LARGEST
-from pointpred.targets import cursor, evidence, weights
-from pointpred.targets.evidence import SITUATION, feature, situation, unclaimed
+from pointpred.targets import coefficients as fitted
+from pointpred.targets import cursor, evidence
+from pointpred.targets.evidence import Law, feature, situation, unclaimed
 from pointpred.targets.rectangles import LOG_WEIGHT
 
 FEATURES = evidence.FEATURES
@@ -21,18 +22,18 @@ COEFFICIENTS = 2 * SET
 
 FITTED: FloatArray = np.array(
     [
-        *(*weights.SLOW, *weights.FAST, *weights.NONE),
-        *(*weights.UNCLAIMED_SLOW, *weights.UNCLAIMED_FAST, *weights.UNCLAIMED_NONE),
+        *(*fitted.SLOW, *fitted.FAST, *fitted.NONE),
+        *(*fitted.UNCLAIMED_SLOW, *fitted.UNCLAIMED_FAST, *fitted.UNCLAIMED_NONE),
     ]
 )
 """The coefficients that come with pointpred."""
 FITTED_NEAREST: FloatArray = np.zeros(COEFFICIENTS)
 """Coefficients of the distance from the cursor alone: the nearest target, as something to compare with."""
 for _first in (0, SET):
-    FITTED_NEAREST[[_first + evidence.NEAR, _first + FEATURES + evidence.NEAR]] = weights.NEAREST
-    FITTED_NEAREST[_first + 2 * FEATURES : _first + SET] = weights.NEAREST_NONE
+    FITTED_NEAREST[[_first + evidence.NEAR, _first + FEATURES + evidence.NEAR]] = fitted.NEAREST
+    FITTED_NEAREST[_first + 2 * FEATURES : _first + SET] = fitted.NEAREST_NONE
 
-PRECISION, ELSEWHERE, LEAST_LEAD_S, LEAST_WAY_PX = 0, 1, 2, 3
+PRECISION, ELSEWHERE, LEAST_LEAD_S, LEAST_WAY_PX = range(4)
 """Places of a chooser's settings."""
 
 FITTED_NONE, FITTED_TARGETS = 0.25, 16.0
@@ -45,8 +46,9 @@ TAILS = (1e-3, LARGEST)
 
 
 @law
-def lawful(sxx: float, sxy: float, syy: float, tail: float) -> bool:
+def lawful(predicted: Law) -> bool:
     """Whether a predicted law can be used: a region of finite size, and a tail that is one, or none."""
+    _, _, sxx, sxy, syy, tail = predicted
     if not (
         0.0 < sxx <= LARGEST * LARGEST and 0.0 < syy <= LARGEST * LARGEST and abs(sxy) <= LARGEST * LARGEST
     ):
@@ -68,16 +70,15 @@ def scores(
     ``answer`` is a row of ``PredictionColumns``; a point beyond the bounds of positions, and a law that is
     not ``lawful``, are as if not claimed. A target of weight 0 is not looked at.
     """
-    x, y, sxx, sxy, syy, tail = answer[1], answer[2], answer[3], answer[4], answer[5], answer[8]
+    x, y = answer[1], answer[2]
     claimed = abs(x) <= LARGEST and abs(y) <= LARGEST
     if not claimed:  # no prediction: the cursor itself
         x, y = memory[cursor.X], memory[cursor.Y]
-    first = 0
-    if not claimed or not lawful(sxx, sxy, syy, tail):
+    first, predicted = 0, Law(x, y, answer[3], answer[4], answer[5], answer[8])
+    if not claimed or not lawful(predicted):
         sxx, sxy, syy = unclaimed(memory, x, y)
-        tail, first = nan, SET
-    now, weight = np.empty(SITUATION), np.empty(FEATURES)
-    situation(memory, x, y, sxx, sxy, syy, tail, now)
+        first, predicted = SET, Law(x, y, sxx, sxy, syy, nan)
+    now, weight = situation(memory), np.empty(FEATURES)
     fast = min(memory[cursor.SPEED] / memory[cursor.PEAK], 1.0) if memory[cursor.PEAK] > 0.0 else 0.0
     for j in range(FEATURES):
         weight[j] = (1.0 - fast) * coefficients[first + j] + fast * coefficients[first + FEATURES + j]
@@ -87,9 +88,9 @@ def scores(
         if table[i, LOG_WEIGHT] == -inf:
             out[i] = -inf
             continue
-        f0, f1, f2, f3, f4, f5 = feature(table[i], now, mass)
-        found = weight[0] * f0 + weight[1] * f1 + weight[2] * f2
-        out[i] = table[i, LOG_WEIGHT] + usual + found + weight[3] * f3 + weight[4] * f4 + weight[5] * f5
+        f0, f1, f2, f3, f4, f5 = feature(table[i], now, predicted, mass)
+        score = weight[0] * f0 + weight[1] * f1 + weight[2] * f2
+        out[i] = table[i, LOG_WEIGHT] + usual + score + weight[3] * f3 + weight[4] * f4 + weight[5] * f5
     at = first + 2 * FEATURES
     none = (1.0 - fast) * coefficients[at] + fast * coefficients[at + 1]
     out[count] = none + log(elsewhere / FITTED_NONE)

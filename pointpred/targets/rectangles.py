@@ -17,8 +17,7 @@ SMALLEST_PX = 1e-3
 
 # A row of the table: the rectangle's centre and size in px, and the logarithm of its weight
 # over that of all.
-CENTRE_X, CENTRE_Y, WIDTH, HEIGHT, LOG_WEIGHT = 0, 1, 2, 3, 4
-FIELDS = 5
+CENTRE_X, CENTRE_Y, WIDTH, HEIGHT, LOG_WEIGHT, FIELDS = range(6)
 
 
 class Target(msgspec.Struct, frozen=True):

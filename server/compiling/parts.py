@@ -24,7 +24,7 @@ from pointpred.registry import RECOMMENDED, REGISTRY, build
 from pointpred.scoring.measures import endpoint
 from pointpred.server.sessions.pointing import PointingSession
 from pointpred.server.settings import Settings
-from pointpred.targets import Chooser, around, choosing
+from pointpred.targets import Chooser, around, choice_law
 from pointpred.transfer import assistance
 
 Frame = dict[str, Any] | bytes
@@ -62,7 +62,7 @@ def parts() -> list[Part]:
     return [
         *_pieces(),
         _predictor(RECOMMENDED, PIECES),
-        Part(TARGETS, choose, (choosing.step, choosing.walk), FIRST),
+        Part(TARGETS, choose, (choice_law.step, choice_law.walk), FIRST),
         Part(ASSISTANCE, assist, (assistance.guarded_step,), FIRST),
         Part(TRIALS, score_trial, (endpoint.measure,), FIRST),
         *(

@@ -7,9 +7,9 @@ import pytest
 
 from pointpred import EventColumns, PointerEvent, Prediction, PredictionColumns
 from pointpred.columns import FloatArray
+from pointpred.rows import prediction_row
 from pointpred.scoring.target_choice import decisions as replaying
 from pointpred.targets import Chooser, Ledger, Movement, around
-from pointpred.targets.given import write
 from pointpred.targets.posterior import FITTED
 from pointpred.targets.rectangles import table
 
@@ -41,7 +41,7 @@ def offline(right: str, events: list[PointerEvent], claims: list[Prediction]) ->
     rows, laid = EventColumns.of_events(events).table, table(PLACES)
     answers = np.full((len(rows), len(PredictionColumns.names)), np.nan)
     for row, claim in zip(answers, claims, strict=True):
-        write(row, claim)
+        row[:] = prediction_row(claim)
     shares, out = np.empty((len(rows), len(laid) + 1)), np.empty(replaying.ACCOUNT)
     replaying.weigh(rows, answers, laid, FITTED, ELSEWHERE, shares)
     replaying.account(rows, answers, laid, shares, IDS.index(right), ASK, *LEAST, out)
@@ -55,7 +55,7 @@ def live(how: str, beside: float, at_once: bool) -> tuple[list[Movement], Choose
     def take(events: list[PointerEvent], claims: list[Prediction]) -> None:
         answers = np.full((len(events), len(PredictionColumns.names)), np.nan)
         for row, claim in zip(answers, claims, strict=True):
-            write(row, claim)
+            row[:] = prediction_row(claim)
         if at_once:
             chooser.follow(EventColumns.of_events(events).table, answers)
         for event, claim in zip(events, claims, strict=True) if not at_once else ():

@@ -28,7 +28,7 @@ def walk(sequence: Sequence[tuple[float, float]]) -> list[int]:
     standing, found = NOBODY, []
     for a, b in sequence:
         shares = np.array([a, b, max(1.0 - a - b, 0.0)])
-        standing = decide(at(0.0, 0.0), TABLE, shares, standing, np.nan, ASK, KEEP, 0.05, 0.0)
+        standing = decide(at(0.0, 0.0), TABLE, shares, standing, np.nan, (ASK, KEEP, 0.05, 0.0))
         found.append(standing)
     return found
 
@@ -81,16 +81,16 @@ def test_what_is_entered_at_once_is_not_proposed(
     x: float, speed: float, remaining_s: float, proposed: bool
 ) -> None:
     sure = np.array([0.95, 0.02, 0.03])
-    found = decide(at(x, 0.0, speed), TABLE, sure, NOBODY, remaining_s, ASK, KEEP, 0.05, 0.0)
+    found = decide(at(x, 0.0, speed), TABLE, sure, NOBODY, remaining_s, (ASK, KEEP, 0.05, 0.0))
     assert found == (0 if proposed else NOBODY)
 
 
 @pytest.mark.parametrize(("x", "proposed"), [(0.0, False), (2.99, False), (3.0, True), (-3.0, True)])
 def test_nothing_is_proposed_before_the_cursor_has_set_out(x: float, proposed: bool) -> None:
     sure = np.array([0.95, 0.02, 0.03])
-    found = decide(at(x, 0.0), TABLE, sure, NOBODY, np.nan, ASK, KEEP, 0.05, 3.0)
+    found = decide(at(x, 0.0), TABLE, sure, NOBODY, np.nan, (ASK, KEEP, 0.05, 3.0))
     assert found == (0 if proposed else NOBODY)
-    assert decide(at(x, 0.0), TABLE, sure, 0, np.nan, ASK, KEEP, 0.05, 3.0) == 0  # what stands, stays
+    assert decide(at(x, 0.0), TABLE, sure, 0, np.nan, (ASK, KEEP, 0.05, 3.0)) == 0  # what stands, stays
 
 
 def test_of_equal_shares_the_first_come_first() -> None:
@@ -103,7 +103,9 @@ def test_of_equal_shares_the_first_come_first() -> None:
 
 
 def test_without_targets_nobody_is_proposed() -> None:
-    assert decide(at(0.0, 0.0), np.empty((0, 5)), np.ones(1), NOBODY, np.nan, ASK, KEEP, 0.05, 0.0) == NOBODY
+    assert (
+        decide(at(0.0, 0.0), np.empty((0, 5)), np.ones(1), NOBODY, np.nan, (ASK, KEEP, 0.05, 0.0)) == NOBODY
+    )
 
 
 def test_a_ledger_by_hand() -> None:

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from pointpred import EventColumns, PointerEvent, Prediction, PredictionColumns
 from pointpred.errors import ParameterError
+from pointpred.rows import prediction_row
 from pointpred.targets import Chooser, Target, around
-from pointpred.targets.given import write
 from pointpred.targets.posterior import COEFFICIENTS
 
 inf, nan = np.inf, np.nan
@@ -38,7 +38,7 @@ def both(prediction: Prediction) -> list[float]:
     events = EventColumns.of_events(reach())
     answers = np.full((len(events.table), len(PredictionColumns.names)), nan)
     for row in answers:
-        write(row, prediction)
+        row[:] = prediction_row(prediction)
     many.follow(events.table, answers)
     assert one.shares.tolist() == many.shares.tolist()
     return [float(share) for share in one.shares]

@@ -9,7 +9,7 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.targets import cursor, decision, posterior
-from pointpred.targets.choosing import KEEP
+from pointpred.targets.choice_law import KEEP
 
 # At each time fraction: whether the likeliest target is the right one, minus the logarithm of the right
 # one's share, the largest share, and whether the nearest target is the right one.
@@ -102,8 +102,8 @@ def account(
             entry = t
             if standing == right:
                 entered_since = since
-        left_s, keep = answers[i, 6], KEEP * ask
-        chosen = decision.decide(memory, table, shares[i], standing, left_s, ask, keep, least_s, least_px)
+        bounds = ask, KEEP * ask, least_s, least_px
+        chosen = decision.decide(memory, table, shares[i], standing, answers[i, 6], bounds)
         if chosen != standing:
             if standing != decision.NOBODY:
                 out[RETRACTED] += 1.0

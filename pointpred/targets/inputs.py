@@ -1,40 +1,19 @@
-"""What a chooser is given: a prediction as a row, and events that it refuses."""
+"""What a chooser refuses: events out of bounds or order, and coefficients that are none."""
 
 from __future__ import annotations
-
-from math import nan
 
 import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import EventError, EventOrderError, ParameterError
-from pointpred.events import LARGEST, Prediction
+from pointpred.events import LARGEST
 from pointpred.targets import cursor
-from pointpred.targets.choosing import unusable
+from pointpred.targets.choice_law import unusable
 from pointpred.targets.posterior import COEFFICIENTS
 
 
-def write(row: FloatArray, prediction: Prediction | None) -> None:
-    """A prediction as a row of ``PredictionColumns``, NaN for what is not claimed; the phase is not used."""
-    if prediction is None:
-        row[:] = nan
-        return
-    sxx, sxy, syy = prediction.scale or (nan, nan, nan)
-    left, tail = prediction.remaining_s, prediction.tail
-    row[1:9] = (
-        prediction.x,
-        prediction.y,
-        sxx,
-        sxy,
-        syy,
-        nan if left is None else left,
-        nan,
-        nan if tail is None else tail,
-    )
-
-
 def refuse(memory: FloatArray, events: FloatArray) -> None:
-    """Raise EventError or EventOrderError for the first row of ``EventColumns`` that cannot be taken in."""
+    """Raise EventError or EventOrderError for the first row of ``EventColumns`` that cannot be used."""
     wrong = unusable(memory, events)
     if wrong < 0:
         return

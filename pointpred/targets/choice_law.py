@@ -1,0 +1,135 @@
+"""Events one by one: the cursor's way, the shares of all targets, and which of them are proposed."""
+
+from __future__ import annotations
+
+from math import inf
+
+from pointpred.columns import FloatArray
+from pointpred.compiled import law
+from pointpred.targets import cursor, decision, posterior
+from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, LOG_WEIGHT, WIDTH
+
+KEEP = 0.4
+"""A proposal stands while its share is at least this part of the precision asked for."""
+
+OUTSIDE, INSIDE, ENTERED, RELEASED = 0.0, 1.0, 2.0, 3.0
+"""Where the cursor is, for each target; ENTERED at the event that took it in, RELEASED once the button came
+up while it was there, until it leaves."""
+
+
+Targets = tuple[FloatArray, FloatArray, FloatArray]
+"""The table of the targets; where the cursor is for each; how likely each is, and none of them."""
+Model = tuple[FloatArray, FloatArray]
+"""The coefficients of the posterior and the chooser's settings."""
+
+
+@law
+def innermost(table: FloatArray, inside: FloatArray) -> int:
+    """The smallest target that the cursor is in, of equal ones the last; NOBODY where there is none.
+
+    The last, because what stands later in a page is drawn over what stands before it. Targets of weight 0,
+    and those in which the button came up, are not looked at.
+    """
+    best = decision.NOBODY
+    for i in range(len(table)):
+        if inside[i] == OUTSIDE or inside[i] == RELEASED or table[i, LOG_WEIGHT] == -inf:
+            continue
+        area = table[i, WIDTH] * table[i, HEIGHT]
+        if best == decision.NOBODY or area <= table[best, WIDTH] * table[best, HEIGHT]:
+            best = i
+    return best
+
+
+@law
+def enter(table: FloatArray, inside: FloatArray, x: float, y: float, released: bool) -> int:
+    """Write where the cursor is for each target; returns how many it has just gone into."""
+    count = 0
+    for i in range(len(table)):
+        row = table[i]
+        if abs(row[CENTRE_X] - x) <= 0.5 * row[WIDTH] and abs(row[CENTRE_Y] - y) <= 0.5 * row[HEIGHT]:
+            if inside[i] == OUTSIDE:
+                inside[i] = ENTERED
+                count += 1
+            else:
+                inside[i] = RELEASED if released or inside[i] == RELEASED else INSIDE
+        else:
+            inside[i] = OUTSIDE
+    return count
+
+
+@law
+def step(
+    memory: FloatArray,
+    event: tuple[float, float, float, float],
+    answer: FloatArray,
+    targets: Targets,
+    model: Model,
+    standing: int,
+) -> tuple[int, int, int]:
+    """Take in one usable event (t, x, y, pressed), with the prediction made at it.
+
+    ``answer``: a row of ``PredictionColumns``; ``standing``: the target predicted up to now. Writes where the
+    cursor is and the shares, and returns the target predicted from now on, the target proposed because the
+    cursor is in it (NOBODY where that one is predicted), and how many targets the cursor has just gone into.
+    When the button comes up the movement is over, and so is everything it proposed: a target that the cursor
+    stays in is not proposed again before the cursor has left it.
+    """
+    t, x, y, pressed = event
+    table, inside, shares = targets
+    coefficients, settings = model
+    released = cursor.follow(memory, t, x, y, pressed)
+    if released:
+        standing = decision.NOBODY
+    posterior.scores(memory, table, answer, coefficients, settings[posterior.ELSEWHERE], shares)
+    posterior.normalise(shares)
+    count = enter(table, inside, x, y, released)
+    ask, least_s = settings[posterior.PRECISION], settings[posterior.LEAST_LEAD_S]
+    bounds = ask, KEEP * ask, least_s, settings[posterior.LEAST_WAY_PX]
+    chosen = decision.decide(memory, table, shares, standing, answer[6], bounds)
+    over = innermost(table, inside)
+    return chosen, decision.NOBODY if over == chosen else over, count
+
+
+@law
+def unusable(memory: FloatArray, events: FloatArray) -> int:
+    """The first row that ``step`` must not be given, -1 where all are usable."""
+    before = memory[cursor.T] if memory[cursor.KNOWN] == 1.0 else -inf
+    for i in range(len(events)):
+        t = events[i, 0]
+        if not cursor.usable(t, events[i, 1], events[i, 2]) or t < before:
+            return i
+        before = t
+    return -1
+
+
+@law
+def walk(
+    memory: FloatArray,
+    tables: tuple[FloatArray, FloatArray, FloatArray],
+    first: int,
+    targets: Targets,
+    model: Model,
+    proposed: tuple[int, int],
+) -> tuple[int, int, int, int]:
+    """Take in rows, from ``first`` up to and with the one at which there is something to note.
+
+    ``tables``: the events, the predictions made at them, and a table for the likeliest targets after each of
+    the last rows: their places, and behind these their shares. ``proposed``: the targets that are proposed
+    now, by prediction and by entry. Returns how many rows are then taken in, and what ``step`` returns at
+    the last.
+    """
+    events, answers, likeliest = tables
+    table, _, shares = targets
+    standing, over = proposed
+    most = likeliest.shape[1] // 2
+    for i in range(first, len(events)):
+        event = events[i, 0], events[i, 1], events[i, 2], float(int(events[i, 5]) & 1)
+        chosen, now_over, entered = step(memory, event, answers[i], targets, model, standing)
+        place = i - (len(events) - len(likeliest))
+        if place >= 0:
+            decision.rank(shares, len(table), likeliest[place, :most])
+            for k in range(most):
+                likeliest[place, most + k] = shares[int(likeliest[place, k])]
+        if chosen != standing or now_over != over or entered > 0:
+            return i + 1, chosen, now_over, entered
+    return len(events), standing, over, 0
