@@ -66,14 +66,14 @@ class CameraStage(CompiledStage):
 
     def table(self, columns: CameraColumns) -> FloatArray:
         """The rows of answers to a table; a refused row raises its error and nothing is consumed."""
-        kept = self.remembered()
+        before = self.remembered()
         out = self.walk(np.zeros(len(columns), np.bool_), columns.table)
         refused = out[:, 0] != out[:, 0]
         if refused.any():
             row = int(refused.argmax())
-            self.recall(kept)
-            before = float(columns.t[row - 1]) if row else self._last()
-            reason = self._reason(tuple(columns.table[row].tolist()), before)
+            self.recall(before)
+            last_t = float(columns.t[row - 1]) if row else self._last()
+            reason = self._reason(tuple(columns.table[row].tolist()), last_t)
             raise type(reason)(f"row {row}: {reason}", field=reason.field, value=reason.value)
         return out
 

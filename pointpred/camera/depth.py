@@ -44,8 +44,8 @@ def rate(chi: float, r: float, m: Measured, dwx: float, dwy: float) -> tuple[flo
     eta = r - wy * x + wx * y
     flow_x = x * y * wx - (1.0 + x * x) * wy + y * wz
     flow_y = (1.0 + y * y) * wx - x * y * wy - x * wz
-    known = wy * flow_x - wx * flow_y + dwy * x - dwx * y
-    return (y * wx - x * wy + eta) * chi, az * chi + eta * eta + known
+    driven = wy * flow_x - wx * flow_y + dwy * x - dwx * y
+    return (y * wx - x * wy + eta) * chi, az * chi + eta * eta + driven
 
 
 @law

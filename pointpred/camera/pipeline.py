@@ -62,7 +62,7 @@ class CameraPipeline:
     """A ``Stage[CameraSample, CameraEstimate]``: the unknown input observer with the filter as a check.
 
     The observer alone cannot tell a camera that approaches from one that recedes when it was started with
-    the wrong sign. The filter can, once the images have told the depth: where its eta lies above -sigma/2 by
+    the wrong sign. The filter can, once the images determine the depth: where its eta lies above -sigma/2 by
     two standard deviations, ``detectable`` is false whatever the observer believes. Before that nobody knows.
 
     Parameters: ``observer``; ``peer``; ``way``, how (x, y)' is computed, one of ``velocity.WAYS``;
@@ -89,12 +89,12 @@ class CameraPipeline:
 
     def update(self, sample: CameraSample, /) -> CameraEstimate:
         """Consume one sample; a refused one changes nothing."""
-        kept = self.observer.remembered()
+        before = self.observer.remembered()
         depth = self.observer.update(sample)
         try:
             peer = self.peer.update(sample)
         except Exception:
-            self.observer.recall(kept)
+            self.observer.recall(before)
             raise
         d = self.unknown.update(sample, depth.eta)
         row = DepthColumns([[depth.t, depth.chi, depth.eta, depth.zero, 0.0, 0.0, 0.0]])
@@ -103,12 +103,12 @@ class CameraPipeline:
 
     def run(self, samples: CameraColumns) -> CameraTable:
         """Consume a table; when a row is refused the error names it and nothing is consumed."""
-        rows, kept = [], copy.deepcopy((self.observer, self.peer, self.unknown))
+        rows, before = [], copy.deepcopy((self.observer, self.peer, self.unknown))
         for number, sample in enumerate(samples.samples()):
             try:
                 rows.append(_row(self.update(sample)))
             except EventError as refused:
-                self.observer, self.peer, self.unknown = kept
+                self.observer, self.peer, self.unknown = before
                 raise type(refused)(
                     f"row {number}: {refused}", field=refused.field, value=refused.value
                 ) from refused

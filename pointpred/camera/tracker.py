@@ -60,11 +60,11 @@ class PointTracker:
                 raise ParameterError(f"the point must lie in the image, received {self.start}")
             self._image, self._point = image.copy(), np.array([[self.start + middle]], np.float32)
             return self.start
-        there, found = self._follow(self._image, image, self._point)
-        if not found:
+        there, followed = self._follow(self._image, image, self._point)
+        if not followed:
             return None
-        again, found = self._follow(image, self._image, there)
-        if not found or np.linalg.norm(again - self._point) > self.back_px:
+        again, followed = self._follow(image, self._image, there)
+        if not followed or np.linalg.norm(again - self._point) > self.back_px:
             return None
         self._image, self._point = image.copy(), there
         x, y = (there[0, 0] - middle).tolist()
@@ -82,8 +82,8 @@ class PointTracker:
         """Half the size of an image, so that pixel centres lie at whole numbers; checks the image."""
         grey = isinstance(image, np.ndarray) and image.ndim == 2 and image.dtype == np.uint8
         if not grey or min(image.shape) < self.window_px:
-            shown = getattr(image, "shape", image), getattr(image, "dtype", type(image))
-            raise EventError(f"an image must be grey, 8 bits, larger than the window, received {shown}")
+            received = getattr(image, "shape", image), getattr(image, "dtype", type(image))
+            raise EventError(f"an image must be grey, 8 bits, larger than the window, received {received}")
         if self._image is not None and image.shape != self._image.shape:
             raise EventError(f"an image must have the shape {self._image.shape}, received {image.shape}")
         return 0.5 * (np.array(image.shape[::-1], np.float64) - 1.0)

@@ -56,7 +56,7 @@ class UnknownInputs:
     d = (x, y) eta + B_y w - (x, y)'.
 
     Parameters: ``way``, one of ``WAYS``; ``focal_px`` px; ``noise_px`` px, the standard deviation that the
-    two-state filter is told. Memory: that of its stage and 2 floats. Raises ParameterError.
+    two-state filter takes. Memory: that of its stage and 2 floats. Raises ParameterError.
 
     Reference: Benyoucef et al. 2021, equations (39) to (41).
     """

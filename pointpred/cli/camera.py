@@ -120,18 +120,18 @@ def run(
     columns = read_samples(samples)
     if images is not None:
         columns = _followed(columns, images, point, every)
-    found = _pipeline(focal_px, start_depth, start_vz, noise_px, way).run(columns)
-    known = None if truth is None else read_truth(truth)
-    errors = None if known is None else errors_of(found, known)
+    estimates = _pipeline(focal_px, start_depth, start_vz, noise_px, way).run(columns)
+    truths = None if truth is None else read_truth(truth)
+    errors = None if truths is None else errors_of(estimates, truths)
     if plot is not None:
         from pointpred.cli.camera_plot import plot as draw
 
-        draw(found, known, plot, f"{samples.name}, focal length {focal_px:g} px")
+        draw(estimates, truths, plot, f"{samples.name}, focal length {focal_px:g} px")
         remarks().print(f"{plot}", markup=False)
     if json is not None:
-        write_json(summary(found, errors), json)
+        write_json(summary(estimates, errors), json)
     if json is None or str(json) != "-":
-        show(found, errors)
+        show(estimates, errors)
 
 
 def _followed(columns: Any, folder: Path, point: str, every: int) -> Any:

@@ -34,8 +34,8 @@ def read_table(source: Path, names: Names) -> FloatArray:
             reader = csv.DictReader(stream)
             missing = [name for name in names if name not in (reader.fieldnames or [])]
             if missing:
-                told = f"the header lacks {', '.join(missing)}; needs {', '.join(names)}"
-                raise RecordingError(f"{source}: {told}")
+                reason = f"the header lacks {', '.join(missing)}; needs {', '.join(names)}"
+                raise RecordingError(f"{source}: {reason}")
             rows = []
             for number, row in enumerate(reader, start=2):
                 if None in row:
@@ -99,17 +99,17 @@ def read_images(folder: Path) -> list[Any]:
     return images
 
 
-def errors_of(found: CameraTable, truth: FloatArray) -> dict[str, dict[str, float | None]]:
+def errors_of(estimates: CameraTable, truth: FloatArray) -> dict[str, dict[str, float | None]]:
     """RMSE of observer and peer beside the truth, where each says something."""
-    if len(truth) != len(found) or np.abs(truth[:, 0] - found.t).max() > 1e-6:
-        raise ParameterError(f"--truth: needs the {len(found)} times of the samples, received others")
+    if len(truth) != len(estimates) or np.abs(truth[:, 0] - estimates.t).max() > 1e-6:
+        raise ParameterError(f"--truth: needs the {len(estimates)} times of the samples, received others")
     chi, eta = 1.0 / truth[:, 1], truth[:, 4] / truth[:, 1]
     wanted = {"chi": chi, "eta": eta, "vx": truth[:, 2], "vy": truth[:, 3], "vz": truth[:, 4]}
     table: dict[str, dict[str, float | None]] = {}
     for who, prefix in (("observer", ""), ("peer", "peer_")):
         table[who] = {}
         for name, values in wanted.items():
-            error = getattr(found, prefix + name) - values
-            known = error[error == error]
-            table[who][name] = float(np.sqrt(np.mean(known**2))) if len(known) else None
+            error = getattr(estimates, prefix + name) - values
+            finite = error[error == error]
+            table[who][name] = float(np.sqrt(np.mean(finite**2))) if len(finite) else None
     return table

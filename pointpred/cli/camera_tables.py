@@ -17,28 +17,28 @@ UNITS = {"chi": "1/m", "eta": "1/s", "vx": "m/s", "vy": "m/s", "vz": "m/s"}
 Errors = dict[str, dict[str, float | None]]
 
 
-def summary(found: CameraTable, errors: Errors | None) -> dict[str, Any]:
+def summary(estimates: CameraTable, errors: Errors | None) -> dict[str, Any]:
     """The run as JSON: the last estimates, shares of the flags, errors where a truth was given."""
-    last = dict(zip(CameraTable.names, found.table[-1].tolist(), strict=True))
-    told = found.peer_chi == found.peer_chi
+    last = dict(zip(CameraTable.names, estimates.table[-1].tolist(), strict=True))
+    running = estimates.peer_chi == estimates.peer_chi
     return {
         "version": 1,
-        "samples": len(found),
-        "images": int(found.image.sum()),
-        "detectable": float(found.detectable.mean()),
-        "filter_started_s": float(found.t[told][0]) if told.any() else None,
+        "samples": len(estimates),
+        "images": int(estimates.image.sum()),
+        "detectable": float(estimates.detectable.mean()),
+        "filter_started_s": float(estimates.t[running][0]) if running.any() else None,
         "last": {name: value if value == value else None for name, value in last.items()},
         "rmse": errors,
     }
 
 
-def show(found: CameraTable, errors: Errors | None) -> None:
+def show(estimates: CameraTable, errors: Errors | None) -> None:
     """Print moments spread evenly over the run, and errors where a truth was given."""
     table = Table(box=None, pad_edge=False)
     for heading in HEADINGS:
         table.add_column(heading, justify="right")
-    for row in np.linspace(0, len(found) - 1, min(MOMENTS, len(found))).astype(int):
-        table.add_row(*_moment(found, int(row)))
+    for row in np.linspace(0, len(estimates) - 1, min(MOMENTS, len(estimates))).astype(int):
+        table.add_row(*_moment(estimates, int(row)))
     results().print(table)
     if errors is None:
         return
@@ -51,17 +51,17 @@ def show(found: CameraTable, errors: Errors | None) -> None:
     results().print(below)
 
 
-def _moment(found: CameraTable, row: int) -> tuple[str, ...]:
-    told = found.peer_chi[row] == found.peer_chi[row]
-    spread = f" +- {found.peer_depth_spread[row]:.3f}" if told else ""
-    believe = "filter" if told else ("observer, unchecked" if found.detectable[row] else "nobody")
+def _moment(estimates: CameraTable, row: int) -> tuple[str, ...]:
+    running = estimates.peer_chi[row] == estimates.peer_chi[row]
+    spread = f" +- {estimates.peer_depth_spread[row]:.3f}" if running else ""
+    believe = "filter" if running else ("observer, unchecked" if estimates.detectable[row] else "nobody")
     return (
-        f"{found.t[row]:.2f}",
-        _number(1.0 / found.chi[row]),
-        _number(1.0 / found.peer_chi[row]) + spread,
-        _number(found.vz[row]),
-        _number(found.peer_vz[row]),
-        believe + ("" if found.detectable[row] else "; observer not detectable"),
+        f"{estimates.t[row]:.2f}",
+        _number(1.0 / estimates.chi[row]),
+        _number(1.0 / estimates.peer_chi[row]) + spread,
+        _number(estimates.vz[row]),
+        _number(estimates.peer_vz[row]),
+        believe + ("" if estimates.detectable[row] else "; observer not detectable"),
     )
 
 

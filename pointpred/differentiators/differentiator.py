@@ -97,11 +97,11 @@ class Differentiator(CompiledStage):
 
     def run(self, events: EventColumns) -> MotionColumns:
         """Consume a table of events; when a row is refused the error names it and nothing is consumed."""
-        kept = self.remembered()
+        before = self.remembered()
         motions = MotionColumns(self.walk(events.begin, events.table))
         refused = motions.t != motions.t
         if refused.any():
-            self.recall(kept)
+            self.recall(before)
             raise self.refusal_of_row(events, int(refused.argmax()))
         return motions
 

@@ -23,7 +23,7 @@ ORDER_MOST = 8
 SUBSTEPS_MOST = 10_000
 """Bound on the cost of one event."""
 SETTLING_SPEED_M_S = 0.3
-"""Speed of the hand from which the settling time is told."""
+"""Speed of the hand at which the settling time is measured."""
 CHATTER_MOST_M_S = 0.05
 """Speed that a device at rest may seem to have at the longest Euler step: a sixth of a usual reach."""
 STEPS_M = (METRES_PER_INCH / 2000.0, METRES_PER_INCH / 96.0)
@@ -193,11 +193,11 @@ class HomogeneousDifferentiator(Differentiator):
                 field="gap_s",
                 value=self.gap_s,
             )
-        given = self.gains
+        own_gains = self.gains
         chosen = (
             gains(self.gain_lambda, self.gain_xi, self.order)
-            if given is None
-            else check_gains(given, self.order)
+            if own_gains is None
+            else check_gains(own_gains, self.order)
         )
         check_step(chosen, self.step_s)
         self.gains = tuple(chosen)
@@ -206,8 +206,8 @@ class HomogeneousDifferentiator(Differentiator):
         """Order, degree, longest step, whether the position is held, room for the settling time, gains."""
         chosen = self.gains or ()
         padded = [*chosen, *([0.0] * (ORDER_MOST - len(chosen)))]
-        held = 1.0 if self.between == "hold" else 0.0
-        return [float(self.order), float(self.alpha), float(self.step_s), held, 0.0, *padded]
+        hold = 1.0 if self.between == "hold" else 0.0
+        return [float(self.order), float(self.alpha), float(self.step_s), hold, 0.0, *padded]
 
     def lay_out(self, settings: list[float] | FloatArray, states: int) -> None:
         """Make the memory, and measure how long the law takes to settle and whether it comes to rest."""

@@ -38,13 +38,13 @@ class ErrorBound(msgspec.Struct, frozen=True):
         return self.overshoot * exp(-self.rate * t) * initial + forced
 
 
-def eigenvalues(name: str, given: Any) -> FloatArray:
+def eigenvalues(name: str, value: Any) -> FloatArray:
     """The eigenvalues of a matrix that must be positive; raises CertificateError naming the least."""
-    square = matrix(name, given)
-    found: FloatArray = np.asarray(np.linalg.eigvalsh(0.5 * (square + square.T)), np.float64)
-    if found[0] <= 0.0:
-        raise CertificateError(f"{name} has the eigenvalue {found[0]:.6g}, must lie above 0")
-    return found
+    square = matrix(name, value)
+    values: FloatArray = np.asarray(np.linalg.eigvalsh(0.5 * (square + square.T)), np.float64)
+    if values[0] <= 0.0:
+        raise CertificateError(f"{name} has the eigenvalue {values[0]:.6g}, must lie above 0")
+    return values
 
 
 def interconnection_bound(

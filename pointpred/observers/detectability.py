@@ -31,14 +31,14 @@ def undetectable(A: Any, C: Any, time: str = "continuous") -> list[complex]:
     c = matrix("C", C, None, len(a))
     size = float(np.linalg.norm(a, 2)) or 1.0
     c = c / ((float(np.linalg.norm(c, 2)) if c.size else 0.0) or 1.0)
-    found = []
+    modes = []
     for one in np.linalg.eigvals(a).astype(np.complex128):
         stays = abs(one) >= 1.0 - SINGULAR if time == "discrete" else one.real >= -SINGULAR * size
         pencil = np.vstack([(one * np.eye(len(a)) - a) / size, c])
         # Repeated eigenvalues are known to half their digits only.
         if stays and np.linalg.svd(pencil, compute_uv=False)[-1] <= np.sqrt(SINGULAR) * 1e-2:
-            found.append(complex(one))
-    return found
+            modes.append(complex(one))
+    return modes
 
 
 def require_detectable(a: FloatArray, c: FloatArray, time: str, pair: str) -> None:

@@ -98,8 +98,7 @@ cube, received 'sine'
 def intervals(slopes: Any, count: int) -> tuple[tuple[float, float], ...]:
     """One (low, high) for each component; a single pair serves all."""
     try:
-        given = np.array(slopes, np.float64)
-        pairs = np.broadcast_to(given, (count, 2))
+        pairs = np.broadcast_to(np.array(slopes, np.float64), (count, 2))
     except (TypeError, ValueError) as unusable:
         raise ParameterError(
             f"slopes must be (low, high) or {count} such pairs, received {slopes!r}"

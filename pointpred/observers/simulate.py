@@ -127,10 +127,12 @@ def _adaptive(field: Field, x0: FloatArray, t: FloatArray, longest: float, toler
     from scipy.integrate import solve_ivp
 
     with np.errstate(over="ignore", invalid="ignore"):
-        found = solve_ivp(
+        solution = solve_ivp(
             field, (t[0], t[-1]), x0, "DOP853", t, rtol=tolerance, atol=tolerance, max_step=longest
         )
-    if found.status != 0 or not np.isfinite(found.y).all():
-        raise DivergenceError(f"the trajectory leaves every bound after t = {found.t[-1]:g}: {found.message}")
-    states: FloatArray = np.ascontiguousarray(found.y.T)
+    if solution.status != 0 or not np.isfinite(solution.y).all():
+        raise DivergenceError(
+            f"the trajectory leaves every bound after t = {solution.t[-1]:g}: {solution.message}"
+        )
+    states: FloatArray = np.ascontiguousarray(solution.y.T)
     return states

@@ -99,8 +99,8 @@ def simulate_circle(
             for trial in range(trials):
                 target = places[(first + trial + 1) % TARGETS]
                 aim = plan.Aim(target[0] - x, target[1] - y, width)
-                made = movement.move(person, chosen, aim, generator)
-                parts.append(made.events((x, y), idle_reports=idle_reports))
+                moved = movement.move(person, chosen, aim, generator)
+                parts.append(moved.events((x, y), idle_reports=idle_reports))
                 labels.append(_label(person, condition, number * trials + trial, target, width))
                 x, y = (float(value) for value in parts[-1].table[-1, 1:3])
     provenance = Provenance("simulated", dpi=setup.dpi, cpi=setup.cpi, simulated=True)

@@ -73,17 +73,17 @@ def step(memory: FloatArray, row: Row, guard: FloatArray) -> tuple[float, ...]:
     """``loop.step``, and what the guard adds to the pixels of its report before the eyes have them."""
     r = GuidedChance(*row)
     off_x, off_y = r.hat_x - memory[slots.X], r.hat_y - memory[slots.Y]
-    made = loop.step(memory, (r.noise_x, r.noise_y, r.late_s, nan, nan))
+    poll = loop.step(memory, (r.noise_x, r.noise_y, r.late_s, nan, nan))
     unit, period = memory[slots.METRES_PER_COUNT], memory[slots.PERIOD_S]
-    gain = functions.gain(memory, slots.FUNCTION, hypot(made[3], made[4]) * unit / period)
+    gain = functions.gain(memory, slots.FUNCTION, hypot(poll[3], poll[4]) * unit / period)
     scale = gain * memory[slots.PX_PER_METRE] * unit
-    own = scale * made[3], scale * made[4]
+    own = scale * poll[3], scale * poll[4]
     add_x, add_y = assistance.add(guard, 0, OWED, period, own, (off_x, off_y, r.sxx, r.sxy, r.syy))
     memory[slots.X] += add_x
     memory[slots.Y] += add_y
     ring = slots.RING + slots.RING_SLOTS * (int(memory[slots.TICK]) % slots.RING_ROWS)
     memory[ring], memory[ring + 1] = memory[slots.X], memory[slots.Y]
-    return (made[0], memory[slots.X], memory[slots.Y], *made[3:])
+    return (poll[0], memory[slots.X], memory[slots.Y], *poll[3:])
 
 
 play = loop.play_of(step, assistance.guided_report_at)

@@ -9,7 +9,7 @@ from pointpred.camera import camera_box, camera_system, printed
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred.observers.unknown_input.boxes import Box
-from pointpred.observers.unknown_input.certificate import inequality, verified
+from pointpred.observers.unknown_input.certificate import audit, inequality
 from pointpred.observers.unknown_input.observer import UnknownInputObserver, zeros_over
 from pointpred.observers.unknown_input.system import ParameterVaryingSystem
 
@@ -94,7 +94,7 @@ def test_the_certificate_does_not_change_with_its_scale(camera: UnknownInputObse
     one = camera.certificate
     force = one.gamma * np.eye(4)
     for scale in (1e-12, 1e-3, 1e6):
-        other = verified(gammas, ts, c, scale * p, scale * ws, scale * force, one.sigma, one.zeros)
+        other = audit(gammas, ts, c, scale * p, scale * ws, scale * force, one.sigma, one.zeros)
         assert other.phi1 == pytest.approx(one.phi1, rel=1e-9)
         assert other.phi2 == pytest.approx(one.phi2, rel=1e-9)
         assert other.margin == pytest.approx(scale * one.margin, rel=1e-6)
@@ -105,13 +105,13 @@ def test_a_certificate_that_fails_is_an_error_never_a_gain(camera: UnknownInputO
     one = camera.certificate
     force = one.gamma * np.eye(4)
     with pytest.raises(CertificateError, match=r"\(27c\) has the eigenvalue"):
-        verified(gammas, ts, c, p, ws, force, 1.1 * one.largest_sigma, one.zeros)
+        audit(gammas, ts, c, p, ws, force, 1.1 * one.largest_sigma, one.zeros)
     with pytest.raises(CertificateError, match=r"\(27c\) has the eigenvalue .* at vertex"):
-        verified(gammas, ts, c, p, -ws, force, one.sigma, one.zeros)
+        audit(gammas, ts, c, p, -ws, force, one.sigma, one.zeros)
     with pytest.raises(CertificateError, match="P must be symmetric and positive definite"):
-        verified(gammas, ts, c, p - 2.0 * np.eye(4), ws, force, one.sigma, one.zeros)
+        audit(gammas, ts, c, p - 2.0 * np.eye(4), ws, force, one.sigma, one.zeros)
     with pytest.raises(CertificateError, match="F must be symmetric and positive definite"):
-        verified(gammas, ts, c, p, ws, -force, one.sigma, one.zeros)
+        audit(gammas, ts, c, p, ws, -force, one.sigma, one.zeros)
 
 
 def test_the_printed_sign_of_27c_with_44_is_unstable(camera: UnknownInputObserver) -> None:

@@ -84,15 +84,18 @@ def design_observer(
     pointpred.errors.InfeasibleError: (S0, C0 Pi) is not detectable: the mode of the eigenvalue 0 never shows
     """
     decay = positive("decay", decay, zero=True)
-    seen = Interconnection(plant, generator, Pi)
-    for name, d in seen.corners.items():
+    connection = Interconnection(plant, generator, Pi)
+    for name, d in connection.corners.items():
         pair = f"(S0 + S1 D J, C0 Pi + C1 D J), D = diag({name}),"
-        sloped = seen.g.S0 + seen.g.S1 @ d @ seen.j, seen.output + plant.C1 @ d @ seen.j
+        sloped = (
+            connection.g.S0 + connection.g.S1 @ d @ connection.j,
+            connection.output + plant.C1 @ d @ connection.j,
+        )
         require_detectable(*sloped, plant.time, pair)
-    if not seen.corners:
-        require_detectable(seen.g.S0, seen.output, plant.time, "(S0, C0 Pi)")
-    require_map(plant, generator, seen.pi)
-    q, p = seen.g.q, plant.p
+    if not connection.corners:
+        require_detectable(connection.g.S0, connection.output, plant.time, "(S0, C0 Pi)")
+    require_map(plant, generator, connection.pi)
+    q, p = connection.g.q, plant.p
     c = 2.0 * decay if plant.time == "continuous" else 1.0 - float(np.exp(-2.0 * decay))
     fixed: dict[str, Any] = {
         "Theta": lambda v: np.eye(q) + c * v.P,
@@ -103,22 +106,22 @@ def design_observer(
     if gain is None:
         problem.free("U", q, p)
     else:
-        given = matrix("gain", gain, q, p)
-        fixed["U"] = lambda v: v.P @ given
-    if seen.sloped and plant.time == "continuous":
+        fixed_gain = matrix("gain", gain, q, p)
+        fixed["U"] = lambda v: v.P @ fixed_gain
+    if connection.sloped and plant.time == "continuous":
         problem.symmetric("W", q)
-    solution = seen.state(problem, **fixed).solve(minimise=lambda v: v.bound, solver=solver)
-    found = msgspec.structs.asdict(solution)["values"]
-    m = np.linalg.solve(found["P"], found["U"]) if gain is None else given
-    whole = {name: function(_Attributes(found)) for name, function in fixed.items()}
-    values = {**found, **whole, "U": found["P"] @ m}
+    solution = connection.state(problem, **fixed).solve(minimise=lambda v: v.bound, solver=solver)
+    answer = msgspec.structs.asdict(solution)["values"]
+    m = np.linalg.solve(answer["P"], answer["U"]) if gain is None else fixed_gain
+    whole = {name: function(_Attributes(answer)) for name, function in fixed.items()}
+    values = {**answer, **whole, "U": answer["P"] @ m}
     del values["bound"]
-    # The audit is of the gain that is returned, in the theorem as it stands, not of what was solved for.
+    # The audit is of the gain that is returned, in the theorem as it stands, not of what the solver answered.
     margins = theorem_3_2_1(plant, generator, Pi, **bounds).check(values)
     bound = interconnection_bound(
         values["P"], values["Theta"], values["Gamma"], values["Xi"], time=plant.time, sharp=True
     )
-    return ObserverDesign(m, values, margins, bound, plant, seen.g, seen.pi)
+    return ObserverDesign(m, values, margins, bound, plant, connection.g, connection.pi)
 
 
 def require_map(plant: Persidskii, generator: Generator, Pi: FloatArray) -> None:

@@ -115,5 +115,5 @@ class Generator:
         return own(self.J @ w)
 
 
-def _shaped(name: str, given: FloatArray | None, shape: tuple[int, int]) -> FloatArray:
-    return np.zeros(shape) if given is None else matrix(name, given, *shape)
+def _shaped(name: str, value: FloatArray | None, shape: tuple[int, int]) -> FloatArray:
+    return np.zeros(shape) if value is None else matrix(name, value, *shape)

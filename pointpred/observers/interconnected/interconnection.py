@@ -26,8 +26,8 @@ class Interconnection:
 
     def __init__(self, plant: Persidskii, generator: Generator, Pi: Any) -> None:
         if plant.varying:
-            told = f"{', '.join(plant.varying)} vary: use plant.at"
-            raise ParameterError(f"a design needs constant matrices, {told}")
+            reason = f"{', '.join(plant.varying)} vary: use plant.at"
+            raise ParameterError(f"a design needs constant matrices, {reason}")
         self.plant, self.g = plant, generator.beside(plant)
         self.pi = matrix("Pi", Pi, plant.n, self.g.q)
         self.j: FloatArray = plant.H @ self.pi
@@ -40,18 +40,18 @@ class Interconnection:
 
     def linear(self, v: Any) -> FloatArray:
         """P S0 - U C0 Pi."""
-        found: FloatArray = v.P @ self.g.S0 - v.U @ self.output
-        return found
+        block: FloatArray = v.P @ self.g.S0 - v.U @ self.output
+        return block
 
     def weight(self, v: Any) -> FloatArray:
         """F = P S1 - U C1, the weight of f."""
-        found: FloatArray = v.P @ self.g.S1 - v.U @ self.plant.C1
-        return found
+        block: FloatArray = v.P @ self.g.S1 - v.U @ self.plant.C1
+        return block
 
     def sector(self, v: Any, corner: FloatArray) -> FloatArray:
         """W - sym(F D J) at a corner D."""
-        found: FloatArray = v.W - symmetric(self.weight(v) @ corner @ self.j)
-        return found
+        block: FloatArray = v.W - symmetric(self.weight(v) @ corner @ self.j)
+        return block
 
     def continuous(self, v: Any) -> FloatArray:
         """The block of the theorem: V' against Theta, Gamma, Gamma and Xi."""
@@ -63,16 +63,16 @@ class Interconnection:
         """V(e+) - V(e) against the same, at a corner, by a Schur complement."""
         inner = self.linear(v) if corner is None else self.linear(v) + self.weight(v) @ corner @ self.j
         onward = np.hstack([inner, -v.P @ self.g.G, -v.U, v.P])
-        held, q = np.zeros((onward.shape[1], onward.shape[1])), self.g.q
-        held[:q, :q], held[q:, q:] = v.Theta - v.P, -self._disturbances(v)
-        return np.block([[held, onward.T], [onward, -v.P]])
+        whole, q = np.zeros((onward.shape[1], onward.shape[1])), self.g.q
+        whole[:q, :q], whole[q:, q:] = v.Theta - v.P, -self._disturbances(v)
+        return np.block([[whole, onward.T], [onward, -v.P]])
 
     def _disturbances(self, v: Any) -> FloatArray:
         p, q = self.plant.p, self.g.q
-        found = np.zeros((2 * p + q, 2 * p + q))
-        found[:p, :p] = found[p : 2 * p, p : 2 * p] = v.Gamma
-        found[2 * p :, 2 * p :] = v.Xi
-        return found
+        block = np.zeros((2 * p + q, 2 * p + q))
+        block[:p, :p] = block[p : 2 * p, p : 2 * p] = v.Gamma
+        block[2 * p :, 2 * p :] = v.Xi
+        return block
 
     def state(self, problem: MatrixInequalities, **fixed: Any) -> MatrixInequalities:
         """Demand the theorem of a problem; ``fixed`` gives matrices that are no unknowns of it."""
@@ -124,21 +124,21 @@ def theorem_3_2_1(
     >>> theorem.check({"P": 1.0, "Theta": 1.0, "Gamma": 9.0, "Xi": 4.0, "U": 2.0})["the LMI"] > 0.0
     True
     """
-    seen = Interconnection(plant, generator, Pi)
-    q, p = seen.g.q, plant.p
+    connection = Interconnection(plant, generator, Pi)
+    q, p = connection.g.q, plant.p
     problem = MatrixInequalities("Theorem 3.2.1", **bounds).positive("P", q).symmetric("Theta", q)
     problem.symmetric("Gamma", p).symmetric("Xi", q).free("U", q, p)
     for name in ("Theta", "Gamma", "Xi"):
         problem.above(f"{name} > 0", attrgetter(name))
     if F is not None:
         f = matrix("F", F, q, plant.k)
-        problem.equal("P S1 - U C1 - F", lambda v: seen.weight(v) - f)
-    if seen.sloped and plant.time == "continuous":
+        problem.equal("P S1 - U C1 - F", lambda v: connection.weight(v) - f)
+    if connection.sloped and plant.time == "continuous":
         problem.symmetric("W", q)
-    return seen.state(problem)
+    return connection.state(problem)
 
 
 def symmetric(square: FloatArray) -> FloatArray:
     """The symmetric part."""
-    found: FloatArray = 0.5 * (square + square.T)
-    return found
+    half: FloatArray = 0.5 * (square + square.T)
+    return half

@@ -26,14 +26,14 @@ def invariant_graphs(a0: FloatArray, s0: FloatArray, k: FloatArray, r: FloatArra
     q = len(s0)
     whole = np.block([[s0, r], [k, a0]])
     values, vectors = np.linalg.eig(whole)
-    found = []
+    graphs = []
     for chosen in _real_choices(values, q):
         basis = vectors[:, list(chosen)]
         if np.linalg.cond(basis[:q]) > 1e10:
             continue
         pi = basis[q:] @ np.linalg.inv(basis[:q])
-        found.append(np.ascontiguousarray(pi.real))
-    return found
+        graphs.append(np.ascontiguousarray(pi.real))
+    return graphs
 
 
 def _real_choices(values: FloatArray, q: int) -> Iterator[tuple[int, ...]]:

@@ -24,7 +24,7 @@ class SectorBounds(msgspec.Struct, frozen=True):
     Psi2: FloatArray
 
 
-def sector_bounds(plant: Persidskii, **given: Any) -> SectorBounds:
+def sector_bounds(plant: Persidskii, **values: Any) -> SectorBounds:
     """The constants that slopes of at most b_j imply, Sigma1 = Psi1 = H' diag(b^2) H, or those given.
 
     Raises ParameterError where slopes are missing, unbounded or negative (Assumption 3.2.5 needs an f that
@@ -47,16 +47,18 @@ def sector_bounds(plant: Persidskii, **given: Any) -> SectorBounds:
     least: FloatArray = plant.H.T @ np.diag(slopes[:, 1] ** 2) @ plant.H
     n, k = plant.n, plant.k
     shapes = {"Sigma1": n, "Psi1": n, "Sigma2": k, "Sigma3": k, "Sigma4": k, "Psi2": k}
-    if set(given) - set(shapes):
-        raise ParameterError(f"the constants are {', '.join(shapes)}, received {', '.join(given)}")
+    if set(values) - set(shapes):
+        raise ParameterError(f"the constants are {', '.join(shapes)}, received {', '.join(values)}")
     default = {"Sigma1": least, "Psi1": least}
-    found = {
-        name: matrix(name, given[name], size, size) if name in given else default.get(name, np.zeros((k, k)))
+    constants = {
+        name: matrix(name, values[name], size, size)
+        if name in values
+        else default.get(name, np.zeros((k, k)))
         for name, size in shapes.items()
     }
     for name in ("Sigma1", "Psi1"):
-        below = float(np.linalg.eigvalsh(found[name] - least).min())
+        below = float(np.linalg.eigvalsh(constants[name] - least).min())
         if below < -1e-9 * max(1.0, float(np.abs(least).max(initial=0.0))):
-            told = f"{name} - H' diag(b^2) H has the eigenvalue {below:.6g}, must be >= 0"
-            raise CertificateError(f"Assumption 3.2.4: {told}")
-    return SectorBounds(**found)
+            reason = f"{name} - H' diag(b^2) H has the eigenvalue {below:.6g}, must be >= 0"
+            raise CertificateError(f"Assumption 3.2.4: {reason}")
+    return SectorBounds(**constants)

@@ -108,18 +108,18 @@ def steady_state_map(
     g = generator.beside(plants[0])
 
     def left(pi: FloatArray) -> dict[str, list[FloatArray]]:
-        found = [residuals(one, generator, pi, relaxed=relaxed) for one in plants]
-        return {name: [one[name] for one in found] for name in found[0]}
+        each = [residuals(one, generator, pi, relaxed=relaxed) for one in plants]
+        return {name: [one[name] for one in each] for name in each[0]}
 
     def stacked(numbers: FloatArray) -> FloatArray:
         parts = left(numbers.reshape(plant.n, g.q)).values()
         return np.concatenate([one.ravel() for part in parts for one in part])
 
-    held = () if relaxed or generator.J is None else (plants[0].H, generator.J)
+    shared = () if relaxed or generator.J is None else (plants[0].H, generator.J)
     size = max(
         np.abs(one).max(initial=0.0)
         for now in plants
-        for one in (now.A0, now.A1, now.B @ g.L0, now.B @ g.L1, now.Q, g.S0, g.G @ now.C0, *held)
+        for one in (now.A0, now.A1, now.B @ g.L0, now.B @ g.L1, now.Q, g.S0, g.G @ now.C0, *shared)
     )
     limit = tolerance * (float(size) or 1.0)
     linear = not any((g.G @ one.C0).any() for one in plants)
@@ -143,8 +143,8 @@ def steady_state_map(
 def _least(stacked: Any, slope: FloatArray) -> FloatArray:
     """The least-squares solution of linear equalities, of least norm."""
     left = stacked(np.zeros(slope.shape[1]))
-    found: FloatArray = np.asarray(np.linalg.lstsq(slope, -left, rcond=None)[0], np.float64)
-    return found
+    numbers: FloatArray = np.asarray(np.linalg.lstsq(slope, -left, rcond=None)[0], np.float64)
+    return numbers
 
 
 def _jacobian(stacked: Any, numbers: FloatArray) -> FloatArray:
@@ -166,12 +166,12 @@ def _abscissa(a: FloatArray, time: str) -> float:
     return float(np.abs(eigenvalues).max() if time == "discrete" else eigenvalues.real.max())
 
 
-def _distinct(found: list[FloatArray]) -> list[FloatArray]:
-    kept: list[FloatArray] = []
-    for one in found:
-        if all(np.abs(one - other).max() > 1e-6 * max(1.0, np.abs(one).max()) for other in kept):
-            kept.append(one)
-    return kept
+def _distinct(maps: list[FloatArray]) -> list[FloatArray]:
+    distinct: list[FloatArray] = []
+    for one in maps:
+        if all(np.abs(one - other).max() > 1e-6 * max(1.0, np.abs(one).max()) for other in distinct):
+            distinct.append(one)
+    return distinct
 
 
 def _refuse(
@@ -181,7 +181,7 @@ def _refuse(
         _name_first(left, candidates[0], shape, limit)
     worst = min(
         ({name: _largest(parts) for name, parts in left(one.reshape(shape)).items()} for one in candidates),
-        key=lambda found: max(found.values()),
+        key=lambda norms: max(norms.values()),
     )
     name = max(worst, key=lambda one: worst[one])
     raise UndecidedError(
@@ -195,15 +195,15 @@ def _name_first(left: Any, zero: FloatArray, shape: tuple[int, int], limit: floa
     names = list(left(zero.reshape(shape)))
     for count in range(1, len(names) + 1):
 
-        def some(numbers: FloatArray, kept: list[str] = names[:count]) -> FloatArray:
-            found = left(numbers.reshape(shape))
-            return np.concatenate([one.ravel() for name in kept for one in found[name]])
+        def some(numbers: FloatArray, first: list[str] = names[:count]) -> FloatArray:
+            errors = left(numbers.reshape(shape))
+            return np.concatenate([one.ravel() for name in first for one in errors[name]])
 
         residual = float(np.abs(some(_least(some, _jacobian(some, np.zeros_like(zero))))).max())
         if residual > limit or count == len(names):
             beside = f" beside {', '.join(names[: count - 1])}" if count > 1 else ""
-            told = f"{names[count - 1]} = 0 cannot hold{beside}"
-            raise InfeasibleError(f"{told}: the least residual is {residual:.6g}")
+            reason = f"{names[count - 1]} = 0 cannot hold{beside}"
+            raise InfeasibleError(f"{reason}: the least residual is {residual:.6g}")
 
 
 def _largest(parts: list[FloatArray]) -> float:

@@ -106,16 +106,16 @@ def theorem_3_2_3(
         )
 
     def r1(v: Any) -> FloatArray:
-        found: FloatArray = v.Xi - v.gamma1 * bound.Sigma1 - v.gamma2 * bound.Psi1
-        return found
+        block: FloatArray = v.Xi - v.gamma1 * bound.Sigma1 - v.gamma2 * bound.Psi1
+        return block
 
     def r2(v: Any) -> FloatArray:
-        found: FloatArray = v.Omega1 - v.gamma1 * bound.Sigma2 - v.gamma2 * bound.Psi2
-        return found
+        block: FloatArray = v.Omega1 - v.gamma1 * bound.Sigma2 - v.gamma2 * bound.Psi2
+        return block
 
     def r3(v: Any) -> FloatArray:
-        found: FloatArray = v.Omega2 - v.gamma1 * bound.Sigma3
-        return found
+        block: FloatArray = v.Omega2 - v.gamma1 * bound.Sigma3
+        return block
 
     problem.below("Phi", block, strict=False).above("Gamma > 0", lambda v: v.Gamma)
     for name, left in (("Xi", lambda v: v.Xi), ("R1", r1), ("R2", r2), ("R3", r3)):
@@ -157,19 +157,19 @@ def certify_tracking(
         worst = float(np.abs(left).max())
         if worst > tolerance * scale:
             raise InfeasibleError(f"Assumption 3.2.1: {name} = 0 fails, its residual is {worst:.6g}")
-    found: list[Solution] = []
+    solutions: list[Solution] = []
     failed: list[Exception] = []
     for problem in (
         theorem_3_2_2(plant, regulator, Pi, **bounds),
         theorem_3_2_3(plant, regulator, Pi, sector, **bounds),
     ):
         try:
-            found.append(problem.solve(solver=solver))
+            solutions.append(problem.solve(solver=solver))
         except (InfeasibleError, UndecidedError, CertificateError) as failure:
             failed.append(failure)
     if failed:
         raise type(failed[0])("; ".join(str(one) for one in failed)) from failed[0]
-    first, second = found
+    first, second = solutions
     margins = {f"3.2.3: {name}": margin for name, margin in first.margins.items()}
     margins |= {f"3.2.6: {name}": margin for name, margin in second.margins.items()}
     return TrackingCertificate(first, second, margins, plant.domain)

@@ -31,8 +31,8 @@ STEP_MOST = 0.5
 """Longest step of the integration, in units of the fastest time constant."""
 
 # Parameters: unknowns n, outputs r, gain, code of f, its steepest slope, then the start (n). The state
-# behind them: known, time, the estimate less its start (n), the last sample, then room for one in
-# between (a sample is r rows of J, r outputs, the weight D1) and for the integration (3 n).
+# behind them: whether a sample came, its time, the estimate less its start (n), the last sample, then room
+# for one in between (a sample is r rows of J, r outputs, the weight D1) and for the integration (3 n).
 COUNT, OUTPUTS, GAIN, CODE, STEEPEST, START = range(6)
 # A row holds the time, then a sample.
 SAMPLE = 1

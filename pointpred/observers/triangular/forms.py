@@ -30,7 +30,7 @@ def feedback(
 
     pi_(i+1) = (Dpi_i s - f_i) / g_i, l = (Dpi_n s - f_n) / g_n
 
-    Parameters: ``first`` pi_1; ``zero`` rho where it is known, else the zero dynamics are solved as a power
+    Parameters: ``first`` pi_1; ``zero`` rho, if it is known, else the zero dynamics are solved as a power
     series up to ``degree``; ``region`` bounds of each state of the generator, in which g_i must vanish
     nowhere, ``None`` the whole space. Raises ParameterError for a row of another form, InfeasibleError with
     the place where a g_i vanishes and at a resonance of the zero dynamics, UndecidedError where neither is
@@ -44,8 +44,8 @@ def feedback(
     >>> steady.maps, steady.input, steady.exact
     ((w1, w1**3 + w2), (w1**3 + 3*w1**2*w2 - w1 + w2)/(w1**2 + 1), True)
     """
-    known = {system.states[0]: first}
-    return Solving(system, generator, known, upper=0, zero=zero, degree=degree, region=region).solve()
+    maps = {system.states[0]: first}
+    return Solving(system, generator, maps, upper=0, zero=zero, degree=degree, region=region).solve()
 
 
 def feedforward(
@@ -56,7 +56,7 @@ def feedforward(
     *,
     zero: Sequence[Any] | None = None,
 ) -> SymbolicSteadyState:
-    """The steady state under a given input as a power series in the generator's states.
+    """The steady state under an input as a power series in the generator's states.
 
     Assumes zeta_i' = f_i(zeta_i) + g_i(zeta_(i+1) ... zeta_n, z, u), analytic and zero at the origin; the row
     of zeta_i may also mix zeta_i with what follows it. Good near the origin only, unless ``exact``.
@@ -65,7 +65,7 @@ def feedforward(
     pi = 0 where w_q = 0 instead; its solution takes another value after each turn of the generator and is no
     steady state.
 
-    Parameters: ``input`` l(w); ``degree`` of the series, 1 to 15; ``zero`` rho where it is known. Raises
+    Parameters: ``input`` l(w); ``degree`` of the series, 1 to 15; ``zero`` rho, if it is known. Raises
     ParameterError for a row of another form, InfeasibleError at a resonance without solution, naming degree
     and equation. Reference: Khalin 2022, Proposition 4.3.2; Carr 1981, section 1.4.
 
@@ -76,9 +76,9 @@ def feedforward(
     >>> steady.maps[1], steady.maps[0].coeff(w1, 3), steady.exact
     (w1/2 - w2/2, 1/40, True)
     """
-    known = {system.input: input}
+    maps = {system.input: input}
     upper = len(system.states)
-    return Solving(system, generator, known, upper=upper, zero=zero, degree=degree, region=None).solve()
+    return Solving(system, generator, maps, upper=upper, zero=zero, degree=degree, region=None).solve()
 
 
 def interlaced(
@@ -111,5 +111,5 @@ def interlaced(
     if not isinstance(upper, int) or not 0 <= upper < len(system.states):
         most = len(system.states) - 1
         raise ParameterError(f"upper must be a whole number in [0, {most}], received {upper!r}")
-    known = {system.states[upper]: first}
-    return Solving(system, generator, known, upper=upper, zero=zero, degree=degree, region=region).solve()
+    maps = {system.states[upper]: first}
+    return Solving(system, generator, maps, upper=upper, zero=zero, degree=degree, region=region).solve()

@@ -84,8 +84,8 @@ def certify(
     require_detectable(system, output, "continuous", "(A, C)")
     problem = inequalities(system, output).above("Q - 2 rate P", lambda v: v.Q - 2.0 * rate * v.P)
     if gain is not None:
-        given = matrix("gain", gain, len(system), len(output))
-        problem.equal("U = P L", lambda v: v.U - v.P @ given)
+        fixed_gain = matrix("gain", gain, len(system), len(output))
+        problem.equal("U = P L", lambda v: v.U - v.P @ fixed_gain)
     solution = problem.solve(minimise=lambda v: np.trace(v.P) + np.trace(v.Gamma))
     return certificate(solution.values, solution.margins)
 

@@ -84,10 +84,10 @@ def _functions(iv: Any) -> dict[str, Any]:
 def _excludes_zero(enclose: Callable[..., Any], box: Sequence[Any]) -> bool:
     """Whether an enclosure keeps clear of zero by more than the rounding of the constants."""
     try:
-        found = enclose(*box)
+        interval = enclose(*box)
     except (ValueError, TypeError, NotImplementedError, ZeroDivisionError):
         return False  # no enclosure: the box is halved, in the end nothing is claimed
-    low, high = float(found.a), float(found.b)
+    low, high = float(interval.a), float(interval.b)
     return low > SMALL or high < -SMALL
 
 

@@ -23,13 +23,13 @@ from pointpred.observers.triangular.system import (
 
 
 class Solving:
-    """What is known so far, and the rules that make it grow."""
+    """The maps that are solved so far, and the rules that solve the next one."""
 
     def __init__(
         self,
         system: SymbolicSystem,
         generator: SymbolicGenerator,
-        known: Mapping[Any, Any],
+        maps: Mapping[Any, Any],
         *,
         upper: int,
         zero: Sequence[Any] | None,
@@ -41,7 +41,7 @@ class Solving:
             raise ParameterError(
                 f"degree must be a whole number in [1, {HIGHEST_DEGREE}], received {degree!r}"
             )
-        self.known = {symbol: self._of_generator(symbol, e) for symbol, e in known.items()}
+        self.maps = {symbol: self._of_generator(symbol, e) for symbol, e in maps.items()}
         self.rows = dict(zip(system.states, system.field, strict=True))
         self.up, self.low = list(system.states[:upper])[::-1], list(system.states[upper:])
         self.next = dict(zip(self.low, [*self.low[1:], system.input], strict=False))
@@ -49,19 +49,19 @@ class Solving:
         self.free: list[Free] = []
         self.series_used = False
         self.divided: list[Any] = []
-        self.given: tuple[Any, ...] = ()
+        self.imposed: tuple[Any, ...] = ()
         self._check_form(upper)
         if zero is not None:
             if len(zero) != len(system.zero):
                 raise ParameterError(f"zero must hold {len(system.zero)} maps, received {len(zero)}")
-            self.known |= {z: self._of_generator(z, e) for z, e in zip(system.zero, zero, strict=True)}
-            self.given = system.zero
+            self.maps |= {z: self._of_generator(z, e) for z, e in zip(system.zero, zero, strict=True)}
+            self.imposed = system.zero
 
     def solve(self) -> SymbolicSteadyState:
-        """Apply the rules until everything is known; raises ParameterError where they do not get on."""
+        """Apply the rules until every map is solved; raises ParameterError where no rule applies."""
         while self._divide() or self._expand():
             pass
-        if waiting := [x for x in (*self.system.states, *self.system.zero) if x not in self.known]:
+        if waiting := [x for x in (*self.system.states, *self.system.zero) if x not in self.maps]:
             needs = "; ".join(f"{x}' needs {self._missing(x)}" for x in self.rows if self._missing(x))
             raise ParameterError(f"no order of solving leads to {waiting}: {needs}")
         states, zero = self.system.states, self.system.zero
@@ -71,18 +71,18 @@ class Solving:
             if x in self.divided:
                 residuals.append(symbolic().Integer(0))
                 continue
-            after = field.subs(self.known, simultaneous=True)
-            residuals.append(vanishes(self.generator.along(self.known[x]) - after)[1])
-            if x in self.given and not self.series_used and residuals[-1] != 0:
+            after = field.subs(self.maps, simultaneous=True)
+            residuals.append(vanishes(self.generator.along(self.maps[x]) - after)[1])
+            if x in self.imposed and not self.series_used and residuals[-1] != 0:
                 raise ParameterError(
-                    f"{x}' is not satisfied by {x} = {self.known[x]}: the residual is {residuals[-1]}"
+                    f"{x}' is not satisfied by {x} = {self.maps[x]}: the residual is {residuals[-1]}"
                 )
         return SymbolicSteadyState(
             self.system,
             self.generator,
-            tuple(self.known[x] for x in states),
-            tuple(self.known[z] for z in zero),
-            self.known[self.system.input],
+            tuple(self.maps[x] for x in states),
+            tuple(self.maps[z] for z in zero),
+            self.maps[self.system.input],
             tuple(residuals),
             all(residual == 0 for residual in residuals),
             self.degree if self.series_used else None,
@@ -91,35 +91,35 @@ class Solving:
 
     def _missing(self, x: Any, besides: frozenset[Any] = frozenset()) -> list[Any]:
         wanted = self.rows[x].free_symbols & self.symbols
-        return sorted(wanted - self.known.keys() - besides - {x}, key=str)
+        return sorted(wanted - self.maps.keys() - besides - {x}, key=str)
 
     def _divide(self) -> bool:
         """Proposition 4.3.1: one row of the lower part gives what it is the first to contain."""
         for x, target in self.next.items():
-            if x in self.known and target not in self.known and not self._missing(x, frozenset({target})):
+            if x in self.maps and target not in self.maps and not self._missing(x, frozenset({target})):
                 gain = symbolic().diff(self.rows[x], target)
-                drift = self.rows[x].subs(target, 0).subs(self.known, simultaneous=True)
-                over = gain.subs(self.known, simultaneous=True)
+                drift = self.rows[x].subs(target, 0).subs(self.maps, simultaneous=True)
+                over = gain.subs(self.maps, simultaneous=True)
                 prove_nonzero(f"g of {x}'", over, self.generator.states, self.region)
                 self.divided.append(x)
-                self.known[target] = vanishes((self.generator.along(self.known[x]) - drift) / over)[1]
+                self.maps[target] = vanishes((self.generator.along(self.maps[x]) - drift) / over)[1]
                 return True
         return False
 
     def _expand(self) -> bool:
         """Proposition 4.3.2: a row of the upper part, or the zero dynamics, as a power series."""
-        zero = [z for z in self.system.zero if z not in self.known]
-        for block in ([x for x in self.up if x not in self.known][:1], zero):
+        zero = [z for z in self.system.zero if z not in self.maps]
+        for block in ([x for x in self.up if x not in self.maps][:1], zero):
             fields = [self._field(x) for x in block]
             wanted = set().union(*(f.free_symbols for f in fields)) & self.symbols - {*block}
-            if not block or wanted - self.known.keys():
+            if not block or wanted - self.maps.keys():
                 continue
             if self.degree is None:
                 raise ParameterError(f"{block[0]}' needs a power series: give its degree, received None")
-            known = {symbol: self.known[symbol] for symbol in wanted}
+            inputs = {symbol: self.maps[symbol] for symbol in wanted}
             w, s = self.generator.states, self.generator.field
-            series = power_series(block, fields, known, w, s, self.degree)
-            self.known |= series.terms
+            series = power_series(block, fields, inputs, w, s, self.degree)
+            self.maps |= series.terms
             self.free += series.free
             self.series_used = True
             return True
@@ -131,10 +131,10 @@ class Solving:
         return self.system.zero_field[self.system.zero.index(x)]
 
     def _of_generator(self, symbol: Any, expression: Any) -> Any:
-        found = exact(expression)
-        if foreign := found.free_symbols & {*self.system.states, *self.system.zero, self.system.input}:
+        function = exact(expression)
+        if foreign := function.free_symbols & {*self.system.states, *self.system.zero, self.system.input}:
             raise ParameterError(f"{symbol} must be a function of the generator, received {foreign}")
-        return found
+        return function
 
     def _check_form(self, upper: int) -> None:
         """Raise ParameterError for a row that the triangular form does not allow."""

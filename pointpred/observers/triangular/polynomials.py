@@ -36,18 +36,18 @@ def exact(expression: Any) -> Any:
     """
     sp = symbolic()
     try:
-        found = sp.sympify(expression)
+        e = sp.sympify(expression)
     except (sp.SympifyError, TypeError, AttributeError) as unusable:
         raise ParameterError(f"needs an expression, received {expression!r}") from unusable
-    if not isinstance(found, sp.Expr) or found.has(sp.nan, sp.oo, -sp.oo, sp.zoo, sp.I):
+    if not isinstance(e, sp.Expr) or e.has(sp.nan, sp.oo, -sp.oo, sp.zoo, sp.I):
         raise ParameterError(f"needs a finite real expression, received {expression!r}")
-    return sp.nsimplify(found, rational=True) if found.has(sp.Float) else found
+    return sp.nsimplify(e, rational=True) if e.has(sp.Float) else e
 
 
 def cut(series: Any, degree: int) -> Any:
     """The terms up to a degree."""
-    kept = {powers: c for powers, c in series.terms() if sum(powers) <= degree}
-    return series.from_dict(kept or {(0,) * len(series.gens): 0}, *series.gens)
+    terms = {powers: c for powers, c in series.terms() if sum(powers) <= degree}
+    return series.from_dict(terms or {(0,) * len(series.gens): 0}, *series.gens)
 
 
 def part(series: Any, degree: int) -> dict[tuple[int, ...], Any]:

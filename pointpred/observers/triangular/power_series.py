@@ -39,7 +39,7 @@ class PowerSeries(msgspec.Struct, frozen=True):
 def power_series(
     unknowns: Sequence[Any],
     fields: Sequence[Any],
-    known: Mapping[Any, Any],
+    inputs: Mapping[Any, Any],
     over: Sequence[Any],
     motion: Sequence[Any],
     degree: int,
@@ -50,7 +50,7 @@ def power_series(
     same leaves terms free: they are set to zero and returned. Parameters without value are taken as generic:
     a resonance that they have for some values only is not seen.
 
-    Parameters: ``unknowns`` x and ``fields`` F, ``known`` other symbols of F as expressions in w, ``over``
+    Parameters: ``unknowns`` x and ``fields`` F, ``inputs`` other symbols of F as expressions in w, ``over``
     the states w of the generator and ``motion`` s. Raises ParameterError, and InfeasibleError at a resonance
     that has no solution. Reference: Carr 1981, section 1.4; Isidori 1995, section 8.3.
 
@@ -62,28 +62,28 @@ def power_series(
     sp = symbolic()
     zero = sp.Poly(0, *over)
     states = {w: sp.Poly(w, *over) for w in over}
-    values = {**states, **{s: composed(e, states, over, degree) for s, e in known.items()}}
+    values = {**states, **{s: composed(e, states, over, degree) for s, e in inputs.items()}}
     s = [composed(e, states, over, degree) for e in motion]
-    found = dict.fromkeys(unknowns, zero)
-    _check_origin(unknowns, fields, {**values, **found}, over)
+    series = dict.fromkeys(unknowns, zero)
+    _check_origin(unknowns, fields, {**values, **series}, over)
     slopes = [
-        [composed(sp.diff(f, x), {**values, **found}, over, 0).as_expr() for x in unknowns] for f in fields
+        [composed(sp.diff(f, x), {**values, **series}, over, 0).as_expr() for x in unknowns] for f in fields
     ]
     turn = [[_linear(one, j) for j in range(len(over))] for one in s]
     free: list[Free] = []
     for k in range(1, degree + 1):
         rest = []
         for x, field in zip(unknowns, fields, strict=True):
-            moved = sum((found[x].diff(w) * one for w, one in zip(over, s, strict=True)), zero)
-            rest.append(part(composed(field, {**values, **found}, over, k) - moved, k))
+            moved = sum((series[x].diff(w) * one for w, one in zip(over, s, strict=True)), zero)
+            rest.append(part(composed(field, {**values, **series}, over, k) - moved, k))
         terms, left = _degree(unknowns, slopes, turn, rest, k)
         for x, coefficients in zip(unknowns, terms, strict=True):
             if coefficients:
-                found[x] = found[x] + sp.Poly.from_dict(coefficients, *over)
+                series[x] = series[x] + sp.Poly.from_dict(coefficients, *over)
         for one in left:
             named = zip(unknowns, one, strict=True)
             free.append(Free(k, {str(x): _shown(c, over) for x, c in named if c}))
-    return PowerSeries({x: found[x].as_expr() for x in unknowns}, tuple(free))
+    return PowerSeries({x: series[x].as_expr() for x in unknowns}, tuple(free))
 
 
 def _check_origin(
@@ -154,12 +154,12 @@ def _resonance(
 ) -> str:
     """Where no series exists: the degree, the equations and the eigenvalues that coincide."""
     names = ", ".join(f"{x}'" for x, one in zip(unknowns, rest, strict=True) if one)
-    said = f"resonance at degree {k} in {names}: no power series satisfies the equation"
+    message = f"resonance at degree {k} in {names}: no power series satisfies the equation"
     try:
         own = np.linalg.eigvals(np.array(slopes, np.float64))
         driving = np.linalg.eigvals(np.array(turn, np.float64))
     except TypeError:  # parameters without value
-        return said
+        return message
     places = []
     for value in own:
         for chosen in combinations_with_replacement(range(len(driving)), k):
@@ -167,7 +167,7 @@ def _resonance(
             if abs(total - value) < COINCIDENCE * max(1.0, float(np.abs(driving).max())):
                 terms = " + ".join(f"({_number(driving[i])})" for i in chosen)
                 places.append(f"eigenvalue {_number(value)} = {terms}")
-    return f"{said} ({places[0]})" if places else said
+    return f"{message} ({places[0]})" if places else message
 
 
 def _number(value: complex) -> str:

@@ -39,14 +39,14 @@ class Program(msgspec.Struct, frozen=True):
 
     def placed(self, inputs: int, constants: int, computed: int) -> list[float]:
         """The rows with places in a memory for registers, flat."""
-        known = self.inputs + len(self.constants)
+        fixed = self.inputs + len(self.constants)
 
         def place(register: int) -> int:
             if register < self.inputs:
                 return inputs + register
-            if register < known:
+            if register < fixed:
                 return constants + register - self.inputs
-            return computed + register - known
+            return computed + register - fixed
 
         placed = ((code, *(place(r) for r in registers)) for code, *registers in self.rows)
         return [float(number) for row in placed for number in row]

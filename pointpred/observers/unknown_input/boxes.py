@@ -65,22 +65,22 @@ class Box:
 
     def outside(self, point: Mapping[str, float]) -> list[str]:
         """The variables whose values lie outside their intervals, or are no numbers at all."""
-        found = []
+        names = []
         for name, (low, high) in self.bounds.items():
             slack = ROUNDING * (high - low)
             if not low - slack <= self._value(point, name) <= high + slack:
-                found.append(name)
-        return found
+                names.append(name)
+        return names
 
     def nearest(self, point: Mapping[str, float]) -> dict[str, float]:
         """The point of the box that is nearest on each axis; raises ParameterError for NaN."""
-        found = {}
+        place = {}
         for name, (low, high) in self.bounds.items():
             value = self._value(point, name)
             if value != value:
                 raise ParameterError(f"{name} must be a number, received {value!r}")
-            found[name] = min(max(value, low), high)
-        return found
+            place[name] = min(max(value, low), high)
+        return place
 
     def weights(self, point: Mapping[str, float]) -> FloatArray:
         """The share of each vertex in a point; raises ParameterError for a point outside."""

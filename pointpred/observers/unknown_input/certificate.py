@@ -74,7 +74,7 @@ def inequality(
     return np.block([[corner, p @ t_i], [t_i.T @ p, -force]])
 
 
-def verified(
+def audit(
     gammas: FloatArray,
     ts: FloatArray,
     c: FloatArray,
@@ -99,9 +99,9 @@ def verified(
             )
     largest, vertex = -np.inf, 0
     for i, (gamma_i, t_i, w_i) in enumerate(zip(gammas, ts, ws, strict=True)):
-        found = float(np.linalg.eigvalsh(inequality(gamma_i, t_i, c, p, w_i, force, sigma))[-1])
-        if not found <= largest:
-            largest, vertex = found, i
+        eigenvalue = float(np.linalg.eigvalsh(inequality(gamma_i, t_i, c, p, w_i, force, sigma))[-1])
+        if not eigenvalue <= largest:
+            largest, vertex = eigenvalue, i
     if not largest < 0.0:
         raise CertificateError(f"(27c) has the eigenvalue {largest:.6g} at vertex {vertex}, must lie below 0")
     gamma = float(np.linalg.eigvalsh(force)[-1])

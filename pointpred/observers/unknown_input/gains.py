@@ -37,8 +37,8 @@ def lyapunov(gammas: FloatArray, ts: FloatArray, c: FloatArray, sigma: float) ->
     cases = np.unique(np.concatenate([gammas @ blind, _root(ts)], axis=2), axis=0)
 
     def problem(name: str) -> MatrixInequalities:
-        made = MatrixInequalities(f"unknown input observer, {name}", kappa=KAPPA)
-        return made.positive("P", frame.shape[1])
+        inequalities = MatrixInequalities(f"unknown input observer, {name}", kappa=KAPPA)
+        return inequalities.positive("P", frame.shape[1])
 
     def corner(case: FloatArray, v: Any) -> FloatArray:
         moved = case[:, : blind.shape[1]] + 0.5 * sigma * blind
@@ -69,9 +69,9 @@ def lyapunov(gammas: FloatArray, ts: FloatArray, c: FloatArray, sigma: float) ->
 
 def _root(ts: FloatArray) -> FloatArray:
     """R with R R' = T T' for each T, as few columns as T has rows that differ from zero."""
-    found = np.array([np.asarray(np.linalg.qr(t.T, mode="r")).T for t in ts])
-    used = np.abs(found).max(axis=(0, 1)) > 0.0
-    return found[:, :, used]
+    roots = np.array([np.asarray(np.linalg.qr(t.T, mode="r")).T for t in ts])
+    used = np.abs(roots).max(axis=(0, 1)) > 0.0
+    return roots[:, :, used]
 
 
 def least_gamma(gammas: FloatArray, ts: FloatArray, c: FloatArray, p: FloatArray, sigma: float) -> float:
@@ -98,10 +98,10 @@ def gain(
     In the basis (C^+, ker C) the Schur complement of (27c) becomes diag(-2 rho P_11, what P was solved for).
     """
     basis = np.hstack([np.linalg.pinv(c), kernel(c)])
-    seen = c.shape[0]
+    outputs = c.shape[0]
     whole = gamma_i.T @ p + p @ gamma_i + sigma * p + p @ t_i @ t_i.T @ p / gamma
     turned = basis.T @ whole @ basis
-    own = (basis.T @ p @ basis)[:seen, :seen]
-    w1 = 0.5 * turned[:seen, :seen] + output_rate * own
-    found: FloatArray = np.linalg.solve(basis.T, np.vstack([w1, turned[seen:, :seen]]))
-    return found
+    own = (basis.T @ p @ basis)[:outputs, :outputs]
+    w1 = 0.5 * turned[:outputs, :outputs] + output_rate * own
+    w: FloatArray = np.linalg.solve(basis.T, np.vstack([w1, turned[outputs:, :outputs]]))
+    return w

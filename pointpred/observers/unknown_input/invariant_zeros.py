@@ -84,15 +84,15 @@ def decoupling(f: FloatArray, c: FloatArray) -> FloatArray:
         raise ParameterError(f"C F must exist: F has shape {f.shape}, C has shape {c.shape}")
     if not f.shape[1]:
         raise ParameterError("F needs a column for each unknown input, received none")
-    seen = c @ f
+    cf = c @ f
     smallest = RELATIVE * float(np.linalg.norm(c, 2) * np.linalg.norm(f, 2))
-    rank_seen, rank = int(np.linalg.matrix_rank(seen, tol=smallest)), int(np.linalg.matrix_rank(f))
+    rank_cf, rank = int(np.linalg.matrix_rank(cf, tol=smallest)), int(np.linalg.matrix_rank(f))
     if rank < f.shape[1]:
         raise ParameterError(f"F must have full column rank {f.shape[1]}, its rank is {rank}")
-    if rank_seen < rank:
+    if rank_cf < rank:
         raise ParameterError(
-            f"rank(C F) must equal rank(F): rank(C F) = {rank_seen} < rank(F) = {rank}, "
+            f"rank(C F) must equal rank(F): rank(C F) = {rank_cf} < rank(F) = {rank}, "
             "so an unknown input does not reach the outputs directly"
         )
-    passed: FloatArray = np.eye(len(f)) - f @ np.linalg.pinv(seen) @ c
+    passed: FloatArray = np.eye(len(f)) - f @ np.linalg.pinv(cf) @ c
     return passed

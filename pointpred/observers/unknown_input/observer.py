@@ -14,8 +14,8 @@ from pointpred.errors import InfeasibleError, ParameterError
 from pointpred.observers.unknown_input.boxes import Box
 from pointpred.observers.unknown_input.certificate import (
     UnknownInputCertificate,
+    audit,
     largest_sigma,
-    verified,
 )
 from pointpred.observers.unknown_input.gains import gain, lyapunov
 from pointpred.observers.unknown_input.invariant_zeros import fixed_modes, kernel
@@ -89,7 +89,7 @@ class UnknownInputObserver:
         ws = np.array(
             [gain(one, t, system.c, p, gamma, sigma, output_rate) for one, t in zip(gammas, ts, strict=True)]
         )
-        certificate = verified(gammas, ts, system.c, p, ws, force, sigma, zeros)
+        certificate = audit(gammas, ts, system.c, p, ws, force, sigma, zeros)
         return cls(system, box, certificate, TakagiSugeno(box, np.linalg.solve(p, ws)))
 
     def start(self, estimate: FloatArray) -> None:
@@ -114,8 +114,8 @@ class UnknownInputObserver:
 
     def estimate(self, z: FloatArray, y: FloatArray, point: Point) -> FloatArray:
         """x_hat = z - E y."""
-        found: FloatArray = z - self.system.e(point) @ y
-        return found
+        state: FloatArray = z - self.system.e(point) @ y
+        return state
 
     def begin(self, estimate: FloatArray, point: Point) -> FloatArray:
         """The z that stands for an estimate: T x_hat."""
@@ -173,13 +173,13 @@ def refuse(box: Box, zeros: NDArray[np.complex128], sigma: float) -> None:
         return
     vertex = int(zeros.real.max(axis=1).argmax())
     zero = zeros[vertex][zeros[vertex].real.argmax()]
-    said = f"{zero.real:.6g}" if zero.imag == 0.0 else f"{zero:.6g}"
+    value = f"{zero.real:.6g}" if zero.imag == 0.0 else f"{zero:.6g}"
     end = (
         f"the largest feasible sigma is below {most:.6g} 1/s"
         if most > 0.0
         else "no sigma above 0 is feasible in this box"
     )
     raise InfeasibleError(
-        f"the invariant zero {said} 1/s at {box.named(box.vertices[vertex])} must lie below "
+        f"the invariant zero {value} 1/s at {box.named(box.vertices[vertex])} must lie below "
         f"-sigma/2 = {-0.5 * sigma:g} 1/s: {end}"
     )

@@ -114,8 +114,8 @@ class RunningUnknownInputObserver:
         self._check(sample)
         observer = self.design
         if self._z is None or self._last is None:
-            seen = np.linalg.pinv(observer.system.c)
-            x = self.start + seen @ (sample.y - observer.system.c @ self.start)
+            inverse = np.linalg.pinv(observer.system.c)
+            x = self.start + inverse @ (sample.y - observer.system.c @ self.start)
             z = observer.begin(x, sample.schedule(x))
         else:
             z = self._carried(self._z, self._last, sample)

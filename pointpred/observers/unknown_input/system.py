@@ -66,8 +66,8 @@ class ParameterVaryingSystem:
     def e(self, point: Point) -> FloatArray:
         """E = -F (C F)^+, n x p."""
         f = self.f(point)
-        found: FloatArray = -f @ np.linalg.pinv(self.c @ f)
-        return found
+        value: FloatArray = -f @ np.linalg.pinv(self.c @ f)
+        return value
 
     def t(self, point: Point) -> FloatArray:
         """T = I + E C; raises ParameterError naming the ranks where T F = 0 cannot be had."""
@@ -80,11 +80,11 @@ class ParameterVaryingSystem:
         for name, rate in self.rates.items():
             slope = self.f({**point, name: point[name] + 1.0}) - f
             moving = np.asarray(moving + slope * point[rate], np.float64)
-        seen, seen_rate = self.c @ f, self.c @ moving
-        inverse = np.asarray(np.linalg.pinv(seen), np.float64)
-        square = np.linalg.inv(seen.T @ seen)
-        inverse_rate = -inverse @ seen_rate @ inverse
-        inverse_rate += square @ seen_rate.T @ (np.eye(len(seen)) - seen @ inverse)
+        cf, cf_rate = self.c @ f, self.c @ moving
+        inverse = np.asarray(np.linalg.pinv(cf), np.float64)
+        square = np.linalg.inv(cf.T @ cf)
+        inverse_rate = -inverse @ cf_rate @ inverse
+        inverse_rate += square @ cf_rate.T @ (np.eye(len(cf)) - cf @ inverse)
         rate_of_e: FloatArray = -(moving @ inverse + f @ inverse_rate)
         return rate_of_e
 
@@ -92,13 +92,13 @@ class ParameterVaryingSystem:
         """T A at a point."""
         if self._decoupled is not None:
             return _shaped("T A", self._decoupled(point), (self.c.shape[1], self.c.shape[1]))
-        found: FloatArray = self.t(point) @ self.a(point)
-        return found
+        value: FloatArray = self.t(point) @ self.a(point)
+        return value
 
     def gamma(self, point: Point) -> FloatArray:
         """Gamma = T A + T', what the error would do without a gain."""
-        found: FloatArray = self.ta(point) + self.e_rate(point) @ self.c
-        return found
+        value: FloatArray = self.ta(point) + self.e_rate(point) @ self.c
+        return value
 
     def checked(self, box: Box) -> None:
         """Raise ParameterError where the system and a box of its variables do not fit together."""
@@ -125,10 +125,12 @@ class ParameterVaryingSystem:
                 raise ParameterError(f"F varies with {name}: its rate must be a scheduling variable too")
 
 
-def _shaped(name: str, given: Any, shape: tuple[int | None, int | None]) -> FloatArray:
-    found = matrix(name, given) if np.ndim(given) == 2 else np.zeros(np.shape(given))
-    if found.ndim != 2 or any(one not in (None, has) for one, has in zip(shape, found.shape, strict=True)):
+def _shaped(name: str, value: Any, shape: tuple[int | None, int | None]) -> FloatArray:
+    entries = matrix(name, value) if np.ndim(value) == 2 else np.zeros(np.shape(value))
+    if entries.ndim != 2 or any(
+        one not in (None, has) for one, has in zip(shape, entries.shape, strict=True)
+    ):
         rows, columns = shape
         wanted = f"({rows or 'outputs'}, {columns or ('inputs' if rows else 'states')})"
-        raise ParameterError(f"{name} has shape {found.shape}, needs {wanted}")
-    return found
+        raise ParameterError(f"{name} has shape {entries.shape}, needs {wanted}", field=name, value=value)
+    return entries

@@ -53,17 +53,17 @@ class TakagiSugeno:
     @classmethod
     def of(cls, matrix: Scheduled, box: Box, name: str = "the matrix") -> Self:
         """The model of a function; raises ParameterError where it is not affine in each variable."""
-        made = cls(box, np.array([matrix(box.named(vertex)) for vertex in box.vertices]))
+        model = cls(box, np.array([matrix(box.named(vertex)) for vertex in box.vertices]))
         lows, highs = np.array(list(box.bounds.values())).T
         random = np.random.default_rng(SEED)
         shares = np.vstack([np.full(len(lows), 0.5), random.uniform(size=(POINTS, len(lows)))])
         error = 0.0
         for share in shares:
             point = box.named(lows + share * (highs - lows))
-            error = max(error, float(np.abs(made.at(point) - matrix(point)).max()))
-        if error > ROUNDING * max(1.0, float(np.abs(made.matrices).max())):
+            error = max(error, float(np.abs(model.at(point) - matrix(point)).max()))
+        if error > ROUNDING * max(1.0, float(np.abs(model.matrices).max())):
             raise ParameterError(f"{name} must be affine in each variable; it is off by {error:.3g}")
-        return made
+        return model
 
     def at(self, point: Mapping[str, float]) -> FloatArray:
         """The matrix at a point of the box; raises ParameterError for a point outside."""

@@ -1,0 +1,140 @@
+"""The audit that makes matrices a certificate: every eigenvalue recomputed, whoever found them.
+
+The functions that a problem is made of are evaluated at the matrices. Nothing here needs a solver.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, Self
+
+import numpy as np
+
+from pointpred.errors import CertificateError, ParameterError
+from pointpred.observers.inequalities.unknowns import Block, Unknown, Unknowns
+
+
+class Inequalities:
+    """Linear matrix inequalities and equalities, and the audit of matrices against them.
+
+    Each inequality reads block(v) < 0, where v holds the matrices.
+    """
+
+    def __init__(self, name: str, *, margin: float = 1e-5, kappa: float = 1e4) -> None:
+        if not 0.0 < margin <= 1e-2:
+            raise ParameterError(f"margin must lie in (0, 0.01], received {margin!r}")
+        if not 10.0 <= kappa <= 1e8:
+            raise ParameterError(f"kappa must lie in [10, 1e8], received {kappa!r}")
+        self.name, self.margin, self.kappa = name, margin, kappa
+        self.unknowns = Unknowns()
+        self.blocks: dict[str, Block] = {}
+        self._normal: dict[str, int] = {}
+        self._weak: set[str] = set()
+        self._above: set[str] = set()
+        self._equalities: dict[str, Block] = {}
+
+    def positive(self, name: str, rows: int) -> Self:
+        """A symmetric matrix between I and kappa I: the scale of the problem."""
+        self._normal[name] = rows
+        return self.symmetric(name, rows)
+
+    def symmetric(self, name: str, rows: int) -> Self:
+        """A symmetric matrix of any sign."""
+        return self._add(name, "symmetric", rows, rows)
+
+    def free(self, name: str, rows: int, columns: int) -> Self:
+        """A matrix without structure."""
+        return self._add(name, "free", rows, columns)
+
+    def diagonal(self, name: str, rows: int) -> Self:
+        """A diagonal matrix without negative entries."""
+        return self._add(name, "diagonal", rows, rows, 0.0)
+
+    def number(self, name: str, low: float = 0.0) -> Self:
+        """One number not below ``low``; the functions receive it as a float."""
+        return self._add(name, "number", 1, 1, low)
+
+    def below(self, name: str, block: Block, *, strict: bool = True) -> Self:
+        """Demand block(v) < 0; where not ``strict``, ``check`` accepts 0, to 1e-12 of the largest term."""
+        if name in self.blocks:
+            raise ParameterError(f"an inequality needs a new name, received {name!r}")
+        self.blocks[name] = block
+        if not strict:
+            self._weak.add(name)
+        return self
+
+    def above(self, name: str, block: Block, *, strict: bool = True) -> Self:
+        """Demand block(v) > 0; where it is not ``strict``, ``check`` accepts an eigenvalue of 0."""
+        self._above.add(name)
+        return self.below(name, lambda v: -np.asarray(block(v)), strict=strict)
+
+    def equal(self, name: str, block: Block) -> Self:
+        """Demand block(v) = 0, whatever its shape; solved exactly before any solver runs."""
+        self._equalities[name] = block
+        return self
+
+    def margins(self, values: Mapping[str, Any]) -> dict[str, float]:
+        """How far each inequality's nearest eigenvalue lies on the right side; negative where it fails."""
+        numbers = self.unknowns.numbers(dict(values))
+        named = self.unknowns.matrices(numbers)
+        margins = {
+            f"{name} > 0": float(np.linalg.eigvalsh(getattr(named, name)).min()) for name in self._normal
+        }
+        for one in self.unknowns.listed:
+            if one.low > -np.inf:
+                entries = one.numbers(getattr(named, one.name)) - one.low
+                margins[f"{one.name} >= {one.low:g}"] = float(entries.min())
+        for name, block in self.blocks.items():
+            margins[name] = -float(np.linalg.eigvalsh(self.unknowns.value(name, block, numbers)).max())
+        for name, block in self._equalities.items():
+            error = float(np.abs(np.asarray(block(named))).max())
+            size = max(1.0, float(np.abs(numbers).max()))
+            margins[name] = 1e-8 * size - error
+        return margins
+
+    def check(self, values: Mapping[str, Any], *, rounding: float = 0.0) -> dict[str, float]:
+        """The margins of matrices from anywhere, such as a print; raises CertificateError where one fails.
+
+        ``rounding`` is the largest error of a printed entry: the message says whether it could explain it.
+        """
+        margins = self.margins(values)
+        failed = [name for name, margin in margins.items() if not self._holds(name, margin, values)]
+        if failed:
+            reasons = "; ".join(self._failure(name, margins[name]) for name in failed)
+            raise CertificateError(
+                f"{self.name}: {reasons}{self._excuse(margins, rounding)}",
+                field=failed[0],
+                value=margins[failed[0]],
+            )
+        return margins
+
+    def _holds(self, name: str, margin: float, values: Mapping[str, Any]) -> bool:
+        if name in self._weak:
+            numbers = self.unknowns.numbers(dict(values))
+            return margin >= -1e-12 * self.unknowns.size(name, self.blocks[name], numbers)
+        return margin > 0.0 if name in self.blocks or name.endswith(" > 0") else margin >= 0.0
+
+    def _failure(self, name: str, margin: float) -> str:
+        if name in self._above:
+            return f"{name} has the eigenvalue {margin:.6g}, must lie above 0"
+        if name in self.blocks:
+            return f"{name} has the eigenvalue {-margin:.6g}, must lie below 0"
+        if name in self._equalities:
+            return f"{name} fails by {-margin:.6g}"
+        return f"{name} fails: its least value is {margin:.6g}"
+
+    def _excuse(self, margins: dict[str, float], rounding: float) -> str:
+        if rounding <= 0.0:
+            return ""
+        moved = {
+            name: rounding * float(np.abs(np.linalg.eigvalsh(slopes)).max(axis=1).sum())
+            for name, (_, slopes) in ((n, self.unknowns.coefficients(n, b)) for n, b in self.blocks.items())
+        }
+        certain = [name for name, margin in margins.items() if -margin > moved.get(name, rounding)]
+        if certain:
+            return f"; entries rounded by {rounding:g} cannot explain it"
+        return f"; entries rounded by {rounding:g} could explain it"
+
+    def _add(self, name: str, kind: str, rows: int, columns: int, low: float = -np.inf) -> Self:
+        self.unknowns.add(Unknown(name, kind, rows, columns, low))
+        return self
