@@ -45,7 +45,7 @@ def step(memory: FloatArray, event: EventRow) -> TenFloats:
     velocity = memory[VX], memory[VX + 1]
     acceleration = memory[AX], memory[AX + 1]
     settled = sampling.settled(memory, AT, 3.0, 2.0 * memory[SHORTEST_S])
-    return sampling.motion(memory, AT, event, velocity, acceleration, settled, start)
+    return sampling.motion(memory, AT, event, (velocity, acceleration), settled, start)
 
 
 loop = loop_over_events(step)

@@ -87,7 +87,7 @@ def step(memory: FloatArray, event: EventRow) -> TenFloats:
     velocity = memory[FIT], memory[FIT + 1]
     acceleration = memory[FIT + 2], memory[FIT + 3]
     settled = sampling.settled(memory, AT, 3.0, memory[MEMORY_S])
-    return sampling.motion(memory, AT, event, velocity, acceleration, settled, start)
+    return sampling.motion(memory, AT, event, (velocity, acceleration), settled, start)
 
 
 loop = loop_over_events(step)

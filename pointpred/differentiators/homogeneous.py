@@ -12,7 +12,7 @@ from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.differentiators import sampling
 from pointpred.differentiators.differentiator import Differentiator, loop_over_events
-from pointpred.differentiators.poles import check_gains, check_step
+from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
 from pointpred.events import METRES_PER_INCH
 from pointpred.parameter import option, parameter
@@ -79,7 +79,7 @@ def step(memory: FloatArray, event: EventRow) -> TenFloats:
         memory[SLOPE + 1] if second else memory[ZY + 2],
     )
     settled = sampling.settled(memory, AT, memory[ORDER] + 1.0, memory[SETTLE_S])
-    return sampling.motion(memory, AT, event, velocity, acceleration, settled, start)
+    return sampling.motion(memory, AT, event, (velocity, acceleration), settled, start)
 
 
 loop = loop_over_events(step)
@@ -117,6 +117,41 @@ def gains(gain_lambda: float, gain_xi: float, order: int) -> list[float]:
     """
     roots = [-gain_lambda * gain_xi**i for i in range(order)]
     return [float(k) for k in np.poly(roots)[1:]]
+
+
+def check_step(gains: Sequence[float], step_s: float) -> None:
+    """The Euler step must keep the linear law stable, alpha = 0.
+
+    With alpha < 0 the gain is k_j |e|^(j alpha): smaller than the linear law's for errors above 1 m, so that
+    it stays bounded, and larger below.
+    """
+    poles = np.roots([1.0, *gains])
+    longest_s = float(np.min(-2.0 * poles.real / np.abs(poles) ** 2))
+    if step_s >= longest_s:
+        raise ParameterError(
+            f"step_s must be below {longest_s:g} s, where Euler's method with these gains becomes unstable, "
+            f"received {step_s!r}",
+            field="step_s",
+            value=step_s,
+        )
+
+
+def check_gains(gains: Sequence[float], order: int) -> list[float]:
+    """Raise ParameterError unless gains are one positive number an order that make a stable linear law."""
+    listed = isinstance(gains, Sequence | np.ndarray) and not isinstance(gains, str | bytes)
+    whole = listed and len(gains) == order and all(is_number(k) and 0.0 < k < np.inf for k in gains)
+    if not whole:
+        raise ParameterError(
+            f"gains must be {order} positive numbers, received {gains!r:.80}", field="gains", value=gains
+        )
+    slowest = float(np.max(np.roots([1.0, *gains]).real))
+    if slowest >= 0.0:
+        raise ParameterError(
+            f"gains {list(gains)!r} make an unstable law: a pole has real part {slowest:g}",
+            field="gains",
+            value=gains,
+        )
+    return [float(k) for k in gains]
 
 
 class HomogeneousDifferentiator(Differentiator):
@@ -229,5 +264,7 @@ def _check_rest(memory: FloatArray, alpha: float, step_s: float) -> None:
         raise ParameterError(
             f"with step_s = {step_s:g} s, alpha = {alpha:g} and these gains the velocity of a device at rest "
             f"chatters by {max(speeds):.2g} m/s, at most {CHATTER_MOST_M_S:g} m/s: choose a smaller step_s, "
-            "smaller gains (gain_lambda) or an alpha nearer to 0"
+            "smaller gains (gain_lambda) or an alpha nearer to 0",
+            field="step_s",
+            value=step_s,
         )

@@ -49,7 +49,7 @@ def step(memory: FloatArray, event: EventRow) -> TenFloats:
     velocity = memory[X + 1], memory[X + 4]
     acceleration = memory[X + 2], memory[X + 5]
     settled = sampling.settled(memory, AT, 4.0, settle_s(memory))
-    return sampling.motion(memory, AT, event, velocity, acceleration, settled, start)
+    return sampling.motion(memory, AT, event, (velocity, acceleration), settled, start)
 
 
 loop = loop_over_events(step)

@@ -50,7 +50,7 @@ def step(memory: FloatArray, event: EventRow) -> TenFloats:
     velocity = memory[X], memory[X + 2]
     acceleration = memory[X + 1], memory[X + 3]
     settled = sampling.settled(memory, AT, 3.0, memory[SETTLE_S])
-    return sampling.motion(memory, AT, event, velocity, acceleration, settled, start)
+    return sampling.motion(memory, AT, event, (velocity, acceleration), settled, start)
 
 
 loop = loop_over_events(step)

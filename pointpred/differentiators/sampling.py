@@ -93,13 +93,13 @@ def motion(
     memory: FloatArray,
     at: int,
     event: EventRow,
-    velocity: tuple[float, float],
-    acceleration: tuple[float, float],
+    hand: tuple[tuple[float, float], tuple[float, float]],
     settled: float,
     start: bool,
 ) -> TenFloats:
-    """The row of the motion after an accepted event: m/s and m/s^2 of the hand along x and y."""
+    """The row of the motion after an accepted event; ``hand``: its velocity m/s and acceleration m/s^2."""
     t, x, y, _, _, _ = event
+    velocity, acceleration = hand
     vx, vy = velocity
     ax, ay = acceleration
     return t, x, y, vx, vy, ax, ay, settled, 1.0 if start else 0.0, memory[at + COUNTS]
