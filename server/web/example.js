@@ -1,7 +1,7 @@
 // Cards light up while the pointer is still on its way to them, and their pages are fetched once.
 import { connect } from "/pointpred.js";
 
-const said = document.getElementById("said");
+const status = document.getElementById("status");
 const connection = connect();
 for (const card of document.querySelectorAll("nav a")) connection.observe(card, card.pathname);
 
@@ -10,7 +10,7 @@ connection.on("choice", ({ element: card, action, reason }) => {
   card.dataset.reason = reason ?? "";
   if (action === "retract" || card.dataset.fetched) return;
   card.dataset.fetched = "yes";
-  fetch(card.href, { priority: "low" }).catch(() => delete card.dataset.fetched); // a link with rel=prefetch needs a policy that allows it
-  said.textContent = `Prefetched: ${card.firstElementChild.textContent}.`;
+  fetch(card.href, { priority: "low" }).catch(() => delete card.dataset.fetched); // a prefetch link would need a policy that allows it
+  status.textContent = `Prefetched: ${card.firstElementChild.textContent}.`;
 });
-connection.on("error", ({ message }) => { said.textContent = message; });
+connection.on("error", ({ message }) => { status.textContent = message; });

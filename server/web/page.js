@@ -1,61 +1,63 @@
 // The page's four views; each is connected and drawn only while its tab is open.
-// All are loaded with the page: a browser never asks again for a module whose loading has failed once.
+// All modules are loaded with the page: a browser does not request a module again after it has failed to load once.
 
 import * as assist from "./assist/view.js";
 import * as circle from "./circle/view.js";
-import { part } from "./page/elements.js";
-import { explainWords } from "./page/glossary.js";
 import * as live from "./live/view.js";
-import * as replay from "./replay/view.js";
+import { part } from "./page/elements.js";
+import { explainTerms } from "./page/glossary.js";
+import { makeTabs } from "./page/tabs.js";
 import { refuseFiles } from "./replay/drop.js";
-import { tabs } from "./page/tabs.js";
+import * as replay from "./replay/view.js";
 
 const VIEWS = { live, circle, replay, assist };
-const SAID_IN = { live: "live-verdict", circle: "circle-said", replay: "replay-source", assist: "assist-said" };
+const STATUS = { live: "live-verdict", circle: "circle-status", replay: "replay-source", assist: "assist-status" };
 const RETRY_MS = 2000;
-const NOT_WORKING = "Not working:";
 
-let shown = null;
+let current = null;
 
-const replaced = new Map(); // what stood where a view complains now
+const errors = new Map(); // by view: the message shown, and the text that it has replaced
 
-function complain(view, error) {
-  const place = part(SAID_IN[view]);
-  if (!replaced.has(view)) replaced.set(view, place.textContent);
-  place.textContent = `${NOT_WORKING} ${error.message}. Is the service still running? Trying again.`;
+function showError(view, error) {
+  const place = part(STATUS[view]);
+  const replaced = errors.get(view)?.replaced ?? place.textContent;
+  place.textContent = `Not working: ${error.message}. Is the service still running? Trying again.`;
+  place.dataset.failed = "true";
+  errors.set(view, { replaced, message: place.textContent });
 }
 
-/** A view works again: its complaint gives way to what stood there. */
-function works(view) {
-  const place = part(SAID_IN[view]);
-  if (replaced.has(view) && place.textContent.startsWith(NOT_WORKING)) place.textContent = replaced.get(view);
-  replaced.delete(view);
+/** Puts the replaced text back, unless the view has written another since. */
+function clearError(view) {
+  const place = part(STATUS[view]), shown = errors.get(view);
+  if (place.textContent === shown?.message) place.textContent = shown.replaced;
+  delete place.dataset.failed;
+  errors.delete(view);
 }
 
-/** Opens a view, again and again until the service answers or another one is chosen. */
+/** Opens a view, and tries again until the service answers or another view is chosen. */
 async function open(view) {
   try {
     await VIEWS[view].open();
-    if (shown === view) works(view);
+    if (current === view) clearError(view);
     else VIEWS[view].close();
   } catch (error) {
-    if (shown !== view) return;
-    complain(view, error);
-    setTimeout(() => shown === view && open(view), RETRY_MS);
+    if (current !== view) return;
+    showError(view, error);
+    setTimeout(() => current === view && open(view), RETRY_MS);
   }
 }
 
-explainWords();
+explainTerms();
 
-tabs(part("tabs"), (view, before) => {
-  shown = view;
+makeTabs(part("tabs"), (view, before) => {
+  current = view;
   document.title = `pointpred: ${view}`;
   if (before !== null) VIEWS[before].close();
   open(view);
 });
 
-// A browser may keep a page that was left, with its sockets: nobody looks at it any more.
-window.addEventListener("pagehide", () => VIEWS[shown].close());
-window.addEventListener("pageshow", ({ persisted }) => persisted && open(shown));
+// A browser may keep a page in its history with open sockets.
+window.addEventListener("pagehide", () => VIEWS[current].close());
+window.addEventListener("pageshow", ({ persisted }) => persisted && open(current));
 
 refuseFiles();

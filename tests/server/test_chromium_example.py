@@ -57,7 +57,7 @@ def test_the_example_prefetches_before_the_cursor_is_there(devtools: str, listen
         stamped(page, ahead)
         soon(lambda: len(listener.events()) == len(ahead), "every sample was heard")
         soon(lambda: "/v1/predictors" in listener.requests, "the link was prefetched")
-        assert page.evaluate("document.getElementById('said').textContent").startswith("Prefetched: ")
+        assert page.evaluate("document.getElementById('status').textContent").startswith("Prefetched: ")
         heard = listener.events()
         assert [len(frame) for frame in listener.binary()] == [heard.itemsize] * len(heard)
         assert np.diff(heard["t"]) == pytest.approx(np.diff(ahead.t), abs=2e-5)

@@ -216,5 +216,6 @@ def test_a_finger_selects_by_lifting(visitor: Visitor, url: str) -> None:
         place = (end[0], end[1])
     visitor.page.call("Emulation.setTouchEmulationEnabled", enabled=False)
     visitor.wait("document.querySelector('#circle-result').dataset.state === 'done'")
-    assert visitor.text("#circle-said").startswith("Done: 3 of 3 movements, 0 missed")
-    assert visitor.text("#circle-scored").startswith("3 movements scored")
+    assert visitor.value("document.querySelector('#circle-status').dataset.state") == "done"
+    assert "3 of 3 movements, 0 missed" in visitor.text("#circle-status")
+    assert visitor.text("#circle-score-status").startswith("3 movements scored")

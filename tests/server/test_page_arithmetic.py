@@ -83,7 +83,7 @@ def test_a_region_of_no_possible_level_is_refused(visitor: Visitor, level: float
 
 @pytest.mark.parametrize("values", [[3.0, 1.0, 2.0], [4.0, 1.0, 2.0, 10.0], [7.0]])
 def test_median(visitor: Visitor, values: list[float]) -> None:
-    assert call(visitor, "circle/geometry", "m.median(v)", v=values) == np.median(values)
+    assert call(visitor, "page/numbers", "m.median(v)", v=values) == np.median(values)
 
 
 PRESSES = """(() => {
@@ -95,9 +95,9 @@ PRESSES = """(() => {
     return task.select(row);
   };
   press(0, 15);
-  const before = [task.running, task.astray, task.trials.length];
+  const before = [task.running, task.misplaced, task.trials.length];
   const ends = [press(1), press(2), press(3, 15), press(4), press(5, -15)];
-  const between = [task.running, task.block, task.astray, task.done];
+  const between = [task.running, task.block, task.misplaced, task.done];
   press(6); press(7); press(8); press(9);
   const late = press(10);
   const ended = ends.map((one) => one && [one.number, one.hit, one.rows.length]);
@@ -181,21 +181,21 @@ def test_recordings_read_back_to_the_same_bits(visitor: Visitor, tmp_path: Path)
 
 
 @pytest.mark.parametrize(
-    ("text", "said"),
+    ("text", "code"),
     [
-        ("user,trial,t_s\nu,1,0\n", "row 0 has 3 cells, expected 4"),
-        ('# pointpred: {"rows": 2}\na,b\n1,2\n', "1 rows, its header says 2"),
+        ("user,trial,t_s\nu,1,0\n", "bad_row"),
+        ('# pointpred: {"rows": 2}\na,b\n1,2\n', "wrong_count"),
     ],
 )
-def test_damaged_tables_are_refused(visitor: Visitor, text: str, said: str) -> None:
+def test_damaged_tables_are_refused(visitor: Visitor, text: str, code: str) -> None:
     damaged = text.replace("t_s\n", "t_s,x_px\n")
-    catch = "{ try { m.parse(text) } catch (e) { return e.message } }"
-    assert call(visitor, "replay/file", catch, text=damaged) == said
+    catch = "{ try { m.parse(text) } catch (error) { return error.code } }"
+    assert call(visitor, "replay/csv", catch, text=damaged) == code
 
 
 def test_quoted_cells(visitor: Visitor) -> None:
     text = '"a","b"\n"one, two","say ""so"""\n,3\n'
-    assert call(visitor, "replay/file", "m.parse(text).rows", text=text) == [
+    assert call(visitor, "replay/csv", "m.parse(text).rows", text=text) == [
         ["one, two", 'say "so"'],
         ["", "3"],
     ]
@@ -218,7 +218,7 @@ def test_a_pause_does_not_slow_what_comes_after_it(visitor: Visitor) -> None:
     assert call(visitor, "live/movement", "m.speed([], 1)") == 0.0
 
 
-def test_stretches_of_phases(visitor: Visitor) -> None:
+def test_phase_intervals(visitor: Visitor) -> None:
     samples = [
         [0, "still"],
         [1, "ballistic"],
@@ -227,7 +227,7 @@ def test_stretches_of_phases(visitor: Visitor) -> None:
         [4, None],
         [5, "ballistic"],
     ]
-    found = call(visitor, "live/strip", "m.stretches(s)", s=samples)
+    found = call(visitor, "live/strip", "m.phaseIntervals(s)", s=samples)
     assert found == [["ballistic", 1, 3], ["corrective", 3, 4]]
 
 

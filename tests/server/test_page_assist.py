@@ -29,6 +29,8 @@ window.WebSocket = class extends Plain {
 };
 """
 """Keeps what the page tells the service and hears, and the time of the newest event."""
+STATE = "document.querySelector('#assist-status').dataset.state"
+COUNTS = "document.querySelector('#assist-scene').dataset.counts"
 HELD = "document.pointerLockElement?.id === 'assist-scene'"
 CURSOR = "['x', 'y'].map((of) => Number(document.querySelector('#assist-scene').dataset[of]))"
 TARGET = "document.querySelector('#assist-scene').dataset.target.split(',').map(Number)"
@@ -52,7 +54,7 @@ def one(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
 def visitor(one: Visitor, url: str) -> Iterator[Visitor]:
     """Somebody who has opened the view; nothing complains, nothing shifts."""
     one.open(f"{url}#assist")
-    one.wait("!document.querySelector('#assist-take').disabled")
+    one.wait("!document.querySelector('#assist-capture').disabled")
     yield one
     assert one.complaints() == []
     assert one.shift() < 0.001
@@ -60,7 +62,7 @@ def visitor(one: Visitor, url: str) -> Iterator[Visitor]:
 
 def lend(visitor: Visitor) -> tuple[float, float]:
     """Click the button; where the mouse is then."""
-    left, top, width, height = visitor.corner("#assist-take")
+    left, top, width, height = visitor.corner("#assist-capture")
     place = (left + width / 2, top + height / 2)
     visitor.mouse("mouseMoved", *place)
     visitor.click(*place)
@@ -77,7 +79,7 @@ def wander(visitor: Visitor, place: tuple[float, float], way: tuple[float, float
 
 
 def test_lent_movement_moves_the_cursor_of_the_service(visitor: Visitor) -> None:
-    assert visitor.value("document.querySelector('#assist-connection').textContent") == "Not connected."
+    assert visitor.value("document.querySelector('#assist-connection').dataset.state ?? null") is None
     visitor.value("document.querySelector('[name=strength]').value = 0")
     place = lend(visitor)
     before = visitor.wait(f"{CURSOR}.every(Number.isFinite) && {CURSOR}")
@@ -94,8 +96,8 @@ def test_escape_gives_the_mouse_back_and_ends_the_session(visitor: Visitor) -> N
     wander(visitor, place, (-60.0, 0.0))
     visitor.press("Escape")
     visitor.wait(f"!({HELD})")
-    visitor.wait("document.querySelector('#assist-said').textContent.startsWith('The mouse was released')")
-    assert visitor.text("#assist-connection") == "Not connected."
+    visitor.wait(f"{STATE} === 'released'")
+    assert visitor.value("document.querySelector('#assist-connection').dataset.state") == "closed"
     assert visitor.value("told.at(-1).type") == "bye"
     count = visitor.value("told.length")
     wander(visitor, place, (-60.0, 0.0))
@@ -140,9 +142,9 @@ def test_the_keyboard_reaches_everything_and_lends_the_mouse(visitor: Visitor) -
     for _ in range(10):
         visitor.press("Tab")
         stops.add(visitor.value("document.activeElement.id || document.activeElement.name || ''"))
-    wanted = {"tab-assist", "assist-predictor", "cpi", "gain", "strength", "alternate", "assist-take"}
-    assert wanted | {"assist-forget"} <= stops
-    visitor.value("document.querySelector('#assist-take').focus()")
+    wanted = {"tab-assist", "assist-predictor", "cpi", "gain", "strength", "alternate", "assist-capture"}
+    assert wanted | {"assist-clear"} <= stops
+    visitor.value("document.querySelector('#assist-capture').focus()")
     visitor.page.call("Page.bringToFront")
     visitor.page.call("Emulation.setFocusEmulationEnabled", enabled=True)
     key = {"key": "Enter", "windowsVirtualKeyCode": 13, "text": "\r"}
@@ -157,26 +159,28 @@ def test_another_view_gives_the_mouse_back(visitor: Visitor) -> None:
     visitor.wait(f"!({HELD})")
 
 
-def test_wrong_numbers_are_named_and_nothing_is_lent(visitor: Visitor) -> None:
+def test_wrong_numbers_are_marked_and_nothing_is_captured(visitor: Visitor) -> None:
     visitor.value("document.querySelector('#assist-form [name=cpi]').value = 3")
-    visitor.value("document.querySelector('#assist-take').click()")
-    assert visitor.text("#assist-said") == "Counts per inch must be a number from 50 to 50000."
+    visitor.value("document.querySelector('#assist-capture').click()")
+    assert visitor.value(STATE) == "invalid"
+    assert visitor.value("document.querySelector('#assist-form [aria-invalid=true]').name") == "cpi"
+    assert all(word in visitor.text("#assist-status") for word in ("Counts per inch", "50", "50000"))
     assert not visitor.value(HELD)
 
 
-def test_a_browser_without_pointer_lock_is_told_so(visitor: Visitor, url: str) -> None:
+def test_a_browser_without_pointer_lock_is_named(visitor: Visitor, url: str) -> None:
     without = "delete Element.prototype.requestPointerLock;"
     script = visitor.page.call("Page.addScriptToEvaluateOnNewDocument", source=without)
     visitor.open(f"{url}#assist")
     visitor.page.call("Page.removeScriptToEvaluateOnNewDocument", identifier=script["identifier"])
-    visitor.wait("document.querySelector('#assist-said').textContent.includes('no pointer lock')")
-    assert visitor.value("document.querySelector('#assist-take').disabled")
+    visitor.wait(f"{STATE} === 'unsupported'")
+    assert visitor.value("document.querySelector('#assist-capture').disabled")
 
 
-def test_raw_counts_are_asked_for_and_what_came_is_said(visitor: Visitor) -> None:
+def test_raw_counts_are_requested_and_their_kind_is_shown(visitor: Visitor) -> None:
     """The browser of the tests has no raw counts; in its place one that says it has."""
     lend(visitor)
-    visitor.wait("document.querySelector('#assist-said').textContent.includes('only accelerated movement')")
+    visitor.wait(f"{COUNTS} === 'accelerated'")
     visitor.press("Escape")
     visitor.wait(f"!({HELD})")
     visitor.value("""{ const plain = Element.prototype.requestPointerLock;
@@ -186,16 +190,15 @@ def test_raw_counts_are_asked_for_and_what_came_is_said(visitor: Visitor) -> Non
       }; }""")
     lend(visitor)
     assert visitor.value("wished.unadjustedMovement") is True
-    visitor.wait("document.querySelector('#assist-said').textContent.includes('Raw counts')")
+    visitor.wait(f"{COUNTS} === 'raw'")
 
 
 def test_a_service_that_goes_away_gives_the_mouse_back(tmp_path_factory: pytest.TempPathFactory) -> None:
     with page_browser.visitor(tmp_path_factory.mktemp("profile")) as visitor:
         with page_browser.service() as address:
             visitor.open(f"{address}#assist")
-            visitor.wait("!document.querySelector('#assist-take').disabled")
+            visitor.wait("!document.querySelector('#assist-capture').disabled")
             place = lend(visitor)
             wander(visitor, place, (-60.0, 0.0))
-        said = "document.querySelector('#assist-said').textContent"
-        visitor.wait(f"{said}.includes('released: the service does not answer')")
+        visitor.wait(f"{STATE} === 'released'")
         assert not visitor.value(HELD)

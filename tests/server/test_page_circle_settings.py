@@ -15,7 +15,10 @@ from tests.server.page_browser import Visitor
 
 pytestmark = browser.needed
 
-START, SAID = "document.querySelector('#circle-start')", "document.querySelector('#circle-said').textContent"
+START, STATUS = (
+    "document.querySelector('#circle-start')",
+    "document.querySelector('#circle-status').textContent",
+)
 WARNING = "document.querySelector('#circle-warning').textContent"
 DRAWN = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
 
@@ -71,9 +74,9 @@ def test_start_waits_for_the_service_and_says_so(tmp_path_factory: pytest.TempPa
         with page_browser.service() as url:
             visitor.open(f"{url}#circle")
             visitor.wait(f"!{START}.disabled")
-            before = visitor.value(SAID)
+            before = visitor.value(STATUS)
         visitor.wait(f"{START}.disabled")
-        visitor.wait(f"{SAID}.includes('the service does not answer')")
+        visitor.wait("document.querySelector('#circle-status').dataset.state === 'down'")
         with page_browser.service(port=int(url.rstrip("/").rpartition(":")[2])):
             visitor.wait(f"!{START}.disabled")
-            assert visitor.value(SAID) == before
+            assert visitor.value(STATUS) == before

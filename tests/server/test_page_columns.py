@@ -29,15 +29,14 @@ def test_a_table_whose_columns_cannot_be_guessed_is_asked_about_and_opened(
         one.choose(f"#replay-column-{field}", column)
     one.value("document.querySelector('#replay-column-up').click()")
     one.value("document.querySelector('#replay-columns [type=submit]').click()")
-    one.wait(
-        "document.querySelector('#replay-source').textContent.startsWith('Not opened')"
-    )  # one column twice
+    one.wait("document.querySelector('#replay-source').dataset.state === 'failed'")  # one column twice
     assert not one.value("document.querySelector('#replay-columns').hidden")
     one.choose("#replay-column-y", "upwards")
     one.value("document.querySelector('#replay-columns [type=submit]').click()")
     one.wait("document.querySelector('#replay-readout').textContent.includes('Movement 1 of 1, person ann')")
     assert one.value("document.querySelector('#replay-columns').hidden")
-    one.wait("document.querySelector('#replay-scored').textContent.startsWith('1 movement scored')")
+    one.wait("document.querySelector('#replay-score-status').dataset.state === 'done'")
+    assert one.text("#replay-score-status").startswith("1 movement scored")
     # what the browser itself says of the refusal that the form answers, and nothing else
     assert [said for said in one.complaints() if "422" not in said] == []
 
@@ -50,6 +49,6 @@ def test_a_file_that_is_no_table_is_refused_and_what_was_open_stays(
     file = tmp_path / "letter.txt"
     file.write_text("Dear Ann,\nthere is nothing to predict here.\n")
     one.choose_files("#replay-file", [file])
-    one.wait("document.querySelector('#replay-source').textContent.startsWith('Not opened')")
+    one.wait("document.querySelector('#replay-source').dataset.state === 'failed'")
     assert one.value("document.querySelector('#replay-columns').hidden")
     assert "Movement 1 of" in one.text("#replay-readout")

@@ -16,7 +16,7 @@ from tests.server.page_browser import Visitor
 
 pytestmark = browser.needed
 
-SAID = "document.querySelector('#replay-source').textContent"
+SOURCE = "document.querySelector('#replay-source').dataset"
 READOUT = "document.querySelector('#replay-readout').textContent"
 LEAVE = """{
   const held = new DataTransfer();
@@ -72,7 +72,8 @@ def test_a_dropped_recording_is_shown_and_scored(visitor: Visitor, tmp_path: Pat
     drag(visitor, "drop", files)
     visitor.wait(f"{READOUT}.includes('Movement 1 of 3')")
     assert visitor.text("#replay-source").startswith("study: 3 movements.")
-    visitor.wait("document.querySelector('#replay-scored').textContent.startsWith('3 movements scored')")
+    visitor.wait("document.querySelector('#replay-score-status').dataset.state === 'done'")
+    assert visitor.text("#replay-score-status").startswith("3 movements scored")
 
 
 def test_the_mark_goes_when_the_files_leave_without_a_drop(visitor: Visitor, tmp_path: Path) -> None:
@@ -88,43 +89,33 @@ def test_the_mark_goes_when_the_files_leave_without_a_drop(visitor: Visitor, tmp
 HEAD = "user,trial,t_s,x_px,y_px\n"
 SOUND = "".join(f"u,one,{i / 50},{i * i},0\n" for i in range(40))
 BAD = {
-    "letter.txt": ("Dear Ann,\nall is well.\n", "letter.txt: no known recording format"),
-    "empty.csv": ("", "empty.csv: the file is empty"),
-    "short.csv": (f"{HEAD}u,one,0,1\n", "short.csv: row 0 has 4 cells, expected 5"),
-    "words.csv": (
-        f"{HEAD}u,one,zero,1,2\nu,one,1,1,2\n",
-        "words.csv: 1 movement, none of which can be shown; u one: t_s in its row 0 is no finite number",
-    ),
-    "backwards.csv": (
-        f"{HEAD}u,one,1,1,2\nu,one,0,1,2\n",
-        "backwards.csv: 1 movement, none of which can be shown; u one: time runs backwards at its row 1",
-    ),
-    "nan.csv": (
-        f"{HEAD}u,one,0,1,2\nu,one,1,NaN,2\n",
-        "nan.csv: 1 movement, none of which can be shown; u one: x_px in its row 1 is no finite number",
-    ),
-    "half.csv": (f'# pointpred: {{"rows": 9}}\n{HEAD}{SOUND}', "half.csv: 40 rows, its header says 9"),
-    "torn.csv": (f'# pointpred: {{"rows"\n{HEAD}{SOUND}', "torn.csv: its # pointpred: line is not JSON"),
-    "list.csv": (f"# pointpred: null\n{HEAD}{SOUND}", "list.csv: its # pointpred: line is no JSON object"),
-    "night.parquet": ("PAR1\x15\x04\x15", "night.parquet: "),
-    "trials.csv": (
-        "user,trial,target_x,target_y\nu,one,1,2\n",
-        "trials.csv is no table of samples: its trials",
-    ),
+    "letter.txt": ("Dear Ann,\nall is well.\n", "bad_field"),
+    "empty.csv": ("", "bad_field"),
+    "short.csv": (f"{HEAD}u,one,0,1\n", "bad_row"),
+    "words.csv": (f"{HEAD}u,one,zero,1,2\nu,one,1,1,2\n", "no_movement"),
+    "backwards.csv": (f"{HEAD}u,one,1,1,2\nu,one,0,1,2\n", "no_movement"),
+    "nan.csv": (f"{HEAD}u,one,0,1,2\nu,one,1,NaN,2\n", "no_movement"),
+    "half.csv": (f'# pointpred: {{"rows": 9}}\n{HEAD}{SOUND}', "wrong_count"),
+    "torn.csv": (f'# pointpred: {{"rows"\n{HEAD}{SOUND}', "bad_header"),
+    "list.csv": (f"# pointpred: null\n{HEAD}{SOUND}", "bad_header"),
+    "night.parquet": ("PAR1\x15\x04\x15", "bad_field"),
+    "trials.csv": ("user,trial,target_x,target_y\nu,one,1,2\n", "no_samples"),
 }
+"""Files that cannot be opened, and the code of the error."""
 
 
 @pytest.mark.parametrize("name", BAD)
 def test_a_bad_file_is_named_with_the_reason_and_the_page_goes_on(
     visitor: Visitor, tmp_path: Path, name: str
 ) -> None:
-    text, reason = BAD[name]
+    text, code = BAD[name]
     (tmp_path / name).write_text(text, encoding="utf-8")
     before = visitor.value(READOUT)
     drop(visitor, [tmp_path / name])
-    visitor.wait(f"{SAID}.startsWith('Not opened: ')")
-    assert visitor.text("#replay-source").startswith(f"Not opened: {reason}")
-    assert visitor.text("#replay-source").endswith("What was open before stays: the embedded sample.")
+    visitor.wait(f"{SOURCE}.state === 'failed'")
+    assert visitor.value(f"{SOURCE}.code") == code
+    assert name in visitor.text("#replay-source")
+    assert "the embedded sample" in visitor.text("#replay-source"), "what is still open"
     assert visitor.value(READOUT) == before
     visitor.value("document.querySelector('#replay-next').click()")
     visitor.wait(f"{READOUT}.includes('Movement 2 of')")
@@ -135,16 +126,16 @@ def test_a_bad_file_is_named_with_the_reason_and_the_page_goes_on(
 def test_a_folder_is_named_as_one(visitor: Visitor, tmp_path: Path) -> None:
     (tmp_path / "week").mkdir()
     drop(visitor, [tmp_path / "week"])
-    visitor.wait(f"{SAID}.startsWith('Not opened: ')")
-    assert visitor.text("#replay-source").startswith("Not opened: week cannot be read: is it a folder?")
+    visitor.wait(f"{SOURCE}.code === 'unreadable'")
+    assert "week" in visitor.text("#replay-source")
 
 
 def test_two_recordings_at_once_are_refused(visitor: Visitor, tmp_path: Path) -> None:
     for name in ("monday.csv", "tuesday.csv"):
         (tmp_path / name).write_text(HEAD + SOUND, encoding="utf-8")
     drop(visitor, [tmp_path / "monday.csv", tmp_path / "tuesday.csv"])
-    visitor.wait(f"{SAID}.startsWith('Not opened: ')")
-    assert "one recording at a time: monday.csv, tuesday.csv are several" in visitor.text("#replay-source")
+    visitor.wait(f"{SOURCE}.code === 'several'")
+    assert "monday.csv, tuesday.csv" in visitor.text("#replay-source")
 
 
 def test_a_movement_that_the_service_refuses_does_not_stop_the_others(
@@ -154,7 +145,8 @@ def test_a_movement_that_the_service_refuses_does_not_stop_the_others(
     wild = "".join(f"u,wild,{i / 50},{1e300 * i},0\n" for i in range(5))
     (tmp_path / "wild.csv").write_text(HEAD + wild + SOUND, encoding="utf-8")
     drop(visitor, [tmp_path / "wild.csv"])
-    visitor.wait(f"{READOUT}.startsWith('Movement 1 cannot be shown: ')")
+    visitor.wait("!document.querySelector('#replay-retry').hidden")
+    assert "Movement 1" in visitor.value(READOUT)
     assert visitor.value("document.querySelector('#replay-play').disabled")
     visitor.value("document.querySelector('#replay-next').click()")
     visitor.wait(f"{READOUT}.includes('Movement 2 of 2')")

@@ -180,7 +180,7 @@ def test_a_clicked_tile_is_judged_by_how_early_it_was_proposed(visitor: Visitor)
 KNOWN = """import("/web/live/movement.js").then(({ Movement }) => {
   const movement = new Movement();
   movement.move(ROWS);
-  for (const [t, x] of SAID) movement.predicted(0, { t, x, y: x === null ? null : 0 }, "it");
+  for (const [t, x] of SAID) movement.addPrediction(0, { t, x, y: x === null ? null : 0 }, "it");
   return movement.verdict();
 })"""
 
@@ -206,8 +206,8 @@ def test_known_is_what_stays_known_until_the_arrival(
     found = visitor.value(KNOWN.replace("ROWS", json.dumps(rows)).replace("SAID", json.dumps(said)))
     assert found["arrival"] == pytest.approx(0.97)
     assert found["reached"] == pytest.approx(0.9)
-    spoke = found["spoke"][0]["lead_s"] if found["spoke"] else None
-    assert spoke == (None if lead_s is None else pytest.approx(lead_s))
+    lead = found["predictors"][0]["lead_s"] if found["predictors"] else None
+    assert lead == (None if lead_s is None else pytest.approx(lead_s))
 
 
 def test_the_demo_shows_everything_before_anybody_moves(visitor: Visitor, url: str) -> None:
@@ -327,7 +327,7 @@ def test_every_word_of_the_numbers_and_every_predictor_is_explained(visitor: Vis
     explained = {
         word.lower()
         for word in visitor.value(
-            "[...document.querySelectorAll('#live-words dt')].map((one) => one.textContent)"
+            "[...document.querySelectorAll('#live-glossary dt')].map((one) => one.textContent)"
         )
     }
     assert set(REGISTRY) <= explained

@@ -31,7 +31,7 @@ for (const of in seen) {
 """
 DRAWN = "Number(document.querySelector('#device-scene').dataset.drawn ?? 0)"
 EVENTS = "Number(document.querySelector('#device-scene').dataset.events ?? 0)"
-SAID = "document.querySelector('#device-said').textContent"
+STATE = "document.querySelector('#device-status').dataset.state"
 
 
 @pytest.fixture(scope="module")
@@ -47,7 +47,7 @@ def visitor(one: Visitor, service: tuple[Running, Attachment]) -> Iterator[Visit
     one.prefer(prefers_color_scheme="light")
     one.resize(1280, 720)
     one.open(f"{service[0].url}#live")
-    one.wait(f"{SAID} === 'Attached.'")
+    one.wait(f"{STATE} === 'attached'")
     one.wait("document.querySelector('#live-card-0 .connection').dataset.state === 'open'")
     yield one
     assert one.complaints() == []
@@ -63,8 +63,8 @@ def test_its_movements_and_predictions_are_drawn(
 ) -> None:
     _, made = service
     assert visitor.text("#device-name") == "a made-up mouse"
-    assert "motor space" in visitor.text("#device-words")
-    assert "800 counts per inch" in visitor.text("#device-words")
+    assert "motor space" in visitor.text("#device-description")
+    assert "800 counts per inch" in visitor.text("#device-description")
     to_the_device(visitor)
     visitor.value(SEEN)
     visitor.gather_colours("#device-scene")
@@ -96,10 +96,10 @@ def test_losses_and_an_unplugged_device_are_told(
     mouse.unreadable, mouse.plugged = 3, False
     try:
         visitor.wait(f"{losses}.title === '3 unreadable'")
-        visitor.wait(f"{SAID}.startsWith('Unplugged')")
+        visitor.wait(f"{STATE} === 'unplugged'")
     finally:
         mouse.unreadable, mouse.plugged = 0, True
-    visitor.wait(f"{SAID} === 'Attached.'")
+    visitor.wait(f"{STATE} === 'attached'")
 
 
 def test_silence_is_told(visitor: Visitor, service: tuple[Running, Attachment]) -> None:
@@ -107,12 +107,13 @@ def test_silence_is_told(visitor: Visitor, service: tuple[Running, Attachment]) 
     session.note = lambda: silence(session.source)
     to_the_device(visitor)
     try:
-        visitor.wait(f"{SAID}.startsWith('Nothing moves. Listening to /dev/nowhere')")
+        status = "document.querySelector('#device-status').textContent"
+        visitor.wait(f"{status}.includes('/dev/nowhere')")
         fits = "document.documentElement.scrollWidth <= document.documentElement.clientWidth"
         assert visitor.value(fits)
     finally:
         session.note = said
-    visitor.wait(f"{SAID} === 'Attached.'")
+    visitor.wait(f"{STATE} === 'attached'")
 
 
 def test_another_view_lets_it_go_and_coming_back_finds_it(
@@ -138,9 +139,9 @@ def test_another_view_lets_it_go_and_coming_back_finds_it(
 def test_keys_lead_to_it(visitor: Visitor) -> None:
     for _ in range(8):
         visitor.press("Tab")
-        if visitor.value("document.activeElement.id") == "device-go":
+        if visitor.value("document.activeElement.id") == "device-link":
             break
-    assert visitor.value("document.activeElement.id") == "device-go"
+    assert visitor.value("document.activeElement.id") == "device-link"
     assert visitor.value("getComputedStyle(document.activeElement).outlineStyle") == "solid"
     visitor.value("document.activeElement.click()")
     assert visitor.value("document.activeElement.id") == "live-device-title"
@@ -158,11 +159,11 @@ def test_nothing_is_wider_than_the_window_or_covers_anything(
     to_the_device(visitor)
     assert visitor.value("document.documentElement.scrollWidth <= document.documentElement.clientWidth")
     parts = [
-        "#device-said",
-        "#device-shown .picture",
-        "#device-shown .side",
+        "#device-status",
+        "#device-view .picture",
+        "#device-view .side",
         "#device-gain",
-        "#device-gain-said",
+        "#device-gain-summary",
     ]
     found = f"{json.dumps(parts)}.map((part) => document.querySelector(part).getBoundingClientRect())"
     boxes = visitor.value(f"{found}.map(({{ x, y, width, height }}) => [x, y, width, height])")  # all at once
@@ -195,7 +196,7 @@ def test_the_gain_curve_is_drawn_with_the_speeds_that_were_shown(
     service[1].feed.curve = Curve(curve.words, curve)
     visitor.wait("document.querySelector('#device-gain').dataset.points === '41'")
     low, high = curve.excited
-    said = visitor.text("#device-gain-said")
+    said = visitor.text("#device-gain-summary")
     assert said.startswith(f"Identified between {low:.3f} and {high:.3f} m/s of the hand")
     assert said.endswith("Closest: constant.")
     until(lambda: pixels(visitor, "#device-gain") - before > {LIGHT["endpoint"]}, "the curve to be drawn")
@@ -205,9 +206,8 @@ def test_where_nothing_is_learnt_the_reason_stands(
     visitor: Visitor, service: tuple[Running, Attachment]
 ) -> None:
     service[1].feed.curve = Curve("a transfer function is learnt from counts and the screen's cursor")
-    visitor.wait(
-        "document.querySelector('#device-gain-said').textContent.startsWith('A transfer function is learnt')"
-    )
+    shown = "document.querySelector('#device-gain-summary').textContent"
+    visitor.wait(f"{shown} === 'A transfer function is learnt from counts and the screen\\'s cursor.'")
 
 
 def test_the_picture_follows_a_device_that_no_window_bounds(visitor: Visitor) -> None:
@@ -233,16 +233,17 @@ def test_the_picture_follows_a_device_that_no_window_bounds(visitor: Visitor) ->
 def test_without_a_device_the_page_says_how_to_attach_one(one: Visitor) -> None:
     with running() as here:
         one.open(here.url)
-        one.wait(f"{SAID}.includes('pointpred live --serve')")
-        assert one.value("getComputedStyle(document.querySelector('#device-go')).visibility") == "hidden"
-        assert one.value("document.querySelector('#device-shown').hidden")
+        one.wait(f"{STATE} === 'none'")
+        assert "pointpred live --serve" in one.text("#device-status")
+        assert one.value("getComputedStyle(document.querySelector('#device-link')).visibility") == "hidden"
+        assert one.value("document.querySelector('#device-view').hidden")
         assert one.complaints() == []
         assert one.shift() < 0.001
 
 
-def test_a_service_that_has_gone_is_told_and_waited_for(tmp_path: Path) -> None:
+def test_a_lost_service_is_shown_and_tried_again(tmp_path: Path) -> None:
     with page_browser.visitor(tmp_path) as visitor:
         with attached() as (here, _):
             visitor.open(here.url)
-            visitor.wait(f"{SAID} === 'Attached.'")
-        until(lambda: "does not answer" in visitor.value(SAID), "the loss to be told")
+            visitor.wait(f"{STATE} === 'attached'")
+        until(lambda: visitor.value(STATE) == "waiting", "the loss to be shown")

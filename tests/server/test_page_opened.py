@@ -38,8 +38,8 @@ def test_an_opened_file_gets_the_predictions_and_scores_of_the_command(
     visitor.choose_files("#replay-file", files)
     visitor.wait("document.querySelector('#replay-readout').textContent.includes('Movement 1 of 3')")
     predicted = visitor.value(
-        "import('/web/replay/stream.js').then(async ({ predictionsAlong }) => {"
-        "const { readFiles } = await import('/web/replay/file.js');"
+        "import('/web/replay/predictions.js').then(async ({ predictionsAlong }) => {"
+        "const { readFiles } = await import('/web/replay/csv.js');"
         "const { movements, dpi, cpi } = await readFiles([...document.querySelector('#replay-file').files]);"
         "return predictionsAlong(movements[1].rows, 'switched', { dpi, cpi }); })"
     )
@@ -47,5 +47,6 @@ def test_an_opened_file_gets_the_predictions_and_scores_of_the_command(
     expected = run(build("switched", cpi=said.cpi, dpi=said.dpi), parts[1])
     for axis, column in (("x", expected.x), ("y", expected.y)):
         assert np.array_equal(np.array(predicted[axis], dtype=float), column, equal_nan=True)
-    visitor.wait("document.querySelector('#replay-scored').textContent.startsWith('3 movements scored')")
+    visitor.wait("document.querySelector('#replay-score-status').dataset.state === 'done'")
+    assert visitor.text("#replay-score-status").startswith("3 movements scored")
     visitor.wait("document.querySelectorAll('#replay-scores tbody tr[data-px]').length > 1")

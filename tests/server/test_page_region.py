@@ -186,14 +186,15 @@ def test_a_region_beyond_the_picture_tints_nothing_and_its_number_says_no_more(v
 
 SIZES = [3736.0, 6030.0, 876.0, 596.0, 1497.0, 2441.0]
 """Lengths that the page once drew within 0.3 s."""
-FOLLOWED = """import("/web/drawing/regions.js").then(({ CalmRegions, regionsOf }) => {
-  const calm = new CalmRegions();
+FOLLOWED = """import("/web/drawing/regions.js").then(({ SmoothRegions, regionsOf }) => {
+  const smooth = new SmoothRegions();
   const region = (square) => ({ sxx: square, sxy: 0.2 * square, syy: 0.5 * square, tail: 3 });
   const claim = (px) => ({ x: 1, y: 2, region: region(px * px) });
-  const drawn = SIZES.flatMap((px, i) => [0, 16, 32].map((ms) => calm.follow(claim(px), 48 * i + ms).inner));
-  for (let ms = 300; ms <= 1300; ms += 16) calm.follow(claim(100), ms);
-  const late = calm.follow(claim(100), 1316);
-  return { drawn, late, wanted: regionsOf(claim(100)), none: calm.follow(null, 1320) };
+  const at = (px, ms) => smooth.update(claim(px), ms).inner;
+  const drawn = SIZES.flatMap((px, i) => [0, 16, 32].map((ms) => at(px, 48 * i + ms)));
+  for (let ms = 300; ms <= 1300; ms += 16) smooth.update(claim(100), ms);
+  const late = smooth.update(claim(100), 1316);
+  return { drawn, late, wanted: regionsOf(claim(100)), none: smooth.update(null, 1320) };
 })"""
 
 
@@ -210,15 +211,15 @@ def test_a_region_glides_and_never_flashes(visitor: Visitor) -> None:
 
 def test_a_region_turns_the_short_way(visitor: Visitor) -> None:
     angles = visitor.value(
-        """import("/web/drawing/regions.js").then(({ CalmRegions }) => {
-          const calm = new CalmRegions();
+        """import("/web/drawing/regions.js").then(({ SmoothRegions }) => {
+          const smooth = new SmoothRegions();
           const claim = (turn) => {
             const [c, s] = [Math.cos(turn), Math.sin(turn)];
             const [sxx, sxy, syy] = [900 * c * c + 100 * s * s, 800 * s * c, 900 * s * s + 100 * c * c];
             return { x: 0, y: 0, region: { sxx, sxy, syy, tail: null } };
           };
-          calm.follow(claim(1.5), 0);
-          return [16, 32, 48, 64].map((ms) => calm.follow(claim(1.7), ms).inner.angle);
+          smooth.update(claim(1.5), 0);
+          return [16, 32, 48, 64].map((ms) => smooth.update(claim(1.7), ms).inner.angle);
         })"""
     )
     turned = np.mod(angles, math.pi)
@@ -245,10 +246,10 @@ def test_nothing_of_a_prediction_stays_at_rest(visitor: Visitor) -> None:
 
 def test_it_fades_within_a_fifth_of_a_second_and_a_resting_pointer_has_none(visitor: Visitor) -> None:
     shown = visitor.value(
-        """import("/web/live/card.js").then(async ({ markOf, opacityAfter }) => {
-          const { CalmRegions } = await import("/web/drawing/regions.js");
+        """import("/web/live/prediction.js").then(async ({ markOf, opacityAfter }) => {
+          const { SmoothRegions } = await import("/web/drawing/regions.js");
           const one = (phase) => ({ x: 1, y: 2, phase, region: { sxx: 4, sxy: 0, syy: 4, tail: null } });
-          const mark = (phase, ms) => markOf(one(phase), new CalmRegions(), 0, opacityAfter(ms)) !== null;
+          const mark = (phase, ms) => markOf(one(phase), new SmoothRegions(), 0, opacityAfter(ms)) !== null;
           const seen = [["ballistic", 0], ["corrective", 199], ["ballistic", 200], ["still", 0]];
           return [...seen.map(([phase, ms]) => mark(phase, ms)), opacityAfter(100)];
         })"""

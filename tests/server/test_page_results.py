@@ -42,13 +42,13 @@ def give(visitor: Visitor, folder: Path, trials: range) -> None:
     whole = sample()
     rows, about = [whole.rows(i) for i in trials], [whole.trials[i] for i in trials]
     [samples, _] = write(Recording.of("study", rows, about), folder / "study_samples.csv")
-    visitor.value("document.querySelector('#replay-scored').textContent = ''")
+    visitor.value("document.querySelector('#replay-score-status').dataset.state = ''")
     visitor.value(
         "{ const held = new DataTransfer(); const file = document.querySelector('#replay-file');"
         f"held.items.add(new File([{json.dumps(samples.read_text())}], 'study.csv'));"
         "file.files = held.files; file.dispatchEvent(new Event('change')); }"
     )
-    visitor.wait("/^[0-9]+ movements? scored/.test(document.querySelector('#replay-scored').textContent)")
+    visitor.wait("document.querySelector('#replay-score-status').dataset.state === 'done'")
 
 
 @pytest.fixture(scope="module")
@@ -100,7 +100,7 @@ def test_the_table_begins_with_the_lowest_error(visitor: Visitor) -> None:
     assert len(errors) > 5
     assert errors == sorted(errors)
     first, least = names(visitor)[0], errors[0]
-    said = visitor.text("#replay-scored")
+    said = visitor.text("#replay-score-status")
     assert f"{first}, {least:.1f} px" in said
     hold = errors[names(visitor).index("hold")]
     assert f"{100 * (1 - least / hold):.0f} %" in said
@@ -183,7 +183,7 @@ def test_one_movement_has_no_interval(visitor: Visitor, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("view", ["circle", "replay"])
 def test_the_words_of_a_table_are_explained_below_it(visitor: Visitor, view: str) -> None:
-    details = f"document.querySelector('#{view}-result details.words')"
+    details = f"document.querySelector('#{view}-result details.glossary')"
     assert visitor.value(f"{details}.open") is False
     pairs = f"[...{details}.querySelectorAll('dl > div')]"
     told = visitor.value(f"{pairs}.map((pair) => [...pair.children].map({TEXT}))")

@@ -14,7 +14,8 @@ from tests.server.page_browser import Visitor
 
 pytestmark = browser.needed
 
-SAID, READOUT, ROWS = "#circle-said", "#replay-readout", "#circle-scores tbody td"
+STATUS, READOUT, ROWS = "#circle-status", "#replay-readout", "#circle-scores tbody td"
+STATE = f"document.querySelector('{STATUS}').dataset.state"
 TABLE = "user,trial,t_s,x_px,y_px\n" + "".join(f"u,one,{i / 50},{i * i},0\n" for i in range(40))
 SILENT = """
 window.WebSocket = class { close() {} };
@@ -73,7 +74,7 @@ def test_a_view_first_opened_without_the_service_works_once_it_is_back(visitor: 
     visitor.open(f"{url}#live")
     refuse(visitor, "*/v1/*", "*/web/circle*")
     press(visitor, "#tab-circle")
-    visitor.wait(f"document.querySelector('{SAID}').textContent.startsWith('Not working: ')")
+    visitor.wait(f"document.querySelector('{STATUS}').dataset.failed === 'true'")
     refuse(visitor)
     visitor.wait("!document.querySelector('#circle-start').disabled")
 
@@ -83,7 +84,7 @@ def test_a_file_that_stalls_leaves_what_is_shown(visitor: Visitor, url: str) -> 
     visitor.wait("!document.querySelector('#replay-play').disabled")
     visitor.value(SILENT)
     give(visitor, "slow.csv", TABLE)
-    visitor.wait("document.querySelector('#replay-source').textContent === 'Reading…'")
+    visitor.wait("document.querySelector('#replay-source').dataset.state === 'reading'")
     press(visitor, "#replay-next")
     count = len(sample().trials)
     visitor.wait(f"document.querySelector('{READOUT}').textContent.includes('Movement 2 of {count}')")
@@ -94,13 +95,14 @@ def test_a_file_that_stalls_leaves_what_is_shown(visitor: Visitor, url: str) -> 
 def test_a_first_movement_that_did_not_come_can_be_asked_for_again(visitor: Visitor, url: str) -> None:
     refuse(visitor, "*/v1/samples/*")
     visitor.open(f"{url}#replay")
-    visitor.wait("!document.querySelector('#replay-again').hidden")
-    assert visitor.text(READOUT) == "Movement 1 cannot be shown: the service cannot be reached."
+    visitor.wait("!document.querySelector('#replay-retry').hidden")
+    assert "Movement 1" in visitor.text(READOUT)
+    assert visitor.value("document.querySelector('#replay-play').disabled")
     refuse(visitor)
-    press(visitor, "#replay-again")
+    press(visitor, "#replay-retry")
     visitor.wait("!document.querySelector('#replay-play').disabled")
     assert "Movement 1 of" in visitor.text(READOUT)
-    assert visitor.value("document.querySelector('#replay-again').hidden")
+    assert visitor.value("document.querySelector('#replay-retry').hidden")
 
 
 def test_a_run_whose_circle_no_longer_fits_is_stopped(visitor: Visitor, url: str) -> None:
@@ -108,10 +110,10 @@ def test_a_run_whose_circle_no_longer_fits_is_stopped(visitor: Visitor, url: str
     press(visitor, "#circle-start")
     visitor.resize(1270, 715)
     visitor.value("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
-    assert "click the filled target" in visitor.text(SAID)
+    assert visitor.value(STATE) == "waiting"
     visitor.resize(390, 844)
-    visitor.wait(f"document.querySelector('{SAID}').textContent.startsWith('Stopped.')")
-    assert visitor.text(SAID).endswith("The window has become too small for this circle.")
+    visitor.wait(f"{STATE} === 'stopped'")
+    assert visitor.text(STATUS) != "Stopped.", "the reason is given"
 
 
 def test_scores_that_did_not_come_are_asked_for_again(visitor: Visitor, url: str) -> None:
@@ -133,14 +135,13 @@ def test_scores_that_did_not_come_are_asked_for_again(visitor: Visitor, url: str
         place = end
     state = "document.querySelector('#circle-result').dataset.state"
     visitor.wait(f"{state} === 'failed'")
-    assert visitor.text("#circle-scored").startswith("Not scored: the service cannot be reached.")
     cells = f"[...document.querySelectorAll('{ROWS}')].map((one) => one.textContent)"
     assert "…" not in visitor.value(cells)
     refuse(visitor)
-    press(visitor, "#circle-again")
+    press(visitor, "#circle-rescore")
     visitor.wait(f"{state} === 'done'")
-    assert visitor.text("#circle-scored").startswith("3 movements scored")
-    assert visitor.value("document.querySelector('#circle-again').disabled")
+    assert visitor.text("#circle-score-status").startswith("3 movements scored")
+    assert visitor.value("document.querySelector('#circle-rescore').disabled")
 
 
 def test_rows_and_words_do_not_move_what_stands_beside_them(visitor: Visitor, url: str) -> None:
@@ -154,7 +155,8 @@ def test_rows_and_words_do_not_move_what_stands_beside_them(visitor: Visitor, ur
         "{ const row = document.querySelector('#circle-rows').insertRow();"
         "for (const words of ['50.41', '12.34 s', '1234.5', '1234.5', '-12.34'])"
         "row.insertCell().append(words);"
-        "row.className = 'missed'; document.querySelector('#circle-said').textContent = 'word '.repeat(99); }"
+        "row.className = 'missed';"
+        "document.querySelector('#circle-status').textContent = 'word '.repeat(99); }"
     )
     assert visitor.value(places) == before
 
@@ -165,12 +167,13 @@ def test_a_distance_of_the_pages_own_follows_the_targets(visitor: Visitor, url: 
     for targets in (3, 41):
         enter(visitor, "targets", targets)
         press(visitor, "#circle-start")
-        assert "click the filled target" in visitor.text(SAID)
+        assert visitor.value(STATE) == "waiting"
         press(visitor, "#circle-stop")
     enter(visitor, "distance", 900)
     enter(visitor, "targets", 3)
     press(visitor, "#circle-start")
-    assert visitor.text(SAID).startswith("There is room for a distance of at most")
+    assert visitor.value(STATE) == "invalid"
+    assert visitor.value("document.activeElement.name") == "distance"
 
 
 def test_a_refused_setting_is_seen_and_reached(visitor: Visitor, url: str) -> None:
@@ -181,12 +184,12 @@ def test_a_refused_setting_is_seen_and_reached(visitor: Visitor, url: str) -> No
         field = f"document.querySelector('[name={name}]')"
         assert visitor.value("document.activeElement.name") == name
         assert visitor.value(f"{field}.getAttribute('aria-invalid')") == "true"
-        assert visitor.value(f"{field}.getAttribute('aria-describedby')") == "circle-said"
+        assert visitor.value(f"{field}.getAttribute('aria-describedby')") == "circle-status"
         assert visitor.value(f"getComputedStyle({field}).borderTopColor") == "rgb(194, 65, 12)"
     enter(visitor, "targets", 13)
     enter(visitor, "distance", 300)
     visitor.wait(
-        "document.querySelectorAll('[aria-invalid=true], [aria-describedby=circle-said]').length === 0"
+        "document.querySelectorAll('[aria-invalid=true], [aria-describedby=circle-status]').length === 0"
     )
 
 
@@ -197,7 +200,7 @@ def test_a_score_stands_in_the_row_that_it_was_asked_for(visitor: Visitor, url: 
         "const body = document.createElement('tbody'), rows = new CircleRows(body);"
         "const add = (number, asked) =>"
         "rows.add({ block: 1, number, start: [0], end: [1], hit: true }, asked);"
-        "const score = (px) => rows.scored({ time_averaged_px: px, hold_px: 1, skill: 0, reason: null });"
+        "const score = (px) => rows.addScore({ time_averaged_px: px, hold_px: 1, skill: 0, reason: null });"
         "add(1, true); rows.clear(); add(2, false); add(3, true); score(11); score(33); score(44);"
         "return [...body.rows].map((row) => row.cells[2].textContent); })"
     )

@@ -1,102 +1,104 @@
-// The mouse lent to the page: raw counts instead of a cursor, until Escape or the page gives it back.
+// The pointer lock: the page gets the counts of the mouse instead of a cursor, until Escape or the page releases it.
 
-/** What is to be said of the counts that a browser gives. */
-export const KINDS = {
+const MOST_COUNTS = 32767;
+
+/** What a browser's counts are. */
+export const COUNTS = {
   raw: "Raw counts: your system's pointer acceleration is off.",
-  adjusted: "This browser gives only accelerated movement: the gain works on top of your system's acceleration.",
-  unknown: "This browser does not say whether your system's pointer acceleration is off.",
+  accelerated: "This browser gives only accelerated movement: the gain applies on top of your system's acceleration.",
+  unknown: "This browser does not tell whether your system's pointer acceleration is off.",
 };
 
-/** Whether this browser can lend its mouse at all. */
-export const lendable = () => "requestPointerLock" in Element.prototype && "onpointerlockchange" in document;
+/** Whether this browser can capture the mouse. */
+export const isSupported = () => "requestPointerLock" in Element.prototype && "onpointerlockchange" in document;
 
-/** Asks for the mouse, raw if that can be had; says which of `KINDS` it is. Needs a click or a key just before. */
+/** Requests the lock, with raw counts if the browser has them. Needs a click or a key just before. @returns {Promise<keyof typeof COUNTS>} */
 async function request(element) {
   try {
-    const asked = element.requestPointerLock({ unadjustedMovement: true });
-    if (asked === undefined) return "unknown"; // a browser from before promises, and before the option
-    await asked;
+    const promise = element.requestPointerLock({ unadjustedMovement: true });
+    if (promise === undefined) return "unknown"; // an older browser, which ignores the option
+    await promise;
     return "raw";
   } catch (error) {
     if (error.name !== "NotSupportedError") throw error;
   }
   await element.requestPointerLock();
-  return "adjusted";
+  return "accelerated";
 }
 
-/** The samples of one dispatch: the coalesced ones where they add up to it. */
-function samples(event) {
+/** The samples of an event: the coalesced ones if they add up to it. */
+function samplesOf(event) {
   const parts = event.getCoalescedEvents?.() ?? [];
-  const sum = (of) => parts.reduce((total, one) => total + one[of], 0);
-  const whole = ["movementX", "movementY"].every((of) => Math.abs(sum(of) - event[of]) < 0.5);
-  return parts.length > 1 && whole ? parts : [event];
+  const sum = (field) => parts.reduce((total, one) => total + one[field], 0);
+  const complete = ["movementX", "movementY"].every((field) => Math.abs(sum(field) - event[field]) < 0.5);
+  return parts.length > 1 && complete ? parts : [event];
 }
 
-/** Lends the mouse to an element. */
-export class Lock {
-  #element; #told; #rest = [0, 0]; #last = -Infinity; #end = null;
+/** Locks the pointer to an element. */
+export class PointerLock {
+  #element; #handlers; #rest = [0, 0]; #last = -Infinity; #end = null;
 
   /**
    * @param {HTMLElement} element
-   * @param {{moved: (counts: {t: number, dx: number, dy: number, buttons: number}[]) => void, pressed: (t: number) => void,
-   *   taken: () => void, given: () => void}} told `given`: the mouse is the person's again
+   * @param {{onMove: (counts: {t: number, dx: number, dy: number, buttons: number}[]) => void, onPress: (t: number) => void,
+   *   onLock: () => void, onRelease: () => void}} handlers
    */
-  constructor(element, told) {
-    [this.#element, this.#told] = [element, told];
-    document.addEventListener("pointerlockchange", () => (this.held ? this.#taken() : this.#given()));
+  constructor(element, handlers) {
+    [this.#element, this.#handlers] = [element, handlers];
+    document.addEventListener("pointerlockchange", () => (this.active ? this.#onLock() : this.#onRelease()));
   }
 
-  get held() {
+  get active() {
     return document.pointerLockElement === this.#element;
   }
 
-  /** Asks for the mouse; says which of `KINDS`, or throws the browser's words. */
-  take() {
+  /** Requests the lock. Throws the browser's error if it refuses. @returns {Promise<keyof typeof COUNTS>} */
+  lock() {
     return request(this.#element);
   }
 
-  give() {
-    if (this.held) document.exitPointerLock();
+  release() {
+    if (this.active) document.exitPointerLock();
   }
 
-  #taken() {
+  #onLock() {
     [this.#rest, this.#last] = [[0, 0], -Infinity];
     this.#end?.abort();
     this.#end = new AbortController();
     const { signal } = this.#end;
-    this.#element.addEventListener("pointermove", (event) => this.#moved(event), { signal });
-    this.#element.addEventListener("pointerdown", (event) => event.button === 0 && this.#pressed(event), { signal });
-    this.#element.addEventListener("pointerup", (event) => this.#moved(event), { signal });
-    window.addEventListener("keydown", ({ key }) => key === "Escape" && this.give(), { signal });
-    this.#told.taken();
+    this.#element.addEventListener("pointermove", (event) => this.#onMove(event), { signal });
+    this.#element.addEventListener("pointerdown", (event) => event.button === 0 && this.#onPress(event), { signal });
+    this.#element.addEventListener("pointerup", (event) => this.#onMove(event), { signal });
+    window.addEventListener("keydown", ({ key }) => key === "Escape" && this.release(), { signal });
+    this.#handlers.onLock();
   }
 
-  #given() {
-    if (this.#end === null) return; // it was another element's
+  #onRelease() {
+    if (this.#end === null) return; // another element had the lock
     this.#end.abort();
     this.#end = null;
-    this.#told.given();
+    this.#handlers.onRelease();
   }
 
-  #pressed(event) {
-    this.#moved(event);
-    this.#told.pressed(event.timeStamp / 1000);
+  #onPress(event) {
+    this.#onMove(event);
+    this.#handlers.onPress(event.timeStamp / 1000);
   }
 
-  #moved(event) {
-    this.#told.moved(samples(event).map((one) => {
+  #onMove(event) {
+    this.#handlers.onMove(samplesOf(event).map((one) => {
       this.#last = Math.max(this.#last, one.timeStamp / 1000);
-      const [dx, dy] = this.#whole([one.movementX, one.movementY]);
+      const [dx, dy] = this.#round([one.movementX, one.movementY]);
       return { t: this.#last, dx, dy, buttons: one.buttons };
     }));
   }
 
-  /** Whole counts: some browsers divide them by the zoom. */
-  #whole(moved) {
-    return moved.map((each, axis) => {
-      const sum = this.#rest[axis] + each, whole = Math.trunc(sum);
+  /** Whole counts: some browsers divide them by the zoom. The fractions are added to the next ones. */
+  #round(counts) {
+    return counts.map((count, axis) => {
+      const sum = this.#rest[axis] + count, whole = Math.trunc(sum);
       this.#rest[axis] = sum - whole;
-      return Math.max(-32767, Math.min(32767, whole));
+      return Math.max(-MOST_COUNTS, Math.min(MOST_COUNTS, whole));
     });
   }
 }

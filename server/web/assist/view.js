@@ -1,41 +1,48 @@
-// The assist view: the mouse lent to the page, its counts mapped by the service's own function, helped or not.
+// The assist view: the page captures the mouse, and the service moves a cursor by its counts, assisted or not.
 
-import { drawAssist } from "./picture.js";
-import { KINDS, Lock, lendable } from "./pointer-lock.js";
-import { Task } from "./task.js";
-import { onRepaint } from "../drawing/canvas.js";
-import { fill, offer, part, write } from "../page/elements.js";
+import { FrameLoop, clearCanvas, colours, onRepaint } from "../drawing/canvas.js";
+import { disc, line } from "../drawing/marks.js";
+import { fillSelect, fillTable, part, write } from "../page/elements.js";
 import { predictors } from "../service/http.js";
-import { Status } from "../service/status.js";
-import { Track } from "../service/track.js";
+import { PredictorConnection } from "../service/predictor-connection.js";
+import { ConnectionStatus } from "../service/status.js";
+import { COUNTS, PointerLock, isSupported } from "./pointer-lock.js";
+import { Task } from "./task.js";
 
-const HELPING_MS = 60;
-const SHOWN_MS = 500;
-const BOUNDS = { cpi: "Counts per inch", gain: "Gain" };
+const ASSISTING_MS = 60;
+const SHOWN_MS = 500; // a prediction is drawn for this long
+const ARM_PX = 9; // of the cursor
+const NUMBERS = { cpi: "Counts per inch", gain: "Gain" };
 
-const canvas = part("assist-scene"), form = part("assist-form"), select = part("assist-predictor"), take = part("assist-take");
-const [said, results, invitation] = ["said", "results", "invitation"].map((of) => part(`assist-${of}`));
-const status = new Status(part("assist-connection"));
+const canvas = part("assist-scene"), form = part("assist-form"), select = part("assist-predictor"), captureButton = part("assist-capture");
+const [message, results, invitation] = ["status", "results", "invitation"].map((of) => part(`assist-${of}`));
+const status = new ConnectionStatus(part("assist-connection"));
+const lock = new PointerLock(canvas, { onMove: move, onPress: press, onLock: begin, onRelease: end });
+const loop = new FrameLoop(draw);
 
 let task = new Task();
-let track = null; // a session lasts as long as the mouse is lent
+let connection = null; // exists while the mouse is captured
 let cursor = null;
-let added = 0;
-let helpedAt = -Infinity;
-let kind = "unknown";
-let asked = null; // what the form asked for when its numbers could last be used
-let why = ""; // why the mouse is given back, where it was not the person's wish
+let addedPx = 0;
+let assistedAt = -Infinity;
+let counts = "unknown";
+let settings = null; // of the form when its numbers were last valid
+let releaseText = ""; // why the mouse is released, if the person has not released it
 
-const lock = new Lock(canvas, { moved, pressed, taken, given });
+/** @param {string} text @param {"invalid"|"captured"|"refused"|"released"|"unsupported"} state */
+function showMessage(text, state) {
+  write(message, text);
+  message.dataset.state = state;
+}
 
-/** What the form asks for; null, said in its place, where a number cannot be used. */
-function wishes() {
-  for (const [name, noun] of Object.entries(BOUNDS)) {
+/** The settings of the form; shows why and returns null if a number is not valid. */
+function readSettings() {
+  for (const [name, label] of Object.entries(NUMBERS)) {
     const { valueAsNumber: value, min, max } = form.elements[name];
-    const fine = value >= Number(min) && value <= Number(max);
-    form.elements[name].setAttribute("aria-invalid", String(!fine));
-    if (!fine) {
-      write(said, `${noun} must be a number from ${min} to ${max}.`);
+    const valid = value >= Number(min) && value <= Number(max);
+    form.elements[name].setAttribute("aria-invalid", String(!valid));
+    if (!valid) {
+      showMessage(`${label} must be a number from ${min} to ${max}.`, "invalid");
       return null;
     }
   }
@@ -43,124 +50,125 @@ function wishes() {
     strength: form.elements.strength.valueAsNumber / 100, alternate: form.elements.alternate.checked };
 }
 
-async function start(event) {
+async function capture(event) {
   event.preventDefault();
-  asked = wishes();
-  if (asked === null || lock.held) return;
-  why = "";
+  settings = readSettings();
+  if (settings === null || lock.active) return;
+  releaseText = "";
   try {
-    kind = await lock.take();
-    if (lock.held) tell();
+    counts = await lock.lock();
+    canvas.dataset.counts = counts;
+    if (lock.active) showTask();
   } catch (error) {
-    write(said, `The browser did not let this page capture the mouse: ${error.message}`);
+    showMessage(`The browser did not let this page capture the mouse: ${error.message}`, "refused");
   }
 }
 
-/** The mouse is ours: the field's middle, a session, a target. */
-function taken() {
-  const { cpi, gain, strength } = asked;
+/** The mouse is captured: starts a session with the cursor in the middle of the field, and the first target. */
+function begin() {
+  const { cpi, gain, strength } = settings;
   const size = [canvas.clientWidth, canvas.clientHeight];
   cursor ??= size.map((each) => Math.round(each / 2));
   cursor = cursor.map((each, axis) => Math.min(each, size[axis] - 1));
-  added = 0;
-  track = new Track(select.value, { state, error: ({ message, recoverable }) => !recoverable && leave(message) },
+  addedPx = 0;
+  connection = new PredictorConnection(select.value, { state: onState, cursor: moveCursor, error: (error) => !error.recoverable && release(error.message) },
     { assist: { strength, gain }, device: { cpi }, screen: { width_px: size[0], height_px: size[1], dpi: 96 } });
-  track.connection.on("cursor", placed);
-  next();
-  tell();
-  requestAnimationFrame(frame);
+  setNextTarget();
+  showTask();
+  loop.start();
 }
 
-function next() {
-  asked = wishes() ?? asked; // the keyboard can still change them
-  const { gain, strength, alternate } = asked;
+function setNextTarget() {
+  settings = readSettings() ?? settings; // the keyboard can still change them
+  const { gain, strength, alternate } = settings;
   task.next(cursor, [canvas.clientWidth, canvas.clientHeight], !alternate);
-  track.connection.configure({ assist: { strength: task.helped ? strength : 0, gain } });
+  connection.setAssistance({ strength: task.assisted ? strength : 0, gain });
 }
 
-function tell() {
-  invitation.classList.toggle("away", lock.held);
-  if (lock.held) write(said, `Click the filled target, and each one after it. ${KINDS[kind]} Escape releases the mouse.`);
-  fill(results, task.table);
+function showTask() {
+  invitation.classList.toggle("away", lock.active);
+  if (lock.active) showMessage(`Click the filled target, and each one after it. ${COUNTS[counts]} Escape releases the mouse.`, "captured");
+  fillTable(results, task.table);
 }
 
-function moved(counts) {
-  if (track === null) return;
-  for (const { t, dx, dy } of counts) if (dx || dy) task.moved(t);
-  track.connection.send(counts.map(({ t, dx, dy, buttons }) => [t, ...cursor, dx, dy, buttons]));
+function move(samples) {
+  if (connection === null) return;
+  for (const { t, dx, dy } of samples) if (dx || dy) task.move(t);
+  connection.send(samples.map(({ t, dx, dy, buttons }) => [t, ...cursor, dx, dy, buttons]));
 }
 
-function pressed(t) {
-  if (task.pressed(cursor, t)) next();
-  tell();
+function press(t) {
+  if (task.press(cursor, t)) setNextTarget();
+  showTask();
 }
 
-function placed({ x, y, added_px: now }) {
+function moveCursor({ x, y, added_px: added }) {
   cursor = [x, y];
-  if (now > added) helpedAt = performance.now();
-  added = now;
-}
-
-function frame() {
-  draw();
-  if (lock.held) requestAnimationFrame(frame);
+  if (added > addedPx) assistedAt = performance.now();
+  addedPx = added;
 }
 
 function draw() {
-  const held = lock.held, now = performance.now();
-  const latest = held && track !== null && now - track.at < SHOWN_MS ? track.latest : null;
-  const prediction = latest?.x == null ? null : [latest.x, latest.y];
-  drawAssist(canvas, { cursor, target: held ? task.target : null, prediction, helps: held && now - helpedAt < HELPING_MS, held });
-  Object.assign(canvas.dataset, { held, x: cursor?.[0] ?? "", y: cursor?.[1] ?? "", added, helped: task.helped,
-    target: [task.target.x, task.target.y].join() });
+  const { active } = lock, now = performance.now(), { target } = task;
+  const latest = active && connection !== null && now - connection.at < SHOWN_MS ? connection.latest : null;
+  const { pen } = clearCanvas(canvas), { target: targetColour, endpoint, text, quiet, past } = colours();
+  if (active) disc(pen, [target.x, target.y], target.width / 2, targetColour, true);
+  if (latest?.x != null) disc(pen, [latest.x, latest.y], 9, endpoint);
+  if (cursor !== null) {
+    const [x, y] = cursor, colour = active ? text : quiet;
+    line(pen, [[x - ARM_PX, y], [x + ARM_PX, y]], colour, 2);
+    line(pen, [[x, y - ARM_PX], [x, y + ARM_PX]], colour, 2);
+    if (active && now - assistedAt < ASSISTING_MS) disc(pen, cursor, ARM_PX + 3, past, false, 2);
+  }
+  Object.assign(canvas.dataset, { captured: active, x: cursor?.[0] ?? "", y: cursor?.[1] ?? "", added: addedPx, assisted: task.assisted,
+    target: [target.x, target.y].join() });
 }
 
-function state(now) {
-  status.say(now, { predictor: select.value, fault: track?.fault });
-  if (now === "waiting" || now === "refused") leave("the service does not answer");
+function onState(state) {
+  status.show(state, { predictor: select.value, error: connection?.error });
+  if (state === "waiting" || state === "refused") release("the service does not answer");
 }
 
-/** Nobody keeps a mouse whose cursor nobody moves. */
-function leave(reason) {
-  why = `The mouse was released: ${reason}.`;
-  lock.give();
+/** Releases the mouse: without the service its cursor does not move. */
+function release(reason) {
+  releaseText = `The mouse was released: ${reason}.`;
+  lock.release();
 }
 
-function given() {
-  track?.close();
-  track = null;
-  tell();
-  write(said, why || `The mouse was released. ${task.done.length ? "Capture it again to go on; the table is kept." : "No target was clicked."}`);
+function end() {
+  loop.stop();
+  connection?.close();
+  connection = null;
+  showTask();
+  showMessage(releaseText || `The mouse was released. ${task.done.length ? "Capture it again to go on; the table is kept." : "No target was clicked."}`, "released");
   draw();
 }
 
-/** Offers the predictors; nothing is connected until the mouse is lent. */
+/** Offers the predictors; the page connects when it captures the mouse. */
 export async function open() {
-  fill(results, task.table);
+  fillTable(results, task.table);
   draw();
-  if (!lendable()) {
-    write(said, "This browser cannot capture the mouse (it has no pointer lock), so this view does not work in it.");
+  if (!isSupported()) {
+    showMessage("This browser cannot capture the mouse (it has no pointer lock), so this view does not work in it.", "unsupported");
     return;
   }
   const listing = await predictors();
-  if (select.disabled) offer(select, listing.predictors, listing.recommended);
-  take.disabled = false;
+  if (select.disabled) fillSelect(select, listing.predictors, listing.recommended);
+  captureButton.disabled = false;
 }
 
-/** Gives the mouse back. */
+/** Releases the mouse. */
 export function close() {
-  lock.give();
+  lock.release();
 }
 
-function showStrength() {
+form.addEventListener("submit", capture);
+form.elements.strength.addEventListener("input", () => {
   const percent = form.elements.strength.valueAsNumber;
   write(part("assist-strength"), percent ? `up to ${percent} % faster` : "none");
-}
-
-form.addEventListener("submit", start);
-form.elements.strength.addEventListener("input", showStrength);
-part("assist-forget").addEventListener("click", () => {
+});
+part("assist-clear").addEventListener("click", () => {
   task = new Task();
-  fill(results, task.table);
+  fillTable(results, task.table);
 });
 onRepaint(draw);

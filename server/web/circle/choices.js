@@ -1,34 +1,34 @@
-// The targets of a circle as the service knows them, and how likely it says that each one is.
+// The targets of a circle at the service: how likely each is, and which one is proposed.
 
-/** Tells the service of the targets, and keeps what it proposes until it retracts it. */
+/** Registers the targets, and follows predictions and choices. */
 export class CircleChoices {
-  /** How likely each target is, 0 to 1; 0 beyond the likeliest five. @type {number[]} */ shares = [];
-  /** The place of the target that is proposed. @type {number|null} */ proposed = null;
+  /** The probability of each target; 0 beyond the likeliest five. @type {number[]} */ probabilities = [];
+  /** The index of the proposed target. @type {number|null} */ proposed = null;
 
-  /** Names the targets of a run. @param {import("/pointpred.js").Connection} connection @param {number[][]} places @param {number} width */
-  offer(connection, places, width) {
+  /** Registers the targets of a run. @param {import("../service/predictor-connection.js").PredictorConnection} connection @param {number[][]} places @param {number} width */
+  register(connection, places, width) {
     this.clear();
-    this.shares = places.map(() => 0);
-    connection.targets(places.map(([x, y], i) => ({ id: String(i), x: x - width / 2, y: y - width / 2, width, height: width })));
+    this.probabilities = places.map(() => 0);
+    connection.setTargets(places.map(([x, y], i) => ({ id: String(i), x: x - width / 2, y: y - width / 2, width, height: width })));
   }
 
   /** @param {import("/pointpred.js").Choice} choice */
-  take({ id, p, action, reason }) {
-    if (this.shares[id] === undefined || reason === "entered") return; // the ring is for predictions
-    this.shares[id] = action === "propose" ? p : 0;
+  addChoice({ id, p, action, reason }) {
+    if (this.probabilities[id] === undefined || reason === "entered") return; // only predictions are shown
+    this.probabilities[id] = action === "propose" ? p : 0;
     if (action === "propose") this.proposed = Number(id);
     else if (this.proposed === Number(id)) this.proposed = null;
   }
 
   /** @param {import("/pointpred.js").Prediction} prediction */
-  predicted({ targets }) {
+  addPrediction({ targets }) {
     if (!targets) return;
-    this.shares.fill(0);
-    for (const { id, p } of targets) if (this.shares[id] !== undefined) this.shares[id] = p;
+    this.probabilities.fill(0);
+    for (const { id, p } of targets) if (this.probabilities[id] !== undefined) this.probabilities[id] = p;
   }
 
   clear() {
-    this.shares.fill(0);
+    this.probabilities.fill(0);
     this.proposed = null;
   }
 }

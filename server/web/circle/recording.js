@@ -1,4 +1,4 @@
-// A circle run as pointpred's own recording: a table of samples and a table of trials, both CSV.
+// A circle run as a recording in pointpred's own format: a table of samples and a table of trials, both CSV.
 
 const USER = "page";
 const SAMPLES = ["dataset", "user", "trial", "t_s", "x_px", "y_px", "buttons"];
@@ -7,34 +7,34 @@ const TRIALS = [
   "block", "distance_px", "from_x", "from_y", "hit", "started_s", "start_x", "start_y",
 ];
 
-/** Numbers print so that they read back to the same bits; null is an empty cell. */
+/** A table as CSV: numbers read back exactly, null is an empty cell. */
 function csv(header, columns, rows) {
-  const head = `# pointpred: ${JSON.stringify({ ...header, version: 1, rows: rows.length })}`;
-  return [head, columns.join(","), ...rows.map((cells) => cells.join(","))].join("\n") + "\n";
+  const firstLine = `# pointpred: ${JSON.stringify({ ...header, version: 1, rows: rows.length })}`;
+  return [firstLine, columns.join(","), ...rows.map((cells) => cells.join(","))].join("\n") + "\n";
 }
 
 const nameOf = ({ block, number }) => `block-${block}-movement-${number}`;
 
 /**
- * The two files of a run. Times are those of the browser's clock, positions px from the picture's upper left corner.
- * A movement without any sample (two presses at once) has no rows and is left out.
+ * The two files of a run. Times are of the browser's clock, positions are px from the upper left corner of the picture.
+ * A movement without samples (two presses at once) is left out.
  * @param {import("./task.js").Trial[]} trials
  * @param {string} name of the set
  * @returns {{samples: {name: string, text: string}, trials: {name: string, text: string}}}
  */
 export function recording(trials, name) {
-  const kept = trials.filter(({ rows }) => rows.length);
+  const complete = trials.filter(({ rows }) => rows.length);
   const provenance = { format: "circle of the live page", clock: "seconds of the browser's clock", dpi: 96, simulated: false };
   const skipped = trials.filter(({ rows }) => !rows.length).map((trial) => [nameOf(trial), "no samples", null, USER]);
-  const samples = kept.flatMap((trial) =>
+  const samples = complete.flatMap((trial) =>
     trial.rows.map(([t, x, y, , , buttons]) => [name, USER, nameOf(trial), t, x, y, buttons]),
   );
-  const described = kept.map((trial) => [
+  const rows = complete.map((trial) => [
     name, USER, nameOf(trial), ...trial.target, trial.width, trial.rows.length,
     trial.block, trial.distance, ...trial.from, Number(trial.hit), ...trial.start.slice(0, 3),
   ]);
   return {
     samples: { name: `${name}_samples.csv`, text: csv({ name, provenance, skipped, notes: [] }, SAMPLES, samples) },
-    trials: { name: `${name}_trials.csv`, text: csv({ name, text: [] }, TRIALS, described) },
+    trials: { name: `${name}_trials.csv`, text: csv({ name, text: [] }, TRIALS, rows) },
   };
 }

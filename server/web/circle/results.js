@@ -1,42 +1,43 @@
-// The end of a circle run: statistics, scores of every predictor, and the recording to save.
+// The result of a circle run: its statistics, the scores of every predictor, and the recording to save.
 
+import { fillTable, part } from "../page/elements.js";
+import { number, percent } from "../page/numbers.js";
+import { Results } from "../results/results.js";
 import { recording } from "./recording.js";
 import { statistics } from "./statistics.js";
-import { fill, number, part, percent } from "../page/elements.js";
-import { Results } from "../results/results.js";
 
 const results = new Results("circle");
 let addresses = [];
 
-function tiles(found) {
-  const told = [
-    ["Throughput", number(found.throughput, 2, "bits/s"), found.throughput],
-    ["Movement time", number(found.movementTime, 3, "s"), found.movementTime],
-    ["Effective width", number(found.effectiveWidth, 1, "px"), found.effectiveWidth],
-    ["Effective distance", number(found.effectiveDistance, 1, "px"), found.effectiveDistance],
-    ["Errors", percent(found.errorRate, 1), found.errorRate],
-    ["Movements", String(found.trials), found.trials],
+function showTiles(run) {
+  const tiles = [
+    ["Throughput", number(run.throughput, 2, "bits/s"), run.throughput],
+    ["Movement time", number(run.movementTime, 3, "s"), run.movementTime],
+    ["Effective width", number(run.effectiveWidth, 1, "px"), run.effectiveWidth],
+    ["Effective distance", number(run.effectiveDistance, 1, "px"), run.effectiveDistance],
+    ["Errors", percent(run.errorRate, 1), run.errorRate],
+    ["Movements", String(run.trials), run.trials],
   ];
-  part("circle-tiles").replaceChildren(...told.map(([name, value, exact]) => {
+  part("circle-tiles").replaceChildren(...tiles.map(([name, text, value]) => {
     const tile = document.createElement("div");
-    const [term, said] = [document.createElement("dt"), document.createElement("dd")];
+    const [term, description] = [document.createElement("dt"), document.createElement("dd")];
     term.textContent = name;
-    said.textContent = value;
-    said.dataset.exact = String(exact);
-    tile.append(term, said);
+    description.textContent = text;
+    description.dataset.exact = String(value);
+    tile.append(term, description);
     return tile;
   }));
 }
 
-function blocks(found) {
+function showBlocks(run) {
   const heads = ["block", "movements", "errors", "time, s", "effective width, px", "effective distance, px", "throughput, bits/s"];
-  fill(part("circle-blocks"), [heads, ...found.blocks.map((one) => [
-    String(one.block), String(one.trials), percent(one.errorRate, 1), number(one.movementTime, 3),
-    number(one.effectiveWidth, 1), number(one.effectiveDistance, 1), number(one.throughput, 2),
+  fillTable(part("circle-blocks"), [heads, ...run.blocks.map((block) => [
+    String(block.block), String(block.trials), percent(block.errorRate, 1), number(block.movementTime, 3),
+    number(block.effectiveWidth, 1), number(block.effectiveDistance, 1), number(block.throughput, 2),
   ])]);
 }
 
-function offerFiles({ samples, trials }) {
+function linkFiles({ samples, trials }) {
   addresses.forEach((address) => URL.revokeObjectURL(address));
   addresses = [["circle-samples", samples], ["circle-trials", trials]].map(([id, { name, text }]) => {
     const link = part(id);
@@ -46,37 +47,37 @@ function offerFiles({ samples, trials }) {
   });
 }
 
-/** The files' name: when the run ended, by the person's own clock. */
-function named(when) {
+/** The name of the files: the local time when the run ended. */
+function nameAt(time) {
   const two = (value) => String(value).padStart(2, "0");
-  const day = [when.getFullYear(), two(when.getMonth() + 1), two(when.getDate())].join("-");
-  return `circle-${day}-${two(when.getHours())}${two(when.getMinutes())}${two(when.getSeconds())}`;
+  const day = [time.getFullYear(), two(time.getMonth() + 1), two(time.getDate())].join("-");
+  return `circle-${day}-${two(time.getHours())}${two(time.getMinutes())}${two(time.getSeconds())}`;
 }
 
 /**
- * Shows a run, then its scores once the service has them.
+ * Shows the statistics of a run, then its scores when the service has computed them.
  * @param {import("./task.js").Trial[]} trials @param {string[]} names of the predictors that will be scored
  */
 export function showResult(trials, names) {
-  const found = statistics(trials);
-  const files = recording(trials, named(new Date()));
-  tiles(found);
-  blocks(found);
-  offerFiles(files);
+  const run = statistics(trials);
+  const files = recording(trials, nameAt(new Date()));
+  showTiles(run);
+  showBlocks(run);
+  linkFiles(files);
   const result = part("circle-result");
   result.hidden = false;
   part("circle-result-title").focus({ preventScroll: true });
   result.scrollIntoView();
-  part("circle-again").onclick = () => showScores(files.samples.text, names);
+  part("circle-rescore").onclick = () => showScores(files.samples.text, names);
   showScores(files.samples.text, names);
 }
 
 async function showScores(csv, names) {
-  const [result, again] = ["circle-result", "circle-again"].map(part);
+  const [result, button] = ["circle-result", "circle-rescore"].map(part);
   result.dataset.state = "scoring";
-  again.disabled = true;
+  button.disabled = true;
   const state = await results.score(csv, names, " You can still save the recording.");
-  if (state === "late") return;
-  again.disabled = state === "done";
+  if (state === "outdated") return;
+  button.disabled = state === "done";
   result.dataset.state = state;
 }

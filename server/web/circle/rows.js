@@ -1,10 +1,10 @@
-// The table of a circle run: a row for each movement, its scores as they come.
+// The table of a circle run: a row for each movement; its scores follow when the service sends them.
 
-import { number } from "../page/elements.js";
+import { number } from "../page/numbers.js";
 
-const SCORES = [2, 3, 4]; // the cells that wait for the service
+const SCORES = [2, 3, 4]; // indices of the cells with scores
 
-/** Rows in the order of their movements, the newest on top; scores come in the same order. */
+/** The newest movement is on top; scores arrive in the order of the movements. */
 export class CircleRows {
   #body; #pending = [];
 
@@ -13,37 +13,37 @@ export class CircleRows {
     this.#body = body;
   }
 
-  /** @param {import("./task.js").Trial} trial @param {boolean} expected whether the service was asked for its score */
-  add({ block, number: which, start, end, hit }, expected) {
+  /** @param {import("./task.js").Trial} trial @param {boolean} scored whether the service will send its score */
+  add({ block, number: index, start, end, hit }, scored) {
     const row = this.#body.insertRow(0);
     row.classList.toggle("missed", !hit);
-    const words = [`${block}.${which}`, number(end[0] - start[0], 2), "…", "…", "…"];
-    for (const word of words) row.insertCell().textContent = word;
-    if (expected) this.#pending.push(row);
-    else this.#without(row);
+    const texts = [`${block}.${index}`, number(end[0] - start[0], 2), "…", "…", "…"];
+    for (const text of texts) row.insertCell().textContent = text;
+    if (scored) this.#pending.push(row);
+    else this.#writeUnscored(row);
   }
 
-  /** Writes the score of the first movement that waits for one. @param {import("/pointpred.js").Score} score */
-  scored({ time_averaged_px: px, hold_px: hold, skill, reason }) {
+  /** Writes the score of the oldest movement without one. @param {import("/pointpred.js").Score} score */
+  addScore({ time_averaged_px: px, hold_px: hold, skill, reason }) {
     const row = this.#pending.shift();
     if (row === undefined) return;
-    const words = reason ? ["none", "–", "–"] : [number(px, 1), number(hold, 1), number(skill, 2)];
-    SCORES.forEach((cell, i) => (row.cells[cell].textContent = words[i]));
+    const texts = reason ? ["none", "–", "–"] : [number(px, 1), number(hold, 1), number(skill, 2)];
+    SCORES.forEach((cell, i) => (row.cells[cell].textContent = texts[i]));
     if (reason) row.title = `Not scored: ${reason}`;
     row.dataset.px = String(px);
   }
 
-  /** Movements whose connection was lost are not scored one by one; the recording keeps them. */
-  lose() {
-    for (const row of this.#pending.splice(0)) this.#without(row);
+  /** The connection is lost: its movements get no score here; they are in the recording. */
+  endSession() {
+    for (const row of this.#pending.splice(0)) this.#writeUnscored(row);
   }
 
-  #without(row) {
+  #writeUnscored(row) {
     for (const cell of SCORES) row.cells[cell].textContent = "–";
     row.title = "Not scored here: the connection was lost";
   }
 
-  /** Forgets the rows, but not how many scores are still to come: a later row must not get them. */
+  /** Removes the rows, but still expects their scores, which must not go to later rows. */
   clear() {
     this.#body.replaceChildren();
   }

@@ -1,4 +1,4 @@
-// The multidirectional task of ISO 9241-411 without a screen: presses in, trials out.
+// The multidirectional task of ISO 9241-411: turns presses into trials.
 
 import { circle } from "./geometry.js";
 
@@ -9,13 +9,13 @@ import { circle } from "./geometry.js";
  *   distance: number, start: Row, end: Row, hit: boolean, rows: Row[]}} Trial `rows`: after `start`, up to `end`
  */
 
-/** Blocks of movements between targets; a block begins with a click on its first target and visits them all. */
+/** Blocks of movements between targets; a block begins with a click on its first target and visits all of them. */
 export class CircleTask {
   /** @type {Trial[]} */ trials = [];
-  /** Presses beside the first target of a block; they begin nothing. */ astray = 0;
+  /** Presses beside the first target of a block, which do not begin it. */ misplaced = 0;
   block = 1;
   done = false;
-  #start = null; #rows = []; #at = 0;
+  #startRow = null; #rows = []; #position = 0;
 
   /**
    * @param {{targets: number, distance: number, width: number, blocks: number, centre: [number, number]}} settings
@@ -30,61 +30,61 @@ export class CircleTask {
     return this.settings.targets * this.settings.blocks;
   }
 
-  /** Whether a movement is going on: otherwise the first target of a block is waited for. */
+  /** Whether a movement is in progress; otherwise the next press begins a block. */
   get running() {
-    return this.#start !== null;
+    return this.#startRow !== null;
   }
 
-  /** The number of the target to select now. */
+  /** The index of the target to select now. */
   get current() {
-    return this.#at % this.settings.targets;
+    return this.#position % this.settings.targets;
   }
 
-  /** Where the target to select now lies. @returns {Goal} */
+  /** The target to select now. @returns {Goal} */
   get goal() {
     const [x, y] = this.places[this.current];
     return { x, y, width: this.settings.width };
   }
 
-  /** Takes in movement. @param {Row[]} rows */
+  /** Adds samples. @param {Row[]} rows */
   move(rows) {
     if (this.running) this.#rows.push(...rows);
   }
 
   /**
-   * Takes in a selection, whose row `move` has had already.
+   * Adds a selection; its row has already been passed to `move`.
    * @param {Row} row
-   * @returns {Trial|null} the trial that it ended
+   * @returns {Trial|null} the trial that it has ended
    */
   select(row) {
     if (this.done) return null;
     if (!this.running) {
-      if (this.#on(row)) this.#begin(row);
-      else this.astray += 1;
+      if (this.#isHit(row)) this.#begin(row);
+      else this.misplaced += 1;
       return null;
     }
     const trial = this.#trial(row);
     this.trials.push(trial);
-    if (this.#at < this.settings.targets) this.#begin(row);
-    else this.#rest();
+    if (this.#position < this.settings.targets) this.#begin(row);
+    else this.#endBlock();
     return trial;
   }
 
-  #on([, x, y]) {
+  #isHit([, x, y]) {
     const goal = this.goal;
     return Math.hypot(x - goal.x, y - goal.y) <= goal.width / 2;
   }
 
   #begin(row) {
-    this.#start = row;
+    this.#startRow = row;
     this.#rows = [];
-    this.#at += 1;
+    this.#position += 1;
   }
 
-  #rest() {
-    this.#start = null;
+  #endBlock() {
+    this.#startRow = null;
     this.#rows = [];
-    this.#at = 0;
+    this.#position = 0;
     if (this.block === this.settings.blocks) this.done = true;
     else this.block += 1;
   }
@@ -92,8 +92,8 @@ export class CircleTask {
   #trial(row) {
     const { width, distance } = this.settings;
     return {
-      block: this.block, number: this.#at, from: this.places[this.#at - 1], target: this.places[this.current],
-      width, distance, start: this.#start, end: row, hit: this.#on(row), rows: this.#rows,
+      block: this.block, number: this.#position, from: this.places[this.#position - 1], target: this.places[this.current],
+      width, distance, start: this.#startRow, end: row, hit: this.#isHit(row), rows: this.#rows,
     };
   }
 }

@@ -1,202 +1,207 @@
-// The circle view: settings, the run, a row for each movement as it is scored.
+// The circle view: the settings, the run, and a row for each movement as it is scored.
 
-import { showResult } from "./results.js";
-import { CircleChoices } from "./choices.js";
-import { CircleRows } from "./rows.js";
-import { fits, overlap, readSettings, suit } from "./settings.js";
-import { CircleTask } from "./task.js";
-import { onRepaint } from "../drawing/canvas.js";
-import { drawCircle } from "./picture.js";
-import { count, offer, part, write } from "../page/elements.js";
-import { circle } from "./geometry.js";
+import { FrameLoop, onRepaint } from "../drawing/canvas.js";
+import { fillSelect, part, write } from "../page/elements.js";
 import { Ledger } from "../page/ledger.js";
-import { follow } from "../page/pointer.js";
+import { count } from "../page/numbers.js";
+import { listenToPointer } from "../page/pointer.js";
 import { predictors } from "../service/http.js";
-import { Status } from "../service/status.js";
-import { Track } from "../service/track.js";
+import { PredictorConnection } from "../service/predictor-connection.js";
+import { ConnectionStatus } from "../service/status.js";
+import { CircleChoices } from "./choices.js";
+import { circle } from "./geometry.js";
+import { drawCircle } from "./picture.js";
+import { showResult } from "./results.js";
+import { CircleRows } from "./rows.js";
+import { fitDistance, fitsPicture, overlapWarning, readSettings } from "./settings.js";
+import { CircleTask } from "./task.js";
 
-const FRESH_MS = 500;
-const READY = ["open", "idle"]; // states of a connection in which a run can start: a sleeping one wakes
-const DOWN = "Start is off: the service does not answer. Is it still running? The page tries again by itself.";
+const SHOWN_MS = 500; // a prediction is drawn for this long
+const READY = ["open", "idle"]; // states of a connection in which a run can start: the next event opens an idle one
+const DOWN = "Start is disabled: the service does not answer. Is it still running? The page tries again by itself.";
 
 const [canvas, form, startButton, stopButton] = ["circle-scene", "circle-form", "circle-start", "circle-stop"].map(part);
-const [said, progress] = ["circle-said", "circle-progress"].map(part);
-const status = new Status(part("circle-connection"));
+const [runStatus, progress, ledgerLine] = ["circle-status", "circle-progress", "circle-ledger"].map(part);
+const status = new ConnectionStatus(part("circle-connection"));
 const rows = new CircleRows(part("circle-rows"));
 const choices = new CircleChoices();
+const loop = new FrameLoop(frame);
 
 let active = false;
-let drawing = false;
-let offered = false;
-let news = part("circle-said").textContent; // what is said of the run
-let edited = false; // whether the distance is the person's own
-let marked = false; // whether the service knows where the movement that goes on began
-let names = []; // of every predictor
-/** @type {Track|null} */ let track = null;
+let filled = false; // whether the predictors are offered
+let run = { text: runStatus.textContent, state: "ready" }; // what is shown of the run
+let edited = false; // whether the person has set the distance
+let started = false; // whether the service knows where the current movement began
+let names = []; // of all predictors
+/** @type {PredictorConnection|null} */ let connection = null;
 let ledger = new Ledger();
 /** @type {CircleTask|null} */ let task = null;
 
-function goal() {
-  const { x, y, width } = task.goal;
-  return { x, y, width };
-}
+const isRunning = () => task !== null && !task.done;
 
-function moved(events) {
-  if (task === null || task.done) return;
+function move(events) {
+  if (!isRunning()) return;
   task.move(events);
-  track?.connection.send(events);
+  connection?.send(events);
 }
 
-/** A press selects; a finger has no path but while it touches, so that its lifting selects. */
-function selected(row) {
-  if (task === null || task.done) return;
+/** A press selects a target; a finger selects by lifting, because it has no path before it touches. */
+function select(row) {
+  if (!isRunning()) return;
   const trial = task.select(row);
   if (trial !== null) {
-    if (marked) track.connection.trial("end", { x: trial.target[0], y: trial.target[1], width: trial.width });
-    rows.add(trial, marked);
+    if (started) connection.trial("end", { x: trial.target[0], y: trial.target[1], width: trial.width });
+    rows.add(trial, started);
   }
-  marked = task.running && track?.connection.state === "open";
-  if (marked) track.connection.trial("start", goal());
-  canvas.dataset.target = JSON.stringify(task.done ? null : { ...goal(), running: task.running });
-  tell();
+  started = task.running && connection?.state === "open";
+  if (started) connection.trial("start", task.goal);
+  canvas.dataset.target = JSON.stringify(task.done ? null : { ...task.goal, running: task.running });
+  showProgress();
   if (task.done) finish();
 }
 
-/** Says how the run stands; while none goes on and the service is down, says that instead. */
-function announce(words = news) {
-  news = words;
-  const idle = task === null || task.done;
-  write(said, idle && ["waiting", "refused"].includes(status.state) ? DOWN : news);
+/**
+ * Shows how the run stands; between runs, that the service does not answer if so.
+ * @param {string} [text] @param {"ready"|"invalid"|"waiting"|"running"|"done"|"stopped"|"cancelled"} [state]
+ */
+function showRunStatus(text = run.text, state = run.state) {
+  run = { text, state };
+  const down = !isRunning() && ["waiting", "refused"].includes(status.state);
+  write(runStatus, down ? DOWN : text);
+  runStatus.dataset.state = down ? "down" : state;
 }
 
-function tell() {
+function showProgress() {
   const misses = task.trials.filter(({ hit }) => !hit).length;
   progress.max = task.total;
   progress.value = task.trials.length;
-  const counted = `${task.trials.length} of ${task.total} movements, ${misses} missed`;
-  if (task.done) announce(`Done: ${counted}. The result is below.`);
-  else if (!task.running) announce(`Block ${task.block} of ${task.settings.blocks}: click the filled target to begin. ${counted}.`);
-  else announce(`Block ${task.block} of ${task.settings.blocks}: ${counted}.`);
+  const counts = `${task.trials.length} of ${task.total} movements, ${misses} missed`;
+  if (task.done) showRunStatus(`Done: ${counts}. The result is below.`, "done");
+  else if (!task.running) showRunStatus(`Block ${task.block} of ${task.settings.blocks}: click the filled target to begin. ${counts}.`, "waiting");
+  else showRunStatus(`Block ${task.block} of ${task.settings.blocks}: ${counts}.`, "running");
 }
 
-function stateOf(state) {
-  status.say(state, { predictor: form.elements.predictor.value, fault: track?.fault });
+function onState(state) {
+  status.show(state, { predictor: form.elements.predictor.value, error: connection?.error });
   startButton.disabled = !READY.includes(state);
-  announce();
+  showRunStatus();
   if (state === "open") return;
-  marked = false; // a session opened again knows of no movement
-  rows.lose();
+  started = false; // a new session does not know the movement
+  rows.endSession();
   choices.clear();
 }
 
+function onScore(score) {
+  rows.addScore(score);
+  ledger.addScore(score);
+  write(ledgerLine, ledger.summary);
+}
+
 function connectWith(predictor) {
-  if (track?.predictor === predictor && track.connection.state !== "closed") return;
-  track?.close();
-  track = null;
-  track = new Track(predictor, {
-    state: stateOf,
-    score: (score) => { rows.scored(score); ledger.add(score); write(part("circle-ledger"), ledger.words); },
-    prediction: (prediction) => choices.predicted(prediction),
-    choice: (choice) => choices.take(choice),
-    error: ({ code }) => code === "out_of_place" && rows.lose(),
-  }, { encoding: "json" }); // packed predictions have no room for shares
+  if (connection?.predictor === predictor && connection.state !== "closed") return;
+  connection?.close();
+  connection = null;
+  connection = new PredictorConnection(predictor, {
+    state: onState,
+    score: onScore,
+    prediction: (prediction) => choices.addPrediction(prediction),
+    choice: (choice) => choices.addChoice(choice),
+    error: ({ code }) => code === "out_of_place" && rows.endSession(),
+  }, { encoding: "json" }); // packed predictions have no probabilities of targets
 }
 
 function start() {
   const { settings, problem, field } = readSettings(form, canvas);
   if (problem) {
-    announce(problem);
+    showRunStatus(problem, "invalid");
     field.focus();
     return;
   }
   task = new CircleTask(settings);
   rows.clear();
   ledger = new Ledger();
-  write(part("circle-ledger"), "");
+  write(ledgerLine, "");
   connectWith(form.elements.predictor.value);
-  choices.offer(track.connection, task.places, settings.width);
-  running(true);
-  marked = false;
+  choices.register(connection, task.places, settings.width);
+  setRunning(true);
+  started = false;
   canvas.parentElement.scrollIntoView({ block: "nearest" });
-  canvas.dataset.target = JSON.stringify({ ...goal(), running: false });
-  tell();
+  canvas.dataset.target = JSON.stringify({ ...task.goal, running: false });
+  showProgress();
 }
 
-function running(yes) {
-  if (!yes) choices.clear();
-  startButton.textContent = yes ? "Start again" : "Start";
-  stopButton.disabled = !yes;
-  part("circle-invitation").classList.toggle("away", yes);
-  for (const field of form.elements) if (!["circle-start", "circle-stop"].includes(field.id) && field.name !== "shown") field.disabled = yes;
+function setRunning(running) {
+  if (!running) choices.clear();
+  startButton.textContent = running ? "Start again" : "Start";
+  stopButton.disabled = !running;
+  part("circle-invitation").classList.toggle("away", running);
+  for (const field of form.elements) if (!["circle-start", "circle-stop"].includes(field.id) && field.name !== "shown") field.disabled = running;
 }
 
-function stop(why = "") {
-  if (task === null || task.done) return;
+/** Ends the run early. @param {string} reason a sentence to add */
+function stop(reason = "") {
+  if (!isRunning()) return;
   const trials = task.trials;
   task = null;
-  running(false);
-  announce((trials.length ? `Stopped after ${count(trials.length, "movement")}.` : "Stopped.") + why);
+  setRunning(false);
+  showRunStatus((trials.length ? `Stopped after ${count(trials.length, "movement")}.` : "Stopped.") + reason, "stopped");
   if (trials.length > 1) showResult(trials, names);
 }
 
 function finish() {
-  running(false);
+  setRunning(false);
   showResult(task.trials, names);
 }
 
 function frame() {
-  drawing = active;
-  if (!active) return;
   const { settings, problem } = readSettings(form, canvas);
-  const shown = task ?? { places: circle(settings.distance, settings.centre, settings.targets), settings };
-  const going = task !== null && !task.done;
-  write(part("circle-warning"), problem || going ? "" : overlap(settings));
-  const told = form.elements.shown.checked;
-  const fresh = told && track !== null && performance.now() - track.at < FRESH_MS;
+  const scene = task ?? { places: circle(settings.distance, settings.centre, settings.targets), settings };
+  const running = isRunning(), showsPrediction = running && form.elements.shown.checked;
+  write(part("circle-warning"), problem || running ? "" : overlapWarning(settings));
+  const recent = connection !== null && performance.now() - connection.at < SHOWN_MS;
   drawCircle(canvas, {
-    places: shown.places, width: shown.settings.width, current: going ? task.current : null,
-    last: task?.trials[task.trials.length - 1] ?? null, predicted: going && fresh ? track.latest : null,
-    shares: going && told ? choices.shares : [], proposed: choices.proposed,
+    places: scene.places, width: scene.settings.width, current: running ? task.current : null,
+    last: task?.trials[task.trials.length - 1] ?? null, prediction: showsPrediction && recent ? connection.latest : null,
+    probabilities: showsPrediction ? choices.probabilities : [], proposed: choices.proposed,
   });
-  requestAnimationFrame(frame);
 }
 
-/** Another size of the window: a circle that no longer fits is not gone on with. */
-function resized() {
+/** The window has another size: a run whose circle no longer fits is stopped. */
+function onResize() {
   if (!active) return;
-  if (task === null || task.done) refit();
-  else if (!fits(task, canvas)) stop(" The window has become too small for this circle.");
+  if (!isRunning()) updateDistance();
+  else if (!fitsPicture(task, canvas)) stop(" The window has become too small for this circle.");
 }
 
-/** A distance that the page chose follows what there is room for. */
-function refit() {
-  if (!edited) suit(form, canvas);
+/** Fits the distance to the window unless the person has set it. */
+function updateDistance() {
+  if (!edited) fitDistance(form, canvas);
 }
 
 /** Connects and draws from now on. */
 export async function open() {
   active = true;
-  refit();
-  if (!drawing) requestAnimationFrame(frame);
-  drawing = true;
+  updateDistance();
+  loop.start();
   const listing = await predictors();
-  if (!offered) offer(part("circle-predictor"), listing.predictors, listing.recommended);
-  offered = true;
+  if (!filled) fillSelect(part("circle-predictor"), listing.predictors, listing.recommended);
+  filled = true;
   names = listing.predictors.map(({ name }) => name);
-  announce();
+  showRunStatus();
   if (active) connectWith(form.elements.predictor.value);
 }
 
-/** Gives up a run that goes on, and lets the connection go. */
+/** Cancels the run and closes the connection. */
 export function close() {
-  if (task !== null && !task.done) {
+  if (isRunning()) {
     task = null;
-    running(false);
-    announce("The run was cancelled because another view was opened.");
+    setRunning(false);
+    showRunStatus("The run was cancelled because another view was opened.", "cancelled");
   }
   active = false;
-  track?.close();
-  track = null;
+  loop.stop();
+  connection?.close();
+  connection = null;
 }
 
 if (window.matchMedia("(pointer: coarse)").matches) {
@@ -204,13 +209,13 @@ if (window.matchMedia("(pointer: coarse)").matches) {
 }
 form.addEventListener("submit", (event) => { event.preventDefault(); start(); });
 form.elements.predictor.addEventListener("change", () => active && connectWith(form.elements.predictor.value));
-for (const name of ["targets", "width"]) form.elements[name].addEventListener("input", refit);
+for (const name of ["targets", "width"]) form.elements[name].addEventListener("input", updateDistance);
 form.elements.distance.addEventListener("input", () => (edited = true));
 stopButton.addEventListener("click", () => stop());
-onRepaint(resized);
+onRepaint(onResize);
 document.addEventListener("keydown", (event) => event.key === "Escape" && active && stop());
-follow(canvas, {
-  moved,
-  pressed: (row, event) => event.pointerType !== "touch" && event.button === 0 && selected(row),
-  released: (row, event) => event.pointerType === "touch" && selected(row),
+listenToPointer(canvas, {
+  onMove: move,
+  onPress: (row, event) => event.pointerType !== "touch" && event.button === 0 && select(row),
+  onRelease: (row, event) => event.pointerType === "touch" && select(row),
 });

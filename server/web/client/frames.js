@@ -1,14 +1,14 @@
-// The frames of the browser client: events into messages within the service's limits, packed predictions into objects.
+// Encodes events and targets as messages within the service's limits, and decodes packed predictions.
 
 const EVENT_BYTES = 30;
 const PREDICTION_BYTES = 65;
 const NO_COUNTS = -32768;
-const GRID = 64; // parts of a px: the browser's own layout knows no finer ones
+const GRID = 64; // steps per px: the browser's layout has no finer ones
 const BYTES = new TextEncoder();
 const PHASES = /** @type {const} */ (["still", "ballistic", "corrective"]);
 
 /**
- * Events as the messages that the limits allow, each with its number of events and the time of the last one.
+ * Splits events into messages that the limits allow, each with its number of events and the time of the last one.
  * @param {import("../pointpred.js").EventRow[]} rows @param {"binary"|"json"} encoding
  * @param {import("../pointpred.js").Limits} limits
  * @returns {Generator<{frame: string|ArrayBuffer, last: number, count: number}>}
@@ -16,7 +16,7 @@ const PHASES = /** @type {const} */ (["still", "ballistic", "corrective"]);
 export const frames = (rows, encoding, limits) => (encoding === "binary" ? binaryFrames(rows, limits) : textFrames(rows, limits));
 
 /**
- * An event as the row that is sent; a mistake in it is named.
+ * An event as the row that is sent; throws a RangeError where a value cannot be sent.
  * @param {import("../pointpred.js").EventRow|import("/pointpred.js").EventRecord} event
  * @returns {import("../pointpred.js").EventRow}
  */
@@ -33,9 +33,9 @@ export function row(event) {
 const onGrid = (px) => Math.round(GRID * px) / GRID;
 
 /**
- * Targets as the one message that the limits allow; those that come last are left out where there are too many.
+ * The message with all targets; the last ones are left out where the limits allow fewer.
  * @param {import("../pointpred.js").Target[]} targets @param {import("/pointpred.js").Limits} [limits]
- * @returns {{text: string, count: number, over: number}} `over` were left out
+ * @returns {{text: string, count: number, omitted: number}}
  */
 export function targetsFrame(targets, { max_targets: most, max_frame_bytes: bytes } = {}) {
   const [head, tail] = ['{"type":"targets","targets":[', "]}"];
@@ -49,7 +49,7 @@ export function targetsFrame(targets, { max_targets: most, max_frame_bytes: byte
     if (size > bytes) break;
     parts.push(text);
   }
-  return { text: head + parts.join(",") + tail, count: parts.length, over: targets.length - parts.length };
+  return { text: head + parts.join(",") + tail, count: parts.length, omitted: targets.length - parts.length };
 }
 
 /** Packed records. */
@@ -86,15 +86,15 @@ function* textFrames(rows, { max_events_per_frame: most, max_frame_bytes: bytes 
   yield { frame: head + part.join(",") + tail, last, count: part.length };
 }
 
-/** Packed predictions as the objects that JSON would have given. @returns {Generator<import("../pointpred.js").Prediction>} */
+/** Packed predictions as the same objects that JSON gives. @returns {Generator<import("../pointpred.js").Prediction>} */
 export function* decode(buffer) {
   const view = new DataView(buffer);
   for (let at = 0; at + PREDICTION_BYTES <= buffer.byteLength; at += PREDICTION_BYTES) {
     const [t, x, y, sxx, sxy, syy, remaining] = Array.from({ length: 7 }, (_, k) => view.getFloat64(at + 8 * k, true));
-    const tail = view.getFloat64(at + 57, true), there = !Number.isNaN(x);
-    yield { type: "prediction", t, x: there ? x : null, y: there ? y : null,
+    const tail = view.getFloat64(at + 57, true), predicted = !Number.isNaN(x);
+    yield { type: "prediction", t, x: predicted ? x : null, y: predicted ? y : null,
       region: Number.isNaN(sxx) ? null : { sxx, sxy, syy, tail: Number.isNaN(tail) ? null : tail },
-      phase: there ? PHASES[view.getUint8(at + 56)] : null,
+      phase: predicted ? PHASES[view.getUint8(at + 56)] : null,
       remaining_s: Number.isNaN(remaining) ? null : remaining };
   }
 }

@@ -1,72 +1,72 @@
-// What the service knows of the person, as the browser client keeps it: for the page, and for the next session.
+// The string that describes what the service has learned of the person: for the page, and for the next session.
 
-const ASK_MS = 5000; // while the pointer moves the newest is asked for so often
+const REFRESH_MS = 5000; // while the pointer moves, the newest string is requested this often
 
-/** Asks in order, and gives each answer to who asked. */
+/** Holds the newest string; requests to the service are answered in order. */
 export class Person {
-  /** The newest string; it goes out with the next hello of the same predictor. @type {string} */ known;
-  #predictor; #say; #changed; #asked = []; #greeting = ""; #sent = 0; #askedAt = -Infinity;
+  /** It is part of the next hello of the same predictor. @type {string} */ description;
+  #predictor; #send; #onChange; #requests = []; #inHello = ""; #sent = 0; #requestedAt = -Infinity;
 
   /**
-   * @param {string} known what the page begins with @param {string} predictor whose it is
-   * @param {{say: (message: object) => void, changed: (person: string) => void}} told
+   * @param {string} description to begin with @param {string} predictor that learned it
+   * @param {{send: (message: object) => void, onChange: (person: string) => void}} callbacks
    */
-  constructor(known, predictor, { say, changed }) {
-    [this.known, this.#predictor, this.#say, this.#changed] = [known, predictor, say, changed];
+  constructor(description, predictor, { send, onChange }) {
+    [this.description, this.#predictor, this.#send, this.#onChange] = [description, predictor, send, onChange];
   }
 
-  /** What the hello of a predictor says: another one's person is not its own. @returns {{person?: string}} */
+  /** The field of hello for a predictor: what another one learned is of no use to it. @returns {{person?: string}} */
   hello(predictor) {
-    if (predictor !== this.#predictor) this.hold("", predictor);
-    this.#greeting = this.known;
-    return this.known ? { person: this.known } : {};
+    if (predictor !== this.#predictor) this.store("", predictor);
+    this.#inHello = this.description;
+    return this.description ? { person: this.description } : {};
   }
 
-  /** The session has begun; what the page set after hello is still to be said. */
-  greeted() {
-    if (this.known !== this.#greeting) this.ask(this.known).catch(() => {}); // an error says why
+  /** A session has begun: sends what the page has set since hello. */
+  beginSession() {
+    if (this.description !== this.#inHello) this.request(this.description).catch(() => {}); // an error message tells why
   }
 
-  /** @param {string} [known] sets it, instead of asking @returns {Promise<string>} */
-  ask(known) {
-    this.#askedAt = performance.now();
-    const answer = new Promise((resolve, reject) => this.#asked.push({ known, resolve, reject }));
-    this.#say(known === undefined ? { type: "person" } : { type: "person", person: known });
+  /** Requests the newest string, or sets it. @param {string} [person] to set @returns {Promise<string>} */
+  request(person) {
+    this.#requestedAt = performance.now();
+    const answer = new Promise((resolve, reject) => this.#requests.push({ person, resolve, reject }));
+    this.#send(person === undefined ? { type: "person" } : { type: "person", person });
     return answer;
   }
 
-  /** Asks for the newest now and then. @param {number} sent events of the page so far */
+  /** Requests the newest string if it is time to. @param {number} sent events sent so far */
   refresh(sent) {
-    if (sent === this.#sent || this.#asked.length || performance.now() - this.#askedAt < ASK_MS) return;
+    if (sent === this.#sent || this.#requests.length || performance.now() - this.#requestedAt < REFRESH_MS) return;
     this.#sent = sent;
-    this.ask();
+    this.request();
   }
 
-  /** What the next hello says. @param {string} person @param {string} [predictor] whose it is */
-  hold(person, predictor = this.#predictor) {
+  /** Sets the string for the next hello. @param {string} person @param {string} [predictor] that learned it */
+  store(person, predictor = this.#predictor) {
     this.#predictor = predictor;
-    if (person === this.known) return;
-    this.known = person;
-    this.#changed(person);
+    if (person === this.description) return;
+    this.description = person;
+    this.#onChange(person);
   }
 
-  /** The oldest question is answered. @param {string} person @param {string} predictor whose it is */
-  heard(person, predictor) {
-    const asked = this.#asked.shift();
-    this.hold(person, predictor);
-    asked?.resolve(person);
+  /** The service has answered the oldest request. @param {string} person @param {string} predictor that learned it */
+  receive(person, predictor) {
+    const oldest = this.#requests.shift();
+    this.store(person, predictor);
+    oldest?.resolve(person);
   }
 
-  /** The service does not take what was set; what it knew before it still knows. @param {string} words */
-  refused(words) {
-    this.#asked.shift()?.reject(new RangeError(words));
+  /** The service has refused the string that was set, and keeps its own. @param {string} message */
+  reject(message) {
+    this.#requests.shift()?.reject(new RangeError(message));
   }
 
-  /** No answer will come. */
-  lost() {
-    for (const { known, resolve } of this.#asked.splice(0)) {
-      if (known !== undefined) this.hold(known);
-      resolve(this.known);
+  /** No answer will come: strings that were set go into the next hello. */
+  endSession() {
+    for (const { person, resolve } of this.#requests.splice(0)) {
+      if (person !== undefined) this.store(person);
+      resolve(this.description);
     }
   }
 }

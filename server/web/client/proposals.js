@@ -1,50 +1,50 @@
-// What the browser client proposes now: by the service, and by what the page itself sees.
+// The targets that the browser client proposes now, whether the service or the page has chosen them.
 
 /**
- * A target is proposed when the first reason for it begins, and retracted when the last one has ended: a card that is
- * predicted and then has the keyboard's focus is proposed once, with the reason that came first.
+ * A target is proposed when the first source chooses it, and retracted when the last one ends: a card that is predicted
+ * and then gets the keyboard focus is proposed once, with the reason that came first.
  */
 export class Proposals {
-  #emit; #standing = new Map();
+  #emit; #choices = new Map(); // by the target's id, then by source
 
-  /** @param {(choice: import("../pointpred.js").Choice) => void} emit hears every choice once what stands has changed */
+  /** @param {(choice: import("../pointpred.js").Choice) => void} emit is called after the state has changed */
   constructor(emit) {
     this.#emit = emit;
   }
 
   /** The id of the target that was proposed last and still is. @returns {string|null} */
   get newest() {
-    return [...this.#standing.keys()].at(-1) ?? null;
+    return [...this.#choices.keys()].at(-1) ?? null;
   }
 
   /** Whether a target is proposed. @param {string} id */
-  stands(id) {
-    return this.#standing.has(id);
+  has(id) {
+    return this.#choices.has(id);
   }
 
-  /** The choices that a source has made and that still stand. @param {string} source */
-  by(source) {
-    return [...this.#standing.values()].flatMap((choices) => choices.get(source) ?? []);
+  /** The current choices of a source. @param {string} source @returns {import("../pointpred.js").Choice[]} */
+  from(source) {
+    return [...this.#choices.values()].flatMap((choices) => choices.get(source) ?? []);
   }
 
-  /** A source that says it again has changed its mind about the share. @param {string} source @param {import("../pointpred.js").Choice} choice */
+  /** A source chooses a target, or changes the probability of its choice. @param {string} source @param {import("../pointpred.js").Choice} choice */
   begin(source, choice) {
-    const choices = this.#standing.get(choice.id) ?? new Map(), heard = choices.size === 0 || choices.has(source);
+    const choices = this.#choices.get(choice.id) ?? new Map(), emitted = choices.size === 0 || choices.has(source);
     choices.set(source, choice);
-    this.#standing.set(choice.id, choices);
-    if (heard) this.#emit(choice);
+    this.#choices.set(choice.id, choices);
+    if (emitted) this.#emit(choice);
   }
 
-  /** @param {string} source @param {string} id @param {{p?: number, t?: number|null}} [when] */
+  /** A source no longer chooses a target. @param {string} source @param {string} id @param {{p?: number, t?: number|null}} [fields] of the message */
   end(source, id, { p = 0, t = null } = {}) {
-    const choices = this.#standing.get(id), choice = choices?.get(source);
+    const choices = this.#choices.get(id), choice = choices?.get(source);
     if (!choices?.delete(source) || choices.size > 0) return;
-    this.#standing.delete(id);
+    this.#choices.delete(id);
     this.#emit({ ...choice, p, t, action: "retract", reason: null });
   }
 
-  /** Ends everything. */
+  /** Retracts everything. */
   clear() {
-    for (const choices of [...this.#standing.values()]) for (const [source, { id }] of [...choices]) this.end(source, id);
+    for (const choices of [...this.#choices.values()]) for (const [source, { id }] of [...choices]) this.end(source, id);
   }
 }

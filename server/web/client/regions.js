@@ -1,10 +1,10 @@
 // The region of a prediction: the ellipse that holds the endpoint with a given probability; `pointpred/regions.py` in JavaScript.
 
-const NEARLY_NORMAL = 1e16; // degrees of freedom from which on no number tells a Student law from a normal one
-const LARGEST_LOG = 700; // a region that grows further is infinite: exp(700) is about as large as numbers get
+const NEARLY_NORMAL = 1e16; // degrees of freedom beyond which a Student and a normal law are the same in floats
+const LARGEST_LOG = 700; // beyond it the region is infinite: exp(709) is the largest float
 
-/** Squared Mahalanobis distance up to which the region of a level goes; tail null: a normal law. */
-function reach(level, tail) {
+/** The squared Mahalanobis distance of the region's edge; tail null: a normal law. */
+function squaredDistance(level, tail) {
   const normal = -2 * Math.log1p(-level);
   if (tail === null || tail === undefined || !(tail < NEARLY_NORMAL)) return normal;
   if (!(tail > 0)) return NaN;
@@ -23,10 +23,10 @@ export function regionOf(prediction, level) {
   if (!prediction?.region || prediction.x === null) return null;
   const { x, y, region: { sxx, sxy, syy, tail } } = prediction;
   const determinant = sxx * syy - sxy * sxy;
-  const far = reach(level, tail);
-  if (!(sxx > 0 && syy > 0 && determinant > 0 && determinant < Infinity && far > 0)) return null;
+  const distance = squaredDistance(level, tail);
+  if (!(sxx > 0 && syy > 0 && determinant > 0 && determinant < Infinity && distance > 0)) return null;
   const larger = 0.5 * (sxx + syy) + Math.hypot(0.5 * (sxx - syy), sxy);
-  const major = Math.sqrt(far * larger), minor = Math.sqrt(far * (determinant / larger)); // no difference: it would round
+  const major = Math.sqrt(distance * larger), minor = Math.sqrt(distance * (determinant / larger)); // a difference of the two would lose digits
   if (!Number.isFinite(major)) return null;
   return { x, y, major, minor: Math.min(minor, major), angle: 0.5 * Math.atan2(2 * sxy, sxx - syy) };
 }

@@ -1,28 +1,30 @@
-// The targets of the browser client: those given by hand, and elements of the page that are followed.
+// The targets of a connection: rectangles that the page has set, and elements that are followed.
 
-const LOOK_MS = 250; // observed elements are looked at so often while the pointer rests
-const ACTIVE_MS = 500; // and every frame for so long after an event
+const IDLE_MS = 250; // elements are measured this often while the pointer rests
+const ACTIVE_MS = 500; // and every frame for this long after an event
 
-let numbered = 0;
+let unnamed = 0;
 
-/** Knows where the targets are, and says when that may have changed. */
-export class TargetWatch {
-  #given; #offset; #changed; #signal; #observed = new Map(); #frame = false; #scrolled = false; #activeUntil = 0; #sizes; #views;
+/** Knows where the targets are, and reports when they may have moved. */
+export class Targets {
+  #rectangles; #offset; #onChange; #signal; #observed = new Map(); #frame = false; #scrolled = false; #activeUntil = 0; #sizes; #views;
 
   /**
-   * @param {import("../pointpred.js").Target[]} given
-   * @param {{offset: () => number[], changed: (scrolled: boolean) => void, signal: AbortSignal}} told `offset`: what is to be
-   *   added to positions in the viewport, px; `changed` is called before the next frame is drawn: whether the page was scrolled or resized
+   * @param {import("../pointpred.js").Target[]} rectangles
+   * @param {{offset: () => number[], onChange: (scrolled: boolean) => void, signal: AbortSignal}} options `offset`: what to
+   *   add to positions in the viewport, px; `onChange` is called before the next frame is drawn: `scrolled` if the page was scrolled or resized
    */
-  constructor(given, { offset, changed, signal }) {
-    [this.#given, this.#offset, this.#changed, this.#signal] = [given, offset, changed, signal];
-    this.#sizes = new ResizeObserver(() => this.#look());
-    this.#views = new IntersectionObserver((entries) => this.#seen(entries));
-    const look = () => this.#look();
-    const scrolled = () => this.#look((this.#scrolled = true));
-    for (const name of ["scroll", "resize"]) window.addEventListener(name, scrolled, { signal, capture: true, passive: true });
-    document.addEventListener("visibilitychange", look, { signal });
-    const timer = setInterval(() => this.#observed.size && this.#look(), LOOK_MS);
+  constructor(rectangles, { offset, onChange, signal }) {
+    [this.#rectangles, this.#offset, this.#onChange, this.#signal] = [rectangles, offset, onChange, signal];
+    this.#sizes = new ResizeObserver(() => this.#schedule());
+    this.#views = new IntersectionObserver((entries) => this.#setInView(entries));
+    const scroll = () => {
+      this.#scrolled = true;
+      this.#schedule();
+    };
+    for (const name of ["scroll", "resize"]) window.addEventListener(name, scroll, { signal, capture: true, passive: true });
+    document.addEventListener("visibilitychange", () => this.#schedule(), { signal });
+    const timer = setInterval(() => this.#observed.size && this.#schedule(), IDLE_MS);
     signal.addEventListener("abort", () => {
       clearInterval(timer);
       this.#sizes.disconnect();
@@ -30,22 +32,22 @@ export class TargetWatch {
     });
   }
 
-  /** Replaces those given by hand. @param {import("../pointpred.js").Target[]} list */
-  give(list) {
-    this.#given = list;
-    this.#look();
+  /** Replaces the rectangles; observed elements stay. @param {import("../pointpred.js").Target[]} rectangles */
+  replace(rectangles) {
+    this.#rectangles = rectangles;
+    this.#schedule();
   }
 
   /** @param {Element} element @param {string} [id] */
   observe(element, id) {
-    const known = this.#observed.get(element); // nothing tells again that it is in view
-    id ??= known?.id ?? (element.id || `element-${++numbered}`);
-    for (const [other, { id: taken }] of this.#observed)
-      if (taken === id && other !== element) throw new TypeError(`the id ${id} belongs to another observed element`);
-    this.#observed.set(element, { id, inView: known?.inView ?? false });
+    const former = this.#observed.get(element); // the browser does not report again that it is in view
+    id ??= former?.id ?? (element.id || `element-${++unnamed}`);
+    for (const [other, { id: used }] of this.#observed)
+      if (used === id && other !== element) throw new TypeError(`the id ${id} belongs to another observed element`);
+    this.#observed.set(element, { id, inView: former?.inView ?? false });
     this.#sizes.observe(element);
     this.#views.observe(element);
-    this.#look();
+    this.#schedule();
     return id;
   }
 
@@ -54,12 +56,12 @@ export class TargetWatch {
     if (!this.#observed.delete(element)) return;
     this.#sizes.unobserve(element);
     this.#views.unobserve(element);
-    this.#look();
+    this.#schedule();
   }
 
   /** The observed element that has an id. @param {string} id @returns {Element|undefined} */
   element(id) {
-    for (const [element, known] of this.#observed) if (known.id === id) return element;
+    for (const [element, one] of this.#observed) if (one.id === id) return element;
     return undefined;
   }
 
@@ -68,55 +70,55 @@ export class TargetWatch {
     return this.#observed.get(element)?.id;
   }
 
-  /** The pointer moves: elements are looked at every frame for a while. */
-  stir() {
+  /** The pointer moves: elements are measured every frame for a while. */
+  activate() {
     this.#activeUntil = performance.now() + ACTIVE_MS;
-    if (this.#observed.size) this.#look();
+    if (this.#observed.size) this.#schedule();
   }
 
   /** Where every target is now. @returns {import("../pointpred.js").Target[]} */
   list() {
-    const targets = [...this.#given];
+    const targets = [...this.#rectangles];
     for (const [element, { id, inView }] of this.#observed) {
-      const place = inView ? this.#place(element) : { width: 0, height: 0 };
-      if (place.width > 0 && place.height > 0) targets.push({ id, ...place });
+      const box = inView ? this.#measure(element) : { width: 0, height: 0 };
+      if (box.width > 0 && box.height > 0) targets.push({ id, ...box });
     }
     return targets;
   }
 
   /** An element as the true target of a trial. @param {Element} element @returns {import("../pointpred.js").Goal} */
   goal(element) {
-    const { x, y, width, height } = this.#place(element);
+    const { x, y, width, height } = this.#measure(element);
     return { x: x + width / 2, y: y + height / 2, width: Math.min(width, height) };
   }
 
-  #place(element) {
+  #measure(element) {
     const [right, down] = this.#offset();
     const { x, y, width, height } = element.getBoundingClientRect();
     return { x: x + right, y: y + down, width, height };
   }
 
-  #seen(entries) {
+  #setInView(entries) {
     for (const { target, isIntersecting } of entries) {
-      const known = this.#observed.get(target);
-      if (known) known.inView = isIntersecting;
+      const one = this.#observed.get(target);
+      if (one) one.inView = isIntersecting;
     }
-    this.#look();
+    this.#schedule();
   }
 
-  /** Looks before the next frame is drawn, once; hidden pages draw none. */
-  #look() {
+  /** Reports a possible change before the next frame is drawn, once; a hidden page draws no frames. */
+  #schedule() {
     if (this.#frame || this.#signal.aborted) return;
     this.#frame = true;
-    const act = () => {
+    const report = () => {
       this.#frame = false;
       if (this.#signal.aborted) return;
       const scrolled = this.#scrolled;
       this.#scrolled = false;
-      this.#changed(scrolled);
-      if (this.#observed.size && performance.now() < this.#activeUntil) this.#look();
+      this.#onChange(scrolled);
+      if (this.#observed.size && performance.now() < this.#activeUntil) this.#schedule();
     };
-    if (document.hidden) setTimeout(act, 0);
-    else requestAnimationFrame(act);
+    if (document.hidden) setTimeout(report, 0);
+    else requestAnimationFrame(report);
   }
 }

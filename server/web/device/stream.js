@@ -1,57 +1,44 @@
-// The device attached to the machine that the service runs on: whether there is one, and what it does.
+// The device attached to the machine of the service: whether there is one, and its messages.
 
+import { socketAddress } from "../client/address.js";
+import { RetryingSocket } from "../client/socket.js";
 import { read, token } from "../service/http.js";
 
-const FIRST_WAIT_MS = 500;
-const LONGEST_WAIT_MS = 8000;
+/** The attached device, or a message why there is none. @returns {Promise<{attached: object|null, message: string}>} */
+export const attachedDevice = () => read("/v1/live");
 
-/** What the service says of an attached device. @returns {Promise<{attached: object|null, message: string}>} */
-export const attached = () => read("/v1/live");
-
-/** Listens to `/v1/live`, again whenever the connection is lost; says nothing itself. */
+/** Listens to `/v1/live`, and connects again whenever the connection is lost. */
 export class DeviceStream {
   /** @type {"connecting"|"open"|"waiting"|"closed"} */ state = "connecting";
-  #told; #socket = null; #tries = 0; #retry = null;
+  #handlers; #socket;
 
-  /** @param {Object<string, (message: object) => void>} told by the type of a message; `state` hears of the connection */
-  constructor(told) {
-    this.#told = told;
-    this.#open();
+  /** @param {Object<string, (message: object) => void>} handlers by the type of a message; `state` for that of the connection */
+  constructor(handlers) {
+    this.#handlers = handlers;
+    this.#socket = new RetryingSocket(() => socketAddress("/v1/live", token), {
+      onOpen: () => {
+        this.#socket.beginSession();
+        this.#setState("open");
+      },
+      onMessage: (data) => {
+        const message = JSON.parse(data);
+        this.#handlers[message.type]?.(message);
+      },
+      onClose: () => {
+        this.#socket.retry(() => this.#socket.open());
+        this.#setState("waiting");
+      },
+    });
+    this.#socket.open();
   }
 
   close() {
     this.state = "closed";
-    clearTimeout(this.#retry);
-    const socket = this.#socket;
-    if (socket?.readyState === WebSocket.CONNECTING) socket.addEventListener("open", () => socket.close()); // sooner, a browser complains
-    else socket?.close();
+    this.#socket.close();
   }
 
-  #open() {
-    const address = new URL("/v1/live", window.location.href);
-    address.protocol = address.protocol.replace("http", "ws");
-    if (token !== undefined) address.searchParams.set("token", token);
-    const socket = new WebSocket(address, "pointpred.v1");
-    this.#socket = socket;
-    socket.addEventListener("open", () => {
-      if (this.state === "closed") return;
-      this.#tries = 0;
-      this.#become("open");
-    });
-    socket.addEventListener("message", ({ data }) => {
-      const message = JSON.parse(data);
-      if (this.state !== "closed") this.#told[message.type]?.(message);
-    });
-    socket.addEventListener("close", () => {
-      if (this.state === "closed") return;
-      this.#become("waiting");
-      this.#retry = setTimeout(() => this.#open(), Math.min(LONGEST_WAIT_MS, FIRST_WAIT_MS * 2 ** this.#tries));
-      this.#tries += 1;
-    });
-  }
-
-  #become(state) {
+  #setState(state) {
     this.state = state;
-    this.#told.state?.(state);
+    this.#handlers.state?.(state);
   }
 }

@@ -1,152 +1,142 @@
-// The attached device in the live view: its way, where it is predicted to end, rates, losses, and the gain curve.
+// The attached device in the live view: its trail, predictions, rates, losses and gain curve.
 
+import { FrameLoop, clearCanvas, prefersLessMotion } from "../drawing/canvas.js";
+import { SmoothRegions } from "../drawing/regions.js";
+import { drawLive, recentPart } from "../live/picture.js";
+import { PredictionFields, markOf, opacityAfter, publishDrawn, publishRegions } from "../live/prediction.js";
+import { part, sentence, write } from "../page/elements.js";
+import { number, percent } from "../page/numbers.js";
 import { Camera } from "./camera.js";
-import { DeviceStream, attached } from "./stream.js";
-import { calm } from "../drawing/canvas.js";
-import { drawLive, drawNothing } from "../live/picture.js";
-import { number, part, percent, write } from "../page/elements.js";
 import { GainCurve } from "./gain-curve.js";
-import { markOf, opacityAfter, sizeOf } from "../live/card.js";
-import { CalmRegions } from "../drawing/regions.js";
+import { DeviceStream, attachedDevice } from "./stream.js";
 
-const TRAIL_S = 2;
-const THIN_S = 0.004; // a trail needs no more points than that, however fast the device is
+const THIN_S = 0.004; // the trail needs no more points, however fast the device is
 const MOST_POINTS = 2000;
 const NUMBERS_MS = 120;
-const NO_TILES = { list: [], shares: {}, proposed: null };
+const NO_TILES = { list: [], opacities: {}, proposed: null };
 const LOSSES = { lost: "lost", unreadable: "unreadable", refused: "refused", resynchronised: "gaps in the kernel" };
 
 const canvas = part("device-scene");
-const said = part("device-said");
-const go = part("device-go");
-const of = Object.fromEntries([...part("live-device").querySelectorAll("[data-of]")].map((cell) => [cell.dataset.of, cell]));
+const status = part("device-status");
+const link = part("device-link");
+const cells = Object.fromEntries([...part("live-device").querySelectorAll("[data-of]")].map((cell) => [cell.dataset.of, cell]));
+const fields = new PredictionFields(part("live-device"));
+const loop = new FrameLoop(frame);
 
 let stream = null;
 let curve = null;
 let camera = new Camera();
-let wanted = false; // whether the view is open
-let drawing = false; // one loop, however often it is opened
-let device = null;
+let active = false; // whether the view is open
 let trail = [];
 let newest = null; // [prediction, ms]
-let regions = new CalmRegions(); // in px of the device's plane
-let offset = 0; // s from the page's clock to the device's
-let tellAt = 0;
+let regions = new SmoothRegions(); // in px of the device's plane
+let clockOffset = 0; // s from the page's clock to the device's
+let writeAt = 0;
 
-const told = {
+/** @param {string} text @param {"none"|"attached"|"unplugged"|"error"|"closed"|"waiting"} state */
+function showStatus(text, state) {
+  write(status, text);
+  status.dataset.state = state;
+}
+
+const handlers = {
   device: (message) => {
-    device = message;
-    [trail, newest, camera, regions] = [[], null, new Camera(), new CalmRegions()];
+    [trail, newest, camera, regions] = [[], null, new Camera(), new SmoothRegions()];
+    const resolution = message.cpi === null ? "Its resolution is unknown." : `${number(message.cpi)} counts per inch.`;
     write(part("device-name"), message.name);
-    write(part("device-words"), `${sentence(message.words)} Predictor: ${message.predictor}. ${resolution(message.cpi)} Times: ${message.clock}.`);
-    say("Attached.");
+    write(part("device-description"), `${sentence(message.words)} Predictor: ${message.predictor}. ${resolution} Times: ${message.clock}.`);
+    showStatus("Attached.", "attached");
   },
   events: ({ events }) => {
-    offset = events[events.length - 1][0] - performance.now() / 1000;
+    clockOffset = events[events.length - 1][0] - performance.now() / 1000;
     for (const [t, x, y] of events) {
       if (trail.length > 1 && t - trail[trail.length - 2][0] < THIN_S) trail.pop();
       trail.push([t, x, y]);
     }
-    trail.splice(0, trail.length - MOST_POINTS); // nothing else shortens it while the page is hidden
+    trail.splice(0, trail.length - MOST_POINTS); // a hidden page draws no frames, which would shorten it
     canvas.dataset.events = Number(canvas.dataset.events ?? 0) + events.length;
   },
   prediction: (message) => {
     newest = [message, performance.now()];
   },
   status: (message) => {
-    write(of.rate, number(message.rate_hz, 0, "/s"));
-    write(of.delay, number(message.delay_p99_s === null ? null : 1000 * message.delay_p99_s, 2, "ms"));
-    write(of.reports, number(message.reports));
-    const losses = Object.entries(LOSSES).filter(([name]) => message[name] > 0).map(([name, words]) => `${message[name]} ${words}`);
-    write(of.losses, losses.join(", ") || "none");
-    of.losses.title = of.losses.textContent;
-    const attached = message.note === null ? "Attached." : sentence(message.note);
-    say(message.plugged ? attached : "Unplugged: waiting for it to come back.");
+    write(cells.rate, number(message.rate_hz, 0, "/s"));
+    write(cells.delay, number(message.delay_p99_s === null ? null : 1000 * message.delay_p99_s, 2, "ms"));
+    write(cells.reports, number(message.reports));
+    const losses = Object.entries(LOSSES).filter(([name]) => message[name] > 0).map(([name, noun]) => `${message[name]} ${noun}`);
+    write(cells.losses, losses.join(", ") || "none");
+    cells.losses.title = cells.losses.textContent;
+    if (message.plugged) showStatus(message.note === null ? "Attached." : sentence(message.note), "attached");
+    else showStatus("Unplugged: waiting for the device to come back.", "unplugged");
   },
-  transfer: (message) => {
-    if (message.curve !== null) curve.show(message.curve);
-    write(part("device-gain-said"), message.curve === null ? sentence(message.words) : gains(message.curve));
+  transfer: ({ curve: measured, words }) => {
+    if (measured !== null) curve.show(measured);
+    write(part("device-gain-summary"), measured === null ? sentence(words) : gainSummary(measured));
   },
-  error: (message) => say(sentence(message.message)),
-  bye: ({ reason }) => say(`The service has closed the connection: ${reason}.`),
-  state: (state) => state === "waiting" && say("The service does not answer. Trying again…"),
+  error: ({ message }) => showStatus(sentence(message), "error"),
+  bye: ({ reason }) => showStatus(`The service has closed the connection: ${reason}.`, "closed"),
+  state: (state) => state === "waiting" && showStatus("The service does not answer. Trying again…", "waiting"),
 };
 
-const sentence = (words) => `${words.charAt(0).toUpperCase()}${words.slice(1)}.`;
-const resolution = (cpi) => (cpi === null ? "Its resolution is not known." : `${number(cpi)} counts per inch.`);
-
-function gains({ words, compared, closest, edges }) {
-  const each = compared.map(({ kind, largest }) => `${kind} off by ${percent(largest, 1)} at most`).join(", ");
-  const left = edges > 0 ? ` ${edges} events at the screen's edge left out.` : "";
-  return `${sentence(words)}${each && ` Against what was measured: ${each}.`}${closest ? ` Closest: ${closest}.` : ""}${left}`;
-}
-
-function say(words) {
-  write(said, words);
+function gainSummary({ words, compared, closest, edges }) {
+  const errors = compared.map(({ kind, largest }) => `${kind} off by ${percent(largest, 1)} at most`).join(", ");
+  const omitted = edges > 0 ? ` ${edges} events at the edge of the screen were left out.` : "";
+  return `${sentence(words)}${errors && ` Compared with the measured gains: ${errors}.`}${closest ? ` Closest: ${closest}.` : ""}${omitted}`;
 }
 
 function frame(now) {
-  drawing = stream !== null;
-  if (!drawing) return;
-  const seconds = performance.now() / 1000 + offset;
-  trail = trail.slice(Math.max(0, trail.findIndex(([t]) => t > seconds - TRAIL_S)));
-  const shown = mark(now);
-  if (trail.length > 0) show(seconds, shown);
-  else drawNothing(canvas);
-  canvas.dataset.regions = JSON.stringify([shown && { ...shown.regions, opacity: shown.opacity }]);
-  of.region.dataset.px = shown?.regions ? `${2 * shown.regions.inner.major} ${2 * shown.regions.inner.minor}` : "";
-  write(of.region, shown === null ? "–" : sizeOf(shown, canvas, camera.scale));
-  if (now > tellAt) tell(now, shown);
-  requestAnimationFrame(frame);
+  const seconds = performance.now() / 1000 + clockOffset;
+  trail = recentPart(trail, seconds);
+  const mark = currentMark(now);
+  if (trail.length > 0) draw(seconds, mark);
+  else clearCanvas(canvas);
+  publishRegions(canvas, [mark]);
+  fields.writeRegion(mark, canvas, camera.scale);
+  if (now <= writeAt) return;
+  writeAt = now + (prefersLessMotion() ? 5 : 1) * NUMBERS_MS;
+  fields.writeTimes(mark);
 }
 
-/** What is to be drawn of the newest prediction, in px of the device's plane. */
-function mark(now) {
-  const lives = newest !== null && stream.state === "open";
-  return markOf(lives ? newest[0] : null, regions, now, lives ? opacityAfter(performance.now() - newest[1]) : 0);
+/** The newest prediction as it is drawn, in px of the device's plane. */
+function currentMark(now) {
+  const isOpen = newest !== null && stream.state === "open";
+  return markOf(isOpen ? newest[0] : null, regions, now, isOpen ? opacityAfter(performance.now() - newest[1]) : 0);
 }
 
-function show(seconds, shown) {
+function draw(seconds, mark) {
   const points = trail.map(([, x, y]) => [x, y]);
-  camera.follow(shown === null ? points : [...points, [shown.prediction.x, shown.prediction.y]], canvas.clientWidth, canvas.clientHeight);
-  const placed = trail.map(([t, x, y]) => [t, ...camera.place([x, y])]);
-  const drawn = drawLive(canvas, placed, [shown && camera.view(shown)], seconds, NO_TILES);
-  canvas.dataset.drawn = Number(canvas.dataset.drawn ?? 0) + drawn;
-}
-
-function tell(now, shown) {
-  tellAt = now + (calm() ? 5 : 1) * NUMBERS_MS;
-  write(of.phase, shown?.prediction.phase ?? "–");
-  write(of.left, number(shown?.prediction.remaining_s, 2, "s"));
+  camera.follow(mark === null ? points : [...points, [mark.prediction.x, mark.prediction.y]], canvas.clientWidth, canvas.clientHeight);
+  const projected = trail.map(([t, x, y]) => [t, ...camera.place([x, y])]);
+  publishDrawn(canvas, drawLive(canvas, projected, [mark && camera.project(mark)], seconds, NO_TILES));
 }
 
 /** Looks for a device, and shows it while the view is open. */
 export async function open() {
-  wanted = true;
-  const found = await attached();
-  if (!wanted || stream !== null) return;
-  if (found.attached === null) {
-    say(sentence(found.message));
+  active = true;
+  const { attached, message } = await attachedDevice();
+  if (!active || stream !== null) return;
+  if (attached === null) {
+    showStatus(sentence(message), "none");
     return;
   }
-  told.device(found.attached); // before it is seen, so that nothing moves afterwards
-  go.classList.remove("away");
-  part("device-shown").hidden = false;
+  handlers.device(attached); // before it becomes visible, so that nothing moves afterwards
+  link.classList.remove("away");
+  part("device-view").hidden = false;
   curve ??= new GainCurve(part("device-gain"));
   curve.fit();
-  stream = new DeviceStream(told);
-  if (!drawing) requestAnimationFrame(frame);
-  drawing = true;
+  stream = new DeviceStream(handlers);
+  loop.start();
 }
 
-/** Lets the connection go. */
+/** Closes the connection. */
 export function close() {
-  wanted = false;
+  active = false;
+  loop.stop();
   stream?.close();
   stream = null;
 }
 
-go.addEventListener("click", () => {
-  part("live-device-title").scrollIntoView({ behavior: calm() ? "auto" : "smooth" });
+link.addEventListener("click", () => {
+  part("live-device-title").scrollIntoView({ behavior: prefersLessMotion() ? "auto" : "smooth" });
   part("live-device-title").focus({ preventScroll: true });
 });

@@ -1,198 +1,198 @@
-// The live view: your own pointer, and where each predictor says that its movement will end.
+// The live view: the person's own pointer, and where each predictor says that its movement will end.
 
-import { calm } from "../drawing/canvas.js";
-import { drawLive } from "./picture.js";
-import { number, offer, part, write } from "../page/elements.js";
-import { median } from "../circle/geometry.js";
-import { explainPredictors } from "../page/glossary.js";
-import { drawSwatches } from "../drawing/legend.js";
 import * as device from "../device/view.js";
-import { Demo, outcome } from "./demo.js";
-import { Earliness, sentence } from "./earliness.js";
-import { Movement, speed } from "./movement.js";
-import { LiveCard, markOf } from "./card.js";
-import { follow } from "../page/pointer.js";
-import { CalmRegions } from "../drawing/regions.js";
+import { FrameLoop, prefersLessMotion } from "../drawing/canvas.js";
+import { drawLegends } from "../drawing/legend.js";
+import { SmoothRegions } from "../drawing/regions.js";
+import { part, write } from "../page/elements.js";
+import { explainPredictors } from "../page/glossary.js";
+import { median, number } from "../page/numbers.js";
+import { listenToPointer } from "../page/pointer.js";
 import { predictors } from "../service/http.js";
-import { Strip } from "./strip.js";
-import { Tiles, tints } from "./tiles.js";
+import { LiveCard } from "./card.js";
+import { Demo, judge } from "./demo.js";
+import { RecentLeads, describe } from "./earliness.js";
+import { Movement, speed } from "./movement.js";
+import { KEPT_S, drawLive, recentPart } from "./picture.js";
+import { markOf, publishDrawn, publishRegions } from "./prediction.js";
+import { SpeedStrip } from "./strip.js";
+import { Tiles, opacitiesOf } from "./tiles.js";
 
 const INVITE_MS = 4000;
 const NUMBERS_MS = 120;
-const TRAIL_S = 2;
 const STOPPED_MS = 250;
+const SLOW_FRAMES = 12; // with less motion, the plot of speed is drawn once in so many frames
+const DEMO_END_S = 0.02;
 
 const canvas = part("live-scene");
 const invitation = part("live-invitation");
 const verdict = part("live-verdict");
+const ledger = part("live-ledger");
 const numbers = Object.fromEntries(["delay", "rate", "speed"].map((of) => [of, part("live-numbers").querySelector(`[data-of=${of}]`)]));
+
+const loop = new FrameLoop(frame);
+const demo = new Demo();
+const demoRegions = new SmoothRegions();
+const movement = new Movement();
+const recentLeads = new RecentLeads();
+const tiles = new Tiles();
+const first = new LiveCard(part("live-card-0"), part("live-parameters-0"), (prediction, name) => {
+  movement.addPrediction(0, prediction, name);
+  tiles.addPrediction(prediction);
+}, { choice: (choice) => tiles.addChoice(choice) }, { encoding: "json" }); // packed predictions have no probabilities of targets
+const second = new LiveCard(part("live-card-1"), part("live-parameters-1"), (prediction, name) => movement.addPrediction(1, prediction, name));
+const cards = [first, second];
 
 let strip = null;
 let active = false;
-let drawing = false; // one loop, however often the view is opened
 let trail = [];
-let counted = []; // [ms, events] of the last second
-let heard = -Infinity;
+let eventCounts = []; // [ms, events] of the last second
+let movedAt = -Infinity;
 let judged = true;
-let clicked = null; // what is known of the tile that ended the movement
-let tellAt = 0;
+let clickedTile = null; // the tile that ended the movement, and how early it was proposed
+let writeAt = 0;
 let frames = 0;
-let own = null; // the sentence on your own movement, while the demo's stands in its place
-const demo = new Demo();
-const demoRegions = new CalmRegions();
-const movement = new Movement();
-const earliness = new Earliness();
-const tiles = new Tiles();
-const ledger = part("live-ledger");
-const first = new LiveCard(part("live-card-0"), part("live-parameters-0"), (prediction, name) => {
-  movement.predicted(0, prediction, name);
-  tiles.predicted(prediction);
-}, { choice: (choice) => tiles.chosen(choice) }, { encoding: "json" }); // packed predictions have no room for shares
-const second = new LiveCard(part("live-card-1"), part("live-parameters-1"), (prediction, name) => movement.predicted(1, prediction, name));
-const cards = [first, second];
-let offeredTo = null; // the connection that knows where the tiles are
+let ownVerdict = null; // the sentence on the person's own movement, while that of the demo is shown
+let informed = null; // the connection that has the positions of the tiles
 
-function moved(rows) {
-  heard = performance.now();
+function move(rows) {
+  movedAt = performance.now();
   judged = false;
-  counted.push([heard, rows.length]);
+  eventCounts.push([movedAt, rows.length]);
   trail.push(...rows.map(([t, x, y]) => [t, x, y]));
   movement.move(rows);
   tiles.move(rows);
-  for (const card of cards) card.track?.connection.send(rows);
+  for (const card of cards) card.connection?.send(rows);
 }
 
-function pressed(row) {
+function press(row) {
   movement.press(row[0]);
-  clicked = tiles.press(row);
-  write(ledger, tiles.ledger.words || ledger.textContent);
+  clickedTile = tiles.press(row);
+  write(ledger, tiles.ledger.summary || ledger.textContent);
 }
 
 function frame(now) {
-  drawing = active;
-  if (!active) return;
-  trail = trail.slice(Math.max(0, trail.findIndex(([t]) => t > performance.now() / 1000 - TRAIL_S)));
-  if (trail.length && trail[trail.length - 1][0] < performance.now() / 1000 - TRAIL_S) trail = [];
-  offerTiles();
-  const invites = now - heard > INVITE_MS;
-  invitation.classList.toggle("away", !invites);
-  const shown = invites ? showDemo(now) : showPointer(now);
-  shown.marks.forEach((mark, i) => cards[i].tellRegion(mark, canvas));
-  canvas.dataset.regions = JSON.stringify(shown.marks.map((mark) => mark && { ...mark.regions, opacity: mark.opacity }));
+  const seconds = performance.now() / 1000;
+  trail = recentPart(trail, seconds);
+  if (trail.length && trail.at(-1)[0] < seconds - KEPT_S) trail = [];
+  sendTiles();
+  const inviting = now - movedAt > INVITE_MS;
+  invitation.classList.toggle("away", !inviting);
+  const shown = inviting ? showDemo(now) : showPointer(now);
+  shown.marks.forEach((mark, i) => cards[i].fields.writeRegion(mark, canvas));
+  publishRegions(canvas, shown.marks);
   frames += 1;
-  if (!calm() || frames % 12 === 0) {
+  if (!prefersLessMotion() || frames % SLOW_FRAMES === 0) {
     strip.add(now, shown.speed, shown.marks[0]?.prediction.phase ?? null);
     strip.draw(now);
   }
-  if (now > tellAt) tell(now, shown);
-  requestAnimationFrame(frame);
+  if (now > writeAt) writeNumbers(now, shown);
 }
 
-function offerTiles() {
-  const connection = first.track?.connection ?? null;
-  const fitted = tiles.fit(canvas.clientWidth, canvas.clientHeight);
+function sendTiles() {
+  const { connection } = first;
+  const moved = tiles.layOut(canvas.clientWidth, canvas.clientHeight);
   if (connection?.state !== "open") tiles.clear();
-  if (!fitted && connection === offeredTo) return;
-  offeredTo = connection;
-  connection?.targets(tiles.list);
+  if (!moved && connection === informed) return;
+  informed = connection;
+  connection?.setTargets(tiles.list);
 }
 
-/** The pointer's own movement. */
+/** Shows the pointer's own movement. */
 function showPointer(now) {
   demo.pause();
-  if (own !== null) write(verdict, own);
-  own = null;
+  if (ownVerdict !== null) write(verdict, ownVerdict);
+  ownVerdict = null;
   const seconds = performance.now() / 1000, marks = cards.map((card) => card.mark(now));
-  const { list, shares, proposed } = tiles;
-  const drawn = drawLive(canvas, trail, marks, seconds, { list, shares: tints(shares, marks[0]), proposed });
-  show("pointer", proposed, drawn);
-  if (!judged && now - heard > STOPPED_MS) judge();
+  const { list, probabilities, proposed } = tiles;
+  const endpoints = drawLive(canvas, trail, marks, seconds, { list, opacities: opacitiesOf(probabilities, marks[0]), proposed });
+  publish("pointer", proposed, endpoints);
+  if (!judged && now - movedAt > STOPPED_MS) judgeMovement();
   return { marks, speed: speed(trail, seconds), rate: null, delay: null };
 }
 
-/** A simulated movement, which moves as yours would: nothing of it goes into what is counted of yours. */
+/** Shows a simulated movement; it counts in no average of the person's own. */
 function showDemo(now) {
-  const { clientWidth: width, clientHeight: height } = canvas;
-  if (first.select.value) demo.ask(now, { predictor: first.select.value, parameters: first.parameters.values, tiles: tiles.list, width, height });
-  const moment = demo.at(now, calm());
-  const none = { list: tiles.list, shares: {}, proposed: null };
+  const { clientWidth: width, clientHeight: height } = canvas, still = prefersLessMotion();
+  if (first.select.value) demo.request(now, { predictor: first.select.value, parameters: first.parameters.values, tiles: tiles.list, width, height });
+  const moment = demo.at(now, still);
   if (moment === null) {
-    drawLive(canvas, [], [], 0, none);
-    show("nothing", null, 0);
+    drawLive(canvas, [], [], 0, { list: tiles.list, opacities: {}, proposed: null });
+    publish("nothing", null, 0);
     return { marks: [null, null], speed: 0 };
   }
-  const { take, event, passed } = moment, over = passed > take.rows[event][0] + 0.02 && event === take.rows.length - 1;
+  const { take, event, time } = moment, ended = time > take.rows[event][0] + DEMO_END_S && event === take.rows.length - 1;
   const answer = take.answers[event];
-  const marks = [markOf(answer, demoRegions, now, over ? 0 : 1, calm()), null];
-  const shares = tints(Object.fromEntries((answer.targets ?? []).map(({ id, p }) => [id, p])), marks[0]);
-  drawLive(canvas, take.rows.slice(0, event + 1), marks, passed, { list: tiles.list, shares, proposed: take.proposals[event] }, "none");
-  show("demo", take.proposals[event], 0);
-  if (over || calm()) sayDemo(take);
-  const rate = take.rows.filter(([t]) => t <= passed && t > passed - 1).length;
-  return { marks, speed: over ? 0 : take.speeds[event], rate, delay: median(take.delays) };
+  const marks = [markOf(answer, demoRegions, now, ended ? 0 : 1, still), null];
+  const opacities = opacitiesOf(Object.fromEntries((answer.targets ?? []).map(({ id, p }) => [id, p])), marks[0]);
+  drawLive(canvas, take.rows.slice(0, event + 1), marks, time, { list: tiles.list, opacities, proposed: take.proposals[event] }, "none");
+  publish("demo", take.proposals[event], 0);
+  if (ended || still) judgeDemo(take);
+  const rate = take.rows.filter(([t]) => t <= time && t > time - 1).length;
+  return { marks, speed: ended ? 0 : take.speeds[event], rate, delay: median(take.delays) };
 }
 
-function show(what, ahead, drawn) {
-  canvas.dataset.shows = what;
-  canvas.dataset.ahead = ahead ?? "";
-  canvas.dataset.drawn = Number(canvas.dataset.drawn ?? 0) + drawn;
+/** Publishes what is drawn as data of the canvas. */
+function publish(shows, proposed, endpoints) {
+  canvas.dataset.shows = shows;
+  canvas.dataset.ahead = proposed ?? "";
+  publishDrawn(canvas, endpoints);
 }
 
-function tell(now, { marks, speed: pace, rate, delay }) {
-  tellAt = now + NUMBERS_MS;
-  counted = counted.filter(([at]) => at > now - 1000);
-  write(numbers.rate, number(rate ?? counted.reduce((sum, [, events]) => sum + events, 0)));
+function writeNumbers(now, { marks, speed: pace, rate, delay }) {
+  writeAt = now + NUMBERS_MS;
+  eventCounts = eventCounts.filter(([at]) => at > now - 1000);
+  write(numbers.rate, number(rate ?? eventCounts.reduce((sum, [, events]) => sum + events, 0)));
   write(numbers.speed, number(pace));
-  write(numbers.delay, number(delay ?? cards[0].track?.delay(), 2));
-  marks.forEach((mark, i) => cards[i].tell(mark));
+  write(numbers.delay, number(delay ?? first.connection?.delay(), 2));
+  marks.forEach((mark, i) => cards[i].fields.writeTimes(mark));
 }
 
-/** Says how early the end of your movement was known. */
-function judge() {
+/** Writes how early the end of the person's movement was predicted. */
+function judgeMovement() {
   judged = true;
-  const found = movement.verdict(), tile = clicked;
+  const result = movement.verdict(), tile = clickedTile;
   movement.clear();
-  clicked = null;
-  if (found === null) return;
-  const chosen = cards.flatMap(({ track }) => (track === null ? [] : [track.predictor]));
-  const said = sentence(found, chosen, tile, earliness);
-  write(verdict, said.words);
-  verdict.dataset.verdict = JSON.stringify({ arrival: found.arrival, reached: found.reached, each: said.each, tile: said.tile });
+  clickedTile = null;
+  if (result === null) return;
+  const chosen = cards.flatMap(({ connection }) => (connection === null ? [] : [connection.predictor]));
+  const description = describe(result, chosen, tile, recentLeads);
+  write(verdict, description.text);
+  verdict.dataset.verdict = JSON.stringify({ arrival: result.arrival, reached: result.reached, each: description.each, tile: description.tile });
 }
 
-function sayDemo(take) {
-  const { verdict: found, tile } = outcome(take, first.select.value, tiles.list);
-  if (found === null) return;
-  own ??= verdict.textContent;
-  write(verdict, `Simulated movement. ${sentence(found, [first.select.value], tile, new Earliness(), "it").words}`);
+function judgeDemo(take) {
+  const { verdict: result, tile } = judge(take, first.select.value, tiles.list);
+  if (result === null) return;
+  ownVerdict ??= verdict.textContent;
+  write(verdict, `Simulated movement. ${describe(result, [first.select.value], tile, new RecentLeads(), "it").text}`);
 }
 
 /** Connects and draws from now on. */
 export async function open() {
   active = true;
-  strip ??= new Strip(part("live-strip"));
+  strip ??= new SpeedStrip(part("live-strip"));
   strip.fit();
-  drawSwatches();
+  drawLegends();
   for (const card of cards) card.open();
-  if (!drawing) requestAnimationFrame(frame);
-  drawing = true;
-  await Promise.all([choices(), device.open()]);
+  loop.start();
+  await Promise.all([fillCards(), device.open()]);
 }
 
-/** Offers the predictors, and connects with the one that is recommended. */
-async function choices() {
+/** Offers the predictors, and connects with the recommended one. */
+async function fillCards() {
   const listing = await predictors();
-  if (first.offered) return;
-  offer(first.select, listing.predictors, listing.recommended);
-  offer(second.select, listing.predictors, "", "none");
-  for (const card of cards) card.offer(listing.predictors);
-  explainPredictors(part("live-words"), listing.predictors);
+  if (first.isFilled) return;
+  first.fill(listing.predictors, listing.recommended);
+  second.fill(listing.predictors, "", "none");
+  explainPredictors(part("live-glossary"), listing.predictors);
   if (active) for (const card of cards) card.open();
 }
 
-/** Lets the connections go. */
+/** Closes the connections. */
 export function close() {
   active = false;
+  loop.stop();
   tiles.clear();
   demo.close();
   device.close();
@@ -200,4 +200,4 @@ export function close() {
 }
 
 if (window.matchMedia("(pointer: coarse)").matches) write(invitation.querySelector("strong"), "Move your finger here");
-follow(canvas, { moved, pressed: (row, event) => event.button === 0 && pressed(row) });
+listenToPointer(canvas, { onMove: move, onPress: (row, event) => event.button === 0 && press(row) });

@@ -1,50 +1,39 @@
-// Parts of the page, and how numbers are written in them.
+// Elements of the page: found by id, filled with text, options and rows.
 
-/** The element with an id; a mistyped one is an error at once. */
+/** The element with an id; throws if there is none. */
 export function part(id) {
-  const found = document.getElementById(id);
-  if (found === null) throw new Error(`the page has no part ${id}`);
-  return found;
+  const element = document.getElementById(id);
+  if (element === null) throw new Error(`the page has no part ${id}`);
+  return element;
 }
 
-/** Writes text only where it changes, so that nothing is announced or laid out in vain. */
+/** Writes text only if it changes, so that nothing is announced or laid out again without need. */
 export function write(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }
 
-const DASH = "–";
+/** A message of the service as a sentence: it begins with a capital letter and ends with a full stop. */
+export const sentence = (words) => `${words.charAt(0).toUpperCase()}${words.slice(1)}.`;
 
-/** A number with so many decimals and its unit; a dash where there is none. */
-export function number(value, decimals = 0, unit = "") {
-  if (value === null || value === undefined || !Number.isFinite(value)) return DASH;
-  return value.toFixed(decimals) + (unit && ` ${unit}`);
-}
-
-/** A number of things, by the name of one of them. */
-export const count = (value, noun) => `${value} ${noun}${value === 1 ? "" : "s"}`;
-
-/** A share in per cent. */
-export const percent = (share, decimals = 0) => number(share === null ? null : 100 * share, decimals, "%");
-
-/** Fills a select with predictors; `none` is the word for choosing none of them. */
-export function offer(select, predictors, chosen, none = null) {
+/** Fills a select with predictors; `none` is the label of an option that chooses none of them. */
+export function fillSelect(select, predictors, selected, none = null) {
   const options = predictors.map(({ name, title }) => {
-    const option = new Option(name, name, false, name === chosen);
+    const option = new Option(name, name, false, name === selected);
     option.title = title ?? "";
     option.dataset.predictor = name;
     return option;
   });
-  if (none !== null) options.unshift(new Option(none, "", false, chosen === ""));
+  if (none !== null) options.unshift(new Option(none, "", false, selected === ""));
   select.replaceChildren(...options);
   select.disabled = false;
 }
 
-/** A table's rows: each a list of cells, the first row the heads. */
-export function fill(table, [heads, ...rows]) {
-  const cells = (kind, words) =>
-    words.map((word) => {
+/** Fills a table with rows of cells; the first row is the heading. */
+export function fillTable(table, [heads, ...rows]) {
+  const cells = (kind, texts) =>
+    texts.map((text) => {
       const cell = document.createElement(kind);
-      cell.textContent = word;
+      cell.textContent = text;
       if (kind === "th") cell.scope = "col";
       return cell;
     });
@@ -53,9 +42,9 @@ export function fill(table, [heads, ...rows]) {
   head.rows[0].append(...cells("th", heads));
   const body = table.tBodies[0] ?? table.createTBody();
   body.replaceChildren(
-    ...rows.map((words) => {
+    ...rows.map((texts) => {
       const row = document.createElement("tr");
-      row.append(...cells("td", words));
+      row.append(...cells("td", texts));
       return row;
     }),
   );

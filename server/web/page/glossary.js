@@ -1,20 +1,20 @@
-// The field's words, explained where they stand: a part of the page names the words that it uses.
+// Explanations of the terms in the page: each part of the page names the terms that it uses.
 
-const WORDS = {
+const TERMS = {
   phase: ["phase", "still: the pointer rests; ballistic or corrective: the part of the movement it is in"],
   ballistic: ["ballistic", "the first, fast part of a movement, aimed but not yet corrected by eye"],
   corrective: ["corrective", "the slow part near the target, in which the hand corrects its aim"],
   error: ["error", "distance from the predicted endpoint to where the movement ended, averaged over the time of the movement"],
-  hold: ["hold", "no prediction: it says that the movement ends where the cursor is now. Every predictor is compared with it"],
+  hold: ["hold", "no prediction: the endpoint is where the cursor is now. Every predictor is compared with it"],
   ratio: ["error / hold", "a predictor's error divided by hold's on the same movements: below 1 is better than no prediction"],
   skill: ["skill", "1 − error / hold: 1 is perfect, 0 no better than no prediction, below 0 worse"],
-  interval: ["95 % interval", "the range of error / hold that other movements or people like these would give. One movement has none"],
-  half: ["px at half time, way", "error in px when half of the time has passed, and when half of the way is done"],
+  interval: ["95 % interval", "the range of error / hold to expect from other movements or people like these. A single movement has none"],
+  half: ["px at half time, distance", "error in px when half of the time has passed, and when half of the distance is done"],
   answered: ["answered", "share of the pointer's events for which the predictor gave an endpoint"],
   left: ["time left", "predicted time until the movement ends"],
-  region: ["region", "where the endpoint lies with a given probability, as the predictor claims it: 50 % for the tinted ellipse, 80 % for the thin one. Its size is length × breadth of the tinted one. Some predictors give none"],
-  proposed: ["tile proposed", "the service is sure enough that you are heading for this tile: a program could now load what it opens"],
-  known: ["known within 40 px", "from then until you arrived, every predicted endpoint lay within 40 px of where you stopped"],
+  region: ["region", "where the endpoint lies with a given probability, as the predictor claims: 50 % for the tinted ellipse, 80 % for the thin one. Its size is length × breadth of the tinted one. Some predictors give no region"],
+  proposed: ["tile proposed", "the service is confident that you are heading for this tile: a program could now load what the tile opens"],
+  near: ["predicted within 40 px", "from then until you arrived, every predicted endpoint was within 40 px of where you stopped"],
   arrived: ["arrived", "from then on the pointer stayed within 8 px of where it stopped (3 % of the distance, if that is more)"],
   delay: ["delay", "time from sending an event to receiving its prediction, median of the last second"],
   drem: ["DREM", "dynamic regressor extension and mixing: the estimator that switched uses in the corrective phase"],
@@ -23,8 +23,8 @@ const WORDS = {
   kep: ["kep", "kinematic endpoint prediction: extends a curve of speed over distance to where the speed is zero"],
 };
 
-function entry(words) {
-  const [term, meaning] = words.map((text, i) => {
+function entry(texts) {
+  const [term, meaning] = texts.map((text, i) => {
     const element = document.createElement(i === 0 ? "dt" : "dd");
     element.textContent = text;
     return element;
@@ -34,18 +34,18 @@ function entry(words) {
   return pair;
 }
 
-/** Fills each `details` that names words in `data-words`. */
-export function explainWords() {
-  for (const details of document.querySelectorAll("details[data-words]")) {
+/** Fills each `details` that names terms in `data-terms`. */
+export function explainTerms() {
+  for (const details of document.querySelectorAll("details[data-terms]")) {
     const summary = document.createElement("summary");
-    summary.textContent = "What these words mean";
+    summary.textContent = "What these terms mean";
     const list = document.createElement("dl");
-    list.append(...details.dataset.words.split(" ").map((name) => entry(WORDS[name])));
+    list.append(...details.dataset.terms.split(" ").map((name) => entry(TERMS[name])));
     details.replaceChildren(summary, list);
   }
 }
 
-/** Adds predictors to such a list, each with what it does. @param {HTMLElement} details @param {{name: string, title: string}[]} predictors */
+/** Adds predictors to such a list, with their titles. @param {HTMLElement} details @param {{name: string, title: string}[]} predictors */
 export function explainPredictors(details, predictors) {
   details.querySelector("dl").append(...predictors.map(({ name, title }) => entry([name, title])));
 }

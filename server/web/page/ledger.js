@@ -1,58 +1,57 @@
-// What became of the service's proposals, counted in the page: how many, right in time, wrong, and how early.
+// Counts what became of the service's proposals: how many there were, how many were right or wrong, and how early.
 
-import { median } from "../circle/geometry.js";
-import { count, number } from "./elements.js";
+import { count, median, number } from "./numbers.js";
 
 /** Counts proposals over movements that end with a click on a target. */
 export class Ledger {
-  movements = 0; proposed = 0; hits = 0; wasted = 0;
-  #leads = []; #made = []; #standing = null; #entered = new Map();
+  movements = 0; proposals = 0; hits = 0; wasted = 0;
+  #leads = []; #proposedIds = []; #current = null; #entries = new Map();
 
   /** @param {import("/pointpred.js").Choice} choice */
-  take({ id, action, t, reason }) {
-    if (reason === "entered") return; // no prediction
-    if (action === "propose") this.#standing = { id, t };
-    else if (this.#standing?.id === id) this.#standing = null;
-    if (action === "propose") this.#made.push(id);
+  addChoice({ id, action, t, reason }) {
+    if (reason === "entered") return; // not a prediction
+    if (action === "propose") this.#current = { id, t };
+    else if (this.#current?.id === id) this.#current = null;
+    if (action === "propose") this.#proposedIds.push(id);
   }
 
   /** The id of the target that is predicted now. @returns {string|null} */
-  get standing() {
-    return this.#standing?.id ?? null;
+  get proposed() {
+    return this.#current?.id ?? null;
   }
 
-  /** The pointer went into a target; only the first time in a movement counts. @param {string} id @param {number} t s */
+  /** The pointer has entered a target; only the first time in a movement counts. @param {string} id @param {number} t s */
   enter(id, t) {
-    if (!this.#entered.has(id)) this.#entered.set(id, this.#standing?.id === id ? t - this.#standing.t : null);
+    if (!this.#entries.has(id)) this.#entries.set(id, this.#current?.id === id ? t - this.#current.t : null);
   }
 
   /**
-   * The movement ended with a click. @param {string|null} id of the target; null: on none of them
-   * @returns {number|null} by how much the target was proposed before the pointer was there, s; null where it was not
+   * The movement has ended with a click. @param {string|null} id of the target; null: no target
+   * @returns {number|null} how long before the pointer entered the target it was proposed, s; null if it was not
    */
-  finish(id) {
-    const lead = this.#entered.get(id) ?? null;
+  endMovement(id) {
+    const lead = this.#entries.get(id) ?? null;
     if (id !== null) {
-      this.add({ fired: this.#made.length, hit: lead !== null, wasted: this.#made.filter((one) => one !== id).length, lead_s: lead });
+      this.addScore({ fired: this.#proposedIds.length, hit: lead !== null, wasted: this.#proposedIds.filter((one) => one !== id).length, lead_s: lead });
     }
-    [this.#made, this.#entered] = [[], new Map()];
+    [this.#proposedIds, this.#entries] = [[], new Map()];
     return lead;
   }
 
-  /** Adds a movement that the service itself counted. @param {{fired?: number|null, hit?: boolean|null, wasted?: number|null, lead_s?: number|null}} score */
-  add({ fired, hit, wasted, lead_s: lead }) {
+  /** Adds a movement that the service has scored. @param {{fired?: number|null, hit?: boolean|null, wasted?: number|null, lead_s?: number|null}} score */
+  addScore({ fired, hit, wasted, lead_s: lead }) {
     if (fired == null) return;
     this.movements += 1;
-    this.proposed += fired;
+    this.proposals += fired;
     this.hits += Number(hit);
     this.wasted += wasted;
     if (lead !== null) this.#leads.push(lead);
   }
 
-  /** In words. */
-  get words() {
+  /** The counts as a sentence; empty before the first movement. */
+  get summary() {
     if (this.movements === 0) return "";
-    const early = this.#leads.length ? `, ${number(1000 * median(this.#leads), 0, "ms")} early` : "";
-    return `Proposed in time: ${this.hits} of ${count(this.movements, "movement")}${early}; ${this.wasted} of ${count(this.proposed, "proposal")} wrong.`;
+    const early = this.#leads.length ? `, ${number(1000 * median(this.#leads), 0, "ms")} early (median)` : "";
+    return `Proposed in time: ${this.hits} of ${count(this.movements, "movement")}${early}; ${this.wasted} of ${count(this.proposals, "proposal")} wrong.`;
   }
 }

@@ -1,31 +1,26 @@
-// The pointer over an element, every sample the browser knows: rows [t, x, y, dx, dy, buttons] as the service wants.
+// The pointer over an element: every coalesced sample as a row [t, x, y, dx, dy, buttons] of the service.
 
-const PICTURE = "pointerrawupdate" in window ? "pointerrawupdate" : "pointermove";
-
-/** One sample relative to a corner of the viewport; a page sees no device counts. */
+/** A sample relative to a corner of the viewport; browsers report no device counts. */
 function row(event, [left, top]) {
   return [event.timeStamp / 1000, event.clientX - left, event.clientY - top, null, null, event.buttons];
 }
 
-/** Where an element's inside begins: what is drawn on a canvas is drawn within its border. */
+/** The upper left corner of an element inside its border, where the drawing on a canvas begins. */
 function corner(element) {
   const { left, top } = element.getBoundingClientRect();
   return [left + element.clientLeft, top + element.clientTop];
 }
 
 /**
- * Follows the pointer over an element; positions are relative to the upper left corner of its inside.
+ * Listens to the pointer over an element; positions are relative to the upper left corner inside its border.
  * @param {HTMLElement} element
  * @param {{
- *   moved: (rows: number[][]) => void,
- *   pressed?: (row: number[], event: PointerEvent) => void,
- *   released?: (row: number[], event: PointerEvent) => void,
- * }} told `moved` hears of every sample, presses and releases included; the others after it
- * @returns {() => void} ends it
+ *   onMove: (rows: number[][]) => void,
+ *   onPress?: (row: number[], event: PointerEvent) => void,
+ *   onRelease?: (row: number[], event: PointerEvent) => void,
+ * }} handlers `onMove` is called with every sample, presses and releases included; the others are called after it
  */
-export function follow(element, told) {
-  const end = new AbortController();
-  const listen = (kind, handle) => element.addEventListener(kind, handle, { signal: end.signal });
+export function listenToPointer(element, { onMove, onPress, onRelease }) {
   let last = -Infinity;
 
   function samples(event) {
@@ -37,22 +32,21 @@ export function follow(element, told) {
     return fresh;
   }
 
-  function click(event, callback) {
+  function click(event, handle) {
     const rows = samples(event);
     if (!rows.length) rows.push([last, ...row(event, corner(element)).slice(1)]);
-    told.moved(rows);
-    callback?.(rows[rows.length - 1], event);
+    onMove(rows);
+    handle?.(rows[rows.length - 1], event);
   }
 
-  listen(PICTURE, (event) => {
+  element.addEventListener("pointermove", (event) => {
     const rows = event.isPrimary ? samples(event) : [];
-    if (rows.length) told.moved(rows);
+    if (rows.length) onMove(rows);
   });
-  listen("pointerdown", (event) => {
+  element.addEventListener("pointerdown", (event) => {
     if (!event.isPrimary) return;
     if (event.pointerType !== "mouse") element.setPointerCapture(event.pointerId);
-    click(event, told.pressed);
+    click(event, onPress);
   });
-  listen("pointerup", (event) => event.isPrimary && click(event, told.released));
-  return () => end.abort();
+  element.addEventListener("pointerup", (event) => event.isPrimary && click(event, onRelease));
 }

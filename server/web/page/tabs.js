@@ -1,11 +1,11 @@
-// Tabs as the ARIA practices describe them: arrow keys, Home and End, one tab stop; the address names the tab.
+// Tabs after the ARIA pattern: arrow keys, Home and End, one tab stop; the address names the open tab.
 
 /**
  * Makes the buttons of a tab list work.
  * @param {HTMLElement} list the element with role "tablist"; each tab's aria-controls names its panel
- * @param {(name: string, before: string | null) => void} shown told after a tab was opened, also at first
+ * @param {(name: string, before: string | null) => void} onOpen is called after a tab was opened, also the first one
  */
-export function tabs(list, shown) {
+export function makeTabs(list, onOpen) {
   const all = [...list.querySelectorAll("[role=tab]")];
   const name = (tab) => tab.dataset.view;
   let open = null;
@@ -15,22 +15,22 @@ export function tabs(list, shown) {
     const before = open;
     open = name(tab);
     for (const each of all) {
-      const chosen = each === tab;
-      each.setAttribute("aria-selected", String(chosen));
-      each.tabIndex = chosen ? 0 : -1;
-      document.getElementById(each.getAttribute("aria-controls")).hidden = !chosen;
+      const selected = each === tab;
+      each.setAttribute("aria-selected", String(selected));
+      each.tabIndex = selected ? 0 : -1;
+      document.getElementById(each.getAttribute("aria-controls")).hidden = !selected;
     }
-    shown(open, before);
+    onOpen(open, before);
   }
 
-  function go(tab) {
+  function select(tab) {
     if (window.location.hash !== `#${name(tab)}`) window.history.pushState(null, "", `#${name(tab)}`);
     show(tab);
   }
 
   const addressed = () => all.find((tab) => `#${name(tab)}` === window.location.hash) ?? all[0];
 
-  for (const tab of all) tab.addEventListener("click", () => go(tab));
+  for (const tab of all) tab.addEventListener("click", () => select(tab));
   list.addEventListener("keydown", (event) => {
     const at = all.indexOf(document.activeElement);
     const to = { ArrowRight: at + 1, ArrowLeft: at - 1, Home: 0, End: all.length - 1 }[event.key];
@@ -38,7 +38,7 @@ export function tabs(list, shown) {
     event.preventDefault();
     const tab = all[(to + all.length) % all.length];
     tab.focus();
-    go(tab);
+    select(tab);
   });
   for (const kind of ["hashchange", "popstate"]) window.addEventListener(kind, () => show(addressed()));
   show(addressed());

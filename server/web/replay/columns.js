@@ -1,12 +1,12 @@
-// The form that asks which column of a table is which, where the service cannot tell.
+// The form that asks which column of a table is which, if the service cannot tell.
 
-import { part, write } from "../page/elements.js";
+import { part, sentence, write } from "../page/elements.js";
 
 const FIELDS = ["t", "x", "y", "user", "trial", "buttons"];
-const NEEDED = 3; // t, x and y
+const REQUIRED = FIELDS.slice(0, 3);
 
 const form = part("replay-columns");
-const select = (field) => part(`replay-column-${field}`);
+const selectOf = (field) => part(`replay-column-${field}`);
 
 /** Hides the form. */
 export function closeColumns() {
@@ -14,34 +14,34 @@ export function closeColumns() {
 }
 
 /**
- * Asks for the columns of a table: the best guess is filled in.
+ * Asks for the columns of a table, with the service's guess filled in.
  * @param {string} name of the file @param {{reason: string, columns: string[], guess: object, time_unit: string|null}} refusal
- * @param {(told: object) => void} given what was chosen, as the service takes it
+ * @param {(columns: object) => void} onChosen is called with the parameters of the request
  */
-export function askColumns(name, { reason, columns, guess, time_unit: unit }, given) {
+export function askColumns(name, { reason, columns, guess, time_unit: unit }, onChosen) {
   write(part("replay-columns-title"), `Which columns of ${name} are which?`);
-  write(part("replay-columns-reason"), `The service cannot tell: ${reason}.`);
-  for (const [i, field] of FIELDS.entries()) {
-    const none = new Option(i < NEEDED ? "choose" : "none", "");
-    select(field).replaceChildren(none, ...columns.map((column) => new Option(column, column)));
-    select(field).value = guess[field] ?? "";
+  write(part("replay-columns-reason"), `The service could not recognise them: ${sentence(reason)}`);
+  for (const field of FIELDS) {
+    const none = new Option(REQUIRED.includes(field) ? "choose" : "none", "");
+    selectOf(field).replaceChildren(none, ...columns.map((column) => new Option(column, column)));
+    selectOf(field).value = guess[field] ?? "";
   }
-  select("unit").value = unit ?? "";
-  form.onsubmit = (submitted) => {
-    submitted.preventDefault();
-    given(chosen());
+  selectOf("unit").value = unit ?? "";
+  form.onsubmit = (event) => {
+    event.preventDefault();
+    onChosen(readForm());
   };
   form.hidden = false;
-  (FIELDS.slice(0, NEEDED).map(select).find(({ value }) => value === "") ?? select("unit")).focus();
+  (REQUIRED.map(selectOf).find(({ value }) => value === "") ?? selectOf("unit")).focus();
 }
 
-/** What is chosen, as the service takes it. */
-function chosen() {
-  const pairs = FIELDS.filter((field) => select(field).value !== "").map((field) => `${field}=${select(field).value}`);
-  const told = { columns: pairs.join(",") };
-  if (select("unit").value !== "") told.time_unit = select("unit").value;
-  if (select("up").checked) told.y_up = "true";
-  return told;
+/** The parameters of the request. */
+function readForm() {
+  const pairs = FIELDS.filter((field) => selectOf(field).value !== "").map((field) => `${field}=${selectOf(field).value}`);
+  const columns = { columns: pairs.join(",") };
+  if (selectOf("unit").value !== "") columns.time_unit = selectOf("unit").value;
+  if (selectOf("up").checked) columns.y_up = "true";
+  return columns;
 }
 
 part("replay-columns-cancel").addEventListener("click", closeColumns);

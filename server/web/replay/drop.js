@@ -1,38 +1,38 @@
-// Files dragged onto a view from outside the browser.
+// Files dragged onto the page from outside the browser.
 
-/** Whether files are dragged: text and links keep what the browser does with them. */
-export const holdsFiles = (dragged) => dragged.dataTransfer?.types.includes("Files") ?? false;
+/** Whether files are dragged; for text and links the browser keeps its own behaviour. */
+const holdsFiles = (event) => event.dataTransfer?.types.includes("Files") ?? false;
 
 /**
- * Takes files dropped anywhere on the page while `area` is to be seen, and marks it while they hang over the page.
- * @param {HTMLElement} area gets the class "over" @param {(files: File[]) => void} given
+ * Accepts files dropped anywhere on the page while `area` is visible, and highlights it while files are over the page.
+ * @param {HTMLElement} area gets the class "over" @param {(files: File[]) => void} onFiles
  */
-export function acceptFiles(area, given) {
-  const handle = (act) => (dragged) => {
-    if (area.offsetParent === null || !holdsFiles(dragged)) return; // another view is open, or no file
-    dragged.preventDefault();
-    act(dragged);
+export function acceptFiles(area, onFiles) {
+  const handler = (handle) => (event) => {
+    if (area.offsetParent === null || !holdsFiles(event)) return; // another view is open, or no file is dragged
+    event.preventDefault();
+    handle(event);
   };
-  const over = handle((dragged) => {
-    dragged.dataTransfer.dropEffect = "copy";
+  const enter = handler((event) => {
+    event.dataTransfer.dropEffect = "copy";
     area.classList.add("over");
   });
-  document.addEventListener("dragenter", over);
-  document.addEventListener("dragover", over);
-  document.addEventListener("dragleave", (dragged) => dragged.relatedTarget === null && area.classList.remove("over"));
-  document.addEventListener("drop", handle((dragged) => {
+  document.addEventListener("dragenter", enter);
+  document.addEventListener("dragover", enter);
+  document.addEventListener("dragleave", (event) => event.relatedTarget === null && area.classList.remove("over"));
+  document.addEventListener("drop", handler((event) => {
     area.classList.remove("over");
-    given([...dragged.dataTransfer.files]);
+    onFiles([...event.dataTransfer.files]);
   }));
 }
 
-/** Where nothing takes files, a drop would open them instead of the page: that is kept from happening. */
+/** Refuses files that no view accepts: the browser would open them instead of the page. */
 export function refuseFiles() {
   for (const kind of ["dragenter", "dragover", "drop"]) {
-    window.addEventListener(kind, (dragged) => {
-      if (dragged.defaultPrevented || !holdsFiles(dragged)) return;
-      dragged.preventDefault();
-      dragged.dataTransfer.dropEffect = "none";
+    window.addEventListener(kind, (event) => {
+      if (event.defaultPrevented || !holdsFiles(event)) return;
+      event.preventDefault();
+      event.dataTransfer.dropEffect = "none";
     });
   }
 }

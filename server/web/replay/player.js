@@ -1,18 +1,18 @@
-// The time of a replay: a slider, a button that plays, the animation between them.
+// The time of a replay: a slider, and a button that plays it in real time.
 
 import { write } from "../page/elements.js";
 
-/** Stands at a time or goes on in real time; whoever made it hears of every change. */
+/** Stands at a time or plays. */
 export class Player {
-  #button; #slider; #changed; #began = null; // when the replay began, on the animation clock, ms
+  #button; #slider; #onChange; #began = null; // when the replay began, on the clock of performance.now, ms
 
-  /** @param {HTMLButtonElement} button @param {HTMLInputElement} slider in ms @param {() => void} changed */
-  constructor(button, slider, changed) {
-    [this.#button, this.#slider, this.#changed] = [button, slider, changed];
-    button.addEventListener("click", () => (this.playing ? this.stop() : this.#start()));
+  /** @param {HTMLButtonElement} button @param {HTMLInputElement} slider in ms @param {() => void} onChange is called when the time or the state has changed */
+  constructor(button, slider, onChange) {
+    [this.#button, this.#slider, this.#onChange] = [button, slider, onChange];
+    button.addEventListener("click", () => (this.playing ? this.stop() : this.#play()));
     slider.addEventListener("input", () => {
-      this.#halt();
-      this.go(this.ms);
+      this.#pause();
+      this.seek(this.ms);
     });
   }
 
@@ -20,38 +20,38 @@ export class Player {
     return this.#began !== null;
   }
 
-  /** The time it stands at. */
+  /** The current time. */
   get ms() {
     return Number(this.#slider.value);
   }
 
-  /** Gives it another movement of so many ms, at a time of it. */
-  load(longest, ms) {
-    this.#slider.max = String(Math.round(longest));
-    this.go(ms);
+  /** Sets the duration and the time of another movement, ms. */
+  load(duration, ms) {
+    this.#slider.max = String(Math.round(duration));
+    this.seek(ms);
   }
 
-  go(ms) {
+  seek(ms) {
     this.#slider.value = String(Math.round(ms));
     this.#slider.setAttribute("aria-valuetext", `${(this.ms / 1000).toFixed(2)} seconds`);
-    this.#changed();
+    this.#onChange();
   }
 
   stop() {
-    this.#halt();
-    this.#changed();
+    this.#pause();
+    this.#onChange();
   }
 
-  enable(yes) {
-    this.#button.disabled = this.#slider.disabled = !yes;
+  enable(enabled) {
+    this.#button.disabled = this.#slider.disabled = !enabled;
   }
 
-  #halt() {
+  #pause() {
     this.#began = null;
     write(this.#button, "Play");
   }
 
-  #start() {
+  #play() {
     this.#began = performance.now() - (this.ms >= Number(this.#slider.max) ? 0 : this.ms);
     write(this.#button, "Pause");
     requestAnimationFrame((now) => this.#advance(now));
@@ -59,9 +59,9 @@ export class Player {
 
   #advance(now) {
     if (!this.playing) return;
-    const passed = Math.max(0, now - this.#began), longest = Number(this.#slider.max);
-    if (passed >= longest) this.#halt();
+    const ms = Math.max(0, now - this.#began), duration = Number(this.#slider.max);
+    if (ms >= duration) this.#pause();
     else requestAnimationFrame((later) => this.#advance(later));
-    this.go(Math.min(passed, longest));
+    this.seek(Math.min(ms, duration));
   }
 }

@@ -1,175 +1,190 @@
 // The replay view: a recorded movement with a slider over its time, and what was predicted along it.
 
-import { onRepaint, prepare } from "../drawing/canvas.js";
-import { drawErrors } from "./errors.js";
-import { drawScene, errorAt } from "./picture.js";
-import { number as written, offer, part, write } from "../page/elements.js";
-import { drawSwatches } from "../drawing/legend.js";
+import { clearCanvas, onRepaint } from "../drawing/canvas.js";
+import { drawLegends } from "../drawing/legend.js";
+import { fillSelect, part, sentence, write } from "../page/elements.js";
+import { number } from "../page/numbers.js";
+import { Results } from "../results/results.js";
+import { ServiceError, predictors } from "../service/http.js";
 import { askColumns, closeColumns } from "./columns.js";
 import { acceptFiles } from "./drop.js";
+import { drawErrors } from "./errors.js";
+import { drawMovement, errorAt } from "./picture.js";
 import { Player } from "./player.js";
-import { Results } from "../results/results.js";
-import { embedded, opened } from "./source.js";
-import { predictors } from "../service/http.js";
+import { fileSource, sampleSource } from "./source.js";
 
-const [scene, errors, previous, next] = ["scene", "errors", "previous", "next"].map((id) => part(`replay-${id}`));
-const [list, readout, said, file, back, again] = ["trials", "readout", "source", "file", "sample", "again"].map((id) => part(`replay-${id}`));
-const choices = [0, 1].map((which) => part(`replay-predictor-${which}`));
+const [scene, errors, previousButton, nextButton] = ["scene", "errors", "previous", "next"].map((id) => part(`replay-${id}`));
+const [list, readout, status, fileInput, sampleButton, retryButton] = ["trials", "readout", "source", "file", "sample", "retry"].map((id) => part(`replay-${id}`));
+const selects = [0, 1].map((which) => part(`replay-predictor-${which}`));
 const player = new Player(part("replay-play"), part("replay-time"), draw);
 const results = new Results("replay");
 
 let source = null;
 let movement = null;
-let at = 0;
-let asked = 0; // the newest wish for a movement; what comes late for an older one is not shown
-let sought = 0; // and for a source
+let index = 0;
+let movementRequest = 0; // the newest one: answers to older requests are ignored
+let sourceRequest = 0;
 
-const columns = () => choices.map(({ value }) => movement.predictions[value] ?? null);
+const columns = () => selects.map(({ value }) => movement.predictions[value] ?? null);
 
-const chosen = () => [...new Set(choices.map(({ value }) => value).filter(Boolean))];
+const chosenPredictors = () => [...new Set(selects.map(({ value }) => value).filter(Boolean))];
 
-/** Shows a movement at a time in ms; without one, where half of the way is done. */
-async function show(which, ms = null) {
-  const mine = ++asked;
-  player.stop();
-  again.hidden = true;
-  at = (which + source.names.length) % source.names.length;
-  list.selectedIndex = at;
-  write(readout, "Computing the predictions…");
-  const received = await fetched(source, at);
-  if (mine === asked) put(received, ms);
+/** Writes the line about the source. @param {"reading"|"open"|"columns"|"failed"} state @param {string} code of the error */
+function showStatus(text, state, code = "") {
+  write(status, text);
+  Object.assign(status.dataset, { state, code });
 }
 
-/** A movement of a source with its predictions, or the error instead of it. */
-const fetched = (from, which) => from.movement(which, chosen()).catch((error) => error);
+/** Shows a movement at a time in ms; by default when half of the distance is done. */
+async function show(which, ms = null) {
+  const request = ++movementRequest;
+  player.stop();
+  retryButton.hidden = true;
+  index = (which + source.names.length) % source.names.length;
+  list.selectedIndex = index;
+  write(readout, "Computing the predictions…");
+  const result = await load(source, index);
+  if (request === movementRequest) showResult(result, ms);
+}
 
-function put(received, ms = null) {
-  if (received instanceof Error) clear(`Movement ${at + 1} cannot be shown: ${received.message}.`);
+/** A movement of a source with its predictions, or the error instead. */
+const load = (from, which) => from.movement(which, chosenPredictors()).catch((error) => error);
+
+function showResult(result, ms = null) {
+  if (result instanceof Error) clear(`Movement ${index + 1} cannot be shown: ${result.message}.`);
   else {
-    movement = received;
-    player.load(1000 * movement.t[movement.t.length - 1], ms ?? 1000 * movement.t[halfWay()]);
+    movement = result;
+    player.load(1000 * movement.t[movement.t.length - 1], ms ?? 1000 * movement.t[halfway()]);
   }
-  again.hidden = movement !== null;
+  retryButton.hidden = movement !== null;
   player.enable(movement !== null);
 }
 
-/** Shows nothing, and why. */
-function clear(words) {
+/** Shows no movement, and the reason. */
+function clear(text) {
   movement = null;
-  write(readout, words);
-  for (const canvas of [scene, errors]) prepare(canvas);
+  write(readout, text);
+  for (const canvas of [scene, errors]) clearCanvas(canvas);
 }
 
-function halfWay() {
-  const away = movement.t.map((_, i) => errorAt(movement, movement, i));
-  return Math.max(0, away.findIndex((px) => px < away[0] / 2));
+/** The event at half of the distance. */
+function halfway() {
+  const distances = movement.t.map((_, i) => errorAt(movement, movement, i));
+  return Math.max(0, distances.findIndex((px) => px < distances[0] / 2));
 }
 
-/** The last event at or before the time the slider stands at. */
-function event() {
+/** The last event at or before the time of the slider. */
+function currentEvent() {
   const after = movement.t.findIndex((t) => 1000 * t > player.ms);
   return after < 0 ? movement.t.length - 1 : Math.max(0, after - 1);
 }
 
 function draw() {
   if (movement === null || scene.clientWidth === 0) return;
-  const i = event();
-  const own = columns();
-  drawScene(scene, movement, own, i);
-  drawErrors(errors, movement, own, Math.min(player.ms / 1000, movement.t[movement.t.length - 1]));
-  scene.dataset.event = String(i);
-  if (!player.playing) write(readout, sentence(i, own));
+  const event = currentEvent(), predictions = columns();
+  drawMovement(scene, movement, predictions, event);
+  drawErrors(errors, movement, predictions, Math.min(player.ms / 1000, movement.t[movement.t.length - 1]));
+  scene.dataset.event = String(event);
+  if (!player.playing) write(readout, readoutAt(event, predictions));
 }
 
-function sentence(i, own) {
-  const away = errorAt(movement, movement, i).toFixed(0);
-  const parts = own.flatMap((column, which) => {
+function readoutAt(event, predictions) {
+  const distance = errorAt(movement, movement, event).toFixed(0);
+  const parts = predictions.flatMap((column, which) => {
     if (column === null) return [];
-    const error = errorAt(movement, column, i);
-    return [`${choices[which].value} ${error === null ? "says nothing" : `is ${written(error)} px off`}`];
+    const error = errorAt(movement, column, event);
+    return [`${selects[which].value} ${error === null ? "makes no prediction" : `is ${number(error)} px off`}`];
   });
-  return `${movement.t[i].toFixed(2)} s: ${parts.join(", ")}, the cursor is ${away} px from where it ended. Movement ${at + 1} of ${source.names.length}, ${movement.who}.`;
+  return `${movement.t[event].toFixed(2)} s: ${parts.join(", ")}, the cursor is ${distance} px from where it ended. Movement ${index + 1} of ${source.names.length}, ${movement.person}.`;
 }
 
 /**
- * Goes over to another source of movements, unless yet another has been asked for; says whether it did. What is shown stays
- * until the first movement of the new source is there, or is known not to come.
+ * Changes to another source of movements, unless a newer one has been requested meanwhile. The former one stays until the
+ * first movement of the new source is there or has failed. @returns {Promise<boolean>} whether it has changed
  */
-async function take(coming) {
-  const mine = ++sought;
-  let found, first;
+async function changeSource(promise) {
+  const request = ++sourceRequest;
+  let opened, first;
   try {
-    found = await coming;
-    first = await fetched(found, 0);
+    opened = await promise;
+    first = await load(opened, 0);
   } catch (error) {
-    if (mine !== sought) return false;
+    if (request !== sourceRequest) return false;
     throw error;
   }
-  if (mine !== sought) return false;
-  asked += 1;
+  if (request !== sourceRequest) return false;
+  movementRequest += 1;
   player.stop();
-  [source, at] = [found, 0];
+  [source, index] = [opened, 0];
   list.replaceChildren(...source.names.map((name, i) => new Option(name, String(i))));
   list.selectedIndex = 0;
-  write(said, source.said);
+  showStatus(source.description, "open");
   part("replay-result").hidden = source.csv === null;
-  back.disabled = source.csv === null;
-  for (const control of [previous, next, list]) control.disabled = false;
-  put(first);
-  if (movement !== null && chosen().some((name) => !(name in movement.predictions))) await show(0); // chosen meanwhile
+  sampleButton.disabled = source.csv === null;
+  for (const control of [previousButton, nextButton, list]) control.disabled = false;
+  showResult(first);
+  if (movement !== null && chosenPredictors().some((name) => !(name in movement.predictions))) await show(0); // another was chosen meanwhile
   return true;
 }
 
-async function openFiles(files, told = {}) {
+async function openRecording(files, parameters = {}) {
   if (!files.length) return;
-  if (told.columns === undefined) closeColumns(); // else what the form says may be refused: it stays until the file is open
-  write(said, "Reading…");
+  if (parameters.columns === undefined) closeColumns(); // otherwise the form stays until the service has accepted it
+  showStatus("Reading…", "reading");
   try {
-    if (!(await take(opened(files, told)))) return;
+    if (!(await changeSource(fileSource(files, parameters)))) return;
     closeColumns();
-    await results.score(source.csv, [...choices[0].options].map(({ value }) => value), "", source.told);
+    await results.score(source.csv, [...selects[0].options].map(({ value }) => value), "", source.columns);
   } catch (error) {
-    const before = source === null ? "" : ` What was open before stays: ${source.title}.`;
-    const asks = error.refusal?.code === "columns";
-    if (asks) askColumns(files[0].name, error.refusal, (chosen) => openFiles(files, chosen));
-    write(said, asks ? `${files[0].name}: choose its columns in the form.${before}` : `Not opened: ${error.message}.${before}`);
+    showOpeningError(error, files);
   }
+}
+
+/** Shows why files were not opened; if the service needs to know the columns, asks for them. */
+function showOpeningError(error, files) {
+  const still = source === null ? "" : ` Still open: ${source.title}.`, { name } = files[0];
+  if (error.code === "columns") {
+    askColumns(name, error.body, (parameters) => openRecording(files, parameters));
+    return showStatus(`${name}: choose its columns in the form.${still}`, "columns", error.code);
+  }
+  const message = error instanceof ServiceError ? `${name}: ${error.message}` : error.message;
+  showStatus(`Not opened: ${message}.${still}`, "failed", error.code);
 }
 
 async function openSample() {
   closeColumns();
   try {
-    await take(embedded());
+    await changeSource(sampleSource());
   } catch (error) {
-    write(said, `The sample cannot be shown: ${error.message}. Is the service still running?`);
+    showStatus(`The sample cannot be shown: ${sentence(error.message)} Is the service still running?`, "failed", error.code);
   }
 }
 
-/** Shows the embedded sample, at first. */
+/** Shows the embedded sample unless something else is open. */
 export async function open() {
   const listing = await predictors();
-  if (choices[0].options.length === 0) {
-    offer(choices[0], listing.predictors, listing.recommended);
-    offer(choices[1], listing.predictors, "", "none");
+  if (selects[0].options.length === 0) {
+    fillSelect(selects[0], listing.predictors, listing.recommended);
+    fillSelect(selects[1], listing.predictors, "", "none");
   }
-  drawSwatches();
-  if (source === null) await take(embedded());
-  else if (movement === null) await show(at);
+  drawLegends();
+  if (source === null) await changeSource(sampleSource());
+  else if (movement === null) await show(index);
   draw();
 }
 
-/** Holds the replay. */
+/** Pauses the replay. */
 export function close() {
   player.stop();
 }
 
-previous.addEventListener("click", () => show(at - 1));
-next.addEventListener("click", () => show(at + 1));
+previousButton.addEventListener("click", () => show(index - 1));
+nextButton.addEventListener("click", () => show(index + 1));
 list.addEventListener("change", () => show(list.selectedIndex));
-for (const choice of choices) choice.addEventListener("change", () => source && show(at, player.ms));
-file.addEventListener("click", () => (file.value = "")); // the same file may be opened again
-file.addEventListener("change", () => openFiles([...file.files]));
-back.addEventListener("click", openSample);
-again.addEventListener("click", () => show(at));
-acceptFiles(part("replay-drop"), (files) => openFiles(files));
+for (const select of selects) select.addEventListener("change", () => source && show(index, player.ms));
+fileInput.addEventListener("click", () => (fileInput.value = "")); // so that the same file can be opened again
+fileInput.addEventListener("change", () => openRecording([...fileInput.files]));
+sampleButton.addEventListener("click", openSample);
+retryButton.addEventListener("click", () => show(index));
+acceptFiles(part("replay-drop"), (files) => openRecording(files));
 onRepaint(draw);

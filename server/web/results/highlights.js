@@ -1,37 +1,39 @@
-// Which lines of a plot are drawn in colour: the best three, unless somebody has switched one on or off.
+// Which lines of a plot are coloured: the best three, unless the person has switched lines on or off.
 
 const BEST = 3;
-export const FLOOR = "hold";
 
-/** Gives each name in colour a place of its own, which it keeps as long as it is in colour. */
+/** The predictor that every other is compared with: the endpoint is where the cursor is. */
+export const BASELINE = "hold";
+
+/** Gives each coloured line an index of a colour, which it keeps as long as it is coloured. */
 export class Highlights {
-  #places = []; #wishes = new Map();
+  #names = []; #switched = new Map(); // the name at each index, or null; whether a line was switched on
 
-  /** Names, the best first; what was switched by hand before stays so. @param {string[]} ranked */
-  offer(ranked) {
-    const names = ranked.filter((name) => name !== FLOOR);
-    const wanted = names.filter((name, rank) => this.#wishes.get(name) ?? rank < BEST);
-    this.#places = this.#places.map((name) => (wanted.includes(name) ? name : null));
-    for (const name of wanted) if (!this.#places.includes(name)) this.#add(name);
+  /** Sets the names, best first; lines that the person has switched stay as they are. @param {string[]} ranked */
+  setNames(ranked) {
+    const names = ranked.filter((name) => name !== BASELINE);
+    const coloured = names.filter((name, rank) => this.#switched.get(name) ?? rank < BEST);
+    this.#names = this.#names.map((name) => (coloured.includes(name) ? name : null));
+    for (const name of coloured) if (!this.#names.includes(name)) this.#add(name);
   }
 
-  /** The place of a name's colour, from 0; null: it is grey. @param {string} name @returns {number|null} */
-  place(name) {
-    const at = this.#places.indexOf(name);
-    return at < 0 ? null : at;
+  /** The index of a line's colour, from 0; null for a grey line. @param {string} name @returns {number|null} */
+  colourIndex(name) {
+    const index = this.#names.indexOf(name);
+    return index < 0 ? null : index;
   }
 
-  /** Switches a name from grey to colour or back. @param {string} name */
+  /** Switches a line between grey and a colour. @param {string} name */
   toggle(name) {
-    const at = this.place(name);
-    this.#wishes.set(name, at === null);
-    if (at === null) this.#add(name);
-    else this.#places[at] = null;
+    const index = this.colourIndex(name);
+    this.#switched.set(name, index === null);
+    if (index === null) this.#add(name);
+    else this.#names[index] = null;
   }
 
   #add(name) {
-    const free = this.#places.indexOf(null);
-    if (free < 0) this.#places.push(name);
-    else this.#places[free] = name;
+    const free = this.#names.indexOf(null);
+    if (free < 0) this.#names.push(name);
+    else this.#names[free] = name;
   }
 }

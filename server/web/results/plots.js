@@ -1,54 +1,45 @@
-// Plots of errors: the lines in front told apart by colour and dashes, no prediction in black or white, the others in grey.
+// Plots of errors: highlighted lines differ in colour and dashes, hold is dotted, the others are grey.
 
-import { inks, onRepaint } from "../drawing/canvas.js";
-import { FLOOR } from "./highlights.js";
-import uPlot from "../vendor/uPlot.esm.js";
+import { Plot, axis } from "../drawing/plot.js";
+import { BASELINE } from "./highlights.js";
 
 const DASHES = [[], [9, 5], [10, 4, 2, 4], [18, 5], [5, 3], [10, 4, 2, 4, 2, 4]];
-const COLOURS = 7; // the eighth of the style sheet is that of no prediction
+const COLOURS = 7; // the eighth colour of the style sheet is that of hold
 
 /**
- * The look of a line. @param {string} name @param {number|null} place among the lines in front; null: it is not one
- * @returns {{colour: string, dash: number[], width: number, layer: number}} `colour`: its name in the style sheet
+ * The style of a line. @param {string} name @param {number|null} index of its colour; null: it is grey
+ * @returns {{colour: string, dash: number[], width: number, layer: number}} `colour`: the name of its variable in the style sheet
  */
-export function lookOf(name, place) {
-  if (name === FLOOR) return { colour: "--series-8", dash: [1, 5], width: 3, layer: 1 };
-  if (place === null) return { colour: "--faint", dash: [], width: 1, layer: 0 };
-  return { colour: `--series-${1 + (place % COLOURS)}`, dash: DASHES[(place + Math.floor(place / COLOURS)) % DASHES.length], width: 2.5, layer: 2 };
+export function lineStyle(name, index) {
+  if (name === BASELINE) return { colour: "--series-8", dash: [1, 5], width: 3, layer: 1 };
+  if (index === null) return { colour: "--faint", dash: [], width: 1, layer: 0 };
+  return { colour: `--series-${1 + (index % COLOURS)}`, dash: DASHES[(index + Math.floor(index / COLOURS)) % DASHES.length], width: 2.5, layer: 2 };
 }
 
-const plots = new Map();
+const variable = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+
+const plots = new Map(); // by their boxes
 
 /**
- * Draws errors over shares of the way or of the time, in a box of fixed height.
+ * Plots errors against shares of the path or of the time, in a box of fixed height.
  * @param {HTMLElement} box @param {number[]} shares
- * @param {{name: string, errors: (number|null)[], look: ReturnType<typeof lookOf>}[]} lines
+ * @param {{name: string, errors: (number|null)[], style: ReturnType<typeof lineStyle>}[]} lines
  */
 export function plotErrors(box, shares, lines) {
-  plots.get(box)?.destroy();
-  const ordered = [...lines].sort((a, b) => a.look.layer - b.look.layer);
-  const quiet = () => inks().quiet;
-  const grid = { stroke: () => inks().line, width: 1 };
-  const axis = { stroke: quiet, grid, ticks: grid, font: "12px system-ui, sans-serif" };
-  const most = Math.max(...lines.filter(({ name }) => name === FLOOR).flatMap(({ errors }) => errors), 1);
-  const options = {
-    width: Math.max(50, box.clientWidth),
-    height: Math.max(50, box.clientHeight),
-    legend: { show: false },
-    cursor: { show: false },
+  clearPlot(box);
+  const ordered = [...lines].sort((a, b) => a.style.layer - b.style.layer);
+  const most = Math.max(...lines.filter(({ name }) => name === BASELINE).flatMap(({ errors }) => errors), 1);
+  plots.set(box, new Plot(box, {
     padding: [10, 26, 0, 0],
     scales: { x: { time: false }, y: { range: (_, low, high) => [0, Math.min(high, 1.6 * most) * 1.05] } },
-    axes: [{ ...axis, size: 30, values: (_, marks) => marks.map((mark) => `${mark} %`) }, { ...axis, size: 46 }],
-    series: [{}, ...ordered.map(({ name, look: { colour, dash, width } }) => ({
-      label: name, stroke: () => inkOf(colour), width, dash, cap: "round", points: { show: false }, spanGaps: true,
+    axes: [axis({ size: 30, values: (_, marks) => marks.map((mark) => `${mark} %`) }), axis({ size: 46 })],
+    series: [{}, ...ordered.map(({ name, style: { colour, dash, width } }) => ({
+      label: name, stroke: () => variable(colour), width, dash, cap: "round", points: { show: false }, spanGaps: true,
     }))],
-  };
-  plots.set(box, new uPlot(options, [shares.map((share) => 100 * share), ...ordered.map(({ errors }) => errors)], box));
+  }, [shares.map((share) => 100 * share), ...ordered.map(({ errors }) => errors)]));
 }
 
-const inkOf = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-
-/** Leaves a box empty. */
+/** Removes the plot from a box. */
 export function clearPlot(box) {
   plots.get(box)?.destroy();
   plots.delete(box);
@@ -56,12 +47,12 @@ export function clearPlot(box) {
 
 const SVG = "http://www.w3.org/2000/svg";
 
-/** A short stroke with the look of a line, for legends and tables. */
-export function swatch({ colour, dash, width }) {
+/** A short stroke in the style of a line, for legends and tables. */
+export function lineSymbol({ colour, dash, width }) {
   const picture = document.createElementNS(SVG, "svg");
   const stroke = document.createElementNS(SVG, "line");
-  const where = { x1: 2, y1: 6, x2: 38, y2: 6, "stroke-width": width, "stroke-dasharray": dash.join(" "), "stroke-linecap": "round" };
-  for (const [name, value] of Object.entries(where)) stroke.setAttribute(name, String(value));
+  const attributes = { x1: 2, y1: 6, x2: 38, y2: 6, "stroke-width": width, "stroke-dasharray": dash.join(" "), "stroke-linecap": "round" };
+  for (const [name, value] of Object.entries(attributes)) stroke.setAttribute(name, String(value));
   stroke.style.stroke = `var(${colour})`;
   picture.setAttribute("viewBox", "0 0 40 12");
   picture.setAttribute("class", "swatch");
@@ -69,7 +60,3 @@ export function swatch({ colour, dash, width }) {
   picture.append(stroke);
   return picture;
 }
-
-onRepaint(() => {
-  for (const [box, plot] of plots) if (box.clientWidth > 0) plot.setSize({ width: box.clientWidth, height: box.clientHeight });
-});

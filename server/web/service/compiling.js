@@ -1,45 +1,49 @@
-// What the service still compiles on its first start: asked once a second while something is left.
+// What the service still compiles on its first start, requested once a second until it is done.
 
 import { read } from "./http.js";
 
-const AGAIN_MS = 1000;
+const INTERVAL_MS = 1000;
 
-/** @type {{done: number, of: number, next: string|null, ready: string[], recommended: string}|null} */ let now = null;
-let asking = false;
-const hearers = new Set();
+/** @type {{done: number, of: number, next: string|null, ready: string[], recommended: string}|null} */ let progress = null;
+let polling = false;
+const listeners = new Set();
 
-/** What to say of it beside a predictor; empty where nothing is compiled. @param {string} predictor @param {boolean} connected */
-export function compilingWords(predictor, connected) {
-  if (now === null) return "";
-  const what = connected && now.ready.includes(predictor) ? "Ready. Compiling the other predictors" : "Compiling";
-  return `${what}, only this once: ${now.done} of ${now.of} (${now.next}).`;
+/**
+ * What is compiled, as text and as a state; null if nothing is. @param {string} predictor in use @param {boolean} connected
+ * @returns {{state: "ready"|"compiling", text: string}|null} "ready": the predictor is compiled, others are not
+ */
+export function compilingProgress(predictor, connected) {
+  if (progress === null) return null;
+  const state = connected && progress.ready.includes(predictor) ? "ready" : "compiling";
+  const subject = state === "ready" ? "Ready. Compiling the other predictors" : "Compiling";
+  return { state, text: `${subject} (first start only): ${progress.done} of ${progress.of}, ${progress.next}.` };
 }
 
-/** Calls `hear` whenever there is something else to say. */
-export function whileCompiling(hear) {
-  hearers.add(hear);
+/** Calls `listener` whenever the progress has changed. */
+export function onCompiling(listener) {
+  listeners.add(listener);
 }
 
-/** Asks the service, and again while something is left. */
-export async function askCompiling() {
-  if (asking) return;
-  asking = true;
+/** Requests the progress, and again until everything is compiled. */
+export async function pollCompiling() {
+  if (polling) return;
+  polling = true;
   do {
-    const said = await read("/v1/compiling").catch(() => null);
-    const before = now;
-    now = said?.next ? said : null;
-    mark();
-    if (now !== null || before !== null) for (const hear of hearers) hear();
-    if (now !== null) await new Promise((wake) => setTimeout(wake, AGAIN_MS));
-  } while (now !== null);
-  asking = false;
+    const answer = await read("/v1/compiling").catch(() => null);
+    const before = progress;
+    progress = answer?.next ? answer : null;
+    labelOptions();
+    if (progress !== null || before !== null) for (const listener of listeners) listener();
+    if (progress !== null) await new Promise((resolve) => setTimeout(resolve, INTERVAL_MS));
+  } while (progress !== null);
+  polling = false;
 }
 
-/** Says beside each predictor that can be chosen whether it is compiled. */
-function mark() {
+/** Labels the predictors that are not compiled yet. */
+function labelOptions() {
   for (const option of document.querySelectorAll("option[data-predictor]")) {
     const name = option.dataset.predictor;
-    const waits = now !== null && !now.ready.includes(name);
-    option.label = waits ? `${name} (not compiled yet)` : name;
+    const compiled = progress === null || progress.ready.includes(name);
+    option.label = compiled ? name : `${name} (not compiled yet)`;
   }
 }

@@ -1,46 +1,54 @@
-// What the service answers over HTTP.
+// Requests to the service over HTTP.
 
-/** The predictor shown first, unless the service recommends another. */
-export const PREFERRED = "kinematic-adaptive";
+const FALLBACK = "kinematic-adaptive"; // the predictor shown first if the service recommends none
 
-/** The token in the page's own address, where the service asks for one: the address that it printed has it. */
+/** The token in the page's own address, if the service asks for one. */
 export const token = new URLSearchParams(window.location.search).get("token") ?? undefined;
 
-const SHOWN = token === undefined ? {} : { Authorization: `Bearer ${token}` };
+const AUTHORIZATION = token === undefined ? {} : { Authorization: `Bearer ${token}` };
 
-/** Reads JSON; a refusal is an error with the service's own words, and `refusal` is all that the service said. */
+/** A request that the service has refused; `code`, `path` and `field` are those of the service. */
+export class ServiceError extends Error {
+  /** @param {object} body the error as the service describes it @param {number} status */
+  constructor(body, status) {
+    super(body.message ?? `the service answered with status ${status}`);
+    this.code = body.code ?? "internal";
+    this.path = body.path ?? null;
+    this.field = body.field ?? null;
+    this.body = body;
+  }
+}
+
+/** Requests JSON. Throws a ServiceError if the service refuses, and an Error if it cannot be reached. */
 export async function read(address, options = {}) {
-  const headers = { ...SHOWN, ...options.headers };
-  const answer = await fetch(address, { ...options, headers }).catch(() => {
-    throw new Error("the service cannot be reached"); // the browser's own words differ and say less
+  const headers = { ...AUTHORIZATION, ...options.headers };
+  const response = await fetch(address, { ...options, headers }).catch(() => {
+    throw new Error("the service cannot be reached"); // the browsers' own messages differ and say less
   });
-  const body = await answer.json().catch(() => ({}));
-  if (!answer.ok) throw Object.assign(new Error(body.message ?? `the service answered ${answer.status}`), { refusal: body });
+  const body = await response.json().catch(() => ({}));
+  if (!response.ok) throw new ServiceError(body, response.status);
   return body;
 }
 
-let listed = null;
+let listing = null;
 
-/** The predictors the service has, and which it recommends; asked once, again after a failure. */
+/** The predictors of the service, and which one it recommends; requested once, and again after a failure. */
 export function predictors() {
-  listed ??= read("/v1/predictors").then((listing) => ({ recommended: PREFERRED, ...listing })).catch((error) => {
-    listed = null;
+  listing ??= read("/v1/predictors").then((answer) => ({ recommended: FALLBACK, ...answer })).catch((error) => {
+    listing = null;
     throw error;
   });
-  return listed;
+  return listing;
 }
 
-const query = (told) => (Object.keys(told).length ? `?${new URLSearchParams(told)}` : "");
-
-/**
- * The scores of a recording, as `pointpred score --json` prints them.
- * @param {string|Blob} body the samples file @param {object} told what is said of its columns
- */
-export function score(body, told = {}) {
-  return read(`/v1/score${query(told)}`, { method: "POST", headers: { "Content-Type": "text/csv" }, body });
+/** Uploads a table of samples. @param {string|Blob} body @param {object} columns how to read it: the query of the request */
+function upload(address, body, columns) {
+  const query = Object.keys(columns).length ? `?${new URLSearchParams(columns)}` : "";
+  return read(`${address}${query}`, { method: "POST", headers: { "Content-Type": "text/csv" }, body });
 }
 
-/** The movements of a recording in any format. @param {Blob} body @param {object} told what is said of its columns */
-export function recording(body, told = {}) {
-  return read(`/v1/recording${query(told)}`, { method: "POST", headers: { "Content-Type": "text/csv" }, body });
-}
+/** The scores of a recording, as `pointpred score --json` prints them. @param {string|Blob} body @param {object} columns */
+export const score = (body, columns = {}) => upload("/v1/score", body, columns);
+
+/** The movements of a recording in any format. @param {Blob} body @param {object} columns */
+export const recording = (body, columns = {}) => upload("/v1/recording", body, columns);

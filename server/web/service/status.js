@@ -1,39 +1,40 @@
-// The line that says how a connection stands, and what the service still compiles before it can answer.
+// The line that shows the state of a connection, and what the service still compiles before it can answer.
 
-import { askCompiling, compilingWords, whileCompiling } from "./compiling.js";
 import { write } from "../page/elements.js";
-import { words } from "./track.js";
+import { compilingProgress, onCompiling, pollCompiling } from "./compiling.js";
+import { stateText } from "./predictor-connection.js";
 
-/** One such line; it is written anew while the service compiles. */
-export class Status {
-  #line; #stands = {};
+/** One status line; it is updated while the service compiles. */
+export class ConnectionStatus {
+  #line; #shown = {};
 
   /** @param {HTMLElement} line */
   constructor(line) {
     this.#line = line;
-    whileCompiling(() => this.#write());
+    onCompiling(() => this.#write());
   }
 
-  /** Of the connection; empty where there is none. @returns {string} */
+  /** The state of the connection; empty if there is none. @returns {string} */
   get state() {
     return this.#line.dataset.state ?? "";
   }
 
   /**
-   * @param {string|undefined} state of the connection, undefined where there is none
-   * @param {{predictor: string, fault?: string|null, without?: string}} about what went wrong; the words without a connection
+   * @param {string|undefined} state of the connection, undefined if there is none
+   * @param {{predictor: string, error?: string|null, disconnected?: string}} about the newest error; the text if there is no connection
    */
-  say(state, about) {
-    this.#stands = { state, ...about };
+  show(state, about) {
+    this.#shown = { state, ...about };
     this.#line.dataset.state = state ?? "";
-    if (state === "connecting") askCompiling();
+    if (state === "connecting") pollCompiling();
     this.#write();
   }
 
   #write() {
-    const { state, predictor, fault, without } = this.#stands;
-    const compiling = state === "connecting" || state === "open" ? compilingWords(predictor, state === "open") : "";
-    const said = compiling || (state === undefined ? without : words(state));
-    if (said !== undefined) write(this.#line, fault && state !== "open" ? `${said} ${fault}` : said);
+    const { state, predictor, error, disconnected } = this.#shown;
+    const compiling = state === "connecting" || state === "open" ? compilingProgress(predictor, state === "open") : null;
+    const text = compiling?.text ?? (state === undefined ? disconnected : stateText(state));
+    this.#line.dataset.compiling = compiling?.state ?? "";
+    if (text !== undefined) write(this.#line, error && state !== "open" ? `${text} ${error}` : text);
   }
 }

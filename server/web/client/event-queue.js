@@ -1,0 +1,46 @@
+// Events and messages that wait until there is a connection, in their order.
+
+const TARGETS_PER_UNIT = 64; // the service counts an event once more for every so many targets
+const FLUSH_SHARE = 0.75; // of what the service accepts in a second: the rest is left for new events
+
+/** Holds a bounded number of items; the oldest are dropped first. */
+export class EventQueue {
+  /** Number of events dropped. */ dropped = 0;
+  #items = []; #capacity;
+
+  /** @param {number} capacity items */
+  constructor(capacity) {
+    this.#capacity = capacity;
+  }
+
+  get length() {
+    return this.#items.length;
+  }
+
+  /** @param {(import("../pointpred.js").EventRow|object)[]} items rows of events, or messages */
+  add(items) {
+    for (const item of items) this.#items.push(item);
+    const surplus = this.#items.splice(0, Math.max(0, this.#items.length - this.#capacity));
+    this.dropped += surplus.filter(Array.isArray).length;
+  }
+
+  /**
+   * Empties the queue into runs of events and single messages. It returns no more events than the service accepts at
+   * once; the oldest are dropped.
+   * @param {import("../pointpred.js").Limits} limits @param {number} targets registered at the service
+   * @returns {{rows?: import("../pointpred.js").EventRow[], message?: object}[]}
+   */
+  drain({ max_events_per_s: limit }, targets = 0) {
+    const items = this.#items.splice(0);
+    const perSecond = limit / (1 + Math.floor(targets / TARGETS_PER_UNIT));
+    let surplus = items.filter(Array.isArray).length - Math.max(1, Math.floor(FLUSH_SHARE * perSecond));
+    const parts = [];
+    for (const item of items) {
+      if (!Array.isArray(item)) parts.push({ message: item });
+      else if (surplus-- > 0) this.dropped += 1;
+      else if (parts.at(-1)?.rows) parts.at(-1).rows.push(item);
+      else parts.push({ rows: [item] });
+    }
+    return parts;
+  }
+}
