@@ -148,6 +148,22 @@ class Visitor:
         node = self.page.call("DOM.querySelector", nodeId=root, selector=part)["nodeId"]
         self.page.call("DOM.setFileInputFiles", nodeId=node, files=[str(file) for file in files])
 
+    def enter(self, name: str, value: object) -> None:
+        """Type into the field of a form."""
+        self.value(
+            f"{{ const field = document.querySelector('[name={name}]'); field.value = {str(value)!r};"
+            "field.dispatchEvent(new Event('input', { bubbles: true })); }"
+        )
+
+    def give_files(self, texts: dict[str, str]) -> None:
+        """Give files with these texts to the replay view, by their names."""
+        self.value(
+            "{ const files = new DataTransfer(); const input = document.querySelector('#replay-file');"
+            f"for (const [name, text] of Object.entries({json.dumps(texts)}))"
+            "files.items.add(new File([text], name));"
+            "input.files = files.files; input.dispatchEvent(new Event('change')); }"
+        )
+
     def corner(self, part: str) -> tuple[float, float, float, float]:
         """Left, top, width and height of an element, CSS px."""
         box = f"document.querySelector({part!r}).getBoundingClientRect()"

@@ -31,7 +31,7 @@ window.WebSocket = class extends Plain {
 """Keeps what the page tells the service and hears, and the time of the newest event."""
 STATE = "document.querySelector('#assist-status').dataset.state"
 COUNTS = "document.querySelector('#assist-scene').dataset.counts"
-HELD = "document.pointerLockElement?.id === 'assist-scene'"
+CAPTURED = "document.pointerLockElement?.id === 'assist-scene'"
 CURSOR = "['x', 'y'].map((of) => Number(document.querySelector('#assist-scene').dataset[of]))"
 TARGET = "document.querySelector('#assist-scene').dataset.target.split(',').map(Number)"
 ROWS = "[...document.querySelectorAll('#assist-results tbody tr')]"
@@ -60,30 +60,30 @@ def visitor(one: Visitor, url: str) -> Iterator[Visitor]:
     assert one.shift() < 0.001
 
 
-def lend(visitor: Visitor) -> tuple[float, float]:
+def capture(visitor: Visitor) -> tuple[float, float]:
     """Click the button; where the mouse is then."""
     left, top, width, height = visitor.corner("#assist-capture")
     place = (left + width / 2, top + height / 2)
     visitor.mouse("mouseMoved", *place)
     visitor.click(*place)
-    visitor.wait(HELD)
+    visitor.wait(CAPTURED)
     visitor.wait("document.querySelector('#assist-connection').dataset.state === 'open'")
     return place
 
 
-def wander(visitor: Visitor, place: tuple[float, float], way: tuple[float, float]) -> tuple[float, float]:
-    """Move the mouse by so many px, which are counts while it is lent."""
+def move_by(visitor: Visitor, place: tuple[float, float], way: tuple[float, float]) -> tuple[float, float]:
+    """Move the mouse by so many px, which are counts while it is captured."""
     end = (place[0] + way[0], place[1] + way[1])
     visitor.reach(place, end, 0.3)
     return end
 
 
-def test_lent_movement_moves_the_cursor_of_the_service(visitor: Visitor) -> None:
+def test_captured_movement_moves_the_cursor_of_the_service(visitor: Visitor) -> None:
     assert visitor.value("document.querySelector('#assist-connection').dataset.state ?? null") is None
     visitor.value("document.querySelector('[name=strength]').value = 0")
-    place = lend(visitor)
+    place = capture(visitor)
     before = visitor.wait(f"{CURSOR}.every(Number.isFinite) && {CURSOR}")
-    wander(visitor, place, (-100.0, 40.0))
+    move_by(visitor, place, (-100.0, 40.0))
     visitor.wait(ANSWERED)
     x, y = visitor.value(CURSOR)
     px = 6.0 * 96.0 / 1000.0  # the gain of the form, 96 px and 1000 counts an inch
@@ -91,16 +91,16 @@ def test_lent_movement_moves_the_cursor_of_the_service(visitor: Visitor) -> None
     assert y - before[1] == pytest.approx(40.0 * px, abs=4.0)
 
 
-def test_escape_gives_the_mouse_back_and_ends_the_session(visitor: Visitor) -> None:
-    place = lend(visitor)
-    wander(visitor, place, (-60.0, 0.0))
+def test_escape_releases_the_mouse_and_ends_the_session(visitor: Visitor) -> None:
+    place = capture(visitor)
+    move_by(visitor, place, (-60.0, 0.0))
     visitor.press("Escape")
-    visitor.wait(f"!({HELD})")
+    visitor.wait(f"!({CAPTURED})")
     visitor.wait(f"{STATE} === 'released'")
     assert visitor.value("document.querySelector('#assist-connection').dataset.state") == "closed"
     assert visitor.value("told.at(-1).type") == "bye"
     count = visitor.value("told.length")
-    wander(visitor, place, (-60.0, 0.0))
+    move_by(visitor, place, (-60.0, 0.0))
     assert visitor.value("told.length") == count
 
 
@@ -113,7 +113,7 @@ def point(visitor: Visitor, place: tuple[float, float], done: int) -> tuple[floa
         if max(map(abs, off)) < 8:
             break
         scale = 0.6 / 1.92  # a little less than what is left: help may add half of it
-        place = wander(visitor, place, (off[0] * scale, off[1] * scale))
+        place = move_by(visitor, place, (off[0] * scale, off[1] * scale))
         visitor.wait(ANSWERED)
     visitor.click(*place)
     visitor.wait(f"{DONE}[0] + {DONE}[1] === {done} && {TARGET}.join() !== '{goal[0]},{goal[1]}'")
@@ -124,7 +124,7 @@ def test_targets_are_clicked_with_help_and_without_it(visitor: Visitor) -> None:
     """Each click asks for the help of the next target; the table tells both kinds apart."""
     visitor.choose("#assist-predictor", "switched-direction")  # it claims no region, so that help never fades
     visitor.value("document.querySelector('#assist-form [name=gain]').value = 20")
-    place = lend(visitor)  # a high gain, so that the mouse stays in the window
+    place = capture(visitor)  # a high gain, so that the mouse stays in the window
     for done in range(1, 5):
         place = point(visitor, place, done)
     assert visitor.value(DONE) == [2, 2]
@@ -137,7 +137,7 @@ def test_targets_are_clicked_with_help_and_without_it(visitor: Visitor) -> None:
     assert visitor.value(f"{LAST}.added_px") > 20
 
 
-def test_the_keyboard_reaches_everything_and_lends_the_mouse(visitor: Visitor) -> None:
+def test_the_keyboard_reaches_everything_and_captures_the_mouse(visitor: Visitor) -> None:
     stops = set()
     for _ in range(10):
         visitor.press("Tab")
@@ -150,13 +150,13 @@ def test_the_keyboard_reaches_everything_and_lends_the_mouse(visitor: Visitor) -
     key = {"key": "Enter", "windowsVirtualKeyCode": 13, "text": "\r"}
     for kind in ("keyDown", "keyUp"):
         visitor.page.call("Input.dispatchKeyEvent", type=kind, **key)
-    visitor.wait(HELD)
+    visitor.wait(CAPTURED)
 
 
-def test_another_view_gives_the_mouse_back(visitor: Visitor) -> None:
-    lend(visitor)
+def test_another_view_releases_the_mouse(visitor: Visitor) -> None:
+    capture(visitor)
     visitor.value("location.hash = '#replay'")
-    visitor.wait(f"!({HELD})")
+    visitor.wait(f"!({CAPTURED})")
 
 
 def test_wrong_numbers_are_marked_and_nothing_is_captured(visitor: Visitor) -> None:
@@ -165,7 +165,7 @@ def test_wrong_numbers_are_marked_and_nothing_is_captured(visitor: Visitor) -> N
     assert visitor.value(STATE) == "invalid"
     assert visitor.value("document.querySelector('#assist-form [aria-invalid=true]').name") == "cpi"
     assert all(word in visitor.text("#assist-status") for word in ("Counts per inch", "50", "50000"))
-    assert not visitor.value(HELD)
+    assert not visitor.value(CAPTURED)
 
 
 def test_a_browser_without_pointer_lock_is_named(visitor: Visitor, url: str) -> None:
@@ -179,26 +179,26 @@ def test_a_browser_without_pointer_lock_is_named(visitor: Visitor, url: str) -> 
 
 def test_raw_counts_are_requested_and_their_kind_is_shown(visitor: Visitor) -> None:
     """The browser of the tests has no raw counts; in its place one that says it has."""
-    lend(visitor)
+    capture(visitor)
     visitor.wait(f"{COUNTS} === 'accelerated'")
     visitor.press("Escape")
-    visitor.wait(f"!({HELD})")
+    visitor.wait(f"!({CAPTURED})")
     visitor.value("""{ const plain = Element.prototype.requestPointerLock;
       Element.prototype.requestPointerLock = function (options) {
         window.wished = options;
         return plain.call(this);
       }; }""")
-    lend(visitor)
+    capture(visitor)
     assert visitor.value("wished.unadjustedMovement") is True
     visitor.wait(f"{COUNTS} === 'raw'")
 
 
-def test_a_service_that_goes_away_gives_the_mouse_back(tmp_path_factory: pytest.TempPathFactory) -> None:
+def test_a_service_that_goes_away_releases_the_mouse(tmp_path_factory: pytest.TempPathFactory) -> None:
     with page_browser.visitor(tmp_path_factory.mktemp("profile")) as visitor:
         with page_browser.service() as address:
             visitor.open(f"{address}#assist")
             visitor.wait("!document.querySelector('#assist-capture').disabled")
-            place = lend(visitor)
-            wander(visitor, place, (-60.0, 0.0))
+            place = capture(visitor)
+            move_by(visitor, place, (-60.0, 0.0))
         visitor.wait(f"{STATE} === 'released'")
-        assert not visitor.value(HELD)
+        assert not visitor.value(CAPTURED)

@@ -36,10 +36,7 @@ def visitor(one: Visitor, url: str) -> Iterator[Visitor]:
 def enter(visitor: Visitor, **settings: float) -> str:
     """Type into settings; returns the warning that the page then shows."""
     for name, value in settings.items():
-        field = f"document.querySelector('[name={name}]')"
-        visitor.value(
-            f"{field}.value = '{value}'; {field}.dispatchEvent(new Event('input', {{ bubbles: true }}))"
-        )
+        visitor.enter(name, value)
     visitor.value(DRAWN)
     said: str = visitor.value(WARNING)
     return said

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Iterator
 from pathlib import Path
@@ -104,12 +103,7 @@ def test_a_file_shows_the_same_regions_as_the_sample(visitor: Visitor, tmp_path:
         Recording.of("one", [whole.rows(TRIAL)], [whole.trials[TRIAL]], provenance=whole.provenance),
         tmp_path / "one_samples.csv",
     )
-    texts = json.dumps([[file.name, file.read_text()] for file in files])
-    visitor.value(
-        "{ const held = new DataTransfer(); const file = document.querySelector('#replay-file');"
-        f"for (const [name, text] of {texts}) held.items.add(new File([text], name));"
-        "file.files = held.files; file.dispatchEvent(new Event('change')); }"
-    )
+    visitor.give_files({file.name: file.read_text() for file in files})
     visitor.wait(f"{READOUT}.includes('Movement 1 of 1')")
     again = [ellipses(visitor, share) for share in (0.3, 0.45, 0.6, 0.9)]
     assert [event for event, _ in again] == [event for event, _ in shown]

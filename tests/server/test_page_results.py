@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Iterator
 from pathlib import Path
@@ -43,11 +42,7 @@ def give(visitor: Visitor, folder: Path, trials: range) -> None:
     rows, about = [whole.rows(i) for i in trials], [whole.trials[i] for i in trials]
     [samples, _] = write(Recording.of("study", rows, about), folder / "study_samples.csv")
     visitor.value("document.querySelector('#replay-score-status').dataset.state = ''")
-    visitor.value(
-        "{ const held = new DataTransfer(); const file = document.querySelector('#replay-file');"
-        f"held.items.add(new File([{json.dumps(samples.read_text())}], 'study.csv'));"
-        "file.files = held.files; file.dispatchEvent(new Event('change')); }"
-    )
+    visitor.give_files({"study.csv": samples.read_text()})
     visitor.wait("document.querySelector('#replay-score-status').dataset.state === 'done'")
 
 

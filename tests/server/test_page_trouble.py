@@ -45,23 +45,6 @@ def press(visitor: Visitor, part: str) -> None:
     visitor.value(f"document.querySelector({part!r}).click()")
 
 
-def enter(visitor: Visitor, name: str, value: object) -> None:
-    """Type into a setting of the circle."""
-    field = f"document.querySelector('[name={name}]')"
-    visitor.value(
-        f"{field}.value = '{value}'; {field}.dispatchEvent(new Event('input', {{ bubbles: true }}))"
-    )
-
-
-def give(visitor: Visitor, name: str, text: str) -> None:
-    """Open a file in the replay view."""
-    visitor.value(
-        "{ const held = new DataTransfer(); const file = document.querySelector('#replay-file');"
-        f"held.items.add(new File([{json.dumps(text)}], {name!r})); file.files = held.files;"
-        "file.dispatchEvent(new Event('change')); }"
-    )
-
-
 def circle(visitor: Visitor, url: str) -> None:
     visitor.open(f"{url}#circle")
     visitor.wait("!document.querySelector('#circle-start').disabled")
@@ -83,7 +66,7 @@ def test_a_file_that_stalls_leaves_what_is_shown(visitor: Visitor, url: str) -> 
     visitor.open(f"{url}#replay")
     visitor.wait("!document.querySelector('#replay-play').disabled")
     visitor.value(SILENT)
-    give(visitor, "slow.csv", TABLE)
+    visitor.give_files({"slow.csv": TABLE})
     visitor.wait("document.querySelector('#replay-source').dataset.state === 'reading'")
     press(visitor, "#replay-next")
     count = len(sample().trials)
@@ -119,7 +102,7 @@ def test_a_run_whose_circle_no_longer_fits_is_stopped(visitor: Visitor, url: str
 def test_scores_that_did_not_come_are_asked_for_again(visitor: Visitor, url: str) -> None:
     circle(visitor, url)
     for name, value in (("targets", 3), ("blocks", 1)):
-        enter(visitor, name, value)
+        visitor.enter(name, value)
     visitor.wait("document.querySelector('#circle-connection').dataset.state === 'open'")
     refuse(visitor, "*/v1/score")
     press(visitor, "#circle-start")
@@ -165,12 +148,12 @@ def test_a_distance_of_the_pages_own_follows_the_targets(visitor: Visitor, url: 
     visitor.resize(390, 844)
     circle(visitor, url)
     for targets in (3, 41):
-        enter(visitor, "targets", targets)
+        visitor.enter("targets", targets)
         press(visitor, "#circle-start")
         assert visitor.value(STATE) == "waiting"
         press(visitor, "#circle-stop")
-    enter(visitor, "distance", 900)
-    enter(visitor, "targets", 3)
+    visitor.enter("distance", 900)
+    visitor.enter("targets", 3)
     press(visitor, "#circle-start")
     assert visitor.value(STATE) == "invalid"
     assert visitor.value("document.activeElement.name") == "distance"
@@ -179,15 +162,15 @@ def test_a_distance_of_the_pages_own_follows_the_targets(visitor: Visitor, url: 
 def test_a_refused_setting_is_seen_and_reached(visitor: Visitor, url: str) -> None:
     circle(visitor, url)
     for name, value in (("distance", 3000), ("targets", 12)):
-        enter(visitor, name, value)
+        visitor.enter(name, value)
         press(visitor, "#circle-start")
         field = f"document.querySelector('[name={name}]')"
         assert visitor.value("document.activeElement.name") == name
         assert visitor.value(f"{field}.getAttribute('aria-invalid')") == "true"
         assert visitor.value(f"{field}.getAttribute('aria-describedby')") == "circle-status"
         assert visitor.value(f"getComputedStyle({field}).borderTopColor") == "rgb(194, 65, 12)"
-    enter(visitor, "targets", 13)
-    enter(visitor, "distance", 300)
+    visitor.enter("targets", 13)
+    visitor.enter("distance", 300)
     visitor.wait(
         "document.querySelectorAll('[aria-invalid=true], [aria-describedby=circle-status]').length === 0"
     )

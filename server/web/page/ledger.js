@@ -51,7 +51,7 @@ export class Ledger {
   /** The counts as a sentence; empty before the first movement. */
   get summary() {
     if (this.movements === 0) return "";
-    const early = this.#leads.length ? `, ${number(1000 * median(this.#leads), 0, "ms")} early (median)` : "";
+    const early = this.#leads.length ? `, ${number(1000 * median(this.#leads), 0, "ms")} early` : "";
     return `Proposed in time: ${this.hits} of ${count(this.movements, "movement")}${early}; ${this.wasted} of ${count(this.proposals, "proposal")} wrong.`;
   }
 }
