@@ -135,10 +135,10 @@ def _one(
 ) -> Fetched:
     """One file: kept where it is already there, otherwise downloaded beside its place and renamed."""
     path = folder / Path(file.name).name
-    kept = path.exists()
-    part = path if kept else path.with_name(path.name + ".part")
+    exists = path.exists()
+    part = path if exists else path.with_name(path.name + ".part")
     try:
-        if kept:
+        if exists:
             with path.open("rb") as present:
                 digest = hashlib.file_digest(present, "sha256").hexdigest()
         else:
@@ -152,10 +152,10 @@ def _one(
             raise
         raise SourceError(f"{file.url}: {error}") from error
     finally:
-        if not kept:
+        if not exists:
             part.unlink(missing_ok=True)
     state = "digest as recorded" if fetched.verified else "not verified, digest to be recorded"
-    say(f"{path}: {'already there, ' if kept else ''}{fetched.size} bytes, {state}: sha256 {digest}")
+    say(f"{path}: {'already there, ' if exists else ''}{fetched.size} bytes, {state}: sha256 {digest}")
     return fetched
 
 
@@ -167,8 +167,8 @@ def _download(
     opener = urllib.request.build_opener(_CarefulRedirect)
     digest, size = hashlib.sha256(), 0
     with opener.open(file.url, timeout=timeout_s) as answer, part.open("wb") as out:
-        told = answer.headers.get("Content-Length")
-        total = int(told) if told is not None and told.isdigit() else None
+        length = answer.headers.get("Content-Length")
+        total = int(length) if length is not None and length.isdigit() else None
         _bound(file, total or 0, most_bytes)
         while chunk := answer.read(CHUNK):
             size += len(chunk)

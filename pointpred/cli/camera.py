@@ -8,7 +8,7 @@ from typing import Annotated, Any
 import typer
 
 from pointpred.cli.output_files import check_target, check_targets, write_json
-from pointpred.cli.reading_options import there
+from pointpred.cli.reading_options import check_exists
 from pointpred.console import counted, remarks
 from pointpred.errors import ParameterError
 
@@ -76,7 +76,9 @@ def simulate(
 
 @app.command()
 def run(
-    samples: Annotated[Path, typer.Argument(callback=there, dir_okay=False, help="CSV of camera samples.")],
+    samples: Annotated[
+        Path, typer.Argument(callback=check_exists, dir_okay=False, help="CSV of camera samples.")
+    ],
     focal_px: Focal,
     start_depth: Annotated[float, typer.Option(metavar="M", help="Depth the observer starts with.")] = 1.0,
     start_vz: Annotated[
@@ -87,7 +89,7 @@ def run(
     images: Annotated[
         Path | None,
         typer.Option(
-            metavar="FOLDER", callback=there, file_okay=False, help="Images to follow the point in."
+            metavar="FOLDER", callback=check_exists, file_okay=False, help="Images to follow the point in."
         ),
     ] = None,
     point: Annotated[
@@ -96,7 +98,7 @@ def run(
     every: Annotated[int, typer.Option(help="Samples per image, with --images.")] = 1,
     truth: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", callback=there, dir_okay=False, help="CSV with the true values."),
+        typer.Option(metavar="FILE", callback=check_exists, dir_okay=False, help="CSV with the true values."),
     ] = None,
     plot: Annotated[Path | None, typer.Option(metavar="FILE", help="SVG file to draw.")] = None,
     json: Annotated[Path | None, typer.Option(metavar="FILE", help="Write JSON; - for stdout.")] = None,

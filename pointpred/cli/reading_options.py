@@ -74,41 +74,41 @@ Records = Annotated[
 ]
 
 
-def there(given: Any) -> Any:
+def check_exists(value: Any) -> Any:
     """A file or several as they were given; raises ParameterError for one that does not exist."""
-    for file in given if isinstance(given, list) else [given]:
+    for file in value if isinstance(value, list) else [value]:
         if file is not None and not file.exists():
             raise ParameterError(f"no such file: {file}")
-    return given
+    return value
 
 
-def to_read(context: typer.Context, given: Any) -> Any:
+def to_read(context: typer.Context, value: Any) -> Any:
     """The recordings given: ``sample`` is the embedded one, ``-`` stdin, a pattern all files that fit it."""
-    if given is None:
+    if value is None:
         return None
-    named = given if isinstance(given, list) else [given]
-    files = [file for one in named for file in _matching(context, one)]
-    there([file for file in files if not is_sample(file)])
-    if isinstance(given, list):
+    names = value if isinstance(value, list) else [value]
+    files = [file for one in names for file in _matches(context, one)]
+    check_exists([file for file in files if not is_sample(file)])
+    if isinstance(value, list):
         return files
     if len(files) != 1:
-        raise ParameterError(f"{given} names {len(files)} files, expected one")
+        raise ParameterError(f"{value} names {len(files)} files, expected one")
     return files[0]
 
 
-def _matching(context: typer.Context, given: Path) -> list[Path]:
+def _matches(context: typer.Context, value: Path) -> list[Path]:
     """The files that are meant by one argument; raises ParameterError where no file matches a pattern."""
-    if str(given) == STDIN:
-        return [_spooled(context)]
-    if given.exists() or not PATTERN.search(str(given)):
-        return [given]
-    files = sorted(Path(given.anchor).glob(str(given.relative_to(given.anchor))))
+    if str(value) == STDIN:
+        return [_save_stdin(context)]
+    if value.exists() or not PATTERN.search(str(value)):
+        return [value]
+    files = sorted(Path(value.anchor).glob(str(value.relative_to(value.anchor))))
     if not files:
-        raise ParameterError(f"no file matches {given}")
+        raise ParameterError(f"no file matches {value}")
     return files
 
 
-def _spooled(context: typer.Context) -> Path:
+def _save_stdin(context: typer.Context) -> Path:
     """What comes by stdin as a file, which is deleted when the command ends."""
     folder = context.with_resource(TemporaryDirectory(prefix="pointpred-"))
     path = Path(folder, SPOOLED)
@@ -198,9 +198,9 @@ def with_reading(command: Callable[..., None]) -> Callable[..., None]:
     options = _parameters(reading)
 
     @wraps(command)
-    def run(**given: Any) -> None:
-        said = reading(**{name: given[name] for name in options})
-        command(**{name: given[name] for name in own}, reading=said)
+    def run(**arguments: Any) -> None:
+        values = reading(**{name: arguments[name] for name in options})
+        command(**{name: arguments[name] for name in own}, reading=values)
 
     # The interface of the command line is made from the signature and the annotations.
     shown = own | {name: one for name, one in options.items() if name not in own}

@@ -82,14 +82,14 @@ def serve(
 
       pointpred serve --host 0.0.0.0 --allow-host lab.example
     """
-    given = {name: value for name, value in locals().items() if value not in (None, [])}
+    options = {name: value for name, value in locals().items() if value not in (None, [])}
     from pointpred.server.access import HostRule
     from pointpred.server.listening import address
     from pointpred.server.listening import serve as answer
     from pointpred.server.logs import set_up
     from pointpred.server.service import Service
 
-    settings = settings_of(given)
+    settings = settings_of(options)
     set_up(settings.log_format)
     opened = open_port(settings)
     if settings.port is None and opened.getsockname()[1] != PORT:
@@ -111,14 +111,14 @@ def open_port(settings: Settings) -> socket:
     return listen(settings.host, PORT, TRIES) if port is None else listen(settings.host, port)
 
 
-def settings_of(given: dict[str, Any]) -> Settings:
+def settings_of(options: dict[str, Any]) -> Settings:
     """The settings from flags and environment; raises ParameterError in one line for a wrong one."""
     from pydantic import ValidationError
 
     from pointpred.server.settings import Settings
 
     try:
-        return Settings(**given)
+        return Settings(**options)
     except ValidationError as error:
         first = error.errors()[0]
         name = "_".join(str(part) for part in first["loc"]) or "settings"

@@ -93,11 +93,11 @@ class LslInlet(ClosedOnExit):
         lsl = library()
         if "'" in self.name:
             raise SourceError(f"{self.name}: a stream is found by a name without an apostrophe")
-        found = lsl.resolve_byprop("name", self.name, 1, self._wait_s)
-        if not found:
+        streams = lsl.resolve_byprop("name", self.name, 1, self._wait_s)
+        if not streams:
             raise SourceError(_nothing(self.name, lsl.resolve_streams(min(1.0, self._wait_s))))
         flags = lsl.proc_clocksync | lsl.proc_monotonize
-        inlet = lsl.StreamInlet(found[0], max_buflen=BUFFER, processing_flags=flags)
+        inlet = lsl.StreamInlet(streams[0], max_buflen=BUFFER, processing_flags=flags)
         try:
             about = inlet.info(self._wait_s)
             if about.channel_format() == lsl.cf_string:
@@ -114,7 +114,7 @@ class LslInlet(ClosedOnExit):
             f"this computer's monotonic clock; the stamps of {about.hostname()} are corrected by "
             f"{1e3 * self.offset_s:+.3f} ms at first"
         )
-        self.words = f"positions of the stream {self.name!r}, {_described(self._channels, labels)}"
+        self.words = f"positions of the stream {self.name!r}, {_channel_words(self._channels, labels)}"
         return self
 
     def take(self, timeout_s: float) -> list[Report]:
@@ -130,9 +130,9 @@ class LslInlet(ClosedOnExit):
             raise SourceError(f"{self.name}: the stream has ended ({type(error).__name__})") from error
         pairs = zip([sample, *samples], [stamp, *stamps], strict=True)
         reports = [self._report(values, at + self._ahead_s) for values, at in pairs]
-        kept: list[Report] = [report for report in reports if report is not None]
-        self.unreadable += len(reports) - len(kept)
-        return kept
+        valid: list[Report] = [report for report in reports if report is not None]
+        self.unreadable += len(reports) - len(valid)
+        return valid
 
     def close(self) -> None:
         """Leave the stream; may be called twice."""
@@ -180,12 +180,12 @@ def channels_of(name: str, count: int, labels: Sequence[str | None]) -> Channels
         if word in KNOWN:
             places.setdefault(word, place)
     if not {"x", "y"} <= places.keys():
-        said = ", ".join(label or "-" for label in labels)
-        raise SourceError(f"{name}: its channels are {said}; expected channels labelled x and y")
+        names = ", ".join(label or "-" for label in labels)
+        raise SourceError(f"{name}: its channels are {names}; expected channels labelled x and y")
     return Channels(**places)
 
 
-def _described(channels: Channels, labels: Sequence[str | None]) -> str:
+def _channel_words(channels: Channels, labels: Sequence[str | None]) -> str:
     if not any(labels):
         return "its first two channels: none has a label"
     known = {name: getattr(channels, name) for name in KNOWN}
@@ -194,8 +194,8 @@ def _described(channels: Channels, labels: Sequence[str | None]) -> str:
 
 def _nothing(name: str, others: Sequence[Any]) -> str:
     """Why no stream was found, and what there is."""
-    said = ", ".join(sorted(f"{one.name()} ({one.channel_count()} channels)" for one in others)) or "none"
+    names = ", ".join(sorted(f"{one.name()} ({one.channel_count()} channels)" for one in others)) or "none"
     return (
-        f"no stream of {PURPOSE} is called {name!r}; streams on this network: {said}. Start the program that "
-        "sends it; a firewall may keep its announcements away"
+        f"no stream of {PURPOSE} is called {name!r}; streams on this network: {names}. Start the program "
+        "that sends it; a firewall may keep its announcements away"
     )

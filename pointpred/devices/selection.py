@@ -41,10 +41,10 @@ def choose(
     mice = list_mice(warn=warn)
     if not any(one.openable for one in mice):
         raise SourceError(_nothing_openable(mice), code="no_device")
-    listed = [mice]  # the first call of candidates need not list them again
+    devices = [mice]  # the first call of candidates need not list them again
 
     def candidates() -> list[Candidate]:
-        return [_candidate(one) for one in once_each(listed.pop() if listed else list_mice())]
+        return [_candidate(one) for one in once_each(devices.pop() if devices else list_mice())]
 
     source = FirstMoving(candidates)
     source.closed = tuple(one for one in mice if not one.openable)
@@ -79,7 +79,7 @@ def once_each(devices: Sequence[DeviceInfo]) -> list[DeviceInfo]:
     ]
 
 
-def device_path(name: str, listed: Sequence[DeviceInfo]) -> str:
+def device_path(name: str, devices: Sequence[DeviceInfo]) -> str:
     """The path of the device that ``name`` means among those ``listed``.
 
     ``event3`` and ``hidraw0`` are nodes of /dev; a link is followed, one of /dev/input/by-id also without its
@@ -95,12 +95,12 @@ def device_path(name: str, listed: Sequence[DeviceInfo]) -> str:
         return f"/dev/input/{name}"
     if re.fullmatch(r"hidraw\d+", name):
         return f"/dev/{name}"
-    if any(one.path == name for one in listed):
+    if any(one.path == name for one in devices):
         return name
     for link in (Path(name), *(folder / name for folder in LINKS)):
         if name and link.is_absolute() and (link.exists() or link == Path(name)):
             return _follow_link(link)
-    matches = _matches(name.casefold(), listed)
+    matches = _matches(name.casefold(), devices)
     if len(matches) == 1:
         return matches[0].path
     if matches:
@@ -110,7 +110,7 @@ def device_path(name: str, listed: Sequence[DeviceInfo]) -> str:
             value=name,
         )
     raise SourceError(
-        f"{name!r} names no device; there are: {_names(listed) or 'none'}; see 'pointpred devices list'",
+        f"{name!r} names no device; there are: {_names(devices) or 'none'}; see 'pointpred devices list'",
         code="unknown_device",
         value=name,
     )
@@ -152,10 +152,10 @@ def _follow_link(link: Path) -> str:
     return str(node) if re.fullmatch(r"hidraw\d+", node.name) else str(link)
 
 
-def _matches(name: str, listed: Sequence[DeviceInfo]) -> list[DeviceInfo]:
+def _matches(name: str, devices: Sequence[DeviceInfo]) -> list[DeviceInfo]:
     """The devices whose names fit best: whole before part, openable before closed, evdev before hidraw."""
-    whole = [one for one in listed if one.name.casefold() == name]
-    matches = whole or [one for one in listed if name and name in one.name.casefold()]
+    whole = [one for one in devices if one.name.casefold() == name]
+    matches = whole or [one for one in devices if name and name in one.name.casefold()]
     matches = [one for one in matches if one.openable] or matches
     return [one for one in matches if one.kind == "evdev"] or matches
 

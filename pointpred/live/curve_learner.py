@@ -60,10 +60,10 @@ class CurveLearner:
         return curve.words + like
 
     def _run(self, stopping: threading.Event, changed: Callable[[GainCurve], None]) -> None:
-        seen = 0
+        events = 0
         while not stopping.wait(CURVE_S):
-            if self._events != seen:
-                seen = self._events
+            if self._events != events:
+                events = self._events
                 self.curve = self.learner.curve()
                 changed(self.curve)
 

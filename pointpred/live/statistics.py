@@ -46,9 +46,9 @@ class Delays:
         if not self.count:
             return None
         left = share * self.count
-        for place, held in enumerate(self._bins):
-            left -= held
-            if held and left <= 1e-9 * self.count:
+        for place, count in enumerate(self._bins):
+            left -= count
+            if count and left <= 1e-9 * self.count:
                 return float(min(SHORTEST_S * 10.0 ** ((place + 1) / A_DECADE), self.longest))
         return self.longest
 

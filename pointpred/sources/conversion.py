@@ -9,7 +9,7 @@ import msgspec
 
 from pointpred.recording import Recording
 from pointpred.sources.files.names import file_names
-from pointpred.sources.files.writing import together
+from pointpred.sources.files.writing import write_together
 from pointpred.sources.own import recordings
 from pointpred.sources.read_files import read_any
 from pointpred.sources.reading import AS_IS, Reading
@@ -47,7 +47,7 @@ def write_recordings(parts: list[Recording], path_out: str | Path, *, replace: b
     for name in names:
         (recordings.files_of if replace else recordings.check_free)(out.with_name(name))
     files: list[str] = []
-    with together() as part:
+    with write_together() as part:
         for recording, name in zip(parts, names, strict=True):
             if recording.trials:
                 files += map(str, recordings.write_parts(recording, out.with_name(name), part))

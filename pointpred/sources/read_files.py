@@ -11,8 +11,8 @@ import msgspec
 from pointpred.errors import ColumnsError, MissingExtraError, RecordingError
 from pointpred.recording import Recording, Skip
 from pointpred.sources.files.encodings import encoding_of, head_of
-from pointpred.sources.files.folders import listed
-from pointpred.sources.files.names import described_readably
+from pointpred.sources.files.folders import list_files
+from pointpred.sources.files.names import readable_recording
 from pointpred.sources.known_formats import FORMATS, Format, format_of
 from pointpred.sources.own import recordings
 from pointpred.sources.reading import AS_IS, Reading, TimeUnit
@@ -60,7 +60,7 @@ def read_any(
         reading, **{name: value for name, value in unused.items() if value is not None}
     )
     parts = _folder(path, reading, progress) if path.is_dir() else [_file(path, reading)]
-    return [described_readably(recording) for recording in parts]
+    return [readable_recording(recording) for recording in parts]
 
 
 def _file(path: Path, reading: Reading) -> Recording:
@@ -112,7 +112,7 @@ def _folder(path: Path, reading: Reading, progress: Progress | None) -> list[Rec
     own: list[Recording] = []
     foreign: dict[str, list[tuple[Path, Recording]]] = {}
     skipped: list[Skip] = []
-    files, notes = listed(path)
+    files, notes = list_files(path)
     for number, file in enumerate(files):
         label = file.relative_to(path).as_posix()
         if progress is not None:
@@ -124,7 +124,7 @@ def _folder(path: Path, reading: Reading, progress: Progress | None) -> list[Rec
             if form is None:
                 notes.append(f"{label} fits no recording format")
             elif form.key in OWN:
-                own.append(_labelled(_read(form, file, reading), label))
+                own.append(_with_label(_read(form, file, reading), label))
             else:
                 recording = _read(form, file, reading)
                 foreign.setdefault(form.key, []).append((file, recording))
@@ -132,7 +132,7 @@ def _folder(path: Path, reading: Reading, progress: Progress | None) -> list[Rec
             notes.append(f"{label} is not read: {error}")
         except (RecordingError, MissingExtraError) as error:
             skipped.append(Skip(label, str(error)))
-    parts = _distinct(own + [_joined(parts) for parts in foreign.values()])
+    parts = _with_distinct_names(own + [_join(parts) for parts in foreign.values()])
     if not parts:
         reasons = [skip.reason for skip in skipped] + notes
         raise RecordingError(
@@ -144,12 +144,12 @@ def _folder(path: Path, reading: Reading, progress: Progress | None) -> list[Rec
     return parts
 
 
-def _labelled(recording: Recording, label: str) -> Recording:
+def _with_label(recording: Recording, label: str) -> Recording:
     """The recording with the file's name in front of each note."""
     return msgspec.structs.replace(recording, notes=tuple(f"{label}: {note}" for note in recording.notes))
 
 
-def _distinct(parts: list[Recording]) -> list[Recording]:
+def _with_distinct_names(parts: list[Recording]) -> list[Recording]:
     """The recordings with a number added to a name that has been taken."""
     taken: dict[str, Recording] = {}
     for recording in parts:
@@ -161,11 +161,11 @@ def _distinct(parts: list[Recording]) -> list[Recording]:
     return list(taken.values())
 
 
-def _joined(parts: list[tuple[Path, Recording]]) -> Recording:
+def _join(parts: list[tuple[Path, Recording]]) -> Recording:
     """The recordings of one foreign format as one, named after the folder that holds them all."""
     if len(parts) == 1:
         file, part = parts[0]
-        return _labelled(part, file.name)
+        return _with_label(part, file.name)
     folder = Path(commonpath([file.absolute().parent for file, _ in parts]))
     labels = [file.absolute().relative_to(folder).as_posix() for file, _ in parts]
     return join(folder.name, [part for _, part in parts], labels)

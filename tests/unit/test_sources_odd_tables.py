@@ -11,7 +11,7 @@ import pytest
 
 from pointpred.errors import ColumnsError, ParameterError, RecordingError
 from pointpred.sources import Reading, read_any
-from pointpred.sources.columns.names import near
+from pointpred.sources.columns.names import similar_names
 from pointpred.sources.table_files.delimited_layout import layout_of
 
 MOVES = [f"{10 * i};{3 * i};{100 - i}" for i in range(30)]
@@ -70,7 +70,7 @@ def test_intervals_are_no_clock(tmp_path: Path) -> None:
     path = write(tmp_path, "time;x;y;rel_time", *lines)
     with pytest.raises(ColumnsError, match=r"10 of 29 steps.*--columns t=rel_time,x=x,y=y"):
         read_any(path, Reading(columns={"t": "time"}, time_unit="ms"))
-    assert near(["time_interval_s", "dt", "stamp"])["t"] == "stamp"
+    assert similar_names(["time_interval_s", "dt", "stamp"])["t"] == "stamp"
 
 
 def test_a_clock_of_each_user_may_start_anew(tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ from pointpred.errors import RecordingError
 from pointpred.files import beside
 from pointpred.sources import convert, read_any
 from pointpred.sources.files import writing
-from pointpred.sources.files.writing import together
+from pointpred.sources.files.writing import write_together
 from pointpred.sources.own import recordings
 from pointpred.sources.tables import arrow_tables
 
@@ -116,7 +116,7 @@ def test_nothing_is_written_where_no_trial_was_read(tmp_path: Path) -> None:
 
 def test_files_take_their_places_at_the_end_of_the_block(tmp_path: Path) -> None:
     [recording] = read_any(FITTS)
-    with together() as part:
+    with write_together() as part:
         paths = recordings.write_parts(recording, tmp_path / "study.csv", part)
         assert not any(path.exists() for path in paths)
     assert sorted(contents(tmp_path)) == sorted(path.name for path in paths)

@@ -107,12 +107,12 @@ class CursorSource(ReaderSource):
             due = max(due + period_s, self._now())  # looks that were missed are not made up for
             self._sleep(max(due - self._now(), 0.0))
             x, y = self.cursor.position()
-            seen, t = (x, y, self.cursor.buttons()), self._now()
-            if seen != self._before:
+            look, t = (x, y, self.cursor.buttons()), self._now()
+            if look != self._before:
                 dx, dy = x - self._before[0], y - self._before[1]
-                event = PointerEvent(t, x, y, buttons=seen[2])
-                self._queue.put(PositionReport(t, dx, dy, seen[2], event=event))
-                self._before = seen
+                event = PointerEvent(t, x, y, buttons=look[2])
+                self._queue.put(PositionReport(t, dx, dy, look[2], event=event))
+                self._before = look
 
 
 def system_cursor(display: str | None = None) -> SystemCursor:

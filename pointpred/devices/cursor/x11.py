@@ -41,7 +41,7 @@ class ScreenCursor(ClosedOnExit):
         self.name = display or os.environ.get("DISPLAY", "")
         if not self.name:
             raise SourceError(f"no X11 display: DISPLAY is not set; set it, or {OTHERWISE}.")
-        self._display = _connected(self.name)
+        self._display = _connect(self.name)
         screen = self._display.screen()
         self._root = screen.root
         self.size = (int(screen.width_in_pixels), int(screen.height_in_pixels))
@@ -52,11 +52,11 @@ class ScreenCursor(ClosedOnExit):
         from Xlib.error import ConnectionClosedError
 
         try:
-            told = self._root.query_pointer()
+            pointer = self._root.query_pointer()
         except (ConnectionClosedError, OSError) as error:
             raise SourceError(f"the X11 display {self.name} is gone ({error}); {OTHERWISE}.") from error
-        self._mask = int(told.mask)
-        return float(told.root_x), float(told.root_y)
+        self._mask = int(pointer.mask)
+        return float(pointer.root_x), float(pointer.root_y)
 
     def buttons(self) -> int:
         """Left, right and middle as in ``PointerEvent``, as they were when ``position`` was asked last."""
@@ -76,7 +76,7 @@ def _session() -> str:
     return os.environ.get("XDG_SESSION_TYPE", "").lower()
 
 
-def _connected(name: str) -> Any:
+def _connect(name: str) -> Any:
     """A connection to a display; raises SourceError."""
     try:
         from Xlib import display, error

@@ -96,14 +96,14 @@ def list_hid(everything: bool = False) -> list[DeviceInfo]:
 
     Raises SourceError where no program can read HID devices: Windows, macOS, or hidapi is missing.
     """
-    listed = []
+    infos = []
     for device in hid_devices():
         why = not_a_mouse(device)
         if why is None:
-            listed.append(device_info(device))
+            infos.append(device_info(device))
         elif everything:
-            listed.append(DeviceInfo(device.path, device.name, "hid", False, why, "choose another device."))
-    return listed
+            infos.append(DeviceInfo(device.path, device.name, "hid", False, why, "choose another device."))
+    return infos
 
 
 def device_info(device: HidDevice) -> DeviceInfo:

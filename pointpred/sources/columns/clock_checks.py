@@ -16,7 +16,7 @@ FEW = 3
 MOSTLY = 0.5
 
 
-def doubts(name: str, per_second: float, times: FloatArray, users: Any = None) -> list[str]:
+def clock_notes(name: str, per_second: float, times: FloatArray, users: Any = None) -> list[str]:
     """Notes on a clock whose median interval, or that of a user, is none of a pointer's.
 
     ``name`` of its column; ``per_second``: its units in a second; ``users``: the name of each row's user,

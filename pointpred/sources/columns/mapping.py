@@ -11,7 +11,7 @@ from typing import Any
 
 from pointpred.errors import ColumnsError
 from pointpred.sources.columns.clock_units import counts_frames, is_clock, is_numbers, units_of
-from pointpred.sources.columns.names import Guess, guess, near, words_of
+from pointpred.sources.columns.names import Guess, guess, similar_names, words_of
 from pointpred.sources.reading import FIELDS, NEEDED, Reading
 
 KEYS = ("user", "trial")
@@ -37,7 +37,7 @@ def mapping(
     the ``same`` (they part the rows alike), the first is taken.
     """
     explicit = {
-        field: _named(path, names, field, column) for field, column in (reading.columns or {}).items()
+        field: _find_column(path, names, field, column) for field, column in (reading.columns or {}).items()
     }
     repeated = {name for name in explicit.values() if list(explicit.values()).count(name) > 1}
     if repeated:
@@ -75,7 +75,7 @@ def parts_of(path: Path, names: Sequence[str], reading: Reading) -> dict[str, li
         {str(reading.columns[key]): key for key in KEYS if key in reading.columns} if reading.columns else {}
     )
     return {
-        name: [_named(path, names, key, part.strip()) for part in name.split(JOIN)]
+        name: [_find_column(path, names, key, part.strip()) for part in name.split(JOIN)]
         for name, key in explicit.items()
         if JOIN in name and name not in names
     }
@@ -119,7 +119,7 @@ def _command(path: Path, columns: Mapping[str, str], units: Sequence[str]) -> st
     return f"{command_for(path, columns, 'UNIT')} (UNIT: {' or '.join(units or UNITS)})"
 
 
-def _named(path: Path, names: Sequence[str], field: str, column: str | int) -> str:
+def _find_column(path: Path, names: Sequence[str], field: str, column: str | int) -> str:
     """The column that is meant: by its name, by its name in other letters, by its place from 0."""
     wanted = str(column)
     if wanted in names:
@@ -140,19 +140,21 @@ def _refusal(
     path: Path, names: Sequence[str], why: str, best: Mapping[str, str], reading: Reading, cells: Cells
 ) -> ColumnsError:
     free = [name for name in names if name not in best.values()]
-    likely = {field: name for field, name in near(free).items() if field not in best} | dict(best)
+    likely = {field: name for field, name in similar_names(free).items() if field not in best} | dict(best)
     if not likely and list(names[:3]) == ["0", "1", "2"]:  # no header
         likely = _by_place(names, cells)
     missing = {field: "COLUMN" for field in NEEDED if field not in likely}
     explicit = reading.time_unit
-    fitting = _fitting(likely["t"], cells, explicit) if "t" in likely else [explicit] if explicit else None
+    fitting = (
+        _possible_units(likely["t"], cells, explicit) if "t" in likely else [explicit] if explicit else None
+    )
     unit = fitting[0] if fitting and len(fitting) == 1 else None
     pairs = likely | missing
     command = command_for(path, pairs) if fitting is None else _command(path, pairs, fitting)
     return ColumnsError(f"{path}: {why}; it {_has(names)}; try: {command}", names, likely, unit, why)
 
 
-def _fitting(name: str, cells: Cells, explicit: str | None) -> Sequence[str] | None:
+def _possible_units(name: str, cells: Cells, explicit: str | None) -> Sequence[str] | None:
     """The units that a column of times may have, none where they have to be asked for, ``None`` for words."""
     units = units_of(name, cells(name), explicit)[0]
     return units if units or is_numbers(cells(name)) else None

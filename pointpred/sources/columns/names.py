@@ -140,7 +140,7 @@ def _usual(names: Sequence[str]) -> Guess:
     )
 
 
-def near(names: Sequence[str]) -> dict[str, str]:
+def similar_names(names: Sequence[str]) -> dict[str, str]:
     """Columns that may be t, x and y although their names are not the usual ones: to be shown only.
 
     >>> near(["gaze_time_at", "gaze_x_raw", "gaze_y_raw"])

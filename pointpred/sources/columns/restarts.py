@@ -19,7 +19,7 @@ JOINTS = "+|/;"
 """Marks between the words of joined columns: the first that no word holds."""
 
 
-def joined(columns: list[Any]) -> Any:
+def join_columns(columns: list[Any]) -> Any:
     """The words of several columns as one column, such as ``2+7``; null where one of them is empty."""
     words = [pc.utf8_trim_whitespace(arrow_tables.words(column)) for column in columns]
     words = [pc.if_else(pc.equal(column, ""), None, column) for column in words]
@@ -43,7 +43,7 @@ def without_restarts(
         return trials, []
     usual = parts_of_study(list(others))
     for names in (*combinations(usual, 1), *combinations(usual, 2)):
-        joint = codes_of(joined([*(others[name] for name in names), column]).fill_null(""))
+        joint = codes_of(join_columns([*(others[name] for name in names), column]).fill_null(""))
         if _separates(_Runs(user, joint, order), runs, clock[order]):
             return joint, [f"trial numbers restart: {' and '.join(names)} joined to the trial"]
     return _split(trials, runs, clock[order], order)

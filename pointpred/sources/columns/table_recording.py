@@ -16,13 +16,13 @@ from pointpred.errors import ColumnsError, RecordingError
 from pointpred.recording import Provenance, Recording
 from pointpred.sources.columns import time_units
 from pointpred.sources.columns.buttons import buttons_of
-from pointpred.sources.columns.clock_checks import doubts, only_whole_seconds
+from pointpred.sources.columns.clock_checks import clock_notes, only_whole_seconds
 from pointpred.sources.columns.clock_units import HEAD, counts_frames, is_numbers, units_of
 from pointpred.sources.columns.list_rows import holds_lists, recording_of_lists, steps_of
 from pointpred.sources.columns.mapping import KEYS, command_for, mapping, parts_of, unit_refusal
-from pointpred.sources.columns.names import near
+from pointpred.sources.columns.names import similar_names
 from pointpred.sources.columns.position_units import gain_of
-from pointpred.sources.columns.restarts import joined
+from pointpred.sources.columns.restarts import join_columns
 from pointpred.sources.columns.trials import Rows, recording_of_rows
 from pointpred.sources.reading import NEEDED, Reading
 from pointpred.sources.records.json_cells import open_cells
@@ -45,13 +45,13 @@ def recording_of_table(path: Path, table: ColumnTable, reading: Reading) -> Reco
     Says in a note what was assumed. Raises ColumnsError, which names the columns and a mapping to try, where
     no mapping is certain, and RecordingError where a mapped column is not what it should be.
     """
-    mapped = _MappedTable(path, _opened(path, table, reading), reading)
+    mapped = _MappedTable(path, _expand(path, table, reading), reading)
     recording = _of_lists(mapped) if mapped.holds_lists else _of_rows(mapped)
-    doubtful = _doubtful_positions(recording.events, reading)
-    return msgspec.structs.replace(recording, notes=(*recording.notes, *doubtful))
+    position_notes = _position_notes(recording.events, reading)
+    return msgspec.structs.replace(recording, notes=(*recording.notes, *position_notes))
 
 
-def _doubtful_positions(events: EventColumns, reading: Reading) -> list[str]:
+def _position_notes(events: EventColumns, reading: Reading) -> list[str]:
     """Notes where positions are hardly px from a screen's top downwards, and nobody said what they are."""
     if not len(events):
         return []
@@ -159,7 +159,7 @@ class _MappedTable:
         return all(_part_alike(self.column(some[0]), self.column(other)) for other in some[1:])
 
 
-def _opened(path: Path, table: ColumnTable, reading: Reading) -> ColumnTable:
+def _expand(path: Path, table: ColumnTable, reading: Reading) -> ColumnTable:
     """The table with the tracks in its cells as columns, and the columns that ``reading`` joins."""
     columns, damage = open_cells(table.columns)
     sizes = {len(column) for column in columns.values()}
@@ -168,7 +168,7 @@ def _opened(path: Path, table: ColumnTable, reading: Reading) -> ColumnTable:
             f"{path}: columns of {min(sizes)} to {max(sizes)} rows, expected as many of each"
         )
     for name, parts in parts_of(path, list(columns), reading).items():
-        columns[name] = joined([as_arrow(columns[part]) for part in parts])
+        columns[name] = join_columns([as_arrow(columns[part]) for part in parts])
     return msgspec.structs.replace(table, columns=columns, notes=(*table.notes, *damage))
 
 
@@ -180,7 +180,7 @@ def _of_lists(mapped: _MappedTable) -> Recording:
     if mapped.reading.cut is not None:
         mapped.notes.append(f"cut {mapped.reading.cut!r} has no effect: a row of the table is a trial")
     unit, how = mapped.unit()
-    mapped.notes += doubts(mapped.mapping["t"], time_units.PER_SECOND[unit], steps_of(mapped.field("t")))
+    mapped.notes += clock_notes(mapped.mapping["t"], time_units.PER_SECOND[unit], steps_of(mapped.field("t")))
     return recording_of_lists(
         mapped.path,
         mapped.column,
@@ -206,7 +206,7 @@ def _of_rows(mapped: _MappedTable) -> Recording:
         for key in KEYS
         if key in mapped.mapping
     }
-    _doubt_clock(mapped, rows, keys)
+    _check_steps(mapped, rows, keys)
     return recording_of_rows(
         mapped.path,
         rows,
@@ -282,12 +282,12 @@ def _check_numbers(mapped: _MappedTable, field: str, values: FloatArray) -> None
     )
 
 
-def _doubt_clock(mapped: _MappedTable, rows: Rows, keys: Mapping[str, Any]) -> None:
+def _check_steps(mapped: _MappedTable, rows: Rows, keys: Mapping[str, Any]) -> None:
     """Note what the steps of the clock say against it; raise ColumnsError where it cuts no stream."""
     times, users = rows.values["t"], keys.get("user")
     if "trial" not in keys:
         _check_clock(mapped, times, users)
-    mapped.notes += doubts(mapped.mapping["t"], rows.per_second, times, users)
+    mapped.notes += clock_notes(mapped.mapping["t"], rows.per_second, times, users)
     if only_whole_seconds(times, rows.per_second, users):
         reason = (
             f"the time (column {mapped.mapping['t']!r}) has only whole seconds, with several rows in each"
@@ -305,7 +305,7 @@ def _check_clock(mapped: _MappedTable, clock: FloatArray, users: Any) -> None:
     back = int(np.count_nonzero(steps < 0))
     if back > max(OFTEN * len(steps), FEW):
         rest = {field: name for field, name in mapped.mapping.items() if field != "t"}
-        likely = near(mapped.others).get("t", "COLUMN")
+        likely = similar_names(mapped.others).get("t", "COLUMN")
         raise ColumnsError(
             f"{mapped.path}: the time (column {mapped.mapping['t']!r}) goes backwards in {back} of "
             f"{len(steps)} steps: does it hold intervals? try: "

@@ -128,7 +128,7 @@ def recording_of_rows(
             int(at): rows.faults[int(row)]
             for at, row in zip(np.searchsorted(members, faulty), faulty, strict=True)
         },
-        unfit=_bad_widths(targets[-1]),
+        unusable=_bad_widths(targets[-1]),
         provenance=provenance,
         row_of=rows.row_of[members],
         notes=(*notes, *groups.notes),
@@ -180,7 +180,7 @@ def _cut(rows: Rows, table: FloatArray, users: Any, one_user: str, reading: Read
         named = user or one_user
         for part in parts:
             _cut_part(groups, rows, mine[part], EventColumns(events[part]), how, named, reading)
-    groups.notes += _said(users is None, one_user, methods, reading, len(groups.keys))
+    groups.notes += _assumptions(users is None, one_user, methods, reading, len(groups.keys))
     if restarts:
         groups.notes.append(f"time starts anew in {restarts} rows: cut there")
     out = int(np.count_nonzero(~usable))
@@ -216,7 +216,7 @@ def _method(events: FloatArray, parts: Sequence[NDArray[np.int64]]) -> Cut:
     return "bursts" if max(spans) > LONG_S or np.any(steps > GAP_S) else "whole"
 
 
-def _said(one: bool, user: str, methods: dict[str, int], reading: Reading, trials: int) -> list[str]:
+def _assumptions(one: bool, user: str, methods: dict[str, int], reading: Reading, trials: int) -> list[str]:
     """What was assumed of users and trials, as notes."""
     notes = [f"one user, {user!r}: no column for users"] if one else []
     words = {

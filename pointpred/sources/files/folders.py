@@ -6,7 +6,7 @@ import os
 from pathlib import Path
 
 
-def listed(folder: Path) -> tuple[list[Path], list[str]]:
+def list_files(folder: Path) -> tuple[list[Path], list[str]]:
     """The files below a folder in the order of their paths, and notes on all that is none of them.
 
     Hidden files are left aside. Links to folders are not followed, so that no file is met twice.

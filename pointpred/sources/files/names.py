@@ -23,7 +23,7 @@ def readable(text: str) -> str:
     return text.encode("utf-8", "surrogateescape").decode("utf-8", "replace")
 
 
-def described_readably(recording: Recording) -> Recording:
+def readable_recording(recording: Recording) -> Recording:
     """The recording with every name, reason and note ``readable``."""
     replace = msgspec.structs.replace
     return replace(

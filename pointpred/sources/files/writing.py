@@ -12,7 +12,7 @@ from pointpred.files import beside
 
 
 @contextmanager
-def together() -> Iterator[Callable[[Path], Path]]:
+def write_together() -> Iterator[Callable[[Path], Path]]:
     """Yields where to write each file; at the end of the block all of them take their places.
 
     Where anything fails, or the program is interrupted, no file is left and none is replaced. Raises

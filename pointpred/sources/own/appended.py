@@ -73,22 +73,22 @@ def read(path: Path, trials: Path | None, reading: Reading = AS_IS) -> Recording
     encoded = marks.dictionary_encode()
     group = arrow_tables.as_array(pc.fill_null(encoded.indices, -1)).astype(np.int64)
     names = encoded.dictionary.to_pylist()
-    described, unfit, empty, more = _described(trials, user, names)
+    trials_there, unusable, empty, more = _read_trials(trials, user, names)
     sizes = np.bincount(group[group >= 0], minlength=len(names)).tolist()
     for index, size in enumerate(sizes):
-        expected = unfit.pop(index, size)
+        expected = unusable.pop(index, size)
         if expected is None:
-            unfit[index] = UNFINISHED
+            unusable[index] = UNFINISHED
         elif expected != size:
-            unfit[index] = f"{size} samples, expected {expected:g} as the trials file says"
+            unusable[index] = f"{size} samples, expected {expected:g} as the trials file says"
     rows = np.flatnonzero(group >= 0)
     return assemble(
         name,
         events[rows],
         group[rows],
-        described,
+        trials_there,
         skipped=(*_outside(group), *empty),
-        unfit={index: str(reason) for index, reason in unfit.items()},
+        unusable={index: str(reason) for index, reason in unusable.items()},
         provenance=provenance,
         notes=(*notes, *more),
         row_of=rows,
@@ -120,7 +120,7 @@ def _table(path: Path, columns: tuple[str, ...]) -> tuple[Any, Header, list[str]
     return table, header, notes
 
 
-def _described(
+def _read_trials(
     path: Path | None, user: str, names: list[str]
 ) -> tuple[list[Trial], dict[int, Any], list[Skip], list[str]]:
     """The trials, how many samples each should have (None: it never ended), those without samples, notes."""

@@ -16,9 +16,9 @@ from pointpred.errors import ParameterError, RecordingError
 from pointpred.recording import Provenance, Recording, Skip
 from pointpred.sources.columns import time_units
 from pointpred.sources.files.encodings import head_of, stem_of
-from pointpred.sources.files.writing import together
+from pointpred.sources.files.writing import write_together
 from pointpred.sources.own import appended
-from pointpred.sources.own.trials_table import describe, trial_table
+from pointpred.sources.own.trials_table import read_trials_table, trial_table
 from pointpred.sources.reading import AS_IS, Reading, row_name
 from pointpred.sources.tables import arrow_tables
 from pointpred.sources.tables.column_table import IntArray
@@ -77,20 +77,20 @@ def read(path: str | Path, trials: str | Path | None = None, reading: Reading = 
     if reading.time_unit is not None and header.provenance is not None:
         notes.append("time_unit has no effect: the file says itself that t_s is in seconds")
     notes += [] if len(group) or header.rows == 0 else ["no rows below the header"]
-    described = describe(beside, name, keys, np.bincount(group))
+    about_trials = read_trials_table(beside, name, keys, np.bincount(group))
     if not arrow_tables.is_whole(path):
         notes.append(arrow_tables.UNENDED)
-        described.unfit |= {int(index): arrow_tables.UNENDED for index in group[-1:]}
+        about_trials.unusable |= {int(index): arrow_tables.UNENDED for index in group[-1:]}
     recording = assemble(
         name,
         events,
         group,
-        described.trials,
-        skipped=(*(Skip(*skip) for skip in header.skipped), *described.without_samples),
+        about_trials.trials,
+        skipped=(*(Skip(*skip) for skip in header.skipped), *about_trials.empty),
         faults=faults,
-        unfit=described.unfit,
+        unusable=about_trials.unusable,
         provenance=header.provenance or Provenance("parquet" if path.suffix == ".parquet" else "csv"),
-        notes=(*header.notes, *notes, *described.notes),
+        notes=(*header.notes, *notes, *about_trials.notes),
     )
     slow = [] if header.provenance or reading.time_unit else _too_slow(recording)
     return msgspec.structs.replace(recording, notes=(*recording.notes, *slow))
@@ -105,7 +105,7 @@ def write(recording: Recording, path: str | Path) -> tuple[Path, Path]:
     RecordingError when the extension is neither, two trials share user and name, or a condition is words in
     one trial and a number in another.
     """
-    with together() as part:
+    with write_together() as part:
         return write_parts(recording, path, part)
 
 

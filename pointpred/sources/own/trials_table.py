@@ -24,16 +24,18 @@ NEAR = 0.75
 """Likeness, as difflib measures it, from which on a condition may be a misspelt column of ours."""
 
 
-class Described(msgspec.Struct):
+class TrialsTable(msgspec.Struct):
     """Trials in the order asked for, those without samples, those their samples contradict, and notes."""
 
     trials: list[Trial]
-    without_samples: list[Skip] = []
-    unfit: dict[int, str] = {}
+    empty: list[Skip] = []
+    unusable: dict[int, str] = {}
     notes: list[str] = []
 
 
-def describe(path: Path | None, name: str, keys: Sequence[tuple[str, str]], sizes: IntArray) -> Described:
+def read_trials_table(
+    path: Path | None, name: str, keys: Sequence[tuple[str, str]], sizes: IntArray
+) -> TrialsTable:
     """What a trials file says about the trials ``keys`` = (user, trial), which have ``sizes`` samples.
 
     Trials of the file that have no samples are skips; a trial of other length than ``n_samples``, one
@@ -41,7 +43,7 @@ def describe(path: Path | None, name: str, keys: Sequence[tuple[str, str]], size
     be read.
     """
     if path is None:
-        return Described([Trial(user, trial) for user, trial in keys])
+        return TrialsTable([Trial(user, trial) for user, trial in keys])
     table, header = arrow_tables.read_table(path, lambda column: True)
     arrow_tables.need_columns(path, table.column_names, ("user", "trial"), table.column_names)
     arrow_tables.unbroken(
@@ -59,7 +61,7 @@ def describe(path: Path | None, name: str, keys: Sequence[tuple[str, str]], size
         if key in rows:
             twice[key] = f"described twice, in rows {rows[key]} and {row} of {path.name}"
         rows.setdefault(key, row)
-    result = Described([], [], {}, [])
+    result = TrialsTable([], [], {}, [])
     conditions = [column for column in columns if column not in TRIAL_COLUMNS]
     result.notes += _misnamed(columns, conditions)
     for index, key in enumerate(keys):
@@ -71,8 +73,8 @@ def describe(path: Path | None, name: str, keys: Sequence[tuple[str, str]], size
         result.trials.append(_trial(key, columns, conditions, row))
         reason = twice.get(key) or faults.get(row) or _contradiction(columns, row, int(sizes[index]))
         if reason:
-            result.unfit[index] = reason
-    result.without_samples = [Skip(trial, "no samples", user=user) for user, trial in rows]
+            result.unusable[index] = reason
+    result.empty = [Skip(trial, "no samples", user=user) for user, trial in rows]
     return result
 
 

@@ -86,15 +86,15 @@ def _table_at(document: Any, wanted: str | None, title: str) -> ColumnTable:
     root = Branch(document)
     branches = [root] if wanted is None else list(_follow(root, wanted.split(".")))
     if not branches:
-        raise RecordingError(f"nothing lies at {wanted!r}; {_described(_survey([root]))}")
+        raise RecordingError(f"nothing lies at {wanted!r}; {_explain(_survey([root]))}")
     others: Tables = {}
-    label, table = wanted or "", _joined(branches) if wanted else None
+    label, table = wanted or "", _join(branches) if wanted else None
     if table is None:
-        label, others = _chosen(_survey(branches))
+        label, others = _choose(_survey(branches))
         table = others.pop(label)
     notes = [f"records: {_rows(table)} {f'at {label}' if label else 'of the whole file'}"]
     if others:
-        notes.append(f"other lists of records left aside: {_listed(others)}")
+        notes.append(f"other lists of records left aside: {_list_paths(others)}")
     if table.deep_fields:
         names = list(dict.fromkeys(field.name for field in table.deep_fields))
         notes.append(f"fields too deep for a cell left aside: {', '.join(names[:MOST_SHOWN])}")
@@ -130,7 +130,7 @@ def _table(branch: Branch) -> RecordTable | None:
     return table
 
 
-def _joined(branches: list[Branch]) -> RecordTable | None:
+def _join(branches: list[Branch]) -> RecordTable | None:
     """The branches of one path as one table; ``None`` where none of them is a table."""
     whole = RecordTable()
     for branch in branches:
@@ -181,27 +181,27 @@ def _fields(value: Any) -> set[str]:
     return {str(at) for at in range(len(first))} if isinstance(first, list) else set()
 
 
-def _chosen(tables: Tables) -> tuple[str, Tables]:
+def _choose(tables: Tables) -> tuple[str, Tables]:
     """The path of the only or by far the largest table, and all tables."""
     if not tables:
-        raise RecordingError(_described(tables))
+        raise RecordingError(_explain(tables))
     sizes = sorted(((table.samples, label) for label, table in tables.items()), reverse=True)
     if len(sizes) > 1 and sizes[0][0] < CLEAR * sizes[1][0]:
-        raise RecordingError(_described(tables))
+        raise RecordingError(_explain(tables))
     return sizes[0][1], dict(tables)
 
 
-def _described(tables: Tables) -> str:
+def _explain(tables: Tables) -> str:
     """What a refusal says: where records lie, and the option that takes one."""
     if not tables:
         return (
             f"no list of records with at least {LEAST_COLUMNS} fields, expected one with times and positions"
         )
     first = next(iter(tables))
-    return f"records lie at {_listed(tables)}; choose one, as in: --records {first or EACH}"
+    return f"records lie at {_list_paths(tables)}; choose one, as in: --records {first or EACH}"
 
 
-def _listed(tables: Tables) -> str:
+def _list_paths(tables: Tables) -> str:
     """Paths with the number of their rows and their columns."""
     shown = [
         f"{label or 'the top'} ({_rows(table)}: {', '.join(list(table.columns)[:MOST_SHOWN])})"

@@ -63,7 +63,7 @@ def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
         filled = [
             f"rows of {layout.width} cells filled up to {wider.width} with empty ones: {table.num_rows}"
         ]
-        layout, body = wider, _padded(body, wider)
+        layout, body = wider, _pad(body, wider)
         table, odd = _rows(path, body, layout)
     if len(odd) > MOST_ODD * total:
         row, cells = next(iter(odd.items()))
@@ -101,7 +101,7 @@ def _body(text: bytes, layout: Layout) -> tuple[bytes, int]:
     body = text[place:]
     comments = 0
 
-    def kept(match: re.Match[bytes]) -> bytes:
+    def keep_rows(match: re.Match[bytes]) -> bytes:
         nonlocal comments
         if is_row(match[0].decode("utf-8", "replace"), layout.separator, layout.width):
             return match[0]
@@ -109,7 +109,7 @@ def _body(text: bytes, layout: Layout) -> tuple[bytes, int]:
         return b""
 
     if b"#" in body:
-        body = COMMENT.sub(kept, body)
+        body = COMMENT.sub(keep_rows, body)
     if layout.separator == " ":
         body = re.sub(rb"^[ \t]+|[ \t]+$", b"", re.sub(rb"[ \t]+", b" ", body), flags=re.MULTILINE)
         body = re.sub(rb"[ ]+\r", b"\r", body)
@@ -150,7 +150,7 @@ def _wider(body: bytes, layout: Layout, odd: dict[int, int]) -> Layout | None:
     return msgspec.structs.replace(layout, width=widths[0])
 
 
-def _padded(body: bytes, layout: Layout) -> bytes:
+def _pad(body: bytes, layout: Layout) -> bytes:
     """The rows with empty cells at their ends, up to the width of the layout."""
     mark, marks = layout.separator.encode(), layout.width - 1
     lines = (line and line + mark * (marks - line.count(mark)) for line in body.splitlines())

@@ -25,7 +25,7 @@ def assemble(
     *,
     skipped: Sequence[Skip] = (),
     faults: dict[int, str] | None = None,
-    unfit: dict[int, str] | None = None,
+    unusable: dict[int, str] | None = None,
     provenance: Provenance = IN_MEMORY,
     notes: Sequence[str] = (),
     row_of: IntArray | None = None,
@@ -57,8 +57,8 @@ def assemble(
         place = np.empty(len(order), dtype=np.int64)
         place[order] = np.arange(len(order))
         faults = {int(place[at]): (faults or {})[int(at)] for at in fault_rows}
-    reasons = _judge(table, offsets, faults or {})
-    for index, reason in (unfit or {}).items():
+    reasons = _find_faults(table, offsets, faults or {})
+    for index, reason in (unusable or {}).items():
         reasons.setdefault(index, (reason, int(offsets[index]) if sizes[index] else None))
     usable = np.array([index not in reasons for index in range(count)], dtype=bool)
     skips = [
@@ -90,7 +90,9 @@ def _first_return(group: IntArray) -> int:
     return int(starts[again][0])
 
 
-def _judge(table: FloatArray, offsets: IntArray, faults: dict[int, str]) -> dict[int, tuple[str, int | None]]:
+def _find_faults(
+    table: FloatArray, offsets: IntArray, faults: dict[int, str]
+) -> dict[int, tuple[str, int | None]]:
     """The trials that cannot be used: index -> (reason, first row of the table at fault)."""
     reasons: dict[int, tuple[str, int | None]] = {}
 

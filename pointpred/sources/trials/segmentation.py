@@ -40,7 +40,7 @@ def cut(events: EventColumns, how: Cut, reading: Reading) -> list[Piece]:
         pieces = cut_at_pauses(events, reading.pause_s)
     else:
         pieces = [Piece(0, len(events))]
-    return [_judge(piece, events, reading) for piece in pieces]
+    return [_check(piece, events, reading) for piece in pieces]
 
 
 def cut_at_clicks(events: EventColumns) -> list[Piece]:
@@ -151,7 +151,7 @@ def trials_of_stream(
     )
 
 
-def _judge(piece: Piece, events: EventColumns, reading: Reading) -> Piece:
+def _check(piece: Piece, events: EventColumns, reading: Reading) -> Piece:
     """The piece, with a reason where it is too short to be a trial."""
     if piece.reason:
         return piece
