@@ -8,7 +8,6 @@ from the folder named by POINTPRED_RECORDINGS.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Any
 
 import numpy as np
 
@@ -22,15 +21,20 @@ from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
 from pointpred.registry import REGISTRY
 from pointpred.report.figures.style import GREY, PALETTE, canvas, legend_outside, picture
-from pointpred.scoring.target_choice import NEAREST, score_targets, target_summary
+from pointpred.scoring.results import TIME_FRACTIONS
+from pointpred.scoring.target_choice import (
+    NEAREST,
+    Decisions,
+    TargetSummary,
+    score_targets,
+    summarise_targets,
+)
 from pointpred.targets.evidence import NEAR
 from pointpred.training.data import folder
 
 SHOWN = tuple(name for name in ("kalman", "minimum-jerk", "kinematic") if name in REGISTRY)
-TIMES = ("0.2", "0.3", "0.4", "0.5", "0.6", "0.7", "0.8", "0.9")
 LEAST_LEAD_S = 0.05
 """A proposal later than this before the entry was none in these tables."""
-Json = dict[str, Any]
 Situations = tuple[targets_fit.Cases, targets_fit.Cases]
 """Of a set: as seen with a claimed law, and without one."""
 
@@ -55,7 +59,7 @@ def unseen(recording: Recording, name: str, held: HeldOut) -> str | Pipeline | N
     return held.of_set(name, recording)
 
 
-def measured(sets: Sequence[Recording], held: HeldOut) -> tuple[list[Json], list[Situations]]:
+def measured(sets: Sequence[Recording], held: HeldOut) -> tuple[list[TargetSummary], list[Situations]]:
     """Every set and layout, evidence and predictor fitted without it; the situations of each set.
 
     Sets whose predictor cannot be had without them are left out.
@@ -77,53 +81,53 @@ def measured(sets: Sequence[Recording], held: HeldOut) -> tuple[list[Json], list
             print(f"choosing among targets: {part.name}", flush=True)
             names = [one for one in judged if one is not None]
             scored = score_targets(part, names, coefficients=ours, nearest=near, least_lead_s=LEAST_LEAD_S)
-            found += [target_summary(one) for one in scored]
+            found += [summarise_targets(one) for one in scored]
     return found, list(cases.values())
 
 
-def right(sets: list[Json]) -> Table:
+def right(sets: list[TargetSummary]) -> Table:
     """Share of movements whose likeliest target is right, by time."""
     rows = [
-        (one["name"], one["layout"], f"`{p['name']}`" if p["name"] != NEAREST else NEAREST,
-         *(f"{100 * p['right'][t]:.0f}" for t in TIMES), f"{np.mean(list(p['log_loss'].values())):.2f}")
-        for one in sets for p in one["predictors"]
+        (one.name, one.layout, f"`{p.name}`" if p.name != NEAREST else NEAREST,
+         *(f"{100 * p.right[t]:.0f}" for t in TIME_FRACTIONS), f"{np.mean(list(p.log_loss.values())):.2f}")
+        for one in sets for p in one.predictors
     ]  # fmt: skip
-    return Table.of(("set", "targets", "predictor", *(f"{float(t):.0%}" for t in TIMES), "log loss"), rows)
+    return Table.of(("set", "targets", "predictor", *(f"{t:.0%}" for t in TIME_FRACTIONS), "log loss"), rows)
 
 
-def decisions(sets: list[Json], chosen: str) -> Table:
+def decisions(sets: list[TargetSummary], chosen: str) -> Table:
     """What proposals came to: with the dial at 0.8, or where 80 % of proposals were right."""
     rows = []
     for one in sets:
-        for p in one["predictors"]:
-            d = p["decisions"]["0.8"] if chosen == "dial" else p["at_precision"]["0.8"]
-            name = NEAREST if p["name"] == NEAREST else f"`{p['name']}`"
-            rows.append((one["name"], one["layout"], name, *_cells(d)))
+        for p in one.predictors:
+            d = p.decisions[0.8] if chosen == "dial" else p.at_precision[0.8]
+            name = NEAREST if p.name == NEAREST else f"`{p.name}`"
+            rows.append((one.name, one.layout, name, *_cells(d)))
     heads = ("dial", "right", "before entry", "lead to entry", "per movement", "to click", "proposals")
     return Table.of(("set", "targets", "predictor", *heads), rows)
 
 
-def _cells(d: Json | None) -> tuple[str, ...]:
-    if d is None or d["precision"] is None:
+def _cells(d: Decisions | None) -> tuple[str, ...]:
+    if d is None or d.precision is None:
         return ("-",) * 7
     lead = (
-        f"{1e3 * d[key]:.0f} ms" if d[key] is not None else "-"
+        f"{1e3 * getattr(d, key):.0f} ms" if getattr(d, key) is not None else "-"
         for key in ("lead_entry_s", "lead_a_movement_s", "lead_click_s")
     )
-    shares = (f"{d[key]:.0%}" for key in ("precision", "before_entry"))
-    return (f"{d['asked']:g}", *shares, *lead, f"{d['proposals']:.2f}")
+    shares = (f"{getattr(d, key):.0%}" for key in ("precision", "before_entry"))
+    return (f"{d.asked:g}", *shares, *lead, f"{d.proposals:.2f}")
 
 
-def draw(sets: list[Json]) -> None:
+def draw(sets: list[TargetSummary]) -> None:
     """Share right against time, a panel a set."""
     with canvas(2, 4, width=11.0, height=5.6, share=True) as (figure, axes):
         for ax, one in zip(axes, sets, strict=False):
-            for place, p in enumerate(one["predictors"]):
-                near = p["name"] == NEAREST
-                ax.plot([100 * float(t) for t in TIMES], [100 * p["right"][t] for t in TIMES],
+            for place, p in enumerate(one.predictors):
+                near = p.name == NEAREST
+                ax.plot([100 * t for t in TIME_FRACTIONS], [100 * p.right[t] for t in TIME_FRACTIONS],
                         color=GREY if near else PALETTE[place], linestyle="--" if near else "-",
-                        marker="osD^"[place % 4], label=p["name"])  # fmt: skip
-            ax.set_title(f"{one['name']}\n{one['layout']}")
+                        marker="osD^"[place % 4], label=p.name)  # fmt: skip
+            ax.set_title(f"{one.name}\n{one.layout}")
             ax.grid(True)
         legend_outside(figure, axes[0], columns=4)
         figure.supxlabel("% of the time from onset to arrival")

@@ -78,12 +78,12 @@ def score(
 
       pointpred score --targets --predictors minimum-jerk
     """
-    names = chosen(predictors)
+    names = predictor_names(predictors)
     check_targets({"--json": json, "--report": report}, files or ())
-    own = with_coefficients(names, coefficients)
-    unread: Reasons = {}
+    parameters = with_coefficients(names, coefficients)
+    reasons: Reasons = {}
     if targets:
-        settings = {"threads": threads, "seed": seed, "cpi": cpi, "dpi": dpi, "parameters": own}
+        settings = {"threads": threads, "seed": seed, "cpi": cpi, "dpi": dpi, "parameters": parameters}
         _score_targets(files, reading, names, json, report, **settings)
         return
     if report is not None:
@@ -93,7 +93,7 @@ def score(
     from pointpred.scoring import score as run
 
     with following() as progress:
-        recordings = _read(files, reading, unread) if files else _sample()
+        recordings = _read(files, reading, reasons) if files else _sample()
         scored = run(
             recordings,
             names,
@@ -102,15 +102,15 @@ def score(
             cpi=cpi,
             dpi=dpi,
             seed=seed,
-            parameters=own,
-            failed=lambda recording, error: _left_out(unread, recording.name, error),
+            parameters=parameters,
+            failed=lambda recording, error: _left_out(reasons, recording.name, error),
             worst=0 if report is None else WORST,
         )
     if report is not None and scored:
         from pointpred.report import write_report
 
         write_report(scored, report)
-    scores = document(scored, _unread(unread))
+    scores = document(scored, _unread(reasons))
     if json is not None:
         write_json(scores, json)
     if json is None or str(json) != "-":
@@ -120,7 +120,7 @@ def score(
     if report is not None and scored:
         remarks().print(f"report written: {report}", markup=False)
     if not any(one.trials for one in scores.sets):
-        raise RecordingError("no trial could be scored; see the reasons above")
+        raise RecordingError("no trial could be scored; see the reasons above", code="nothing_scored")
 
 
 def _score_targets(
@@ -133,20 +133,23 @@ def _score_targets(
 ) -> None:
     """What ``--targets`` asks for: tables, and every number as JSON under ``targets``."""
     if report is not None:
-        raise ParameterError("--report draws errors, not choices: leave it out with --targets")
-    from pointpred.cli.targets import described, print_targets
+        message = "--report draws errors, not choices: leave it out with --targets"
+        raise ParameterError(message, field="report", value=str(report))
+    from pointpred.cli.targets import print_targets, target_summaries
     from pointpred.scoring.summary.document import VERSION
     from pointpred.scoring.target_choice import TargetDocument
 
-    unread: Reasons = {}
-    recordings = _read(files, reading, unread) if files else _sample()
-    sets = described(recordings, names, lambda one, error: _left_out(unread, one.name, error), **settings)
+    reasons: Reasons = {}
+    recordings = _read(files, reading, reasons) if files else _sample()
+    sets = target_summaries(
+        recordings, names, lambda one, error: _left_out(reasons, one.name, error), **settings
+    )
     if json is not None:
-        write_json(TargetDocument(VERSION, tuple(sets), tuple(_unread(unread))), json)
+        write_json(TargetDocument(VERSION, tuple(sets), tuple(_unread(reasons))), json)
     if json is None or str(json) != "-":
         print_targets(sets)
     if not sets:
-        raise RecordingError("no trial could be scored; see the reasons above")
+        raise RecordingError("no trial could be scored; see the reasons above", code="nothing_scored")
 
 
 def _unread(reasons: Reasons) -> list[Unread]:
@@ -156,13 +159,14 @@ def _unread(reasons: Reasons) -> list[Unread]:
     return [Unread(readable(file), readable(why)) for file, why in reasons.items()]
 
 
-def chosen(text: str) -> list[str]:
+def predictor_names(text: str) -> list[str]:
     """The predictors named in ``a,b`` or ``all``; raises ParameterError for an unknown or an empty list."""
     if text.strip() == "all":
         return list(REGISTRY)
     names = list(dict.fromkeys(part.strip() for part in text.split(",") if part.strip()))
     if not names:
-        raise ParameterError(f"--predictors needs names separated by commas or 'all', received {text!r}")
+        message = f"--predictors needs names separated by commas or 'all', received {text!r}"
+        raise ParameterError(message, field="predictors", value=text)
     for name in names:
         build(name)
     return names
@@ -177,16 +181,16 @@ def _sample() -> Iterator[Recording]:
 
 
 def _free_name(name: str, file: Path, taken: Mapping[str, Path]) -> str:
-    """The recording's name; where that is taken, with the folder it lies in put before it, then a number."""
-    found, count = name, 1
-    while found in taken:
+    """A name that no other recording has: with its folder before it where it is taken, then with a number."""
+    free, count = name, 1
+    while free in taken:
         folder = file.absolute() if file.is_dir() else file.absolute().parent
-        found = f"{folder.name}/{name}" + f"_{count}" * (count > 1)
+        free = f"{folder.name}/{name}" + f"_{count}" * (count > 1)
         count += 1
-    return found
+    return free
 
 
-def _read(files: list[Path], reading: Reading, unread: Reasons) -> Iterator[Recording]:
+def _read(files: list[Path], reading: Reading, reasons: Reasons) -> Iterator[Recording]:
     """The recordings one by one, so that only one is in memory; complains where a file cannot be read."""
     taken: dict[str, Path] = {}
     for file in files:
@@ -195,12 +199,12 @@ def _read(files: list[Path], reading: Reading, unread: Reasons) -> Iterator[Reco
                 name = _free_name(recording.name, file, taken)
                 if name != recording.name:
                     first = shown(taken[recording.name])
-                    said = f"{shown(file)} is called {name!r} here: {recording.name!r} is {first}"
-                    remarks().print(said, markup=False)
+                    note = f"{shown(file)} is called {name!r} here: {recording.name!r} is {first}"
+                    remarks().print(note, markup=False)
                 taken[name] = file
                 yield msgspec.structs.replace(recording, name=name)
         except (PointpredError, OSError) as error:
-            _left_out(unread, shown(file), error)
+            _left_out(reasons, shown(file), error)
 
 
 def read_all(files: list[Path], reading: Reading) -> list[Recording]:
@@ -208,10 +212,10 @@ def read_all(files: list[Path], reading: Reading) -> list[Recording]:
     return list(_read(files, reading, {}))
 
 
-def _left_out(unread: Reasons, name: str, error: Exception) -> None:
+def _left_out(reasons: Reasons, name: str, error: Exception) -> None:
     """Complain about a file that cannot be read or a recording that cannot be scored, and remember it."""
     expected = isinstance(error, PointpredError | OSError)
     reason = str(error) if expected else f"{type(error).__name__}: {error}"
-    unread[name] = reason
-    said = reason if name in reason else f"{name}: {reason}"
-    remarks().print(f"left out: {said}", style="red", markup=False)
+    reasons[name] = reason
+    message = reason if name in reason else f"{name}: {reason}"
+    remarks().print(f"left out: {message}", style="red", markup=False)

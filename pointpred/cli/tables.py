@@ -25,19 +25,19 @@ IN_NARROW = {
 REASONS_SHOWN = 5
 
 
-def print_sets(described: Sequence[SetSummary], *, drawn: bool = False) -> None:
+def print_sets(sets: Sequence[SetSummary], *, drawn: bool = False) -> None:
     """Print a table a set; remarks about skipped trials and mended rows go to stderr.
 
     ``drawn``: a report was written too.
     """
-    for one in described:
+    for one in sets:
         if one.trials:
             results().print(title(one), style="bold", markup=False)
             results().print(_table(one))
             for note in footnotes(one):
                 results().print(note, style="red", markup=False)
         _print_remarks(one)
-    if any(one.trials for one in described):
+    if any(one.trials for one in sets):
         results().print(
             "Errors are shares of the error of hold (no prediction), time-averaged in the first column; "
             "below 1 is better.\nAll measures, in px as well: --json FILE"
@@ -85,13 +85,13 @@ def _remarks(one: SetSummary) -> Iterator[str]:
         yield f"not read: {skip.reason}"
     skipped = [skip for skip in one.skipped if not _is_file(skip)]
     reasons = Counter(skip.reason for skip in skipped)
-    told = reasons.most_common(REASONS_SHOWN)
-    for reason, count in told:
+    frequent = reasons.most_common(REASONS_SHOWN)
+    for reason, count in frequent:
         first = next(skip for skip in skipped if skip.reason == reason)
         row = "" if first.row is None else f", data row {first.row} (counted from 0)"
         user = "" if first.user is None else f" of {first.user}"
         yield f"skipped {count}: {reason} (first: trial {first.trial}{user}{row})"
-    rest = reasons.total() - sum(count for _, count in told)
+    rest = reasons.total() - sum(count for _, count in frequent)
     if rest:
         yield f"skipped {rest} more for other reasons; --json lists each"
     for predictor in one.predictors:

@@ -28,24 +28,24 @@ DECIDED = (
 )
 
 
-def described(
+def target_summaries(
     recordings: Iterable[Recording],
     predictors: list[str],
     failed: Callable[[Recording, Exception], None],
     **settings: Any,
 ) -> list[TargetSummary]:
-    """The summary of each kind of layout of each recording; what cannot be scored is told to ``failed``."""
+    """The summary of each kind of layout of each recording; ``failed`` gets what cannot be scored."""
     from pointpred.scoring.target_choice import score_targets, summarise_targets
 
-    found = []
+    sets = []
     for recording in recordings:
         try:
             scored = score_targets(recording, tuple(predictors), **settings)
         except Exception as error:  # as in ``score``: the other recordings are scored all the same
             failed(recording, error)
             continue
-        found += [summarise_targets(one) for one in scored]
-    return found
+        sets += [summarise_targets(one) for one in scored]
+    return sets
 
 
 def print_targets(sets: Sequence[TargetSummary]) -> None:

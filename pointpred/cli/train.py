@@ -70,7 +70,8 @@ def train(
     """
     check_targets({"--out": out, "--json": json}, files)
     if str(out) == "-" or out.suffix != ".npz":
-        raise ParameterError(f"--out must name a file that ends in .npz, received {out}")
+        message = f"--out must name a file that ends in .npz, received {out}"
+        raise ParameterError(message, field="out", value=str(out))
     coefficient_file.check_writable(out)
     require("train", "training")  # before minutes of reading
     from pointpred.cli.progress import following
@@ -79,7 +80,7 @@ def train(
     with following() as advance:
         recordings = [one for one in read_all(files, reading) if one.trials]
         if not recordings:
-            raise RecordingError("no recording to learn from could be read; the reasons stand above")
+            raise RecordingError("no recording to learn from could be read; see the reasons above")
         trained = train_custom(
             recordings,
             out,

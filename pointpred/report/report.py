@@ -69,7 +69,7 @@ def write_report(scores: Sequence[SetScore], path: str | Path) -> None:
     """
     require("report", "a report")
     if not scores:
-        raise ParameterError("a report needs at least one scored set, received none")
+        raise ParameterError("a report needs at least one scored set, received none", field="scores")
     values = {
         "title": "Endpoint prediction: scores" + (" (simulated)" if all(s.simulated for s in scores) else ""),
         "sets": [_shown(score) for score in scores],

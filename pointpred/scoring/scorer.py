@@ -73,7 +73,8 @@ def score(
     names = [p.name if isinstance(p, Pipeline) else p for p in predictors]
     for name in names:
         if names.count(name) > 1:
-            raise ParameterError(f"each predictor at most once, received {name!r} {names.count(name)} times")
+            message = f"each predictor at most once, received {name!r} {names.count(name)} times"
+            raise ParameterError(message, field="predictors", value=name)
     patterns = {FLOOR: FLOOR} | dict(zip(names, predictors, strict=True))
     run = _Run(patterns, parameters or {}, threads, progress, cpi, dpi, seed, worst)
     _pipelines(run, {"cpi": cpi, "dpi": 96.0 if dpi is None else dpi})  # a wrong name is no recording's fault

@@ -106,7 +106,8 @@ def train_custom(
     """
     require("train", "training")
     if path.resolve() == coefficient_file.OWN.resolve():
-        raise ParameterError(f"{path} is the package's own file, which `make train` writes; name another")
+        message = f"{path} is the package's own file, which `make train` writes; name another"
+        raise ParameterError(message, field="path", value=str(path))
     coefficient_file.check_writable(path)
     start = None if from_scratch else load_network()
     _check_enough(sum(len(one.trials) for one in recordings))  # before the work on each of them
@@ -149,7 +150,8 @@ def train_custom(
 
 def _check_enough(movements: int) -> None:
     if movements < MOVEMENTS_LEAST:
-        raise RecordingError(f"training needs {MOVEMENTS_LEAST} movements at least, there are {movements}")
+        message = f"training needs {MOVEMENTS_LEAST} movements at least, there are {movements}"
+        raise RecordingError(message, code="too_few", field="movements", value=movements)
 
 
 def _unknown_apart(recording: Recording, number: int) -> Recording:

@@ -52,7 +52,8 @@ def folder() -> Path:
     """The folder of recordings; raises ParameterError where the environment names none."""
     named = os.environ.get("POINTPRED_RECORDINGS")
     if not named or not Path(named).is_dir():
-        raise ParameterError(f"POINTPRED_RECORDINGS must name a folder of recordings, received {named!r}")
+        message = f"POINTPRED_RECORDINGS must name a folder of recordings, received {named!r}"
+        raise ParameterError(message, field="POINTPRED_RECORDINGS", value=named)
     return Path(named)
 
 
@@ -89,5 +90,6 @@ def read_sets(where: Path) -> list[Recording]:
     paths = {name: where / f"{name}_samples.parquet" for name in SETS}
     recordings = [read(path) for path in paths.values() if path.is_file()]
     if not recordings:
-        raise ParameterError(f"POINTPRED_RECORDINGS must hold one of {', '.join(SETS)}, found none")
+        message = f"POINTPRED_RECORDINGS must hold one of {', '.join(SETS)}, holds none"
+        raise ParameterError(message, field="POINTPRED_RECORDINGS", value=str(where))
     return recordings

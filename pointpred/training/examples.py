@@ -60,7 +60,8 @@ def examples(
     """
     prepared = prepare(recording, threads=1)
     if not prepared.trials:
-        raise ParameterError(f"{recording.name} must hold a movement to learn from, holds none")
+        message = f"{recording.name} must hold a movement to learn from, holds none"
+        raise ParameterError(message, field="recording", value=recording.name)
     motions = build("hold").differentiator.run(prepared.events).table
     features = np.zeros((len(motions), kinematic_features.FEATURES))
     frames = np.zeros((len(motions), 3))

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import msgspec
 import pytest
 
 from pointpred.cli.tables import print_sets
+from pointpred.scoring import score, summarise
 from pointpred.sources import read_any
 
 
@@ -20,8 +20,7 @@ def test_each_file_that_is_not_read_is_named(tmp_path: Path, capsys: pytest.Capt
     for at, name in enumerate(names):
         (tmp_path / name).write_text('{"a": ' + "[" * (at + 1))
     [recording] = read_any(tmp_path)
-    skipped = [msgspec.to_builtins(skip) for skip in recording.skipped]
-    print_sets([{"name": "a", "trials": 0, "notes": [], "skipped": skipped, "predictors": []}])
+    print_sets([summarise(scored) for scored in score([recording], ["hold"])])
     said = capsys.readouterr().err
     assert [name for name in names if f"{name}: " not in said] == []
     assert "other reasons" not in said

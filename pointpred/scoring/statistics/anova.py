@@ -139,10 +139,13 @@ def anova(table: FloatArray, factors: Sequence[str]) -> tuple[Effect, ...]:
     if table.ndim != len(factors) + 1 or table.shape[0] < LEAST_USERS or min(table.shape) < 2:
         raise ParameterError(
             f"an analysis of variance needs at least {LEAST_USERS} people and 2 levels of each of "
-            f"{len(factors)} factors, received shape {table.shape}"
+            f"{len(factors)} factors, received shape {table.shape}",
+            field="table",
+            value=table.shape,
         )
     if not np.isfinite(table).all():
-        raise ParameterError(f"{np.count_nonzero(~np.isfinite(table))} cells are not finite")
+        count = np.count_nonzero(~np.isfinite(table))
+        raise ParameterError(f"{count} cells are not finite", field="table", value=count)
     spread = float(table.std())
     if spread == 0.0:
         return ()

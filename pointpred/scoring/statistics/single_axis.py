@@ -97,7 +97,8 @@ def box(values: FloatArray) -> Box:
     """
     finite = values[np.isfinite(values)]
     if len(finite) == 0:
-        raise ParameterError(f"a box needs at least one finite value, received {len(values)} without one")
+        message = f"a box needs at least one finite value, received {len(values)} without one"
+        raise ParameterError(message, field="values", value=len(values))
     q1, median, q3 = (float(q) for q in np.quantile(finite, [0.25, 0.5, 0.75]))
     reach = WHISKER * (q3 - q1)
     inside = (finite >= q1 - reach) & (finite <= q3 + reach)
@@ -130,7 +131,8 @@ def axis_anova(score: SetScore, names: Sequence[str]) -> AnovaSeries:
     scored = {predictor.name: predictor for predictor in score.predictors}
     missing = [name for name in names if name not in scored]
     if missing:
-        raise ParameterError(f"{', '.join(missing)} not scored on {score.name}; scored: {', '.join(scored)}")
+        message = f"{', '.join(missing)} not scored on {score.name}; scored: {', '.join(scored)}"
+        raise ParameterError(message, field="names", value=missing[0])
     errors = np.stack([scored[name].single_axis for name in names], axis=-1)
     usable = np.logical_and.reduce(np.isfinite(errors), axis=(1, 2))
     trials = [trial for trial, good in zip(score.trials, usable, strict=True) if good]

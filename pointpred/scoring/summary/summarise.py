@@ -58,7 +58,7 @@ def summarise(score: SetScore, *, draws: int = DRAWS) -> SetSummary:
     """
     floor = next((errors for errors in score.predictors if errors.name == FLOOR), None)
     if floor is None:
-        raise ParameterError(f"a summary needs the predictor {FLOOR!r} among those scored")
+        raise ParameterError(f"a summary needs the predictor {FLOOR!r} among those scored", field="score")
     everything, *groups = groups_of(score) or (Group("all trials", np.ones(0, dtype=np.bool_)),)
     users = np.array([trial.trial.user for trial in score.trials], dtype=str)
     whole = _measures(score, floor, users, everything, draws)

@@ -1,15 +1,12 @@
 """Which of several targets a movement is for: candidates for recorded movements, choices, their scores."""
 
-from pointpred.scoring.target_choice.scores import (
-    ASKS,
-    NEAREST,
+from pointpred.scoring.target_choice.scores import ASKS, NEAREST, score_targets
+from pointpred.scoring.target_choice.summary import (
     ChoiceSummary,
     Decisions,
     TargetDocument,
     TargetSummary,
-    score_targets,
     summarise_targets,
-    target_summary,
 )
 
 __all__ = [
@@ -21,5 +18,4 @@ __all__ = [
     "TargetSummary",
     "score_targets",
     "summarise_targets",
-    "target_summary",
 ]
