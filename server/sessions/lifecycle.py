@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from enum import Enum, StrEnum
+from enum import StrEnum
 
 from msgspec import Struct
 
@@ -30,7 +30,7 @@ class State(StrEnum):
     CLOSED = "closed"
 
 
-class Trigger(Enum):
+class Trigger(StrEnum):
     """What may lead to another state."""
 
     HELLO = "hello"

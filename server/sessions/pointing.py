@@ -37,7 +37,7 @@ from pointpred.server.sessions.pipelines import NO_COEFFICIENTS
 from pointpred.server.sessions.prediction_stream import PredictionStream, SessionObserver
 
 RECORD_BYTES = EVENT.itemsize
-CLOSED, STREAMING = State.CLOSED, State.STREAMING
+CLOSED, STREAMING, MESSAGE = State.CLOSED, State.STREAMING, Trigger.MESSAGE
 Handler = Callable[[Any, Any, float], ServerMessage | None]
 
 
@@ -81,7 +81,7 @@ class PointingSession(Session):
                 and self._receive_event(stream, frame, now)
             ):
                 return
-        super().receive(frame, now)
+        Session.receive(self, frame, now)  # super() would cost as much as decoding the frame
 
     def _receive_event(self, stream: PredictionStream, frame: bytes, now: float) -> bool:
         """Predict from one packed event; False, and nothing taken, where there is more to do for it."""
@@ -96,29 +96,20 @@ class PointingSession(Session):
         return True
 
     def _receive(self, frame: str | bytes, now: float) -> None:
+        if isinstance(frame, bytes):
+            self._receive_table(frame, now)
+            return
         try:
-            if isinstance(frame, str):
-                self._receive_message(self._decode(frame, now), now)
-                return
-            self._quota.take_events(len(frame) // RECORD_BYTES, now)
-            if self.stream is None:
-                raise _no_hello("a binary frame")
-            self._feed(self.stream, table_of_bytes(frame))
-        except EventError as error:
-            raise ProtocolError("bad_field", str(error), "$.events") from None
-
-    def _decode(self, text: str, now: float) -> ClientMessage:
-        """A message; raises ProtocolError, a text that is no message having been counted."""
-        try:
-            return decode_client_message(text)
+            message = decode_client_message(frame)
         except ProtocolError:
-            self._quota.take_invalid(text, now)
+            self._quota.take_invalid(frame, now)
             raise
-
-    def _receive_message(self, message: ClientMessage, now: float) -> None:
         kind = type(message)
-        in_place = TRIGGERS.get(kind, Trigger.MESSAGE) in TRANSITIONS[self.state]
-        if kind is not Bye and not (kind is Events and in_place):  # events have a limit of their own
+        if isinstance(message, Events) and self.stream is not None:  # most messages
+            self.handle_events(message, now)
+            return
+        in_place = TRIGGERS.get(kind, MESSAGE) in TRANSITIONS[self.state]
+        if kind is not Bye:
             self._quota.take_message(now)
         if not in_place:
             if kind is Hello:
@@ -127,6 +118,13 @@ class PointingSession(Session):
         reply = self.handlers[kind](self, message, now)
         if reply is not None:
             self.send(reply)
+
+    def _receive_table(self, frame: bytes, now: float) -> None:
+        """Predict from packed events."""
+        self._quota.take_events(len(frame) // RECORD_BYTES, now)
+        if self.stream is None:
+            raise _no_hello("a binary frame")
+        self._feed(self.stream, table_of_bytes(frame))
 
     @property
     def _open_stream(self) -> PredictionStream:
@@ -150,10 +148,10 @@ class PointingSession(Session):
         """Predict from events in JSON."""
         stream, rows = self._open_stream, message.events
         self._quota.take_events(len(rows), now)
-        if len(rows) == 1 and stream.feed_event(row_of(rows[0]), self.outbox):
-            self.move(Trigger.EVENTS)
-        else:
+        if len(rows) != 1 or not stream.feed_event(row_of(rows[0]), self.outbox):
             self._feed(stream, table_of_rows(rows))
+        elif self.state is not STREAMING:
+            self.move(Trigger.EVENTS)
 
     def handle_targets(self, message: Targets, now: float) -> TargetsTaken:
         """Replace the set of targets."""
@@ -207,9 +205,12 @@ class PointingSession(Session):
         super().end(code, reason)
 
     def _feed(self, stream: PredictionStream, table: FloatArray) -> None:
-        error, dropped = stream.feed(table, self.outbox)
+        try:
+            error, dropped = stream.feed(table, self.outbox)
+        except EventError as wrong:
+            raise ProtocolError("bad_field", str(wrong), "$.events") from None
         self.work, stream.work = stream.work, None
-        if len(table):
+        if len(table) and self.state is not STREAMING:
             self.move(Trigger.EVENTS)
         if error is not None:
             self.refuse(error, dropped)
