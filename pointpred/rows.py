@@ -9,6 +9,9 @@ from __future__ import annotations
 from math import nan
 from typing import NamedTuple
 
+import numpy as np
+import numpy.typing as npt
+
 from pointpred.compiled import law
 from pointpred.events import PHASES, Motion, PointerEvent, Prediction
 
@@ -67,6 +70,13 @@ REFUSED: TenFloats = (nan, nan, nan, nan, nan, nan, nan, nan, nan, nan)
 
 
 @law
+def row_at(table: npt.NDArray[np.float64], i: int) -> TenFloats:
+    """A row of a table of motions or of predictions as a tuple."""
+    r = table[i]
+    return r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8], r[9]
+
+
+@law
 def endpoint(t: float, x: float, y: float, phase: float) -> TenFloats:
     """The row of a prediction that claims an endpoint and nothing else; ``x`` is NaN where it claims none."""
     return t, x, y, nan, nan, nan, nan, phase, nan, nan
@@ -102,17 +112,19 @@ def prediction_row(prediction: Prediction | None, t: float = nan) -> TenFloats:
     """The row of a prediction; of ``None``, at ``t`` s, one that holds nothing else."""
     if prediction is None:
         return t, nan, nan, nan, nan, nan, nan, nan, nan, nan
-    scale = (nan, nan, nan) if prediction.scale is None else prediction.scale
+    sxx, sxy, syy = (nan, nan, nan) if prediction.scale is None else prediction.scale
     left, tail, spread = prediction.remaining_s, prediction.tail, prediction.remaining_spread
     return (
-        prediction.t,
-        prediction.x,
-        prediction.y,
-        *scale,
-        nan if left is None else left,
+        float(prediction.t),
+        float(prediction.x),
+        float(prediction.y),
+        float(sxx),
+        float(sxy),
+        float(syy),
+        nan if left is None else float(left),
         float(PHASES.index(prediction.phase)),
-        nan if tail is None else tail,
-        nan if spread is None else spread,
+        nan if tail is None else float(tail),
+        nan if spread is None else float(spread),
     )
 
 

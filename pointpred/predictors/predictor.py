@@ -5,26 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, ClassVar
 
-from pointpred.columns import BoolArray, FloatArray, MotionColumns, PredictionColumns
-from pointpred.compiled import law
+from pointpred.columns import BoolArray, MotionColumns, PredictionColumns
 from pointpred.errors import EventError
 from pointpred.events import Motion, Prediction
-from pointpred.rows import MotionRow, PredictionRow, Row, TenFloats, motion_row, prediction_of
+from pointpred.rows import MotionRow, PredictionRow, Row, TenFloats, motion_row, prediction_of, row_at
 from pointpred.stage import CompiledStage, learn_nothing, loop_of
-
-
-@law
-def motion_at(rows: FloatArray, i: int) -> TenFloats:
-    """A row of a table of motions as a tuple."""
-    r = rows[i]
-    return r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8], r[9]
 
 
 def loop_over_motions(
     step: Callable[..., Any], conclude: Callable[..., None] = learn_nothing
 ) -> Callable[..., None]:
     """The loop of a predictor's law over a table of motions; see ``loop_of``."""
-    return loop_of(step, motion_at, conclude)
+    return loop_of(step, row_at, conclude)
 
 
 class Predictor(CompiledStage):

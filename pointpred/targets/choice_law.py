@@ -6,6 +6,7 @@ from math import inf
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.rows import PredictionRow, Row, row_at
 from pointpred.targets import cursor, decision, posterior
 from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, LOG_WEIGHT, WIDTH
 
@@ -61,14 +62,14 @@ def enter(table: FloatArray, inside: FloatArray, x: float, y: float, released: b
 def step(
     memory: FloatArray,
     event: tuple[float, float, float, float],
-    answer: FloatArray,
+    answer: Row,
     targets: Targets,
     model: Model,
     standing: int,
 ) -> tuple[int, int, int]:
     """Take in one usable event (t, x, y, pressed), with the prediction made at it.
 
-    ``answer``: a row of ``PredictionColumns``; ``standing``: the target predicted up to now. Writes where the
+    ``answer``: a ``PredictionRow``; ``standing``: the target predicted up to now. Writes where the
     cursor is and the shares, and returns the target predicted from now on, the target proposed because the
     cursor is in it (NOBODY where that one is predicted), and how many targets the cursor has just gone into.
     When the button comes up the movement is over, and so is everything it proposed: a target that the cursor
@@ -77,6 +78,7 @@ def step(
     t, x, y, pressed = event
     table, inside, shares = targets
     coefficients, settings = model
+    p = PredictionRow(*answer)
     released = cursor.follow(memory, t, x, y, pressed)
     if released:
         standing = decision.NOBODY
@@ -85,7 +87,7 @@ def step(
     count = enter(table, inside, x, y, released)
     ask, least_s = settings[posterior.PRECISION], settings[posterior.LEAST_LEAD_S]
     bounds = ask, KEEP * ask, least_s, settings[posterior.LEAST_WAY_PX]
-    chosen = decision.decide(memory, table, shares, standing, answer[6], bounds)
+    chosen = decision.decide(memory, table, shares, standing, p.remaining_s, bounds)
     over = innermost(table, inside)
     return chosen, decision.NOBODY if over == chosen else over, count
 
@@ -124,7 +126,7 @@ def walk(
     most = likeliest.shape[1] // 2
     for i in range(first, len(events)):
         event = events[i, 0], events[i, 1], events[i, 2], float(int(events[i, 5]) & 1)
-        chosen, now_over, entered = step(memory, event, answers[i], targets, model, standing)
+        chosen, now_over, entered = step(memory, event, row_at(answers, i), targets, model, standing)
         place = i - (len(events) - len(likeliest))
         if place >= 0:
             decision.rank(shares, len(table), likeliest[place, :most])

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Sequence
-from math import nan
 from typing import Literal, NamedTuple
 
 import numpy as np
 
-from pointpred.columns import FloatArray, PredictionColumns
+from pointpred.columns import FloatArray
 from pointpred.errors import EventError, EventOrderError
 from pointpred.events import PointerEvent, Prediction
 from pointpred.parameter import Parameter, check
-from pointpred.rows import prediction_row
+from pointpred.rows import REFUSED, Row, prediction_row
 from pointpred.targets import cursor, decision, posterior
 from pointpred.targets.choice_law import ENTERED, INSIDE, OUTSIDE, RELEASED, Model, Targets, step, walk
 from pointpred.targets.inputs import refuse, usable
@@ -78,7 +77,7 @@ class Chooser:
         least_way_px: float = 3.0,
         coefficients: FloatArray = posterior.FITTED,
     ) -> None:
-        self._answer: FloatArray = np.full(len(PredictionColumns.names), nan)
+        self._answer: Row = REFUSED
         given = (precision, elsewhere, least_lead_s, least_way_px)
         names = (parameter.name for parameter in self.parameters)
         check(self.parameters, dict(zip(names, given, strict=True)))
@@ -183,7 +182,7 @@ class Chooser:
         memory = self._memory
         if memory[cursor.KNOWN] == 1.0 and t < memory[cursor.T]:
             raise EventOrderError(f"t must not run backwards: {t!r} after {memory[cursor.T]!r}")
-        self._answer[:] = prediction_row(prediction)
+        self._answer = prediction_row(prediction)
         pressed = float(event.buttons & 1)
         released = memory[cursor.PRESSED] > pressed
         chosen, over, entered = step(
@@ -219,7 +218,7 @@ class Chooser:
                 released = down > int(events[done - 1, 5]) & 1
                 changes += [(t, choice) for choice in self._note(t, chosen, over, entered, released)]
         if count:
-            self._answer[:] = answers[-1]
+            self._answer = tuple(answers[-1].tolist())
         return changes, [self._named(row) for row in likeliest.tolist()]
 
     def finish(self, target: Hashable | None) -> Movement:
@@ -239,7 +238,7 @@ class Chooser:
         """
         self._memory = np.zeros(cursor.STATES)
         self._standing = self._over = decision.NOBODY
-        self._answer[:] = nan
+        self._answer = REFUSED
         self._shares[:] = 0.0
         self._shares[-1] = 1.0
         self._inside[self._inside != OUTSIDE] = RELEASED

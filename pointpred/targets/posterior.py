@@ -9,6 +9,7 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.events import LARGEST
+from pointpred.rows import Row
 from pointpred.targets import coefficients as fitted
 from pointpred.targets import cursor, evidence
 from pointpred.targets.evidence import Law, feature, situation, unclaimed
@@ -60,21 +61,21 @@ def lawful(predicted: Law) -> bool:
 def scores(
     memory: FloatArray,
     table: FloatArray,
-    answer: FloatArray,
+    answer: Row,
     coefficients: FloatArray,
     elsewhere: float,
     out: FloatArray,
 ) -> None:
     """The logarithm of each target's share, up to a constant; behind them that of none of them.
 
-    ``answer`` is a row of ``PredictionColumns``; a point beyond the bounds of positions, and a law that is
+    ``answer`` is a ``PredictionRow``; a point beyond the bounds of positions, and a law that is
     not ``lawful``, are as if not claimed. A target of weight 0 is not looked at.
     """
-    x, y = answer[1], answer[2]
+    _, x, y, sxx, sxy, syy, _, _, tail, _ = answer
     claimed = abs(x) <= LARGEST and abs(y) <= LARGEST
     if not claimed:  # no prediction: the cursor itself
         x, y = memory[cursor.X], memory[cursor.Y]
-    first, predicted = 0, Law(x, y, answer[3], answer[4], answer[5], answer[8])
+    first, predicted = 0, Law(x, y, sxx, sxy, syy, tail)
     if not claimed or not lawful(predicted):
         sxx, sxy, syy = unclaimed(memory, x, y)
         first, predicted = SET, Law(x, y, sxx, sxy, syy, nan)

@@ -7,8 +7,7 @@ from pointpred.compiled import law
 from pointpred.predictors import movement
 from pointpred.predictors.kinematic import features, history, track
 from pointpred.predictors.kinematic.features import Frame
-from pointpred.predictors.predictor import motion_at
-from pointpred.rows import MotionRow
+from pointpred.rows import MotionRow, row_at
 from pointpred.stage import offsets
 
 # State, relative to `at`: the movement; the track and the head of the history, and both as they were before
@@ -63,5 +62,5 @@ def observe_all(
     for i in range(len(rows)):
         if begin[i]:
             memory[:] = 0.0
-        _, frame = observe(memory, 0, MotionRow(*motion_at(rows, i)), out[i])
+        _, frame = observe(memory, 0, MotionRow(*row_at(rows, i)), out[i])
         frames[i, 0], frames[i, 1], frames[i, 2] = frame.reach, frame.ux, frame.uy

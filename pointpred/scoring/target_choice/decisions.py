@@ -8,6 +8,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
+from pointpred.rows import row_at
 from pointpred.targets import cursor, decision, posterior
 from pointpred.targets.choice_law import KEEP
 
@@ -38,7 +39,7 @@ def weigh(
     memory = np.zeros(cursor.STATES)
     for i in range(len(events)):
         cursor.follow(memory, events[i, 0], events[i, 1], events[i, 2], 0.0)
-        posterior.scores(memory, table, answers[i], coefficients, elsewhere, shares[i])
+        posterior.scores(memory, table, row_at(answers, i), coefficients, elsewhere, shares[i])
         posterior.normalise(shares[i])
 
 
