@@ -24,7 +24,7 @@ BOUNDS = {
 def option_error(name: str, problem: Mapping[str, Any]) -> str:
     """A sentence on the option ``name``, from one entry of a ``ValidationError``'s ``errors()``.
 
-    >>> refused("--threads", {"type": "greater_than_equal", "ctx": {"ge": 1}, "input": "0"})
+    >>> option_error("--threads", {"type": "greater_than_equal", "ctx": {"ge": 1}, "input": "0"})
     "--threads must be at least 1, received '0'"
     """
     if problem["type"] == "value_error":  # our own words

@@ -9,7 +9,7 @@ import msgspec
 
 from pointpred.recording import Recording
 from pointpred.sources.files.names import file_names
-from pointpred.sources.files.writing import write_together
+from pointpred.sources.files.write_together import write_together
 from pointpred.sources.own import recordings
 from pointpred.sources.read_files import read_any
 from pointpred.sources.reading import AS_IS, Reading

@@ -17,7 +17,7 @@ from pointpred.sources.known_formats import FORMATS, Format, format_of
 from pointpred.sources.own import recordings
 from pointpred.sources.reading import AS_IS, Reading, TimeUnit
 from pointpred.sources.table_files import unsupported
-from pointpred.sources.trials.merging import join
+from pointpred.sources.trials.merge import join
 
 Progress = Callable[[str, int, int], None]
 OWN = ("recorder", "own")

@@ -10,8 +10,8 @@ import pytest
 from pointpred.errors import RecordingError
 from pointpred.files import beside
 from pointpred.sources import convert, read_any
-from pointpred.sources.files import writing
-from pointpred.sources.files.writing import write_together
+from pointpred.sources.files import write_together as module
+from pointpred.sources.files.write_together import write_together
 from pointpred.sources.own import recordings
 from pointpred.sources.tables import arrow_tables
 
@@ -83,7 +83,7 @@ def test_a_file_that_cannot_take_its_place_brings_back_the_others(
 
     monkeypatch.setattr(Path, "replace", refuse)
     if not links:
-        monkeypatch.setattr(writing.os, "link", no_links)
+        monkeypatch.setattr(module.os, "link", no_links)
     with pytest.raises(RecordingError, match=rf"{names[at - 1]}: cannot be written: opened by"):
         convert(FITTS, tmp_path / "study.csv")
     assert contents(tmp_path) == was

@@ -1,4 +1,4 @@
-"""What the steps of a clock say against its unit: too fast, too slow, or whole seconds only."""
+"""Checks of a clock: intervals too short or too long for its unit, or whole seconds only."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from pointpred.sources.columns.clock_units import LONGEST_S, SHORTEST_S, forward
 from pointpred.sources.trials.keys import codes_of
 
 FEW = 3
-"""Fewer steps tell nothing."""
+"""With fewer steps nothing is checked."""
 MOSTLY = 0.5
 
 
@@ -47,7 +47,7 @@ def only_whole_seconds(times: FloatArray, per_second: float, users: Any = None) 
 
 
 def _odd(times: FloatArray, per_second: float) -> str:
-    """A median interval out of bounds and the question it raises, empty where it is within."""
+    """A median interval out of bounds, with a question about its unit; empty where it is within."""
     steps = forwards(times)
     middle = float(np.median(steps)) / per_second if len(steps) >= FEW else SHORTEST_S
     if SHORTEST_S <= middle <= LONGEST_S:

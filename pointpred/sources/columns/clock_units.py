@@ -1,4 +1,4 @@
-"""Which unit a clock runs in, by the size and the steps of its numbers, where nobody says it."""
+"""The unit of a clock, from its column's name, or from the size and the steps of its numbers."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from pointpred.sources.tables import arrow_tables
 SHORTEST_S, LONGEST_S = 1e-4, 1.5
 """Bounds on the median interval between samples: a fast mouse, and a slow protocol."""
 NEVER_S = 10.0
-"""No recording of a pointer has a longer median interval."""
+"""Longer than the median interval of any recording of a pointer."""
 FIRST_S, LAST_S = 1e9, 4e9
 """The years 2001 to 2096 in seconds since 1970."""
 HEAD = 1000
-"""Rows that tell the size of a clock."""
+"""Rows from which the size of a clock is taken."""
 
 
 def units_of(name: str, column: Any, time_unit: str | None) -> tuple[list[str], str]:

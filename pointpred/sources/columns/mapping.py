@@ -1,4 +1,4 @@
-"""Which column of a table is which of our fields: as told, else by the usual names, else refused."""
+"""Which column of a table is which of our fields: as ``Reading`` says, else by the usual names."""
 
 from __future__ import annotations
 

@@ -143,7 +143,7 @@ def _usual(names: Sequence[str]) -> Guess:
 def similar_names(names: Sequence[str]) -> dict[str, str]:
     """Columns that may be t, x and y although their names are not the usual ones: to be shown only.
 
-    >>> near(["gaze_time_at", "gaze_x_raw", "gaze_y_raw"])
+    >>> similar_names(["gaze_time_at", "gaze_x_raw", "gaze_y_raw"])
     {'t': 'gaze_time_at', 'x': 'gaze_x_raw', 'y': 'gaze_y_raw'}
     """
     words = {name: words_of(name) for name in names if "target" not in name.lower()}

@@ -1,4 +1,4 @@
-"""The unit of PsychoPy's positions: as told, as a column says, or pixels where that can be."""
+"""The unit of positions: as ``Reading`` says, as a column says, or pixels where that is possible."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A column of times as numbers in its unit: dates and times too, and no digit of a long clock lost."""
+"""A column of times as numbers in its unit, dates and times too, without losing digits of large times."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ from pointpred.sources.device_logs.evdev_frames import Frames, frames_of_counts,
 from pointpred.sources.device_logs.unreadable_lines import UnreadableLines
 from pointpred.sources.files.encodings import read_text, stem_of
 from pointpred.sources.reading import AS_IS, Reading
-from pointpred.sources.trials.merging import join
+from pointpred.sources.trials.merge import join
 
 TITLE = "hid-recorder"
 REPORT = re.compile(r"E: (\d{1,10})\.(\d{6}) (\d{1,5})((?: [0-9a-fA-F]{2})*)\s*$")

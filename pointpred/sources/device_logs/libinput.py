@@ -17,7 +17,7 @@ from pointpred.sources.device_logs.evdev_frames import Frames, RawEvent, frames,
 from pointpred.sources.device_logs.unreadable_lines import UnreadableLines
 from pointpred.sources.files.encodings import open_text, stem_of
 from pointpred.sources.reading import AS_IS, Reading
-from pointpred.sources.trials.merging import join
+from pointpred.sources.trials.merge import join
 
 TITLE = "libinput record YAML"
 LOADER: Any = getattr(yaml, "CBaseLoader", yaml.BaseLoader)

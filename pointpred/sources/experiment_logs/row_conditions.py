@@ -1,4 +1,4 @@
-"""What a file with a trial in each row says beside the tracks: conditions, and who made each trial."""
+"""Conditions and users of a file with a trial in each row."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What lies in a folder and the folders below it, and what of it cannot be looked at."""
+"""The files in a folder and the folders below it, and those that cannot be read."""
 
 from __future__ import annotations
 

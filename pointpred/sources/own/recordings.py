@@ -16,7 +16,7 @@ from pointpred.errors import ParameterError, RecordingError
 from pointpred.recording import Provenance, Recording, Skip
 from pointpred.sources.columns import time_units
 from pointpred.sources.files.encodings import head_of, stem_of
-from pointpred.sources.files.writing import write_together
+from pointpred.sources.files.write_together import write_together
 from pointpred.sources.own import appended
 from pointpred.sources.own.trials_table import read_trials_table, trial_table
 from pointpred.sources.reading import AS_IS, Reading, row_name

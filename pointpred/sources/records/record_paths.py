@@ -1,4 +1,4 @@
-"""Where in nested values the records lie: a path that was named, or the only one that fits."""
+"""Find the records in nested values: at a named path, or at the only one that fits."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Any delimited text as a table: separators, decimal commas, comments and a header are found out."""
+"""Any delimited text as a table: separator, decimal commas, comments and header are detected."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Decimal commas and thousands separators in the cells of a text, told apart or left unsure."""
+"""Decimal commas and thousands separators in numbers, and columns that could be read in two ways."""
 
 from __future__ import annotations
 

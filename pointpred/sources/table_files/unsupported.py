@@ -1,4 +1,4 @@
-"""Files of other programs that are not read: how those programs save them as a table that is."""
+"""Files of other programs that are not read, and how to export them as a table that is."""
 
 from __future__ import annotations
 

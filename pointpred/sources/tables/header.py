@@ -1,4 +1,4 @@
-"""What pointpred's own files say about themselves before their rows: one JSON object, converted once."""
+"""The header of pointpred's own files: one JSON object before the rows."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a table says of a whole trial: columns that have one value in all its rows."""
+"""The conditions of trials: columns that have one value in all rows of a trial."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ TARGET = ("target_x", "target_y", "target_w")
 TRIAL_COLUMNS = ("dataset", "user", "trial", *TARGET, "n_samples", "clean")
 """The columns of our own tables of trials; every other column is a condition."""
 PROBE = 1000
-"""Rows at which most columns that vary are known as such."""
+"""Rows that are compared first: most columns that vary differ within them."""
 MOST = 64
-"""Columns that are looked at; what a wider table holds beyond is left aside."""
+"""Columns that become conditions at most; the others are skipped."""
 
 
 def one_value(values: FloatArray, group: IntArray, count: int) -> FloatArray:

@@ -1,4 +1,4 @@
-"""Files that appear together or not at all: all are written under other names first."""
+"""Write several files so that all of them appear or none: each is written under another name first."""
 
 from __future__ import annotations
 

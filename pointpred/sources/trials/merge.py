@@ -1,4 +1,4 @@
-"""Several recordings of one kind as one: the sessions of a folder, the devices of a file."""
+"""Merge recordings of one format: the sessions of a folder, the devices of a file."""
 
 from __future__ import annotations
 
