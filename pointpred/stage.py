@@ -71,25 +71,43 @@ def learn_nothing(memory: FloatArray) -> None:
 def loop_of(
     step: Callable[..., Any], row_of: Callable[..., Any], conclude: Callable[..., None] = learn_nothing
 ) -> Callable[..., None]:
-    """The compiled loop around a law ``step(memory, row, *shared) -> row`` over a table.
+    """The compiled loop around a law ``step(memory, row) -> row`` over a table.
 
     ``row_of(rows, i)`` takes a row out of the table as a tuple. A row marked ``begin`` forgets the memory
-    from ``first`` on, after ``conclude(memory)`` has learned from the movement that it ends.
+    from ``first`` on, after ``conclude(memory)`` has learned from the movement that it ends. The loop around
+    a law ``step(memory, row, shared)`` takes the shared array last.
     """
 
     @law
-    def loop(
-        memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray, *shared: Any
+    def loop(memory: FloatArray, first: int, begin: BoolArray, rows: FloatArray, out: FloatArray) -> None:
+        for i in range(len(rows)):
+            if begin[i]:
+                conclude(memory)
+                memory[first:] = 0.0
+            answer = step(memory, row_of(rows, i))
+            for j in range(len(answer)):
+                out[i, j] = answer[j]
+
+    # One loop with ``*shared`` would serve both, but costs every row of every stage 10 ns.
+    @law
+    def loop_sharing(
+        memory: FloatArray,
+        first: int,
+        begin: BoolArray,
+        rows: FloatArray,
+        out: FloatArray,
+        shared: FloatArray,
     ) -> None:
         for i in range(len(rows)):
             if begin[i]:
                 conclude(memory)
                 memory[first:] = 0.0
-            answer = step(memory, row_of(rows, i), *shared)
+            answer = step(memory, row_of(rows, i), shared)
             for j in range(len(answer)):
                 out[i, j] = answer[j]
 
-    return loop
+    plain: Any = getattr(step, "py_func", step)
+    return loop_sharing if plain.__code__.co_argcount > 2 else loop
 
 
 def loop_into(step: Callable[..., Any]) -> Callable[..., None]:

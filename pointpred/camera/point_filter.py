@@ -111,7 +111,8 @@ def step(memory: FloatArray, row: FloatArray, out: FloatArray) -> None:
 
 def answer(memory: FloatArray, sample: Row) -> FloatArray:
     """``step`` for one sample without a table."""
-    out = np.full(WIDTH, nan)
+    out = np.empty(WIDTH)
+    out.fill(nan)
     step(memory, np.array(sample), out)
     return out
 

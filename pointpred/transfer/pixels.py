@@ -128,8 +128,7 @@ class PixelTransfer(ReportStage):
 
         Raises EventError when time runs backwards or a value is not finite; nothing is then changed.
         """
-        t, dx, dy = report
-        t, dx, dy = step(self._memory, (t, dx, dy))
+        t, dx, dy = step(self._memory, report if type(report) is tuple else tuple(report))
         if t != t:
             last = float(self._memory[AT + T])
             raise EventError(
