@@ -3,6 +3,7 @@
 
 import * as assist from "./assist/view.js";
 import * as circle from "./circle/view.js";
+import * as device from "./device/view.js";
 import * as live from "./live/view.js";
 import { part } from "./page/elements.js";
 import { explainTerms } from "./page/glossary.js";
@@ -10,7 +11,14 @@ import { makeTabs } from "./page/tabs.js";
 import { refuseFiles } from "./replay/drop.js";
 import * as replay from "./replay/view.js";
 
-const VIEWS = { live, circle, replay, assist };
+const liveWithDevice = {
+  open: () => Promise.all([live.open(), device.open()]),
+  close() {
+    live.close();
+    device.close();
+  },
+};
+const VIEWS = { live: liveWithDevice, circle, replay, assist };
 const STATUS = { live: "live-verdict", circle: "circle-status", replay: "replay-source", assist: "assist-status" };
 const RETRY_MS = 2000;
 

@@ -18,7 +18,7 @@ LEFT = {"done": 1, "of": COUNT, "next": "ktm", "ready": [RECOMMENDED], "recommen
 OTHER = {**LEFT, "ready": ["hold"]}
 DONE = {"done": COUNT, "of": COUNT, "next": None, "ready": list(REGISTRY), "recommended": RECOMMENDED}
 STUB = """
-window.compiler = %s;
+window.compiling = %s;
 const ask = window.fetch;
 window.fetch = async (address, options) =>
   String(address).endsWith("/v1/compiling") ? Response.json(window.compiling) : ask(address, options);
@@ -67,8 +67,8 @@ def test_the_page_says_what_is_compiled_and_what_can_be_used(visitor: Visitor, u
     assert [label for label in labels if "not compiled yet" not in label] == [RECOMMENDED]
     visitor.choose("#view-live select", RECOMMENDED)
     visitor.wait(f"{STATE.format('live')} === 'ready'")
-    visitor.value(f"window.compiler = {json.dumps(OTHER)}, 0")
+    visitor.value(f"window.compiling = {json.dumps(OTHER)}, 0")
     visitor.wait(f"{STATE.format('live')} === 'compiling'")
-    visitor.value(f"window.compiler = {json.dumps(DONE)}, 0")
+    visitor.value(f"window.compiling = {json.dumps(DONE)}, 0")
     visitor.wait(f"{LINE} === 'Connected.'")
     assert sorted(visitor.value(LABELS)) == sorted(REGISTRY)

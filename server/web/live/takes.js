@@ -16,7 +16,7 @@ const APART_S = 1000; // between the times of two movements
  */
 
 /** A movement without the rest before and after it, thinned to the rate of a mouse. @returns {number[][]} [t s, x, y] */
-export function trim({ t, x, y }) {
+function trim({ t, x, y }) {
   const last = t.length - 1;
   const distance = (i, k) => Math.hypot(x[i] - x[k], y[i] - y[k]);
   let first = 0, end = last;
@@ -30,7 +30,7 @@ export function trim({ t, x, y }) {
 }
 
 /** Turns, scales and moves a path so that it leads from one point to another; times stay. */
-export function transform(rows, [startX, startY], [endX, endY]) {
+function transform(rows, [startX, startY], [endX, endY]) {
   const [, x, y] = rows[0], [, lastX, lastY] = rows[rows.length - 1];
   const [dx, dy, toX, toY] = [lastX - x, lastY - y, endX - startX, endY - startY];
   const square = dx * dx + dy * dy;

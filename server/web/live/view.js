@@ -1,6 +1,5 @@
 // The live view: the person's own pointer, and where each predictor says that its movement will end.
 
-import * as device from "../device/view.js";
 import { FrameLoop, prefersLessMotion } from "../drawing/canvas.js";
 import { drawLegends } from "../drawing/legend.js";
 import { SmoothRegions } from "../drawing/regions.js";
@@ -176,7 +175,7 @@ export async function open() {
   drawLegends();
   for (const card of cards) card.open();
   loop.start();
-  await Promise.all([fillCards(), device.open()]);
+  await fillCards();
 }
 
 /** Offers the predictors, and connects with the recommended one. */
@@ -195,7 +194,6 @@ export function close() {
   loop.stop();
   tiles.clear();
   demo.close();
-  device.close();
   for (const card of cards) card.close();
 }
 

@@ -10,7 +10,7 @@ const [HEAD_PX, FOOT_PX] = [24, 22];
 const STEPS = [1, 2, 5];
 
 /** Round numbers from 0 to `most`, about `count` of them. */
-export function ticks(most, count) {
+function ticks(most, count) {
   const ten = 10 ** Math.floor(Math.log10(most / count));
   const step = [...STEPS, 10].map((one) => one * ten).find((one) => most / one <= count) ?? 10 * ten;
   return Array.from({ length: Math.floor(most / step + 1e-9) + 1 }, (_, i) => i * step);

@@ -1,0 +1,71 @@
+"""The modules of the page: each import names what exists, imports go one way, and no export is dead."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+
+from tests.architecture.tree import ROOT
+
+WEB = ROOT / "server" / "web"
+ORDER = (
+    *("vendor", "client", "pointpred.js", "page", "drawing", "service", "results"),
+    *("live", "circle", "replay", "assist", "device", "page.js", "example.js"),
+)
+"""The folders, and the modules beside them, from the bottom up."""
+IMPORT = re.compile(r'^(?:import|export) ([^;"]*?) from "([^"]+)"', re.MULTILINE)
+EXPORT = re.compile(r"^export (?:async )?(?:function\*?|class|const|let) (\w+)", re.MULTILINE)
+PUBLIC = {"Connection", "connect", "regionOf"}
+
+
+def modules() -> dict[str, str]:
+    """The text of each module, by its path."""
+    found = (path for path in WEB.rglob("*.js") if path.parent.name != "vendor")
+    return {path.relative_to(WEB).as_posix(): path.read_text(encoding="utf-8") for path in found}
+
+
+def exports(text: str) -> set[str]:
+    names = set(EXPORT.findall(text))
+    for listed in re.findall(r"^export \{([^}]*)\}", text, re.MULTILINE):
+        names |= {name.strip() for name in listed.split(",")}
+    return names
+
+
+def imports() -> list[tuple[str, str, set[str]]]:
+    """Every import: the module, the one it imports from, and the names."""
+    found = []
+    for path, text in modules().items():
+        for names, address in IMPORT.findall(text):
+            beside = posixpath.join(posixpath.dirname(path), address)
+            target = address.removeprefix("/").removeprefix("web/") if address[0] == "/" else beside
+            listed = re.sub(r" as \w+", "", names.strip("{} \n")).split(",") if "{" in names else []
+            found.append((path, posixpath.normpath(target), {name.strip() for name in listed}))
+    return found
+
+
+def test_imports_name_what_exists() -> None:
+    texts = modules()
+    for path, target, names in imports():
+        assert (WEB / target).is_file(), f"{path} imports {target}"
+        assert not target.startswith("vendor/") or not names
+        if target in texts:
+            assert names <= exports(texts[target]), f"{path} imports {names} from {target}"
+
+
+def test_imports_go_one_way() -> None:
+    for path, target, _ in imports():
+        room, below = (ORDER.index(one.partition("/")[0]) for one in (path, target))
+        assert below <= room, f"{path} imports {target}"
+
+
+def test_every_export_is_used() -> None:
+    used = {name for _, _, names in imports() for name in names} | PUBLIC
+    tests = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "tests" / "server").glob("*.py"))
+    whole = {target for _, target, names in imports() if not names}  # as a namespace
+    dead = {
+        f"{path}: {name}"
+        for path, text in modules().items()
+        for name in exports(text) - used
+        if path not in whole and not re.search(rf"\b{name}\b", tests)
+    }
+    assert not dead
