@@ -4,17 +4,15 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterable, Sequence
-from types import TracebackType
-from typing import Self
 
 import numpy as np
 
-from pointpred.devices.source import BoundedQueue, Report
+from pointpred.devices.source import BoundedQueue, ClosedOnExit, Report
 
 MONOTONIC = "a test's own, monotonic clock"
 
 
-class FakeMouse:
+class FakeMouse(ClosedOnExit):
     """A device source whose reports a test puts in."""
 
     name = "a made-up mouse"
@@ -43,14 +41,6 @@ class FakeMouse:
     def close(self) -> None:
         self.closed = True
         self._queue.close()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.close()
 
 
 def reach(

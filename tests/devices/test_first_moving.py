@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 
 import pytest
 from msgspec.structs import replace
@@ -59,6 +60,16 @@ def rest(source: FirstMoving) -> None:
     assert source.take(SILENCE_S) == []
 
 
+@contextmanager
+def following_first() -> Iterator[tuple[FirstMoving, Mouse, Mouse]]:
+    """A source over two mice that follows the first, and both."""
+    first, other = Mouse("event4"), Mouse("event5")
+    with first_of(first, other) as source:
+        first.put([STEP])
+        source.take(0.0)
+        yield source, first, other
+
+
 def test_one_count_of_motion_decides_and_the_others_are_closed() -> None:
     silent, moving = Mouse("event4"), Mouse("event5")
     with first_of(silent, moving) as source:
@@ -77,10 +88,7 @@ def test_one_count_of_motion_decides_and_the_others_are_closed() -> None:
 
 
 def test_another_that_moves_later_is_named_once_and_not_followed() -> None:
-    first, other = Mouse("event4"), Mouse("event5")
-    with first_of(first, other) as source:
-        first.put([STEP])
-        source.take(0.0)
+    with following_first() as (source, first, other):
         rest(source)
         settled(source)
         assert (other.opened, other.closed) == (2, False)
@@ -96,10 +104,7 @@ def test_another_that_moves_later_is_named_once_and_not_followed() -> None:
 
 
 def test_where_the_followed_one_is_unplugged_the_next_that_moves_is_followed() -> None:
-    first, other = Mouse("event4"), Mouse("event5")
-    with first_of(first, other) as source:
-        first.put([STEP])
-        source.take(0.0)
+    with following_first() as (source, first, other):
         first.plugged = False
         assert not source.plugged
         assert source.take(0.0) == []
@@ -112,10 +117,7 @@ def test_where_the_followed_one_is_unplugged_the_next_that_moves_is_followed() -
 
 
 def test_the_followed_one_that_comes_back_is_followed_on() -> None:
-    first, other = Mouse("event4"), Mouse("event5")
-    with first_of(first, other) as source:
-        first.put([STEP])
-        source.take(0.0)
+    with following_first() as (source, first, other):
         first.plugged = False
         source.take(0.0)
         first.plugged = True
@@ -126,10 +128,7 @@ def test_the_followed_one_that_comes_back_is_followed_on() -> None:
 
 
 def test_the_followed_one_that_comes_back_and_rests_gives_way() -> None:
-    first, other = Mouse("event4"), Mouse("event5")
-    with first_of(first, other) as source:
-        first.put([STEP])
-        source.take(0.0)
+    with following_first() as (source, first, other):
         first.plugged = False
         source.take(0.0)
         first.plugged = True
@@ -171,10 +170,7 @@ def test_small_and_shaky_movements_are_seen_and_teach_as_before() -> None:
 
 
 def test_losses_of_all_that_were_followed_count() -> None:
-    first, other = Mouse("event4"), Mouse("event5")
-    with first_of(first, other) as source:
-        first.put([STEP])
-        source.take(0.0)
+    with following_first() as (source, first, other):
         first.unreadable, first.plugged = 3, False
         other.put([STEP])
         source.take(0.0)
