@@ -23,7 +23,6 @@ from pointpred.live.notes import device_note
 from pointpred.live.person_file import read_person, save_person
 from pointpred.live.run import LiveRun, OutputOptions, compile_for
 from pointpred.live.session import LiveSession
-from pointpred.registry import build
 from pointpred.server.garbage import tune_collector
 from pointpred.transfer import TransferFunction, named_transfer
 
@@ -71,7 +70,7 @@ def follow_device(device: DeviceOptions, outputs: OutputOptions, counts_per_inch
             opened = mouse_path(device.cursor, function, cpi, outputs.dpi, device.display)
         stack.callback(opened.close)
         outputs = replace(outputs, cpi=cpi)
-        pipeline = build(outputs.predictor, cpi=cpi, dpi=outputs.dpi, person=person, **outputs.parameters)
+        pipeline = outputs.pipeline(person)
         session = LiveSession(source, opened.path, pipeline)
         session.note = device_note(session)
         run = LiveRun(session, outputs)

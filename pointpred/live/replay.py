@@ -13,7 +13,6 @@ from pointpred.live.playback import PlayedPath, PlayedPipeline, PlayedSource, Pl
 from pointpred.live.run import LiveRun, OutputOptions, compile_for
 from pointpred.live.session import LiveSession
 from pointpred.recording import Recording, Skip
-from pointpred.registry import build
 from pointpred.replaying.choosing import named, playable
 from pointpred.server.garbage import tune_collector
 
@@ -40,9 +39,7 @@ def follow_replay(
     outputs = replace(outputs, simulated=simulated)
     name = f"replay of {file.name}" + (" (simulated people)" if simulated else "")
     path = PlayedPath("the recorded cursor" + (", simulated" if simulated else ""))
-    pipeline = PlayedPipeline(
-        build(outputs.predictor, cpi=outputs.cpi, dpi=outputs.dpi, **outputs.parameters)
-    )
+    pipeline = PlayedPipeline(outputs.pipeline())
     with PlayedSource(name, str(file), trials, speed=speed, words=recording.provenance.clock) as source:
         run = LiveRun(LiveSession(source, path, pipeline), outputs)
         _end_with(run, source)

@@ -21,6 +21,7 @@ from pointpred.live.recording import LiveRecording
 from pointpred.live.session import LiveSession
 from pointpred.live.terminal import DASH, TerminalLog, show, summary
 from pointpred.live.threads import SessionThread, ViewThread, end_on_signal, wait
+from pointpred.pipeline import Pipeline
 from pointpred.protocol.client_messages import Device, Hello, Screen
 from pointpred.protocol.live_messages import Curve
 from pointpred.registry import build
@@ -48,6 +49,10 @@ class OutputOptions(msgspec.Struct, frozen=True):
     simulated: bool = False
     lsl: bool = False
     parameters: dict[str, Any] = {}
+
+    def pipeline(self, person: str = "") -> Pipeline:
+        """The predictor, which knows ``person``; raises ParameterError."""
+        return build(self.predictor, cpi=self.cpi, dpi=self.dpi, person=person, **self.parameters)
 
 
 class LiveRun:
