@@ -138,9 +138,9 @@ def _drive(
     """Play as the mouse of a page, with the options of ``drive_mouse``, and print what was done."""
     from pointpred.cli.replay_tables import DriveDocument, DrivenTrialRow
     from pointpred.replaying import drive_mouse, open_page
-    from pointpred.replaying.choosing import named, playable
+    from pointpred.replaying.trials import playable_trials, trial_name
 
-    places, skipped = playable(recording, names)
+    places, skipped = playable_trials(recording, names)
     print_skipped(skipped)
     trials = []
     with open_page(devtools, url) as page:
@@ -148,11 +148,11 @@ def _drive(
             driven = drive_mouse(page, recording.rows(k), **options)
             trials.append(
                 DrivenTrialRow(
-                    named(recording, k), driven.moves, driven.presses, driven.releases, driven.seconds
+                    trial_name(recording, k), driven.moves, driven.presses, driven.releases, driven.seconds
                 )
             )
             remarks().print(
-                f"{named(recording, k)}: {driven.moves} moves, {driven.presses} presses, "
+                f"{trial_name(recording, k)}: {driven.moves} moves, {driven.presses} presses, "
                 f"{driven.releases} releases in {driven.seconds:.2f} s",
                 markup=False,
             )

@@ -13,15 +13,16 @@ from pointpred.live.playback import PlayedPath, PlayedPipeline, PlayedSource, Pl
 from pointpred.live.run import LiveRun, OutputOptions, compile_for
 from pointpred.live.session import LiveSession
 from pointpred.recording import Recording, Skip
-from pointpred.replaying.choosing import named, playable
+from pointpred.replaying import trials as recorded
 from pointpred.server.garbage import tune_collector
 
 
 def playable_trials(recording: Recording, names: Sequence[str]) -> tuple[list[PlayedTrial], tuple[Skip, ...]]:
     """The trials to play, all where none is named, and those that cannot be; raises ParameterError."""
-    places, left_out = playable(recording, names)
+    places, left_out = recorded.playable_trials(recording, names)
     return [
-        PlayedTrial(recording.trials[k].user, named(recording, k), recording.rows(k)) for k in places
+        PlayedTrial(recording.trials[k].user, recorded.trial_name(recording, k), recording.rows(k))
+        for k in places
     ], left_out
 
 

@@ -1,4 +1,4 @@
-"""A tab of a running browser, spoken to through its DevTools protocol."""
+"""A tab of a running browser, controlled through its DevTools protocol."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from pointpred.errors import ParameterError, SourceError
 
 START = "chromium --headless --remote-debugging-port=9222 --user-data-dir=$(mktemp -d)"
 IN_FLIGHT = 512
-"""Commands sent before an answer is awaited: the browser merges them as those of a real mouse."""
+"""Commands sent before one waits for a result: the browser merges them as those of a real mouse."""
 
 
 class Page:
@@ -26,23 +26,23 @@ class Page:
 
     def __init__(self, socket: Any, timeout_s: float) -> None:
         self.timeout_s = timeout_s
-        self.heard: deque[dict[str, Any]] = deque(maxlen=10_000)
-        """Events of the protocol, the oldest forgotten first."""
+        self.events: deque[dict[str, Any]] = deque(maxlen=10_000)
+        """The newest events of the protocol."""
         self._socket = socket
         self._number = 0
         self._waiting: set[int] = set()
 
     def call(self, method: str, **parameters: Any) -> dict[str, Any]:
-        """One command and its result; raises SourceError where the browser refuses it."""
-        number = self.tell(method, **parameters)
+        """Send a command and wait for its result; raises SourceError where the browser refuses it."""
+        number = self.send(method, **parameters)
         while True:
-            answer = self._hear()
+            answer = self._receive()
             if answer.get("id") == number:
                 result: dict[str, Any] = answer.get("result", {})
                 return result
 
-    def tell(self, method: str, **parameters: Any) -> int:
-        """One command whose result nobody waits for."""
+    def send(self, method: str, **parameters: Any) -> int:
+        """Send a command without waiting for its result; returns its number."""
         self._number += 1
         self._waiting.add(self._number)
         command = {"id": self._number, "method": method, "params": parameters}
@@ -51,44 +51,44 @@ class Page:
         except ConnectionClosed as closed:
             raise SourceError(f"the page has gone: {closed}") from closed
         while len(self._waiting) > IN_FLIGHT:
-            self._hear()
+            self._receive()
         return self._number
 
-    def settle(self) -> None:
+    def wait_for_results(self) -> None:
         """Wait until the browser has carried out every command."""
         while self._waiting:
-            self._hear()
+            self._receive()
 
     def evaluate(self, expression: str) -> Any:
         """The value of an expression in the page, awaited where it is a promise."""
         answer = self.call("Runtime.evaluate", expression=expression, awaitPromise=True, returnByValue=True)
         if "exceptionDetails" in answer:
             thrown = answer["exceptionDetails"]
-            words = thrown.get("exception", {}).get("description") or thrown.get("text")
-            raise SourceError(f"the page threw: {words}")
+            description = thrown.get("exception", {}).get("description") or thrown.get("text")
+            raise SourceError(f"the page threw: {description}")
         return answer["result"].get("value")
 
     def go(self, url: str) -> None:
         """Open an address and wait until it has loaded."""
         self.call("Page.enable")
         self.call("Page.setLifecycleEventsEnabled", enabled=True)
-        self.heard.clear()
+        self.events.clear()
         answer = self.call("Page.navigate", url=url)
         if answer.get("errorText"):
             raise SourceError(f"the page cannot open {url}: {answer['errorText']}")
         while not self._loaded(answer.get("loaderId")):
-            self._hear()
+            self._receive()
 
     def _loaded(self, loader: str | None) -> bool:
-        """Whether this document has: the one before may say so late. A part of a page has nothing to load."""
-        told = (event["params"] for event in self.heard if event["method"] == "Page.lifecycleEvent")
-        return loader is None or any((one["name"], one["loaderId"]) == ("load", loader) for one in told)
+        """Whether this document has loaded, not the previous one, whose event may be late."""
+        events = (event["params"] for event in self.events if event["method"] == "Page.lifecycleEvent")
+        return loader is None or any((one["name"], one["loaderId"]) == ("load", loader) for one in events)
 
     def close(self) -> None:
-        """Let go of the tab; it stays open."""
+        """Disconnect from the tab; it stays open."""
         self._socket.close()
 
-    def _hear(self) -> dict[str, Any]:
+    def _receive(self) -> dict[str, Any]:
         try:
             answer: dict[str, Any] = msgspec.json.decode(self._socket.recv(timeout=self.timeout_s))
         except TimeoutError:
@@ -96,7 +96,7 @@ class Page:
         except ConnectionClosed as closed:
             raise SourceError(f"the page has gone: {closed}") from closed
         if "id" not in answer:
-            self.heard.append(answer)
+            self.events.append(answer)
             return answer
         self._waiting.discard(answer["id"])
         if "error" in answer:
@@ -122,12 +122,12 @@ def open_page(devtools: str, url: str | None = None, *, timeout_s: float = 30.0)
     where = devtools.rstrip("/")
     try:
         if url is None:
-            tabs = [tab for tab in _ask(f"{where}/json/list") if tab["type"] == "page"]
+            tabs = [tab for tab in _request(f"{where}/json/list") if tab["type"] == "page"]
             if not tabs:
                 raise SourceError(f"the browser at {devtools} has no page open; name one with its address")
             tab = tabs[0]
         else:
-            tab = _ask(f"{where}/json/new?{quote('about:blank', safe='')}", "PUT")
+            tab = _request(f"{where}/json/new?{quote('about:blank', safe='')}", "PUT")
         target = tab["webSocketDebuggerUrl"]
         opened = dial(target, max_size=None, max_queue=None, compression=None, proxy=None)
         socket = ExitStack().enter_context(opened)  # websockets 17 wants to be entered; `close` leaves
@@ -141,6 +141,6 @@ def open_page(devtools: str, url: str | None = None, *, timeout_s: float = 30.0)
     return page
 
 
-def _ask(address: str, method: str = "GET") -> Any:
+def _request(address: str, method: str = "GET") -> Any:
     with urlopen(Request(address, method=method), timeout=10) as answer:
         return msgspec.json.decode(answer.read())

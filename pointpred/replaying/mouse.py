@@ -1,4 +1,4 @@
-"""The mouse of a real page, driven along a recorded path: mouse-driven features become testable."""
+"""Moves the mouse of a real page along a recorded path, to test what the mouse does there."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ BUTTONS = {1: "left", 2: "right", 4: "middle", 8: "back", 16: "forward"}
 
 
 class Driven(msgspec.Struct, frozen=True):
-    """What was done to a page's mouse."""
+    """How often the mouse was moved, pressed and released."""
 
     moves: int
     presses: int
@@ -54,19 +54,19 @@ def drive_mouse(
             buttons = 0 if math.isnan(row[5]) else int(row[5])
             for command in _commands(x, y, held, buttons):
                 counts[command["type"]] += 1
-                page.tell("Input.dispatchMouseEvent", **command)
+                page.send("Input.dispatchMouseEvent", **command)
             held = buttons
     if held:
         for command in _commands(x, y, held, 0):
             counts[command["type"]] += 1
-            page.tell("Input.dispatchMouseEvent", **command)
-    page.settle()
+            page.send("Input.dispatchMouseEvent", **command)
+    page.wait_for_results()
     moves, presses, releases = (counts[kind] for kind in ("mouseMoved", "mousePressed", "mouseReleased"))
     return Driven(moves, presses, releases, time.perf_counter() - began)
 
 
 def _commands(x: float, y: float, held: int, buttons: int) -> list[dict[str, Any]]:
-    """A move, or what a change of buttons asks for; there first where it happens elsewhere."""
+    """The commands for a move, or for a change of buttons."""
     place = {"x": x, "y": y, "pointerType": "mouse"}
     drag = next((name for bit, name in BUTTONS.items() if held & bit), "none")
     commands: list[dict[str, Any]] = []

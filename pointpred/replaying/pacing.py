@@ -1,4 +1,4 @@
-"""Which events are due when: a recording's own times, faster, or as fast as somebody takes them."""
+"""When events are due: at the recorded times, faster, or as fast as they are taken."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ import numpy as np
 from pointpred.columns import FloatArray
 
 MOST_AT_ONCE = 256
-"""Rows handed out together when there is no pace to keep."""
+"""Most rows that are due together."""
 
 
 def due(t: FloatArray, speed: float, most: int = MOST_AT_ONCE) -> Iterator[tuple[int, int]]:
     """Ranges (first, stop) of the rows that are due, after waiting until they are.
 
-    ``t`` s, growing; ``speed`` 1 keeps the recorded times, 2 halves them, infinity waits for nothing.
-    Rows that fell due while the last ones were sent come together.
+    ``t`` s, growing; ``speed`` 1 keeps the recorded times, 2 halves them, infinity never waits.
+    Rows that became due while the last ones were sent come together.
 
     >>> list(due(np.array([0.0, 0.001, 0.002]), math.inf, most=2))
     [(0, 2), (2, 3)]

@@ -1,4 +1,4 @@
-"""A recording to a service over its socket, and whether it answers as the batch does."""
+"""Plays a recording to a service over its socket, and checks that it answers as the batch does."""
 
 from __future__ import annotations
 
@@ -11,23 +11,25 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from msgspec import structs
 
 from pointpred.client import Connection, connect
 from pointpred.columns import EventColumns, FloatArray, PredictionColumns
 from pointpred.pipeline import Pipeline, run
 from pointpred.protocol.client_messages import Goal
 from pointpred.protocol.frames import packable
+from pointpred.protocol.scores import score_of
 from pointpred.protocol.server_messages import Score
 from pointpred.protocol.token_bucket import TokenBucket
 from pointpred.recording import Recording, Skip
 from pointpred.registry import RECOMMENDED, build
-from pointpred.replaying.choosing import playable
-from pointpred.replaying.local import local_scores
 from pointpred.replaying.pacing import due
+from pointpred.replaying.trials import playable_trials
+from pointpred.scoring import prepare, replay
 
 Progress = Callable[[str, int, int], None]
 SHARE = 0.9
-"""Of the events a second that a service allows, so that its clock and ours may differ."""
+"""The part of a service's limit on events a second that is used, so that its clock and ours may differ."""
 
 
 class ReplayedTrial(msgspec.Struct, frozen=True):
@@ -44,7 +46,7 @@ class ReplayedTrial(msgspec.Struct, frozen=True):
 
     @property
     def agrees(self) -> bool:
-        """Each bit of every prediction heard, and the score, are as in the batch."""
+        """Whether every bit of the predictions received, and of the score, is as in the batch."""
         return self.unlike == 0 and self.score == self.local
 
     @property
@@ -63,7 +65,7 @@ class Replayed(msgspec.Struct, frozen=True):
 
     @property
     def agrees(self) -> bool:
-        """Every trial agrees with the batch bit for bit."""
+        """Whether every trial agrees with the batch bit for bit."""
         return all(trial.agrees for trial in self.trials)
 
 
@@ -83,24 +85,24 @@ def replay_to(
     """Play trials to the service at ``url`` and compare every answer with the local batch.
 
     ``speed``: 1 as recorded, 2 twice as fast, infinity as fast as the service's limits allow. ``trials``:
-    USER-TRIAL, or places counted from 1; all unless given. ``cpi`` and ``dpi`` replace what the recording
-    says. ``coefficients``: the name that the service has for a file of coefficients, and the same file here.
+    USER-TRIAL, or numbers from 1; all by default. ``cpi`` and ``dpi`` replace those of the recording.
+    ``coefficients``: the name that the service has for a file of coefficients, and the same file here.
     Each trial is marked, so that the service scores it. Another user begins another session: a predictor that
     learns its person meets each knowing nobody. Raises ParameterError, SourceError, ServiceError.
     """
-    said = recording.provenance
-    cpi, dpi = said.cpi if cpi is None else cpi, said.dpi if dpi is None else dpi
-    named = {} if coefficients is None else {"coefficients": coefficients[0]}
+    origin = recording.provenance
+    cpi, dpi = origin.cpi if cpi is None else cpi, origin.dpi if dpi is None else dpi
+    parameters = {} if coefficients is None else {"coefficients": coefficients[0]}
     own: dict[str, Any] = {} if coefficients is None else {"coefficients": coefficients[1]}
     pipeline = build(predictor, cpi=cpi, dpi=dpi, **own)
-    played, left_out = playable(recording, trials)
-    local = local_scores(recording, played, pipeline, cpi=cpi, dpi=dpi)
+    played, skipped = playable_trials(recording, trials)
+    local = batch_scores(recording, played, pipeline, cpi=cpi, dpi=dpi)
     total, done, answers = sum(len(recording.rows(k)) for k in played), 0, []
     for _, turn in groupby(played, key=lambda k: recording.trials[k].user):
         with connect(
             url,
             predictor=predictor,
-            parameters=named,
+            parameters=parameters,
             device=None if cpi is None else {"cpi": cpi},
             screen={"dpi": dpi},
             reply="event",
@@ -113,7 +115,7 @@ def replay_to(
                 done += len(recording.rows(k))
                 if progress is not None:
                     progress(recording.name, done, total)
-    return Replayed(recording.name, predictor, tuple(answers), left_out)
+    return Replayed(recording.name, predictor, tuple(answers), skipped)
 
 
 class _Player:
@@ -127,23 +129,30 @@ class _Player:
         self._rate = TokenBucket(most, time.monotonic())
 
     def play(self, recording: Recording, k: int, local: Score) -> ReplayedTrial:
-        """One trial, marked; its answers beside those of the batch."""
+        """Play one trial, marked, and compare the answers with those of the batch."""
         about, events = recording.trials[k], recording.rows(k)
         goal = (about.target_x, about.target_y, about.target_w)
         began = time.perf_counter()
         self.connection.trial("start", Goal(*goal) if all(map(math.isfinite, goal)) else None)
-        heard = self._stream(events)
+        received = self._stream(events)
         seconds = time.perf_counter() - began
         score = self.connection.trial("end")
         assert score is not None
-        self.pipeline.reset()  # as the session at a start: what it knows of the person stays
+        self.pipeline.reset()  # as the session does: what it knows of the person stays
         batch = run(self.pipeline, EventColumns(events.table))
         return ReplayedTrial(
-            about.user, about.trial, len(events), len(heard), unlike(heard, batch), score, local, seconds
+            about.user,
+            about.trial,
+            len(events),
+            len(received),
+            unlike(received, batch),
+            score,
+            local,
+            seconds,
         )
 
     def _stream(self, events: EventColumns) -> PredictionColumns:
-        """Every prediction; without a pace to keep, a frame waits for the answers to the last one."""
+        """Every prediction; at infinite speed a frame waits for the answers to the last one."""
         parts = []
         for first, stop in due(events.t, self.speed):
             while not self._rate.take(stop - first, time.monotonic()):
@@ -154,31 +163,55 @@ class _Player:
         return PredictionColumns(np.concatenate([part.table for part in parts]))
 
 
-def unlike(heard: PredictionColumns, batch: PredictionColumns) -> int:
-    """How many predictions heard differ in any bit from the batch's for the same event.
+def unlike(received: PredictionColumns, batch: PredictionColumns) -> int:
+    """How many received predictions differ in any bit from the batch's for the same event.
 
-    Where some gave way to newer ones, each is compared with the next row of its time.
+    Where newer ones replaced some, each is compared with the next row of its time.
     """
-    rows = np.arange(len(batch)) if len(heard) == len(batch) else _rows(heard, batch)
-    wanted, own = _told(batch.table[rows]), _told(heard.table[: len(rows)])
-    differ = (wanted.view(np.int64) != own.view(np.int64)) & ~(np.isnan(wanted) & np.isnan(own))
-    return int(differ.any(axis=1).sum()) + len(heard) - len(rows)
+    rows = np.arange(len(batch)) if len(received) == len(batch) else _rows(received, batch)
+    expected, own = _sent_part(batch.table[rows]), _sent_part(received.table[: len(rows)])
+    differ = (expected.view(np.int64) != own.view(np.int64)) & ~(np.isnan(expected) & np.isnan(own))
+    return int(differ.any(axis=1).sum()) + len(received) - len(rows)
 
 
-def _told(table: FloatArray) -> FloatArray:
-    """What goes over the wire: no spread, no tail without a region; of no prediction, its time."""
-    told = table[:, :9].copy()
-    told[np.isnan(told[:, 3]), 8] = np.nan
-    told[np.isnan(told[:, 1]), 1:] = np.nan
-    return told
+def _sent_part(table: FloatArray) -> FloatArray:
+    """What goes over the wire: no spread, no tail without a region; only the time without a prediction."""
+    sent = table[:, :9].copy()
+    sent[np.isnan(sent[:, 3]), 8] = np.nan
+    sent[np.isnan(sent[:, 1]), 1:] = np.nan
+    return sent
 
 
-def _rows(heard: PredictionColumns, batch: PredictionColumns) -> np.ndarray[tuple[int], np.dtype[np.int64]]:
-    found, place = [], 0
-    for t in heard.t.tolist():
+def _rows(
+    received: PredictionColumns, batch: PredictionColumns
+) -> np.ndarray[tuple[int], np.dtype[np.int64]]:
+    """The row of the batch for each received prediction, up to the first that has none."""
+    rows, place = [], 0
+    for t in received.t.tolist():
         place += int(np.searchsorted(batch.t[place:], t))
         if place == len(batch) or batch.t[place] != t:
             break
-        found.append(place)
+        rows.append(place)
         place += 1
-    return np.array(found, dtype=np.int64)
+    return np.array(rows, dtype=np.int64)
+
+
+def batch_scores(
+    recording: Recording, places: Sequence[int], pipeline: Pipeline, *, cpi: float | None, dpi: float
+) -> dict[int, Score]:
+    """The offline score of each trial, as the service sends scores.
+
+    Each trial gets a user of its own, as a service scores a marked trial with a predictor that knows nobody.
+    """
+    parts = [recording.rows(k) for k in places]
+    trials = [structs.replace(recording.trials[k], user=str(k)) for k in places]
+    prepared = prepare(Recording.of("replay", parts, trials), cpi=cpi, dpi=dpi)
+    errors, floor = replay(prepared, pipeline), replay(prepared, build("hold", cpi=cpi, dpi=dpi))
+    scored = {id(one.trial): row for row, one in enumerate(prepared.trials)}
+    reasons = {(skip.user, skip.trial): skip.reason for skip in prepared.skipped}
+    return {
+        k: score_of(prepared, scored[id(trial)], errors, floor)
+        if id(trial) in scored
+        else Score(len(part), reason=reasons[trial.user, trial.trial])
+        for k, part, trial in zip(places, parts, trials, strict=True)
+    }

@@ -94,7 +94,7 @@ class Visitor:
 
     def __init__(self, page: Page, size: tuple[int, int]) -> None:
         self.page = page
-        page.heard = deque()  # nothing is forgotten, however many frames a slow machine needs
+        page.events = deque()  # nothing is forgotten, however many frames a slow machine needs
         for domain in ("Page", "Runtime", "Network", "Log"):
             page.call(f"{domain}.enable")
         page.call("Page.addScriptToEvaluateOnNewDocument", source=SHIFTS)
@@ -174,7 +174,7 @@ class Visitor:
         """Move, press or release the mouse without waiting for the page, as a hand does."""
         pressed = kind in ("mousePressed", "mouseReleased")
         about = {"button": "left" if pressed else "none", "clickCount": int(pressed)}
-        self.page.tell(
+        self.page.send(
             "Input.dispatchMouseEvent", type=kind, x=x, y=y, buttons=int(kind == "mousePressed"), **about
         )
 
@@ -182,7 +182,7 @@ class Visitor:
         """Press and release, and wait until the page has seen it."""
         self.mouse("mousePressed", x, y)
         self.mouse("mouseReleased", x, y)
-        self.page.settle()
+        self.page.wait_for_results()
 
     def reach(
         self, start: tuple[float, float], end: tuple[float, float], seconds: float, rate_hz: float = 200.0
@@ -195,7 +195,7 @@ class Visitor:
             place = [a + share * (b - a) for a, b in zip(start, end, strict=True)]
             time.sleep(max(0.0, began + i / rate_hz - time.perf_counter()))
             self.mouse("mouseMoved", place[0], place[1])
-        self.page.settle()
+        self.page.wait_for_results()
 
     def press(self, key: str) -> None:
         """Press and release a key."""
@@ -210,7 +210,7 @@ class Visitor:
         """Errors and warnings of the page and of the browser about it, since it was opened."""
         self.value("0")
         said = []
-        for event in self.page.heard:
+        for event in self.page.events:
             about = event["params"]
             if event["method"] == "Runtime.exceptionThrown":
                 said.append(str(about["exceptionDetails"]))
@@ -223,7 +223,7 @@ class Visitor:
     def asked(self) -> set[str]:
         """Every address that the page has asked for since it was opened, sockets included."""
         found = set()
-        for event in self.page.heard:
+        for event in self.page.events:
             if event["method"] == "Network.requestWillBeSent":
                 found.add(event["params"]["request"]["url"])
             elif event["method"] == "Network.webSocketCreated":

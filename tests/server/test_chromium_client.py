@@ -227,5 +227,5 @@ def test_closed_while_it_connects_it_leaves_no_complaint(page: Page, listener: L
         })"""
     )
     soon(lambda: page.evaluate("window.last?.state") == "open", "a later connection is open")
-    entries = [e["params"]["entry"] for e in page.heard if e["method"] == "Log.entryAdded"]
+    entries = [e["params"]["entry"] for e in page.events if e["method"] == "Log.entryAdded"]
     assert [one["text"] for one in entries if "WebSocket" in one["text"]] == []

@@ -59,7 +59,7 @@ def test_a_path_is_followed_with_its_presses(page: Page) -> None:
 
 def test_the_end_of_loading_is_that_of_the_page_asked_for(page: Page) -> None:
     late = {"method": "Page.lifecycleEvent", "params": {"name": "load", "loaderId": "of the page before"}}
-    page.heard.append(late)
+    page.events.append(late)
     assert not page._loaded("of this one")
     here = page.evaluate("location.href")
     page.go(here)

@@ -130,7 +130,11 @@ def sockets(visitor: Visitor) -> int:
     """How many connections the page holds."""
     visitor.value("0")
     made, ended = (
-        {event["params"]["requestId"] for event in visitor.page.heard if event["method"] == f"Network.{what}"}
+        {
+            event["params"]["requestId"]
+            for event in visitor.page.events
+            if event["method"] == f"Network.{what}"
+        }
         for what in ("webSocketCreated", "webSocketClosed")
     )
     return len(made - ended)  # the end of one of the page before may be heard as well

@@ -20,9 +20,9 @@ from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording, Trial
 from pointpred.registry import REGISTRY
 from pointpred.replaying import replay_to
-from pointpred.replaying.choosing import chosen
 from pointpred.replaying.pacing import due
 from pointpred.replaying.socket import unlike
+from pointpred.replaying.trials import select_trials
 from pointpred.server.sessions.pointing import PointingSession
 from pointpred.sources.own import recordings as own
 from tests.server.listener import Listener
@@ -229,5 +229,5 @@ def test_nobody_there_is_said(command: Callable[..., Any]) -> None:
 
 
 def test_trials_are_chosen_once() -> None:
-    assert chosen(SAMPLE, ["2", "p01-1", "1"]) == [1, 0]
-    assert chosen(SAMPLE, []) == list(range(240))
+    assert select_trials(SAMPLE, ["2", "p01-1", "1"]) == [1, 0]
+    assert select_trials(SAMPLE, []) == list(range(240))
