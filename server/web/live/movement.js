@@ -12,9 +12,9 @@ export const NEAR_PX = 40;
 /**
  * @typedef {{distance: number, arrival: number, reached: number, predictors: Earliness[]}} Verdict px; s: when the pointer
  *   arrived, and when it was itself within 40 px for good
- * @typedef {{name: string, known: number|null, lead_s: number|null}} Earliness of a predictor: since when its endpoints were
- *   within 40 px, s; how long before the arrival that was: 0 if the pointer was there as early; null if there was no
- *   prediction, or none in the last 0.3 s before the arrival
+ * @typedef {{name: string, lead_s: number|null}} Earliness of a predictor: how long before the arrival its endpoints had come
+ *   within 40 px for good, s: 0 if the pointer was there as early; null if there was no prediction, or none in the last
+ *   0.3 s before the arrival
  */
 
 /** Collects one movement at a time; a pause of 0.3 s or a press ends it. */
@@ -61,9 +61,9 @@ export class Movement {
       const during = predictions.filter(([t]) => t >= first[0] && t <= arrival);
       const name = during[during.length - 1]?.[3];
       const silent = !during.some(([, x]) => x !== null) || arrival - during[during.length - 1][0] > PAUSE_S;
-      if (silent) return { name, known: null, lead_s: null }; // a connection lost on the way is not judged
-      const known = nearSince(during.filter((one) => one[3] === name), end, NEAR_PX);
-      return { name, known, lead_s: known !== null && known < reached ? arrival - known : 0 };
+      if (silent) return { name, lead_s: null }; // a connection lost on the way is not judged
+      const near = nearSince(during.filter((one) => one[3] === name), end, NEAR_PX);
+      return { name, lead_s: near !== null && near < reached ? arrival - near : 0 };
     });
     return { distance, arrival, reached, predictors };
   }

@@ -19,7 +19,7 @@ export function markOf(prediction, smoothRegions, now, opacity, still = false) {
 
 /** Length × breadth of a 50 % region, px; a region that is too large to draw is only compared with the picture. */
 function sizeOf({ regions }, { clientWidth, clientHeight }, scale) {
-  if (regions === null) return "not given";
+  if (regions === null) return "none";
   const [width, height] = [clientWidth / scale, clientHeight / scale];
   if (!isVisible(regions, width, height)) return `over ${Math.floor(Math.hypot(width, height) / 100) * 100}`;
   const { major, minor } = regions.inner;
