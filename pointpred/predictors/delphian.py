@@ -12,7 +12,7 @@ from pointpred.differentiators import Differentiator
 from pointpred.errors import ParameterError
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
-from pointpred.predictors.predictor import Predictor, loop_over_motions
+from pointpred.predictors.predictor import Predictor
 from pointpred.recording import Recording
 from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
 from pointpred.stage import offsets
@@ -51,9 +51,6 @@ def step(memory: FloatArray, motion: Row) -> TenFloats:
     return endpoint(m.t, end_x, end_y, phase)
 
 
-loop = loop_over_motions(step)
-
-
 class DelphianPredictor(Predictor):
     """Delphian prediction: the higher the speed peak, the farther the way that is left there.
 
@@ -87,7 +84,6 @@ class DelphianPredictor(Predictor):
         "", 0.0, 0.9, "share by which the speed must fall for a peak to be known", default=0.05
     )
     step = staticmethod(step)
-    loop = staticmethod(loop)
     states = END - AT
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.predictors import movement
-from pointpred.predictors.predictor import Predictor, loop_over_motions
+from pointpred.predictors.predictor import Predictor
 from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
 
 AT = 0
@@ -21,9 +21,6 @@ def step(memory: FloatArray, motion: Row) -> TenFloats:
     return endpoint(m.t, m.x, m.y, movement.phase(memory, AT, m))
 
 
-loop = loop_over_motions(step)
-
-
 class HoldPredictor(Predictor):
     """No prediction: the cursor's own position.
 
@@ -37,5 +34,4 @@ class HoldPredictor(Predictor):
     """
 
     step = staticmethod(step)
-    loop = staticmethod(loop)
     states = movement.STATES

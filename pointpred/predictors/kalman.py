@@ -8,7 +8,7 @@ from pointpred.differentiators import constant_acceleration
 from pointpred.events import ROUNDING_S
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
-from pointpred.predictors.predictor import Predictor, loop_over_motions
+from pointpred.predictors.predictor import Predictor
 from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
 from pointpred.stage import offsets
 
@@ -82,9 +82,6 @@ def step(memory: FloatArray, motion: Row) -> TenFloats:
     )
 
 
-loop = loop_over_motions(step)
-
-
 class KalmanPredictor(Predictor):
     """Constant-acceleration Kalman filter of the cursor, carried over a fixed horizon.
 
@@ -126,5 +123,4 @@ class KalmanPredictor(Predictor):
         "s", 1e-3, 1e3, "a longer gap between events means that the device was still", default=0.1
     )
     step = staticmethod(step)
-    loop = staticmethod(loop)
     states = END - AT

@@ -9,7 +9,7 @@ from pointpred.compiled import law
 from pointpred.events import ROUNDING_S
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
-from pointpred.predictors.predictor import Predictor, loop_over_motions
+from pointpred.predictors.predictor import Predictor
 from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
 from pointpred.stage import offsets
 
@@ -64,9 +64,6 @@ def step(memory: FloatArray, motion: Row) -> TenFloats:
     return endpoint(m.t, m.x + ahead * (m.x - before_x), m.y + ahead * (m.y - before_y), phase)
 
 
-loop = loop_over_motions(step)
-
-
 class LinearPredictor(Predictor):
     """Constant velocity: where the cursor will be after a fixed time if it goes on as it does.
 
@@ -98,5 +95,4 @@ class LinearPredictor(Predictor):
     horizon_s: float = parameter("s", 0.0, 1.0, "how far ahead the velocity is carried on", default=0.12)
     window_s: float = parameter("s", 1e-3, 1.0, "over how long the velocity is averaged", default=0.12)
     step = staticmethod(step)
-    loop = staticmethod(loop)
     states = END - AT

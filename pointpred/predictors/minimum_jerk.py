@@ -7,7 +7,7 @@ from math import hypot, nan, sqrt
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.predictors import movement
-from pointpred.predictors.predictor import Predictor, loop_over_motions
+from pointpred.predictors.predictor import Predictor
 from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
 
 AT = 0
@@ -47,9 +47,6 @@ def step(memory: FloatArray, motion: Row) -> TenFloats:
     )
 
 
-loop = loop_over_motions(step)
-
-
 class MinimumJerkPredictor(Predictor):
     """Minimum-jerk inversion: the speed as a share of its peak tells how much of the way is done.
 
@@ -81,5 +78,4 @@ class MinimumJerkPredictor(Predictor):
     """
 
     step = staticmethod(step)
-    loop = staticmethod(loop)
     states = movement.STATES

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from pointpred.columns import BoolArray, MotionColumns, PredictionColumns
 from pointpred.errors import EventError
@@ -12,22 +12,22 @@ from pointpred.rows import MotionRow, PredictionRow, Row, TenFloats, motion_row,
 from pointpred.stage import CompiledStage, learn_nothing, loop_of
 
 
-def loop_over_motions(
-    step: Callable[..., Any], conclude: Callable[..., None] = learn_nothing
-) -> Callable[..., None]:
-    """The loop of a predictor's law over a table of motions; see ``loop_of``."""
-    return loop_of(step, row_at, conclude)
-
-
 class Predictor(CompiledStage):
     """A ``Stage[Motion, Prediction | None]`` around a compiled ``step(memory, motion) -> prediction``.
 
     Both are rows: a ``MotionRow`` in, the floats of a ``PredictionRow`` out, with x NaN where nothing is
-    justified and t NaN where the motion is refused.
+    justified and t NaN where the motion is refused. The loop over a table of motions is made of ``step``.
     """
 
     width = len(PredictionRow._fields)
     step: ClassVar[Callable[..., TenFloats]]
+
+    def __init_subclass__(cls) -> None:
+        """Make the loop over a table of motions around the class's own law."""
+        super().__init_subclass__()
+        if "step" in vars(cls):
+            conclude = cls.conclude if cls.conclude is not CompiledStage.conclude else learn_nothing
+            cls.loop = staticmethod(loop_of(cls.step, row_at, conclude))
 
     def update(self, motion: Motion, /) -> Prediction | None:
         """Consume one motion and return the prediction after it, or ``None`` where none is justified.

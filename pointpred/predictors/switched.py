@@ -6,7 +6,7 @@ from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
-from pointpred.predictors.predictor import Predictor, loop_over_motions
+from pointpred.predictors.predictor import Predictor
 from pointpred.regression import drem
 from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
 from pointpred.stage import offsets
@@ -65,9 +65,6 @@ def step(memory: FloatArray, motion: Row) -> TenFloats:
     return endpoint(m.t, end_x, end_y, movement.phase(memory, AT, m))
 
 
-loop = loop_over_motions(step)
-
-
 class SwitchedPredictor(Predictor):
     """Switched ballistic and corrective endpoint predictor, one law for each axis.
 
@@ -103,5 +100,4 @@ class SwitchedPredictor(Predictor):
     delay_s: float = parameter("s", 1e-3, 1.0, "delay between the copies of the regression", default=0.1)
     gamma: float = parameter("1/s", 0.0, 1e9, "rate of the regression at full excitation", default=1e4)
     step = staticmethod(step)
-    loop = staticmethod(loop)
     states = END - AT

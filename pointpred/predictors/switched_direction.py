@@ -8,7 +8,7 @@ from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.parameter import parameter
 from pointpred.predictors import movement, submovement
-from pointpred.predictors.predictor import Predictor, loop_over_motions
+from pointpred.predictors.predictor import Predictor
 from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
 from pointpred.stage import offsets
 
@@ -81,9 +81,6 @@ def step(memory: FloatArray, motion: Row) -> TenFloats:
     return endpoint(m.t, m.x + ahead_s * px_m * m.vx, m.y + ahead_s * px_m * m.vy, phase)
 
 
-loop = loop_over_motions(step)
-
-
 class SwitchedDirectionPredictor(Predictor):
     """Switched predictor along the direction of movement, one sub-movement after the other.
 
@@ -133,5 +130,4 @@ class SwitchedDirectionPredictor(Predictor):
     watched: float = parameter("", 0.0, 10.0, "weight of the rate seen since the peak", default=0.65)
     stopping: float = parameter("", 0.0, 1e6, "way left at most, in speed^2 / deceleration", default=0.5)
     step = staticmethod(step)
-    loop = staticmethod(loop)
     states = END - AT

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 
 import numpy as np
@@ -154,14 +153,6 @@ def test_long_wandering_stays_finite_and_bounded(name: str) -> None:
     assert np.isin(table[:, 7], (0.0, 1.0, 2.0)).all()
     travelled = np.abs(np.diff(place, axis=0)).sum()
     assert (np.abs(table[answered, 1:3]) <= 400.0 + 10.0 * travelled).all()
-
-
-@EVERY
-def test_the_docstring_tells_the_memory(name: str) -> None:
-    predictor = MAKERS[name]()
-    said = re.search(r"Memory: (\d+) floats", type(predictor).__doc__ or "")
-    assert said is not None
-    assert int(said[1]) == len(predictor._memory)
 
 
 @pytest.mark.parametrize("predictor", [LinearPredictor, KalmanPredictor, KinematicEndpointPredictor])

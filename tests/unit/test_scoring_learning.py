@@ -11,7 +11,7 @@ import pytest
 from pointpred import EventColumns, build, run
 from pointpred.compiled import law
 from pointpred.pipeline import Pipeline
-from pointpred.predictors.predictor import Predictor, loop_over_motions
+from pointpred.predictors.predictor import Predictor
 from pointpred.recording import Recording, Trial
 from pointpred.rows import Row, TenFloats, endpoint
 from pointpred.scoring import chunks, prepare, replay
@@ -35,15 +35,11 @@ def step(memory: Any, motion: Row) -> TenFloats:
     return endpoint(t, x + memory[MOVEMENTS], y, 0.0)
 
 
-loop = loop_over_motions(step, conclude)
-
-
 class Counter(Predictor):
     """Says how many movements it has seen finished, as an error in px."""
 
     learned = 1
     step = staticmethod(step)
-    loop = staticmethod(loop)
     conclude = staticmethod(conclude)
     states = 1
 

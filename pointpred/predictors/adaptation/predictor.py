@@ -12,7 +12,6 @@ from pointpred.predictors.adaptation import correction
 from pointpred.predictors.kinematic import observation
 from pointpred.predictors.kinematic import predictor as kinematic
 from pointpred.predictors.kinematic.predictor import KinematicPredictor
-from pointpred.predictors.predictor import loop_over_motions
 from pointpred.rows import MotionRow, Row, TenFloats
 from pointpred.stage import offsets
 
@@ -48,9 +47,6 @@ def step(memory: FloatArray, motion: Row, coefficients: FloatArray) -> TenFloats
     start = own[movement.T0], own[movement.X0], own[movement.Y0]
     correction.follow(memory, MOVEMENT, (m.t, m.x, m.y), start)
     return adapt(memory, answer)
-
-
-loop = loop_over_motions(step, conclude)
 
 
 class AdaptiveKinematicPredictor(KinematicPredictor):
@@ -119,7 +115,6 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
         "px", 0.0, 1e6, "straight distance of the shortest movement that teaches", default=10.0
     )
     step = staticmethod(step)
-    loop = staticmethod(loop)
     conclude = staticmethod(conclude)
     slots = correction.SLOTS
     doubt = staticmethod(correction.doubt)

@@ -10,7 +10,7 @@ from pointpred.parameter import parameter
 from pointpred.predictors import movement
 from pointpred.predictors.kep import quartic
 from pointpred.predictors.kep.quartic import Quartic
-from pointpred.predictors.predictor import Predictor, loop_over_motions
+from pointpred.predictors.predictor import Predictor
 from pointpred.regression import least_squares
 from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
 from pointpred.stage import offsets
@@ -95,9 +95,6 @@ def step(memory: FloatArray, motion: Row) -> TenFloats:
     return endpoint(m.t, end_x, end_y, movement.phase(memory, AT, m))
 
 
-loop = loop_over_motions(step)
-
-
 class KinematicEndpointPredictor(Predictor):
     """Kinematic endpoint prediction (KEP): a polynomial of speed over distance, and where it returns to zero.
 
@@ -147,5 +144,4 @@ class KinematicEndpointPredictor(Predictor):
         "", 1e-6, 1.0, "relative change between samples of an accepted prediction", default=None, absent=0.0
     )
     step = staticmethod(step)
-    loop = staticmethod(loop)
     states = END - AT

@@ -13,7 +13,7 @@ from pointpred.compiled import law
 from pointpred.parameter import option
 from pointpred.predictors import movement
 from pointpred.predictors.kinematic import calibration, coefficient_file, features, network, observation
-from pointpred.predictors.predictor import Predictor, loop_over_motions
+from pointpred.predictors.predictor import Predictor
 from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
 
 AT = 0
@@ -65,9 +65,6 @@ def step(memory: FloatArray, motion: Row, coefficients: FloatArray) -> TenFloats
     )
 
 
-loop = loop_over_motions(step)
-
-
 class KinematicPredictor(Predictor):
     """Learned endpoint, region and time left from what the movement has shown so far.
 
@@ -106,7 +103,6 @@ class KinematicPredictor(Predictor):
         "the file of other coefficients, as `pointpred train` writes it", default=None
     )
     step = staticmethod(step)
-    loop = staticmethod(loop)
     states = observation.STATES
 
     def declare(self, **values: Any) -> None:

@@ -13,7 +13,7 @@ from pointpred.errors import ParameterError
 from pointpred.parameter import option, parameter
 from pointpred.predictors import movement
 from pointpred.predictors.ktm import matching
-from pointpred.predictors.predictor import Predictor, loop_over_motions
+from pointpred.predictors.predictor import Predictor
 from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
 
 TEMPLATES_MOST = 1000
@@ -81,9 +81,6 @@ def step(memory: FloatArray, motion: Row) -> TenFloats:
     return endpoint(m.t, m.x + ahead * (m.x - x0), m.y + ahead * (m.y - y0), phase)
 
 
-loop = loop_over_motions(step, conclude)
-
-
 class TemplatePredictor(Predictor):
     """Kinematic template matching (KTM): as far as the earlier movement whose speed profile is most alike.
 
@@ -134,7 +131,6 @@ class TemplatePredictor(Predictor):
     shortest_px: float = parameter("px", 0.0, 1e6, "straight distance of the shortest", default=10.0)
     library: FloatArray | None = option("templates that stay, as `templates_of` makes them", default=None)
     step = staticmethod(step)
-    loop = staticmethod(loop)
     conclude = staticmethod(conclude)
 
     def settings(self) -> FloatArray:
