@@ -26,7 +26,9 @@ def undetectable(A: Any, C: Any, time: str = "continuous") -> list[complex]:
     [(1+0j)]
     """
     if time not in ("continuous", "discrete"):
-        raise ParameterError(f"time must be 'continuous' or 'discrete', received {time!r}")
+        raise ParameterError(
+            f"time must be 'continuous' or 'discrete', received {time!r}", field="time", value=time
+        )
     a = matrix("A", A, len(matrix("A", A)), len(matrix("A", A)))
     c = matrix("C", C, None, len(a))
     size = float(np.linalg.norm(a, 2)) or 1.0

@@ -83,9 +83,11 @@ cube, received 'sine'
         return Nonlinearity(f, None, bounds)
     names = [f] * count if isinstance(f, str) else f
     if not isinstance(names, Sequence) or any(name not in KNOWN for name in names):
-        raise ParameterError(f"f must be a function or one of {', '.join(KNOWN)}, received {f!r}")
+        raise ParameterError(
+            f"f must be a function or one of {', '.join(KNOWN)}, received {f!r}", field="f", value=f
+        )
     if len(names) != count:
-        raise ParameterError(f"f needs {count} components, received {f!r}")
+        raise ParameterError(f"f needs {count} components, received {f!r}", field="f", value=f)
     parts = [KNOWN[name] for name in names]
     codes = tuple(part.code for part in parts)
 
@@ -101,7 +103,9 @@ def intervals(slopes: Any, count: int) -> tuple[tuple[float, float], ...]:
         pairs = np.broadcast_to(np.array(slopes, np.float64), (count, 2))
     except (TypeError, ValueError) as unusable:
         raise ParameterError(
-            f"slopes must be (low, high) or {count} such pairs, received {slopes!r}"
+            f"slopes must be (low, high) or {count} such pairs, received {slopes!r}",
+            field="slopes",
+            value=slopes,
         ) from unusable
     if np.isnan(pairs).any() or (pairs[:, 0] > pairs[:, 1]).any():
         raise ParameterError(f"slopes need low <= high in each pair, received {slopes!r}")

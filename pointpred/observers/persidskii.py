@@ -54,9 +54,13 @@ class Persidskii:
         domain: float = np.inf,
     ) -> None:
         if time not in ("continuous", "discrete"):
-            raise ParameterError(f"time must be 'continuous' or 'discrete', received {time!r}")
+            raise ParameterError(
+                f"time must be 'continuous' or 'discrete', received {time!r}", field="time", value=time
+            )
         if not domain > 0.0:
-            raise ParameterError(f"domain must lie above 0, received {domain!r}")
+            raise ParameterError(
+                f"domain must lie above 0, received {domain!r}", field="domain", value=domain
+            )
         self.time, self.domain = time, float(domain)
         self._given = dict(zip(NAMES, (A0, A1, H, B, Q, C0, C1), strict=True))
         self.varying = tuple(name for name, one in self._given.items() if callable(one))
@@ -69,7 +73,7 @@ class Persidskii:
         self.f: Nonlinearity = nonlinearity(f, self.k, slopes)
         if self.f.codes is not None and self.r != self.k:
             raise ParameterError(
-                f"H has {self.r} rows, an elementwise f with {self.k} components needs {self.k}"
+                f"H has {self.r} rows, an elementwise f with {self.k} components needs {self.k}", field="H"
             )
 
     A0: FloatArray

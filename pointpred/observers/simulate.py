@@ -35,11 +35,21 @@ class SeededSignal:
         self, seed: int, size: int, amplitude: float, *, kind: str = "uniform", period_s: float = 1e-2
     ) -> None:
         if kind not in ("uniform", "normal"):
-            raise ParameterError(f"kind must be 'uniform' or 'normal', received {kind!r}")
+            raise ParameterError(
+                f"kind must be 'uniform' or 'normal', received {kind!r}", field="kind", value=kind
+            )
         if not 0.0 <= amplitude < np.inf:
-            raise ParameterError(f"amplitude must be finite and not negative, received {amplitude!r}")
+            raise ParameterError(
+                f"amplitude must be finite and not negative, received {amplitude!r}",
+                field="amplitude",
+                value=amplitude,
+            )
         if not 0.0 < period_s < np.inf:
-            raise ParameterError(f"period_s must be finite and above 0, received {period_s!r}")
+            raise ParameterError(
+                f"period_s must be finite and above 0, received {period_s!r}",
+                field="period_s",
+                value=period_s,
+            )
         self.seed, self.size, self.amplitude, self.kind, self.period_s = seed, size, amplitude, kind, period_s
         self._chunk, self._values = -1, np.zeros((CHUNK, size))
 
@@ -87,12 +97,18 @@ def simulate(
     [1.0, 0.5, 0.25]
     """
     if integrator not in INTEGRATORS:
-        raise ParameterError(f"integrator must be one of {', '.join(INTEGRATORS)}, received {integrator!r}")
+        raise ParameterError(
+            f"integrator must be one of {', '.join(INTEGRATORS)}, received {integrator!r}",
+            field="integrator",
+            value=integrator,
+        )
     if not 0.0 < step_s < np.inf:
-        raise ParameterError(f"step_s must be finite and above 0, received {step_s!r}")
+        raise ParameterError(
+            f"step_s must be finite and above 0, received {step_s!r}", field="step_s", value=step_s
+        )
     t = matrix("times", list(times), 1)[0]
     if (np.diff(t) <= 0.0).any():
-        raise ParameterError("times must increase")
+        raise ParameterError("times must increase", field="times")
     x0 = matrix("start", start, 1)[0]
     if integrator == "scipy":
         return _adaptive(field, x0, t, 100.0 * step_s, tolerance)

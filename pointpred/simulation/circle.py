@@ -54,7 +54,9 @@ def positions(distance_px: float, centre: tuple[float, float], targets: int = TA
     """
     check((Parameter("targets", "", 3, 101, "on the circle"),), {"targets": targets})
     if targets % 2 == 0:
-        raise ParameterError(f"targets must be odd, so that the order across visits all, received {targets}")
+        raise ParameterError(
+            f"targets must be odd, so that the order across visits all, received {targets}", field="targets"
+        )
     radius = distance_px / (2.0 * cos(pi / (2 * targets)))
     angles = [2.0 * pi * ((k * (targets // 2 + 1)) % targets) / targets for k in range(targets)]
     return [[centre[0] + radius * sin(a), centre[1] - radius * cos(a)] for a in angles]

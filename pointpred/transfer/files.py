@@ -73,7 +73,9 @@ def save_transfer(
         file = _File(VERSION, "polynomial", coefficients, bounded.speed_low, bounded.speed_high, cpi, dpi)
     else:
         raise ParameterError(
-            f"function must be a constant gain, a sigmoid or a polynomial, received {type(function).__name__}"
+            "function must be a constant gain, a sigmoid or a polynomial, "
+            f"received {type(function).__name__}",
+            field="function",
         )
     if path.exists() and not replace:
         raise ParameterError(f"{path} exists; choose another name, or say that it may be replaced")

@@ -107,10 +107,14 @@ class HeldPolynomial(SlotsFunction):
         if offset != 0.0 or len(rest) > BOUNDED_COEFFICIENTS or not rest:
             raise ParameterError(
                 f"polynomial must have c_0 = 0 and order 1 to {BOUNDED_COEFFICIENTS}, received "
-                f"{polynomial.coefficients!r}"
+                f"{polynomial.coefficients!r}",
+                field="polynomial",
+                value=polynomial.coefficients,
             )
         if polynomial.speed_high == inf:
-            raise ParameterError("polynomial needs the range it was identified in, received no speed_high")
+            raise ParameterError(
+                "polynomial needs the range it was identified in, received no speed_high", field="polynomial"
+            )
         self.polynomial = polynomial
         self.speed_low, self.speed_high = polynomial.speed_low, polynomial.speed_high
         numbers = [*rest, *[0.0] * (BOUNDED_COEFFICIENTS - len(rest)), self.speed_low, self.speed_high]

@@ -40,7 +40,8 @@ def euler_speeds(
     """
     if not (window_s >= 0.0 and cpi > 0.0 and dpi > 0.0):
         raise ParameterError(
-            f"window_s must be >= 0 s, cpi and dpi above 0, received {window_s!r}, {cpi!r}, {dpi!r}"
+            f"window_s must be >= 0 s, cpi and dpi above 0, received {window_s!r}, {cpi!r}, {dpi!r}",
+            field="window_s",
         )
     counts = events.table[:, 3:5]
     if np.isnan(counts).any():

@@ -22,9 +22,13 @@ class Inequalities:
 
     def __init__(self, name: str, *, margin: float = 1e-5, kappa: float = 1e4) -> None:
         if not 0.0 < margin <= 1e-2:
-            raise ParameterError(f"margin must lie in (0, 0.01], received {margin!r}")
+            raise ParameterError(
+                f"margin must lie in (0, 0.01], received {margin!r}", field="margin", value=margin
+            )
         if not 10.0 <= kappa <= 1e8:
-            raise ParameterError(f"kappa must lie in [10, 1e8], received {kappa!r}")
+            raise ParameterError(
+                f"kappa must lie in [10, 1e8], received {kappa!r}", field="kappa", value=kappa
+            )
         self.name, self.margin, self.kappa = name, margin, kappa
         self.unknowns = Unknowns()
         self.blocks: dict[str, Block] = {}

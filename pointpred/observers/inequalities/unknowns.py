@@ -155,7 +155,9 @@ class Unknowns:
         expected = constant + np.tensordot(point, slopes, 1)
         error = np.abs(function(self.matrices(point)) - expected).max()
         if not error <= ROUNDING * max(1.0, np.abs(expected).max()):
-            raise ParameterError(f"{name} must be affine in the unknown matrices; it is off by {error:.3g}")
+            raise ParameterError(
+                f"{name} must be affine in the unknown matrices; it is off by {error:.3g}", field=name
+            )
         return constant, slopes
 
     def size(self, name: str, block: Block, numbers: FloatArray) -> float:
@@ -186,10 +188,12 @@ def symmetric(name: str, given: Any) -> FloatArray:
     """A square matrix rid of rounding; raises ParameterError where it is not symmetric."""
     value: FloatArray = np.atleast_2d(np.asarray(given, np.float64))
     if value.ndim != 2 or value.shape[0] != value.shape[1]:
-        raise ParameterError(f"{name} must be a square matrix, received shape {value.shape}")
+        raise ParameterError(f"{name} must be a square matrix, received shape {value.shape}", field=name)
     skew = np.abs(value - value.T).max()
     if skew > ROUNDING * max(1.0, np.abs(value).max()):
-        raise ParameterError(f"{name} must be symmetric; it differs from its transpose by {skew:.3g}")
+        raise ParameterError(
+            f"{name} must be symmetric; it differs from its transpose by {skew:.3g}", field=name
+        )
     return 0.5 * (value + value.T)
 
 

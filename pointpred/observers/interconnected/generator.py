@@ -58,7 +58,7 @@ class Generator:
         self.S0: FloatArray = matrix("S0", S0, len(matrix("S0", S0)), len(matrix("S0", S0)))
         self.q = len(self.S0)
         if not self.q:
-            raise ParameterError("S0 needs at least one state, received none")
+            raise ParameterError("S0 needs at least one state, received none", field="S0")
         self._fitted: tuple[Persidskii, Fitted] | None = None
         self.S1 = None if S1 is None else column("S1", S1, self.q)
         self.J = None if J is None else matrix("J", J, None, self.q)

@@ -67,7 +67,11 @@ def discrete_excitation(signal: ArrayLike, window: int) -> Excitation:
     """
     phi = samples(signal, None)
     if isinstance(window, bool) or not isinstance(window, int) or not 1 <= window <= len(phi):
-        raise ParameterError(f"window must be a whole number in [1, {len(phi)}], received {window!r}")
+        raise ParameterError(
+            f"window must be a whole number in [1, {len(phi)}], received {window!r}",
+            field="window",
+            value=window,
+        )
     total = np.cumsum(np.einsum("kpi,kpj->kij", phi, phi), axis=0)
     total = np.concatenate([np.zeros_like(total[:1]), total])
     return _weakest(np.arange(len(phi) - window + 1.0), total[window:] - total[:-window])
@@ -120,7 +124,9 @@ def increasing(t: ArrayLike) -> FloatArray:
     """Times as numbers; raises ParameterError unless there are two and they increase."""
     times = np.asarray(t, np.float64)
     if times.ndim != 1 or len(times) < 2 or not np.isfinite(times).all() or np.diff(times).min() <= 0.0:
-        raise ParameterError(f"t must be at least two finite, increasing times, received shape {times.shape}")
+        raise ParameterError(
+            f"t must be at least two finite, increasing times, received shape {times.shape}", field="t"
+        )
     return times
 
 
@@ -150,7 +156,11 @@ def products(count: int, first: ArrayLike, second: ArrayLike) -> tuple[FloatArra
 def _window(times: FloatArray, window_s: float) -> float:
     length = float(times[-1] - times[0])
     if isinstance(window_s, bool) or not isinstance(window_s, int | float) or not 0.0 < window_s <= length:
-        raise ParameterError(f"window_s must lie in (0, {length:g}] s, the record, received {window_s!r}")
+        raise ParameterError(
+            f"window_s must lie in (0, {length:g}] s, the record, received {window_s!r}",
+            field="window_s",
+            value=window_s,
+        )
     return float(window_s)
 
 

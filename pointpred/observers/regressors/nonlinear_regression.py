@@ -249,7 +249,7 @@ def regression_margin(
         )
     if not 0.0 < gain < np.inf or not 0.0 <= flattest <= 1.0:
         raise ParameterError(
-            f"gain must be above 0 and flattest in [0, 1], received {gain!r} and {flattest!r}"
+            f"gain must be above 0 and flattest in [0, 1], received {gain!r} and {flattest!r}", field="gain"
         )
     squares = np.einsum("kri,krj->kij", j, j)
     middle, h = 0.5 * (squares[:-1] + squares[1:]), np.diff(times)

@@ -110,6 +110,8 @@ def interlaced(
     """
     if not isinstance(upper, int) or not 0 <= upper < len(system.states):
         most = len(system.states) - 1
-        raise ParameterError(f"upper must be a whole number in [0, {most}], received {upper!r}")
+        raise ParameterError(
+            f"upper must be a whole number in [0, {most}], received {upper!r}", field="upper", value=upper
+        )
     maps = {system.states[upper]: first}
     return Solving(system, generator, maps, upper=upper, zero=zero, degree=degree, region=region).solve()

@@ -80,7 +80,9 @@ def certify(
     system = matrix("A", a)
     output = matrix("C", c, None, len(system))
     if not is_number(rate) or not 0.0 < rate < np.inf:
-        raise ParameterError(f"rate must be a positive number of 1/s, received {rate!r}")
+        raise ParameterError(
+            f"rate must be a positive number of 1/s, received {rate!r}", field="rate", value=rate
+        )
     require_detectable(system, output, "continuous", "(A, C)")
     problem = inequalities(system, output).above("Q - 2 rate P", lambda v: v.Q - 2.0 * rate * v.P)
     if gain is not None:

@@ -93,7 +93,9 @@ def _excludes_zero(enclose: Callable[..., Any], box: Sequence[Any]) -> bool:
 
 def _box(over: Sequence[Any], region: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
     if len(region) != len(over) or any(not -inf < low <= high < inf for low, high in region):
-        raise ParameterError(f"region needs {len(over)} pairs (low, high), received {region!r}")
+        raise ParameterError(
+            f"region needs {len(over)} pairs (low, high), received {region!r}", field="region", value=region
+        )
     return [(float(low), float(high)) for low, high in region]
 
 

@@ -39,7 +39,9 @@ class Solving:
         self.system, self.generator, self.region, self.degree = system, generator, region, degree
         if degree is not None and (not isinstance(degree, int) or not 1 <= degree <= HIGHEST_DEGREE):
             raise ParameterError(
-                f"degree must be a whole number in [1, {HIGHEST_DEGREE}], received {degree!r}"
+                f"degree must be a whole number in [1, {HIGHEST_DEGREE}], received {degree!r}",
+                field="degree",
+                value=degree,
             )
         self.maps = {symbol: self._of_generator(symbol, e) for symbol, e in maps.items()}
         self.rows = dict(zip(system.states, system.field, strict=True))
@@ -53,7 +55,9 @@ class Solving:
         self._check_form(upper)
         if zero is not None:
             if len(zero) != len(system.zero):
-                raise ParameterError(f"zero must hold {len(system.zero)} maps, received {len(zero)}")
+                raise ParameterError(
+                    f"zero must hold {len(system.zero)} maps, received {len(zero)}", field="zero"
+                )
             self.maps |= {z: self._of_generator(z, e) for z, e in zip(system.zero, zero, strict=True)}
             self.imposed = system.zero
 

@@ -157,9 +157,11 @@ def _fields(name: str, states: Sequence[Any], field: Sequence[Any]) -> tuple[Any
     states = tuple(states)
     for one in states:
         if not isinstance(one, symbolic().Symbol):
-            raise ParameterError(f"{name} needs symbols as states, received {one!r}")
+            raise ParameterError(f"{name} needs symbols as states, received {one!r}", field=name, value=one)
     if len(set(states)) != len(states):
-        raise ParameterError(f"{name} needs different symbols, received {states}")
+        raise ParameterError(f"{name} needs different symbols, received {states}", field=name)
     if len(states) != len(field):
-        raise ParameterError(f"{name} needs an equation a state: {len(states)}, received {len(field)}")
+        raise ParameterError(
+            f"{name} needs an equation a state: {len(states)}, received {len(field)}", field=name
+        )
     return states, tuple(exact(one) for one in field)

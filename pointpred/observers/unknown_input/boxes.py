@@ -78,7 +78,7 @@ class Box:
         for name, (low, high) in self.bounds.items():
             value = self._value(point, name)
             if value != value:
-                raise ParameterError(f"{name} must be a number, received {value!r}")
+                raise ParameterError(f"{name} must be a number, received {value!r}", field=name, value=value)
             place[name] = min(max(value, low), high)
         return place
 
@@ -86,7 +86,11 @@ class Box:
         """The share of each vertex in a point; raises ParameterError for a point outside."""
         for name in self.outside(point):
             low, high = self.bounds[name]
-            raise ParameterError(f"{name} must lie in [{low:g}, {high:g}], received {point[name]!r}")
+            raise ParameterError(
+                f"{name} must lie in [{low:g}, {high:g}], received {point[name]!r}",
+                field=name,
+                value=point[name],
+            )
         shares = np.ones(1)
         for name, (low, high) in self.bounds.items():
             if low < high:
@@ -104,9 +108,11 @@ def _interval(name: str, pair: tuple[float, float]) -> tuple[float, float]:
     try:
         low, high = pair
     except (TypeError, ValueError) as unusable:
-        raise ParameterError(f"{name} needs (low, high), received {pair!r}") from unusable
+        raise ParameterError(
+            f"{name} needs (low, high), received {pair!r}", field=name, value=pair
+        ) from unusable
     if not (is_number(low) and is_number(high) and isfinite(low) and isfinite(high)):
-        raise ParameterError(f"{name} needs two finite numbers, received {pair!r}")
+        raise ParameterError(f"{name} needs two finite numbers, received {pair!r}", field=name, value=pair)
     if low > high:
-        raise ParameterError(f"{name} needs low <= high, received {pair!r}")
+        raise ParameterError(f"{name} needs low <= high, received {pair!r}", field=name, value=pair)
     return float(low), float(high)

@@ -90,7 +90,9 @@ def audit(
     eigenvalue. The result does not change when P, W and F are multiplied by one positive number.
     """
     if not (sigma > 0.0 and np.isfinite(sigma)):
-        raise ParameterError(f"sigma must be positive and finite, received {sigma!r}")
+        raise ParameterError(
+            f"sigma must be positive and finite, received {sigma!r}", field="sigma", value=sigma
+        )
     for name, matrix in (("P", p), ("F", force)):
         least = float(np.linalg.eigvalsh(matrix)[0]) if np.allclose(matrix, matrix.T) else -np.inf
         if not least > 0.0:

@@ -78,7 +78,9 @@ class UnknownInputObserver:
         """
         for name, value in (("sigma", sigma), ("output_rate", output_rate)):
             if not (is_number(value) and isfinite(value) and value > 0.0):
-                raise ParameterError(f"{name} must be positive and finite, received {value!r}")
+                raise ParameterError(
+                    f"{name} must be positive and finite, received {value!r}", field=name, value=value
+                )
         system.checked(box)
         zeros = zeros_over(system, box)
         refuse(box, zeros, sigma)

@@ -97,7 +97,9 @@ class RunningUnknownInputObserver:
         self.start = np.asarray(start, np.float64)
         states = design.system.c.shape[1]
         if self.start.shape != (states,) or not np.isfinite(self.start).all():
-            raise ParameterError(f"start needs {states} finite numbers, received {start!r:.80}")
+            raise ParameterError(
+                f"start needs {states} finite numbers, received {start!r:.80}", field="start"
+            )
         self.reset()
 
     def reset(self) -> None:
@@ -160,7 +162,7 @@ class RunningUnknownInputObserver:
         outputs, states = self.design.system.c.shape
         for name, value, size in (("y", sample.y, outputs), ("known", sample.known, states)):
             if np.shape(value) != (size,) or not np.isfinite(value).all():
-                raise EventError(f"{name} needs {size} finite numbers, received {value!r:.80}")
+                raise EventError(f"{name} needs {size} finite numbers, received {value!r:.80}", field=name)
         if not isfinite(sample.t):
             raise EventError(f"t must be finite, received {sample.t!r}")
         if self._last is not None and not sample.t > self._last.t:

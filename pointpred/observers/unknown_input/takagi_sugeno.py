@@ -62,7 +62,9 @@ class TakagiSugeno:
             point = box.named(lows + share * (highs - lows))
             error = max(error, float(np.abs(model.at(point) - matrix(point)).max()))
         if error > ROUNDING * max(1.0, float(np.abs(model.matrices).max())):
-            raise ParameterError(f"{name} must be affine in each variable; it is off by {error:.3g}")
+            raise ParameterError(
+                f"{name} must be affine in each variable; it is off by {error:.3g}", field=name
+            )
         return model
 
     def at(self, point: Mapping[str, float]) -> FloatArray:
