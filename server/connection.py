@@ -21,9 +21,9 @@ FRAMES_AT_ONCE = 32
 TICK_S = 1.0
 """How often a session is told that time passes."""
 STUCK_S = 10.0
-"""A client that has read nothing for so long, with answers waiting, is given up ..."""
+"""A session ends whose client has read nothing for so long although answers wait ..."""
 LINGER_S = 5.0
-"""... and has so long to read why."""
+"""... and the client has so long to read why."""
 
 
 class Connection:

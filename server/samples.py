@@ -48,12 +48,12 @@ def trial(name: str, predictors: tuple[str, ...]) -> dict[str, Any]:
     if number is None:
         raise ParameterError(f"unknown sample {name!r}; GET /v1/samples lists the names")
     recording = _recording()
-    events, known = recording.rows(number), recording.trials[number]
+    events, about = recording.rows(number), recording.trials[number]
     return {
         "version": 1,
         "name": name,
-        "user": known.user,
-        "target": _target(known.target_x, known.target_y, known.target_w),
+        "user": about.user,
+        "target": _target(about.target_x, about.target_y, about.target_w),
         "t": _column(events.t - events.t[0], 5),
         "x": _column(events.x, 2),
         "y": _column(events.y, 2),
@@ -66,8 +66,8 @@ def _predict(predictor: str, recording: Recording, number: int) -> dict[str, Any
 
     ``region``: the numbers of a region as columns; ``None`` where none is claimed at any event.
     """
-    said = recording.provenance
-    predicted = run(build(predictor, cpi=said.cpi, dpi=said.dpi), recording.rows(number))
+    origin = recording.provenance
+    predicted = run(build(predictor, cpi=origin.cpi, dpi=origin.dpi), recording.rows(number))
     scale = {name: _significant(getattr(predicted, name)) for name in ("sxx", "sxy", "syy", "tail")}
     claimed = bool(np.isfinite(predicted.sxx).any())
     return {

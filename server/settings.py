@@ -19,7 +19,7 @@ from pointpred.server.access import is_address, is_origin
 
 
 def _parts(value: Any) -> Any:
-    """A list from words separated by commas, as an environment has it."""
+    """A list from a text with commas, as an environment has it."""
     return [part.strip() for part in value.split(",") if part.strip()] if isinstance(value, str) else value
 
 
@@ -28,13 +28,13 @@ FILE_NAME = re.compile(r"[A-Za-z0-9_-]{1,64}")
 Words = Annotated[tuple[str, ...], NoDecode, BeforeValidator(_parts)]
 
 
-def named_files(given: Iterable[str]) -> dict[str, Path]:
+def named_files(parts: Iterable[str]) -> dict[str, Path]:
     """The files of ``NAME=FILE``, each name once; raises ValueError."""
     files: dict[str, Path] = {}
-    for one in given:
-        name, equals, file = one.partition("=")
+    for part in parts:
+        name, equals, file = part.partition("=")
         if not (name and equals and file) or name in files:
-            raise ValueError(f"needs NAME=FILE, each with a name of its own, received {one!r}")
+            raise ValueError(f"needs NAME=FILE, each with a name of its own, received {part!r}")
         files[name] = Path(file)
     return files
 

@@ -69,15 +69,15 @@ def listing(folder: Path, *, counted: bool = True) -> list[Recorded]:
 
     ``counted``: read each one for its events and trials. Raises SourceError where the folder cannot be read.
     """
-    found: dict[str, list[Path]] = {}
+    sessions: dict[str, list[Path]] = {}
     try:
         for path in sorted(folder.iterdir()):
             matched = _file.fullmatch(path.name)
             if matched is not None and not path.is_dir():
-                found.setdefault(matched["name"], []).append(path)
+                sessions.setdefault(matched["name"], []).append(path)
     except OSError as error:
         raise SourceError(f"{folder}: cannot be listed: {error.strerror}") from error
-    return [_describe(name, files, counted) for name, files in sorted(found.items())]
+    return [_describe(name, files, counted) for name, files in sorted(sessions.items())]
 
 
 def delete(folder: Path, names: list[str] | None = None) -> list[Recorded]:

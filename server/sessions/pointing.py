@@ -44,7 +44,7 @@ Handler = Callable[[Any, Any, float], ServerMessage | None]
 class PointingSession(Session):
     """The server's side of one connection to ``/v1/stream``.
 
-    ``observe`` opens, at the client's hello, what is told of the session's events, such as a recording.
+    ``observe`` makes, at the client's hello, an observer of the session's events, such as a recorder.
     ``coefficients``: the files that the client may ask for by name.
     """
 

@@ -30,7 +30,7 @@ NO_RESETS = np.zeros(100_000, np.bool_)
 
 
 class SessionObserver(Protocol):
-    """What is told of a session's events, such as a recorder; no method may raise."""
+    """Follows the events of a session, as a recorder does; no method may raise."""
 
     def configure(self, hello: Hello) -> None:
         """The predictor and its parameters from now on."""

@@ -140,9 +140,9 @@ def _number(text: str) -> float:
 
 
 def _movement(trial: Trial, table: Any) -> dict[str, Any]:
-    known = trial.target_x == trial.target_x and trial.target_y == trial.target_y
+    has_target = trial.target_x == trial.target_x and trial.target_y == trial.target_y
     width = trial.target_w if trial.target_w == trial.target_w else 0.0
-    target = {"x": trial.target_x, "y": trial.target_y, "width": width} if known else None
+    target = {"x": trial.target_x, "y": trial.target_y, "width": width} if has_target else None
     rows = [[None if value != value else value for value in row] for row in table.tolist()]
     return {"user": trial.user, "name": trial.trial, "target": target, "rows": rows}
 

@@ -130,7 +130,7 @@ def test_what_was_predicted_before_a_reset_guides_nothing_after_it() -> None:
     assert after == tuple(np.array(before) + PixelTransfer(ConstantGain(4.0), cpi=CPI).update((9.0, dx, dy)))
 
 
-def test_configure_changes_the_strength_and_goes_on_from_where_the_cursor_is() -> None:
+def test_configure_changes_the_strength_and_keeps_the_cursor() -> None:
     rows = reach()
     talk = Talk(greet=asking(strength=1.0))
     (half,) = cursors(talk.say(events(*rows[:60])))

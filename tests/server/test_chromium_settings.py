@@ -44,9 +44,7 @@ def test_a_change_between_hello_and_welcome_is_asked_for(page: Page, listener: L
         soon(lambda: page.evaluate("connection.welcome.predictor") == "linear", "it holds")
 
 
-def test_a_refused_change_between_hello_and_welcome_is_not_asked_for_again(
-    page: Page, listener: Listener
-) -> None:
+def test_a_refused_change_before_welcome_is_not_repeated(page: Page, listener: Listener) -> None:
     change = "() => { greeting = null; connection.configure({ predictor: 'nobody' }); }"
     page.evaluate(f"{AFTER_HELLO} window.greeting = {change}")
     connected(page)

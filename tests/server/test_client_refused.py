@@ -211,9 +211,7 @@ def test_whatever_is_sent_the_last_answer_is_the_last_awaited(steps: list[Any], 
 
 
 @given(steps=STEPS, reply=st.sampled_from(["frame", "event"]))
-def test_nothing_is_awaited_once_all_is_heard_though_predictions_gave_way(
-    steps: list[Any], reply: str
-) -> None:
+def test_replaced_predictions_leave_nothing_unanswered(steps: list[Any], reply: str) -> None:
     pair = Pair(reply=reply)
     for step in steps:
         if step == "reset":

@@ -68,7 +68,7 @@ def ready(here: Running) -> bool:
     return get(f"{here.url}/readyz", timeout=PATIENCE_S).status_code == 200
 
 
-def test_the_recommended_predictor_is_first_and_others_follow_in_their_order() -> None:
+def test_the_recommended_predictor_is_compiled_first() -> None:
     order = PartQueue(parts(), room.FIRST)
     names = []
     while (part := order.take()) is not None:
@@ -79,7 +79,7 @@ def test_the_recommended_predictor_is_first_and_others_follow_in_their_order() -
     assert {TARGETS, ASSISTANCE, TRIALS} < set(names)
 
 
-def test_a_part_waits_for_those_it_is_made_of_and_all_wait_for_the_first() -> None:
+def test_a_part_waits_for_the_parts_it_is_made_of() -> None:
     order = PartQueue(parts(), room.FIRST)
     begun = [order.take() for _ in range(4)]
     anybody, person, whole, motions = PIECES
@@ -96,7 +96,7 @@ def test_a_part_waits_for_those_it_is_made_of_and_all_wait_for_the_first() -> No
     assert getattr(order.take(), "name", None) == TARGETS
 
 
-def test_what_clients_wait_for_goes_before_the_rest_but_not_before_the_first() -> None:
+def test_preferred_parts_come_after_the_first_ones() -> None:
     order = PartQueue(parts(), room.FIRST)
     order.prefer(["ktm"])
     order.prefer(["switched", "ktm"])
@@ -144,9 +144,7 @@ def test_what_a_message_needs(message: dict[str, object], wanted: list[str]) -> 
     assert set(wanted) <= {part.name for part in parts()}
 
 
-def test_a_session_of_a_ready_predictor_is_served_while_others_are_compiled(
-    here: Running, compiler: FakeWorkers
-) -> None:
+def test_a_ready_predictor_is_served_while_others_compile(here: Running, compiler: FakeWorkers) -> None:
     with here.connect() as early, here.connect() as other:
         early.send(hello())
         with pytest.raises(TimeoutError):
@@ -208,7 +206,7 @@ def test_what_is_compiled_is_told(here: Running, compiler: FakeWorkers) -> None:
     assert compiler.ended == 1
 
 
-def test_who_waits_counts_as_a_session_and_hears_that_the_service_stops(here: Running) -> None:
+def test_a_waiting_client_counts_and_is_told_of_a_stop(here: Running) -> None:
     with here.connect() as early, here.connect(), here.connect():
         early.send(hello())
         with here.connect() as fourth:
@@ -269,7 +267,7 @@ def test_a_recording_is_scored_once_its_predictors_are_compiled(here: Running, c
     assert "linear" not in compiler.asked
 
 
-def test_what_cannot_be_compiled_is_logged_and_clients_are_served_all_the_same(
+def test_a_part_that_fails_is_logged_and_clients_are_served(
     caplog: pytest.LogCaptureFixture,
 ) -> None:
     def broken() -> None:
@@ -316,7 +314,7 @@ def test_a_service_that_stops_gives_up_what_is_compiled(monkeypatch: pytest.Monk
     assert compiling.over
 
 
-def test_until_ends_for_names_that_are_no_parts_and_where_nothing_has_begun() -> None:
+def test_until_ends_for_unknown_names_and_before_the_start() -> None:
     compiler = FakeWorkers()
     asyncio.run(compiler.compiling([RECOMMENDED]).until([RECOMMENDED]))
     compiling = compiler.compiling([RECOMMENDED])

@@ -113,7 +113,7 @@ def test_who_waited_on_a_loop_that_has_closed_disturbs_nobody() -> None:
     assert compiling.over
 
 
-def test_without_worker_processes_a_thread_compiles_and_the_service_becomes_ready(
+def test_without_workers_a_thread_compiles(
     caplog: pytest.LogCaptureFixture,
 ) -> None:
     threads: list[str] = []
@@ -134,7 +134,7 @@ def test_without_worker_processes_a_thread_compiles_and_the_service_becomes_read
     assert warnings(caplog) == 1
 
 
-def test_a_worker_that_dies_is_replaced_and_its_part_is_compiled_by_the_next(
+def test_a_worker_that_dies_is_replaced(
     caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(room, "_processors", lambda: 1)

@@ -94,7 +94,7 @@ def test_a_plain_request_of_the_stream_is_told_what_the_path_speaks() -> None:
     assert answer.headers["Upgrade"] == "websocket"
 
 
-def test_a_client_that_leaves_while_the_service_compiles_and_stops_is_no_error() -> None:
+def test_leaving_while_the_service_stops_is_no_error() -> None:
     service, compiler = Service(), FakeWorkers()
     service.compiler = compiler.compiling([RECOMMENDED, "switched"])
     frames = [{"type": "websocket.connect"}, {"type": "websocket.receive", "text": HELLO}]
@@ -132,7 +132,7 @@ def test_a_connection_without_a_whole_header_is_closed(sent: bytes, monkeypatch:
         ends(here, opened)
 
 
-def test_a_further_header_that_is_not_whole_closes_after_the_first_answer(
+def test_an_incomplete_second_header_closes_the_connection(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     with running() as here, half(here, WHOLE) as opened:
@@ -167,7 +167,7 @@ def healthy(opened: socket_module.socket) -> None:
         heard += part
 
 
-def test_a_request_after_a_pause_and_a_session_outlive_the_wait_for_a_header(
+def test_the_header_timer_spares_later_requests_and_sessions(
     monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     monkeypatch.setattr(
@@ -184,7 +184,7 @@ def test_a_request_after_a_pause_and_a_session_outlive_the_wait_for_a_header(
     assert not [entry for entry in caplog.records if entry.levelno >= logging.WARNING]
 
 
-def test_an_upload_that_never_ends_is_cut_when_the_service_stops_and_said_in_one_line(
+def test_an_endless_upload_is_cancelled_when_the_service_stops(
     monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     monkeypatch.setattr("pointpred.server.listening.STOP_S", 1)

@@ -49,7 +49,7 @@ def test_what_is_deleted_while_it_is_made_leaves_nothing_and_is_said(
     assert "deleted" in entry.getMessage()
 
 
-def test_marks_of_trials_that_wait_for_a_slow_disk_are_bounded_and_counted(tmp_path: Path) -> None:
+def test_marks_that_wait_for_a_slow_disk_are_bounded(tmp_path: Path) -> None:
     entered, held = threading.Event(), threading.Event()
 
     def slow(descriptor: int, data: bytes) -> int:

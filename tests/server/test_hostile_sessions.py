@@ -34,7 +34,7 @@ def packed(first: int, count: int) -> bytes:
     return bytes(rows)
 
 
-def test_a_burst_within_every_limit_is_answered_however_many_predictions_give_way(
+def test_a_burst_within_the_limits_is_answered(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(
@@ -110,7 +110,7 @@ def test_deep_text_is_answered_and_the_session_goes_on(text: str) -> None:
         assert told(socket)["t"] == 1.0
 
 
-def test_a_type_that_is_no_word_is_a_bad_field_and_an_unknown_word_is_not() -> None:
+def test_a_type_that_is_no_text_is_a_bad_field() -> None:
     with running() as here, here.greeted() as socket:
         for text, code in (('{"type":5}', "bad_field"), ('{"type":"five"}', "unknown_type")):
             socket.send(text)

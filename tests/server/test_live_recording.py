@@ -97,7 +97,7 @@ def test_what_rests_is_not_held_back(file: Path, recording: LiveRecording) -> No
     soon(lambda: file.exists() and len(file.read_text().splitlines()) == 2 + session.reports, "written")
 
 
-def test_a_file_that_is_taken_away_ends_the_recording_and_not_the_session(
+def test_a_deleted_file_ends_the_recording_only(
     file: Path, recording: LiveRecording, caplog: pytest.LogCaptureFixture
 ) -> None:
     session = follow(recording, 1.0)

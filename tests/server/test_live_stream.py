@@ -51,7 +51,7 @@ def ended(socket: ClientConnection) -> int:
     return socket.close_code
 
 
-def test_a_viewer_hears_of_the_device_and_then_its_events_with_the_newest_prediction() -> None:
+def test_a_viewer_gets_the_device_then_events_and_predictions() -> None:
     with attached() as (here, made), look(here) as socket:
         first = json.loads(socket.recv(PATIENCE_S))
         assert first == json.loads(json.dumps({"type": "device", **_told(ATTACHED)}))
@@ -163,7 +163,7 @@ def test_viewers_count_as_sessions() -> None:
             assert hear(second, "error")["code"] == "too_many"
 
 
-def test_a_viewer_that_does_not_read_gets_the_newest_and_hears_what_gave_way(
+def test_a_viewer_that_does_not_read_gets_the_newest(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(pointpred.server.connection, "STUCK_S", PATIENCE_S)

@@ -111,7 +111,7 @@ def test_ends_of_trials_after_a_failure_or_the_end_are_lost(opened: Opened) -> N
     assert recorder.lost == session.lost == len(sample().rows(0)) + 2
 
 
-def test_events_put_aside_while_the_disk_turns_out_full_are_counted_as_lost(opened: Opened) -> None:
+def test_events_queued_while_the_disk_fills_are_counted_as_lost(opened: Opened) -> None:
     entered, held = threading.Event(), threading.Event()
 
     def full(descriptor: int, data: bytes) -> int:

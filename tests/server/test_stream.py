@@ -219,7 +219,7 @@ def dropped(here: Running) -> float:
     return next(float(line.removeprefix(name)) for line in lines if line.startswith(name))
 
 
-def test_a_client_that_does_not_read_leaves_memory_flat_and_others_served() -> None:
+def test_a_client_that_does_not_read_costs_no_memory() -> None:
     """It sends far more answers' worth than any buffer holds; what it missed is counted, not kept."""
     with running(max_events_per_s=10**8) as here, here.greeted() as other:
         hello = HELLO.replace('"switched"', '"switched","reply":"event"')

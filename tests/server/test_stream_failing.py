@@ -101,7 +101,7 @@ def test_a_client_that_never_reads_again_is_told_and_then_cut(monkeypatch: pytes
 
 
 @pytest.mark.parametrize(("each_s", "close"), [(0.03, None), (60.0, 1013)])
-def test_a_client_that_reads_slowly_goes_on_and_one_that_does_not_is_given_up(
+def test_a_slow_reader_goes_on_and_a_stuck_one_is_ended(
     monkeypatch: pytest.MonkeyPatch, each_s: float, close: int | None
 ) -> None:
     """Something always waits to be sent, far longer than a client may be stuck."""
@@ -184,7 +184,7 @@ def test_frames_events_and_predictions_are_counted() -> None:
         assert counted == {"frames": 2.0, "events": 2.0, "predictions": 2.0, "predictions_dropped": 0.0}
 
 
-def test_a_frame_above_the_frameworks_own_limit_ends_that_connection_only() -> None:
+def test_a_frame_above_the_framework_limit_ends_one_connection() -> None:
     with running() as here, here.greeted() as other:
         with here.greeted() as socket:
             socket.send(b"\0" * (2**20 + 1))
@@ -235,7 +235,7 @@ def test_events_before_hello_are_out_of_place_and_hello_still_works() -> None:
         assert told(socket)["t"] == 1.0
 
 
-def test_a_goodbye_is_heard_by_a_client_that_is_slow_to_hear_it_and_still_sends(
+def test_a_slow_client_that_still_sends_gets_the_bye(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Closing at once would reset the connection, and what was said last would be lost."""

@@ -126,7 +126,7 @@ def test_a_parameter_that_is_not_finite_is_told_by_its_path(value: str) -> None:
     assert (error["code"], error["path"]) == ("bad_field", "$.parameters.threshold")
 
 
-def test_another_predictor_begins_without_memory_and_with_its_own_parameters() -> None:
+def test_another_predictor_begins_anew() -> None:
     talk = Talk(greet=hello("linear", parameters={"horizon_s": 0.2}))
     last(talk)
     (answer,) = talk.say(configure(predictor="switched"))

@@ -93,7 +93,7 @@ def test_a_flood_of_whatever_it_is_ends_as_too_fast(kind: str, greet: bool) -> N
     assert "a second" in heard[-1]["message"]
 
 
-def test_messages_at_their_rate_go_on_for_ever_and_take_no_events_from_the_budget() -> None:
+def test_messages_have_a_limit_apart_from_events() -> None:
     talk = Talk(max_events_per_s=100)
     for k in range(3 * MESSAGES_PER_S):
         talk.say('{"type":"reset"}', 1.0 + k / MESSAGES_PER_S)
