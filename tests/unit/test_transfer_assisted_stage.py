@@ -59,8 +59,9 @@ def test_refusals_change_nothing_and_say_why() -> None:
             stage.update(report, guess)
     assert np.array_equal(before, stage._memory)
     for name, value in {"strength": 1.5, "sideways": -0.1, "uncertain": 0.0, "rho": inf}.items():
-        with pytest.raises(ParameterError, match=name):
+        with pytest.raises(ParameterError) as refused:
             made(**{name: value})
+        assert (refused.value.field, refused.value.value) == (name, value)
 
 
 SCRIPT = """
