@@ -22,19 +22,19 @@ def pair(names: Sequence[str]) -> tuple[str, ...]:
     return tuple(name for name in firsts if name)
 
 
-def highlighted(described: SetSummary) -> tuple[str, ...]:
+def highlighted(summary: SetSummary) -> tuple[str, ...]:
     """At most MOST_LINES names, best first: the thesis's pair and those with the lowest error."""
     shares = {
         p.name: p.time_averaged.of_hold
-        for p in described.predictors
+        for p in summary.predictors
         if p.name != HOLD and p.time_averaged.of_hold is not None
     }
     ordered = sorted(shares, key=shares.__getitem__)
-    kept = {*pair(ordered)}
+    names = {*pair(ordered)}
     for name in ordered:
-        if len(kept) < MOST_LINES:
-            kept.add(name)
-    return tuple(name for name in ordered if name in kept)
+        if len(names) < MOST_LINES:
+            names.add(name)
+    return tuple(name for name in ordered if name in names)
 
 
 def compared(score: SetScore) -> tuple[str, ...]:

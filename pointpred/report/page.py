@@ -73,10 +73,10 @@ def _line(value: str) -> str:
 
 def versions() -> list[tuple[str, str]]:
     """What computed the report."""
-    found = [("Python", platform.python_version())]
+    packages = [("Python", platform.python_version())]
     for name in PACKAGES:
         try:
-            found.append((name, version(name)))
+            packages.append((name, version(name)))
         except PackageNotFoundError:  # run from a source tree that is not installed
-            found.append((name, "not installed as a package"))
-    return found
+            packages.append((name, "not installed as a package"))
+    return packages

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import msgspec
@@ -19,7 +19,7 @@ from pointpred.report.figures.style import HOLD, Picture
 from pointpred.report.page import page, versions
 from pointpred.report.statistics import Analysis, AxisRow, analysis, axis_row
 from pointpred.scoring.results import SetScore, WorstTrials
-from pointpred.scoring.statistics import axis_anova, axis_profile
+from pointpred.scoring.statistics import AxisProfile, axis_anova, axis_profile
 from pointpred.scoring.summary import SetSummary, summarise
 from pointpred.scoring.table import footnotes
 
@@ -94,7 +94,7 @@ def _shown(score: SetScore) -> Shown:
 
 def _drawn(score: SetScore, summary: SetSummary) -> Drawn:
     shown = highlighted(summary)
-    known = {predictor.name: predictor for predictor in score.predictors}
+    profiles = {predictor.name: axis_profile(predictor) for predictor in score.predictors}
     inside = (inside_curves(summary, kind) for kind in ("calibration", "time_left"))
     kinds = (("by_time", "of_hold"), ("by_time", "px"), ("by_path", "of_hold"), ("by_path", "px"))
     return Drawn(
@@ -105,22 +105,23 @@ def _drawn(score: SetScore, summary: SetSummary) -> Drawn:
         groups=(clean_against_all(summary),) if "clean_trials" in summary.groups else (),
         claims=tuple(one for one in (*inside, time_left_bars(summary)) if one is not None),
         cost=cost(summary),
-        axis=_single_axis(score, summary, shown),
-        profiles=tuple(axis_row(axis_profile(known[p.name])) for p in summary.predictors),
-        analysis=_analysis(score),
+        axis=_single_axis(summary, shown, profiles),
+        profiles=tuple(axis_row(profiles[p.name]) for p in summary.predictors),
+        analysis=_analysis(score, profiles),
         worst=score.worst,
         paths=draw_worst(score),
     )
 
 
-def _single_axis(score: SetScore, summary: SetSummary, shown: Sequence[str]) -> tuple[Picture, ...]:
+def _single_axis(
+    summary: SetSummary, shown: Sequence[str], profiles: Mapping[str, AxisProfile]
+) -> tuple[Picture, ...]:
     """The thesis's protocol: curve, box plots, groups."""
-    known = {predictor.name: predictor for predictor in score.predictors}
-    chosen = list(dict.fromkeys((*pair(list(known)), *shown)))[: MOST_BOXES - 1]
-    boxed = [axis_profile(known[name]) for name in (*chosen, HOLD)]
+    names = list(dict.fromkeys((*pair(list(profiles)), *shown)))[: MOST_BOXES - 1]
+    boxed = [profiles[name] for name in (*names, HOLD)]
     drawn = [
         curves(summary, shown, "single_axis"),
-        boxes(score.name, boxed, shown, simulated=score.simulated, unit=score.unit),
+        boxes(summary.name, boxed, shown, simulated=summary.simulated, unit=summary.unit),
     ]
     groups = [key for key in GROUPS if key in summary.groups]
     if groups:
@@ -128,9 +129,9 @@ def _single_axis(score: SetScore, summary: SetSummary, shown: Sequence[str]) -> 
     return tuple(drawn)
 
 
-def _analysis(score: SetScore) -> Analysis:
+def _analysis(score: SetScore, profiles: Mapping[str, AxisProfile]) -> Analysis:
     """The analysis of variance of the single-axis error."""
     models = compared(score)
-    profiles = [axis_profile(predictor) for predictor in score.predictors if predictor.name in models]
+    compared_profiles = [profile for name, profile in profiles.items() if name in models]
     thesis = models == pair([predictor.name for predictor in score.predictors])
-    return analysis(axis_anova(score, models), profiles, thesis=thesis)
+    return analysis(axis_anova(score, models), compared_profiles, thesis=thesis)

@@ -79,8 +79,8 @@ def analysis(series: AnovaSeries, profiles: Sequence[AxisProfile], *, thesis: bo
 
 def terms(effects: Sequence[Sequence[Effect]]) -> tuple[Term, ...]:
     """Each term of the analyses at AXIS_FRACTIONS, in the order in which they first appear."""
-    found = dict.fromkeys(effect.factors for at in effects for effect in at)
-    return tuple(_term(factors, effects) for factors in found)
+    names = dict.fromkeys(effect.factors for at in effects for effect in at)
+    return tuple(_term(factors, effects) for factors in names)
 
 
 def _term(factors: tuple[str, ...], effects: Sequence[Sequence[Effect]]) -> Term:

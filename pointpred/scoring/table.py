@@ -25,15 +25,15 @@ HEADINGS = (
 SEEN = "fitted to people of this set: too good; see docs/evidence/results.md"
 
 
-def footnotes(described: SetSummary) -> list[str]:
-    """What must be known of a predictor before its row is believed, a line each."""
-    return [f"{one.name}: {SEEN}" for one in described.predictors if one.seen]
+def footnotes(summary: SetSummary) -> list[str]:
+    """Warnings about predictors whose errors are too low, a line each."""
+    return [f"{one.name}: {SEEN}" for one in summary.predictors if one.seen]
 
 
-def rows(described: SetSummary) -> list[tuple[str, ...]]:
+def rows(summary: SetSummary) -> list[tuple[str, ...]]:
     """The table of a set from its ``summary``: a row of text a predictor, a cell for each of HEADINGS."""
-    several = described.trials > 1  # one trial drawn again and again is no interval
-    return [_row(predictor, several) for predictor in described.predictors]
+    several = summary.trials > 1  # one trial drawn again and again is no interval
+    return [_row(predictor, several) for predictor in summary.predictors]
 
 
 def _row(predictor: PredictorSummary, several: bool) -> tuple[str, ...]:

@@ -54,10 +54,10 @@ def boxes(
         panels[0].set_xticks(range(10, 101, 10))
         figure.supxlabel("share of the longer axis done [%]", fontsize=10.5)
         figure.supylabel(f"error [{unit}]", fontsize=10.5)
-        said = [f"{p.name} median {p.boxes[TENTHS[4]].median:.3g} {unit} at 50 %" for p in profiles]
+        words = [f"{p.name} median {p.boxes[TENTHS[4]].median:.3g} {unit} at 50 %" for p in profiles]
         return picture(
             figure,
-            f"{title} on {name}, box plots at every tenth of the path: {'; '.join(said)}.",
+            f"{title} on {name}, box plots at every tenth of the path: {'; '.join(words)}.",
             f"{title}. Box: quartiles and median; whiskers: 1.5 interquartile ranges; dots: "
             f"outliers, at most {MOST_DOTS} a box"
             + (f", {beyond} more lie above the frame." if beyond else "."),

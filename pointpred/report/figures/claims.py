@@ -24,15 +24,15 @@ ALLOWED = 0.03
 """How far off a share may be before a claim is called false."""
 
 
-def inside_curves(described: SetSummary, kind: str) -> Picture | None:
+def inside_curves(summary: SetSummary, kind: str) -> Picture | None:
     """Shares inside against time, a panel a predictor; ``kind`` of WORDS. ``None`` without claims."""
     claiming = [
-        (p.name, claims) for p in described.predictors if (claims := _claims(p, kind)) and claims.by_time
+        (p.name, claims) for p in summary.predictors if (claims := _claims(p, kind)) and claims.by_time
     ]
     if not claiming:
         return None
     what, noun = WORDS[kind]
-    title = marked(described, what)
+    title = marked(summary, what)
     rows = (len(claiming) + 1) // 2
     with canvas(rows, 2, width=8.0, height=1.1 + 2.4 * rows, share=True) as (figure, panels):
         for axes, (name, claims) in zip(panels, claiming, strict=False):
@@ -53,18 +53,24 @@ def inside_curves(described: SetSummary, kind: str) -> Picture | None:
         figure.supxlabel("share of the time to arrival [%]", fontsize=10.5)
         figure.supylabel("share inside [%]", fontsize=10.5)
         legend_outside(figure, panels[0], above=True, columns=3)
-        said = []
+        words = []
         for name, claims in claiming:
             shares = "/".join(f"{100 * or_nan((claims.inside or {})[level]):.0f}" for level in LEVELS)
-            said.append(f"{name} {shares} % over all the time")
+            words.append(f"{name} {shares} % over all the time")
         return picture(
             figure,
-            f"{title} on {described.name}: {'; '.join(said)}, wanted "
+            f"{title} on {summary.name}: {'; '.join(words)}, wanted "
             f"{'/'.join(f'{level:.0%}' for level in LEVELS)}.",
-            f"{title} of 50, 80 and 95 %, at each decile of the time, over the trials with {noun} there. "
+            f"{title} of {_percentages()}, at each decile of the time, over the trials with {noun} there. "
             f"A claim is true within the band of its colour, {ALLOWED:.0%} to either side.",
             wide=True,
         )
+
+
+def _percentages() -> str:
+    """The levels: 50, 80 and 95 %."""
+    *first, last = (f"{100 * level:g}" for level in LEVELS)
+    return f"{', '.join(first)} and {last} %"
 
 
 def _inside(by_time: dict[float, InsideAtTime], level: float) -> tuple[list[float], list[float]]:
@@ -78,13 +84,13 @@ def _claims(predictor: PredictorSummary, kind: str) -> Calibration | TimeLeft | 
     return claims
 
 
-def time_left_bars(described: SetSummary) -> Picture | None:
+def time_left_bars(summary: SetSummary) -> Picture | None:
     """Error of the time left over that of a clock, with intervals, best first; ``None`` without claims."""
-    claiming = [(p.name, p.time_left) for p in described.predictors if p.time_left and p.time_left.of_clock]
+    claiming = [(p.name, p.time_left) for p in summary.predictors if p.time_left and p.time_left.of_clock]
     if not claiming:
         return None
     ordered = sorted(claiming, key=lambda one: or_nan(one[1].of_clock))
-    title = marked(described, "Time left beside a clock")
+    title = marked(summary, "Time left beside a clock")
     clock = 1e3 * or_nan(ordered[0][1].clock_s)
     with canvas(width=6.2, height=1.4 + 0.28 * len(ordered)) as (figure, (axes,)):
         for place, (_, left) in enumerate(ordered):
@@ -99,11 +105,11 @@ def time_left_bars(described: SetSummary) -> Picture | None:
         axes.set(title=title, xlabel="share of the clock's error")
         axes.set(ylim=(len(ordered) - 0.4, -0.6))
         axes.grid(axis="x")
-        said = [f"{name} {left.of_clock:.2f}" for name, left in ordered]
+        words = [f"{name} {left.of_clock:.2f}" for name, left in ordered]
         return picture(
             figure,
-            f"{title} on {described.name}: {'; '.join(said)}.",
+            f"{title} on {summary.name}: {'; '.join(words)}.",
             f"Time-averaged absolute error of the time left. The clock, {clock:.0f} ms off, knows only the "
-            "median movement time of the set. Bars: 95 % bootstrap interval. Where a predictor claims no "
-            "time the clock is scored in its place.",
+            f"median movement time of the set. Bars: {100 * summary.interval.level:g} % bootstrap interval. "
+            "Where a predictor claims no time the clock is scored in its place.",
         )

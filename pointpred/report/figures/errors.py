@@ -33,9 +33,9 @@ LAST_SHARE = 0.9
 SHARE_LABEL = "share of hold's error (left is better)"
 
 
-def marked(described: SetSummary, title: str) -> str:
+def marked(summary: SetSummary, title: str) -> str:
     """A title that says where people were simulated."""
-    return f"{title} (simulated)" if described.simulated else title
+    return f"{title} (simulated)" if summary.simulated else title
 
 
 def numbers(measures: PredictorSummary | Measures, kind: str, quantity: str) -> FloatArray:
@@ -44,21 +44,21 @@ def numbers(measures: PredictorSummary | Measures, kind: str, quantity: str) -> 
     return np.array([getattr(cell, quantity) for cell in cells.values()], dtype=np.float64)
 
 
-def curves(described: SetSummary, shown: Sequence[str], kind: str, quantity: str = "px") -> Picture:
+def curves(summary: SetSummary, shown: Sequence[str], kind: str, quantity: str = "px") -> Picture:
     """Mean error of every predictor against path or time: ``kind`` of KINDS, ``quantity`` px or of_hold."""
     what, across = KINDS[kind]
     shares = quantity == "of_hold"
-    title = marked(described, what + (", share of hold" if shares else ""))
+    title = marked(summary, what + (", share of hold" if shares else ""))
     ended = shares and kind == "by_path"
     fractions = [f for f in SERIES[kind] if f <= LAST_SHARE or not ended]
-    series = {p.name: numbers(p, kind, quantity)[: len(fractions)] for p in described.predictors}
+    series = {p.name: numbers(p, kind, quantity)[: len(fractions)] for p in summary.predictors}
     with canvas() as (figure, (axes,)):
         _lines(axes, series, shown, fractions)
         axes.set_ylim(0.0, _top([series], shown))
-        ylabel = "share of hold's error" if shares else f"mean error [{described.unit}]"
+        ylabel = "share of hold's error" if shares else f"mean error [{summary.unit}]"
         axes.set(title=title, xlabel=across, ylabel=ylabel)
         legend_outside(figure, axes)
-        unit = "" if shares else " " + described.unit
+        unit = "" if shares else " " + summary.unit
         others = _thin(series, shown)
         if ended:
             others += (
@@ -66,8 +66,8 @@ def curves(described: SetSummary, shown: Sequence[str], kind: str, quantity: str
             )
         return picture(
             figure,
-            f"{title} on {described.name}: {_in_words(series, shown, fractions, unit)}",
-            f"{title}; number of trials averaged: {described.trials}.{others}",
+            f"{title} on {summary.name}: {_in_words(series, shown, fractions, unit)}",
+            f"{title}; number of trials averaged: {summary.trials}.{others}",
         )
 
 
@@ -77,32 +77,32 @@ def _thin(series: Iterable[str], shown: Sequence[str]) -> str:
     return f" Thin lines: {', '.join(hidden)}." if hidden else ""
 
 
-def group_curves(described: SetSummary, shown: Sequence[str], groups: Sequence[str]) -> Picture:
+def group_curves(summary: SetSummary, shown: Sequence[str], groups: Sequence[str]) -> Picture:
     """The single-axis error in several groups of trials, a panel a group, one scale."""
-    title = marked(described, "Single-axis MAE by group")
+    title = marked(summary, "Single-axis MAE by group")
     fractions = SERIES["single_axis"]
     rows = (len(groups) + 1) // 2
     with canvas(rows, 2, width=8.0, height=0.8 + 2.6 * rows, share=True) as (figure, panels):
         drawn = [
-            {p.name: numbers(p.groups[key], "single_axis", "px") for p in described.predictors}
+            {p.name: numbers(p.groups[key], "single_axis", "px") for p in summary.predictors}
             for key in groups
         ]
         for axes, key, series in zip(panels, groups, drawn, strict=False):
             _lines(axes, series, shown, fractions)
             axes.tick_params(labelbottom=True)
-            group = described.groups[key]
+            group = summary.groups[key]
             axes.set_title(f"{group.label} ({group.trials})")
         for axes in panels[len(groups) :]:
             axes.set_visible(False)
         panels[0].set_ylim(0.0, _top(drawn, shown))
         figure.supxlabel(KINDS["single_axis"][1], fontsize=10.5)
-        figure.supylabel(f"mean error [{described.unit}]", fontsize=10.5)
+        figure.supylabel(f"mean error [{summary.unit}]", fontsize=10.5)
         legend_outside(figure, panels[0], above=True, columns=4)
         return picture(
             figure,
-            f"{title} on {described.name}: a panel each for "
-            f"{', '.join(described.groups[key].label for key in groups)}.",
-            f"{title}. Numbers of trials in brackets; how groups were told apart stands in the table."
+            f"{title} on {summary.name}: a panel each for "
+            f"{', '.join(summary.groups[key].label for key in groups)}.",
+            f"{title}. Numbers of trials in brackets; the table says what the groups are."
             + _thin(drawn[0], shown),
             wide=True,
         )
@@ -129,18 +129,18 @@ def _in_words(
 ) -> str:
     """The named lines at their first, middle and last fraction."""
     places = (0, len(fractions) // 2, len(fractions) - 1)
-    said = [
+    words = [
         f"{name} " + ", ".join(f"{series[name][i]:.3g}{unit} at {fractions[i]:.0%}" for i in places)
         for name in series
         if name in shown or name == HOLD
     ]
-    return "; ".join(said) + "."
+    return "; ".join(words) + "."
 
 
-def skill_bars(described: SetSummary) -> Picture:
+def skill_bars(summary: SetSummary) -> Picture:
     """Time-averaged error as a share of hold's, with intervals, best first."""
-    ordered = _by_share(described)
-    title = marked(described, "Error, share of hold")
+    ordered = _by_share(summary)
+    title = marked(summary, "Error, share of hold")
     better = []
     with canvas(height=1.2 + 0.28 * len(ordered)) as (figure, (axes,)):
         for place, (share, predictor) in enumerate(ordered):
@@ -152,25 +152,25 @@ def skill_bars(described: SetSummary) -> Picture:
             axes.plot([low, high], [place, place], color=colour, linewidth=2.6)
             axes.plot([share], [place], "o" if surely else "s", color=colour, markersize=6.5)
         _rows(axes, [predictor.name for _, predictor in ordered], title)
-        units = "people" if described.interval.resampled == "users" else "trials (one person)"
+        units = "people" if summary.interval.resampled == "users" else "trials (one person)"
         return picture(
             figure,
-            f"{title} on {described.name}. Interval wholly below 1: {', '.join(better) or 'none'}.",
-            f"Bars: {described.interval.level:.0%} bootstrap interval over {units}. Blue circle: "
+            f"{title} on {summary.name}. Interval wholly below 1: {', '.join(better) or 'none'}.",
+            f"Bars: {summary.interval.level:.0%} bootstrap interval over {units}. Blue circle: "
             "wholly below 1, better than no prediction; square: not.",
         )
 
 
-def clean_against_all(described: SetSummary) -> Picture:
+def clean_against_all(summary: SetSummary) -> Picture:
     """Share of hold's time-averaged error over all trials and over clean ones, side by side."""
-    ordered = [p for _, p in _by_share(described) if "clean_trials" in p.groups]
-    title = marked(described, "Clean trials against all")
+    ordered = [p for _, p in _by_share(summary) if "clean_trials" in p.groups]
+    title = marked(summary, "Clean trials against all")
     with canvas(height=1.5 + 0.28 * len(ordered)) as (figure, (axes,)):
         both = [[p.time_averaged, p.groups["clean_trials"].time_averaged] for p in ordered]
         shares = np.array([[cell.of_hold for cell in cells] for cells in both], dtype=float)
         for place, pair in enumerate(shares):
             axes.plot(pair, [place, place], color=FAINT, linewidth=2.6)
-        counts = (described.trials, described.groups["clean_trials"].trials)
+        counts = (summary.trials, summary.groups["clean_trials"].trials)
         for k, kind in enumerate(("all", "clean")):
             label = f"{kind} trials ({counts[k]})"
             axes.plot(
@@ -185,15 +185,15 @@ def clean_against_all(described: SetSummary) -> Picture:
         legend_outside(figure, axes)
         return picture(
             figure,
-            f"{title} on {described.name}: time-averaged error of each predictor as a share of hold's.",
+            f"{title} on {summary.name}: time-averaged error of each predictor as a share of hold's.",
             "Time-averaged error as a share of hold's on the same trials. A trial is clean as the recording "
             "says, or else when it goes 80 px, straight enough and without a stop.",
         )
 
 
-def _by_share(described: SetSummary) -> list[tuple[float, PredictorSummary]]:
+def _by_share(summary: SetSummary) -> list[tuple[float, PredictorSummary]]:
     """Shares of hold's error with their predictors, the lowest first."""
-    pairs = ((p.time_averaged.of_hold, p) for p in described.predictors)
+    pairs = ((p.time_averaged.of_hold, p) for p in summary.predictors)
     return sorted(((share, p) for share, p in pairs if share is not None), key=itemgetter(0))
 
 
@@ -205,13 +205,13 @@ def _rows(axes: Any, names: Sequence[str], title: str) -> None:
     axes.grid(axis="x")
 
 
-def cost(described: SetSummary) -> Picture:
+def cost(summary: SetSummary) -> Picture:
     """Processor time an event beside the time-averaged error."""
     from matplotlib.ticker import LogLocator
 
-    drawn = [(p.us_per_event, share, p.name) for share, p in _by_share(described) if p.us_per_event]
-    names = [p.name for p in described.predictors]
-    title = marked(described, "Cost beside accuracy")
+    drawn = [(p.us_per_event, share, p.name) for share, p in _by_share(summary) if p.us_per_event]
+    names = [p.name for p in summary.predictors]
+    title = marked(summary, "Cost beside accuracy")
     with canvas(height=5.2) as (figure, (axes,)):
         for us_per_event, share, name in drawn:
             style: Any = line_style(name, names) | {"linestyle": "none", "markersize": 7.5}
@@ -225,9 +225,9 @@ def cost(described: SetSummary) -> Picture:
             legend_outside(figure, axes)
         axes.set(title=title, xlabel="cost [µs per event, one core]", ylabel="share of hold's error")
         axes.grid()
-        said = [f"{name} {us_per_event:.2g} µs, {share:.2f}" for us_per_event, share, name in drawn]
+        words = [f"{name} {us_per_event:.2g} µs, {share:.2f}" for us_per_event, share, name in drawn]
         return picture(
             figure,
-            f"{title} on {described.name}: {'; '.join(said)}.",
+            f"{title} on {summary.name}: {'; '.join(words)}.",
             "Cost of the whole pipeline in the batch; further down and left is better.",
         )

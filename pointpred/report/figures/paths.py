@@ -1,4 +1,4 @@
-"""The worst trials of a predictor, drawn: where the cursor went and where it was said to end."""
+"""The worst trials of a predictor, drawn: where the cursor went and where it was words to end."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 HOLD = "hold"
 MOST_LINES = 6
 PALETTE = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00")
-"""Okabe and Ito's colours, told apart with any colour vision; markers say the same once more."""
+"""Okabe and Ito's colours, distinct with any colour vision; markers repeat the distinction."""
 MARKERS = ("o", "s", "^", "D", "v", "P")
 DASHED = (0, (3, 1.2))
 STYLES: dict[str, tuple[int, str, object]] = {
@@ -121,7 +121,7 @@ def line_style(name: str, shown: Sequence[str]) -> dict[str, object]:
 
     A name of the registry with words in brackets behind it has that name's colour and marker; where
     another of that name is drawn before it the line is dotted and the marker hollow. Any other name has a
-    look of its own too, told by its letters.
+    look of its own too, derived from its letters.
     """
     if name == HOLD:
         return {"color": GREY, "linestyle": (0, (4, 2)), "label": "hold (no prediction)", "zorder": 2.5}
