@@ -1,7 +1,7 @@
 """Where the cursor is while a device is read, and how it is known: the screen, a transfer function, or not.
 
-A mouse reports counts and never a position. What predictors say is only as good as the positions they are
-given: every path says in words what its pixels mean.
+A mouse reports counts and never a position; predictors need positions. Every path says in words what its
+pixels mean.
 """
 
 from __future__ import annotations

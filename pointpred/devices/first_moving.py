@@ -57,7 +57,7 @@ class FirstMoving(ClosedOnExit):
         self._closing: list[threading.Thread] = []
 
     def __enter__(self) -> Self:
-        refused = self._listen()
+        refused = self._open_candidates()
         if not self._listened:
             raise refused or SourceError("no mouse was found; plug one in")
         if len(self._listened) == 1:
@@ -117,13 +117,13 @@ class FirstMoving(ClosedOnExit):
             reports = followed.take(timeout_s)
             self._moved |= moves(reports)
             if self._listened:
-                reports = reports or self._look_aside()
+                reports = reports or self._note_others()
                 if moves(reports) and self._followed is followed:
-                    self._keep(followed)
+                    self._close_others(followed)
         self._silent_s = 0.0 if reports else self._silent_s + timeout_s
         if self._silent_s >= self._silence_s:
             self._silent_s = 0.0
-            self._listen()
+            self._open_candidates()
         return reports
 
     def close(self) -> None:
@@ -143,9 +143,9 @@ class FirstMoving(ClosedOnExit):
                     return reports
                 if not self._away:
                     self._away, self._moved = True, False
-                    self._listen()
+                    self._open_candidates()
             for source in self._listened:
-                if moving := from_motion(self._heard(source)):
+                if moving := from_motion(self._take_from(source)):
                     self._follow(source)
                     return moving
             left = until - time.monotonic()
@@ -153,7 +153,7 @@ class FirstMoving(ClosedOnExit):
                 return []
             time.sleep(min(left, SLICE_S))
 
-    def _heard(self, source: DeviceSource) -> list[Report]:
+    def _take_from(self, source: DeviceSource) -> list[Report]:
         """What a device that is listened to reports; one that failed is left out while others are here."""
         try:
             return source.take(0.0)
@@ -175,20 +175,20 @@ class FirstMoving(ClosedOnExit):
         if others:
             which = f"the first of {len(others) + 1} devices that moved"
             self.note = f"following {source.path} ({source.name}), {which}"
-        self._look_aside()
+        self._note_others()
         self._listened = others
-        self._keep(source)
+        self._close_others(source)
 
-    def _keep(self, followed: DeviceSource) -> None:
+    def _close_others(self, followed: DeviceSource) -> None:
         """Close every device but the one that is followed."""
         others = tuple(one for one in self._listened if one is not followed)
         self._listened = ()
         self._close(others)
 
-    def _look_aside(self) -> list[Report]:
+    def _note_others(self) -> list[Report]:
         """Name the other devices that move, each once; where the first has never moved, one is followed."""
         for source in self._listened:
-            if source is self._followed or not (moving := from_motion(self._heard(source))):
+            if source is self._followed or not (moving := from_motion(self._take_from(source))):
                 continue
             if not self._moved:
                 self._follow(source)
@@ -199,7 +199,7 @@ class FirstMoving(ClosedOnExit):
                 self.note = f"{self.note}; {other}" if self.note else other
         return []
 
-    def _listen(self) -> SourceError | None:
+    def _open_candidates(self) -> SourceError | None:
         """Open every candidate that is not open; the error of the last that cannot be."""
         gone = tuple(one for one in self._listened if not one.plugged)
         self._listened = tuple(one for one in self._listened if one.plugged)

@@ -20,7 +20,7 @@ PURPOSE = "Lab Streaming Layer"
 TRIES = 5
 KNOWN = ("x", "y", "dx", "dy", "buttons")
 ASIDE = re.compile(r"mouse|cursor|pointer|position|pos|pixels?|(?<=[xy])px$")
-"""What labels such as MouseX, x_px or pos-x hold beside the names that are known."""
+"""Parts of labels such as MouseX, x_px or pos-x beside the name of the channel."""
 WAIT_S = 5.0
 MOST_AT_ONCE = 1024
 BUFFER = 600

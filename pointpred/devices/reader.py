@@ -1,4 +1,4 @@
-"""What sources share that read their device on a thread of their own."""
+"""A source that reads its device on a thread of its own."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from pointpred.errors import SourceError
 class ReaderSource(ClosedOnExit):
     """Reads on its own thread into a bounded queue; what ends the thread is raised by ``take``.
 
-    A kind of source adds ``_read_all``, which reads until the source is closed, and ``_let_go``, which the
-    thread calls last. ``path`` is where the device is; ``_described`` is what errors call it.
+    A kind of source adds ``_read_all``, which reads until the source is closed, and ``_close_device``, which
+    the thread calls last. ``path`` is where the device is; ``_described`` is what errors call it.
     """
 
     path: str
@@ -64,7 +64,7 @@ class ReaderSource(ClosedOnExit):
             failure = SourceError(f"{self._described}: reading ended: {error}")
             failure.__cause__ = error
         finally:
-            self._let_go()
+            self._close_device()
             self._queue.close(failure)
 
     @abstractmethod
@@ -72,5 +72,5 @@ class ReaderSource(ClosedOnExit):
         """Read until the source is closed; raises what ends it before."""
 
     @abstractmethod
-    def _let_go(self) -> None:
+    def _close_device(self) -> None:
         """Close what was read."""

@@ -92,7 +92,7 @@ class LiveSession:
         self.note: Callable[[], str | None] = lambda: None
         """What ``state`` says of the device in words; replace it to say something."""
         self._why: str | None = None
-        self._last_t = self._heard = float("-inf")
+        self._last_t = self._reported_at = float("-inf")
         self._clock = clock
         self.delays = Delays()
         """From a report's stamp to its prediction, over the whole session."""
@@ -116,8 +116,8 @@ class LiveSession:
         reports = self.source.take(timeout_s)
         if reports:
             self.reports += len(reports)
-            self._heard = self._clock()
-            self._pace.add(self._heard, len(reports))
+            self._reported_at = self._clock()
+            self._pace.add(self._reported_at, len(reports))
         if not self.moved:
             self.moved = moves(reports)
             self.silent_s += 0.0 if reports else timeout_s
@@ -160,7 +160,7 @@ class LiveSession:
             source.plugged,
             self.reports,
             self._pace.rate(now),
-            now - self._heard,
+            now - self._reported_at,
             source.lost,
             source.unreadable,
             source.resynchronised,

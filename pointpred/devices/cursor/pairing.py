@@ -1,4 +1,4 @@
-"""Counts and the cursor joined by time: what the device reported, and where the cursor was after it."""
+"""Reports of a mouse joined by time with the position of the screen's cursor."""
 
 from __future__ import annotations
 

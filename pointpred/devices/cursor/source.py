@@ -1,4 +1,4 @@
-"""The cursor of this machine's screen, whatever the system, and a source that follows it without a device."""
+"""The cursor of the screen on any system, and a source that follows it without a device."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from pointpred.events import PointerEvent
 
 RATE_HZ, FASTEST_HZ = 250.0, 1000.0
 NAME = "cursor"
-"""What stands for a device where the cursor is followed."""
+"""The name of the cursor where a device is named."""
 BUTTONS = (1, 2, 4, 8, 16)
 """Bits of the left, right, middle, back and forward button in ``PointerEvent``."""
 UNTRIED = {"win32", "cygwin", "darwin"}
-"""Systems on whose real machines none of this was tried."""
+"""Systems on which this was never tried on a real machine."""
 
 
 class Cursor(Protocol):
-    """Tells where a cursor is."""
+    """A cursor whose position can be read."""
 
     def position(self) -> tuple[float, float]:
         """The cursor's place now, px from the left and from the top."""
@@ -44,7 +44,7 @@ class SystemCursor(Cursor, Protocol):
         ...
 
     def close(self) -> None:
-        """Let it go; may be called twice."""
+        """Close the connection to the screen; may be called twice."""
         ...
 
 
@@ -97,7 +97,7 @@ class CursorSource(ReaderSource):
         self._start()
         return self
 
-    def _let_go(self) -> None:
+    def _close_device(self) -> None:
         self.cursor.close()
 
     def _read_all(self) -> None:

@@ -106,7 +106,7 @@ class EvdevSource(ReaderSource):
         while not (self._read_device() if self.plugged else self._wait_for_device()):
             pass
 
-    def _let_go(self) -> None:
+    def _close_device(self) -> None:
         if self.plugged:
             os.close(self._file)
 

@@ -91,7 +91,7 @@ class HidSource(ReaderSource):
             else:
                 self._wait_for_return()
 
-    def _let_go(self) -> None:
+    def _close_device(self) -> None:
         self._handle.close()
 
     def _read(self) -> None:
