@@ -7,6 +7,7 @@ from enum import StrEnum
 
 from msgspec import Struct
 
+from pointpred.errors import EventError
 from pointpred.protocol.client_messages import Bye, ClientMessage, Events, Hello
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.server_messages import Code, ErrorMessage, Limits, ServerMessage, encode
@@ -72,6 +73,11 @@ class Close(Struct, frozen=True):
     reason: str
 
 
+def bad_event(error: EventError) -> ErrorMessage:
+    """The message for an event that a stage refuses."""
+    return ProtocolError("bad_field", str(error), "$.events", field=error.field, value=error.value).answer
+
+
 class Session:
     """What all sessions share: the state, what waits to be sent, what was refused, and how they end.
 
@@ -114,8 +120,9 @@ class Session:
             self.refuse(error.answer)
             if error.close is not None:
                 self.end(error.close, error.answer.message)
-        if self.outbox.full:
-            self.fail("slow", SLOW, 1013)
+        except EventError as error:
+            self.refuse(bad_event(error))
+        self.check_unread()
 
     def _receive(self, frame: str | bytes, now: float) -> None:
         """Take in a frame of a size that is allowed; raises ProtocolError."""
@@ -133,8 +140,7 @@ class Session:
                 self.fail("idle", f"expected 'hello' within {HELLO_S:g} s", 1008)
         elif silent_s > self.limits.idle_s:
             self.fail("idle", f"nothing was received for {self.limits.idle_s:g} s", 1008)
-        if self.outbox.full:
-            self.fail("slow", SLOW, 1013)
+        self.check_unread()
 
     def finish(self, completion: Callable[[], None]) -> None:
         """Use the result of ``work``."""
@@ -151,6 +157,11 @@ class Session:
         elif self.state is not State.CLOSED:
             self.send(Bye(reason))
             self.end(1001, reason)
+
+    def check_unread(self) -> None:
+        """End the session where more answers wait than a client may leave unread."""
+        if self.outbox.full:
+            self.fail("slow", SLOW, 1013)
 
     def connection_lost(self) -> None:
         """Nothing can be sent any more."""

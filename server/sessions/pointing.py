@@ -32,7 +32,14 @@ from pointpred.protocol.server_messages import (
     Welcome,
 )
 from pointpred.server.sessions.assisted_stream import open_stream
-from pointpred.server.sessions.lifecycle import TRANSITIONS, TRIGGERS, Session, State, Trigger
+from pointpred.server.sessions.lifecycle import (
+    TRANSITIONS,
+    TRIGGERS,
+    Session,
+    State,
+    Trigger,
+    bad_event,
+)
 from pointpred.server.sessions.pipelines import NO_COEFFICIENTS
 from pointpred.server.sessions.prediction_stream import PredictionStream, SessionObserver
 
@@ -88,7 +95,13 @@ class PointingSession(Session):
         rate = self._quota.events
         if not rate.take(1, now):
             return False
-        if not stream.feed_event(unpack_event(frame), self.outbox):
+        try:
+            used = stream.feed_event(unpack_event(frame), self.outbox)
+        except EventError as error:
+            self.refuse(bad_event(error))
+            self.check_unread()
+            return True
+        if not used:
             rate.give_back(1)
             return False
         if self.state is not STREAMING:
@@ -205,10 +218,7 @@ class PointingSession(Session):
         super().end(code, reason)
 
     def _feed(self, stream: PredictionStream, table: FloatArray) -> None:
-        try:
-            error, dropped = stream.feed(table, self.outbox)
-        except EventError as wrong:
-            raise ProtocolError("bad_field", str(wrong), "$.events") from None
+        error, dropped = stream.feed(table, self.outbox)
         self.work, stream.work = stream.work, None
         if len(table) and self.state is not STREAMING:
             self.move(Trigger.EVENTS)

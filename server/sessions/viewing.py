@@ -9,7 +9,7 @@ from pointpred.protocol.decoding import decode_client_message
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.live_messages import Attached, Curve, Status
 from pointpred.protocol.server_messages import Limits, encode
-from pointpred.server.sessions.lifecycle import SLOW, Session, State
+from pointpred.server.sessions.lifecycle import Session, State
 
 READ_ONLY = "this stream is only read; expected nothing but 'bye', received "
 
@@ -42,9 +42,8 @@ class ViewingSession(Session):
         """Send how the reading goes, unless the last status is still unread."""
         if self.state is State.CLOSED:
             return
-        if self.outbox.full:
-            self.fail("slow", SLOW, 1013)
-        elif not self.outbox:
+        self.check_unread()
+        if not self.outbox:
             self._send_status()
 
     def _receive(self, frame: str | bytes, now: float) -> None:

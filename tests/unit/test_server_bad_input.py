@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from pointpred import REGISTRY
+from pointpred.errors import EventError
 from tests.unit.talking import GOOD, Talk, events, hello, packed
 
 ROW = [0.5, 3.0, 4.0, None, None, 0]
@@ -223,3 +224,22 @@ def test_a_good_event_is_answered_after_everything_bad_at_once() -> None:
         talk.say(frame)
     assert talk.say(events(GOOD))[0]["t"] == 1e6
     assert sum(talk.session.refusals.values()) == 7
+
+
+@pytest.mark.parametrize("form", [events, packed])
+def test_an_event_that_a_stage_refuses_by_an_error_is_answered(form: Any) -> None:
+    talk = Talk()
+
+    def refuse(row: tuple[float, ...]) -> None:
+        raise EventError("motion must be finite", field="x", value=1.0)
+
+    talk.session.stream.pipeline.advance = refuse
+    error = talk.error(form([0.5, 1.0, 2.0, None, None, 0]))
+    assert (error["code"], error["path"], error["field"], error["value"]) == (
+        "bad_field",
+        "$.events",
+        "x",
+        1.0,
+    )
+    assert talk.session.refusals == {"bad_field": 1}
+    assert talk.closed is None
