@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from benchmarks.machine import machine
-from pages.arguments import words
+from pages.arguments import parse
 from pages.data import Table, keep
 from pointpred.camera import SCENARIOS, DepthObserver, PointFilter, trajectory
 from pointpred.camera.samples import observed
@@ -45,5 +45,5 @@ def costs() -> Table:
 
 
 if __name__ == "__main__":
-    words(__doc__)
+    parse(__doc__)
     keep("camera", {"cost": costs()}, machine=machine())

@@ -13,7 +13,7 @@ from functools import partial
 from benchmarks.devices_live import Live, measure
 from benchmarks.machine import machine
 from pages import PAGES
-from pages.arguments import words
+from pages.arguments import parse
 from pages.data import Table, Tables, write
 from pointpred.hid.report_descriptor import parse_descriptor
 from tests.devices.mice import ENCODERS
@@ -93,4 +93,4 @@ def main(wanted: list[str]) -> None:
 
 
 if __name__ == "__main__":
-    main(words(__doc__, named=REALTIME, known=[REALTIME], most=1))
+    main(parse(__doc__, metavar=REALTIME, choices=[REALTIME], most=1))

@@ -24,7 +24,7 @@ from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Subprotocol
 
 from benchmarks.machine import machine
-from pages.arguments import words
+from pages.arguments import parse
 from pages.data import Table, Tables, write
 from pointpred.protocol.client_messages import SUBPROTOCOL
 from pointpred.registry import RECOMMENDED
@@ -156,5 +156,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    words(__doc__)
+    parse(__doc__)
     main()

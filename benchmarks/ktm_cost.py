@@ -10,7 +10,7 @@ import numpy as np
 from benchmarks.machine import machine
 from benchmarks.per_event import reach
 from pages import PAGES
-from pages.arguments import words
+from pages.arguments import parse
 from pages.data import Table, Tables, write
 from pointpred import Pipeline, build
 from pointpred.columns import EventColumns, FloatArray
@@ -70,5 +70,5 @@ def costs() -> Table:
 
 
 if __name__ == "__main__":
-    words(__doc__)
+    parse(__doc__)
     write(Tables({"cost": costs()}, machine()), PAGES / "ktm" / "data.json")

@@ -6,7 +6,7 @@ from time import process_time
 
 import numpy as np
 
-from pages.arguments import words
+from pages.arguments import parse
 from pointpred.observers import (
     Generator,
     Persidskii,
@@ -65,5 +65,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    words(__doc__)
+    parse(__doc__)
     main()

@@ -22,7 +22,7 @@ import numpy as np
 from benchmarks.machine import machine
 from benchmarks.naive_kep import NaiveKep
 from pages import PAGES
-from pages.arguments import words
+from pages.arguments import parse
 from pages.data import Table, Tables, write
 from pointpred import REGISTRY, EventColumns, Pipeline, build, run
 from pointpred.scoring import prepare, replay
@@ -196,4 +196,4 @@ def main(wanted: list[str]) -> None:
 
 
 if __name__ == "__main__":
-    main(words(__doc__, named=PLAIN, known=[PLAIN], most=1))
+    main(parse(__doc__, metavar=PLAIN, choices=[PLAIN], most=1))

@@ -22,7 +22,7 @@ from urllib.request import urlopen
 
 from benchmarks.machine import machine
 from pages import PAGES
-from pages.arguments import words
+from pages.arguments import parse
 from pages.data import Table, Tables, write
 
 FILE = PAGES / "costs" / "service.json"
@@ -198,5 +198,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    words(__doc__)
+    parse(__doc__)
     main()

@@ -7,7 +7,7 @@ import time
 import numpy as np
 
 from benchmarks.machine import machine
-from pages.arguments import words
+from pages.arguments import parse
 from pages.data import Table, keep
 from pointpred import PointerEvent, Prediction
 from pointpred.targets import Chooser, around
@@ -35,5 +35,5 @@ def cost() -> Table:
 
 
 if __name__ == "__main__":
-    words(__doc__)
+    parse(__doc__)
     keep("targets", {"cost": cost()}, machine=machine())

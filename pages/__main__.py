@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from pages import DOCS, PAGES, ROOT, data
-from pages.arguments import words
+from pages.arguments import parse
 from pages.asyncapi import document as asyncapi
 from pages.commands import page as commands
 from pages.errors import page as errors
@@ -117,5 +117,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    words(__doc__)
+    parse(__doc__)
     main()

@@ -1,4 +1,4 @@
-"""The words after ``python -m benchmarks.something``: known before any page is written over."""
+"""Arguments of ``python -m pages.NAME`` and ``python -m benchmarks.NAME``, read before anything is done."""
 
 from __future__ import annotations
 
@@ -6,19 +6,20 @@ import argparse
 from collections.abc import Sequence
 
 
-def words(
-    doc: str | None, *, named: str | None = None, known: Sequence[str] = (), most: int | None = None
+def parse(
+    doc: str | None, *, metavar: str | None = None, choices: Sequence[str] = (), most: int | None = None
 ) -> list[str]:
-    """The words given; ``--help`` prints the module's docstring, anything unexpected ends in an error.
+    """The arguments; ``--help`` prints the module's docstring, anything unexpected is an error.
 
-    ``named``: what the words are, where a benchmark takes any; ``known``: those it knows, all unless given;
-    ``most``: how many it takes.
+    ``metavar``: what the arguments are, ``None`` where there are none; ``choices``: those that are possible,
+    all unless given; ``most``: how many there may be.
     """
     parser = argparse.ArgumentParser(description=doc, formatter_class=argparse.RawDescriptionHelpFormatter)
-    if named is not None:
-        parser.add_argument("words", nargs="*", metavar=named)
-    found: list[str] = getattr(parser.parse_args(), "words", [])
-    strange = [word for word in found if known and word not in known]
-    if strange or len(found) > (len(found) if most is None else most):
-        parser.error(f"takes {most or 'any'} of: {', '.join(known) or named}; received {' '.join(found)}")
-    return found
+    if metavar is not None:
+        parser.add_argument("arguments", nargs="*", metavar=metavar)
+    arguments: list[str] = getattr(parser.parse_args(), "arguments", [])
+    wrong = [one for one in arguments if choices and one not in choices]
+    if wrong or (most is not None and len(arguments) > most):
+        expected = ", ".join(choices) or metavar
+        parser.error(f"takes {most or 'any'} of: {expected}; received {' '.join(arguments)}")
+    return arguments

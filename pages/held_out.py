@@ -19,7 +19,7 @@ from pathlib import Path
 import msgspec
 
 import pointpred
-from pages.arguments import words
+from pages.arguments import parse
 from pointpred import REGISTRY, build
 from pointpred.pipeline import Pipeline
 from pointpred.predictors import KinematicPredictor
@@ -64,12 +64,12 @@ class HeldOut(msgspec.Struct, frozen=True):
         return {who[len(start) :]: made[k] for who, k in self.fold_of.items() if who.startswith(start)}
 
 
-def trained() -> list[str]:
+def trained_predictors() -> list[str]:
     """The names of the registry that have learned from recordings."""
     return [name for name, entry in REGISTRY.items() if issubclass(entry.predictor, KinematicPredictor)]
 
 
-def seen() -> set[str]:
+def training_sets() -> set[str]:
     """The sets that the package's own coefficients were made from."""
     return {one["name"] for one in coefficient_file.card()["sets"]}
 
@@ -164,6 +164,6 @@ def main(arguments: list[str]) -> None:
 
 
 if __name__ == "__main__":
-    asked = words(__doc__, named="folder", most=1)
+    asked = parse(__doc__, metavar="folder", most=1)
     in_one_thread("pages.held_out")
     main(asked)

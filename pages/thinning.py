@@ -23,6 +23,11 @@ def save(svg: str, file: Path) -> None:
     file.write_text(thinned(svg), encoding="utf-8")
 
 
+def thin(file: Path) -> None:
+    """Thin a figure that another program wrote."""
+    file.write_text(thinned(file.read_text(encoding="utf-8")), encoding="utf-8")
+
+
 def thinned(svg: str) -> str:
     r"""The same figure in fewer bytes.
 

@@ -44,6 +44,6 @@ def coefficients(where: Path) -> Iterator[tuple[Recording, Path]]:
             yield part, where / f"fold{number}.npz"
 
 
-def kept(named: str | None) -> Path:
+def coefficient_folder(named: str | None) -> Path:
     """The folder for the coefficients: the one named, else a new one."""
     return Path(named) if named else Path(tempfile.mkdtemp())

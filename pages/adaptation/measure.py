@@ -12,9 +12,9 @@ from pathlib import Path
 
 import numpy as np
 
-from pages.adaptation.folds import coefficients, kept, say
+from pages.adaptation.folds import coefficient_folder, coefficients, say
 from pages.adaptation.tables import FLOOR, PART, PLAIN, WHOLE, Measured, written
-from pages.arguments import words
+from pages.arguments import parse
 from pointpred import Pipeline, build
 from pointpred.columns import FloatArray
 from pointpred.predictors import AdaptiveKinematicPredictor, KinematicPredictor
@@ -70,5 +70,5 @@ def measure(where: Path) -> list[Measured]:
 
 
 if __name__ == "__main__":
-    words(__doc__)
-    written(measure(kept(os.environ.get("POINTPRED_FOLDS"))))
+    parse(__doc__)
+    written(measure(coefficient_folder(os.environ.get("POINTPRED_FOLDS"))))

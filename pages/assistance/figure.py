@@ -9,6 +9,7 @@ from typing import Any
 import msgspec
 
 from pages.assistance.movements import SKILLS
+from pages.thinning import thin
 
 COLOURS = {"novices": "#2563a8", "middling": "#3f7d4f", "experts": "#c2410c"}
 STYLES = {"sure": "-", "honest": ":"}
@@ -48,6 +49,7 @@ def draw(
         figure.suptitle("Simulated people, help of strength 0.5: what an error of the prediction costs")
         path.parent.mkdir(parents=True, exist_ok=True)
         figure.savefig(path, metadata={"Date": None})
+        thin(path)
         plt.close(figure)
 
 

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
+from pages.thinning import save, thin
 from pointpred.camera import (
     SCENARIOS,
     CameraPipeline,
@@ -34,6 +35,7 @@ def draw(folder: Path, focal_px: float) -> None:
         )
         title = f"Scenario {name}, 2 px, focal length {focal_px:g} px (simulated)"
         plot(stages.run(samples), truth_table(truth), folder / f"camera-{name}.svg", title)
+        thin(folder / f"camera-{name}.svg")
     _fading(folder / "camera-fading.svg", focal_px)
     _bound(folder / "camera-bound.svg", focal_px)
 
@@ -59,7 +61,7 @@ def _fading(target: Path, focal_px: float) -> None:
         ax.set_title("A camera that recedes at 0.2 m/s from 1 m, started with 1.3 m and 0.25 m/s")
         ax.legend(loc="lower left")
         words = "Errors of chi and eta fall; those of v_z and of the relative depth level off."
-        target.write_text(picture(figure, words, words).svg, encoding="utf-8")
+        save(picture(figure, words, words).svg, target)
 
 
 def _bound(target: Path, focal_px: float) -> None:
@@ -91,4 +93,4 @@ def _bound(target: Path, focal_px: float) -> None:
         ax.set_title("Depth by the filter, 4 px, once all runs have started")
         ax.legend(loc="upper right")
         words = "The filter's depth error lies near the Cramer-Rao bound."
-        target.write_text(picture(figure, words, words).svg, encoding="utf-8")
+        save(picture(figure, words, words).svg, target)

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from pages import FIGURES
-from pages.arguments import words
+from pages.arguments import parse
 from pages.camera.figures import draw
 from pages.camera.tables import designs, residuals
 from pages.data import Table, keep
@@ -216,5 +216,5 @@ def sensors(truth: Trajectory) -> Table:
 
 
 if __name__ == "__main__":
-    words(__doc__)
+    parse(__doc__)
     main()

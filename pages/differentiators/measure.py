@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from pages.arguments import words
+from pages.arguments import parse
 from pages.data import Table, keep
 from pointpred.differentiators import (
     DIFFERENTIATORS,
@@ -208,5 +208,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    words(__doc__)
+    parse(__doc__)
     main()

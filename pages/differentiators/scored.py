@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from pages.arguments import words
+from pages.arguments import parse
 from pages.data import Table, keep
 from pages.sets import folder, recordings
 from pointpred import build
@@ -58,5 +58,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    words(__doc__)
+    parse(__doc__)
     main()

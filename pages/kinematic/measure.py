@@ -10,7 +10,7 @@ import msgspec
 import numpy as np
 
 from pages import PAGES, data
-from pages.arguments import words
+from pages.arguments import parse
 from pages.kinematic.records import Claims, Held, Ratio, SetRow, Validation
 from pointpred.columns import FloatArray
 from pointpred.predictors.kinematic import features
@@ -178,6 +178,6 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    words(__doc__)
+    parse(__doc__)
     in_one_thread("pages.kinematic.measure")
     main()

@@ -11,7 +11,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from pages import DOCS
-from pages.arguments import words
+from pages.arguments import parse
 
 FIGURES = DOCS / "guide" / "observers" / "figures"
 PARTS = ("examples_1_4", "examples_5_7", "examples_8_9")
@@ -45,4 +45,4 @@ def main(names: list[str]) -> None:
 
 
 if __name__ == "__main__":
-    main(words(__doc__, named="figure"))
+    main(parse(__doc__, metavar="figure"))

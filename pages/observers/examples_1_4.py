@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from pages.thinning import thin
 from pointpred.columns import FloatArray
 from pointpred.observers import SeededSignal, closed_loop, design_observer, simulate, steady_state_map
 from pointpred.observers.examples import Bioreactor, academic, chua_circuits, robotic_arm
@@ -39,6 +40,7 @@ def panels(
         axis.legend(loc="upper right", fontsize=8)
     np.atleast_1d(axes)[-1].set_xlabel(across)
     figure.savefig(file, metadata={"Date": None})
+    thin(file)
     plt.close(figure)
 
 

@@ -14,7 +14,7 @@ from time import perf_counter
 import numpy as np
 
 from pages import DOCS
-from pages.arguments import words
+from pages.arguments import parse
 from pages.data import Table, keep
 from pages.observers.examples_1_4 import OTHER, SEEN, TRUE, panels
 from pointpred.columns import FloatArray
@@ -178,5 +178,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    words(__doc__)
+    parse(__doc__)
     main()

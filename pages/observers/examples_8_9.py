@@ -10,7 +10,7 @@ import numpy as np
 import sympy as sp
 
 from pages import DOCS
-from pages.arguments import words
+from pages.arguments import parse
 from pointpred.observers import (
     InterlacedObserver,
     SeededSignal,
@@ -117,5 +117,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    words(__doc__)
+    parse(__doc__)
     main()

@@ -16,7 +16,7 @@ from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
 from pages import ROOT
-from pages.arguments import words
+from pages.arguments import parse
 
 WINDOWS = {"sys_platform": "win32", "platform_system": "Windows", "os_name": "nt"}
 MACOS = {"sys_platform": "darwin", "platform_system": "Darwin", "os_name": "posix"}
@@ -99,5 +99,5 @@ def there(needed: list[str], platforms: tuple[str, ...]) -> bool:
 
 
 if __name__ == "__main__":
-    words(__doc__)
+    parse(__doc__)
     main()

@@ -1,7 +1,7 @@
 """Measure a page's proposals with the defaults: ``python -m pages.proposals.measure``.
 
 Lays cards, links and a menu under recorded movements, so that each
-movement ends in one of them, and says what a page would have heard. The recommended predictor's coefficients
+movement ends in one of them, and counts what a page would receive. The recommended predictor's coefficients
 do not know the people; the evidence that turns predictions into shares was fitted on all sets. Recordings
 come from the folder named by POINTPRED_RECORDINGS.
 """
@@ -14,7 +14,7 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pages.arguments import words
+from pages.arguments import parse
 from pages.data import Table, keep
 from pages.held_out import HeldOut, held_out
 from pages.proposals.layouts import LAYOUTS, placed
@@ -32,7 +32,7 @@ MOVEMENTS, LEAST_PX = 160, 80.0
 BETWEEN_S, HELD_S, CLICK_S = 1.0, 0.08, 0.02
 """From a release to the next movement; how long the button is held, and how long after the end."""
 DIALS = tuple(round(0.05 + 0.01 * i, 2) for i in range(75))
-Played = list[tuple[FloatArray, FloatArray]]
+Movements = list[tuple[FloatArray, FloatArray]]
 """The movements of a person: rows of events, and the predictions made at them."""
 
 
@@ -52,8 +52,8 @@ BEFORE = Defaults(
 NOW = Defaults(f"`{RECOMMENDED}`, precision 0.5 (now)", RECOMMENDED, Chooser)
 
 
-class Heard(msgspec.Struct, frozen=True):
-    """What a page heard in one movement."""
+class Outcome(msgspec.Struct, frozen=True):
+    """What a page receives in one movement."""
 
     lead_s: float | None
     """From the prediction of the right target that stood at its entry; ``None`` where none stood."""
@@ -66,7 +66,7 @@ class Heard(msgspec.Struct, frozen=True):
     """Other targets proposed because the cursor went through them."""
 
 
-def played(recording: Recording, predictor: str, held: HeldOut) -> Iterator[Played]:
+def predict_people(recording: Recording, predictor: str, held: HeldOut) -> Iterator[Movements]:
     """Each person's movements in one session, each ended by a click, and what is predicted."""
     users = list(dict.fromkeys(trial.user for trial in recording.trials))
     unseen = held.of_people(predictor, recording) if predictor == RECOMMENDED else {}
@@ -75,7 +75,7 @@ def played(recording: Recording, predictor: str, held: HeldOut) -> Iterator[Play
         for k, trial in enumerate(recording.trials):
             rows = recording.rows(k).table
             if trial.user == user and len(rows) and np.hypot(*(rows[-1, 1:3] - rows[0, 1:3])) >= LEAST_PX:
-                parts.append(clicked(rows, parts[-1][-1, 0] + BETWEEN_S if parts else 0.0))
+                parts.append(with_click(rows, parts[-1][-1, 0] + BETWEEN_S if parts else 0.0))
             if len(parts) == max(1, MOVEMENTS // len(users)):
                 break
         if parts:
@@ -85,7 +85,7 @@ def played(recording: Recording, predictor: str, held: HeldOut) -> Iterator[Play
             yield list(zip(parts, np.split(answers, ends), strict=True))
 
 
-def clicked(rows: FloatArray, begin_s: float) -> FloatArray:
+def with_click(rows: FloatArray, begin_s: float) -> FloatArray:
     """A movement that begins then, with a click at its end."""
     moved = rows.copy()
     moved[:, 0] += begin_s - rows[0, 0]
@@ -96,7 +96,7 @@ def clicked(rows: FloatArray, begin_s: float) -> FloatArray:
     return np.vstack([moved, press, release])
 
 
-def heard(people: Sequence[Played], layout: str, make: Callable[[], Chooser]) -> list[Heard]:
+def outcomes(people: Sequence[Movements], layout: str, make: Callable[[], Chooser]) -> list[Outcome]:
     """What a page with this layout hears of everybody."""
     found = []
     for number, movements in enumerate(people):
@@ -112,7 +112,7 @@ def heard(people: Sequence[Played], layout: str, make: Callable[[], Chooser]) ->
     return found
 
 
-def account(goal: Target, events: FloatArray, changes: Sequence[tuple[float, Any]]) -> Heard:
+def account(goal: Target, events: FloatArray, changes: Sequence[tuple[float, Any]]) -> Outcome:
     """What the choices of one movement came to."""
     x, y = events[:, 1] - goal.x, events[:, 2] - goal.y
     inside = (x >= 0.0) & (x <= goal.width) & (y >= 0.0) & (y <= goal.height)
@@ -126,10 +126,10 @@ def account(goal: Target, events: FloatArray, changes: Sequence[tuple[float, Any
         if one.id == goal.id and (t < entry or (t == entry and one.action == "propose")):
             by_entry = one.action == "propose"
             since = t if one.reason == "predicted" else None
-    return Heard(None if since is None else entry - since, by_entry, predicted, wrong, passed)
+    return Outcome(None if since is None else entry - since, by_entry, predicted, wrong, passed)
 
 
-def summary(rows: Sequence[Heard], entries: bool = True) -> tuple[float, ...]:
+def summary(rows: Sequence[Outcome], entries: bool = True) -> tuple[float, ...]:
     """Shares before and by entry, median lead s, predictions, wrong ones and targets passed a movement."""
     leads = [one.lead_s for one in rows if one.lead_s is not None]
     return (
@@ -148,11 +148,11 @@ def cells(values: Sequence[float]) -> tuple[str, ...]:
     return f"{before:.0%}", f"{by_entry:.0%}", shown, f"{predicted:.2f}", f"{wrong:.2f}", f"{passed:.2f}"
 
 
-def nearest(people: dict[str, list[Played]], layout: str, proposals: float) -> Defaults:
+def nearest(people: dict[str, list[Movements]], layout: str, proposals: float) -> Defaults:
     """The nearest target, with the dial at which it proposes about as often."""
 
     def often(dial: float) -> float:
-        made = [heard(one, layout, lambda: chooser(dial)) for one in people.values()]
+        made = [outcomes(one, layout, lambda: chooser(dial)) for one in people.values()]
         return abs(float(np.mean([summary(rows)[3] for rows in made])) - proposals)
 
     def chooser(dial: float) -> Chooser:
@@ -169,16 +169,16 @@ HEADS = ("right before entry", "right at entry at the latest", "lead", "predicti
 def measured(sets: Sequence[Recording], held: HeldOut) -> dict[str, Table]:
     """The table of every set, and that of their means."""
     people = {
-        name: {one.name: list(played(one, name, held)) for one in sets}
+        name: {one.name: list(predict_people(one, name, held)) for one in sets}
         for name in (RECOMMENDED, "switched", "hold")
     }
     every, means = [], []
     for layout in LAYOUTS:
-        ours = [summary(heard(one, layout, NOW.make)) for one in people[RECOMMENDED].values()]
+        ours = [summary(outcomes(one, layout, NOW.make)) for one in people[RECOMMENDED].values()]
         near = nearest(people["hold"], layout, float(np.mean([one[3] for one in ours])))
         for way in (NOW, BEFORE, near):
             found = {
-                name: summary(heard(one, layout, way.make), way.entries)
+                name: summary(outcomes(one, layout, way.make), way.entries)
                 for name, one in people[way.predictor].items()
             }
             every += [(layout, name, way.name, *cells(values)) for name, values in found.items()]
@@ -202,5 +202,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    words(__doc__)
+    parse(__doc__)
     main()

@@ -16,7 +16,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pages.arguments import words
+from pages.arguments import parse
 from pages.held_out import HeldOut, held_out, stored
 from pages.regions.played import KnownService, hello_of, in_session, over_socket, served
 from pages.regions.tables import LEVELS, MIDDLE, SHARES, Drawn, written
@@ -97,6 +97,6 @@ def main(coefficients: HeldOut, recordings: list[Recording]) -> None:
 
 
 if __name__ == "__main__":
-    given = words(__doc__, named="folder", most=1)
+    given = parse(__doc__, metavar="folder", most=1)
     folder = data.folder()
     main(stored(Path(given[0])) if given else held_out(folder), data.read_sets(folder))

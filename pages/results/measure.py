@@ -14,7 +14,7 @@ from importlib.metadata import version
 from pathlib import Path
 
 from pages import held_out, sets
-from pages.arguments import words
+from pages.arguments import parse
 from pages.held_out import HeldOut
 from pages.ktm.measure import measured
 from pages.results.records import FOLDER, SetResults, write
@@ -40,7 +40,7 @@ def results_of(recording: Recording, predictors: Sequence[str], held: HeldOut) -
 def measure(folder: Path | None, predictors: Sequence[str], out: Path = FOLDER) -> dict[str, str]:
     """Score every set and keep its results; returns why files could not be read, by name."""
     unread: dict[str, str] = {}
-    learns = any(name in held_out.trained() for name in predictors)
+    learns = any(name in held_out.trained_predictors() for name in predictors)
     held = held_out.held_out(folder if learns else None)
     for recording in sets.recordings(folder, unread):
         print(f"wrote {write(results_of(recording, predictors, held), out)}")
@@ -48,6 +48,6 @@ def measure(folder: Path | None, predictors: Sequence[str], out: Path = FOLDER) 
 
 
 if __name__ == "__main__":
-    words(__doc__)
+    parse(__doc__)
     for reason in measure(sets.folder(), list(REGISTRY)).values():
         print(f"not read: {reason}")

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 import msgspec
 import numpy as np
 
-from pages.held_out import PEOPLE_OUT, SET_OUT, HeldOut, seen, trained
+from pages.held_out import PEOPLE_OUT, SET_OUT, HeldOut, trained_predictors, training_sets
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
 from pointpred.scoring import PredictorErrors, SetScore, prepare, replay, resolution, score
@@ -24,7 +24,7 @@ def patterns(
     plain: list[str | Pipeline] = []
     by_person, missing = [], []
     for name in predictors:
-        if name not in trained() or recording.name not in seen():
+        if name not in trained_predictors() or recording.name not in training_sets():
             plain.append(name)
             continue
         alone = held.of_set(name, recording)

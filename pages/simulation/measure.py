@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from pages import FIGURES
-from pages.arguments import words
+from pages.arguments import parse
 from pages.data import Table, keep
 from pages.simulation import figures as simulation_figures
 from pages.simulation.shape import Shape, shapes
@@ -88,7 +88,7 @@ def assistance() -> Table:
     def cell(rho: float, strength: float, off_px: float) -> str:
         setup = Setup(ConstantGain(4.0), rho=rho, strength=strength)
         endpoint = (target.x, target.y + off_px)
-        return told(
+        return click_times(
             [move(p, setup, target, np.random.default_rng([SEED, i, k]), endpoint)
              for i, p in enumerate(persons) for k in range(20)], target
         )  # fmt: skip
@@ -105,11 +105,11 @@ def assistance() -> Table:
             for i, p in enumerate(persons)
             for k in range(3)
         ]
-        rows.append(("2", "0.5", f"`{name}` in the loop: {told(made, target)}", "", "", ""))
+        rows.append(("2", "0.5", f"`{name}` in the loop: {click_times(made, target)}", "", "", ""))
     return Table.of(("rho 1/s", "bound", "true endpoint", "20 px off", "60 px off", "150 px off"), rows)
 
 
-def told(made: list[Movement], target: Aim) -> str:
+def click_times(made: list[Movement], target: Aim) -> str:
     """Mean time to the click, and the share of clicks outside the target."""
     ends = np.array([one.table[-1, 1:3] for one in made]) - (target.x, target.y)
     missed = float((np.hypot(*ends.T) > target.width / 2).mean())
@@ -141,5 +141,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    words(__doc__)
+    parse(__doc__)
     main()

@@ -12,9 +12,9 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from pages import FIGURES
-from pages.arguments import words
+from pages.arguments import parse
 from pages.data import Table, keep
-from pages.held_out import HeldOut, held_out, seen, trained
+from pages.held_out import HeldOut, held_out, trained_predictors, training_sets
 from pages.targets import fit as targets_fit
 from pages.thinning import save
 from pointpred.pipeline import Pipeline
@@ -54,7 +54,7 @@ def apart(recording: Recording) -> Iterator[Recording]:
 
 def unseen(recording: Recording, name: str, held: HeldOut) -> str | Pipeline | None:
     """The predictor as it is without the recording; ``None`` where there is none."""
-    if name not in trained() or recording.name not in seen():
+    if name not in trained_predictors() or recording.name not in training_sets():
         return name
     return held.of_set(name, recording)
 
@@ -153,5 +153,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    words(__doc__)
+    parse(__doc__)
     main()

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from pages.thinning import thin
 from pointpred import build, run
 from pointpred.columns import FloatArray
 from pointpred.pipeline import Pipeline
@@ -39,6 +40,7 @@ def save(file: Path, size: tuple[float, float], draw: Callable[[Any], None]) -> 
     figure = Figure(figsize=size, layout="constrained")
     draw(figure)
     figure.savefig(file, metadata={"Date": None})
+    thin(file)
 
 
 def longer_axis(prepared: Prepared, trial: int) -> str:

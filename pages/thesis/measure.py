@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from pages import FIGURES
-from pages.arguments import words
+from pages.arguments import parse
 from pages.data import Table, keep
 from pages.thesis.figures import write_figures
 from pointpred import Pipeline, build
@@ -188,5 +188,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    words(__doc__)
+    parse(__doc__)
     main()

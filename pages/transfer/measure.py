@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from pages import FIGURES
-from pages.arguments import words
+from pages.arguments import parse
 from pages.data import Table, keep
 from pages.transfer.trials import (
     SPEEDS,
@@ -117,5 +117,5 @@ def draw(truths: dict[str, TransferFunction]) -> None:
 
 
 if __name__ == "__main__":
-    words(__doc__)
+    parse(__doc__)
     report()

@@ -17,7 +17,7 @@ import time
 from collections import Counter
 from pathlib import Path
 
-from pages.arguments import words
+from pages.arguments import parse
 from pointpred.sources import read_any
 
 PROCESSES = 2000
@@ -54,5 +54,5 @@ def read_starved(table: Path) -> None:
 
 
 if __name__ == "__main__":
-    given = words(__doc__, named="PROCESSES", most=1)
+    given = parse(__doc__, metavar="PROCESSES", most=1)
     main(int(given[0]) if given else PROCESSES)

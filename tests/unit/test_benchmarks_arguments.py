@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from benchmarks import per_event
-from pages.arguments import words
+from pages.arguments import parse
 
 ROOT = Path(__file__).parents[2]
 SERVANTS = {"benchmarks/devices_live", "benchmarks/service_load", "benchmarks/service_server"}
@@ -25,7 +25,7 @@ RUN = {
 @pytest.mark.parametrize("name", sorted(RUN.keys() - SERVANTS))
 def test_each_benchmark_reads_its_words_first(name: str) -> None:
     last = RUN[name].split('if __name__ == "__main__":')[1]
-    assert "words(__doc__" in last or "argparse.ArgumentParser(" in RUN[name]
+    assert "parse(__doc__" in last or "argparse.ArgumentParser(" in RUN[name]
     assert "sys.argv" not in RUN[name].replace("main(sys.argv[1:])", ""), "words that are read refuse others"
 
 
@@ -35,7 +35,7 @@ def test_help_and_mistakes_end_before_anything_is_done(
     for told, code, where in ((["--help"], 0, "out"), (["rubbish"], 2, "err")):
         monkeypatch.setattr(sys, "argv", ["benchmark", *told])
         with pytest.raises(SystemExit) as ended:
-            words("What it measures.")
+            parse("What it measures.")
         assert ended.value.code == code
         assert ("What it measures." if code == 0 else "rubbish") in getattr(capsys.readouterr(), where)
 
@@ -60,8 +60,8 @@ def test_a_benchmark_understands_what_it_tells_itself(monkeypatch: pytest.Monkey
 
 def test_words_that_are_meant_are_returned(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "argv", ["benchmark", "one", "two"])
-    assert words("What it measures.", named="figure") == ["one", "two"]
-    wrongs: list[dict[str, Any]] = [{"most": 1}, {"known": ["one"]}]
+    assert parse("What it measures.", metavar="figure") == ["one", "two"]
+    wrongs: list[dict[str, Any]] = [{"most": 1}, {"choices": ["one"]}]
     for wrong in wrongs:
         with pytest.raises(SystemExit):
-            words("What it measures.", named="figure", **wrong)
+            parse("What it measures.", metavar="figure", **wrong)

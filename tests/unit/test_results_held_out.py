@@ -42,7 +42,7 @@ def held(tmp_path_factory: pytest.TempPathFactory) -> HeldOut:
 
 
 def test_a_set_that_was_trained_on_is_judged_without_it(held: HeldOut) -> None:
-    assert "freihaut2021" in held_out.seen()
+    assert "freihaut2021" in held_out.training_sets()
     scored = results_scores.scored(recording("freihaut2021"), NAMES, held, seed=0)
     assert [p.name for p in scored.predictors] == [
         "hold", "kinematic (set left out)", "kinematic (people left out)"
