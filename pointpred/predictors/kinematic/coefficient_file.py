@@ -118,7 +118,7 @@ def _read(path: Path, changed_ns: int, size: int) -> FloatArray:
 
 def _unpacked(packed: bytes) -> dict[str, Any]:
     """The arrays of an archive; nothing is inflated or laid out before its size is known to be bounded."""
-    held: dict[str, Any] = {}
+    arrays: dict[str, Any] = {}
     with zipfile.ZipFile(io.BytesIO(packed)) as archive:
         members = archive.infolist()
         inflated = sum(member.file_size for member in members)
@@ -126,8 +126,8 @@ def _unpacked(packed: bytes) -> dict[str, Any]:
             raise ValueError(f"may inflate to at most {LARGEST_INFLATED} bytes, would to {inflated}")
         for member in members:
             name = member.filename.removesuffix(".npy")
-            held[name] = _array(name, archive.read(member))
-    return held
+            arrays[name] = _array(name, archive.read(member))
+    return arrays
 
 
 def _array(name: str, written: bytes) -> Any:
@@ -137,17 +137,17 @@ def _array(name: str, written: bytes) -> Any:
         raise ValueError(f"{name} is not written in version 1.0 of its format")
     shape, _, kind = np.lib.format.read_array_header_1_0(file)
     if prod(shape) * kind.itemsize != len(written) - file.tell():
-        raise ValueError(f"{name} has {len(written) - file.tell()} bytes, said to be {shape} of {kind}")
+        raise ValueError(f"{name} has {len(written) - file.tell()} bytes, its header names {shape} of {kind}")
     file.seek(0)
     return np.lib.format.read_array(file, allow_pickle=False)
 
 
-def _parts(held: dict[str, Any]) -> list[Any]:
+def _parts(arrays: dict[str, Any]) -> list[Any]:
     """The arrays in the order in which ``kinematic_net`` reads them; ValueError where one does not fit."""
-    version = held["version"]
+    version = arrays["version"]
     if version.shape != () or version.dtype.kind not in "iu" or int(version) != VERSION:
         raise ValueError(f"is of version {version}")
-    first, second = _width(held, 0), _width(held, 1)
+    first, second = _width(arrays, 0), _width(arrays, 1)
     wanted: list[tuple[str, tuple[int, ...], float]] = [
         ("mean", (features.FEATURES,), LARGEST_SCALE),
         ("scale", (features.FEATURES,), LARGEST_SCALE),
@@ -161,15 +161,15 @@ def _parts(held: dict[str, Any]) -> list[Any]:
         ]
     wanted.append(("table", (calibration.KNOTS, calibration.FACTORS), LARGEST_LOG))
     for name, shape, most in wanted:
-        _check(name, held[name], shape, most)
-    if not (held["scale"] > 0.0).all():
-        raise ValueError(f"scale must hold numbers above 0, holds {held['scale'].min():g}")
-    return [np.array([first, second], np.float64), *(held[name] for name, _, _ in wanted)]
+        _check(name, arrays[name], shape, most)
+    if not (arrays["scale"] > 0.0).all():
+        raise ValueError(f"scale must hold numbers above 0, holds {arrays['scale'].min():g}")
+    return [np.array([first, second], np.float64), *(arrays[name] for name, _, _ in wanted)]
 
 
-def _width(held: dict[str, Any], number: int) -> int:
+def _width(arrays: dict[str, Any], number: int) -> int:
     """How many units a hidden layer has."""
-    shape = held[f"weights{number}"].shape
+    shape = arrays[f"weights{number}"].shape
     if len(shape) != 2 or not 1 <= shape[1] <= WIDEST:
         raise ValueError(f"weights{number} must have from 1 to {WIDEST} columns, is of shape {shape}")
     return int(shape[1])
@@ -200,14 +200,14 @@ def card(path: Path = OWN) -> dict[str, Any]:
     try:
         if path.stat().st_size > LARGEST_BYTES:
             raise ValueError(f"must be a file of at most {LARGEST_BYTES} bytes")
-        said = json.loads(_unpacked(path.read_bytes())["card"].tobytes())
-        if not isinstance(said, dict) or not all(
-            isinstance(one["name"], str) for one in said.get("sets", ())
+        about = json.loads(_unpacked(path.read_bytes())["card"].tobytes())
+        if not isinstance(about, dict) or not all(
+            isinstance(one["name"], str) for one in about.get("sets", ())
         ):
             raise ValueError("must be a JSON object whose sets have names")
     except UNUSABLE as unusable:
         raise ParameterError(f"the card of {path}: {type(unusable).__name__}: {unusable}") from unusable
-    return said
+    return about
 
 
 def sets(path: Path | str = OWN) -> frozenset[str]:
@@ -230,8 +230,8 @@ def _sets(path: Path, changed_ns: int, size: int) -> frozenset[str]:
 def digest(path: Path = OWN) -> str:
     """A short digest of what the file holds: how an interpreter packs the same arrays makes no difference."""
     found = hashlib.blake2b(digest_size=8)
-    with np.load(path, allow_pickle=False) as held:
-        for name in sorted(held.files):
-            array = np.ascontiguousarray(held[name])
+    with np.load(path, allow_pickle=False) as arrays:
+        for name in sorted(arrays.files):
+            array = np.ascontiguousarray(arrays[name])
             found.update(f"{name} {array.dtype.str} {array.shape} ".encode() + array.tobytes())
     return found.hexdigest()
