@@ -170,7 +170,7 @@ def test_an_interrupted_command_says_so_without_a_traceback(command, monkeypatch
     def interrupted(*_: object, **__: object) -> None:
         raise typer.Abort
 
-    monkeypatch.setattr("pointpred.cli.score.chosen", interrupted)
+    monkeypatch.setattr("pointpred.cli.score.predictor_names", interrupted)
     left = command("score")
     assert left.code == 130
     assert left.err.strip() == "pointpred: interrupted"
