@@ -85,8 +85,14 @@ def endpoint(t: float, x: float, y: float, phase: float) -> TenFloats:
 def event_row(event: PointerEvent) -> SixFloats:
     """The row of an event."""
     dx, dy = event.dx, event.dy
-    counts = nan if dx is None else float(dx), nan if dy is None else float(dy)
-    return float(event.t), float(event.x), float(event.y), *counts, float(event.buttons)
+    return (
+        float(event.t),
+        float(event.x),
+        float(event.y),
+        nan if dx is None else float(dx),
+        nan if dy is None else float(dy),
+        float(event.buttons),
+    )
 
 
 def event_of(row: Row) -> PointerEvent:

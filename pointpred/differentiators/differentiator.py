@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import nan
 from typing import Any, ClassVar
 
 from pointpred.columns import EventColumns, FloatArray, MotionColumns
@@ -133,8 +134,10 @@ class Differentiator(CompiledStage):
 def row_of(event: PointerEvent) -> SixFloats:
     """The row of an event that a user made; raises EventError where a field is no number."""
     try:
-        dx, dy = event.dx, event.dy
-        kinds = {type(event.t), type(event.x), type(event.y), type(dx), type(dy), type(event.buttons)}
+        t, x, y, dx, dy, buttons = event.t, event.x, event.y, event.dx, event.dy, event.buttons
+        if dx is None is dy and float is type(t) is type(x) is type(y) and type(buttons) is int:
+            return t, x, y, nan, nan, float(buttons)  # most events, in half the time
+        kinds = {type(t), type(x), type(y), type(dx), type(dy), type(buttons)}
         if (kinds <= PLAIN or _numbers(event)) and dx == dx and dy == dy:
             return event_row(event)
     except (TypeError, ValueError, OverflowError) as unusable:

@@ -113,6 +113,10 @@ class KinematicPredictor(Predictor):
         self._source = Path(source)
         self._sets = coefficient_file.sets(source)  # the file may be gone when it is asked for
 
+    def advance(self, row: Row) -> TenFloats:
+        """``update`` in rows; t is NaN where the motion is refused, and nothing has changed then."""
+        return type(self).step(self._memory, row, self.shared[0])
+
     def saw(self, name: str) -> bool:
         """Whether the coefficients were fitted to people of the set of this name."""
         return name in self._sets
