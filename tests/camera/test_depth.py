@@ -130,6 +130,16 @@ def test_flags_of_a_receding_camera(design: UnknownInputObserver) -> None:
     assert not observer(1.0, -0.3).run(samples).certified.any()
 
 
+def test_both_zeros_must_decay_to_call_a_turning_camera_detectable(design: UnknownInputObserver) -> None:
+    """At x = 0, y = 0.5 the zero of chi is 0.5 w_x + eta: a turn moves it and leaves eta."""
+    for wx, eta, detectable in ((-1.0, 0.25, False), (1.0, -0.25, False), (-1.0, -0.25, True)):
+        for more in ({}, {"observer": design}):
+            sample = CameraSample(0.0, 0.0, 0.5 * FOCAL, wx, 0.0, 0.0, 0.0, 0.0, 0.0)
+            depth = observer(1.0, eta, **more).update(sample)
+            assert (depth.zero, depth.eta) == (0.5 * wx + eta, eta)
+            assert (depth.detectable, depth.certified) == (detectable, False)
+
+
 def test_missing_images_mean_prediction_only() -> None:
     clean, truth = simulate(SCENARIOS["paper"], focal_px=FOCAL, readings=3)
     gaps, _ = simulate(SCENARIOS["paper"], focal_px=FOCAL, readings=3, noise=Noise(dropped=0.5), seed=2)

@@ -9,6 +9,8 @@ from __future__ import annotations
 import numpy as np
 
 from pointpred import EventColumns
+from pointpred.columns import MotionColumns
+from tests.contract.conftest import minimum_jerk
 from tests.contract.test_stage_laws import EVERY, answers, make, same
 
 
@@ -58,3 +60,19 @@ def test_a_begin_mark_is_a_reset(name: str, events: EventColumns, troubled_event
         apart = make(name)
     apart.reset()
     assert same(joined[len(troubled_events) :], answers(apart, events))
+
+
+@EVERY
+def test_the_phases_of_a_movement_are_judged_by_its_own_peak(name: str) -> None:
+    """A movement ten times as fast, which ended without a reset, changes nothing."""
+    fast = make(name).differentiator.run(minimum_jerk(0.7, 0.008)).table
+    fast[:, 8] = np.arange(len(fast)) == 0
+    slow = fast.copy()
+    slow[:, 1:7] *= 0.1
+    after = slow.copy()
+    after[:, 0] += 8.0
+    begin = np.zeros(2 * len(fast), dtype=np.bool_)
+    alone = make(name).predictor.run(MotionColumns(slow), begin[: len(slow)]).table[:, 7]
+    both = make(name).predictor.run(MotionColumns(np.concatenate([fast, after])), begin).table[:, 7]
+    assert (alone == 1.0).any()
+    assert same(both[len(fast) :], alone)

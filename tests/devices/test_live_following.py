@@ -37,6 +37,20 @@ def test_it_ends_by_itself_after_the_seconds_given() -> None:
     driven.stop()
 
 
+def test_what_breaks_the_session_ends_it_and_is_raised_when_it_is_stopped() -> None:
+    def fail(pairs: object) -> None:
+        raise ZeroDivisionError("a mistake of ours")
+
+    failures: list[str] = []
+    session = LiveSession(FakeMouse(), None, build("hold"), watchers=[fail])
+    driven = SessionThread(session, failures.append)
+    driven.start(None)
+    assert driven.stopping.wait(60.0)
+    with pytest.raises(ZeroDivisionError, match="a mistake of ours"):
+        driven.stop()
+    assert len(failures) == 1
+
+
 @pytest.mark.parametrize("error", [OSError("no space left"), SystemExit(1)], ids=["full", "closed"])
 def test_a_view_that_breaks_ends_the_session(error: BaseException) -> None:
     def show() -> None:

@@ -118,6 +118,15 @@ def test_a_sub_movement_begins_in_the_valley_between_two_peaks() -> None:
     assert 0.7 < motions[known, 0] < 0.85
 
 
+@pytest.mark.parametrize(("gap", "x"), [(0.09, 50.0), (0.11, 0.0), (0.3, 0.0)])
+def test_between_events_far_apart_the_cursor_stood_and_then_jumped(gap: float, x: float) -> None:
+    memory = np.zeros(history.STATES)
+    history.begin(memory, 0)
+    now = history.extend(memory, 0, (0.0, 0.0, 0.0), (gap, 100.0, 0.0))
+    assert now[1:] == (100.0, 0.0, 100.0)
+    assert history.past(memory, 0, now, gap / 2) == pytest.approx((x, 0.0, x))
+
+
 @pytest.mark.parametrize("gap", [0.05, 0.3, 5.0])
 def test_an_event_that_comes_again_at_its_time_is_one_event(gap: float) -> None:
     """However many ticks lie between it and the last."""

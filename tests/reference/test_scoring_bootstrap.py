@@ -88,6 +88,14 @@ def test_one_person_s_trials_are_drawn_and_the_answer_says_so() -> None:
     assert (alone.low < alone.high).all()
 
 
+def test_two_people_are_drawn_not_their_trials() -> None:
+    """Of two people the draws are one of them alone or both: the interval reaches from one to the other."""
+    ratio = np.repeat([0.5, 2.0], 20)[:, None]
+    two = ratio_intervals(ratio, np.ones((40, 1)), ["ann"] * 20 + ["bob"] * 20)
+    assert (two.resampled, two.units) == ("users", 2)
+    assert (two.low[0], two.high[0]) == (0.5, 2.0)
+
+
 def test_the_seed_decides_and_equal_errors_give_exactly_one() -> None:
     random = np.random.default_rng(10)
     above, below = random.gamma(2.0, 10.0, (60, 1)), random.gamma(3.0, 10.0, (60, 1))

@@ -9,10 +9,12 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 from types import FunctionType
+from typing import Any
 
 import pytest
 
 from pointpred import compiled
+from pointpred.stage import loop_into, loop_of
 
 pytestmark = pytest.mark.skipif(not compiled.COMPILED, reason="POINTPRED_COMPILED=0: nothing is compiled")
 
@@ -50,6 +52,21 @@ def test_another_constant_or_another_callee_is_another_law() -> None:
     fingerprints = {law_reading(1.0, doubled), law_reading(2.0, doubled), law_reading(1.0, tripled)}
     fingerprints.add(law_reading(1.0, quadrupled))
     assert len(fingerprints) == 4
+
+
+def test_a_loop_around_another_step_is_cached_in_another_folder(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """The loops of all stages have one source; what differs is what they close over."""
+    monkeypatch.setattr(compiled, "_cache_folder", lambda: tmp_path)
+
+    def folder(loop: Any) -> str:
+        return str(loop.stats.cache_path)
+
+    assert folder(loop_of(doubled, tripled)) == folder(loop_of(doubled, tripled))
+    loops = [loop_of(doubled, tripled), loop_of(tripled, tripled), loop_of(doubled, quadrupled)]
+    loops += [loop_of(doubled, tripled, doubled), loop_into(doubled), loop_into(tripled)]
+    assert len(set(map(folder, loops))) == len(loops)
 
 
 def test_a_layout_stays_plain_python_and_laws_may_call_it() -> None:
@@ -157,6 +174,22 @@ def test_a_cache_that_is_only_read_is_used_and_not_written(tmp_path: Path) -> No
         path.rmdir() if path.is_dir() else path.unlink()
     assert told(program, cache, "sealed") == "8.0\nFalse False\n"
     assert not list(cache.iterdir())
+
+
+@pytest.mark.parametrize(("old", "new", "answer"), [("2.0", "20.0", 32.0), ("3.0", "30.0", 122.0)])
+def test_what_a_law_reads_through_a_module_is_part_of_it(
+    tmp_path: Path, old: str, new: str, answer: float
+) -> None:
+    """An upgrade that changes a constant or a law in another file runs no machine code of before."""
+    program, module, cache = tmp_path / "program.py", tmp_path / "module.py", tmp_path / "cache"
+    law = "from pointpred.compiled import law\n"
+    program.write_text(
+        f"import module\n{law}@law\ndef f(x):\n    return module.K + module.g(x)\nprint(f(4.0))\n"
+    )
+    module.write_text(f"{law}K = 2.0\n@law\ndef g(x):\n    return 3.0 * x\n")
+    assert told(program, cache) == "14.0\n"
+    module.write_text(module.read_text().replace(old, new))
+    assert told(program, cache) == f"{answer}\n"
 
 
 def test_damaged_files_of_the_cache_are_compiled_anew(tmp_path: Path) -> None:

@@ -87,6 +87,16 @@ def test_a_column_that_never_moves_excites_nothing() -> None:
     assert (estimate.phi, estimate.learnt, estimate.values) == (0.0, 0.0, (0.0, 0.0))
 
 
+def test_nothing_is_learnt_before_every_delayed_row_has_moved() -> None:
+    stage = DynamicRegressorExtension(2, delay_s=0.05, gamma=1e9)
+    for i in range(1200):
+        w = (np.sin(i / 9), np.cos(i / 9)) if i >= 200 else (0.0, 0.0)
+        estimate = stage.update(w, 3.0 * w[0] - 2.0 * w[1], i / 1000)
+        assert (estimate is None) == (i < 250), i
+    assert estimate is not None
+    assert estimate.values == pytest.approx((3.0, -2.0), rel=1e-6)
+
+
 def test_units_and_rate_leave_the_excitation_alone() -> None:
     """The same movement in other units, and eight times as fast reports: the same learning."""
     learnt = []

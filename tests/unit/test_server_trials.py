@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import pickle
 from typing import Any
 
 import numpy as np
@@ -110,10 +111,11 @@ def test_memory_is_bounded_and_a_trial_that_is_too_long_says_so() -> None:
     keeper = TrialBuffer()
     keeper.start(None)
     table = EventColumns.of(np.arange(30_000.0), np.zeros(30_000), np.zeros(30_000))
-    for _ in range(5):
+    for _ in range(10):
         keeper.add(table.table)
+    assert len(pickle.dumps(keeper)) < MOST_EVENTS * table.table[0].nbytes + 1000
     score = keeper.end(None, build("hold"), None, 96.0)()
-    assert (score.events, score.time_averaged_px) == (150_000, None)
+    assert (score.events, score.time_averaged_px) == (300_000, None)
     assert str(MOST_EVENTS) in str(score.reason)
 
 
