@@ -267,8 +267,7 @@ class GuardedTransfer(ReportStage):
         self, t: float, dx: float, dy: float, way: Way = UNGUIDED
     ) -> tuple[float, float, float, float, float]:
         """``update`` in plain numbers: (t, dx px, dy px, of these added in x, in y), NaN where refused."""
-        off_x, off_y, sxx, sxy, syy = way
-        return guarded_step(self._memory, (t, dx, dy, off_x, off_y, sxx, sxy, syy))
+        return guarded_step(self._memory, (t, dx, dy, *way))
 
     def update(
         self,
