@@ -74,8 +74,7 @@ def loop_of(
     """The compiled loop around a law ``step(memory, row) -> row`` over a table.
 
     ``row_of(rows, i)`` takes a row out of the table as a tuple. A row marked ``begin`` forgets the memory
-    from ``first`` on, after ``conclude(memory)`` has learned from the movement that it ends. The loop around
-    a law ``step(memory, row, shared)`` takes the shared array last.
+    from ``first`` on, after ``conclude(memory)`` has learned from the movement that it ends.
     """
 
     @law
@@ -88,9 +87,19 @@ def loop_of(
             for j in range(len(answer)):
                 out[i, j] = answer[j]
 
-    # One loop with ``*shared`` would serve both, but costs every row of every stage 10 ns.
+    return loop
+
+
+def loop_sharing(
+    step: Callable[..., Any], row_of: Callable[..., Any], conclude: Callable[..., None] = learn_nothing
+) -> Callable[..., None]:
+    """``loop_of`` for a law ``step(memory, row, shared)`` that reads an array which many stages share.
+
+    A loop of its own: ``*shared`` in ``loop_of`` would cost every row of every stage 10 ns.
+    """
+
     @law
-    def loop_sharing(
+    def loop(
         memory: FloatArray,
         first: int,
         begin: BoolArray,
@@ -106,8 +115,7 @@ def loop_of(
             for j in range(len(answer)):
                 out[i, j] = answer[j]
 
-    plain: Any = getattr(step, "py_func", step)
-    return loop_sharing if plain.__code__.co_argcount > 2 else loop
+    return loop
 
 
 def loop_into(step: Callable[..., Any]) -> Callable[..., None]:
@@ -130,7 +138,6 @@ class CompiledStage:
     A child declares what may be set by ``parameter`` and ``option``; its constructor takes these keywords,
     checks them, and keeps each as an attribute. It gives its ``step``, the ``loop`` over a table, the
     ``width`` of the rows that the loop writes, and ``states``, how many floats the step remembers.
-    ``shared`` are arrays that the law reads behind the row and nobody writes to.
 
     A stage that learns its person keeps what it knows between the parameters and the movement's memory:
     ``learned`` floats, all zero while it knows nothing. ``reset`` and a row marked ``begin`` forget the
@@ -148,7 +155,6 @@ class CompiledStage:
     states: int = 0
     width: int
     loop: ClassVar[Callable[..., None]]
-    shared: tuple[FloatArray, ...] = ()
     learned: int = 0
     conclude: ClassVar[Callable[..., None]] = staticmethod(lambda memory: None)
     slots: ClassVar[tuple[Slot, ...]] = ()
@@ -215,5 +221,5 @@ class CompiledStage:
     def walk(self, begin: BoolArray, rows: FloatArray) -> FloatArray:
         """Run the law over rows, resetting before each row marked ``begin``; continues from the memory."""
         out = np.full((len(rows), self.width), np.nan)
-        type(self).loop(self._memory, self._first, begin, rows, out, *self.shared)
+        type(self).loop(self._memory, self._first, begin, rows, out)
         return out

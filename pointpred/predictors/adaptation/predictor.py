@@ -12,8 +12,8 @@ from pointpred.predictors.adaptation import correction
 from pointpred.predictors.kinematic import observation
 from pointpred.predictors.kinematic import predictor as kinematic
 from pointpred.predictors.kinematic.predictor import KinematicPredictor
-from pointpred.rows import MotionRow, Row, TenFloats
-from pointpred.stage import offsets
+from pointpred.rows import MotionRow, Row, TenFloats, row_at
+from pointpred.stage import loop_sharing, offsets
 
 # The settings, what is known of the person, the movement of the learned predictor and that of the adaptation.
 ADAPT, DISTANCES, SHORTEST_PX, PERSON, OBSERVATION, MOVEMENT, LENGTH = offsets(
@@ -114,6 +114,7 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     shortest_px: float = parameter(
         "px", 0.0, 1e6, "straight distance of the shortest movement that teaches", default=10.0
     )
+    loop = staticmethod(loop_sharing(step, row_at, conclude))
     step = staticmethod(step)
     conclude = staticmethod(conclude)
     slots = correction.SLOTS
