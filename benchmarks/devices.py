@@ -85,11 +85,11 @@ LIVE = (
 
 def main(wanted: list[str]) -> None:
     realtime = wanted == [REALTIME]
-    told = machine(load=True)
+    where = machine(load=True)
     if realtime:
-        told += "; the mouse and its reader ran before everything else (SCHED_RR), the decoder did not"
+        where += "; the mouse and its reader ran before everything else (SCHED_RR), the decoder did not"
     tables = {"decoding": Table.of(DECODING, decoding_rows()), "live": Table.of(LIVE, live_rows(realtime))}
-    write(Tables(tables, told), FILE)
+    write(Tables(tables, where), FILE)
 
 
 if __name__ == "__main__":

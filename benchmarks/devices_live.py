@@ -70,12 +70,12 @@ def measure(rate_hz: float, seconds: float, predictor: str = "switched") -> Live
             reader.stdout.readline()
             words = [*command, "write", plan, str(hand)]
             own = subprocess.run(words, check=True, pass_fds=[hand], stdout=subprocess.PIPE).stdout
-            told = reader.communicate(timeout=LATEST_S + 30)[0]
+            output = reader.communicate(timeout=LATEST_S + 30)[0]
         finally:
             reader.kill()
             os.close(hand)
     share, rate = json.loads(own)
-    return msgspec.structs.replace(msgspec.json.decode(told, type=Live), rate_hz=rate, writer_share=share)
+    return msgspec.structs.replace(msgspec.json.decode(output, type=Live), rate_hz=rate, writer_share=share)
 
 
 def write(rate_hz: float, number: int, notes: str, hand: int) -> None:
@@ -84,20 +84,20 @@ def write(rate_hz: float, number: int, notes: str, hand: int) -> None:
     _keep_to(1)
     counts = motion(number, rate_hz).tolist()
     reports = [np.array([0, dx, dy, 0], dtype="<i2").tobytes() for dx, dy in counts]
-    written, dropped = np.empty(number), []
+    stamps, dropped = np.empty(number), []
     used, begin = time.process_time(), time.monotonic() + 0.1
     for i, report in enumerate(reports):
         if (left := begin + i / rate_hz - time.monotonic()) > 0:
             time.sleep(left)
         elif left < -1 / rate_hz:  # held up itself: a mouse sends no bursts, it goes on from here
             begin -= left
-        written[i] = time.monotonic()
+        stamps[i] = time.monotonic()
         try:
             os.write(hand, report)
         except BlockingIOError:  # the ring is full
             dropped.append(i)
-    used, span = time.process_time() - used, written[-1] - written[0]
-    np.delete(written, dropped).tofile(notes + ".part")
+    used, span = time.process_time() - used, stamps[-1] - stamps[0]
+    np.delete(stamps, dropped).tofile(notes + ".part")
     Path(notes + ".part").rename(notes)
     print(json.dumps([used / span, (number - 1) / span]))
 

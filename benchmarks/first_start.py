@@ -41,10 +41,10 @@ def fresh(folder: Path) -> dict[str, str]:
     """A clone in ``folder``/clone, and the environment of somebody who has just come."""
     subprocess.run(["git", "clone", "--quiet", str(ROOT), str(folder / "clone")], check=True)
     (folder / "home").mkdir()
-    kept = {name: os.environ[name] for name in ("PATH", "LANG") if name in os.environ}
+    environment = {name: os.environ[name] for name in ("PATH", "LANG") if name in os.environ}
     # Where packages come from is the machine's affair: a mirror that it names is used here, too.
-    kept |= {name: value for name, value in os.environ.items() if name.startswith("PIP_")}
-    return kept | {"HOME": str(folder / "home")}
+    environment |= {name: value for name, value in os.environ.items() if name.startswith("PIP_")}
+    return environment | {"HOME": str(folder / "home")}
 
 
 def installed(folder: Path, environment: dict[str, str]) -> tuple[tuple[str, ...], ...]:

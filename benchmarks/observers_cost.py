@@ -30,9 +30,9 @@ def design_s(states: int) -> tuple[float, float]:
     """Processor time of the map and of the design, after a first one that imports the solver."""
     plant, generator = pair(states)
     began = process_time()
-    found = steady_state_map(plant, generator)
+    solution = steady_state_map(plant, generator)
     between = process_time()
-    design_observer(plant, generator, np.eye(states) if found.nullity else found.Pi)
+    design_observer(plant, generator, np.eye(states) if solution.nullity else solution.Pi)
     return between - began, process_time() - between
 
 
@@ -58,9 +58,9 @@ def step_us(states: int, rows: int = 100_000) -> float:
 def main() -> None:
     design_observer(*pair(2), np.eye(2))
     for states in STATES:
-        found, designed = design_s(states)
+        map_s, designed = design_s(states)
         print(
-            f"{states:3d} states: map {found:.3f} s, design {designed:.2f} s, step {step_us(states):.2f} us"
+            f"{states:3d} states: map {map_s:.3f} s, design {designed:.2f} s, step {step_us(states):.2f} us"
         )
 
 

@@ -115,8 +115,8 @@ def measure_plain() -> dict[str, dict[str, float]]:
     """The streaming column once more, with the same source as plain Python in a process of its own."""
     environment = {**os.environ, "POINTPRED_COMPILED": "0"}
     command = [sys.executable, "-m", "benchmarks.per_event", PLAIN]
-    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
-    table: dict[str, dict[str, float]] = json.loads(done.stdout)
+    process = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
+    table: dict[str, dict[str, float]] = json.loads(process.stdout)
     return table
 
 

@@ -54,13 +54,13 @@ def load(where: dict[str, int], **plan: Any) -> Told | None:
     """One round; ``None`` where the load generator saturated."""
     words = json.dumps({**where, **plan})
     command = [sys.executable, "-m", "benchmarks.service_load", words]
-    told: Told = json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout)
-    return told if told["own_share"] <= SATURATED else None
+    result: Told = json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout)
+    return result if result["own_share"] <= SATURATED else None
 
 
 def quietest(rounds: list[Told | None], by: str = "server_us") -> Told | None:
     """The valid round with the least of something."""
-    return min((told for told in rounds if told), key=lambda told: told[by], default=None)
+    return min((result for result in rounds if result), key=lambda result: result[by], default=None)
 
 
 def cost_rows(where: dict[str, int]) -> list[tuple[str, ...]]:
@@ -68,22 +68,22 @@ def cost_rows(where: dict[str, int]) -> list[tuple[str, ...]]:
     rows = []
     for encoding, size in ((encoding, size) for encoding in ("binary", "json") for size in (1, 8, 32)):
         plan = {"path": "/v1/stream", "beside": "/v1/echo", "encoding": encoding, "size": size}
-        told = load(where, clients=CLIENTS, seconds=TURNS_SECONDS, **plan)
-        if told is None:
+        result = load(where, clients=CLIENTS, seconds=TURNS_SECONDS, **plan)
+        if result is None:
             rows.append((encoding, f"{size}", "invalid: the load generator saturated", *[""] * 5))
             continue
-        added, low, high = (100 * (told[name] - 1.0) for name in ("ratio", "ratio_low", "ratio_high"))
-        rate = 1e6 / told["server_us"]
+        added, low, high = (100 * (result[name] - 1.0) for name in ("ratio", "ratio_low", "ratio_high"))
+        rate = 1e6 / result["server_us"]
         rows.append(
             (
                 encoding,
                 f"{size}",
-                f"{told['beside_us']:.1f}",
-                f"{told['server_us']:.1f}",
+                f"{result['beside_us']:.1f}",
+                f"{result['server_us']:.1f}",
                 f"{added:+.0f} % ({low:+.0f} to {high:+.0f})",
                 f"{rate:.0f}",
                 f"{rate * size:.0f}",
-                f"{100 * told['own_share']:.0f} %",
+                f"{100 * result['own_share']:.0f} %",
             )
         )
     return rows
@@ -91,36 +91,36 @@ def cost_rows(where: dict[str, int]) -> list[tuple[str, ...]]:
 
 def target_rows(where: dict[str, int]) -> list[tuple[str, ...]]:
     """Processor time of a frame of one event, by the number of targets."""
-    found: dict[tuple[str, int], list[Told | None]] = {}
+    rounds_of: dict[tuple[str, int], list[Told | None]] = {}
     for _ in range(ROUNDS):
         for encoding, count in ((encoding, count) for encoding in ("binary", "json") for count in TARGETS):
             plan = {"path": "/v1/stream", "encoding": encoding, "size": 1, "targets": count}
-            told = load(where, clients=CLIENTS, seconds=SECONDS, **plan)
-            found.setdefault((encoding, count), []).append(told)
+            result = load(where, clients=CLIENTS, seconds=SECONDS, **plan)
+            rounds_of.setdefault((encoding, count), []).append(result)
     rows = []
-    for (encoding, count), rounds in found.items():
-        told = quietest(rounds)
-        words = "invalid: the load generator saturated" if told is None else f"{told['server_us']:.1f}"
+    for (encoding, count), rounds in rounds_of.items():
+        result = quietest(rounds)
+        words = "invalid: the load generator saturated" if result is None else f"{result['server_us']:.1f}"
         rows.append((encoding, f"{count}", words))
     return rows
 
 
 def paced_rows(where: dict[str, int]) -> list[tuple[str, ...]]:
     """Round trips of clients that keep to the clock."""
-    found: dict[str, list[Told | None]] = {}
+    rounds_of: dict[str, list[Told | None]] = {}
     for _ in range(PACED_ROUNDS):
         for name, clients, size in PACED:
             plan = {"path": "/v1/stream", "encoding": "binary", "rate": 1000.0, "seconds": PACED_SECONDS}
-            found.setdefault(name, []).append(load(where, clients=clients, size=size, **plan))
+            rounds_of.setdefault(name, []).append(load(where, clients=clients, size=size, **plan))
     rows = []
     for name, _, size in PACED:
-        told = quietest(found[name], "p99_ms")
-        if told is None:
+        result = quietest(rounds_of[name], "p99_ms")
+        if result is None:
             rows.append((name, f"{size}", *["invalid: the load generator saturated"], *[""] * 5))
             continue
-        numbers = (f"{told['messages_per_s']:.0f}", f"{told['p50_ms']:.3f}", f"{told['p99_ms']:.3f}")
-        shares = (f"{100 * told['server_share']:.0f} %", f"{100 * told['own_share']:.0f} %")
-        rows.append((name, f"{size}", *numbers, *shares, f"{told['given_way']:.0f}"))
+        numbers = (f"{result['messages_per_s']:.0f}", f"{result['p50_ms']:.3f}", f"{result['p99_ms']:.3f}")
+        shares = (f"{100 * result['server_share']:.0f} %", f"{100 * result['own_share']:.0f} %")
+        rows.append((name, f"{size}", *numbers, *shares, f"{result['given_way']:.0f}"))
     return rows
 
 

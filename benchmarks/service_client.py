@@ -85,10 +85,10 @@ class Client:
         data = self.socket.recv(1 << 16)
         if not data:
             raise SystemExit("the server closed the connection")
-        found, self.rest = split(self.rest + data) if self.rest else split(data)
+        frames, self.rest = split(self.rest + data) if self.rest else split(data)
         now = time.perf_counter()
-        said = [one for one in found if one[0] != PING]  # answered never: a round is too short to be missed
-        answers = [one for one in said if one[0] == BINARY or not one[1].startswith(ASIDE)]
+        messages = [one for one in frames if one[0] != PING]  # unanswered: a round ends before the timeout
+        answers = [one for one in messages if one[0] == BINARY or not one[1].startswith(ASIDE)]
         for opcode, payload in answers:
             self._take(plan, opcode, payload, now)
         return len(answers)

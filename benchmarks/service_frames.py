@@ -27,8 +27,8 @@ def frame(opcode: int, payload: bytes) -> bytes:
 
 def hello(predictor: str, encoding: str) -> bytes:
     """The first message of a session: a device of 2000 CPI."""
-    said = {"type": "hello", "version": 1, "predictor": predictor, "encoding": encoding}
-    return frame(TEXT, json.dumps({**said, "device": {"cpi": 2000}}).encode())
+    message = {"type": "hello", "version": 1, "predictor": predictor, "encoding": encoding}
+    return frame(TEXT, json.dumps({**message, "device": {"cpi": 2000}}).encode())
 
 
 def targets(count: int) -> bytes:
@@ -62,7 +62,7 @@ def events(encoding: str, count: int, size: int, period_s: float) -> list[bytes]
 
 def split(received: bytes) -> tuple[list[tuple[int, bytes]], bytes]:
     """The server's whole frames, as opcode and payload, and what is left over."""
-    found, at = [], 0
+    frames, at = [], 0
     while len(received) - at >= 2:
         head, size, start = received[at] & 15, received[at + 1], at + 2
         if size == 126:
@@ -71,6 +71,6 @@ def split(received: bytes) -> tuple[list[tuple[int, bytes]], bytes]:
             size, start = int.from_bytes(received[at + 2 : at + 10], "big"), at + 10
         if start + size > len(received):
             break
-        found.append((head, received[start : start + size]))
+        frames.append((head, received[start : start + size]))
         at = start + size
-    return found, received[at:]
+    return frames, received[at:]

@@ -86,15 +86,15 @@ def in_turns(
     cost: tuple[list[float], list[float]] = ([], [])
     own, start = time.process_time(), time.perf_counter()
     while time.perf_counter() < start + plan.seconds:
-        for group, found in zip(groups, cost, strict=True):
+        for group, costs in zip(groups, cost, strict=True):
             before, server = sum(client.answered for client in group), cpu_s(plan.pid)
             closed_loop(plan, group, frames, time.perf_counter() + TURN_S)
             drain(plan, group)
             answers = sum(client.answered for client in group) - before
-            found.append((cpu_s(plan.pid) - server) / answers * 1e6)
+            costs.append((cpu_s(plan.pid) - server) / answers * 1e6)
     own, took = time.process_time() - own, time.perf_counter() - start
     low, middle, high = np.percentile(np.divide(*cost), [25, 50, 75])
-    quiet = (float(np.percentile(found, QUIET)) for found in cost)
+    quiet = (float(np.percentile(costs, QUIET)) for costs in cost)
     names = ("server_us", "beside_us", "ratio", "ratio_low", "ratio_high", "own_share")
     return dict(zip(names, (*quiet, middle, low, high, own / took), strict=True))
 
@@ -120,7 +120,7 @@ def main() -> None:
     answers = len(trips)
     sent = sum(c.sent - first for c, (first, _) in zip(clients, before, strict=True))
     p50, p99 = np.percentile(trips, [50, 99]) * 1e3
-    told = {
+    result = {
         "messages_per_s": answers / took,
         "sent_per_s": sent / took,
         "server_us": server / max(answers, 1) * 1e6,
@@ -130,7 +130,7 @@ def main() -> None:
         "p99_ms": p99,
         "given_way": sum(client.given_way for client in clients),
     }
-    print(json.dumps(told))
+    print(json.dumps(result))
 
 
 if __name__ == "__main__":

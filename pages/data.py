@@ -110,8 +110,8 @@ def keep(
 ) -> Path:
     """Put tables and numbers into a page's JSON, or into ``file``; those of other names stay."""
     file = file or PAGES / page / f"{part}.json"
-    known = read(file, Tables) if file.exists() else Tables({})
-    whole = Tables({**known.tables, **tables}, machine or known.machine, {**known.numbers, **(numbers or {})})
+    old = read(file, Tables) if file.exists() else Tables({})
+    whole = Tables({**old.tables, **tables}, machine or old.machine, {**old.numbers, **(numbers or {})})
     write(whole, file)
     print(f"wrote {file}: {', '.join([*tables, *(numbers or {})])}")
     return file

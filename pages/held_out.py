@@ -59,9 +59,9 @@ class HeldOut(msgspec.Struct, frozen=True):
 
     def of_people(self, name: str, recording: Recording) -> dict[str, Pipeline]:
         """For each user of the recording a predictor that has not seen this person."""
-        made = [pipeline(name, path, PEOPLE_OUT, recording) for path in self.folds]
+        pipelines = [pipeline(name, path, PEOPLE_OUT, recording) for path in self.folds]
         start = f"{recording.name} "
-        return {who[len(start) :]: made[k] for who, k in self.fold_of.items() if who.startswith(start)}
+        return {who[len(start) :]: pipelines[k] for who, k in self.fold_of.items() if who.startswith(start)}
 
 
 def trained_predictors() -> list[str]:
@@ -83,12 +83,12 @@ def pipeline(name: str, coefficients: Path, words: str, recording: Recording) ->
 
 def key(folder: Path) -> str:
     """A digest of the code, the settings and the recordings."""
-    found = hashlib.blake2b(digest_size=12)
+    digest = hashlib.blake2b(digest_size=12)
     package = Path(pointpred.__file__).parent
     files = [path for part in CODE for path in package.glob(f"{part}.py")]
     for path in sorted([*files, Path(__file__)]) + sorted(folder.glob("*_*.parquet")):
-        found.update(path.name.encode() + path.read_bytes())
-    return found.hexdigest()
+        digest.update(path.name.encode() + path.read_bytes())
+    return digest.hexdigest()
 
 
 def place(folder: Path) -> Path:
@@ -156,14 +156,14 @@ def main(arguments: list[str]) -> None:
     where.parent.mkdir(parents=True, exist_ok=True)
     settings = Settings()
     school = data.training_data(data.read_sets(folder), settings.seed, lambda what: print(what, flush=True))
-    with tempfile.TemporaryDirectory(dir=where.parent) as made:
-        whole = Path(made) / "made"
+    with tempfile.TemporaryDirectory(dir=where.parent) as temporary:
+        whole = Path(temporary) / "made"
         whole.mkdir()
         fit(school, settings, whole)
         whole.rename(where)
 
 
 if __name__ == "__main__":
-    asked = parse(__doc__, metavar="folder", most=1)
+    names = parse(__doc__, metavar="folder", most=1)
     in_one_thread("pages.held_out")
-    main(asked)
+    main(names)

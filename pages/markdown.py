@@ -20,7 +20,7 @@ def table(header: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
 def filled(page: str, name: str, text: str) -> str:
     """The page with one part replaced; raises ValueError where the page has no such part."""
     part = f"<!-- generated: {name} -->\n\n{text}\n\n<!-- end -->"
-    result, found = re.subn(PART.format(name=re.escape(name)), lambda _: part, page, flags=re.DOTALL)
-    if found != 1:
-        raise ValueError(f"expected one part {name!r}, found {found}")
+    result, count = re.subn(PART.format(name=re.escape(name)), lambda _: part, page, flags=re.DOTALL)
+    if count != 1:
+        raise ValueError(f"expected one part {name!r}, found {count}")
     return result

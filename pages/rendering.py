@@ -18,7 +18,7 @@ from pages.markdown import table
 @cache
 def environment() -> Environment:
     """The templates of all pages; a name that a page's data lack is an error."""
-    made = Environment(
+    templates = Environment(
         loader=FileSystemLoader(PAGES),
         undefined=StrictUndefined,
         trim_blocks=True,
@@ -26,7 +26,7 @@ def environment() -> Environment:
         keep_trailing_newline=True,
         autoescape=False,  # Markdown, made from the project's own numbers
     )
-    made.filters |= {
+    templates.filters |= {
         "shown": shown,
         "only": only,
         "number": number,
@@ -37,8 +37,8 @@ def environment() -> Environment:
         "times": times,
         "names": names,
     }
-    made.globals |= {"table": table}
-    return made
+    templates.globals |= {"table": table}
+    return templates
 
 
 def rendered(template: str, values: Mapping[str, Any]) -> str:
@@ -62,11 +62,11 @@ def only(one: Table, **wanted: str | Sequence[str]) -> Table:
     }
     rows = [i for i, row in enumerate(texts) if all(row[at] in cells for at, cells in chosen.items())]
     alike = {at for at, cells in chosen.items() if len(cells) == 1}
-    kept = [at for at in range(len(columns)) if at not in alike]
+    places = [at for at in range(len(columns)) if at not in alike]
     return Table(
-        [columns[at] for at in kept],
-        [one.decimals[at] for at in kept],
-        [[one.rows[i][at] for at in kept] for i in rows],
+        [columns[at] for at in places],
+        [one.decimals[at] for at in places],
+        [[one.rows[i][at] for at in places] for i in rows],
     )
 
 

@@ -87,9 +87,9 @@ def _polyline(data: str, digits: int) -> str:
     numbers = [float(one) for one in re.findall(r"-?[\d.]+(?:e-?\d+)?", data)]
     points = _simplified(list(zip(numbers[::2], numbers[1::2], strict=True)))
     texts = [f"{_short(f'{x:.6f}', digits)} {_short(f'{y:.6f}', digits)}" for x, y in points]
-    kept = [text for i, text in enumerate(texts) if not i or text != texts[i - 1]] or texts
-    kept = kept if len(kept) > 1 or len(texts) == 1 else texts[:2]
-    return "M" + "L".join(kept) + ("z" if closed else "")
+    lines = [text for i, text in enumerate(texts) if not i or text != texts[i - 1]] or texts
+    lines = lines if len(lines) > 1 or len(texts) == 1 else texts[:2]
+    return "M" + "L".join(lines) + ("z" if closed else "")
 
 
 def _simplified(points: list[tuple[float, float]]) -> list[tuple[float, float]]:

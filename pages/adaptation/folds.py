@@ -29,9 +29,9 @@ def coefficients(where: Path) -> Iterator[tuple[Recording, Path]]:
     of = school.fold()
     if not all((where / f"fold{number}.npz").is_file() for number in range(data.FOLDS)):
         nets = train.folds(school, settings, say)
-        held = [train.claims_about(school, fitted, users, settings) for users, fitted in nets]
+        claims = [train.claims_about(school, fitted, users, settings) for users, fitted in nets]
         for number, (_, fitted) in enumerate(nets):
-            others = [one for place, one in enumerate(held) if place != number and one is not None]
+            others = [one for place, one in enumerate(claims) if place != number and one is not None]
             table = calibration.fit_table(calibration.join(others))
             train.save(where / f"fold{number}.npz", fitted, table, {})
     for recording in sets:

@@ -33,40 +33,40 @@ def pipelines(recording: Recording, path: Path) -> list[Pipeline]:
         WHOLE: AdaptiveKinematicPredictor(coefficients=path),
         PART: AdaptiveKinematicPredictor(distances=0, coefficients=path),
     }
-    made = [Pipeline(name, floor.differentiator.fresh(), one) for name, one in predictors.items()]
-    return [floor, *made]
+    joined = [Pipeline(name, floor.differentiator.fresh(), one) for name, one in predictors.items()]
+    return [floor, *joined]
 
 
 def numbered(users: list[str]) -> FloatArray:
     """Place of each trial among those of its user, from 0."""
-    seen: dict[str, int] = {}
+    counts: dict[str, int] = {}
     order = []
     for user in users:
-        order.append(seen.get(user, 0))
-        seen[user] = order[-1] + 1
+        order.append(counts.get(user, 0))
+        counts[user] = order[-1] + 1
     return np.array(order, dtype=np.float64)
 
 
 def measure(where: Path) -> list[Measured]:
     """Every set, its people predicted by coefficients that knew none of them."""
-    found: dict[str, Measured] = {}
+    results: dict[str, Measured] = {}
     for part, path in coefficients(where):
-        one = found.setdefault(part.name, Measured(part.name, [], {}, {True: {}, False: {}}))
+        one = results.setdefault(part.name, Measured(part.name, [], {}, {True: {}, False: {}}))
         settings = {k: v for k, v in resolution(part, None, None).items() if v is not None}
         prepared = prepare(part, **settings)
         one.order.append(numbered([scored.trial.user for scored in prepared.trials]))
         for pipeline in pipelines(part, path):
             one.errors.setdefault(pipeline.name, []).append(replay(prepared, pipeline, threads=1))
         for monotone, reads in one.template.items():
-            drawn = protocol.select(prepared, only_monotone=monotone, share=1.0)
-            if drawn.tested:
-                matched = protocol.with_library(drawn)
+            selection = protocol.select(prepared, only_monotone=monotone, share=1.0)
+            if selection.tested:
+                matched = protocol.with_library(selection)
                 reads.setdefault(matched.name, []).append(matched.errors)
                 for pipeline in pipelines(part, path):
-                    errors = protocol.without_library(drawn, pipeline).errors
+                    errors = protocol.without_library(selection, pipeline).errors
                     reads.setdefault(pipeline.name, []).append(errors)
         say(f"{part.name}: {len(prepared.trials)} trials with {path.name}")
-    return list(found.values())
+    return list(results.values())
 
 
 if __name__ == "__main__":

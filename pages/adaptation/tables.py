@@ -124,8 +124,8 @@ def figure(sets: Sequence[Measured]) -> None:
         axes.set(xscale="log", xlabel="movement of the person", ylabel="error over that of kinematic")
         axes.xaxis.set_major_formatter("{x:g}")
         legend_outside(drawing, axes, columns=4)
-        made = picture(drawing, "error over that of kinematic, by movement", "")
-    save(made.svg, FIGURE)
+        image = picture(drawing, "error over that of kinematic, by movement", "")
+    save(image.svg, FIGURE)
 
 
 def written(sets: Sequence[Measured]) -> None:

@@ -53,13 +53,13 @@ class Measuring:
         return outcome(play, movements or self.movements, self.people)
 
 
-def cells(found: Outcome, plain: Outcome) -> tuple[str, ...]:
+def cells(outcome: Outcome, plain: Outcome) -> tuple[str, ...]:
     """Change of time by group, movements that overshoot, clicks that miss."""
     times = []
     for group in SKILLS:
-        mean, half = found.change(plain, group)
+        mean, half = outcome.change(plain, group)
         times.append(f"{100.0 * mean:+.0f} ± {100.0 * half:.0f} %")
-    return (*times, f"{100.0 * found.overshot():.0f} %", f"{100.0 * found.missed():.0f} %")
+    return (*times, f"{100.0 * outcome.overshot():.0f} %", f"{100.0 * outcome.missed():.0f} %")
 
 
 def percent(ratio: float) -> str:
@@ -78,8 +78,8 @@ def right_table(measure: Measuring) -> Table:
     rows = [zero]
     for strength in (0.25, 0.5, 1.0):
         for learnt in (False, True):
-            found = measure(f"right, strength {strength}", scripted(strength, learnt=learnt))
-            rows.append((f"{strength:g}", "yes" if learnt else "no", *cells(found, plain)))
+            outcome = measure(f"right, strength {strength}", scripted(strength, learnt=learnt))
+            rows.append((f"{strength:g}", "yes" if learnt else "no", *cells(outcome, plain)))
     gain = measure("a higher gain", faster(6.0))
     rows.append(("gain 6 instead of 4, no help", "yes", *cells(gain, plain)))
     return Table.of(("strength", "used to it", *HEADER), rows)
@@ -89,15 +89,15 @@ def curves(
     measure: Measuring, name: str, places: tuple[float, ...], learnt: bool
 ) -> assistance_figure.Curves:
     """Changes of time by how wrong a prediction is in one way, for both claims."""
-    found: dict[str, dict[str, list[tuple[float, float]]]] = {}
+    points: dict[str, dict[str, list[tuple[float, float]]]] = {}
     for claim, spread_px in (("sure", 10.0), ("honest", None)):
-        found[claim] = {group: [] for group in SKILLS}
+        points[claim] = {group: [] for group in SKILLS}
         for place in places:
             play = scripted(STRENGTH, spread_px=spread_px, learnt=learnt, **{name: place})
-            made = measure(f"{name} {place:g}, {claim}{', used to it' * learnt}", play)
+            outcome = measure(f"{name} {place:g}, {claim}{', used to it' * learnt}", play)
             for group in SKILLS:
-                found[claim][group].append(made.change(measure.plain, group))
-    return assistance_figure.Curves(places, found)
+                points[claim][group].append(outcome.change(measure.plain, group))
+    return assistance_figure.Curves(places, points)
 
 
 def laws_table(measure: Measuring) -> tuple[Table, dict[str, dict[str, float]]]:
@@ -110,10 +110,10 @@ def laws_table(measure: Measuring) -> tuple[Table, dict[str, dict[str, float]]]:
     }
     rows, times = [], {}
     for words, wrong in WRONG.items():
-        found = {law: measure(f"{words}, {law}", make(wrong)) for law, make in laws.items()}
-        times[words] = {law: 1.0 + one.change(measure.plain)[0] for law, one in found.items()}
+        outcomes = {law: measure(f"{words}, {law}", make(wrong)) for law, make in laws.items()}
+        times[words] = {law: 1.0 + one.change(measure.plain)[0] for law, one in outcomes.items()}
         rows.append(
-            (words, *(f"{percent(times[words][law])}, {100 * found[law].missed():.0f} %" for law in laws))
+            (words, *(f"{percent(times[words][law])}, {100 * outcomes[law].missed():.0f} %" for law in laws))
         )
     return Table.of(("prediction", *laws), rows), times
 
@@ -127,8 +127,8 @@ def predictors_table(measure: Measuring) -> Table:
         pipeline = build(name, cpi=2000.0)
         words = f"`{name}`" + (f" after {practice} movements" if practice else "")
         for habit in (0.0, 0.2, LEARNT * STRENGTH):
-            found = measure(f"{words}, habit {habit:g}", looped(pipeline, STRENGTH, habit, practice), few)
-            rows.append((words, f"{habit:g}", *cells(found, plain)))
+            outcome = measure(f"{words}, habit {habit:g}", looped(pipeline, STRENGTH, habit, practice), few)
+            rows.append((words, f"{habit:g}", *cells(outcome, plain)))
     return Table.of(("predictor", "expects", *HEADER), rows)
 
 
@@ -137,8 +137,8 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--movements", type=int, default=6, help="movements a person (6)")
     parser.add_argument("--people", type=int, default=30, help="people of all skills (30)")
-    given = parser.parse_args()
-    measure = Measuring(given.movements, given.people)
+    arguments = parser.parse_args()
+    measure = Measuring(arguments.movements, arguments.people)
     right = right_table(measure)
     drawn = {
         words: (

@@ -74,11 +74,11 @@ def outcome(play: Play, movements: int, count: int = 30) -> Outcome:
     for number, person in enumerate(persons):
         for k in range(movements):
             aim = aimed(k, number)
-            made = play(person, aim, np.random.default_rng([SEED, number, k]))
-            way = made.table[:, 1:3] @ (np.array([aim.x, aim.y]) / aim.distance)
-            off = np.hypot(made.table[-1, 1] - aim.x, made.table[-1, 2] - aim.y)
+            movement = play(person, aim, np.random.default_rng([SEED, number, k]))
+            way = movement.table[:, 1:3] @ (np.array([aim.x, aim.y]) / aim.distance)
+            off = np.hypot(movement.table[-1, 1] - aim.x, movement.table[-1, 2] - aim.y)
             beyond = float(way.max()) - aim.distance - WIDTH_PX / 2
-            rows.append((float(number), made.click_s, beyond, float(off > WIDTH_PX / 2)))
+            rows.append((float(number), movement.click_s, beyond, float(off > WIDTH_PX / 2)))
     return Outcome(np.array([p.skill for p in persons]), np.array(rows))
 
 
@@ -119,16 +119,16 @@ def looped(pattern: Pipeline, strength: float, habit: float, practice: int = 0) 
     ``practice``: movements of each person, with help, that the predictor hears before those that count.
     """
     guard = Guard(strength=strength)
-    known: dict[Person, Pipeline] = {}
+    pipelines: dict[Person, Pipeline] = {}
 
     def play(person: Person, aim: Aim, generator: np.random.Generator) -> Movement:
-        if person not in known:
-            known[person] = pattern.fresh()
+        if person not in pipelines:
+            pipelines[person] = pattern.fresh()
             for k in range(practice):
-                before = np.random.default_rng([SEED, len(known), k, 1])
-                move_guarded(person, SETUP, aimed(k, 1), before, guard, known[person], habit=habit)
+                before = np.random.default_rng([SEED, len(pipelines), k, 1])
+                move_guarded(person, SETUP, aimed(k, 1), before, guard, pipelines[person], habit=habit)
         generator.integers(2)  # so that chance is the same as for a script
-        return move_guarded(person, SETUP, aim, generator, guard, known[person], habit=habit)
+        return move_guarded(person, SETUP, aim, generator, guard, pipelines[person], habit=habit)
 
     return play
 

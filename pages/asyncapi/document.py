@@ -180,10 +180,10 @@ def _operations() -> dict[str, Any]:
 
     operations: dict[str, Any] = {}
     for name, answers in replies().items():
-        said = {"action": "receive", "channel": CHANNEL, "messages": refs([name])}
+        operation = {"action": "receive", "channel": CHANNEL, "messages": refs([name])}
         if answers:
-            said["reply"] = {"channel": CHANNEL, "messages": refs([*answers, "error"])}
-        operations[f"hear{name[0].upper()}{name[1:]}"] = said
+            operation["reply"] = {"channel": CHANNEL, "messages": refs([*answers, "error"])}
+        operations[f"hear{name[0].upper()}{name[1:]}"] = operation
     for name in ("error", "goodbye"):
         operations[f"say{name.capitalize()}"] = {
             "action": "send",

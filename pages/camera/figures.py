@@ -46,12 +46,12 @@ def _fading(target: Path, focal_px: float) -> None:
     backwards = Scenario("backwards", lambda t: (0.0, 0.0, -0.2), lambda t: (0.0, 0.0, 0.0))
     truth = trajectory(backwards, t)
     observer = DepthObserver(focal_px=focal_px, start_chi=1.0 / 1.3, start_eta=-0.25 / 1.3)
-    found = observer.run(observed(truth, focal_px=focal_px))
+    estimate = observer.run(observed(truth, focal_px=focal_px))
     lines = {
-        "chi [1/m]": np.abs(found.chi - truth.chi),
-        "eta [1/s]": np.abs(found.eta - truth.eta),
-        "v_z [m/s]": np.abs(found.eta / found.chi - truth.v[:, 2]),
-        "depth, relative": np.abs(1.0 / found.chi / truth.p[:, 2] - 1.0),
+        "chi [1/m]": np.abs(estimate.chi - truth.chi),
+        "eta [1/s]": np.abs(estimate.eta - truth.eta),
+        "v_z [m/s]": np.abs(estimate.eta / estimate.chi - truth.v[:, 2]),
+        "depth, relative": np.abs(1.0 / estimate.chi / truth.p[:, 2] - 1.0),
     }
     with canvas(width=7.5, height=4.2) as (figure, (ax,)):
         for (label, values), colour in zip(lines.items(), PALETTE, strict=False):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import msgspec
 import numpy as np
 
 from pages import FIGURES
@@ -28,6 +29,7 @@ from pointpred.camera import (
 )
 from pointpred.camera.samples import observed
 from pointpred.cli.progress import following
+from pointpred.columns import FloatArray
 
 FOCAL, RUNS, RATE_HZ, LENGTH_S = 800.0, 24, 33.0, 10.0
 GUESSED_S = 63.0
@@ -43,87 +45,98 @@ def rms(errors: Any) -> Any:
     return np.sqrt(np.nanmean(np.asarray(errors) ** 2, axis=0))
 
 
-def told(noise_px: float) -> float:
-    """The standard deviation that a filter is told of noise uniform in +-noise_px."""
+def filter_sigma(noise_px: float) -> float:
+    """The standard deviation that the filter assumes for noise uniform in +-noise_px."""
     return max(noise_px / np.sqrt(3.0), SMALLEST_PX)
 
 
-def one_run(truth: Trajectory, noise: Noise, seed: int, accel: float | None = None) -> dict[str, Any]:
-    """RMSE of (chi, eta, v) by observer and every way, and by the peer; the peer's last error and NEES."""
+class Run(msgspec.Struct, frozen=True):
+    """Errors of one run; those of several columns are of (chi, eta, v)."""
+
+    ways: dict[str, FloatArray]
+    """RMSE of the observer by way"""
+    late: FloatArray
+    """RMSE of the last way while the filter runs"""
+    peer: FloatArray
+    """RMSE of the filter"""
+    ends: tuple[FloatArray, FloatArray]
+    """Last errors of the observer and of the filter"""
+    start: float
+    depth: float
+    """The filter's last error of the depth in m"""
+    nees: float
+
+
+def one_run(truth: Trajectory, noise: Noise, seed: int, accel: float | None = None) -> Run:
+    """Simulate once and compare the observer, with every way, and the filter with the truth."""
     samples = observed(truth, focal_px=FOCAL, noise=noise, seed=seed)
-    found = DepthObserver(focal_px=FOCAL, **START).run(samples)
+    observer = DepthObserver(focal_px=FOCAL, **START).run(samples)
     track = PointFilter(
         focal_px=FOCAL,
-        noise_px=told(noise.noise_px),
+        noise_px=filter_sigma(noise.noise_px),
         accel_noise=noise.accel_noise if accel is None else accel,
         gyro_noise=noise.gyro_noise,
     ).run(samples)
     wanted = np.column_stack([truth.chi, truth.eta, truth.v])
     ways = {}
     for way in WAYS:
-        d = UnknownInputs(way, focal_px=FOCAL, noise_px=told(noise.noise_px)).run(samples, found.eta)
-        ways[way] = np.column_stack([found.chi, found.eta, velocities(d, found)]) - wanted
+        d = UnknownInputs(way, focal_px=FOCAL, noise_px=filter_sigma(noise.noise_px)).run(
+            samples, observer.eta
+        )
+        ways[way] = np.column_stack([observer.chi, observer.eta, velocities(d, observer)]) - wanted
     chi = 1.0 / track.state[:, 2]
     peer = np.column_stack([chi, track.state[:, 5] * chi, track.state[:, 3:]]) - wanted
     end = track.state[-1] - np.concatenate([truth.p[-1], truth.v[-1]])
-    return {
-        "ways": {way: rms(errors) for way, errors in ways.items()},
-        "late": rms(ways[WAYS[-1]][track.running]),
-        "ends": (ways[WAYS[-1]][-1], peer[-1]),
-        "peer": rms(peer[track.running]),
-        "start": float(track.t[track.running][0]),
-        "depth": float(end[2]),
-        "nees": float(end @ np.linalg.solve(track.covariance[-1], end)),
-    }
+    return Run(
+        ways={way: rms(errors) for way, errors in ways.items()},
+        late=rms(ways[WAYS[-1]][track.running]),
+        peer=rms(peer[track.running]),
+        ends=(ways[WAYS[-1]][-1], peer[-1]),
+        start=float(track.t[track.running][0]),
+        depth=float(end[2]),
+        nees=float(end @ np.linalg.solve(track.covariance[-1], end)),
+    )
 
 
-def monte_carlo(truth: Trajectory) -> dict[float, list[dict[str, Any]]]:
+def monte_carlo(truth: Trajectory) -> dict[float, list[Run]]:
     """All runs at all noises, with a bar where somebody can see it."""
-    done: dict[float, list[dict[str, Any]]] = {}
+    runs: dict[float, list[Run]] = {}
     with following() as bar:
         for noise_px in PIXELS:
-            done[noise_px] = []
+            runs[noise_px] = []
             for seed in range(RUNS):
-                done[noise_px].append(one_run(truth, Noise(noise_px=noise_px), seed))
+                runs[noise_px].append(one_run(truth, Noise(noise_px=noise_px), seed))
                 if bar is not None:
-                    bar(f"{noise_px:g} px", len(done) * RUNS - RUNS + seed + 1, RUNS * len(PIXELS))
-    return done
+                    bar(f"{noise_px:g} px", len(runs) * RUNS - RUNS + seed + 1, RUNS * len(PIXELS))
+    return runs
 
 
-def mean(runs: list[dict[str, Any]], *keys: str) -> Any:
-    """RMSE over all runs together."""
-    values = []
-    for run in runs:
-        value: Any = run
-        for key in keys:
-            value = value[key]
-        values.append(value)
-    return np.sqrt(np.mean(np.square(values), axis=0))
-
-
-def errors_table(runs: dict[float, list[dict[str, Any]]]) -> Table:
+def errors_table(runs: dict[float, list[Run]]) -> Table:
     """RMSE by noise: the observer with every way, and the peer."""
     rows = []
-    for noise_px, done in runs.items():
-        rows += [(f"{noise_px:g}", f"observer, {way}", *_short(mean(done, "ways", way))) for way in WAYS]
-        rows.append((f"{noise_px:g}", "**filter (peer)**", *_short(mean(done, "peer"))))
+    for noise_px, some in runs.items():
+        rows += [
+            (f"{noise_px:g}", f"observer, {way}", *_short(rms([run.ways[way] for run in some])))
+            for way in WAYS
+        ]
+        rows.append((f"{noise_px:g}", "**filter (peer)**", *_short(rms([run.peer for run in some]))))
     return Table.of(("noise px", "estimator", "chi 1/m", "eta 1/s", "v_x m/s", "v_y m/s", "v_z m/s"), rows)
 
 
-def peer_table(runs: dict[float, list[dict[str, Any]]], truth: Trajectory) -> Table:
+def peer_table(runs: dict[float, list[Run]], truth: Trajectory) -> Table:
     """The peer beside the bound, its consistency, and the observer over the same time."""
     rows = []
-    for noise_px, done in runs.items():
-        bound = cramer_rao(truth, focal_px=FOCAL, noise_px=told(noise_px))
+    for noise_px, some in runs.items():
+        bound = cramer_rao(truth, focal_px=FOCAL, noise_px=filter_sigma(noise_px))
         least = float(np.sqrt(bound[-1, 2, 2]))
-        depth_error = float(rms([run["depth"] for run in done]))
-        average, (low, high) = consistent(np.array([run["nees"] for run in done]))
-        late, peer = mean(done, "late"), mean(done, "peer")
-        ends = rms([run["ends"] for run in done])
+        depth_error = float(rms([run.depth for run in some]))
+        average, (low, high) = consistent(np.array([run.nees for run in some]))
+        late, peer = rms([run.late for run in some]), rms([run.peer for run in some])
+        ends = rms([run.ends for run in some])
         rows.append(
             (
                 f"{noise_px:g}",
-                f"{np.mean([run['start'] for run in done]):.1f}",
+                f"{np.mean([run.start for run in some]):.1f}",
                 f"{1e3 * depth_error:.1f}",
                 f"{1e3 * least:.1f}" if noise_px else "-",
                 f"{depth_error / least:.2f}" if noise_px else "-",
@@ -145,7 +158,7 @@ def peer_table(runs: dict[float, list[dict[str, Any]]], truth: Trajectory) -> Ta
     return Table.of(header, rows)
 
 
-def table_one(runs: dict[float, list[dict[str, Any]]], truth: Trajectory) -> Table:
+def table_one(runs: dict[float, list[Run]], truth: Trajectory) -> Table:
     """TABLE I as printed, ours from the printed start, and ours from a start that is right in v_z."""
     rows = []
     paper = SCENARIOS["paper"]
@@ -153,7 +166,9 @@ def table_one(runs: dict[float, list[dict[str, Any]]], truth: Trajectory) -> Tab
     cosine = trajectory(Scenario("cosine", _cosine, paper.angular), longer)
     for noise_px, values in printed.TABLE_I.items():
         rows.append((f"{noise_px}", "print", *_short(values)))
-        rows.append((f"{noise_px}", "ours", *_short(mean(runs[float(noise_px)], "ways", "difference"))))
+        rows.append(
+            (f"{noise_px}", "ours", *_short(rms([run.ways["difference"] for run in runs[float(noise_px)]])))
+        )
     rows.append(("0", "ours, v_z right at the start: eta(0) = -1.2", *_short(_without_noise(truth, -1.2))))
     rows.append(("0", "ours, cos for sin in v_z, 63 s", *_short(_without_noise(cosine, -1.6))))
     return Table.of(("noise px", "", *NAMES), rows)
@@ -168,10 +183,12 @@ def _cosine(t: Any) -> tuple[Any, Any, Any]:
 def _without_noise(truth: Trajectory, start_eta: float) -> Any:
     """RMSE of the observer with plain differences."""
     samples = observed(truth, focal_px=FOCAL)
-    found = DepthObserver(focal_px=FOCAL, start_chi=4.0, start_eta=start_eta).run(samples)
-    d = UnknownInputs("difference", focal_px=FOCAL).run(samples, found.eta)
+    observer = DepthObserver(focal_px=FOCAL, start_chi=4.0, start_eta=start_eta).run(samples)
+    d = UnknownInputs("difference", focal_px=FOCAL).run(samples, observer.eta)
     return rms(
-        np.column_stack([found.chi - truth.chi, found.eta - truth.eta, velocities(d, found) - truth.v])
+        np.column_stack(
+            [observer.chi - truth.chi, observer.eta - truth.eta, velocities(d, observer) - truth.v]
+        )
     )
 
 
@@ -208,9 +225,9 @@ def sensors(truth: Trajectory) -> Table:
     }
     rows = []
     for name, (noise, accel) in cases.items():
-        done = [one_run(truth, noise, seed, accel) for seed in range(RUNS)]
-        late, peer = mean(done, "late"), mean(done, "peer")
-        nees = np.mean([run["nees"] for run in done])
+        some = [one_run(truth, noise, seed, accel) for seed in range(RUNS)]
+        late, peer = rms([run.late for run in some]), rms([run.peer for run in some])
+        nees = np.mean([run.nees for run in some])
         rows.append((name, *_short(late[[0, 4]]), *_short(peer[[0, 4]]), f"{nees:.0f}"))
     return Table.of(("sensors", "observer chi", "v_z", "filter chi", "v_z", "filter's NEES"), rows)
 

@@ -55,11 +55,11 @@ def designs() -> Table:
         start = time.perf_counter()
         try:
             one = UnknownInputObserver.design(camera_system(), box, sigma).certificate
-            said = (f"{one.largest_sigma:.3g}", f"{one.phi1:.3g}", f"{one.phi2:.3g}", f"{one.margin:.1e}")
+            cells = (f"{one.largest_sigma:.3g}", f"{one.phi1:.3g}", f"{one.phi2:.3g}", f"{one.margin:.1e}")
         except InfeasibleError as none:
-            said = ("none" if "no sigma" in str(none) else "?", "refused", "-", "-")
+            cells = ("none" if "no sigma" in str(none) else "?", "refused", "-", "-")
         seconds = time.perf_counter() - start
-        rows.append((f"[{eta[0]:g}, {eta[1]:g}]", f"{sigma:.3g}", *said, f"{seconds:.2f}"))
+        rows.append((f"[{eta[0]:g}, {eta[1]:g}]", f"{sigma:.3g}", *cells, f"{seconds:.2f}"))
     header = ("eta 1/s", "sigma 1/s", "largest", "phi1", "phi2 s", "margin", "seconds")
     return Table.of(header, rows)
 

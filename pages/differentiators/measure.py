@@ -114,14 +114,14 @@ def best() -> Table:
     kind, rows = HomogeneousDifferentiator, []
     for source in SOURCES:
         for movement in MOVEMENTS:
-            found = min(_settings(kind), key=lambda s, m=movement, o=source: _cost(kind, s, o, (m,)))
+            setting = min(_settings(kind), key=lambda s, m=movement, o=source: _cost(kind, s, o, (m,)))
             place = (source, f"{movement.distance:g} m in {movement.duration:g} s")
-            values = tuple(f"{value:g}" for value in found.values())
+            values = tuple(f"{value:g}" for value in setting.values())
             rows.append(
                 (
                     *place,
                     *values,
-                    _percent(kind, found, source, (movement,)),
+                    _percent(kind, setting, source, (movement,)),
                     _percent(kind, {}, source, (movement,)),
                 )
             )
@@ -132,14 +132,14 @@ def recommended() -> Table:
     """The setting of each differentiator that is best over all movements of a source."""
     rows = []
     for source, kind in itertools.product(SOURCES, GRIDS):
-        found = min(_settings(kind), key=lambda s, k=kind, o=source: _cost(k, s, o, MOVEMENTS))
-        values = ", ".join(f"{name} {value:g}" for name, value in found.items())
+        setting = min(_settings(kind), key=lambda s, k=kind, o=source: _cost(k, s, o, MOVEMENTS))
+        values = ", ".join(f"{name} {value:g}" for name, value in setting.items())
         rows.append(
             (
                 source,
                 _name(kind),
                 values,
-                _percent(kind, found, source, MOVEMENTS),
+                _percent(kind, setting, source, MOVEMENTS),
                 _percent(kind, {}, source, MOVEMENTS),
             )
         )

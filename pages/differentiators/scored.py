@@ -27,19 +27,19 @@ CHOICES: dict[str, dict[str, Any]] = {
 
 def patterns() -> list[Pipeline]:
     """Every predictor behind every differentiator, each under a name of its own."""
-    made = []
+    pipelines = []
     for predictor in PREDICTORS:
         for choice, parameters in CHOICES.items():
             one = build(predictor, **parameters)
-            made.append(Pipeline(f"{predictor}, {choice}", one.differentiator, one.predictor))
-    return made
+            pipelines.append(Pipeline(f"{predictor}, {choice}", one.differentiator, one.predictor))
+    return pipelines
 
 
 def main() -> None:
     """Print the table, and keep it where recordings are at hand."""
-    found, unread = folder(), {}
+    source, unread = folder(), {}
     shares: dict[str, dict[str, float]] = {}
-    for recording in recordings(found, unread):
+    for recording in recordings(source, unread):
         for one in map(summarise, score([recording], patterns())):
             for predictor in one.predictors:
                 shares.setdefault(predictor.name, {})[one.name] = predictor.time_averaged.of_hold
@@ -53,7 +53,7 @@ def main() -> None:
         print("  ".join(row))
     for file, reason in unread.items():
         print(f"{file}: {reason}")
-    if found:
+    if source:
         keep("differentiators", {"scored": scored})
 
 

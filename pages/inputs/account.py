@@ -76,9 +76,9 @@ def _left(rows: pd.DataFrame, out: np.ndarray, recording: Recording) -> dict[str
             remaining &= ~mine
     rest = int(remaining.sum())
     for note in recording.notes:
-        if said := NOTE.match(note):
-            count = min(rest, int(said[2]))
-            left[said[1]] += count
+        if match := NOTE.match(note):
+            count = min(rest, int(match[2]))
+            left[match[1]] += count
             rest -= count
     return _alike(left)
 

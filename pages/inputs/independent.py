@@ -23,11 +23,11 @@ COLUMNS = ["user", "trial", "row", "t", "x", "y"]
 PAUSE_S = 0.3
 
 
-def delimited(path: Path, *, t: str, x: str, y: str, per_second: float | str, **told: Any) -> pd.DataFrame:
+def delimited(path: Path, *, t: str, x: str, y: str, per_second: float | str, **options: Any) -> pd.DataFrame:
     """Plain text, a row a sample; ``per_second`` is "iso" where the cells are dates."""
-    user, trial, cut = (told.pop(name, "") for name in ("user", "trial", "cut"))
-    told |= {"header": None} if "names" in told else {}
-    table = pd.read_csv(path, dtype=str, **told)
+    user, trial, cut = (options.pop(name, "") for name in ("user", "trial", "cut"))
+    options |= {"header": None} if "names" in options else {}
+    table = pd.read_csv(path, dtype=str, **options)
     return _samples(path, table, (t, x, y), per_second, user, trial, cut)
 
 
@@ -118,8 +118,8 @@ def balabit(path: Path, *, user: str) -> pd.DataFrame:
 def evemu(path: Path) -> pd.DataFrame:
     """evemu: the counts between two SYN_REPORT are one sample; frames of the wheel alone are none."""
     line = re.compile(r"^E: (\d+)\.(\d{6}) ([0-9a-f]{4}) ([0-9a-f]{4}) (-?\d+)", re.MULTILINE)
-    found = line.findall(path.read_text(encoding="utf-8"))
-    events = pd.DataFrame(found, columns=["s", "us", "type", "code", "value"]).astype({"value": int})
+    matches = line.findall(path.read_text(encoding="utf-8"))
+    events = pd.DataFrame(matches, columns=["s", "us", "type", "code", "value"]).astype({"value": int})
     report = (events["type"] == "0000") & (events["code"] == "0000")
     events["frame"] = report.shift(fill_value=False).cumsum()
     motion = events["type"] == "0002"
@@ -151,8 +151,8 @@ def hid(path: Path, *, layout: str, motion: Sequence[int]) -> pd.DataFrame:
 
 def matlab(path: Path, *, struct_name: str, per_second: float, cut: str) -> pd.DataFrame:
     """MATLAB: the vectors t, x and y of one struct."""
-    held = scipy.io.loadmat(path, squeeze_me=True)[struct_name]
-    table = pd.DataFrame({name: held[name].item() for name in "txy"})
+    struct = scipy.io.loadmat(path, squeeze_me=True)[struct_name]
+    table = pd.DataFrame({name: struct[name].item() for name in "txy"})
     return _samples(path, table, ("t", "x", "y"), per_second, "", "", cut)
 
 

@@ -45,8 +45,8 @@ MOST_REASONS = 4
 class File(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A public file: where it is from, the options a user passes, how it is read independently.
 
-    ``layout`` names a function of ``inputs_independent``, ``told`` are its arguments; ``refused`` says why a
-    file is expected to be refused.
+    ``layout`` names a function of ``pages.inputs.independent``, ``arguments`` are its arguments;
+    ``refused`` is the reason why a file is expected to be refused.
     """
 
     repository: str
@@ -57,7 +57,7 @@ class File(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     what: str
     options: dict[str, Any] = {}
     layout: str = ""
-    told: dict[str, Any] = {}
+    arguments: dict[str, Any] = {}
     refused: str = ""
 
     def under(self, folder: Path) -> Path:
@@ -87,24 +87,24 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument("--partial", action="store_true", help="keep the numbers although files are missing")
     parser.add_argument("--list", type=Path, default=LIST, help="the files, instead of inputs.toml")
     parser.add_argument("--out", type=Path, default=OUT, help="the numbers, instead of data.json")
-    given = parser.parse_args(arguments)
-    files = listed(given.list)
-    absent = missing(files, given.folder)
+    args = parser.parse_args(arguments)
+    files = listed(args.list)
+    absent = missing(files, args.folder)
     for line in absent:
         print(line, file=sys.stderr)
-    if absent and not given.partial:
+    if absent and not args.partial:
         raise SystemExit(
             f"{len(absent)} of {len(files)} files are missing: --partial keeps the numbers without"
         )
     present = [
-        file for file in files if not any(line.startswith(f"{file.under(given.folder)}:") for line in absent)
+        file for file in files if not any(line.startswith(f"{file.under(args.folder)}:") for line in absent)
     ]
     outcomes = []
     for number, file in enumerate(present, 1):
-        outcomes.append(outcome(file, given.folder))
+        outcomes.append(outcome(file, args.folder))
         print(f"{number} of {len(present)} {file.path}: {brief(outcomes[-1])}", file=sys.stderr)
     files = Table.of(HEADER, [row(one) for one in outcomes])
-    keep("inputs", {"files": files}, numbers={"totals": totals(outcomes)}, file=given.out)
+    keep("inputs", {"files": files}, numbers={"totals": totals(outcomes)}, file=args.out)
     raise SystemExit(not all(one.good for one in outcomes))
 
 
@@ -138,7 +138,7 @@ def outcome(file: File, folder: Path) -> Outcome:
         return Outcome(file, refusal=f"{len(recording.trials)} trials are read", astray=True)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # pandas on columns of mixed kinds, which are not used
-        rows = LAYOUTS[file.layout](path, **file.told)
+        rows = LAYOUTS[file.layout](path, **file.arguments)
     return Outcome(file, account(rows, recording))
 
 
@@ -151,12 +151,12 @@ def options_of(file: File) -> str:
     """The options as a user writes them on the command line."""
     words = []
     for name, value in file.options.items():
-        said = str(value)
+        text = str(value)
         if isinstance(value, dict):
-            said = ",".join(f"{field}={column}" for field, column in value.items())
+            text = ",".join(f"{field}={column}" for field, column in value.items())
         elif isinstance(value, list):
-            said = "x".join(map(str, value))
-        words += [f"--{name.replace('_', '-')}"] if value is True else [f"--{name.replace('_', '-')}", said]
+            text = "x".join(map(str, value))
+        words += [f"--{name.replace('_', '-')}"] if value is True else [f"--{name.replace('_', '-')}", text]
     return f"`{shlex.join(words)}`" if words else "none"
 
 
@@ -164,9 +164,9 @@ def brief(one: Outcome) -> str:
     """An outcome in one line."""
     if one.account is None:
         return f"{'refused' if one.good else 'NOT AS EXPECTED'}: {one.refusal[:150]}"
-    found = one.account
-    said = f"{found.trials} trials, {found.read} rows, {sum(found.left.values())} left out"
-    return said if found.agrees else f"{said}, {found.lost} LOST, {found.px:g} px, {found.s:g} s"
+    account = one.account
+    text = f"{account.trials} trials, {account.read} rows, {sum(account.left.values())} left out"
+    return text if account.agrees else f"{text}, {account.lost} LOST, {account.px:g} px, {account.s:g} s"
 
 
 def row(one: Outcome) -> tuple[str, ...]:
@@ -178,16 +178,17 @@ def row(one: Outcome) -> tuple[str, ...]:
         file.what,
         options_of(file),
     )
-    found = one.account
-    if found is None:
+    account = one.account
+    if account is None:
         why = f"refused: {file.refused}" if one.good else "**not as expected**"
         return (*head, why, "0", short(one.refusal), "-")
-    reasons = sorted(found.left.items(), key=lambda item: -item[1])
-    said = [f"{count} {reason}" for reason, count in reasons[:MOST_REASONS]]
+    reasons = sorted(account.left.items(), key=lambda item: -item[1])
+    parts = [f"{count} {reason}" for reason, count in reasons[:MOST_REASONS]]
     more = sum(count for _, count in reasons[MOST_REASONS:])
-    left = "; ".join([*said, f"{more} for other reasons"] if more else said) or "0"
-    lost = f"**{found.lost} rows lost**; " if found.lost else ""
-    return (*head, str(found.trials), str(found.read), left, f"{lost}{found.px:.1g} px, {found.s:.1g} s")
+    left = "; ".join([*parts, f"{more} for other reasons"] if more else parts) or "0"
+    lost = f"**{account.lost} rows lost**; " if account.lost else ""
+    counts = (str(account.trials), str(account.read))
+    return (*head, *counts, left, f"{lost}{account.px:.1g} px, {account.s:.1g} s")
 
 
 def short(words: str) -> str:

@@ -49,10 +49,10 @@ def validate(school: TrainingData, settings: Settings, say: Log, nets: Nets | No
     of the other sets. ``nets``: those of ``folds`` where they are known already.
     """
     nets = folds(school, settings, say) if nets is None else nets
-    known = [claims_by_set(school, fitted, users, settings) for users, fitted in nets]
+    claims = [claims_by_set(school, fitted, users, settings) for users, fitted in nets]
     tables = []
     for place in range(len(nets)):
-        others = [one for k, row in enumerate(known) if k != place for one in row.values()]
+        others = [one for k, row in enumerate(claims) if k != place for one in row.values()]
         tables.append(calibration.fit_table(calibration.join(others)))
     users_out, set_out = [], []
     for number, recording in enumerate(school.recordings):
@@ -65,7 +65,7 @@ def validate(school: TrainingData, settings: Settings, say: Log, nets: Nets | No
         say(f"{recording.name}: users held out {ratio(users_out[-1].score):.3f} of hold")
     everybody = set(school.users.values())
     for number, recording in enumerate(school.recordings):
-        others = [one for row in known for k, one in row.items() if k != number]
+        others = [one for row in claims for k, one in row.items() if k != number]
         fitted = fit_without(school, set(), number, settings)
         table = calibration.fit_table(calibration.join(others))
         set_out.append(_judged(school, number, everybody, fitted, table, settings))
@@ -98,9 +98,9 @@ def _judged(
     since = mine.features[:, features.TIME].astype(np.float64)
     clock = np.maximum(float(np.median(whole[first])) - since, 0.0)
     left = calibration.time_left(fitted, mine)
-    errors = [float((mine.weight * np.abs(said - mine.left_s)).sum()) for said in (left, clock)]
-    known = calibration.apply_table(calibration.claims_of(fitted, mine, settings), table)
-    return Verdict(scored, known, (errors[0], errors[1]))
+    errors = [float((mine.weight * np.abs(times - mine.left_s)).sum()) for times in (left, clock)]
+    claims = calibration.apply_table(calibration.claims_of(fitted, mine, settings), table)
+    return Verdict(scored, claims, (errors[0], errors[1]))
 
 
 def _merged(runs: list[Verdict]) -> Verdict:
@@ -120,8 +120,8 @@ def _merged(runs: list[Verdict]) -> Verdict:
     trials = tuple(trial for run in runs for trial in run.score.trials)
     together = msgspec.structs.replace(first, trials=trials, predictors=tuple(predictors))
     clocks = np.array([run.clock for run in runs]).sum(axis=0)
-    known = calibration.join([run.known for run in runs])
-    return Verdict(together, known, (float(clocks[0]), float(clocks[1])))
+    claims = calibration.join([run.known for run in runs])
+    return Verdict(together, claims, (float(clocks[0]), float(clocks[1])))
 
 
 def record(verdicts: Verdicts) -> Validation:
@@ -158,8 +158,8 @@ def _ratio(measure: Measure) -> Ratio:
     return Ratio(measure.of_hold, measure.interval)
 
 
-def _claims(known: calibration.Claims) -> Claims:
-    shares = calibration.coverage(known).tolist()
+def _claims(claims: calibration.Claims) -> Claims:
+    shares = calibration.coverage(claims).tolist()
     return Claims(
         tuple((row[0], row[1], row[2]) for row in shares), tuple((row[3], row[4], row[5]) for row in shares)
     )

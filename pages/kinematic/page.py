@@ -14,9 +14,9 @@ ALLOWED = 0.03
 """How far a share may be from its level."""
 
 
-def worst_decile(held: Held) -> tuple[float, str, float]:
+def worst_decile(scores: Held) -> tuple[float, str, float]:
     """The largest error over that of `hold` at any share of the time, with its set and time."""
-    return max((value, row.name, at) for row in held.sets for at, value in row.by_time.items())
+    return max((value, row.name, at) for row in scores.sets for at, value in row.by_time.items())
 
 
 def off(claims: tuple[Levels, ...]) -> tuple[float, float, float]:
@@ -28,9 +28,9 @@ def off(claims: tuple[Levels, ...]) -> tuple[float, float, float]:
     )
 
 
-def worst_region(held: Held) -> tuple[float, float, float, str]:
+def worst_region(scores: Held) -> tuple[float, float, float, str]:
     """The same over single sets, with the set."""
-    return max((*off(row.claims.regions), row.name) for row in held.sets)
+    return max((*off(row.claims.regions), row.name) for row in scores.sets)
 
 
 def matched_better(sets: list[SetResults]) -> list[str]:
@@ -55,10 +55,10 @@ def context() -> dict[str, Any]:
         "digest": coefficient_file.digest(),
         "ways": ways,
         "allowed": ALLOWED,
-        "worst_decile": {name: worst_decile(held) for name, held in ways.items()},
-        "regions_off": {name: off(held.together.regions) for name, held in ways.items()},
-        "arrivals_off": {name: off(held.together.arrivals) for name, held in ways.items()},
-        "worst_region": {name: worst_region(held) for name, held in ways.items()},
-        "slower": {name: sum(row.of_clock > 1.0 for row in held.sets) for name, held in ways.items()},
+        "worst_decile": {name: worst_decile(scores) for name, scores in ways.items()},
+        "regions_off": {name: off(scores.together.regions) for name, scores in ways.items()},
+        "arrivals_off": {name: off(scores.together.arrivals) for name, scores in ways.items()},
+        "worst_region": {name: worst_region(scores) for name, scores in ways.items()},
+        "slower": {name: sum(row.of_clock > 1.0 for row in scores.sets) for name, scores in ways.items()},
         "matched": matched_better(stored()),
     }

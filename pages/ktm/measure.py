@@ -26,26 +26,26 @@ def measured(recording: Recording, predictors: Sequence[str], held: HeldOut) -> 
     plain, by_person, _ = patterns(recording, predictors, held)
     settings = {k: v for k, v in resolution(recording, None, None).items() if v is not None}
     prepared = prepare(recording, **settings)
-    found = []
+    summaries = []
     for monotone in (True, False):
-        drawn = protocol.select(prepared, only_monotone=monotone, share=1.0)
+        selection = protocol.select(prepared, only_monotone=monotone, share=1.0)
         reads: list[ProtocolErrors] = []
-        if drawn.tested:
+        if selection.tested:
             print(f"protocol of template matching: {recording.name}", flush=True)
             others = [one if isinstance(one, Pipeline) else build(one, **settings) for one in plain]
-            read = [protocol.without_library(drawn, one) for one in others]
-            read += [_by_person(drawn, name, people) for name, people in by_person]
+            read = [protocol.without_library(selection, one) for one in others]
+            read += [_by_person(selection, name, people) for name, people in by_person]
             floor = [one for one in read if one.name == FLOOR]
-            reads = [*floor, protocol.with_library(drawn), *(one for one in read if one not in floor)]
-        found.append(summarise_protocol(drawn, reads, monotone=monotone))
-    return tuple(found)
+            reads = [*floor, protocol.with_library(selection), *(one for one in read if one not in floor)]
+        summaries.append(summarise_protocol(selection, reads, monotone=monotone))
+    return tuple(summaries)
 
 
-def _by_person(drawn: Selection, name: str, people: Mapping[str, Pipeline]) -> ProtocolErrors:
+def _by_person(selection: Selection, name: str, people: Mapping[str, Pipeline]) -> ProtocolErrors:
     """Each trial read from the pipeline of its person."""
-    users = [drawn.prepared.trials[k].trial.user for k in drawn.tested]
+    users = [selection.prepared.trials[k].trial.user for k in selection.tested]
     patterns = {id(people[user]): people[user] for user in users}
-    parts = {key: protocol.without_library(drawn, one) for key, one in patterns.items()}
+    parts = {key: protocol.without_library(selection, one) for key, one in patterns.items()}
     errors = [parts[id(people[user])].errors[row] for row, user in enumerate(users)]
     first = next(iter(parts.values()))
     return msgspec.structs.replace(first, name=name, errors=np.array(errors))

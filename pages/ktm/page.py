@@ -29,21 +29,21 @@ class Matched(msgspec.Struct, frozen=True):
 
 def matched(one: SetResults) -> Matched | None:
     """The published rule on one set; ``None`` where nobody has enough movements."""
-    drawn = next((draw for draw in one.templates if draw.monotone and draw.predictors), None)
-    if drawn is None:
+    summary = next((draw for draw in one.templates if draw.monotone and draw.predictors), None)
+    if summary is None:
         return None
-    shown = tuple(p for p in drawn.predictors if not p.name.endswith(LEFT_OUT))
+    shown = tuple(p for p in summary.predictors if not p.name.endswith(LEFT_OUT))
     library = next(p for p in shown if p.name == LIBRARY)
     others = [p for p in shown if p.name != LIBRARY]
     best = {at: min(others, key=lambda p, at=at: p.px[at]) for at in FRACTIONS}
-    return Matched(one.summary.name, one.summary.simulated, drawn, shown, library.skill, best)
+    return Matched(one.summary.name, one.summary.simulated, summary, shown, library.skill, best)
 
 
 def context() -> dict[str, Any]:
     """What the template needs."""
     tables = data.stored("ktm")
     return {
-        "sets": [found for one in stored() if (found := matched(one)) is not None],
+        "sets": [match for one in stored() if (match := matched(one)) is not None],
         "fractions": FRACTIONS,
         "library": LIBRARY,
         "floor": FLOOR,

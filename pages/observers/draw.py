@@ -20,23 +20,23 @@ PARTS = ("examples_1_4", "examples_5_7", "examples_8_9")
 
 def figures() -> dict[str, Callable[[Path], None]]:
     """Every figure's name with the function that draws it into a file."""
-    found: dict[str, Callable[[Path], None]] = {}
+    writers: dict[str, Callable[[Path], None]] = {}
     for part in PARTS:
         if find_spec(f"pages.observers.{part}"):
             module = import_module(f"pages.observers.{part}")
-            found |= (
+            writers |= (
                 module.FIGURES
                 if hasattr(module, "FIGURES")
                 else {part: lambda file, whole=module.main: whole()}
             )
-    return found
+    return writers
 
 
 def main(names: list[str]) -> None:
-    drawn = figures()
-    for name in names or drawn:
+    writers = figures()
+    for name in names or writers:
         file = FIGURES / f"{name}.svg"
-        drawn[name](file)
+        writers[name](file)
         print(f"drew {name}")
     if not names:
         from benchmarks.observers_cost import main as cost

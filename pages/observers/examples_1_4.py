@@ -19,7 +19,7 @@ TRUE, SEEN, OTHER = "tab:blue", "tab:orange", "tab:green"
 def panels(
     file: Path,
     t: FloatArray,
-    drawn: list[tuple[str, list[tuple[FloatArray, str, str]]]],
+    plots: list[tuple[str, list[tuple[FloatArray, str, str]]]],
     across: str = "t, s",
 ) -> None:
     """One panel a quantity, one line a signal: (values, label, colour)."""
@@ -30,9 +30,9 @@ def panels(
 
     mpl.rcParams["svg.hashsalt"] = "pointpred"
     figure, axes = plt.subplots(
-        len(drawn), 1, figsize=(8.0, 2.2 * len(drawn)), sharex=True, layout="constrained"
+        len(plots), 1, figsize=(8.0, 2.2 * len(plots)), sharex=True, layout="constrained"
     )
-    for axis, (title, lines) in zip(np.atleast_1d(axes), drawn, strict=True):
+    for axis, (title, lines) in zip(np.atleast_1d(axes), plots, strict=True):
         for values, label, colour in lines:
             axis.plot(t, values, label=label, color=colour, linewidth=1.2)
         axis.set_ylabel(title)
@@ -47,30 +47,30 @@ def panels(
 def example_1(file: Path) -> None:
     """Outputs, the observer's state and the distance to the steady state, with the thesis's disturbances."""
     plant, generator = academic()
-    found = steady_state_map(plant, generator)
-    design = design_observer(plant, generator, found.Pi, gain=[[-2.973], [1.565]])
+    maps = steady_state_map(plant, generator)
+    design = design_observer(plant, generator, maps.Pi, gain=[[-2.973], [1.565]])
     g, m, noise = design.generator, design.gain, SeededSignal(1, 1, 0.05, period_s=0.05)
 
     def field(t: float, both: Any) -> Any:
         w, x, z = both[:2], both[2:5], both[5:]
-        dx = plant.field(t, x, g.L0 @ w + g.L1 @ plant.f(found.J @ w), d=0.2 * np.sin(10.0 * t))
+        dx = plant.field(t, x, g.L0 @ w + g.L1 @ plant.f(maps.J @ w), d=0.2 * np.sin(10.0 * t))
         y = plant.output(t, x, noise(t))
         return np.concatenate(
-            [g.S0 @ w + 0.1 * np.cos(10.0 * t), dx, g.S0 @ z + m @ (y - plant.C0 @ found.Pi @ z)]
+            [g.S0 @ w + 0.1 * np.cos(10.0 * t), dx, g.S0 @ z + m @ (y - plant.C0 @ maps.Pi @ z)]
         )
 
     t = np.arange(0.0, 25.0, 0.05)
     both = simulate(field, [0.125, 0.0, 0.5, -0.5, 0.5, 0.25, 0.0], t, step_s=0.01)
     w, x, z = both[:, :2], both[:, 2:5], both[:, 5:]
     y = x[:, 0] + np.array([noise(one)[0] for one in t])
-    psi = plant.C0 @ found.Pi
-    drawn = [
+    psi = plant.C0 @ maps.Pi
+    axes = [
         ("output", [(y, "Y measured", "0.7"), ((psi @ w.T)[0], "psi", TRUE), ((psi @ z.T)[0], "psi^", SEEN)]),
         ("w1", [(w[:, 0], "w1", TRUE), (z[:, 0], "w1^", SEEN)]),
         ("w2", [(w[:, 1], "w2", TRUE), (z[:, 1], "w2^", SEEN)]),
-        ("x - Pi w", [(np.linalg.norm(x - w @ found.Pi.T, axis=1), "norm", OTHER)]),
+        ("x - Pi w", [(np.linalg.norm(x - w @ maps.Pi.T, axis=1), "norm", OTHER)]),
     ]
-    panels(file, t, drawn)
+    panels(file, t, axes)
 
 
 def example_2(file: Path) -> None:
@@ -86,15 +86,15 @@ def example_2(file: Path) -> None:
 
     none = run((0.0, 0.0), projected=True)
     printed, free = run(reactor.PRINTED_GAIN, projected=True), run(reactor.PRINTED_GAIN, projected=False)
-    drawn = []
+    axes = []
     for i, name in ((0, "w1, biomass"), (1, "w2, acids")):
         lines = [(none[:, 2 + i], "true", "black"), (none[:, 4 + i], "no gain", OTHER)]
         lines += [(printed[:, 4 + i], "printed gain, projected", SEEN)]
-        drawn.append((name, [*lines, (free[:, 4 + i], "printed gain, not projected", "tab:red")]))
+        axes.append((name, [*lines, (free[:, 4 + i], "printed gain, not projected", "tab:red")]))
     inflow = np.where(t % 40.0 < 20.0, 12.7, 7.5)
     x = np.column_stack([none[:, 2:4], inflow]) @ reactor.printed_map[:2].T
-    drawn.append(("x2, substrate", [(none[:, 1], "x2", TRUE), (x[:, 1], "(Pi w)2", SEEN)]))
-    panels(file, t, drawn)
+    axes.append(("x2, substrate", [(none[:, 1], "x2", TRUE), (x[:, 1], "(Pi w)2", SEEN)]))
+    panels(file, t, axes)
 
 
 def example_3(file: Path) -> None:
@@ -113,17 +113,17 @@ def example_3(file: Path) -> None:
         return simulate(field, begin, t, step_s=0.01)
 
     t = np.arange(0.0, 40.0, 0.1)
-    drawn = []
+    axes = []
     for start in (15.0, 1.0):
         both = run(start, t)
         z = np.linalg.norm(both[:, :4] - both[:, 4:8], axis=1)
         off = np.linalg.norm(both[:, :4] - both[:, 8:], axis=1)
-        drawn.append(
+        axes.append(
             (f"w(0) = {start:g}", [(z, "norm of x - w", TRUE), (off, "norm of x - reference", "tab:red")])
         )
         link = [(both[:, 2], "x3", TRUE), (both[:, 6], "w3", SEEN), (both[:, 10], "reference", "black")]
-        drawn.append(("link, rad", link))
-    panels(file, t, drawn)
+        axes.append(("link, rad", link))
+    panels(file, t, axes)
 
 
 def example_4(file: Path) -> None:
@@ -140,7 +140,7 @@ def example_4(file: Path) -> None:
 
     t = np.arange(0.0, 20.0, 0.02)
     both = simulate(field, [0.2, 0.0, 0.2, 0.65, 0.0, 0.5, 0.0, 0.0, 0.0], t, step_s=0.005)
-    drawn = [
+    axes = [
         (
             f"state {i + 1}",
             [(both[:, i], "w", TRUE), (both[:, 3 + i], "x", OTHER), (both[:, 6 + i], "w^", SEEN)],
@@ -148,7 +148,7 @@ def example_4(file: Path) -> None:
         for i in range(3)
     ]
     error = np.linalg.norm(both[:, :3] - both[:, 6:], axis=1)
-    panels(file, t, [*drawn, ("error", [(error, "norm of w - w^", "tab:red")])])
+    panels(file, t, [*axes, ("error", [(error, "norm of w - w^", "tab:red")])])
 
 
 FIGURES: dict[str, Callable[[Path], None]] = {

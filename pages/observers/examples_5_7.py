@@ -60,13 +60,13 @@ def recursion(rows: FloatArray, outputs: FloatArray, total: FloatArray, x: Float
 
 def estimates(rows: FloatArray, outputs: FloatArray, ridge: float) -> FloatArray:
     """The estimate after each sample, NaN where there is none yet."""
-    stage, found = RecursiveLeastSquares(4, ridge=ridge), np.full((len(rows), 4), np.nan)
+    stage, estimate = RecursiveLeastSquares(4, ridge=ridge), np.full((len(rows), 4), np.nan)
     for i, (row, output) in enumerate(zip(rows, outputs, strict=True)):
         stage.update(row, float(output))
         values = stage.fit().values
         if values is not None:
-            found[i] = values
-    return found
+            estimate[i] = values
+    return estimate
 
 
 def starts(rows: FloatArray, outputs: FloatArray) -> Table:
@@ -93,8 +93,8 @@ def _followed(observer: InvariantObserver, t: FloatArray) -> tuple[FloatArray, F
 
     start = [1.0, 0.0, 0.5, 0.0, *observer.invariant(0.0, [1.0, 0.0, 0.0, 0.0])]
     both = simulate(field, start, t, step_s=0.01)
-    found = np.array([observer.estimate(now, row[4:], row[:2]) for now, row in zip(t, both, strict=True)])
-    return both[:, :4], found
+    estimate = np.array([observer.estimate(now, row[4:], row[:2]) for now, row in zip(t, both, strict=True)])
+    return both[:, :4], estimate
 
 
 def example_5(file: Path) -> None:
@@ -109,24 +109,24 @@ def example_5(file: Path) -> None:
     }
     runs = {name: (*_followed(observer, t), colour) for name, (observer, colour) in observers.items()}
     x = next(iter(runs.values()))[0]
-    drawn = []
+    axes = []
     for i in (2, 3):
         lines = [(x[:, i], f"x{i + 1}", "black")]
-        drawn.append((f"x{i + 1}", lines + [(found[:, i], name, c) for name, (_, found, c) in runs.items()]))
+        axes.append((f"x{i + 1}", lines + [(values[:, i], name, c) for name, (_, values, c) in runs.items()]))
     size = [
-        (np.log10(np.linalg.norm(found - true, axis=1) + 1e-12), name, c)
-        for name, (true, found, c) in runs.items()
+        (np.log10(np.linalg.norm(values - true, axis=1) + 1e-12), name, c)
+        for name, (true, values, c) in runs.items()
     ]
-    panels(file, t, [*drawn, ("log10 error", size)])
+    panels(file, t, [*axes, ("log10 error", size)])
 
 
 def example_6(file: Path) -> None:
     t = np.arange(0.0, 40.0, 0.02)
     j, weight, x = two_sensors(t)
     stage = NonlinearRegressor(2, f="atan", gain=0.75)
-    found = stage.walk(np.zeros(len(t), np.bool_), np.column_stack([t, j, fused(t), weight]))
-    drawn = [(f"x{i + 1}", [(x[:, i], f"x{i + 1}", TRUE), (found[:, i], "estimate", SEEN)]) for i in (0, 1)]
-    panels(file, t, [*drawn, ("error", [(np.linalg.norm(found - x, axis=1), "norm", "tab:red")])])
+    estimate = stage.walk(np.zeros(len(t), np.bool_), np.column_stack([t, j, fused(t), weight]))
+    axes = [(f"x{i + 1}", [(x[:, i], f"x{i + 1}", TRUE), (estimate[:, i], "estimate", SEEN)]) for i in (0, 1)]
+    panels(file, t, [*axes, ("error", [(np.linalg.norm(estimate - x, axis=1), "norm", "tab:red")])])
 
 
 def example_7(file: Path) -> None:
@@ -135,12 +135,12 @@ def example_7(file: Path) -> None:
     rows, outputs = vapours() if data is None else data
     source = "stand-in" if data is None else "measured"
     exact, ridge, k = estimates(rows, outputs, 0.0), estimates(rows, outputs, 1.0), np.arange(len(rows)) + 1.0
-    drawn = [
+    axes = [
         (name, [(exact[:, i], "exact start", TRUE), (ridge[:, i], "ridge 1", SEEN)])
         for i, name in enumerate(NAMES)
     ]
-    drawn.append(("vapours", [(outputs, source, TRUE), (rows @ exact[-1], "fitted", SEEN)]))
-    panels(file, k, drawn, "sample")
+    axes.append(("vapours", [(outputs, source, TRUE), (rows @ exact[-1], "fitted", SEEN)]))
+    panels(file, k, axes, "sample")
 
 
 FIGURES: dict[str, Callable[[Path], None]] = {

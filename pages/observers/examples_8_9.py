@@ -72,7 +72,7 @@ def estimated(
     return observer.walk(np.zeros(len(table), dtype=np.bool_), table)
 
 
-def draw(path: Path, title: str, rows: np.ndarray, maps: np.ndarray, found: np.ndarray) -> None:
+def draw(path: Path, title: str, rows: np.ndarray, maps: np.ndarray, estimate: np.ndarray) -> None:
     """States above, their steady state and its estimate; the largest errors of both below."""
     import matplotlib as mpl
 
@@ -83,12 +83,12 @@ def draw(path: Path, title: str, rows: np.ndarray, maps: np.ndarray, found: np.n
     for i, ax in enumerate(axes.flat[:4]):
         ax.plot(TIMES, rows[:, i], "C0", lw=0.8, label="state")
         ax.plot(TIMES, maps[i], "k--", lw=1.0, label="steady state")
-        ax.plot(TIMES, found[:, i], "C1", lw=0.8, label="estimate")
+        ax.plot(TIMES, estimate[:, i], "C1", lw=0.8, label="estimate")
         ax.set(ylabel=f"x{i + 1}", title=title if i == 0 else "")
     axes.flat[0].legend(loc="upper right", fontsize="small")
     for ax, error, name in (
         (axes.flat[4], np.abs(rows - maps.T).max(axis=1), "state from steady state"),
-        (axes.flat[5], np.abs(found - rows).max(axis=1), "estimate from state"),
+        (axes.flat[5], np.abs(estimate - rows).max(axis=1), "estimate from state"),
     ):
         ax.semilogy(TIMES, error, "C2", lw=0.8)
         ax.set(xlabel="t [s]", ylabel=f"largest error,\n{name}")
@@ -101,19 +101,19 @@ def main() -> None:
     """Both figures."""
     steady = example_8()
     rows = simulate(driven(steady, DISTURBANCE), [1.0, 2.0, 0.5, 0.5, 0.5, 0.5], TIMES)
-    found = estimated(steady, rows, 0.25, NOISE)
+    estimate = estimated(steady, rows, 0.25, NOISE)
     maps = steady.function()(rows[:, :2].T)[:4]
     title = "Example 8, d = 20 sin 100 t, noise within 0.2"
-    draw(FOLDER / "example-8.png", title, rows[:, 2:], maps, found[:, 2:6])
+    draw(FOLDER / "example-8.png", title, rows[:, 2:], maps, estimate[:, 2:6])
 
     steady = example_9()
     # All masses start at rest, x = 0, which is y = 0.
     rows = simulate(driven(steady, 0.0), [0.1, 0.0, 0.0, 0.0, 0.0, 0.0], TIMES)
-    found = estimated(steady, rows, 0.25, 0.05, gain=[[0.33], [0.6]])
+    estimate = estimated(steady, rows, 0.25, 0.05, gain=[[0.33], [0.6]])
     maps = steady.function()(rows[:, :2].T)[:4]
     back = np.array([[1, 0, 0, 0], [0, 1, 0, 0], [1, 0, -1, 0], [0, 1, 0, -1]])
     title = "Example 9, noise within 0.05"
-    draw(FOLDER / "example-9.png", title, rows[:, 2:] @ back.T, back @ maps, found[:, 2:6] @ back.T)
+    draw(FOLDER / "example-9.png", title, rows[:, 2:] @ back.T, back @ maps, estimate[:, 2:6] @ back.T)
 
 
 if __name__ == "__main__":

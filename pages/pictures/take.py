@@ -132,15 +132,15 @@ class Photographer:
         size = {"width": width, "height": SIZES[width], "deviceScaleFactor": 1, "mobile": False}
         self.page.call("Emulation.setDeviceMetricsOverride", **size)
         features = {"prefers-color-scheme": theme, "prefers-reduced-motion": "reduce" if still else ""}
-        told = [{"name": name, "value": value} for name, value in features.items()]
-        self.page.call("Emulation.setEmulatedMedia", features=told)
+        media = [{"name": name, "value": value} for name, value in features.items()]
+        self.page.call("Emulation.setEmulatedMedia", features=media)
         self.page.go("about:blank")
         self.page.go(f"{self.address}#{view}")
 
     def take(self, shot: Shot, *, full: bool = False) -> None:
         """Take one picture."""
-        told = {"format": "webp", "quality": 45, "captureBeyondViewport": full}
-        data = self.page.call("Page.captureScreenshot", **told)["data"]
+        options = {"format": "webp", "quality": 45, "captureBeyondViewport": full}
+        data = self.page.call("Page.captureScreenshot", **options)["data"]
         (self.out / shot.name).write_bytes(base64.b64decode(data))
 
     def move(self, rows: npt.NDArray[np.float64], started: threading.Event | None = None) -> None:
@@ -249,11 +249,11 @@ def main() -> None:
     parser.add_argument("--views", nargs="+", default=list(VIEWS), choices=VIEWS)
     parser.add_argument("--widths", type=int, nargs="+", default=list(SIZES), choices=list(SIZES))
     parser.add_argument("--themes", nargs="+", default=list(THEMES), choices=THEMES)
-    told = parser.parse_args()
-    told.out.mkdir(parents=True, exist_ok=True)
-    with nullcontext(told.address) if told.address else service() as address, browser() as devtools:
-        one = Photographer(devtools, address, told.out)
-        for view, width, theme in product(told.views, told.widths, told.themes):
+    arguments = parser.parse_args()
+    arguments.out.mkdir(parents=True, exist_ok=True)
+    with nullcontext(arguments.address) if arguments.address else service() as address, browser() as devtools:
+        one = Photographer(devtools, address, arguments.out)
+        for view, width, theme in product(arguments.views, arguments.widths, arguments.themes):
             if view == "circle":
                 one.circle(width, theme, result=width == 1440 and theme == "light")
             else:

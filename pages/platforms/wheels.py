@@ -37,38 +37,38 @@ SYSTEMS = (
 
 def main() -> None:
     about = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    kept = {name: needs for name, needs in about["optional-dependencies"].items() if name != "dev"}
+    extras = {name: needs for name, needs in about["optional-dependencies"].items() if name != "dev"}
     lines = (ROOT / "constraints.txt").read_text(encoding="utf-8").splitlines()
     pinned = {canonicalize_name(line.partition("=")[0]): line for line in lines if "==" in line}
     missing = 0
     for name, system, platforms in SYSTEMS:
-        for what, start in {"": about["dependencies"], **kept}.items():
+        for what, start in {"": about["dependencies"], **extras}.items():
             needed = [pinned.get(one, one) for one in sorted(closure(start, system))]
             absent = (
                 [] if there(needed, platforms) else [one for one in needed if not there([one], platforms)]
             )
             missing += bool(absent)
-            said = f"no wheel of {', '.join(absent)}" if absent else f"{len(needed)} wheels"
-            print(f"{name}: {f'extra {what}' if what else 'pointpred'}: {said}", flush=True)
+            text = f"no wheel of {', '.join(absent)}" if absent else f"{len(needed)} wheels"
+            print(f"{name}: {f'extra {what}' if what else 'pointpred'}: {text}", flush=True)
     sys.exit(missing > 0)
 
 
 def closure(start: list[str], system: dict[str, str]) -> set[str]:
     """The names of all libraries that requirements come to on a system, pointpred itself left out."""
-    found: set[str] = set()
-    seen: set[tuple[str, frozenset[str]]] = set()
+    names: set[str] = set()
+    visits: set[tuple[str, frozenset[str]]] = set()
     waiting = [(Requirement(line), "") for line in start]
     while waiting:
         need, extra = waiting.pop()
         name = canonicalize_name(need.name)
         if (need.marker and not need.marker.evaluate({**system, "extra": extra})) or name == "pointpred":
             continue
-        found.add(name)
-        if (name, frozenset(need.extras)) not in seen:
-            seen.add((name, frozenset(need.extras)))
+        names.add(name)
+        if (name, frozenset(need.extras)) not in visits:
+            visits.add((name, frozenset(need.extras)))
             for inner in ("", *need.extras):
                 waiting += [(Requirement(line), inner) for line in requirements(name)]
-    return found
+    return names
 
 
 def requirements(name: str) -> list[str]:

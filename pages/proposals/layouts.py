@@ -22,16 +22,16 @@ def cards(generator: np.random.Generator) -> list[Target]:
 
 def links(generator: np.random.Generator) -> list[Target]:
     """Links of 50 to 150 px in six lines of text, 40 to 160 px apart."""
-    found: list[Target] = []
+    targets: list[Target] = []
     for line in range(6):
         x = 0.0
         while True:
             x, width = x + generator.uniform(40.0, 160.0), generator.uniform(50.0, 150.0)
             if x + width > 640.0:
                 break
-            found.append(Target(len(found), x, 26.0 * line, width, 20.0))
+            targets.append(Target(len(targets), x, 26.0 * line, width, 20.0))
             x += width
-    return found
+    return targets
 
 
 def menu(generator: np.random.Generator) -> list[Target]:

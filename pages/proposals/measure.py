@@ -98,7 +98,7 @@ def with_click(rows: FloatArray, begin_s: float) -> FloatArray:
 
 def outcomes(people: Sequence[Movements], layout: str, make: Callable[[], Chooser]) -> list[Outcome]:
     """What a page with this layout hears of everybody."""
-    found = []
+    results = []
     for number, movements in enumerate(people):
         generator, chooser = np.random.default_rng([7, number]), make()
         for events, answers in movements:
@@ -108,8 +108,8 @@ def outcomes(people: Sequence[Movements], layout: str, make: Callable[[], Choose
             targets, right = place
             chooser.replace(targets)
             changes, _ = chooser.follow(events, answers, last=0)
-            found.append(account(targets[right], events, changes))
-    return found
+            results.append(account(targets[right], events, changes))
+    return results
 
 
 def account(goal: Target, events: FloatArray, changes: Sequence[tuple[float, Any]]) -> Outcome:
@@ -152,8 +152,8 @@ def nearest(people: dict[str, list[Movements]], layout: str, proposals: float) -
     """The nearest target, with the dial at which it proposes about as often."""
 
     def often(dial: float) -> float:
-        made = [outcomes(one, layout, lambda: chooser(dial)) for one in people.values()]
-        return abs(float(np.mean([summary(rows)[3] for rows in made])) - proposals)
+        results = [outcomes(one, layout, lambda: chooser(dial)) for one in people.values()]
+        return abs(float(np.mean([summary(rows)[3] for rows in results])) - proposals)
 
     def chooser(dial: float) -> Chooser:
         return Chooser(precision=dial, coefficients=FITTED_NEAREST)
@@ -177,15 +177,15 @@ def measured(sets: Sequence[Recording], held: HeldOut) -> dict[str, Table]:
         ours = [summary(outcomes(one, layout, NOW.make)) for one in people[RECOMMENDED].values()]
         near = nearest(people["hold"], layout, float(np.mean([one[3] for one in ours])))
         for way in (NOW, BEFORE, near):
-            found = {
+            tables = {
                 name: summary(outcomes(one, layout, way.make), way.entries)
                 for name, one in people[way.predictor].items()
             }
-            every += [(layout, name, way.name, *cells(values)) for name, values in found.items()]
-            columns = list(zip(*found.values(), strict=True))
+            every += [(layout, name, way.name, *cells(values)) for name, values in tables.items()]
+            columns = list(zip(*tables.values(), strict=True))
             middle = [float(np.mean(column)) for column in columns]
-            known = [lead for lead in columns[2] if not np.isnan(lead)]
-            middle[2] = float(np.median(known)) if known else float("nan")
+            leads = [lead for lead in columns[2] if not np.isnan(lead)]
+            middle[2] = float(np.median(leads)) if leads else float("nan")
             means.append((layout, way.name, *cells(middle)))
             print(layout, way.name, means[-1][2:], flush=True)
     return {

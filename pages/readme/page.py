@@ -16,13 +16,13 @@ NAMES = ("hold", "minimum-jerk", "switched", "kinematic", RECOMMENDED)
 def context() -> dict[str, Any]:
     """What the template needs; raises ParameterError where the embedded sample was not scored."""
     sets = stored()
-    made = next((one for one in sets if one.summary.simulated), None)
-    if made is None:
+    sample = next((one for one in sets if one.summary.simulated), None)
+    if sample is None:
         raise ParameterError("the embedded sample was not scored; run `make results`", code="missing")
     together = overall(sets)
     return {
-        "made": made.summary,
-        "chosen": [made.scored(name) for name in NAMES],
+        "made": sample.summary,
+        "chosen": [sample.scored(name) for name in NAMES],
         "overall": together,
         "fitted": [one for one in together["learned"] if one.without == "set"],
     }

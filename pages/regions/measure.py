@@ -87,16 +87,16 @@ def holds(regions: FloatArray, x: float, y: float) -> FloatArray:
 
 def main(coefficients: HeldOut, recordings: list[Recording]) -> None:
     """Play everything, and write the page."""
-    found = []
+    results = []
     with served() as (service, url):
         for recording in recordings:
             for name in NAMES:
-                found.append(drawn(name, coefficients, recording, service, url))
-                print(f"{recording.name} {name}: {len(found[-1].order)}", file=sys.stderr, flush=True)
-    written(found)
+                results.append(drawn(name, coefficients, recording, service, url))
+                print(f"{recording.name} {name}: {len(results[-1].order)}", file=sys.stderr, flush=True)
+    written(results)
 
 
 if __name__ == "__main__":
-    given = parse(__doc__, metavar="folder", most=1)
+    arguments = parse(__doc__, metavar="folder", most=1)
     folder = data.folder()
-    main(stored(Path(given[0])) if given else held_out(folder), data.read_sets(folder))
+    main(stored(Path(arguments[0])) if arguments else held_out(folder), data.read_sets(folder))

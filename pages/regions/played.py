@@ -93,10 +93,10 @@ def rows_of(answer: str | bytes) -> list[list[float]]:
 
 def over_socket(url: str, hello: Hello, movements: list[EventColumns]) -> Iterator[PredictionColumns]:
     """The same answers from a service, by the Python client."""
-    said: dict[str, Any] = {"device": hello.device, "screen": hello.screen}
-    said = {name: msgspec.to_builtins(value) for name, value in said.items() if value is not None}
+    settings: dict[str, Any] = {"device": hello.device, "screen": hello.screen}
+    settings = {name: msgspec.to_builtins(value) for name, value in settings.items() if value is not None}
     with connect(
-        url, predictor=hello.predictor, reply="event", encoding=hello.encoding, timeout_s=WARM_S, **said
+        url, predictor=hello.predictor, reply="event", encoding=hello.encoding, timeout_s=WARM_S, **settings
     ) as connection:
         for events in movements:
             connection.reset()

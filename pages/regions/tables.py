@@ -53,8 +53,8 @@ def coverage(sets: Sequence[Drawn]) -> Table:
             shares = [share(one.inside[some, :, k]) for k in range(len(LEVELS))]
             rows.append((one.set, label, str(people), str(int(some.sum())), *shares))
     times = " / ".join(f"{100 * share:.0f}" for share in SHARES)
-    held = (f"in the {100 * level:.0f} % ellipse at {times} % of the time" for level in LEVELS)
-    return Table.of(("set", "movements", "people", "number", *held), rows)
+    sentences = (f"in the {100 * level:.0f} % ellipse at {times} % of the time" for level in LEVELS)
+    return Table.of(("set", "movements", "people", "number", *sentences), rows)
 
 
 def parts(one: Drawn) -> list[tuple[str, BoolArray]]:
@@ -84,11 +84,11 @@ def _mean(values: FloatArray, text: Callable[[float], str]) -> str:
     return text(float(there.mean())) if len(there) else "-"
 
 
-def written(found: Sequence[Drawn]) -> None:
+def written(results: Sequence[Drawn]) -> None:
     """Keep the tables."""
     tables = {}
-    for name in dict.fromkeys(one.predictor for one in found):
-        mine = [one for one in found if one.predictor == name]
+    for name in dict.fromkeys(one.predictor for one in results):
+        mine = [one for one in results if one.predictor == name]
         tables[f"coverage {name}"] = coverage(mine)
         tables[f"sizes {name}"] = sizes(mine)
     keep("regions", tables)

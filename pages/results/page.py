@@ -54,21 +54,21 @@ class Cautious(msgspec.Struct, frozen=True):
 
 def shares(sets: Sequence[SetResults]) -> dict[str, list[float]]:
     """The time-averaged error over hold's, a number a set, of each predictor but hold that has all."""
-    found: dict[str, list[float]] = {}
+    ratios: dict[str, list[float]] = {}
     for one in sets:
         for name, predictor in one.judged.items():
             if name != FLOOR and predictor.time_averaged.of_hold is not None:
-                found.setdefault(name, []).append(predictor.time_averaged.of_hold)
-    return {name: values for name, values in found.items() if len(values) == len(sets)}
+                ratios.setdefault(name, []).append(predictor.time_averaged.of_hold)
+    return {name: values for name, values in ratios.items() if len(values) == len(sets)}
 
 
 def winners(sets: Sequence[SetResults]) -> Counter[str]:
     """On how many sets each predictor has the lowest error in px, which has more digits than the ratio."""
-    found: Counter[str] = Counter()
+    counts: Counter[str] = Counter()
     for one in sets:
         px = {name: p.time_averaged.px for name, p in one.judged.items() if name != FLOOR}
-        found[min(px, key=lambda name: float("inf") if px[name] is None else float(px[name] or 0.0))] += 1
-    return found
+        counts[min(px, key=lambda name: float("inf") if px[name] is None else float(px[name] or 0.0))] += 1
+    return counts
 
 
 def spread(columns: Mapping[str, Sequence[float]]) -> tuple[float, float]:
@@ -79,7 +79,7 @@ def spread(columns: Mapping[str, Sequence[float]]) -> tuple[float, float]:
 
 def learned(people: Sequence[SetResults]) -> list[Learned]:
     """How what has learned does without the set, and without the person."""
-    found = []
+    rows_of = []
     for without, ending in (("set", SET_OUT), ("person", PEOPLE_OUT)):
         names = dict.fromkeys(p.name for one in people for p in one.summary.predictors)
         for name in (name for name in names if name.endswith(ending)):
@@ -90,13 +90,13 @@ def learned(people: Sequence[SetResults]) -> list[Learned]:
                 (cell.of_hold or 0.0, which, t) for which, p in rows.items() for t, cell in p.by_time.items()
             )
             below = sum(bound is not None and bound[1] < 1.0 for bound in bounds)
-            found.append(
+            rows_of.append(
                 Learned(
                     name.removesuffix(ending), without, min(ratios), max(ratios), below, len(rows), worst,
                     where, when,
                 )
             )  # fmt: skip
-    return found
+    return rows_of
 
 
 def cautious(people: Sequence[SetResults]) -> Cautious | None:
@@ -139,49 +139,49 @@ def overview(sets: Sequence[SetResults]) -> dict[str, list[float | None]]:
     learners = {
         p.name.removesuffix(SET_OUT) for one in sets for p in one.summary.predictors if SET_OUT in p.name
     }
-    found: dict[str, list[float | None]] = {}
+    ratios: dict[str, list[float | None]] = {}
     for place, one in enumerate(sets):
         for p in one.summary.predictors:
             name = p.name + SET_OUT if p.name in learners else p.name
-            found.setdefault(name, [None] * len(sets))[place] = p.time_averaged.of_hold
-    return found
+            ratios.setdefault(name, [None] * len(sets))[place] = p.time_averaged.of_hold
+    return ratios
 
 
 def drawings(one: SetSummary) -> dict[str, Picture]:
     """The figures of a set by what they show."""
     judged = tuple(p for p in one.predictors if not p.name.endswith(PEOPLE_OUT))
     shown = highlighted(msgspec.structs.replace(one, predictors=judged))
-    drawn = {
+    pictures = {
         "by-time": curves(one, shown, "by_time", "of_hold"),
         "cost": cost(one),
         "regions": inside_curves(one, "calibration"),
         "time-left": time_left_bars(one),
     }
-    return {kind: figure for kind, figure in drawn.items() if figure is not None}
+    return {kind: figure for kind, figure in pictures.items() if figure is not None}
 
 
 def figures(sets: Sequence[SetResults]) -> dict[str, dict[str, Picture]]:
     """Draw every set; files go to ``docs/figures``."""
-    found = {one.summary.name: drawings(one.summary) for one in sets if one.summary.trials}
-    for name, drawn in found.items():
-        for kind, figure in drawn.items():
+    pictures = {one.summary.name: drawings(one.summary) for one in sets if one.summary.trials}
+    for name, group in pictures.items():
+        for kind, figure in group.items():
             save(figure.svg, FIGURES / f"{name}-{kind}.svg")
-    return found
+    return pictures
 
 
 def context(sets: Sequence[SetResults] | None = None) -> dict[str, Any]:
     """What the template of ``docs/evidence/results.md`` needs."""
-    known = stored() if sets is None else list(sets)
+    results = stored() if sets is None else list(sets)
     catalogue = {entry.name: entry for entry in listing()}
-    present = {one.summary.name for one in known}
+    present = {one.summary.name for one in results}
     return {
-        "sets": known,
-        "overall": overall(known),
-        "overview": overview(known),
+        "sets": results,
+        "overall": overall(results),
+        "overview": overview(results),
         "catalogue": catalogue,
         "absent": [name for name in catalogue if name not in present],
         "levels": LEVELS,
-        "skipped": {one.summary.name: Counter(s.reason for s in one.summary.skipped) for one in known},
-        "figures": {one.summary.name: drawings(one.summary) for one in known if one.summary.trials},
-        "versions": known[0].versions,
+        "skipped": {one.summary.name: Counter(s.reason for s in one.summary.skipped) for one in results},
+        "figures": {one.summary.name: drawings(one.summary) for one in results if one.summary.trials},
+        "versions": results[0].versions,
     }

@@ -42,8 +42,8 @@ class SetResults(msgspec.Struct, frozen=True):
 
 def stored(folder: Path = FOLDER) -> list[SetResults]:
     """Every set that has been scored: simulated ones first."""
-    found = [data.read(file, SetResults) for file in sorted(folder.glob("*.json"))]
-    return sorted(found, key=lambda one: not one.summary.simulated)
+    results = [data.read(file, SetResults) for file in sorted(folder.glob("*.json"))]
+    return sorted(results, key=lambda one: not one.summary.simulated)
 
 
 def write(one: SetResults, folder: Path = FOLDER) -> Path:

@@ -44,11 +44,11 @@ def patterns(
 def scored(recording: Recording, predictors: Sequence[str], held: HeldOut, seed: int) -> SetScore:
     """The set's score; rows of what has learned stand last."""
     plain, by_person, missing = patterns(recording, predictors, held)
-    (found,) = score([recording], plain, seed=seed)
+    (whole,) = score([recording], plain, seed=seed)
     prepared = prepare(recording, **resolution(recording, None, None)) if by_person else None
     rows = [replay_by_person(prepared, name, people) for name, people in by_person if prepared is not None]
-    said = [f"not scored: {one}" for one in missing]
-    return msgspec.structs.replace(found, predictors=(*found.predictors, *rows), notes=(*found.notes, *said))
+    notes = [f"not scored: {one}" for one in missing]
+    return msgspec.structs.replace(whole, predictors=(*whole.predictors, *rows), notes=(*whole.notes, *notes))
 
 
 def replay_by_person(prepared: Prepared, name: str, people: Mapping[str, Pipeline]) -> PredictorErrors:
@@ -60,8 +60,8 @@ def replay_by_person(prepared: Prepared, name: str, people: Mapping[str, Pipelin
     first = next(iter(parts.values()))
     whole = {field: getattr(first, field).copy() for field in ARRAYS}
     for field in CLAIMS:
-        given = next((getattr(one, field) for one in parts.values() if getattr(one, field) is not None), None)
-        whole[field] = None if given is None else np.full_like(given, np.nan)
+        some = next((getattr(one, field) for one in parts.values() if getattr(one, field) is not None), None)
+        whole[field] = None if some is None else np.full_like(some, np.nan)
     for key, part in parts.items():
         for field, values in whole.items():
             if values is not None and getattr(part, field) is not None:

@@ -41,13 +41,13 @@ def _person(simulated: Recording, expert: bool) -> str:
 
 def _typical(simulated: Recording, forms: list[Shape | None], user: str, one_piece: bool) -> int:
     """A trial of the user over 150 mm, with or without sub-movements, of the middle movement time."""
-    found = [
+    candidates = [
         (form.movement_s, i)
         for i, (trial, form) in enumerate(zip(simulated.trials, forms, strict=True))
         if trial.user == user and form and trial.condition["distance_mm"] == 150.0
         if form.one_piece == one_piece
     ]
-    return sorted(found)[len(found) // 2][1]
+    return sorted(candidates)[len(candidates) // 2][1]
 
 
 def _trials(simulated: Recording, forms: list[Shape | None], path: Path) -> None:

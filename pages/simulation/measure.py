@@ -52,12 +52,13 @@ def thinned(recording: Recording, period_s: float) -> Recording:
 
 def row(title: str, recording: Recording, chosen: Callable[[int], bool] = lambda _: True) -> tuple[str, ...]:
     """Quartiles of each number over the movements of at least 150 px."""
-    found = [s for i, s in enumerate(shapes(recording)) if s and chosen(i) and s.distance_px >= NEAREST_PX]
+    group = [s for i, s in enumerate(shapes(recording)) if s and chosen(i) and s.distance_px >= NEAREST_PX]
     cells = []
     for number in NUMBERS.values():
-        low, middle, high = np.quantile([number(s) for s in found], [0.25, 0.5, 0.75])
+        low, middle, high = np.quantile([number(s) for s in group], [0.25, 0.5, 0.75])
         cells.append(f"{middle:.2f} ({low:.2f}-{high:.2f})")
-    return (title, str(len(found)), *cells, f"{100 * np.mean([s.one_piece for s in found]):.0f} %")
+    whole = 100 * np.mean([s.one_piece for s in group])
+    return (title, str(len(group)), *cells, f"{whole:.0f} %")
 
 
 def comparison(simulated: Recording) -> tuple[Table, list[str]]:
@@ -100,20 +101,20 @@ def assistance() -> Table:
     for name in ("minimum-jerk", "hold"):
         pipeline = build(name, cpi=2000.0)
         setup = Setup(ConstantGain(4.0), rho=2.0, strength=0.5)
-        made = [
+        movements = [
             move_assisted(p, setup, target, np.random.default_rng([SEED, i, k]), pipeline)
             for i, p in enumerate(persons)
             for k in range(3)
         ]
-        rows.append(("2", "0.5", f"`{name}` in the loop: {click_times(made, target)}", "", "", ""))
+        rows.append(("2", "0.5", f"`{name}` in the loop: {click_times(movements, target)}", "", "", ""))
     return Table.of(("rho 1/s", "bound", "true endpoint", "20 px off", "60 px off", "150 px off"), rows)
 
 
-def click_times(made: list[Movement], target: Aim) -> str:
+def click_times(movements: list[Movement], target: Aim) -> str:
     """Mean time to the click, and the share of clicks outside the target."""
-    ends = np.array([one.table[-1, 1:3] for one in made]) - (target.x, target.y)
+    ends = np.array([one.table[-1, 1:3] for one in movements]) - (target.x, target.y)
     missed = float((np.hypot(*ends.T) > target.width / 2).mean())
-    return f"{np.mean([one.click_s for one in made]):.2f} s, {100 * missed:.0f} % missed"
+    return f"{np.mean([one.click_s for one in movements]):.2f} s, {100 * missed:.0f} % missed"
 
 
 def recovered() -> Table:

@@ -55,11 +55,11 @@ def speeds(events: EventColumns) -> tuple[FloatArray, FloatArray]:
 def shapes(recording: Recording) -> list[Shape | None]:
     """The shape of every trial, in the recording's order; ``None`` for one that the scorer skips."""
     prepared = prepare(recording, **resolution(recording, None, None))
-    found = {
+    by_number = {
         (scored.trial.user, scored.trial.trial): shape(prepared, k)
         for k, scored in enumerate(prepared.trials)
     }
-    return [found.get((trial.user, trial.trial)) for trial in recording.trials]
+    return [by_number.get((trial.user, trial.trial)) for trial in recording.trials]
 
 
 def shape(prepared: Prepared, k: int) -> Shape:

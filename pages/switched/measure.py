@@ -113,8 +113,8 @@ def draw(scores: Iterable[SetScore], file: Path) -> None:
         panels[0].set_ylabel("error / error of hold")
         panels[2].set_ylabel("error / error of hold")
         panels[0].legend(fontsize=8)
-        drawn = picture(figure, "Error against time as a share of that of no prediction", "")
-    save(drawn.svg, file)
+        image = picture(figure, "Error against time as a share of that of no prediction", "")
+    save(image.svg, file)
 
 
 def recordings() -> list[Recording]:

@@ -46,8 +46,8 @@ class Played(msgspec.Struct, frozen=True):
 def learners(prepared: Prepared) -> list[int]:
     """The trials of half the users, drawn by the seed."""
     users = sorted({trial.trial.user for trial in prepared.trials})
-    drawn = np.random.default_rng(SEED).permutation(len(users))[: len(users) // 2]
-    chosen = {users[i] for i in drawn.tolist()}
+    order = np.random.default_rng(SEED).permutation(len(users))[: len(users) // 2]
+    chosen = {users[i] for i in order.tolist()}
     return [k for k, trial in enumerate(prepared.trials) if trial.trial.user in chosen]
 
 
@@ -98,10 +98,10 @@ def errors(
 
 def loss(played: list[Played], constants: FloatArray) -> float:
     """Mean share of the error of no prediction, and a share of what deciles are worse by."""
-    given = dict(zip(NAMES, constants.tolist(), strict=True))
+    values = dict(zip(NAMES, constants.tolist(), strict=True))
     total = 0.0
     for one in played:
-        predictor = SwitchedDirectionPredictor(**given, stopping=1e6)
+        predictor = SwitchedDirectionPredictor(**values, stopping=1e6)
         answers = predictor.run(one.motions, one.begin).table
         shares = errors(one.motions, answers, one.offsets, one.arrivals) / one.floor
         total += float(shares[0] + WEIGHT * np.maximum(0.0, shares[1:] - 1.0).sum())
@@ -123,8 +123,8 @@ def search() -> None:
         for _ in range(STEPS):
             moved = random.normal(size=5) * STEP * (random.random(5) < 0.5) * random.choice([0.3, 1.0])
             tried = np.clip(best + moved, LOW, HIGH)
-            found = loss(played, tried)
-            if found < least:
-                best, least = tried, found
+            trial_loss = loss(played, tried)
+            if trial_loss < least:
+                best, least = tried, trial_loss
         chosen = ", ".join(f"{name} {value:.3f}" for name, value in zip(NAMES, best, strict=True))
         print(f"gain_lambda {gain:g}: loss {least:.4f} with {chosen}", flush=True)

@@ -59,14 +59,14 @@ def cases(recording: Recording, predictors: Iterable[str | Pipeline], seed: int 
     """The situations of one set, with the predictions of each predictor."""
     settings = resolution(recording, None, None)
     prepared = prepare(recording, **settings)
-    found = [layout for kind in layouts(prepared, seed).values() for layout in kind]
+    choices = [layout for kind in layouts(prepared, seed).values() for layout in kind]
     generator = np.random.default_rng([seed, 1])
-    picked = generator.permutation(len(found))[:MOST_TRIALS].tolist()
+    picked = generator.permutation(len(choices))[:MOST_TRIALS].tolist()
     parts = []
-    for given in predictors:
-        pipeline = given.fresh() if isinstance(given, Pipeline) else build(given, **settings)
+    for predictor in predictors:
+        pipeline = predictor.fresh() if isinstance(predictor, Pipeline) else build(predictor, **settings)
         answers = run(pipeline, prepared.events)
-        parts += [part for k in picked for part in _trial(prepared, found[k], answers)]
+        parts += [part for k in picked for part in _trial(prepared, choices[k], answers)]
     there = [len(part[0]) for part in parts]
     table, absent = np.zeros((len(parts), SLOTS, 2 * FEATURES + 2)), np.full((len(parts), SLOTS), -1e9)
     right = np.empty(len(parts), dtype=np.int64)
@@ -87,7 +87,7 @@ def _trial(
     t = prepared.events.t
     at = t[first] + np.array(FRACTIONS) * (t[arrival] - t[first])
     wanted = set((first - 1 + np.searchsorted(t[first : arrival + 1], at, side="right")).tolist())
-    memory, found = np.zeros(cursor.STATES), []
+    memory, parts = np.zeros(cursor.STATES), []
     for i in range(first, max(wanted) + 1):
         cursor.follow(memory, t[i], prepared.events.x[i], prepared.events.y[i], 0.0)
         if i in wanted:
@@ -99,8 +99,8 @@ def _trial(
                 (sxx, sxy, syy), tail = unclaimed(memory, x, y), float("nan")
             features(memory, layout.table, Law(x, y, sxx, sxy, syy, tail), rows)
             fast = memory[cursor.SPEED] / memory[cursor.PEAK] if memory[cursor.PEAK] > 0.0 else 0.0
-            found.append((rows, float(fast), layout.right))
-    return found
+            parts.append((rows, float(fast), layout.right))
+    return parts
 
 
 def fit(sets: Sequence[Cases], only: Sequence[int] | None = None) -> FloatArray:
@@ -127,14 +127,14 @@ def fit(sets: Sequence[Cases], only: Sequence[int] | None = None) -> FloatArray:
     bounds = [
         SIGNS.get(i, (None, None)) if only is None or i in only else (0.0, 0.0) for i in range(FEATURES)
     ]
-    made = minimize(
+    result = minimize(
         loss,
         np.zeros(len(scale)),
         jac=True,
         method="L-BFGS-B",
         bounds=[*bounds, *bounds, *[(None, None)] * 2],
     )
-    weights: FloatArray = made.x / scale
+    weights: FloatArray = result.x / scale
     return weights
 
 

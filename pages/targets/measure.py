@@ -72,7 +72,7 @@ def measured(sets: Sequence[Recording], held: HeldOut) -> tuple[list[TargetSumma
             cases[one.name] = (targets_fit.cases(one, (claiming,)), silent)
     if len(cases) < 2:
         return [], list(cases.values())  # nothing to fit the evidence to
-    found = []
+    summaries = []
     for recording in (one for one in sets if one.name in cases):
         others = [case for name, case in cases.items() if name != recording.name]
         ours, near = targets_fit.coefficients(others), targets_fit.coefficients(others, [NEAR])
@@ -81,8 +81,8 @@ def measured(sets: Sequence[Recording], held: HeldOut) -> tuple[list[TargetSumma
             print(f"choosing among targets: {part.name}", flush=True)
             names = [one for one in judged if one is not None]
             scored = score_targets(part, names, coefficients=ours, nearest=near, least_lead_s=LEAST_LEAD_S)
-            found += [summarise_targets(one) for one in scored]
-    return found, list(cases.values())
+            summaries += [summarise_targets(one) for one in scored]
+    return summaries, list(cases.values())
 
 
 def right(sets: list[TargetSummary]) -> Table:
@@ -133,8 +133,8 @@ def draw(sets: list[TargetSummary]) -> None:
         figure.supxlabel("% of the time from onset to arrival")
         figure.supylabel("% right")
         alt = "Share of movements whose likeliest target is right, against time, for each set."
-        drawn = picture(figure, alt, "Which target it is, by share of the time.", wide=True)
-    save(drawn.svg, FIGURES / "targets.svg")
+        image = picture(figure, alt, "Which target it is, by share of the time.", wide=True)
+    save(image.svg, FIGURES / "targets.svg")
 
 
 def main() -> None:

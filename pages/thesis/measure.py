@@ -97,7 +97,7 @@ def find(scored: SetScore, name: str) -> PredictorErrors:
 
 def losses(scored: SetScore) -> list[dict[str, Any]]:
     """The deciles at which a switched predictor's mean error is not below that of KEP."""
-    found = []
+    rows = []
     for quantity in ("mae", "mae_replaced"):
         for ours in (OURS, "switched"):
             for theirs in (THEIRS, "kep-quadratic"):
@@ -105,8 +105,8 @@ def losses(scored: SetScore) -> list[dict[str, Any]]:
                 right = getattr(axis_profile(find(scored, theirs)), quantity)
                 lost = [AXIS_FRACTIONS[i] for i in DECILES if left[i] >= right[i]]
                 replaced = quantity == "mae_replaced"
-                found.append({"replaced": replaced, "switched": ours, "kep": theirs, "at": lost})
-    return found
+                rows.append({"replaced": replaced, "switched": ours, "kep": theirs, "at": lost})
+    return rows
 
 
 def anova_table(scored: SetScore) -> tuple[Table, dict[str, Any]]:
@@ -161,8 +161,8 @@ def peak_share(prepared: Prepared, speed: FloatArray, k: int) -> float:
     rows = prepared.rows(k)
     at = int(speed[prepared.offsets[k] : prepared.offsets[k + 1]].argmax())
     way = np.array([rows.x[-1] - rows.x[0], rows.y[-1] - rows.y[0]])
-    done = np.array([rows.x[at] - rows.x[0], rows.y[at] - rows.y[0]])
-    return float(done @ way / (way @ way))
+    progress = np.array([rows.x[at] - rows.x[0], rows.y[at] - rows.y[0]])
+    return float(progress @ way / (way @ way))
 
 
 def main() -> None:

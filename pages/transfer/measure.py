@@ -53,11 +53,11 @@ def report() -> None:
         trials = [simulate_trials(truth, seed) for seed in seeds]
         fresh = simulate_trials(truth, 1000)
         for way, meaning in WAYS.items():
-            found = [identify(t, way) for t in trials]
-            errors = [gain_error(f, truth) for f in found]
+            estimates = [identify(t, way) for t in trials]
+            errors = [gain_error(f, truth) for f in estimates]
             if (title, way) == ("sigmoid", "windows, gain"):
                 within = sum(e.largest < bar for e in errors)
-            off = np.concatenate([rebuilding_errors(f, fresh) for f in found])
+            off = np.concatenate([rebuilding_errors(f, fresh) for f in estimates])
             median, mean, worst = (
                 np.median([e.median for e in errors]),
                 np.mean([e.largest for e in errors]),
@@ -66,7 +66,7 @@ def report() -> None:
             shares = (f"{100 * median:.2f}", f"{100 * mean:.1f}", f"{100 * worst:.1f}")
             rows.append((title, meaning, *shares, f"{np.median(off):.1f}", f"{np.quantile(off, 0.95):.1f}"))
             print("  ".join(rows[-1]))
-    known = [rebuilding_errors(f, simulate_trials(f, 1000)) for f in truths.values()]
+    baseline = [rebuilding_errors(f, simulate_trials(f, 1000)) for f in truths.values()]
     draw(truths)
     numbers = {
         "best": 100 * bar / 1.5,
@@ -75,7 +75,7 @@ def report() -> None:
         "seeds": len(seeds),
         "slow": averaged_gain(truths["sigmoid"], 0.1),
         "fast": averaged_gain(truths["sigmoid"], 0.3),
-        "floor": max(float(np.median(k)) for k in known),
+        "floor": max(float(np.median(k)) for k in baseline),
     }
     keep("transfer", {"errors": Table.of(HEADER, rows)}, numbers=numbers)
 
@@ -88,11 +88,11 @@ def draw(truths: dict[str, TransferFunction]) -> None:
     import matplotlib.pyplot as plt
 
     FIGURES.mkdir(parents=True, exist_ok=True)
-    found = {t: identify(simulate_trials(f, 1), "windows, gain") for t, f in truths.items()}
+    estimates = {t: identify(simulate_trials(f, 1), "windows, gain") for t, f in truths.items()}
     figure, axes = plt.subplots(1, 2, figsize=(9.0, 3.6), layout="constrained")
     for ax, (title, truth) in zip(axes, truths.items(), strict=True):
         ax.plot(SPEEDS, truth.gain(SPEEDS), "k", label="true")
-        ax.plot(SPEEDS, found[title].gain(SPEEDS), "C0", label="identified, order 5")
+        ax.plot(SPEEDS, estimates[title].gain(SPEEDS), "C0", label="identified, order 5")
         if title == "sigmoid":
             ax.plot(SPEEDS, best_polynomial(truth).gain(SPEEDS), "C1--", lw=1, label="best of order 5")
         ax.set(
@@ -105,7 +105,7 @@ def draw(truths: dict[str, TransferFunction]) -> None:
     figure, axes = plt.subplots(1, 2, figsize=(9.0, 3.6), layout="constrained")
     for ax, (title, truth) in zip(axes, truths.items(), strict=True):
         events = simulate_trials(truth, 1000)[DRAWN_TRIAL]
-        path = rebuild(found[title], events)
+        path = rebuild(estimates[title], events)
         for column, name in enumerate("xy"):
             ax.plot(events.t, events.table[:, 1 + column], f"C{column}", label=f"{name}, cursor")
             ax.plot(events.t, path[:, column], "k--", lw=1, label=f"{name}, rebuilt from V_m")

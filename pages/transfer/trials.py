@@ -75,10 +75,10 @@ def identify(trials: list[EventColumns], way: str) -> PolynomialFunction:
             pairs = differentiated_speeds(events, hand, screen)
         for speed, cursor_speed in zip(*pairs, strict=True):
             identifier.learn(float(speed), float(cursor_speed))
-    found = identifier.identify("gain" if way == "windows, gain" else "samples").function
-    if found is None:
+    function = identifier.identify("gain" if way == "windows, gain" else "samples").function
+    if function is None:
         raise RuntimeError("the trials do not excite all powers")
-    return found
+    return function
 
 
 class GainError(NamedTuple):
@@ -89,8 +89,8 @@ class GainError(NamedTuple):
     at: float
 
 
-def gain_error(found: TransferFunction, truth: TransferFunction) -> GainError:
-    error = np.abs(found.gain(SPEEDS) / truth.gain(SPEEDS) - 1.0)
+def gain_error(estimate: TransferFunction, truth: TransferFunction) -> GainError:
+    error = np.abs(estimate.gain(SPEEDS) / truth.gain(SPEEDS) - 1.0)
     return GainError(float(np.median(error)), float(error.max()), float(SPEEDS[error.argmax()]))
 
 

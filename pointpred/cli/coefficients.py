@@ -39,8 +39,8 @@ def with_coefficients(names: list[str], file: Path | None) -> dict[str, dict[str
         return {}
     taking = [name for name in names if takes(name, PARAMETER)]
     if not taking:
-        known = ", ".join(name for name in REGISTRY if takes(name, PARAMETER))
-        raise ParameterError(f"--coefficients needs one of {known}, received {', '.join(names)}")
+        takers = ", ".join(name for name in REGISTRY if takes(name, PARAMETER))
+        raise ParameterError(f"--coefficients needs one of {takers}, received {', '.join(names)}")
     for name in taking:
         build(name, coefficients=file)
     return {name: {PARAMETER: file} for name in taking}

@@ -26,8 +26,8 @@ def flowing(words: str) -> str:
 
 def examples(command: Callable[..., Any] | None) -> list[str]:
     """The examples in the docstring of a command."""
-    _, _, written = (inspect.getdoc(command) or "").partition(EXAMPLES)
-    return [line.strip() for line in written.splitlines() if line.strip()]
+    _, _, text = (inspect.getdoc(command) or "").partition(EXAMPLES)
+    return [line.strip() for line in text.splitlines() if line.strip()]
 
 
 class _Argument(TyperArgument):

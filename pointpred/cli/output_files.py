@@ -55,16 +55,16 @@ def check_targets(targets: dict[str, Path | None], inputs: Sequence[Path]) -> No
     """
     from pointpred.sources.own import recordings
 
-    written: dict[Path, str] = {}
+    outputs: dict[Path, str] = {}
     beside = [recordings.trials_beside(path) for path in inputs if path.is_file()]
     read = [path for path in (*inputs, *beside) if path is not None]
     for option, target in targets.items():
         check_target(target)
         if target is None or str(target) == "-":
             continue
-        if target.resolve() in written:
-            raise ParameterError(f"{option} and {written[target.resolve()]} both name {target}")
-        written[target.resolve()] = option
+        if target.resolve() in outputs:
+            raise ParameterError(f"{option} and {outputs[target.resolve()]} both name {target}")
+        outputs[target.resolve()] = option
         if any(target.exists() and path.exists() and target.samefile(path) for path in read):
             raise ParameterError(f"{option} {target} would replace what is scored; name another file")
         if target.is_file() and _is_recording(target):

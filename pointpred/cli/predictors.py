@@ -29,21 +29,21 @@ def predictors(
     """
     if name is not None:
         build(name)
-    described = [describe(known) for known in ([name] if name else REGISTRY)]
+    descriptions = [describe(one) for one in ([name] if name else REGISTRY)]
     if as_json:
-        write_json({"version": 1, "predictors": described}, Path("-"))
+        write_json({"version": 1, "predictors": descriptions}, Path("-"))
     elif name is None:
-        _print_all(described)
+        _print_all(descriptions)
     else:
-        _print_one(described[0])
+        _print_one(descriptions[0])
 
 
-def _print_all(described: list[dict[str, Any]]) -> None:
+def _print_all(descriptions: list[dict[str, Any]]) -> None:
     wide = results().width >= NARROW
     table = Table(box=None, pad_edge=False)
     for column in ("name", "what it does", *(("differentiator", "reference") if wide else ())):
         table.add_column(column, no_wrap=column == "name")
-    for one in described:
+    for one in descriptions:
         more = (one["differentiator"], one["reference"]) if wide else ()
         table.add_row(one["name"], one["title"], *more)
     results().print(table)

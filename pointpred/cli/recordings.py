@@ -96,9 +96,9 @@ def delete_recordings(
     if not wanted:
         remarks().print(f"nothing is recorded in {chosen}", markup=False)
         return
-    known = all(name in there for name in wanted)
+    present = all(name in there for name in wanted)
     many = counted(len(wanted), "recording")
-    if known and not yes and not _sure(f"Delete {many} ({_size(size)}) in {chosen}?"):
+    if present and not yes and not _sure(f"Delete {many} ({_size(size)}) in {chosen}?"):
         remarks().print("nothing was deleted")
         raise typer.Exit(1)
     gone = delete(chosen, wanted)

@@ -180,10 +180,10 @@ def _sample() -> Iterator[Recording]:
     yield sample()
 
 
-def _free_name(name: str, file: Path, taken: Mapping[str, Path]) -> str:
+def _free_name(name: str, file: Path, names: Mapping[str, Path]) -> str:
     """A name that no other recording has: with its folder before it where it is taken, then with a number."""
     free, count = name, 1
-    while free in taken:
+    while free in names:
         folder = file.absolute() if file.is_dir() else file.absolute().parent
         free = f"{folder.name}/{name}" + f"_{count}" * (count > 1)
         count += 1
@@ -192,16 +192,16 @@ def _free_name(name: str, file: Path, taken: Mapping[str, Path]) -> str:
 
 def _read(files: list[Path], reading: Reading, reasons: Reasons) -> Iterator[Recording]:
     """The recordings one by one, so that only one is in memory; complains where a file cannot be read."""
-    taken: dict[str, Path] = {}
+    names: dict[str, Path] = {}
     for file in files:
         try:
             for recording in recordings_in(file, reading):
-                name = _free_name(recording.name, file, taken)
+                name = _free_name(recording.name, file, names)
                 if name != recording.name:
-                    first = shown(taken[recording.name])
+                    first = shown(names[recording.name])
                     note = f"{shown(file)} is called {name!r} here: {recording.name!r} is {first}"
                     remarks().print(note, markup=False)
-                taken[name] = file
+                names[name] = file
                 yield msgspec.structs.replace(recording, name=name)
         except (PointpredError, OSError) as error:
             _left_out(reasons, shown(file), error)

@@ -119,14 +119,14 @@ def _single_axis(
     """The thesis's protocol: curve, box plots, groups."""
     names = list(dict.fromkeys((*pair(list(profiles)), *shown)))[: MOST_BOXES - 1]
     boxed = [profiles[name] for name in (*names, HOLD)]
-    drawn = [
+    figures = [
         curves(summary, shown, "single_axis"),
         boxes(summary.name, boxed, shown, simulated=summary.simulated, unit=summary.unit),
     ]
     groups = [key for key in GROUPS if key in summary.groups]
     if groups:
-        drawn.append(group_curves(summary, shown, groups))
-    return tuple(drawn)
+        figures.append(group_curves(summary, shown, groups))
+    return tuple(figures)
 
 
 def _analysis(score: SetScore, profiles: Mapping[str, AxisProfile]) -> Analysis:

@@ -94,13 +94,13 @@ def _score(recording: Recording, run: _Run) -> SetScore:
     settings = resolution(recording, run.cpi, run.dpi)
     pipelines = _pipelines(run, settings)
     prepared = prepare(recording, **settings, threads=run.threads)
-    total, done = len(prepared.events) * len(pipelines), 0
+    total, events_done = len(prepared.events) * len(pipelines), 0
 
     def advance(events: int) -> None:
-        nonlocal done
-        done += events
+        nonlocal events_done
+        events_done += events
         if run.progress is not None:
-            run.progress(recording.name, done, total)
+            run.progress(recording.name, events_done, total)
 
     counted = recording.provenance.unit == "counts"
     scored = SetScore(

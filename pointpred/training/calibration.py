@@ -105,8 +105,8 @@ def fit_table(claims: Claims, seed: int = 0) -> FloatArray:
     from scipy.optimize import least_squares
 
     if len(claims.share) > ROWS_MOST:
-        drawn = np.random.default_rng(seed).choice(len(claims.share), ROWS_MOST, replace=False)
-        claims = claims.only(np.sort(drawn))
+        sample = np.random.default_rng(seed).choice(len(claims.share), ROWS_MOST, replace=False)
+        claims = claims.only(np.sort(sample))
     decile = np.clip(np.round(claims.share * 10.0).astype(int) - 1, 0, DECILES - 1)
     total = np.bincount(decile, claims.weight, DECILES)
     place = np.clip(claims.predicted_share * table_law.KNOTS - 0.5, 0.0, table_law.KNOTS - 1.0)

@@ -115,12 +115,12 @@ def train_custom(
     people = {trial.user for one in recordings for trial in one.trials}
     parts = _parts(recordings, len(people))
     material = _in_stretches(recordings) if parts == "movements" else recordings
-    done, steps = 0, _steps(TrainingData(tuple(material), (), (), numbered(material, by_name=True)))
+    count, steps = 0, _steps(TrainingData(tuple(material), (), (), numbered(material, by_name=True)))
 
     def log(what: str) -> None:
-        nonlocal done
-        done += 1
-        progress(what, done, steps)
+        nonlocal count
+        count += 1
+        progress(what, count, steps)
 
     progress("reading movements", 0, steps)
     data = training_data(material, seed, lambda _: None, variants, by_name=True)

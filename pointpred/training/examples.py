@@ -100,8 +100,8 @@ def _thinned(every: Examples, passed: FloatArray, random: np.random.Generator) -
     order = rows[np.lexsort((np.log(random.random(len(rows))) / every.weight[rows], key[rows]))]
     final = np.append(np.diff(key[order]) != 0, True)
     total = np.add.reduceat(every.weight[order], np.flatnonzero(np.append(True, final[:-1])))
-    drawn = every.only(order[final])
-    return msgspec.structs.replace(drawn, weight=total)
+    sample = every.only(order[final])
+    return msgspec.structs.replace(sample, weight=total)
 
 
 def join(parts: list[Examples]) -> Examples:

@@ -20,7 +20,7 @@ ROWS += [f"{10 * i},{3 * i},{i % 4},anna,one" for i in range(6)]
 ROWS += [f"{10 * i},{5},{5},anna,still" for i in range(4)]
 ROWS += [f"{10 * i},{i},{i},anna," for i in range(2)]
 STREAM = ["t;x;y", *(f"{20 * i};{7 * i};0" for i in range(8)), *(f"{900 + 20 * i};{i};0" for i in range(5))]
-TOLD: dict[str, Any] = {"t": "ms", "x": "px", "y": "py", "user": "who", "trial": "n", "per_second": 1000}
+ARGUMENTS: dict[str, Any] = {"t": "ms", "x": "px", "y": "py", "user": "who", "trial": "n", "per_second": 1000}
 
 
 @pytest.fixture
@@ -37,15 +37,15 @@ def write_list(folder: Path, *, sha256: str | None = None) -> Path:
     """The list of the two files."""
     first, second = folder / "own+data/a.csv", folder / "own+stream/s.csv"
     digests = [hashlib.sha256(path.read_bytes()).hexdigest() for path in (first, second)]
-    told = ", ".join(f'{key} = "{value}"' for key, value in TOLD.items() if key != "per_second")
+    arguments = ", ".join(f'{key} = "{value}"' for key, value in ARGUMENTS.items() if key != "per_second")
     text = (
         '[[file]]\nrepository = "own/data"\ncommit = "1"\npath = "a.csv"\n'
         f'sha256 = "{sha256 or digests[0]}"\nlicence = "none"\nwhat = "keys"\n'
-        f'layout = "delimited"\ntold = {{ {told}, per_second = 1000 }}\n'
+        f'layout = "delimited"\narguments = {{ {arguments}, per_second = 1000 }}\n'
         'options.columns = { t = "ms", x = "px", y = "py", user = "who", trial = "n" }\n'
         f'[[file]]\nrepository = "own/stream"\ncommit = "1"\npath = "s.csv"\nsha256 = "{digests[1]}"\n'
         'licence = "none"\nwhat = "a stream"\nlayout = "delimited"\n'
-        'told = { sep = ";", t = "t", x = "x", y = "y", per_second = 1000, cut = "bursts" }\n'
+        'arguments = { sep = ";", t = "t", x = "x", y = "y", per_second = 1000, cut = "bursts" }\n'
         'options.cut = "bursts"\n'
     )
     path = folder / "list.toml"
@@ -81,7 +81,7 @@ def test_every_row_is_read_or_left_out_with_its_reason(folder: Path) -> None:
 def test_a_row_that_no_reason_names_is_lost_and_a_value_that_differs_is_measured(folder: Path) -> None:
     path = folder / "own+data/a.csv"
     [recording] = read_any(path, inputs.reading_of(inputs.listed(write_list(folder))[0]))
-    rows = delimited(path, **TOLD)
+    rows = delimited(path, **ARGUMENTS)
     assert account(rows, recording).agrees
     silent = account(
         rows, type(recording)(recording.name, recording.events, recording.offsets, recording.trials)
@@ -112,7 +112,7 @@ def test_missing_and_other_files_are_named_and_nothing_is_kept(
     ("known", "wrong"),
     [
         ('x = "px", y = "py", user = "who", trial = "n" }\n[[', 'x = "none", y = "py" }\n[['),
-        ('layout = "delimited"\ntold = { sep', 'refused = "it is none"\ntold = { sep'),
+        ('layout = "delimited"\narguments = { sep', 'refused = "it is none"\narguments = { sep'),
     ],
     ids=["refused without a reason", "read although none expects it"],
 )

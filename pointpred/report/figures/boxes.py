@@ -27,11 +27,11 @@ def boxes(
     """A panel a predictor, all on one scale, in the colours of the curves; ``name`` is the set's."""
     title = "Single axis: spread of the error" + (" (simulated)" if simulated else "")
     top = HEADROOM * max(profile.boxes[i].high for profile in profiles for i in TENTHS) or 1.0
-    drawn = [[profile.boxes[i] for i in TENTHS] for profile in profiles]
-    beyond = sum(value > top for row in drawn for one in row for value in one.outliers)
+    statistics = [[profile.boxes[i] for i in TENTHS] for profile in profiles]
+    beyond = sum(value > top for row in statistics for one in row for value in one.outliers)
     rows = (len(profiles) + 1) // 2
     with canvas(rows, 2, width=8.0, height=0.6 + 2.4 * rows, share=True) as (figure, panels):
-        for axes, profile, row in zip(panels, profiles, drawn, strict=False):
+        for axes, profile, row in zip(panels, profiles, statistics, strict=False):
             colour = line_style(profile.name, shown)["color"]
             line = {"color": colour, "linewidth": 1.3}
             axes.bxp(

@@ -83,18 +83,18 @@ def group_curves(summary: SetSummary, shown: Sequence[str], groups: Sequence[str
     fractions = SERIES["single_axis"]
     rows = (len(groups) + 1) // 2
     with canvas(rows, 2, width=8.0, height=0.8 + 2.6 * rows, share=True) as (figure, panels):
-        drawn = [
+        lines = [
             {p.name: numbers(p.groups[key], "single_axis", "px") for p in summary.predictors}
             for key in groups
         ]
-        for axes, key, series in zip(panels, groups, drawn, strict=False):
+        for axes, key, series in zip(panels, groups, lines, strict=False):
             _lines(axes, series, shown, fractions)
             axes.tick_params(labelbottom=True)
             group = summary.groups[key]
             axes.set_title(f"{group.label} ({group.trials})")
         for axes in panels[len(groups) :]:
             axes.set_visible(False)
-        panels[0].set_ylim(0.0, _top(drawn, shown))
+        panels[0].set_ylim(0.0, _top(lines, shown))
         figure.supxlabel(KINDS["single_axis"][1], fontsize=10.5)
         figure.supylabel(f"mean error [{summary.unit}]", fontsize=10.5)
         legend_outside(figure, panels[0], above=True, columns=4)
@@ -103,7 +103,7 @@ def group_curves(summary: SetSummary, shown: Sequence[str], groups: Sequence[str
             f"{title} on {summary.name}: a panel each for "
             f"{', '.join(summary.groups[key].label for key in groups)}.",
             f"{title}. Numbers of trials in brackets; the table says what the groups are."
-            + _thin(drawn[0], shown),
+            + _thin(lines[0], shown),
             wide=True,
         )
 
@@ -209,14 +209,14 @@ def cost(summary: SetSummary) -> Picture:
     """Processor time an event beside the time-averaged error."""
     from matplotlib.ticker import LogLocator
 
-    drawn = [(p.us_per_event, share, p.name) for share, p in _by_share(summary) if p.us_per_event]
+    points = [(p.us_per_event, share, p.name) for share, p in _by_share(summary) if p.us_per_event]
     names = [p.name for p in summary.predictors]
     title = marked(summary, "Cost beside accuracy")
     with canvas(height=5.2) as (figure, (axes,)):
-        for us_per_event, share, name in drawn:
+        for us_per_event, share, name in points:
             style: Any = line_style(name, names) | {"linestyle": "none", "markersize": 7.5}
             axes.plot([us_per_event], [share], **({"marker": "o"} | style))
-        if drawn:
+        if points:
             axes.set_xscale("log")
             axes.xaxis.set_major_formatter("{x:g}")  # the usual one writes powers as mathematics
             axes.xaxis.set_minor_formatter("")
@@ -225,7 +225,7 @@ def cost(summary: SetSummary) -> Picture:
             legend_outside(figure, axes)
         axes.set(title=title, xlabel="cost [µs per event, one core]", ylabel="share of hold's error")
         axes.grid()
-        words = [f"{name} {us_per_event:.2g} µs, {share:.2f}" for us_per_event, share, name in drawn]
+        words = [f"{name} {us_per_event:.2g} µs, {share:.2f}" for us_per_event, share, name in points]
         return picture(
             figure,
             f"{title} on {summary.name}: {'; '.join(words)}.",

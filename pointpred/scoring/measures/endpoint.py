@@ -64,15 +64,15 @@ def measure_trial(
             out[next_time] = error
             next_time += 1
         done_x, done_y = x - rows[0, 1], y - rows[0, 2]
-        done = done_x * way_x + done_y * way_y
-        while next_path < SINGLE_AXIS and done >= fractions[next_path - BY_TIME] * distance2:
+        progress = done_x * way_x + done_y * way_y
+        while next_path < SINGLE_AXIS and progress >= fractions[next_path - BY_TIME] * distance2:
             out[next_path] = error
             next_path += 1
         along = abs(way_y) if upright else abs(way_x)
-        done = done_y if upright else done_x
+        progress = done_y if upright else done_x
         if (way_y if upright else way_x) < 0.0:
-            done = -done
-        while next_axis < MEASURES and done >= fractions[next_axis - BY_TIME] * along:
+            progress = -progress
+        while next_axis < MEASURES and progress >= fractions[next_axis - BY_TIME] * along:
             out[next_axis] = abs(error_y if upright else error_x)
             next_axis += 1
     out[TIME_AVERAGED] = weighted / weights

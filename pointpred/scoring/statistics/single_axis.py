@@ -128,12 +128,12 @@ def axis_anova(score: SetScore, names: Sequence[str]) -> AnovaSeries:
     are averaged per person and cell. A trial without a finite error at some fraction is left out and noted.
     Raises ParameterError for a name that was not scored.
     """
-    scored = {predictor.name: predictor for predictor in score.predictors}
-    missing = [name for name in names if name not in scored]
+    by_name = {predictor.name: predictor for predictor in score.predictors}
+    missing = [name for name in names if name not in by_name]
     if missing:
-        message = f"{', '.join(missing)} not scored on {score.name}; scored: {', '.join(scored)}"
+        message = f"{', '.join(missing)} not scored on {score.name}; scored: {', '.join(by_name)}"
         raise ParameterError(message, field="names", value=missing[0])
-    errors = np.stack([scored[name].single_axis for name in names], axis=-1)
+    errors = np.stack([by_name[name].single_axis for name in names], axis=-1)
     usable = np.logical_and.reduce(np.isfinite(errors), axis=(1, 2))
     trials = [trial for trial, good in zip(score.trials, usable, strict=True) if good]
     notes = [f"trials without an error at some fraction: {(~usable).sum()}"] if not usable.all() else []

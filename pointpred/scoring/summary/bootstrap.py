@@ -69,8 +69,8 @@ def ratio_intervals(
     block = max(1, BLOCK // units)
     for first in range(0, draws, block):
         size = min(block, draws - first)
-        drawn = generator.integers(0, units, (size, units)) + units * np.arange(size)[:, None]
-        counts = np.bincount(drawn.ravel(), minlength=size * units).reshape(size, units)
+        sample = generator.integers(0, units, (size, units)) + units * np.arange(size)[:, None]
+        counts = np.bincount(sample.ravel(), minlength=size * units).reshape(size, units)
         totals[first : first + size] = counts @ sums
     floor = np.tile(totals[:, width:], width // below.shape[1])
     ratios = np.full((draws, width), np.nan)
