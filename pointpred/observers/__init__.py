@@ -1,4 +1,4 @@
-"""Nonlinear observers with certificates that are proved: chapters 3 and 4 of the thesis."""
+"""Nonlinear observers with proved certificates: chapters 3 and 4 of the thesis."""
 
 from pointpred.observers.bounds import ErrorBound, convergence_bound, interconnection_bound
 from pointpred.observers.detectability import undetectable

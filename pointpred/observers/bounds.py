@@ -1,4 +1,4 @@
-"""What a certificate says of the error: bounds of the theorems, corrected where the print lacks a factor."""
+"""Bounds of the error that certificates prove, corrected where the print lacks a factor."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from pointpred.observers.matrices import matrix
 class ErrorBound(msgspec.Struct, frozen=True):
     """abs(e(t)) <= ``overshoot`` decay(t) abs(e(0)) + sum of ``gains`` times the largest disturbances.
 
-    decay(t) = exp(-``rate`` t); ``rate`` in 1/s, or in 1/step for discrete time. ``disturbances`` names what
-    the gains belong to.
+    decay(t) = exp(-``rate`` t); ``rate`` in 1/s, or in 1/step for discrete time. ``disturbances`` names the
+    disturbance of each gain.
     """
 
     overshoot: float
@@ -26,7 +26,7 @@ class ErrorBound(msgspec.Struct, frozen=True):
     disturbances: tuple[str, ...]
 
     def __call__(self, t: float, initial: float, **largest: float) -> float:
-        """The bound at t for an initial error and the largest norm of each disturbance that is there."""
+        """The bound at t for an initial error and the largest norm of each disturbance that is present."""
         foreign = set(largest) - set(self.disturbances)
         if foreign:
             raise ParameterError(
@@ -95,7 +95,7 @@ def convergence_bound(P: Any, Xi: Any, gamma: float) -> ErrorBound:
 
 
 def continuous_bound(P: Any, Xi: Any, gamma: float) -> ErrorBound:
-    """The bound of Theorem 3.3.1 with the least generalised eigenvalue c of (Xi, P): never a worse one.
+    """The bound of Theorem 3.3.1 with the least generalised eigenvalue c of (Xi, P): never larger.
 
     V' <= -c V + delta'P delta / gamma, so that abs(e) <= sqrt(max P / min P) (exp(-c t / 2) abs(e0) +
     abs(delta) / sqrt(c gamma)).

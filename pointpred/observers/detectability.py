@@ -1,4 +1,4 @@
-"""Detectability by the test of Popov, Belevitch and Hautus, before any solver is asked for a gain."""
+"""Detectability by the Popov-Belevitch-Hautus test, which needs no solver."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ COMPONENTS_MOST = 8
 
 
 def undetectable(A: Any, C: Any, time: str = "continuous") -> list[complex]:
-    """The eigenvalues of modes that neither decay nor show in the output; empty for a detectable pair.
+    """The eigenvalues of modes that neither decay nor appear in the output; empty for a detectable pair.
 
     An eigenvalue s with real part >= 0 (modulus >= 1 in discrete time) is one of them if (sI - A; C) loses
     rank.
@@ -37,7 +37,7 @@ def undetectable(A: Any, C: Any, time: str = "continuous") -> list[complex]:
     for one in np.linalg.eigvals(a).astype(np.complex128):
         stays = abs(one) >= 1.0 - SINGULAR if time == "discrete" else one.real >= -SINGULAR * size
         pencil = np.vstack([(one * np.eye(len(a)) - a) / size, c])
-        # Repeated eigenvalues are known to half their digits only.
+        # Repeated eigenvalues are computed to half their digits only.
         if stays and np.linalg.svd(pencil, compute_uv=False)[-1] <= np.sqrt(SINGULAR) * 1e-2:
             modes.append(complex(one))
     return modes

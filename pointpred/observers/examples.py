@@ -11,13 +11,13 @@ from pointpred.observers.interconnected.generator import Generator
 from pointpred.observers.persidskii import Persidskii
 
 ROBOT_INPUT = (0.0, 21.6, 0.0, 0.0)
-"""B of the robotic arm: the motor alone is driven."""
+"""B of the robotic arm: the input drives the motor only."""
 ROBOT_INPUT_MODIFIED = (0.0, 21.6, 21.6, 0.0)
-"""B~ of the thesis, which drives the link's angle as well; no motor does."""
+"""B~ of the thesis, which also drives the link's angle, although no motor acts there."""
 
 
 def academic() -> tuple[Persidskii, Generator]:
-    """Example 1: three states under an oscillator of two."""
+    """Example 1: three states under a two-state oscillator."""
     a0 = [[0.0, 1.0, 0.0], [0.0, 0.0, 0.0], [-1.0, -2.0, -1.0]]
     b = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]
     plant = Persidskii(a0, [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], "sin", b, None, [1.0, 0.0, 0.0])
@@ -39,7 +39,7 @@ def robotic_arm(b: tuple[float, ...] = ROBOT_INPUT, *, reach: float = 1.0) -> tu
 
 
 def chua_circuits(reach: float = 1.0) -> tuple[Persidskii, Generator]:
-    """Example 4: a circuit synchronised with another one; the slopes of the cube hold within ``reach``."""
+    """Example 4: two synchronised circuits; the slopes of the cube hold within ``reach``."""
     b: FloatArray = np.array([[1.0, 1.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
     a0 = [[-200.0 / 7.0, 10.0, 0.0], [1.0, -1.0, 1.0], [0.0, -16.0, 0.0]]
     s0 = [[10.0 / 7.0, 10.0, 0.0], [1.0, -1.0, 1.0], [0.0, -100.0 / 7.0, 0.0]]
@@ -87,7 +87,7 @@ class Bioreactor:
     def field(
         self, inflow: float, states: FloatArray, gain: tuple[float, float], *, projected: bool
     ) -> FloatArray:
-        """The derivative with the observer's gain; ``projected`` keeps what f sees from going below zero."""
+        """The derivative with the observer's gain; ``projected`` clips the arguments of f at zero."""
         x, w, z = states[:2], states[2:4], states[4:]
         z = np.maximum(z, 0.0) if projected else z
         guess = self.printed_map[:2] @ np.append(z, inflow)
@@ -110,9 +110,9 @@ class Bioreactor:
 UNMEASURED = np.eye(4)[2:]
 """Pi of example 5: position and velocity of the second mass."""
 TRUTH = (3.0, 5.0)
-"""What example 6 estimates, at t = 0."""
+"""The constants that example 6 estimates, at t = 0."""
 VAPOURS = np.array([-0.08, 0.19, -4.0, 9.8])
-"""What least squares finds in the data of example 7, rounded."""
+"""The least-squares estimate on the data of example 7, rounded."""
 
 
 def two_masses(domain: float = 2.0) -> Persidskii:
@@ -161,9 +161,10 @@ def fused(t: Any) -> FloatArray:
 
 
 def vapours(seed: int = 7, count: int = 125) -> tuple[FloatArray, FloatArray]:
-    """A stand-in for the data of example 7: four predictors that nearly tell the same, and what they make.
+    """A stand-in for the data of example 7: four nearly collinear predictors and the output.
 
-    The true parameters are those of least squares on the real data, rounded; the noise has its size.
+    The true parameters are those of least squares on the real data, rounded; the noise has the size found
+    there.
 
     >>> rows, outputs = vapours()
     >>> rows.shape, round(float(np.linalg.cond(rows)), -2)

@@ -1,4 +1,4 @@
-"""Matrices that somebody hands over: of the right shape, real and finite, or an error that says why not."""
+"""Checks of matrices from a caller: shape, real and finite entries."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from pointpred.errors import ParameterError
 
 
 def matrix(name: str, value: Any, rows: int | None = None, columns: int | None = None) -> FloatArray:
-    """A matrix of the shape asked for, copied; ``None`` leaves a side free.
+    """A copy of a matrix of the required shape; ``None`` leaves a side free.
 
-    A flat list is a column where the matrix has one column, else a row where it has one row.
-    Raises ParameterError with the name, the shape received and the shape needed, or for NaN, inf and complex.
+    A flat list is a column if the matrix has one column, else a row if it has one row.
+    Raises ParameterError for another shape, and for NaN, inf and complex entries.
 
     >>> matrix("C0", [1.0, 0.0], 1, 2).shape
     (1, 2)
@@ -51,9 +51,9 @@ def matrix(name: str, value: Any, rows: int | None = None, columns: int | None =
 
 
 def moments(varying: str, times: Sequence[float] | None, purpose: str) -> list[float]:
-    """The times at which a statement is made: those passed, or 0 alone where nothing varies.
+    """The times at which a statement is to hold: those passed, or only 0 if nothing varies.
 
-    Raises ParameterError where something varies and no time is passed, or one is not finite.
+    Raises ParameterError if something varies and no time is passed, or one is not finite.
 
     >>> moments("A0", None, "to hold")
     Traceback (most recent call last):
@@ -67,7 +67,7 @@ def moments(varying: str, times: Sequence[float] | None, purpose: str) -> list[f
 
 
 def positive(name: str, value: Any, *, zero: bool = False) -> float:
-    """A finite number above 0 (or not below it); raises ParameterError, also for words and complex ones.
+    """A finite number above 0 (or not below it); raises ParameterError, also for text and complex numbers.
 
     >>> positive("decay", "fast")
     Traceback (most recent call last):

@@ -1,4 +1,4 @@
-"""Nonlinearities of Persidskii systems: by name, so that compiled stages know them, or any function."""
+"""Nonlinearities of Persidskii systems: by name, which compiled stages can evaluate, or any function."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ IDENTITY, SIN, TANH, ATAN, SATURATION, CUBE = 0, 1, 2, 3, 4, 5
 
 
 class Known(msgspec.Struct, frozen=True):
-    """A nonlinearity that has a name: its code in compiled laws, and the bounds of its slope."""
+    """A named nonlinearity: its code in compiled laws, and the bounds of its slope."""
 
     code: int
     low: float
@@ -57,7 +57,7 @@ class Nonlinearity(msgspec.Struct, frozen=True):
     function: Callable[[FloatArray], FloatArray]
     codes: tuple[int, ...] | None
     slopes: tuple[tuple[float, float], ...] | None
-    """Bounds of each component's slope, ``None`` where f is not elementwise or nobody gave them."""
+    """Bounds of each component's slope, ``None`` where f is not elementwise or they were not passed."""
 
     def __call__(self, s: Any) -> FloatArray:
         """The value at s."""
@@ -65,9 +65,9 @@ class Nonlinearity(msgspec.Struct, frozen=True):
 
 
 def nonlinearity(f: Any, count: int, slopes: Any = None) -> Nonlinearity:
-    """The f that a name means, one name for each of ``count`` components, or a function of the vector.
+    """The f of a name, of one name for each of ``count`` components, or of a function of the vector.
 
-    Raises ParameterError for a name nobody knows and for slopes that are no intervals.
+    Raises ParameterError for an unknown name and for slopes that are not intervals.
 
     >>> nonlinearity("sin", 2)([0.0, 0.5]).round(3).tolist()
     [0.0, 0.479]
@@ -98,7 +98,7 @@ cube, received 'sine'
 
 
 def intervals(slopes: Any, count: int) -> tuple[tuple[float, float], ...]:
-    """One (low, high) for each component; a single pair serves all."""
+    """One (low, high) for each component; a single pair applies to all."""
     try:
         pairs = np.broadcast_to(np.array(slopes, np.float64), (count, 2))
     except (TypeError, ValueError) as unusable:

@@ -1,4 +1,4 @@
-"""Persidskii systems: linear but for one sector nonlinearity of a linear function of the state."""
+"""Persidskii systems: linear except for one sector nonlinearity of a linear function of the state."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ NAMES = ("A0", "A1", "H", "B", "Q", "C0", "C1")
 class Persidskii:
     """The plant of chapter 3: x' = A0 x + A1 f(Hx) + B u + Q rho + d, y = C0 x + C1 f(Hx) + v.
 
-    In discrete time the next x stands where x' stands.
+    In discrete time x' is the next x.
 
-    Assumes nothing about f but what ``slopes`` says of it; nothing is checked against the function itself.
+    Assumes only the ``slopes`` of f, which are not checked against the function.
 
     Parameters: ``A0`` (n, n), ``A1`` (n, k), ``H`` (r, n), ``B`` (n, m), ``Q`` (n, z), ``C0`` (p, n), ``C1``
     (p, k); each an array or a function of t in s (of the index where ``time`` is ``"discrete"``), ``None``
-    for one that is absent; ``f`` a name, a name for each component (then r = k), or a function from R^r to
-    R^k; ``slopes`` the interval of each component's slope, ``None`` for those that a named f has everywhere;
-    ``domain`` the bound of abs(Hx) within which the slopes hold, infinite where they hold everywhere.
+    for zero; ``f`` a name, a name for each component (then r = k), or a function from R^r to R^k; ``slopes``
+    the interval of each component's slope, ``None`` for the global ones of a named f; ``domain`` the bound of
+    abs(Hx) within which the slopes hold, infinite if they hold everywhere.
     Raises ParameterError (a ValueError) naming a matrix of the wrong shape, with NaN, inf or complex entries.
 
     Reference: Khalin 2022, (3.1), (3.16), (3.18); Efimov and Aleksandrov 2019.
@@ -105,11 +105,11 @@ class Persidskii:
         return {name: shaped[name] for name in NAMES}
 
     def at(self, t: float) -> Persidskii:
-        """The plant with the matrices it has at a time (or an index), held constant."""
+        """The plant with its matrices fixed at those of a time (or an index)."""
         return Persidskii(f=self.f, time=self.time, domain=self.domain, **self.matrices(t))
 
     def field(self, t: float, x: Any, u: Any = None, rho: Any = None, d: Any = None) -> FloatArray:
-        """The x' at t (or the next x), with inputs left out being zero."""
+        """The x' at t (or the next x); omitted inputs are zero."""
         now = self.matrices(t) if self.varying else self.__dict__
         x = np.asarray(x, np.float64)
         change: FloatArray = now["A0"] @ x + now["A1"] @ self.f(now["H"] @ x)
@@ -127,7 +127,7 @@ class Persidskii:
 
 
 def column(name: str, given: Any, rows: int) -> FloatArray:
-    """A matrix with the given number of rows; a flat list is one column, ``None`` has no column."""
+    """A matrix with this number of rows; a flat list is one column, ``None`` no column."""
     if given is None:
         return np.zeros((rows, 0))
     flat = np.ndim(given) == 1
@@ -135,5 +135,5 @@ def column(name: str, given: Any, rows: int) -> FloatArray:
 
 
 def row(name: str, given: Any, columns: int) -> FloatArray:
-    """A matrix with the given number of columns; a flat list is one row, ``None`` has no row."""
+    """A matrix with this number of columns; a flat list is one row, ``None`` no row."""
     return np.zeros((0, columns)) if given is None else matrix(name, given, None, columns)

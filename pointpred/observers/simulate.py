@@ -18,13 +18,13 @@ CHUNK = 1024
 
 
 class SeededSignal:
-    """A random signal that is a function of time: constant over each period, the same whenever it is asked.
+    """A random signal as a function of time: constant over each period, and repeatable.
 
     Assumes that values of different periods are independent: the spectrum is white up to 1 / (2 period_s).
 
     Parameters: ``seed``; ``size`` of the vector; ``amplitude``, the largest value (``kind`` ``"uniform"``) or
     the standard deviation (``"normal"``), >= 0; ``period_s`` > 0.
-    Memory held: the last ``CHUNK`` values.
+    Memory: the last ``CHUNK`` values.
 
     >>> noise = SeededSignal(7, 2, 0.1)
     >>> bool(np.array_equal(noise(3.0), noise(3.0004))), bool(abs(noise(3.0)).max() <= 0.1)
@@ -55,7 +55,7 @@ class SeededSignal:
 
     def __call__(self, t: float) -> FloatArray:
         """The value at t >= 0."""
-        # A time that is a period's multiple but for rounding belongs to the period that it starts.
+        # A time within rounding of a multiple of the period belongs to the period that starts there.
         index = max(0, floor(t / self.period_s + 1e-10))
         if index // CHUNK != self._chunk:
             self._chunk = index // CHUNK
@@ -82,14 +82,14 @@ def simulate(
     """The state at each of the times, one row a time, from ``start`` at the first of them.
 
     ``rk4`` takes equal steps of at most ``step_s`` between two times; ``scipy`` is DOP853 with relative and
-    absolute ``tolerance`` and steps of at most a hundred ``step_s``; ``discrete`` applies ``field(k, x)``,
-    the next state, between two times that are indices.
+    absolute ``tolerance`` and steps of at most a hundred ``step_s``; ``discrete`` takes indices as times and
+    applies ``field(k, x)``, the next state, at each.
 
-    Disturbances belong into the field; a ``SeededSignal`` there jumps between its periods, so that only steps
-    that end where it jumps keep the order of a method.
+    Disturbances belong in the field. A ``SeededSignal`` jumps between its periods: a method keeps its order
+    only if its steps end at the jumps.
 
-    Raises ParameterError for times that do not increase, DivergenceError naming the time at which a state is
-    no finite number any more.
+    Raises ParameterError for times that do not increase, DivergenceError naming the time at which a state
+    stops being finite.
 
     >>> simulate(lambda t, x: -x, [1.0], [0.0, 1.0]).round(6).tolist()
     [[1.0], [0.367879]]
@@ -133,7 +133,7 @@ def _rk4(field: Field, begin: float, end: float, x: FloatArray, step_s: float) -
         k1 = np.asarray(field(t, x), np.float64)
         k2 = np.asarray(field(t + 0.5 * h, x + 0.5 * h * k1), np.float64)
         k3 = np.asarray(field(t + 0.5 * h, x + 0.5 * h * k2), np.float64)
-        # The end of a step belongs to the period it closes, lest a jump enters before its time.
+        # The end of a step belongs to the period that ends there, so that no jump is applied early.
         k4 = np.asarray(field(t + h * (1.0 - 1e-8), x + h * k3), np.float64)
         x = x + h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4)
     return x

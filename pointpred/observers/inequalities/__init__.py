@@ -1,1 +1,1 @@
-"""Matrix inequalities: what is asked, the only door to a solver, and the proof of its answer."""
+"""Matrix inequalities: the problem, the only interface to a solver, and the audit of its answer."""

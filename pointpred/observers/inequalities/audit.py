@@ -1,6 +1,6 @@
-"""The audit that makes matrices a certificate: every eigenvalue recomputed, whoever found them.
+"""The audit that turns matrices from any source into a certificate: every eigenvalue is recomputed.
 
-The functions that a problem is made of are evaluated at the matrices. Nothing here needs a solver.
+The functions of a problem are evaluated at the matrices. Needs no solver.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ class Inequalities:
         return self._add(name, "number", 1, 1, low)
 
     def below(self, name: str, block: Block, *, strict: bool = True) -> Self:
-        """Demand block(v) < 0; where not ``strict``, ``check`` accepts 0, to 1e-12 of the largest term."""
+        """Require block(v) < 0; if not ``strict``, ``check`` accepts 0, to 1e-12 of the largest term."""
         if name in self.blocks:
             raise ParameterError(f"an inequality needs a new name, received {name!r}")
         self.blocks[name] = block
@@ -68,17 +68,17 @@ class Inequalities:
         return self
 
     def above(self, name: str, block: Block, *, strict: bool = True) -> Self:
-        """Demand block(v) > 0; where it is not ``strict``, ``check`` accepts an eigenvalue of 0."""
+        """Require block(v) > 0; if not ``strict``, ``check`` accepts an eigenvalue of 0."""
         self._above.add(name)
         return self.below(name, lambda v: -np.asarray(block(v)), strict=strict)
 
     def equal(self, name: str, block: Block) -> Self:
-        """Demand block(v) = 0, whatever its shape; solved exactly before any solver runs."""
+        """Require block(v) = 0 for a block of any shape; solved exactly before any solver runs."""
         self._equalities[name] = block
         return self
 
     def margins(self, values: Mapping[str, Any]) -> dict[str, float]:
-        """How far each inequality's nearest eigenvalue lies on the right side; negative where it fails."""
+        """How far each inequality's nearest eigenvalue lies on the right side; negative if it fails."""
         numbers = self.unknowns.numbers(dict(values))
         named = self.unknowns.matrices(numbers)
         margins = {
@@ -97,7 +97,7 @@ class Inequalities:
         return margins
 
     def check(self, values: Mapping[str, Any], *, rounding: float = 0.0) -> dict[str, float]:
-        """The margins of matrices from anywhere, such as a print; raises CertificateError where one fails.
+        """The margins of matrices from any source, such as a publication; raises CertificateError.
 
         ``rounding`` is the largest error of a printed entry: the message says whether it could explain it.
         """

@@ -1,9 +1,8 @@
-"""Linear matrix inequalities: the one door to a solver.
+"""Linear matrix inequalities: the only interface to a solver.
 
-What a solver says is never a certificate. Matrices it returns are audited (``audit.py``): they are put into
-the same numpy functions that the problem was made of, and their eigenvalues are recomputed. "Infeasible" is
-said only where the solver's multipliers, recomputed as well, bound the margin that any choice can reach.
-Everything else is undecided.
+A solver's answer is never a certificate. Its matrices are audited (``audit.py``): the numpy functions of the
+problem are evaluated at them and the eigenvalues recomputed. A problem is infeasible only if the solver's
+multipliers, recomputed as well, bound the margin of any choice. Otherwise it is undecided.
 """
 
 from __future__ import annotations
@@ -25,7 +24,7 @@ class Solution(msgspec.Struct, frozen=True):
     """Matrices that satisfy every inequality: ``values`` by name, ``margins`` by inequality.
 
     A margin is the distance of the nearest eigenvalue from the wrong side, in the unit of the inequality.
-    ``objective`` is what was minimised, ``None`` where nothing was or the best could not be reached.
+    ``objective`` is what was minimised, ``None`` if nothing was or the minimum was not reached.
     """
 
     values: dict[str, Any]
@@ -34,17 +33,17 @@ class Solution(msgspec.Struct, frozen=True):
 
 
 class MatrixInequalities(Inequalities):
-    """Find matrices that satisfy linear matrix inequalities with room to spare.
+    """Find matrices that satisfy linear matrix inequalities with a margin.
 
-    Assumes that strictness costs nothing: an inequality that can only hold with equality is infeasible here.
-    Made for dense problems of some hundred numbers; nothing here uses sparsity.
+    Assumes strict inequalities: one that can only hold with equality is infeasible here. Meant for dense
+    problems of some hundred numbers; sparsity is not used.
 
     Each inequality reads block(v) <= -margin s I, where v holds the matrices and s is the largest coefficient
     of the block; a matrix declared ``positive`` lies between I and kappa I, any other number within +-kappa.
 
     Parameters: ``margin`` relative to s, (0, 1e-2]; ``kappa`` the largest eigenvalue and entry, [10, 1e8].
     Returns a ``Solution`` from ``solve``. Raises ParameterError, InfeasibleError, UndecidedError and
-    CertificateError; MissingExtraError where the extra is not installed.
+    CertificateError; MissingExtraError if the extra is not installed.
 
     Reference: Boyd, El Ghaoui, Feron, Balakrishnan 1994, chapter 2; Boyd, Vandenberghe 2004, section 5.9.
 
@@ -61,9 +60,9 @@ class MatrixInequalities(Inequalities):
     """
 
     def solve(self, *, minimise: Block | None = None, solver: str = "CLARABEL") -> Solution:
-        """Matrices with margins, and with the least ``minimise(v)`` where one is given.
+        """Matrices with margins, and with the least ``minimise(v)`` if passed.
 
-        Raises InfeasibleError, UndecidedError or CertificateError where there is no answer to stand on.
+        Raises InfeasibleError, UndecidedError or CertificateError if no solution passes the audit.
         """
         if not self.blocks:
             raise ParameterError(f"{self.name}: needs at least one inequality, received none")
@@ -131,7 +130,7 @@ class MatrixInequalities(Inequalities):
 def check(
     printed: Mapping[str, Any], theorem: MatrixInequalities, *, rounding: float = 0.0
 ) -> dict[str, float]:
-    """The margins of matrices that somebody prints, as ``theorem.check`` gives them, or CertificateError.
+    """The margins of published matrices, as from ``theorem.check``; raises CertificateError.
 
     >>> decay = MatrixInequalities("decay").positive("P", 1).below("-2 P", lambda v: -2.0 * v.P)
     >>> check({"P": 3.0}, decay)

@@ -1,4 +1,4 @@
-"""What stands behind ``matrix_inequalities``: the call of the solver, and what its multipliers prove."""
+"""The call of the solver for ``matrix_inequalities``, and the bound that its multipliers prove."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from pointpred.errors import ParameterError
 from pointpred.extras import missing_extra
 
 CAP = 1e-2
-"""The margin beyond which more is not asked for."""
+"""Largest margin that is sought."""
 TIGHT: dict[str, dict[str, float]] = {
     "CLARABEL": {"tol_feas": 1e-11, "tol_gap_abs": 1e-11, "tol_gap_rel": 1e-11}
 }
-"""The multipliers' rounding is enlarged by kappa in what they prove: they are worth their digits."""
+"""Tight tolerances: kappa magnifies the rounding of the multipliers in the bound they prove."""
 LOOSER = 1e-9
-"""Still worth something; a solver's own tolerances are looser."""
+"""Second tolerances, still tighter than a solver's own."""
 Block = tuple[FloatArray, FloatArray]
 
 
@@ -39,12 +39,12 @@ class Affine(msgspec.Struct, frozen=True):
 
 
 class Answer(msgspec.Struct, frozen=True):
-    """The numbers that the solver returned, if any, and the margin that its multipliers prove unreachable."""
+    """The numbers that the solver returned, if any, and a bound on the margin that its multipliers prove."""
 
     status: str
     numbers: FloatArray | None
     claimed: float
-    """The margin that the solver says its numbers have."""
+    """The margin that the solver reports for its numbers."""
     bound: float
 
 
@@ -55,7 +55,7 @@ def scaled(constant: FloatArray, slopes: FloatArray) -> tuple[Block, float]:
 
 
 def run(problem: Affine, *, solver: str, margin: float | None) -> Answer:
-    """Minimise the objective at the given margin, or find the largest margin where it is ``None``."""
+    """Minimise the objective at the given margin, or find the largest margin if it is ``None``."""
     cvxpy = _library(solver)
     y, t = cvxpy.Variable(problem.basis.shape[1]), cvxpy.Variable()
     x = problem.x0 + problem.basis @ y
@@ -121,9 +121,9 @@ def _positive(matrix: Any) -> FloatArray:
 
 
 def _solved(cvxpy: Any, whole: Any, solver: str) -> str:
-    """Run the solver; its complaints are its status here, since nothing it says is believed unaudited.
+    """Run the solver; its errors become its status, since its answer is audited anyway.
 
-    One that stalls before its tight tolerances says nothing at all: it is asked again for fewer digits.
+    If it stalls before the tight tolerances without an answer, it runs again with looser ones.
     """
     import warnings
 

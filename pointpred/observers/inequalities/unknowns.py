@@ -1,7 +1,7 @@
 """The unknown matrices of a design problem as one vector, and affine functions of them found by probing.
 
 A block is written once, as a numpy function of the matrices. Its coefficients are found by evaluating it at
-unit vectors, so what a solver sees and what the audit recomputes cannot differ.
+unit vectors, so the solver's problem and the audit cannot differ.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from pointpred.errors import InfeasibleError, ParameterError
 from pointpred.observers import matrices
 
 Block = Callable[[Any], Any]
-"""A function of the matrices (as attributes of its argument) with a symmetric matrix or a number as value."""
+"""A function of the matrices (attributes of its argument) that returns a symmetric matrix or a number."""
 
 ROUNDING = 1e-9
 """Relative error below which a block counts as symmetric and affine."""
@@ -37,13 +37,13 @@ class Unknown(msgspec.Struct, frozen=True):
 
     @property
     def count(self) -> int:
-        """How many numbers it takes."""
+        """Its number of entries in the vector."""
         if self.kind == "symmetric":
             return self.rows * (self.rows + 1) // 2
         return self.rows if self.kind == "diagonal" else self.rows * self.columns
 
     def matrix(self, numbers: FloatArray) -> Any:
-        """The matrix (or the number) that the numbers stand for."""
+        """The matrix (or the number) from its entries."""
         if self.kind == "number":
             return float(numbers[0])
         if self.kind == "diagonal":
@@ -57,7 +57,7 @@ class Unknown(msgspec.Struct, frozen=True):
         return matrix
 
     def numbers(self, matrix: Any) -> FloatArray:
-        """The numbers of a matrix; raises ParameterError where its shape or its structure differs."""
+        """The entries of a matrix; raises ParameterError if its shape or its structure differs."""
         given = matrices.matrix(self.name, matrix, self.rows, self.columns)
         numbers = given.reshape(-1)
         if self.kind == "symmetric":
@@ -70,13 +70,13 @@ class Unknown(msgspec.Struct, frozen=True):
 
 
 class Unknowns:
-    """All unknown matrices in order, and the walk between a vector of numbers and the matrices."""
+    """All unknown matrices in order, and the conversion between them and one vector."""
 
     def __init__(self) -> None:
         self.listed: list[Unknown] = []
 
     def add(self, unknown: Unknown) -> None:
-        """Take in one more; raises ParameterError for a name that is taken."""
+        """Add one; raises ParameterError for a name in use."""
         if not unknown.name.isidentifier() or unknown.name in {one.name for one in self.listed}:
             raise ParameterError(
                 f"an unknown needs a new name that is an identifier, received {unknown.name!r}"
@@ -87,7 +87,7 @@ class Unknowns:
 
     @property
     def count(self) -> int:
-        """How many numbers the matrices take together."""
+        """Length of the vector."""
         return sum(unknown.count for unknown in self.listed)
 
     def lows(self) -> FloatArray:
@@ -103,7 +103,7 @@ class Unknowns:
         return found
 
     def numbers(self, matrices: dict[str, Any]) -> FloatArray:
-        """The vector of given matrices; raises ParameterError for one missing, foreign or misshapen."""
+        """The vector of some matrices; raises ParameterError for a missing, unknown or misshapen one."""
         names = [one.name for one in self.listed]
         if set(matrices) != set(names):
             raise ParameterError(f"needs the matrices {names}, received {sorted(matrices)}")
@@ -119,7 +119,7 @@ class Unknowns:
     def equalities(self, blocks: dict[str, Block]) -> tuple[FloatArray, FloatArray]:
         """All numbers that satisfy every equality, as one solution and a basis of the rest.
 
-        Raises InfeasibleError where the equalities contradict each other, with the residual.
+        Raises InfeasibleError, with the residual, if the equalities contradict each other.
         """
         if not blocks:
             return np.zeros(self.count), np.eye(self.count)
@@ -139,7 +139,7 @@ class Unknowns:
         return x0, basis
 
     def _probed(self, name: str, function: Callable[[Any], Any]) -> tuple[FloatArray, FloatArray]:
-        """The constant part and the slopes; only matrices that the function looks at are probed."""
+        """The constant part and the slopes; only matrices that the function reads are probed."""
         zero = vars(self.matrices(np.zeros(self.count)))
         watched = Watched(zero)
         constant: FloatArray = np.asarray(function(watched), np.float64)
@@ -161,18 +161,18 @@ class Unknowns:
         return constant, slopes
 
     def size(self, name: str, block: Block, numbers: FloatArray) -> float:
-        """The largest entry among the terms of a block, before they cancel: what its rounding goes by."""
+        """The largest entry among the terms of a block, before they cancel, which scales its rounding."""
         constant, slopes = self.coefficients(name, block)
         terms = np.abs(slopes) * np.abs(numbers)[:, None, None]
         return float(max(np.abs(constant).max(), terms.max(initial=0.0)))
 
     def value(self, name: str, block: Block, numbers: FloatArray) -> FloatArray:
-        """A block as a symmetric matrix; raises ParameterError where it is none."""
+        """A block as a symmetric matrix; raises ParameterError if it is not."""
         return symmetric(name, block(self.matrices(numbers)))
 
 
 class Watched:
-    """Matrices as attributes, which notes those that were looked at."""
+    """Matrices as attributes; records which were read."""
 
     def __init__(self, matrices: dict[str, Any]) -> None:
         self._matrices, self.seen = matrices, set[str]()
@@ -185,7 +185,7 @@ class Watched:
 
 
 def symmetric(name: str, given: Any) -> FloatArray:
-    """A square matrix rid of rounding; raises ParameterError where it is not symmetric."""
+    """A matrix made exactly symmetric; raises ParameterError if it is not symmetric."""
     value: FloatArray = np.atleast_2d(np.asarray(given, np.float64))
     if value.ndim != 2 or value.shape[0] != value.shape[1]:
         raise ParameterError(f"{name} must be a square matrix, received shape {value.shape}", field=name)

@@ -31,11 +31,11 @@ class ObserverDesign(msgspec.Struct, frozen=True):
     Pi: FloatArray
 
     def region(self, reach: Any) -> tuple[float, float]:
-        """Where the certificate holds, if abs(Jw) stays within ``reach`` on the true trajectory.
+        """The region of validity, if abs(Jw) stays within ``reach`` on the true trajectory.
 
         Returns the level c of the ellipsoid e'Pe <= c that keeps every argument within the plant's domain,
-        and the radius of the largest ball of initial errors in it; both infinite where the domain is.
-        Raises CertificateError where the trajectory itself leaves the domain.
+        and the radius of the largest ball of initial errors in it; both infinite if the domain is.
+        Raises CertificateError if the trajectory itself leaves the domain.
         """
         if np.isinf(self.plant.domain):
             return np.inf, np.inf
@@ -60,15 +60,16 @@ def design_observer(
     solver: str = "CLARABEL",
     **bounds: float,
 ) -> ObserverDesign:
-    """The gain M of observer (3.5) for the generator's state, with a certificate recomputed from matrices.
+    """The gain M of observer (3.5) for the generator's state, with its certificate.
 
-    Assumes that x = Pi w attracts the plant (Assumption 3.2.2), which is another certificate. Minimises a
-    common bound of Gamma and Xi with Theta = I + c P, c = 2 ``decay``; a small gain is no aim.
+    Assumes that x = Pi w attracts the plant (Assumption 3.2.2), which needs a certificate of its own.
+    Minimises a common bound of Gamma and Xi with Theta = I + c P, c = 2 ``decay``; the size of the gain is
+    not minimised.
 
     z' = S0 z + S1 f(Jz) + G Y + E rho + M (Y - C0 Pi z - C1 f(Jz)) with z the estimate of w, M = P^-1 U.
 
-    Parameters: ``gain`` M (q, p) to be certified instead of found; ``decay`` in 1/s (1/step), demanded of the
-    error; ``margin`` and ``kappa`` as for ``MatrixInequalities``.
+    Parameters: ``gain`` M (q, p) to certify instead of computing one; ``decay`` in 1/s (1/step), demanded of
+    the error; ``margin`` and ``kappa`` as for ``MatrixInequalities``.
     Raises InfeasibleError naming the undetectable eigenvalue before any solver runs; InfeasibleError,
     UndecidedError or CertificateError from the solver; ParameterError where slopes are not bounded.
 
@@ -116,7 +117,7 @@ def design_observer(
     whole = {name: function(_Attributes(answer)) for name, function in fixed.items()}
     values = {**answer, **whole, "U": answer["P"] @ m}
     del values["bound"]
-    # The audit is of the gain that is returned, in the theorem as it stands, not of what the solver answered.
+    # Audits the returned gain in the theorem as stated, not the solver's answer.
     margins = theorem_3_2_1(plant, generator, Pi, **bounds).check(values)
     bound = interconnection_bound(
         values["P"], values["Theta"], values["Gamma"], values["Xi"], time=plant.time, sharp=True

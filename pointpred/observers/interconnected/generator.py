@@ -15,7 +15,7 @@ from pointpred.observers.persidskii import Persidskii, column
 
 
 class Fitted(msgspec.Struct, frozen=True):
-    """A generator with every matrix present and of the shape that a plant needs; ``J`` may be ``None``."""
+    """A generator with every matrix, in the shape that a plant needs; ``J`` may be ``None``."""
 
     q: int
     S0: FloatArray
@@ -32,9 +32,9 @@ class Generator:
 
     With y measured instead of known it is the dynamic regulator of (3.8). Constant matrices only.
 
-    Parameters: ``S0`` (q, q), ``S1`` (q, k), ``J`` (r, q) or ``None`` for the one that the plant implies, J =
-    H Pi; ``G`` (q, p), ``L0`` (m, q), ``L1`` (m, k), ``E`` (q, z), ``None`` for one that is absent; ``f`` the
-    generator's own nonlinearity, ``None`` for the plant's.
+    Parameters: ``S0`` (q, q), ``S1`` (q, k), ``J`` (r, q) or ``None`` for the plant's, J = H Pi; ``G`` (q,
+    p), ``L0`` (m, q), ``L1`` (m, k), ``E`` (q, z), ``None`` for zero; ``f`` the generator's own nonlinearity,
+    ``None`` for the plant's.
     Raises ParameterError (a ValueError) naming the matrix.
 
     Reference: Khalin 2022, (3.2), (3.8).
@@ -69,9 +69,9 @@ class Generator:
         self.f = None if f is None else nonlinearity(f, 1 if self.S1 is None else self.S1.shape[1])
 
     def beside(self, plant: Persidskii) -> Fitted:
-        """Every matrix, zero where it was left out, in the shape that the plant needs.
+        """Every matrix in the shape that the plant needs, zero where it was left out.
 
-        Raises ParameterError naming the matrix, the shape it has and the shape it should have.
+        Raises ParameterError naming the matrix, its shape and the shape needed.
         """
         if self._fitted is not None and self._fitted[0] is plant:
             return self._fitted[1]
@@ -90,7 +90,7 @@ class Generator:
         return self._fitted[1]
 
     def field(self, w: Any, *, y: Any = None, rho: Any = None, f: Any = None) -> FloatArray:
-        """The w' (or the next w); ``f`` is the plant's nonlinearity where it has none of its own."""
+        """The w' (or the next w); ``f`` is the plant's nonlinearity, used if the generator has none."""
         w = np.asarray(w, np.float64)
         change: FloatArray = self.S0 @ w
         if self.S1 is not None and self.S1.any():

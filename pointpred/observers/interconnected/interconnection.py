@@ -1,4 +1,4 @@
-"""The inequalities of Theorem 3.2.1, to be solved or to check matrices that somebody prints."""
+"""The inequalities of Theorem 3.2.1, to be solved or to check published matrices."""
 
 from __future__ import annotations
 
@@ -18,9 +18,10 @@ from pointpred.observers.persidskii import Persidskii
 
 
 class Interconnection:
-    """What an observer of the generator sees: the blocks of Theorem 3.2.1 as functions of P, U, Theta, ...
+    """The blocks of Theorem 3.2.1 as functions of P, U, Theta, ...
 
-    ``j`` is J = H Pi and ``output`` C0 Pi; ``corners`` are those of the slopes, none where f does not matter.
+    ``j`` is J = H Pi and ``output`` C0 Pi; ``corners`` are those of the slopes, none if the blocks do not
+    depend on f.
     Raises ParameterError where the generator's own J is not H Pi, or where the slopes are not bounded.
     """
 
@@ -75,7 +76,7 @@ class Interconnection:
         return block
 
     def state(self, problem: MatrixInequalities, **fixed: Any) -> MatrixInequalities:
-        """Demand the theorem of a problem; ``fixed`` gives matrices that are no unknowns of it."""
+        """Add the theorem's inequalities to a problem; ``fixed`` holds matrices that are not unknowns."""
 
         def completed(block: Callable[..., FloatArray], *corner: Any) -> Callable[[Any], FloatArray]:
             return lambda v: block(Completed(v, fixed), *corner)
@@ -95,7 +96,7 @@ class Interconnection:
 
 
 class Completed:
-    """The matrices of a problem, and those that are functions of them."""
+    """The matrices of a problem and the functions of them."""
 
     def __init__(self, v: Any, fixed: dict[str, Any]) -> None:
         self._v, self._fixed = v, fixed
@@ -114,10 +115,10 @@ def theorem_3_2_1(
 ) -> MatrixInequalities:
     """The inequalities of Theorem 3.2.1 for a plant, its generator and their steady-state map.
 
-    Unknowns: P, Theta, Gamma, Xi, U, and W where f matters. F = P S1 - U C1 is no unknown of its own; where
-    it is given, the equality is demanded. e'F(f(Jw) - f(Jz)) <= e'We holds exactly if W >= sym(F D J) for
-    each corner D of the slopes. For discrete time, of which the thesis has no such theorem, V(e+) - V(e)
-    stands where V' stands, at each corner.
+    Unknowns: P, Theta, Gamma, Xi, U, and W where f matters. F = P S1 - U C1 is not an unknown; if it is
+    passed, the equality is required. e'F(f(Jw) - f(Jz)) <= e'We holds exactly if W >= sym(F D J) for each
+    corner D of the slopes. In discrete time, for which the thesis has no such theorem, V(e+) - V(e) replaces
+    V' at each corner.
 
     >>> plant = Persidskii([[-1.0]], None, None, "sin", B=[1.0], C0=[1.0])
     >>> theorem = theorem_3_2_1(plant, Generator([[0.0]], L0=[1.0]), [[1.0]])

@@ -11,8 +11,8 @@ from pointpred.stage import loop_into
 
 # Parameters: states q, components k, inputs, outputs, discrete?, step, gap; then codes (k), N (q, q), L (q,
 # k), J (k, q), K (q, inputs), R0 (outputs, q), R1 (outputs, k), R (k, inputs), R2 (outputs, inputs) and the
-# start (q). The state behind them: whether a sample came, t, w less its start (q), the last inputs, and room
-# for the stages of an integration step.
+# start (q). The state: whether there was a sample, t, w minus its start (q), the last inputs, and scratch
+# space for an integration step.
 STATES, COMPONENTS, INPUTS, OUTPUTS, DISCRETE, STEP, GAP, CODES = range(8)
 
 ACCEPTED, REPEATED, BACKWARDS = 0, 1, 2
@@ -20,25 +20,25 @@ ACCEPTED, REPEATED, BACKWARDS = 0, 1, 2
 
 @layout
 def injected_at(q: int, k: int, inputs: int, outputs: int) -> int:
-    """Where R lies, which lets inputs into the nonlinearity; R2 follows it."""
+    """Offset of R, through which inputs enter the nonlinearity; R2 follows it."""
     return CODES + k + q * q + 2 * q * k + q * inputs + outputs * (q + k)
 
 
 @layout
 def start_at(q: int, k: int, inputs: int, outputs: int) -> int:
-    """Where the start lies."""
+    """Offset of the start."""
     return injected_at(q, k, inputs, outputs) + (k + outputs) * inputs
 
 
 @layout
 def floats(q: int, k: int, inputs: int) -> int:
-    """How many floats the state takes."""
+    """Number of floats of the state."""
     return 2 + q + inputs + 4 * q + k + inputs
 
 
 @law
 def slope(memory: FloatArray, w: int, inputs: int, nonlinear: int, to: int) -> None:
-    """N w + L f(Jw + R i) + K i, read from three places of the memory and written to a fourth."""
+    """N w + L f(Jw + R i) + K i, read at three offsets of the memory and written at a fourth."""
     q, k, m = int(memory[STATES]), int(memory[COMPONENTS]), int(memory[INPUTS])
     n_at = CODES + k
     l_at = n_at + q * q
@@ -65,7 +65,7 @@ def slope(memory: FloatArray, w: int, inputs: int, nonlinear: int, to: int) -> N
 
 @law
 def flow(memory: FloatArray, w: int, row: FloatArray, begin: float, h: float) -> None:
-    """One step of the classical Runge-Kutta method at w, with inputs on a line between the last ones and row.
+    """One step of the classical Runge-Kutta method at w, with inputs linear between the last ones and row.
 
     ``begin`` and ``h`` are fractions of the interval between the two samples, whose length is row[0] - t.
     """
@@ -95,7 +95,7 @@ def flow(memory: FloatArray, w: int, row: FloatArray, begin: float, h: float) ->
 
 @law
 def advance(memory: FloatArray, row: FloatArray) -> int:
-    """Take in the sample (t, inputs): go on from the last one, or begin; a repeated t replaces its inputs."""
+    """Process the sample (t, inputs): continue or start; a repeated t replaces its inputs."""
     q, k, m = int(memory[STATES]), int(memory[COMPONENTS]), int(memory[INPUTS])
     start = start_at(q, k, m, int(memory[OUTPUTS]))
     started = start + q
@@ -160,7 +160,7 @@ def read(memory: FloatArray, out: FloatArray) -> None:
 
 @law
 def step(memory: FloatArray, row: FloatArray, out: FloatArray) -> int:
-    """One sample (t, inputs): the state is carried to t and read out; an earlier t changes nothing."""
+    """Integrate to the sample (t, inputs) and return the outputs; an earlier t changes nothing."""
     verdict = advance(memory, row)
     if verdict != BACKWARDS:
         read(memory, out)

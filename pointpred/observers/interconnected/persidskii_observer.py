@@ -24,18 +24,18 @@ STEPS_MOST = 100_000
 class PersidskiiObserver(CompiledStage):
     """The stage w' = N w + L f(Jw + R i) + K i with i the inputs of a sample; returns R0 w + R1 f(.) + R2 i.
 
-    Assumes that inputs lie on a line between two samples, which is what the samples cannot say; in discrete
-    time each sample is one step, and what it brings counts from the next one on. A gap longer than
-    ``gap_s`` begins anew at ``start``: nothing is known of the inputs in between.
+    Assumes that inputs are linear between two samples; in discrete time each sample is one step, and its
+    inputs act from the next step on. A gap longer than ``gap_s`` restarts at ``start``, because the inputs in
+    between are unknown.
 
     Continuous time is integrated by the classical Runge-Kutta method in steps of at most ``step_s``; a step
     too long for the fastest eigenvalue of N is unstable, so choose step_s below 1 / (largest eigenvalue).
 
     Parameters: ``N`` (q, q), ``L`` (q, k), ``J`` (k, q), ``K`` (q, inputs), ``f`` a name or one for each
-    component; ``R0`` (outputs, q), the identity unless given; ``R1`` (outputs, k); ``R`` (k, inputs)
-    and ``R2`` (outputs, inputs), zeros unless given; ``start`` (q), zeros
-    unless given; ``step_s`` in s, [1e-6, 1]; ``gap_s`` in s, [1e-6, 1e6], at most 10^5 steps; ``time``
-    "continuous" or "discrete". Memory: the matrices and 2 + 6 q + k + 2 inputs floats.
+    component; ``R0`` (outputs, q), default the identity; ``R1`` (outputs, k); ``R`` (k, inputs) and ``R2``
+    (outputs, inputs), default zeros; ``start`` (q), default zeros; ``step_s`` in s, [1e-6, 1]; ``gap_s`` in
+    s, [1e-6, 1e6], at most 10^5 steps; ``time`` "continuous" or "discrete". Memory: the matrices and 2 + 6 q
+    + k + 2 inputs floats.
     Raises ParameterError; EventError, EventOrderError and DivergenceError from ``update``.
 
     Reference: Khalin 2022, (3.5), (3.8), (3.17), (3.19).
@@ -97,7 +97,7 @@ class PersidskiiObserver(CompiledStage):
         self.lay_out(settings, law.floats(q, k, self.inputs))
 
     def declare(self, **values: Any) -> None:
-        """Check the values, and that a gap holds no more steps than one sample may cost."""
+        """Check the values, and the number of steps in the longest gap."""
         super().declare(**values)
         if self.gap_s / self.step_s > STEPS_MOST:
             raise ParameterError(
@@ -113,10 +113,10 @@ class PersidskiiObserver(CompiledStage):
             )
 
     def update(self, t: float, inputs: ArrayLike = ()) -> FloatArray:
-        """Take in the inputs measured at ``t`` (s, or the index) and return what is known at t.
+        """Process the inputs measured at ``t`` (s, or the index) and return the outputs at t.
 
-        Raises EventError for values that are not finite or of another number, EventOrderError when
-        time runs backwards and DivergenceError where the state leaves every bound; nothing is then changed.
+        Raises EventError for values that are not finite or a wrong number of them, EventOrderError when time
+        runs backwards and DivergenceError if the state diverges; the stage is then unchanged.
         """
         row = self._row(t, inputs)
         before = self._memory.copy()
@@ -162,7 +162,7 @@ def observer_stage(design: ObserverDesign, **settings: Any) -> PersidskiiObserve
 def regulator_stage(plant: Persidskii, regulator: Generator, **settings: Any) -> PersidskiiObserver:
     """Regulator (3.8): inputs are Y, then rho; it returns u = L0 w + L1 f(Jw).
 
-    Raises ParameterError where the regulator has no J.
+    Raises ParameterError if the regulator has no J.
     """
     g = regulator.beside(plant)
     if g.J is None:

@@ -10,11 +10,11 @@ import numpy as np
 from pointpred.columns import FloatArray
 
 SUBSPACES_MOST = 5000
-"""More invariant subspaces than this are not tried; those of the first eigenvalues are."""
+"""At most so many invariant subspaces are tried, those of the first eigenvalues."""
 
 
 def invariant_graphs(a0: FloatArray, s0: FloatArray, k: FloatArray, r: FloatArray) -> list[FloatArray]:
-    """Every isolated solution where ((s0, r), (k, a0)) has different eigenvalues; some of them where not.
+    """Every isolated solution if the eigenvalues of ((s0, r), (k, a0)) differ, else some of them.
 
     A Pi is a solution exactly if the columns of (I; Pi) span an invariant subspace.
 
@@ -37,7 +37,7 @@ def invariant_graphs(a0: FloatArray, s0: FloatArray, k: FloatArray, r: FloatArra
 
 
 def _real_choices(values: FloatArray, q: int) -> Iterator[tuple[int, ...]]:
-    """Choices of q eigenvalues that hold with each complex one its conjugate."""
+    """Choices of q eigenvalues in which each complex one comes with its conjugate."""
     for chosen in islice(combinations(range(len(values)), q), SUBSPACES_MOST):
         upper = sorted((values[i].real, values[i].imag) for i in chosen if values[i].imag > 0.0)
         lower = sorted((values[i].real, -values[i].imag) for i in chosen if values[i].imag < 0.0)

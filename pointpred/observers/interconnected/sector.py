@@ -1,4 +1,4 @@
-"""The constants of Assumption 3.2.4, from the slopes of f or from whoever claims them."""
+"""The constants of Assumption 3.2.4, from the slopes of f or from the caller."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ class SectorBounds(msgspec.Struct, frozen=True):
 
 
 def sector_bounds(plant: Persidskii, **values: Any) -> SectorBounds:
-    """The constants that slopes of at most b_j imply, Sigma1 = Psi1 = H' diag(b^2) H, or those given.
+    """The constants that slopes of at most b_j imply, Sigma1 = Psi1 = H' diag(b^2) H, or those passed.
 
     Raises ParameterError where slopes are missing, unbounded or negative (Assumption 3.2.5 needs an f that
-    increases), CertificateError where given Sigma1 or Psi1 lie below what the slopes imply; that is
-    sufficient for Assumption 3.2.4 and, with the other constants zero, necessary where the slopes are
+    increases), CertificateError where the passed Sigma1 or Psi1 lie below those that the slopes imply; that
+    is sufficient for Assumption 3.2.4 and, with the other constants zero, necessary where the slopes are
     reached.
 
     >>> plant = Persidskii(-np.eye(2), [0.0, 1.0], [0.0, 2.0], "tanh")

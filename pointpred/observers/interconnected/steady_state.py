@@ -21,9 +21,9 @@ TOLERANCE = 1e-9
 class SteadyState(msgspec.Struct, frozen=True):
     """A steady-state map: ``Pi`` (n, q), ``J`` = H Pi, the largest ``residuals`` by equality.
 
-    Where Pi is not unique, ``nullity`` directions leave every equality satisfied (to first order where it is
-    a Riccati equation) and ``basis`` holds them, shape (nullity, n, q). ``others`` are the further isolated
-    solutions of a Riccati equation; Pi is the one from which the plant's error decays fastest.
+    If Pi is not unique, ``basis`` holds the ``nullity`` directions that keep every equality (to first order
+    for a Riccati equation), shape (nullity, n, q). ``others`` are the further isolated solutions of a Riccati
+    equation; Pi is the one from which the plant's error decays fastest.
     """
 
     Pi: FloatArray
@@ -41,7 +41,7 @@ def residuals(
     *,
     relaxed: bool = False,
 ) -> dict[str, FloatArray]:
-    """What is left of each equality for a given Pi: of (3.3) and J = H Pi, or of Corollary 3.2.1.
+    """Residual of each equality for a Pi: of (3.3) and J = H Pi, or of Corollary 3.2.1.
 
     >>> plant = Persidskii([[-1.0]], None, None, "sin", B=[1.0])
     >>> generator = Generator([[0.0]], L0=[2.0])
@@ -75,19 +75,18 @@ def steady_state_map(
 ) -> SteadyState:
     """Pi such that x = Pi w is a solution of plant and generator without disturbances.
 
-    Assumes nothing of stability: whether x is attracted by Pi w is another question. For a plant whose
-    matrices vary, a constant Pi is sought that satisfies the equalities at each of ``times``, to be given
-    then. With G C0 = 0 everything is linear and the least residual decides; otherwise the first equality
-    is a Riccati equation, whose isolated solutions are found as graphs of invariant subspaces of
-    ((S0, G C0), (B L0, A0)).
+    Assumes nothing about stability: Pi w need not attract x. For a plant whose matrices vary, Pi is constant
+    and satisfies the equalities at each of ``times``, which are then required. With G C0 = 0 the equalities
+    are linear and solved by least squares; otherwise the first equality is a Riccati equation, whose isolated
+    solutions are found as graphs of invariant subspaces of ((S0, G C0), (B L0, A0)).
 
     (A0 - Pi G C0) Pi - Pi S0 + B L0 = 0, A1 + B L1 - Pi (S1 + G C1) = 0, Q = Pi E, J = H Pi;
     ``relaxed``: A1 = Pi G C1 and B L1 = Pi S1 instead of the second, and nothing about J.
 
     Parameters: ``tolerance`` of a residual, (0, 1), relative to the largest entry of A0, A1, B L0, B L1, Q,
-    S0 and G C0 (of H and J too where J is given), for matrices that were rounded in print; ``times`` in s
-    (indices in discrete time). Raises InfeasibleError naming the equality that cannot hold and its residual,
-    ParameterError, UndecidedError where a Riccati equation has no isolated solution that satisfies the rest.
+    S0 and G C0 (of H and J too where J is given), for matrices rounded in print; ``times`` in s (indices in
+    discrete time). Raises InfeasibleError naming the violated equality and its residual, ParameterError,
+    UndecidedError where a Riccati equation has no isolated solution that satisfies the rest.
 
     Reference: Khalin 2022, Proposition 3.2.1, Corollary 3.2.1; Lancaster and Rodman 1995, chapter 7.
 
@@ -148,7 +147,7 @@ def _least(stacked: Any, slope: FloatArray) -> FloatArray:
 
 
 def _jacobian(stacked: Any, numbers: FloatArray) -> FloatArray:
-    """The derivative; central differences are exact for equalities of second degree."""
+    """The derivative by central differences, which are exact for quadratic equalities."""
     steps = np.eye(len(numbers))
     columns = [0.5 * (stacked(numbers + step) - stacked(numbers - step)) for step in steps]
     return np.array(columns).T
@@ -191,7 +190,7 @@ def _refuse(
 
 
 def _name_first(left: Any, zero: FloatArray, shape: tuple[int, int], limit: float) -> None:
-    """Raise InfeasibleError for the first equality that cannot hold beside those before it."""
+    """Raise InfeasibleError for the first equality that cannot hold together with those before it."""
     names = list(left(zero.reshape(shape)))
     for count in range(1, len(names) + 1):
 

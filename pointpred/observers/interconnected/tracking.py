@@ -20,7 +20,7 @@ from pointpred.observers.persidskii import Persidskii
 class TrackingCertificate(msgspec.Struct, frozen=True):
     """Both theorems: the ``regulator`` is ISS (3.2.2) and so is the ``error`` z = x - Pi w (3.2.3).
 
-    Local where the slopes hold on a ``domain`` only: abs(Jw), abs(Hz) and abs(Jw + Hz) must stay below it.
+    Local if the slopes hold on a ``domain`` only: abs(Jw), abs(Hz) and abs(Jw + Hz) must stay below it.
     """
 
     regulator: Solution
@@ -39,9 +39,9 @@ def theorem_3_2_2(
 
     Unknowns: P, Gamma > 0, Xi >= 0, diagonal Omega, Lambda >= 0; S = S0 + G C0 Pi, S~ = S1 + G C1. The
     condition Xi + mu J' Omega J > 0 holds for some mu exactly if it holds for mu = 1, as both terms are
-    positive semidefinite; so it is an inequality like the others.
+    positive semidefinite; so it is solved like the other inequalities.
 
-    Assumes strict inequalities: where J S~ = 0 the block of f(Jw) is zero and no strict one can hold.
+    Assumes strict inequalities: with J S~ = 0 the block of f(Jw) is zero and none can hold.
     """
     g = regulator.beside(plant)
     pi = matrix("Pi", Pi, plant.n, g.q)
@@ -79,7 +79,7 @@ def theorem_3_2_3(
     """Assumption 3.2.6 with the conditions of Theorem 3.2.3: z = x - Pi w is ISS with respect to d, w and v.
 
     Unknowns: P, Gamma > 0, Xi >= 0, diagonal Lambda, Omega1, Omega2, Upsilon >= 0, gamma1, gamma2 > 0;
-    A~0 = A0 - Pi G C0, A~1 = A1 - Pi G C1. As above mu = 1 decides about mu.
+    A~0 = A0 - Pi G C0, A~1 = A1 - Pi G C1. As above, mu = 1 is enough.
     """
     g = regulator.beside(plant)
     pi = matrix("Pi", Pi, plant.n, g.q)
@@ -136,11 +136,11 @@ def certify_tracking(
 ) -> TrackingCertificate:
     """Corollary 3.2.2: the plant follows Pi w under regulator (3.8), locally where slopes hold locally.
 
-    Assumes that x = Pi w is what one wants to follow; that it is a solution is checked (Assumption 3.2.1).
+    Assumes that x = Pi w is the desired trajectory; checks that it is a solution (Assumption 3.2.1).
 
-    Parameters: ``sector`` the constants of Assumption 3.2.4, those of the slopes unless given; ``tolerance``
+    Parameters: ``sector`` the constants of Assumption 3.2.4, by default from the slopes; ``tolerance``
     of the equalities, relative; ``margin`` and ``kappa`` as for ``MatrixInequalities``.
-    Raises InfeasibleError naming an equality with its residual, or the assumption that no choice satisfies;
+    Raises InfeasibleError naming an equality with its residual, or the assumption that cannot be satisfied;
     UndecidedError, CertificateError and ParameterError as for ``MatrixInequalities``.
 
     Reference: Khalin 2022, section 3.2.3.

@@ -17,7 +17,7 @@ from pointpred.observers.reduced_order.upsilon import Choice, allowed, split
 
 
 class ReducedOrderDesign(msgspec.Struct, frozen=True):
-    """A reduced-order observer, the Upsilon that was chosen, and the certificate of the observer as it is."""
+    """A reduced-order observer, its Upsilon, and its certificate."""
 
     observer: InvariantObserver
     Upsilon: FloatArray
@@ -33,20 +33,20 @@ def design_reduced_order(
     solver: str = "CLARABEL",
     **bounds: float,
 ) -> ReducedOrderDesign:
-    """The reduced-order observer whose Upsilon the inequality chooses, with its certificate.
+    """The reduced-order observer with Upsilon from the inequality, and its certificate.
 
     Assumes y = C0 x and constant matrices. Without ``injection`` the equality J Z = H leaves only Upsilon =
-    U0 + N K, N the null space of H restricted to what is not measured, and P is sought block-diagonal
-    there, which is more than is needed: infeasible then says that no such P exists. With ``injection``
-    f sees the measured output, every Upsilon is allowed, and in continuous time nothing is lost.
+    U0 + N K, N the null space of H restricted to the unmeasured part, and P is block-diagonal there, which is
+    conservative: infeasible then means that no such P exists. With ``injection`` the measured output enters
+    f, every Upsilon is allowed, and in continuous time there is no conservatism.
 
     Continuous: S0'P + P S0 + 2 sym(P S1 D J) + 2 a P < 0 at each corner D of the slopes, a = 1.5
-    ``decay``, linear in P and P Upsilon; of all Upsilon one with small Upsilon'P Upsilon. The
-    certificate is then sought anew.
+    ``decay``, linear in P and P Upsilon; of all Upsilon one with small Upsilon'P Upsilon. The certificate is
+    then computed separately.
 
-    Parameters: ``Pi`` (n - p, n), a basis of what is not measured unless given; ``decay`` of the error
-    in 1/s (per step in discrete time), > 0. Raises InfeasibleError naming the mode that never shows,
-    or the equality, or from the solver; UndecidedError; ParameterError.
+    Parameters: ``Pi`` (n - p, n), by default a basis of the unmeasured part; ``decay`` of the error in 1/s
+    (per step in discrete time), > 0. Raises InfeasibleError naming the undetectable mode, or the equality, or
+    from the solver; UndecidedError; ParameterError.
 
     Reference: Khalin 2022, section 3.3.3, (3.33)-(3.40), Theorems 3.3.1 and 3.3.2.
 
@@ -73,5 +73,5 @@ def design_reduced_order(
 
 
 def _unmeasured(plant: Persidskii) -> FloatArray:
-    """An orthonormal basis of what the output does not see."""
+    """An orthonormal basis of the null space of the output."""
     return np.asarray(np.linalg.svd(plant.C0)[2][plant.p :], np.float64)

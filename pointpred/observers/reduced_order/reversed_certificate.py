@@ -1,4 +1,4 @@
-"""Certificates of the reversed connection: Theorems 3.3.1 and 3.3.2, for a given observer."""
+"""Certificates of the reversed connection of an observer: Theorems 3.3.1 and 3.3.2."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.reduced_order.reversed_connection import Connection, InvariantObserver
 
 SHARES = (0.6, 0.4, 0.2, 0.05)
-"""Shares of the slowest corner's decay that are tried where none is demanded."""
+"""Fractions of the slowest corner's decay that are tried if ``decay`` is ``None``."""
 
 
 class Convergence(msgspec.Struct, frozen=True):
@@ -28,7 +28,7 @@ class Convergence(msgspec.Struct, frozen=True):
 
     ``values`` of P, Xi and the theorem's other matrices, the ``margins`` of each inequality recomputed from
     them, and the ``bound`` of the error for a disturbance delta of the observer's equation. The certificate
-    holds while the arguments of f stay within ``domain``; ``J`` takes the error to them.
+    holds while the arguments of f stay within ``domain``; ``J`` maps the error to them.
     """
 
     theorem: str
@@ -39,11 +39,11 @@ class Convergence(msgspec.Struct, frozen=True):
     domain: float
 
     def region(self, reach: float) -> tuple[float, float]:
-        """Where the certificate holds, if abs(H x) stays within ``reach`` on the true trajectory.
+        """The region of validity, if abs(H x) stays within ``reach`` on the true trajectory.
 
         Returns the level c of the ellipsoid e'Pe <= c that keeps the observer's arguments within the
-        domain, and the radius of the largest ball of initial errors in it; infinite where the domain
-        is. Raises CertificateError where the trajectory itself leaves the domain.
+        domain, and the radius of the largest ball of initial errors in it; infinite if the domain is. Raises
+        CertificateError if the trajectory itself leaves the domain.
         """
         if np.isinf(self.domain) or not self.J.any():
             return np.inf, np.inf
@@ -66,9 +66,9 @@ def theorem_3_3_1(
     F: Any = None,
     **bounds: float,
 ) -> MatrixInequalities:
-    """The inequalities of Theorem 3.3.1 with a constant P, at each of the observer's given matrices.
+    """The inequalities of Theorem 3.3.1 with a constant P, at each of the observer's matrices.
 
-    Unknowns: P, Xi, and W where f matters. F = P S1; where it is given, the equality is demanded.
+    Unknowns: P, Xi, and W if S1 is not zero. F = P S1; if it is passed, the equality is required.
     e'F(f(Jw) - f(Jz)) <= e'We holds exactly if W >= sym(F D J) at each corner D of the slopes.
     """
     q = len(connections[0].S0)
@@ -115,14 +115,14 @@ def certify_convergence(
 ) -> Convergence:
     """A certificate that w = Pi x + Upsilon y attracts the observer's state, recomputed from its matrices.
 
-    Assumes one P for all times; where matrices vary, ``times`` must be given and are all that is
-    certified: what lies between is not. Theorem 3.3.2 knows the nonlinearity by its Lipschitz constant
-    only: a steep f is refused although it may help. Of all P the one of least condition is taken (in
-    discrete time, with a small Gamma).
+    Assumes one P for all times; if matrices vary, ``times`` are required and only these are certified, not
+    the times between them. Theorem 3.3.2 uses only the Lipschitz constant of the nonlinearity: a steep f is
+    refused although it may help. Takes the P of least condition number (in discrete time, with a small
+    Gamma).
 
-    Parameters: ``decay`` of the error in 1/s (per step in discrete time), > 0, by Xi >= 2 decay P; a
-    share of what the slowest corner has where it is not given; ``gamma`` of Theorem 3.3.1 in 1/s, > 0,
-    ``decay`` unless given. ``margin``, ``kappa`` as for ``MatrixInequalities``.
+    Parameters: ``decay`` of the error in 1/s (per step in discrete time), > 0, by Xi >= 2 decay P; by default
+    a fraction of the slowest corner's; ``gamma`` of Theorem 3.3.1 in 1/s, > 0, by default ``decay``.
+    ``margin``, ``kappa`` as for ``MatrixInequalities``.
     Raises InfeasibleError naming the eigenvalue where S0 + S1 D J is unstable at a corner D of the
     slopes, before any solver runs; InfeasibleError, UndecidedError, CertificateError from the solver.
 
@@ -178,7 +178,7 @@ def symmetric(square: FloatArray) -> FloatArray:
 
 
 def _size(v: Any) -> float:
-    """What is minimised: the largest eigenvalues of P and, in discrete time, of Gamma."""
+    """The objective: the largest eigenvalues of P and, in discrete time, of Gamma."""
     return float(v.bound + getattr(v, "noise", 0.0))
 
 
@@ -195,7 +195,7 @@ def _dissipation(one: Connection, gamma: float, sloped: bool) -> Block:
 
 
 def _next(one: Connection, lipschitz: float) -> Block:
-    """V(k+1) - V(k) + e'Xi e - delta'Gamma delta, with what the Lipschitz constant adds."""
+    """V(k+1) - V(k) + e'Xi e - delta'Gamma delta, with the terms of the Lipschitz constant."""
     q, k = one.S1.shape
     onward = np.hstack([one.S0, one.S1, -np.eye(q)])
 
@@ -212,7 +212,7 @@ def _next(one: Connection, lipschitz: float) -> Block:
 def _problem(
     connections: list[Connection], plant: Persidskii, decay: float, gamma: float, bounds: dict[str, float]
 ) -> MatrixInequalities:
-    """The theorem's inequalities with the decay demanded, and what is to be small."""
+    """The theorem's inequalities with the required decay and the bounds to minimise."""
     identity = np.eye(len(connections[0].S0))
     if plant.time == "discrete":
         problem = theorem_3_3_2(
@@ -227,7 +227,7 @@ def _problem(
 
 
 def _slowest(one: Connection, plant: Persidskii) -> float:
-    """The largest real part (log modulus) at a corner of the slopes; raises where it is not negative."""
+    """The largest real part (log modulus) at a corner of the slopes; raises unless negative."""
     corners = vertices(plant.slopes) if one.S1.any() else {"": np.zeros((one.S1.shape[1], len(one.J)))}
     discrete, slowest = plant.time == "discrete", -np.inf
     for name, corner in corners.items():

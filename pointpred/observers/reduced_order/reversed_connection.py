@@ -23,9 +23,8 @@ Given = Any
 class Connection(msgspec.Struct, frozen=True):
     """The observer's matrices at one time: w' = S0 w + S1 f(J w + R y) + B y + O u, with w = Z x invariant.
 
-    ``R`` is zero unless the measured output was allowed into the nonlinearity. ``residuals`` are what
-    is left of each equality; ``unique`` says whether the equalities leave no choice of S0 and B.
-    ``onward`` is the Z that the next w belongs to: Z itself in continuous time.
+    ``R`` is zero without injection. ``residuals`` of each equality; ``unique``: whether the equalities
+    determine S0 and B. ``onward`` is the Z of the next w: Z itself in continuous time.
     """
 
     Z: FloatArray
@@ -41,10 +40,10 @@ class Connection(msgspec.Struct, frozen=True):
 
 
 class InvariantObserver:
-    """An observer that w = Pi x + Upsilon y joins to its plant; see ``invariant_observer``.
+    """An observer with the invariant w = Pi x + Upsilon y; see ``invariant_observer``.
 
-    Assumes y = C0 x + C1 f(Hx) without noise for the invariance; whether w is attracted by it is the
-    matter of a certificate.
+    Assumes y = C0 x + C1
+    f(Hx) without noise; that w converges to it needs a certificate.
     """
 
     def __init__(
@@ -80,13 +79,13 @@ class InvariantObserver:
         return change if u is None else change + now.O @ np.atleast_1d(u)
 
     def invariant(self, t: float, x: Any) -> FloatArray:
-        """The w that belongs to a state of the plant: Z x."""
+        """The w of a state of the plant: Z x."""
         return np.asarray(self.at(t).Z @ np.asarray(x, np.float64))
 
     def recovery(self, t: float) -> tuple[FloatArray, FloatArray]:
         """X, Y with x = X w + Y y on the invariant solution.
 
-        Raises ParameterError where w and y do not determine x, or y holds the nonlinearity.
+        Raises ParameterError if w and y do not determine x, or y contains the nonlinearity.
         """
         now, plant = self.at(t), self.plant.matrices(t)
         both = np.vstack([now.Z, plant["C0"]])
@@ -100,7 +99,7 @@ class InvariantObserver:
         return np.asarray(onto, np.float64), np.asarray(straight, np.float64)
 
     def estimate(self, t: float, w: Any, y: Any) -> FloatArray:
-        """The plant's state that w and y stand for."""
+        """The plant's state from w and y."""
         onto, straight = self.recovery(t)
         return np.asarray(onto @ np.asarray(w, np.float64) + straight @ np.atleast_1d(y))
 
@@ -145,7 +144,7 @@ class InvariantObserver:
         return Connection(z, s0, s1, j, b, inputs, r, residuals, not free, onward)
 
     def _rate(self, t: float, now: dict[str, FloatArray], upsilon: FloatArray) -> FloatArray:
-        """Z' = Pi' + Upsilon' C0 + Upsilon C0', from the derivatives that were given."""
+        """Z' = Pi' + Upsilon' C0 + Upsilon C0', from the derivatives passed."""
         total = np.zeros((self.q, self.plant.n))
         if "Pi" in self._rates:
             total += matrix("Pi'", self._rates["Pi"](t), self.q, self.plant.n)
@@ -181,19 +180,18 @@ def invariant_observer(
 ) -> InvariantObserver:
     """The observer w' = S0 w + S1 f(Jw) + B y + O u that w = Pi x + Upsilon y solves for every x(0) and u.
 
-    Assumes nothing of stability. Where the equalities leave S0 and B open (q + p > n), B is the one of
-    least norm unless given, which need not make a stable observer.
+    Assumes nothing about stability. If the equalities do not determine S0 and B (q + p > n), B is by default
+    the one of least norm, which need not give a stable observer.
 
     With Z = Pi + Upsilon C0: Upsilon C1 = 0, J Z = H, S0 Z + B C0 = Z A0 + Z', S1 = Z A1 - B C1, O = Z
     (B Q). In discrete time the Z before A0, A1 and the inputs is that of the next index, and there is
-    no Z'. ``injection`` weakens J Z = H to J Z + R C0 = H with f(J w + R y): the measured output
-    within f, which the thesis does not have. J is not asked for where S1 = 0.
+    no Z'. ``injection`` weakens J Z = H to J Z + R C0 = H with f(J w + R y): the measured output within f,
+    which the thesis does not have. J is not needed if S1 = 0.
 
     Parameters: ``Pi`` (q, n), ``Upsilon`` (q, p), ``B`` (q, p): arrays or functions of t (of the index);
     ``rates`` in continuous time the derivatives of those of Pi, Upsilon and C0 that vary;
-    ``tolerance`` of a residual relative to the plant's largest entry, for matrices that were rounded
-    in print. Raises InfeasibleError naming an equality that cannot hold and its residual;
-    ParameterError for a shape.
+    ``tolerance`` of a residual relative to the plant's largest entry, for matrices rounded in print. Raises
+    InfeasibleError naming the violated equality and its residual; ParameterError for a shape.
 
     Reference: Khalin 2022, Propositions 3.3.1 and 3.3.2, (3.20)-(3.25); C0, C1 and Q are its D0, D1 and Q.
 
@@ -216,7 +214,7 @@ def _at(given: Given, t: float) -> Any:
 
 
 def _right(a: FloatArray, b: FloatArray) -> FloatArray:
-    """The X of least norm that comes nearest to X a = b."""
+    """The least-squares solution of X a = b, of least norm."""
     return np.asarray(np.linalg.lstsq(a.T, b.T, rcond=None)[0].T, np.float64)
 
 
@@ -235,11 +233,10 @@ def invariant_stage(
 ) -> PersidskiiObserver:
     """Observer (3.17) or (3.19) as a stage: inputs are y, then u; it returns the plant's x.
 
-    Assumes constant matrices, C1 = 0 and w, y that determine x, as a reduced-order observer has them.
-    The measured part of the answer is the measurement: its noise goes through, also into the rest by
-    Upsilon.
+    Assumes constant matrices, C1 = 0 and that w and y determine x, as for a reduced-order observer. The
+    measured part of the output is the measurement with its noise, which also enters the rest through Upsilon.
 
-    Parameters: ``start`` a guess of the plant's state, zeros unless given; ``step_s`` and ``gap_s`` as for
+    Parameters: ``start`` a guess of the plant's state, default zeros; ``step_s`` and ``gap_s`` as for
     ``PersidskiiObserver``. Raises ParameterError.
 
     Reference: Khalin 2022, (3.17), (3.19), (3.29).

@@ -1,4 +1,4 @@
-"""The choice of Upsilon: which ones the equalities allow, and one of them by the theorem's inequality."""
+"""The choice of Upsilon: those that the equalities allow, and one that satisfies the theorem's inequality."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from pointpred.observers.persidskii import Persidskii
 from pointpred.observers.reduced_order.reversed_certificate import lipschitz_constant, symmetric
 
 SLACK = 1e3
-"""What the slack is counted from: unknown numbers are not negative."""
+"""Offset of the slack, since unknown numbers must not be negative."""
 TURNS_MOST = 30
-"""How often P and Upsilon are improved in turns before the search gives up."""
+"""Most alternations between P and Upsilon before the search stops."""
 
 
 class Split(msgspec.Struct, frozen=True):
-    """The plant in the coordinates (Pi x, y): what the observer's matrices are made of, affine in Upsilon.
+    """The plant in the coordinates (Pi x, y): the observer's matrices are affine in Upsilon.
 
     S0 = ``drift`` + Upsilon ``seen``, S1 = ``driven`` + Upsilon ``shown``, J = ``inner``, and R =
     ``outer`` - J Upsilon.
@@ -38,7 +38,7 @@ class Split(msgspec.Struct, frozen=True):
 
 
 def split(plant: Persidskii, Pi: Any) -> Split:
-    """The plant with its measured combinations as coordinates; raises ParameterError where it has none.
+    """The plant with its measured combinations as coordinates; raises ParameterError if that is impossible.
 
     >>> plant = Persidskii([[0.0, 1.0], [-3.0, -1.0]], None, None, "sin", C0=[1.0, 0.0])
     >>> one = split(plant, [[0.0, 1.0]])
@@ -72,7 +72,7 @@ def split(plant: Persidskii, Pi: Any) -> Split:
 
 
 def allowed(parts: Split, tied: bool) -> tuple[FloatArray, FloatArray]:
-    """U0 and N of the Upsilon = U0 + N K that leave J Z = H true; every Upsilon where nothing ties."""
+    """U0 and N of all Upsilon = U0 + N K with J Z = H; every Upsilon if there is no constraint."""
     q, p = len(parts.drift), len(parts.seen)
     if not tied:
         return np.zeros((q, p)), np.eye(q)
@@ -92,8 +92,8 @@ class Choice(msgspec.Struct, frozen=True):
     """The search for Upsilon = ``base`` + ``free`` K such that one P proves the decay at every corner.
 
     With V an orthonormal complement of N = ``free``, every P > 0 is V P1 V' + T P2 T' with T = N + V
-    X', and P Upsilon = P U0 + T (P2 K): linear in P1, P2 and P2 K once X is given. Where N is square
-    there is no X and nothing is lost; otherwise X and K are improved in turns, each turn by the solver.
+    X', and P Upsilon = P U0 + T (P2 K): linear in P1, P2 and P2 K for a fixed X. If N is square there is no X
+    and no conservatism; otherwise X and K are improved alternately, each time by the solver.
     """
 
     plant: Persidskii
@@ -106,7 +106,7 @@ class Choice(msgspec.Struct, frozen=True):
     bounds: dict[str, float]
 
     def made(self) -> FloatArray:
-        """An Upsilon whose output injection is small among those that reach the decay."""
+        """An Upsilon with a small output injection that reaches the decay."""
         tilt = self.free
         rest = np.linalg.svd(self.free.T)[2][self.free.shape[1] :].T
         if rest.shape[1]:
@@ -120,7 +120,7 @@ class Choice(msgspec.Struct, frozen=True):
         return self._upsilon(problem.solve(minimise=lambda v: v.size, solver=self.solver).values)
 
     def _tilted(self, rest: FloatArray) -> FloatArray:
-        """A T for which the inequality can be satisfied, found by turns."""
+        """A T for which the inequality can be satisfied, by alternation."""
         tilt, slack = self.free, np.inf
         for _ in range(TURNS_MOST):
             problem = self._problem(tilt, rest, slack=True)
@@ -141,7 +141,7 @@ class Choice(msgspec.Struct, frozen=True):
         return np.asarray(self.base + self.free @ np.linalg.solve(values["P2"], values["K2"]))
 
     def _problem(self, tilt: FloatArray, rest: FloatArray, *, slack: bool) -> MatrixInequalities:
-        """For a given T: unknown are P1, P2 and K2 = P2 K."""
+        """The problem for a fixed T: unknowns P1, P2 and K2 = P2 K."""
         width, other = tilt.shape[1], rest.shape[1]
         problem = MatrixInequalities("choice of Upsilon", **self.bounds).positive("P2", width)
         if other:
@@ -158,7 +158,7 @@ class Choice(msgspec.Struct, frozen=True):
         return self._inequalities(problem, p, closed, slack)
 
     def _analysis(self, upsilon: FloatArray) -> MatrixInequalities:
-        """For a given Upsilon: unknown is the whole P."""
+        """The problem for a fixed Upsilon: the unknown is P."""
         problem = MatrixInequalities("analysis", **self.bounds).positive("P", len(upsilon))
 
         def closed(v: Any, first: FloatArray, second: FloatArray) -> FloatArray:

@@ -14,8 +14,7 @@ class Excitation(msgspec.Struct, frozen=True):
     """The least eigenvalue over all windows, the window where it occurs, and its direction.
 
     ``level`` is mu of the definition over the record; ``at`` the start of the weakest window (s, or
-    the index of its first sample); ``direction`` the combination of the components that is excited
-    least there.
+    the index of its first sample); ``direction`` the least excited combination of the components there.
     """
 
     level: float
@@ -26,8 +25,8 @@ class Excitation(msgspec.Struct, frozen=True):
 def persistent_excitation(t: ArrayLike, signal: ArrayLike, window_s: float) -> Excitation:
     """The least excitation of a signal over all windows of a record.
 
-    Assumes the signal on a line between its samples, and tells of the record only: what comes later
-    may excite less. A level is in the square of the signal's unit times s, and grows with the window.
+    Assumes the signal linear between its samples, and describes the record only: later data may excite less.
+    A level is in the square of the signal's unit times s, and grows with the window.
 
     mu = min over t of the least eigenvalue of the integral over [t, t + T] of phi phi' ds, for windows
     that start at the samples.
@@ -51,7 +50,7 @@ def persistent_excitation(t: ArrayLike, signal: ArrayLike, window_s: float) -> E
 def discrete_excitation(signal: ArrayLike, window: int) -> Excitation:
     """The least excitation of a sequence over all windows of so many samples.
 
-    Assumes nothing between the samples, and tells of the record only.
+    Assumes nothing between the samples, and describes the record only.
 
     mu = min over k of the least eigenvalue of the sum of phi_i phi_i' for i = k ... k + l - 1.
 
@@ -78,10 +77,10 @@ def discrete_excitation(signal: ArrayLike, window: int) -> Excitation:
 
 
 def linear_independence(t: ArrayLike, first: ArrayLike, second: ArrayLike, window_s: float) -> float:
-    """How far two signals are from one being a fixed combination of the other, 0 where it is.
+    """How far two signals are from linear dependence: 0 if one is a fixed combination of the other.
 
-    Assumes both excited over every window, and tells of the record and this window only: the
-    definition asks for some window, so a 0 at one of them proves nothing yet.
+    Assumes both excited over every window, and describes the record and this window only: the definition
+    needs some window, so a 0 for one window proves nothing.
 
     The regressions of each signal on the other over [t, t + T], (int phi phi')^-1 int phi psi', are
     compared from window to window; the result is the smaller of the two ranges of their entries,
@@ -89,7 +88,7 @@ def linear_independence(t: ArrayLike, first: ArrayLike, second: ArrayLike, windo
 
     Parameters: ``t`` s, increasing; ``first`` of shape (samples, n), ``second`` of shape (samples, m);
     ``window_s`` T, positive and shorter than the record. Returns a number, 0 or more.
-    Raises ParameterError, also where a signal is not excited over a window.
+    Raises ParameterError, also if a signal is not excited over a window.
 
     Reference: Khalin 2022, definition 1.3.13.
 
@@ -131,7 +130,7 @@ def increasing(t: ArrayLike) -> FloatArray:
 
 
 def samples(signal: ArrayLike, count: int | None) -> FloatArray:
-    """A signal of shape (samples, p, n); raises ParameterError for another shape or what is not finite."""
+    """A signal of shape (samples, p, n); raises ParameterError for any other or if not finite."""
     values = np.asarray(signal, np.float64)
     if values.ndim == 2:
         values = values[:, None, :]
@@ -167,7 +166,7 @@ def _window(times: FloatArray, window_s: float) -> float:
 def _windows(
     times: FloatArray, pair: tuple[FloatArray, FloatArray], window: float
 ) -> tuple[FloatArray, FloatArray]:
-    """Starts of all windows, and the integral of the product over each, exact for signals on lines."""
+    """Starts of all windows, and the integral of the product over each, exact for linear pieces."""
     one, other = pair
     total = np.zeros((len(times), one.shape[2], other.shape[2]))
     total[1:] = np.cumsum(_piece(np.diff(times), one[:-1], one[1:], other[:-1], other[1:]), axis=0)
@@ -185,7 +184,7 @@ def _windows(
 
 
 def _piece(h: FloatArray, a: FloatArray, b: FloatArray, c: FloatArray, d: FloatArray) -> FloatArray:
-    """The integral over h of the product of a line from a to b with a line from c to d."""
+    """The integral over h of the product of a line from a to b and a line from c to d."""
     outer = "kpi,kpj->kij"
     ends = np.einsum(outer, a, c) + np.einsum(outer, b, d)
     mixed = np.einsum(outer, a, d) + np.einsum(outer, b, c)

@@ -1,7 +1,6 @@
 """Gradient estimators (3.46) and (3.58): regressors as observers of constants.
 
-The parameters are the state of a plant that stands still; what the reversed connection of section 3.3
-makes of it is an estimator of them.
+The parameters are the constant state of a plant; its reversed connection (section 3.3) estimates them.
 """
 
 from __future__ import annotations
@@ -21,13 +20,12 @@ from pointpred.regression.recursive_least_squares import moment, starting
 from pointpred.stage import CompiledStage, loop_into
 
 CONTINUOUS, DISCRETE, NORMALISED = 0.0, 1.0, 2.0
-"""Kinds of law, as they stand in the memory."""
+"""Kinds of law, as stored in the memory."""
 TAKEN, BACKWARDS, TOO_STEEP, UNUSABLE = 0, 1, 2, 3
-"""What became of a sample."""
+"""Results of a step."""
 
-# Parameters: unknowns n, outputs p, kind of law, then the start (n) and the gain (n x n). The state
-# behind them: whether there was a sample, its time, the estimate less its start (n), the last sample,
-# the sample in between.
+# Parameters: unknowns n, outputs p, kind of law, then the start (n) and the gain (n x n). The state: whether
+# there was a sample, its time, the estimate minus its start (n), the last sample, an interpolated sample.
 COUNT, OUTPUTS, KIND, START = range(4)
 # A row holds the time, then a sample: p rows of the regressor, then p outputs.
 SAMPLE = 1
@@ -41,7 +39,7 @@ def width(n: int, p: int) -> int:
 
 @layout
 def state_at(n: int) -> int:
-    """Where the state begins."""
+    """Offset of the state."""
     return START + n + n * n
 
 
@@ -75,7 +73,7 @@ def steepness(memory: FloatArray, row: FloatArray, n: int, p: int) -> float:
 
 @law
 def flow(memory: FloatArray, n: int, p: int, sample: int, h: float) -> None:
-    """Follow (3.46) over ``h`` s: exact for one output, several there and back, of second order."""
+    """Follow (3.46) over ``h`` s: exact for one output, a symmetric splitting of second order for several."""
     theta = state_at(n) + 2
     for i in range(2 * p):
         row = i if i < p else 2 * p - 1 - i
@@ -101,7 +99,7 @@ def jump(memory: FloatArray, n: int, p: int, sample: int, share: float) -> None:
 
 @law
 def step(memory: FloatArray, row: FloatArray, out: FloatArray) -> int:
-    """Take in a row, the estimate to ``out``; a row that is not taken changes nothing."""
+    """Process a row and write the estimate to ``out``; a refused row changes nothing."""
     n, p = int(memory[COUNT]), int(memory[OUTPUTS])
     state, wide = state_at(n), width(n, p)
     last = state + 2 + n
@@ -134,20 +132,19 @@ def step(memory: FloatArray, row: FloatArray, out: FloatArray) -> int:
 class GradientRegressor(CompiledStage):
     """Gradient estimator of constants x in y = D x, as a differential equation or sample by sample.
 
-    Assumes a regressor D that is persistently exciting: in directions that D does not visit nothing is
-    learned, and a constant that drifts is followed with a lag. Noise is not averaged away. More gain
-    is not always faster: a large one holds the estimate on the plane of the newest sample, along which
-    it then creeps.
+    Assumes a regressor D that is persistently exciting: nothing is learned in directions that D does not
+    excite, and drifting constants are tracked with a lag. Noise is not averaged. More gain is not always
+    faster: a large one keeps the estimate on the plane of the newest sample, along which it moves slowly.
 
-    Continuous (3.46): theta' = G D'(y - D theta), with D and y on a line between two samples; of
+    Continuous (3.46): theta' = G D'(y - D theta), with D and y linear between two samples; of
     second order in the interval, exact in theta for one output, and no gain is too large.
-    Discrete (3.58): theta += G D'(y - D theta), refused where the trace of D G D' reaches 2, for the
-    error could then grow; ``normalised`` divides G by 1 + trace(D G D'), so that no sample is refused.
+    Discrete (3.58): theta += G D'(y - D theta), refused if the trace of D G D' reaches 2, because the error
+    could then grow; ``normalised`` divides G by 1 + trace(D G D'), so that no sample is refused.
 
     Parameters: ``count`` of unknowns n, 1 to 32; ``outputs`` p, 1 to 32; ``gain`` G, a positive
     number, n of them or a positive definite matrix, in 1/s over the square of the regressor's unit
-    (discrete: without 1/s); ``time`` "continuous" or "discrete"; ``start`` the first estimate, zeros
-    unless given. Memory: 5 + 2 n + n^2 + 2 p (n + 1) floats. Returns the estimate from ``update``.
+    (discrete: without 1/s); ``time`` "continuous" or "discrete"; ``start`` the first estimate, default zeros.
+    Memory: 5 + 2 n + n^2 + 2 p (n + 1) floats. Returns the estimate from ``update``.
     Raises ParameterError, and EventError and EventOrderError from ``update``.
 
     Reference: Khalin 2022, (3.41)-(3.46) and (3.53)-(3.58), with G positive definite where the print
@@ -170,7 +167,7 @@ class GradientRegressor(CompiledStage):
     loop = staticmethod(loop_into(step))
 
     def declare(self, **values: Any) -> None:
-        """Check the values, and which of them go together."""
+        """Check the values and their combinations."""
         super().declare(**values)
         if self.time not in ("continuous", "discrete"):
             raise ParameterError(
@@ -188,7 +185,7 @@ class GradientRegressor(CompiledStage):
         self.width, self.states = self.count, states(self.count, self.outputs)
 
     def settings(self) -> FloatArray:
-        """What stands first in the memory: sizes, kind of law, start and gain."""
+        """The beginning of the memory: sizes, kind of law, start and gain."""
         kind = CONTINUOUS if self.time == "continuous" else NORMALISED if self.normalised else DISCRETE
         shape = np.array([float(self.count), float(self.outputs), kind])
         return np.concatenate(
@@ -196,10 +193,10 @@ class GradientRegressor(CompiledStage):
         )
 
     def update(self, regressor: ArrayLike, output: ArrayLike, t: float | None = None) -> FloatArray:
-        """Take in output = regressor theta at ``t`` s and return the estimate.
+        """Process output = regressor theta at ``t`` s and return the estimate.
 
-        The discrete law needs no time. Raises EventError for what is not finite, of another shape or
-        too steep, and EventOrderError when time runs backwards; nothing is then changed.
+        The discrete law needs no time. Raises EventError for values that are not finite, of another shape or
+        too large, and EventOrderError when time runs backwards; the stage is then unchanged.
         """
         state = state_at(self.count)
         last_t = float(self._memory[state + 1])
@@ -219,7 +216,7 @@ class GradientRegressor(CompiledStage):
 
 
 def joined(count: int, outputs: int, regressor: ArrayLike, output: ArrayLike) -> FloatArray:
-    """A sample as one row; raises EventError where it cannot be taken in."""
+    """A sample as one row; raises EventError for an invalid one."""
     try:
         d, y = np.asarray(regressor, np.float64), np.asarray(output, np.float64)
     except (TypeError, ValueError, OverflowError) as unusable:

@@ -1,4 +1,4 @@
-"""Nonlinear regression (3.49)-(3.51): an estimator, and the condition under which Theorem 3.3.3 proves it."""
+"""Nonlinear regression (3.49)-(3.51): an estimator and its condition of convergence, Theorem 3.3.3."""
 
 from __future__ import annotations
 
@@ -21,18 +21,18 @@ from pointpred.regression.recursive_least_squares import moment, starting
 from pointpred.stage import CompiledStage, loop_into
 
 MONOTONE = tuple(name for name, one in KNOWN.items() if one.low >= 0.0 and np.isfinite(one.high))
-"""Nonlinearities that do not fall and are nowhere infinitely steep."""
+"""Nondecreasing nonlinearities with a bounded slope."""
 PASSES_MOST = 200
 TAKEN, BACKWARDS, TOO_FAST, UNUSABLE = 0, 1, 2, 3
-"""What became of a sample."""
+"""Results of a step."""
 STEPS_MOST = 10_000
-"""Bound on the cost of one sample."""
+"""Most integration steps for one sample."""
 STEP_MOST = 0.5
 """Longest step of the integration, in units of the fastest time constant."""
 
-# Parameters: unknowns n, outputs r, gain, code of f, its steepest slope, then the start (n). The state
-# behind them: whether a sample came, its time, the estimate less its start (n), the last sample, then room
-# for one in between (a sample is r rows of J, r outputs, the weight D1) and for the integration (3 n).
+# Parameters: unknowns n, outputs r, gain, code of f, its steepest slope, then the start (n). The state:
+# whether there was a sample, its time, the estimate minus its start (n), the last sample, then scratch space
+# for an interpolated one (a sample is r rows of J, r outputs, the weight D1) and for the integration (3 n).
 COUNT, OUTPUTS, GAIN, CODE, STEEPEST, START = range(6)
 # A row holds the time, then a sample.
 SAMPLE = 1
@@ -61,7 +61,7 @@ def pace(sample: FloatArray, at: int, n: int, r: int) -> float:
 
 @law
 def slope(memory: FloatArray, theta: int, sample: int, to: int) -> None:
-    """Write g J'(y - (1 - D1) J theta - D1 f(J theta)) at ``to``; theta without its start."""
+    """Write g J'(y - (1 - D1) J theta - D1 f(J theta)) at ``to``; theta minus its start."""
     n, r = int(memory[COUNT]), int(memory[OUTPUTS])
     weight = memory[sample + r * n + r]
     for i in range(n):
@@ -102,7 +102,7 @@ def flow(memory: FloatArray, row: FloatArray, begin: float, h: float, dt: float)
 
 @law
 def step(memory: FloatArray, row: FloatArray, out: FloatArray) -> int:
-    """Take in a row, the estimate to ``out``; a row that is not taken changes nothing."""
+    """Process a row and write the estimate to ``out``; a refused row changes nothing."""
     n, r = int(memory[COUNT]), int(memory[OUTPUTS])
     state = START + n
     theta, last = state + 2, state + 2 + n
@@ -131,16 +131,16 @@ def step(memory: FloatArray, row: FloatArray, out: FloatArray) -> int:
 class NonlinearRegressor(CompiledStage):
     """Estimator of constants x in y = (1 - D1) J x + D1 f(J x), a mean of a linear and a saturating sensor.
 
-    Assumes that J is persistently exciting and f does not fall; where f is flat and D1 near 1 nothing is
-    learned. A constant that drifts is followed with a lag.
+    Assumes that J is persistently exciting and f nondecreasing; where f is flat and D1 near 1 nothing is
+    learned. Drifting constants are tracked with a lag.
 
-    theta' = g J'(y - (1 - D1) J theta - D1 f(J theta)), with J, D1 and y on lines between two samples,
+    theta' = g J'(y - (1 - D1) J theta - D1 f(J theta)), with J, D1 and y linear between two samples,
     by the classical Runge-Kutta method in steps of half the fastest time constant.
 
     Parameters: ``count`` of unknowns n, 1 to 32; ``outputs`` r, 1 to 32; ``gain`` g in 1/s over the
-    square of J's unit, > 0; ``f`` one of identity, tanh, atan, saturation; ``start`` the first
-    estimate, zeros unless given. Memory: 7 + 5 n + 2 (r n + r + 1) floats. Returns the estimate from
-    ``update``. Raises ParameterError, and EventError and EventOrderError from ``update``.
+    square of J's unit, > 0; ``f`` one of identity, tanh, atan, saturation; ``start`` the first estimate,
+    default zeros. Memory: 7 + 5 n + 2 (r n + r + 1) floats. Returns the estimate from ``update``. Raises
+    ParameterError, and EventError and EventOrderError from ``update``.
 
     Reference: Khalin 2022, (3.47)-(3.51); before (3.51) the print lacks a J in J'J z.
 
@@ -173,16 +173,17 @@ class NonlinearRegressor(CompiledStage):
         self.width, self.states = self.count, states(self.count, self.outputs)
 
     def settings(self) -> FloatArray:
-        """What stands first in the memory: sizes, gain, nonlinearity and start."""
+        """The beginning of the memory: sizes, gain, nonlinearity and start."""
         f = KNOWN[self.f]
         shape = np.array([self.count, self.outputs, self.gain, f.code, max(1.0, f.high)])
         return np.concatenate([shape, starting(self.count, self.start)])
 
     def update(self, regressor: ArrayLike, weight: float, output: ArrayLike, t: float) -> FloatArray:
-        """Take in a sample at ``t`` s, ``weight`` being D1, and return the estimate.
+        """Process a sample at ``t`` s with ``weight`` D1 and return the estimate.
 
-        Raises EventError for what is not finite, of another shape, a weight outside [0, 1], or a gap
-        over which the gain is too large; EventOrderError when time runs backwards; nothing is then changed.
+        Raises EventError for values that are not finite or of another shape, a weight outside [0, 1], or a
+        gap over which the gain is too large; EventOrderError when time runs backwards; the stage is then
+        unchanged.
         """
         sample = joined(self.count, self.outputs, regressor, output)
         try:
@@ -207,10 +208,10 @@ class NonlinearRegressor(CompiledStage):
 
 
 class RegressionMargin(msgspec.Struct, frozen=True):
-    """By how much Theorem 3.3.3 holds: the least ``margin`` over the record, ``at`` which time, and P there.
+    """The least ``margin`` of Theorem 3.3.3 over the record, the time ``at`` which it occurs, and P there.
 
-    Where the margin is positive V = e'Pe falls by at least twice it times abs(e)^2; elsewhere the
-    theorem says nothing.
+    With a positive margin V = e'Pe decreases by at least 2 margin abs(e)^2; otherwise the theorem does not
+    apply.
     """
 
     margin: float
@@ -221,7 +222,7 @@ class RegressionMargin(msgspec.Struct, frozen=True):
 def regression_margin(
     t: ArrayLike, regressor: ArrayLike, weight: ArrayLike, gain: float, *, flattest: float = 0.0
 ) -> RegressionMargin:
-    """The margin of Theorem 3.3.3 on a record of J and D1 that repeats for ever.
+    """The margin of Theorem 3.3.3 on a record of J and D1 that repeats periodically.
 
     Assumes f with slopes between ``flattest`` and 1, and J, D1 constant within a sample's interval.
     The theorem shows asymptotic stability, not the input-to-state stability that it claims.
@@ -230,8 +231,8 @@ def regression_margin(
     -g D1 e'P J'(f(Jw) - f(Jz) - J e) < e'e / 2 is g D1 (1 - s) max eig sym(P J'J) < 1/2 at the flattest s.
 
     Parameters: ``t`` s, increasing; ``regressor`` (samples, n) or (samples, r, n); ``weight`` D1 in [0, 1];
-    ``gain`` g > 0; ``flattest`` in [0, 1]. Raises ParameterError; UndecidedError where P does not
-    settle, as it does not without excitation.
+    ``gain`` g > 0; ``flattest`` in [0, 1]. Raises ParameterError; UndecidedError if P does not converge, as
+    without excitation.
 
     Reference: Khalin 2022, (3.52), Theorem 3.3.3.
 

@@ -1,6 +1,6 @@
 """Steady states of systems in triangular form: feedback, feedforward, and one driven by the other.
 
-Propositions 4.3.1 and 4.3.2, the second corrected, and the form (4.12), (4.13) that interlaces them.
+Propositions 4.3.1 and 4.3.2, the second corrected, and the interlaced form (4.12), (4.13).
 """
 
 from __future__ import annotations
@@ -23,18 +23,17 @@ def feedback(
     degree: int | None = None,
     region: Region = None,
 ) -> SymbolicSteadyState:
-    """The input that makes the first state follow a chosen function of the generator, and all states with it.
+    """The input that makes the first state follow a chosen function of the generator, and the other states.
 
     Assumes xi_i' = f_i + g_i xi_(i+1) with f_i, g_i of xi_1 ... xi_i and z, the last row with the input in
-    place of the next state. Says nothing about attraction. f_i and g_i are read off the rows.
+    place of the next state. Does not prove attraction. f_i and g_i are taken from the rows.
 
     pi_(i+1) = (Dpi_i s - f_i) / g_i, l = (Dpi_n s - f_n) / g_n
 
-    Parameters: ``first`` pi_1; ``zero`` rho, if it is known, else the zero dynamics are solved as a power
-    series up to ``degree``; ``region`` bounds of each state of the generator, in which g_i must vanish
-    nowhere, ``None`` the whole space. Raises ParameterError for a row of another form, InfeasibleError with
-    the place where a g_i vanishes and at a resonance of the zero dynamics, UndecidedError where neither is
-    shown.
+    Parameters: ``first`` pi_1; ``zero`` rho if known, else the zero dynamics are solved as a power series up
+    to ``degree``; ``region`` bounds of each state of the generator, in which g_i must vanish nowhere,
+    ``None`` the whole space. Raises ParameterError for a row of another form, InfeasibleError with the place
+    where a g_i vanishes and at a resonance of the zero dynamics, UndecidedError if neither is shown.
     Reference: Khalin 2022, Proposition 4.3.1.
 
     >>> import sympy as sp
@@ -59,13 +58,13 @@ def feedforward(
     """The steady state under an input as a power series in the generator's states.
 
     Assumes zeta_i' = f_i(zeta_i) + g_i(zeta_(i+1) ... zeta_n, z, u), analytic and zero at the origin; the row
-    of zeta_i may also mix zeta_i with what follows it. Good near the origin only, unless ``exact``.
+    of zeta_i may also mix zeta_i with what follows it. Accurate near the origin only, unless ``exact``.
 
     The series is the centre manifold, found degree by degree. The print solves a Cauchy problem with
-    pi = 0 where w_q = 0 instead; its solution takes another value after each turn of the generator and is no
+    pi = 0 where w_q = 0 instead; its solution changes with each revolution of the generator and is not a
     steady state.
 
-    Parameters: ``input`` l(w); ``degree`` of the series, 1 to 15; ``zero`` rho, if it is known. Raises
+    Parameters: ``input`` l(w); ``degree`` of the series, 1 to 15; ``zero`` rho if known. Raises
     ParameterError for a row of another form, InfeasibleError at a resonance without solution, naming degree
     and equation. Reference: Khalin 2022, Proposition 4.3.2; Carr 1981, section 1.4.
 
@@ -94,11 +93,11 @@ def interlaced(
     """The input and the steady state for which the first state of the lower part is a chosen function.
 
     Assumes the form (4.12), (4.13): the first ``upper`` states feed forward, the others feed back. Rows of
-    the upper part may also contain later states of the lower part where these follow without it (Example 9).
-    Exact where the series of the upper part end, else good near the origin.
+    the upper part may also contain later states of the lower part if these can be solved without it (Example
+    9). Exact if the series of the upper part are finite, else accurate near the origin.
 
     Parameters: as in ``feedback`` and ``feedforward``; ``upper`` mu, 0 to the number of states less one;
-    ``first`` pi_(mu+1); ``degree`` is needed where a series is. Raises as they do.
+    ``first`` pi_(mu+1); ``degree`` is needed for a series. Raises as they do.
     Reference: Khalin 2022, section 4.4.
 
     >>> import sympy as sp

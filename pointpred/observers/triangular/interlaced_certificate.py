@@ -18,15 +18,15 @@ from pointpred.observers.matrices import matrix
 
 
 class InterlacedCertificate(msgspec.Struct, frozen=True):
-    """P, Q, Gamma and U of the theorem with margins recomputed from them, L = P^-1 U, and what they prove.
+    """P, Q, Gamma and U of the theorem with recomputed margins, L = P^-1 U, and the proved bound.
 
     |e(t)| <= overshoot exp(-rate t) |e(0)| + noise_gain sup|y - C w| for e = w - w_hat, with
     rate = lambda_min(P^-1 Q) / 2 in 1/s, overshoot = sqrt(lambda_max(P) / lambda_min(P)) and
-    noise_gain = sqrt(lambda_max(Gamma) / (2 rate lambda_min(P))). The error of y holds the noise and what the
-    plant has not yet converged to its steady state.
+    noise_gain = sqrt(lambda_max(Gamma) / (2 rate lambda_min(P))). The error of y consists of noise and the
+    plant's distance from its steady state.
 
-    The print has the first root upside down and leaves out lambda_min(Q) under the second; with
-    lambda_min(Q) / lambda_max(P), which is no larger, in place of 2 rate, its bound is true as well.
+    The print has the first root upside down and leaves out lambda_min(Q) under the second; with lambda_min(Q)
+    / lambda_max(P), which is no larger, in place of 2 rate, its bound also holds.
     """
 
     P: Any
@@ -45,7 +45,7 @@ class InterlacedCertificate(msgspec.Struct, frozen=True):
 
 
 def inequalities(a: ArrayLike, c: ArrayLike) -> MatrixInequalities:
-    """Theorem 4.4.1 as a problem in P, Q, Gamma and U, with strict inequalities; ``check`` audits a print."""
+    """Theorem 4.4.1 as a problem in P, Q, Gamma and U, with strict inequalities; see ``check``."""
     system = matrix("A", a)
     q = len(system)
     output = matrix("C", c, None, q)
@@ -64,13 +64,13 @@ def inequalities(a: ArrayLike, c: ArrayLike) -> MatrixInequalities:
 def certify(
     a: ArrayLike, c: ArrayLike, *, rate: float = 0.5, gain: ArrayLike | None = None
 ) -> InterlacedCertificate:
-    """Find a gain and a certificate for it, or a certificate for a gain that is given.
+    """Compute a gain with its certificate, or a certificate for ``gain``.
 
-    Of all that decay at ``rate`` the one with the least trace of P and Gamma is taken: little overshoot,
-    little noise. Says nothing about the plant: that it converges to its steady state is assumption 4.4.2.
+    Of all gains that decay at ``rate`` it takes the one with the least trace of P and Gamma, for little
+    overshoot and noise. That the plant converges to its steady state is assumption 4.4.2 and not checked.
 
     Parameters: ``a`` of the generator; ``c`` with h(rho, pi) = C w; ``rate`` in 1/s, above 0; ``gain`` L.
-    Raises ParameterError, InfeasibleError (before any solver runs for an eigenvalue that y does not show),
+    Raises ParameterError, InfeasibleError (before any solver runs for an unobservable eigenvalue),
     UndecidedError and CertificateError. Reference: Khalin 2022, Theorem 4.4.1.
 
     >>> found = certify([[0.0, 1.0], [-1.0, 0.0]], [[1.0, 0.0]], rate=0.25)
@@ -93,7 +93,7 @@ def certify(
 
 
 def certificate(values: dict[str, Any], margins: dict[str, float]) -> InterlacedCertificate:
-    """What matrices that passed the audit prove."""
+    """The bound that audited matrices prove."""
     p, gamma = np.linalg.eigvalsh(values["P"]), np.linalg.eigvalsh(values["Gamma"])
     root = np.linalg.inv(np.linalg.cholesky(values["P"]))
     rate = 0.5 * float(np.linalg.eigvalsh(root @ values["Q"] @ root.T)[0])

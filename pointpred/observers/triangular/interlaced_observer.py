@@ -24,21 +24,21 @@ from pointpred.regression.recursive_least_squares import moment
 from pointpred.stage import CompiledStage, loop_into
 
 TAKEN, BACKWARDS = 0, 1
-"""What became of a sample."""
+"""Results of a step."""
 
-# Parameters: states of the generator q, outputs p, rows of the program, where they begin, where the answers
-# begin and how many there are, where the state begins, the longest interval over which outputs are joined by
-# a line (s), the largest row sums of A - L C and of A (1/s); start, A and A - L C (q x q), L (q x p).
+# Parameters: states of the generator q, outputs p, rows of the program, their offset, the offset and number
+# of the answers, the offset of the state, the longest interval over which outputs are interpolated (s), the
+# largest row sums of A - L C and of A (1/s); start, A and A - L C (q x q), L (q x p).
 Q, P, ROWS, PROGRAM, ANSWERS, ANSWERED, STATE, GAP_S, FAST, SLOW, START = range(11)
-# The state: whether there was a sample, its time, whether its outputs were there, they (p), the estimate (q).
+# The state: whether there was a sample, its time, whether it had outputs, the outputs (p), the estimate (q).
 STARTED, T, MEASURED, Y = range(4)
 
 ORDER = 14
-"""Terms of the exponential series; with a norm of at most 1/2 the rest lies below 1e-16."""
+"""Terms of the exponential series; with a norm of at most 1/2 the remainder is below 1e-16."""
 NEGLIGIBLE = 1e-18
-"""Share of the estimate below which the rest of the series cannot be seen in it."""
+"""Fraction of the estimate below which the remainder of the series is negligible."""
 STEPS_MOST = 4096
-"""Sub-steps of one interval; after a longer one the estimate begins anew."""
+"""Most sub-steps of one interval; after a longer one the estimate restarts."""
 
 
 @layout
@@ -49,13 +49,13 @@ def settings(q: int, p: int) -> int:
 
 @layout
 def states(q: int, p: int) -> int:
-    """Floats of the state, with two vectors to compute in, before what the program computes."""
+    """Floats of the state, with two scratch vectors, before the program's registers."""
     return Y + p + 3 * q
 
 
 @law
 def drive(memory: FloatArray, i: int, k: int, passed: float, share: float, row: FloatArray) -> float:
-    """What L y adds to row i of the first two derivatives, y on a line from the last sample to this one."""
+    """The part of L y in row i of the first two derivatives, y linear between the two samples."""
     q, p = int(memory[Q]), int(memory[P])
     gain, last = START + q + 2 * q * q + i * p, int(memory[STATE]) + Y
     total = 0.0
@@ -91,9 +91,9 @@ def follow(memory: FloatArray, matrix: int, h: float, steps: int, row: FloatArra
 
 @law
 def step(memory: FloatArray, row: FloatArray, out: FloatArray) -> int:
-    """Take in t and the outputs (NaN: not measured), the answers to ``out``; time backwards changes nothing.
+    """Process t and the outputs (NaN: not measured) into ``out``; an earlier t changes nothing.
 
-    Over an interval longer than ``gap_s``, or with an end that was not measured, the generator runs alone.
+    Over an interval longer than ``gap_s``, or without a measurement at one end, the generator runs alone.
     """
     q, p, state = int(memory[Q]), int(memory[P]), int(memory[STATE])
     w, a, h = state + Y + p, START + q, row[0] - memory[state + T]
@@ -136,17 +136,17 @@ class InterlacedEstimate(msgspec.Struct, frozen=True):
 class InterlacedObserver(CompiledStage):
     """Estimate the state of a plant from that of the generator which drives it.
 
-    Assumes that the plant converges to its steady state (assumption 4.4.2): what it has not is an error of y.
-    Between two samples y lies on a line. An interval longer than ``gap_s``, or with an end at which nothing
-    was measured, is bridged by the generator alone; after one of more than 2048 times the generator's time
-    constant w begins anew. Where the steady state is a truncated series, x and z are good near the origin
-    only. NaN stands for what has no finite value.
+    Assumes that the plant converges to its steady state (assumption 4.4.2): its distance from it is an error
+    of y. Between two samples y is linear. An interval longer than ``gap_s``, or without a measurement at one
+    end, is bridged by the generator alone; after more than 2048 time constants of the generator w restarts.
+    If the steady state is a truncated series, x and z are accurate near the origin only. Values that are not
+    finite are NaN.
 
     w' = A w + L (y - C w), x = pi(w), z = rho(w), u = l(w), followed exactly.
 
     Parameters: ``steady`` whose outputs must be C w; ``certificate`` with L, from ``certify``; ``start`` of
-    w, zeros unless given; ``gap_s`` s, 1e-6 to 1e6. Memory: 13 + 4 q + 2 q^2 + p + p q floats and the program
-    of the maps. Returns ``InterlacedEstimate`` from ``update``. Raises ParameterError, and EventError and
+    w, default zeros; ``gap_s`` s, 1e-6 to 1e6. Memory: 13 + 4 q + 2 q^2 + p + p q floats and the program of
+    the maps. Returns ``InterlacedEstimate`` from ``update``. Raises ParameterError, and EventError and
     EventOrderError from ``update``. Reference: Khalin 2022, Theorem 4.4.1.
 
     >>> import sympy as sp
@@ -203,15 +203,15 @@ class InterlacedObserver(CompiledStage):
         start: ArrayLike | None = None,
         **values: float,
     ) -> InterlacedObserver:
-        """Find a gain, or certify one, and build the observer with it; see ``certify``."""
+        """Compute or certify a gain and build the observer with it; see ``certify``."""
         certificate = certify(steady.generator.matrix(), output_matrix(steady), rate=rate, gain=gain)
         return cls(steady, certificate, start=start, **values)
 
     def update(self, y: ArrayLike | None, t: float) -> InterlacedEstimate:
-        """Take in the outputs at ``t`` s, ``None`` where nothing was measured, and return the estimate.
+        """Process the outputs at ``t`` s, ``None`` without a measurement, and return the estimate.
 
-        Raises EventError for what is not finite or of another length, EventOrderError when time runs
-        backwards; nothing is then changed.
+        Raises EventError for values that are not finite or of another length, EventOrderError when time runs
+        backwards; the stage is then unchanged.
         """
         memory = self._memory
         state = int(memory[STATE])

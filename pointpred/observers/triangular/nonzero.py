@@ -1,7 +1,7 @@
-"""A proof that an expression vanishes nowhere in a region, or a place where it does.
+"""A proof that an expression has no zero in a region, or the place of a zero.
 
-Interval arithmetic encloses every value over a box. A box whose enclosure holds zero is halved; where that
-does not end, nothing is claimed.
+Interval arithmetic encloses every value over a box. A box whose enclosure contains zero is halved; if that
+does not end, the answer is undecided.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ Region = Sequence[tuple[float, float]] | None
 """Bounds of each state of the generator; ``None`` is the whole space."""
 
 BOXES_MOST = 4000
-"""Boxes looked at before the answer is that none was found."""
+"""Most boxes examined before the answer is undecided."""
 SEARCHED = 10.0
 """Half the side of the box about the origin that is searched for a zero in the whole space."""
 HALVINGS = 200
@@ -26,10 +26,10 @@ SMALL = 1e-9
 
 
 def prove_nonzero(name: str, expression: Any, over: Sequence[Any], region: Region) -> None:
-    """Return where the expression vanishes nowhere in the region.
+    """Return if the expression has no zero in the region.
 
-    Raises InfeasibleError naming a place where it vanishes or has no value, UndecidedError where neither
-    could be shown, ParameterError for parameters without value. A constant of parameters is taken as generic.
+    Raises InfeasibleError naming a place where it vanishes or has no value, UndecidedError if neither could
+    be shown, ParameterError for parameters without value. A constant of parameters is taken as generic.
 
     >>> import sympy as sp
     >>> w = sp.Symbol("w")
@@ -77,16 +77,16 @@ def prove_nonzero(name: str, expression: Any, over: Sequence[Any], region: Regio
 
 
 def _functions(iv: Any) -> dict[str, Any]:
-    """What a printed expression calls, on intervals; constants become intervals as well."""
+    """The functions of printed expressions on intervals; constants become intervals as well."""
     return {name: getattr(iv, name) for name in ("mpf", "sin", "cos", "tan", "exp", "log", "sqrt")}
 
 
 def _excludes_zero(enclose: Callable[..., Any], box: Sequence[Any]) -> bool:
-    """Whether an enclosure keeps clear of zero by more than the rounding of the constants."""
+    """Whether an enclosure excludes zero by more than the rounding of the constants."""
     try:
         interval = enclose(*box)
     except (ValueError, TypeError, NotImplementedError, ZeroDivisionError):
-        return False  # no enclosure: the box is halved, in the end nothing is claimed
+        return False  # no enclosure: the box is halved
     low, high = float(interval.a), float(interval.b)
     return low > SMALL or high < -SMALL
 
@@ -121,7 +121,7 @@ def _at(value: Callable[..., Any], place: Sequence[float]) -> float | None:
 def _crossing(
     name: str, value: Callable[..., Any], over: Sequence[Any], start: list[float], end: list[float]
 ) -> str:
-    """What lies between two places of opposite sign: a zero, or a place without value."""
+    """Raise for the zero, or the place without a value, between two places of opposite sign."""
     sign = _at(value, start) or 0.0
     for _ in range(HALVINGS):
         middle = [0.5 * (a + b) for a, b in zip(start, end, strict=True)]

@@ -23,7 +23,7 @@ from pointpred.observers.triangular.system import (
 
 
 class Solving:
-    """The maps that are solved so far, and the rules that solve the next one."""
+    """The maps solved so far, and the rules that solve the next one."""
 
     def __init__(
         self,
@@ -62,7 +62,7 @@ class Solving:
             self.imposed = system.zero
 
     def solve(self) -> SymbolicSteadyState:
-        """Apply the rules until every map is solved; raises ParameterError where no rule applies."""
+        """Apply the rules until every map is solved; raises ParameterError if no rule applies."""
         while self._divide() or self._expand():
             pass
         if waiting := [x for x in (*self.system.states, *self.system.zero) if x not in self.maps]:
@@ -98,7 +98,7 @@ class Solving:
         return sorted(wanted - self.maps.keys() - besides - {x}, key=str)
 
     def _divide(self) -> bool:
-        """Proposition 4.3.1: one row of the lower part gives what it is the first to contain."""
+        """Proposition 4.3.1: a row of the lower part gives the unknown that it contains first."""
         for x, target in self.next.items():
             if x in self.maps and target not in self.maps and not self._missing(x, frozenset({target})):
                 gain = symbolic().diff(self.rows[x], target)

@@ -1,4 +1,4 @@
-"""Power series of analytic expressions, cut at a degree, with exact coefficients.
+"""Power series of analytic expressions, truncated at a degree, with exact coefficients.
 
 A series is a ``sympy.Poly`` in the states of the generator; its coefficients are rational numbers, or
 expressions in the parameters of the system.
@@ -16,11 +16,11 @@ from pointpred.extras import missing_extra
 ANALYTIC = frozenset(
     ("exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "atanh")
 )
-"""Functions of one argument that have a power series wherever they are finite."""
+"""Functions of one argument that are analytic wherever they are finite."""
 
 
 def symbolic() -> Any:
-    """Import sympy; raises MissingExtraError with the install line where it is not there."""
+    """Import sympy; raises MissingExtraError with the install command."""
     try:
         import sympy
     except ImportError as missing:
@@ -66,9 +66,9 @@ def powers_of_degree(count: int, degree: int) -> list[tuple[int, ...]]:
 
 
 def composed(expression: Any, values: Mapping[Any, Any], over: Sequence[Any], degree: int) -> Any:
-    """The power series, cut at ``degree``, of an expression whose symbols are themselves series.
+    """The power series, truncated at ``degree``, of an expression whose symbols are themselves series.
 
-    Assumes that what is no key of ``values`` is a constant. Functions of one argument out of ``ANALYTIC``,
+    Symbols that are not keys of ``values`` are constants. Functions of one argument out of ``ANALYTIC``,
     sums, products and powers are expanded; anything else raises ParameterError, and so does a singularity
     at the origin.
 

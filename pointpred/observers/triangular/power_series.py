@@ -1,6 +1,6 @@
 """The steady state of a system driven by a generator, as a power series found degree by degree.
 
-The answer x of x' = F(x, w) to w' = s(w) that is a function of w near the origin satisfies
+The response x = pi(w) of x' = F(x, w) to w' = s(w) near the origin satisfies
 Dpi(w) s(w) = F(pi(w), w). Its terms of degree k solve a linear equation whose matrix depends on the linear
 parts A of F and S of s only: it is singular where an eigenvalue of A is a sum of k eigenvalues of S, which is
 called a resonance.
@@ -19,18 +19,18 @@ from pointpred.errors import InfeasibleError, ParameterError
 from pointpred.observers.triangular.polynomials import composed, part, powers_of_degree, symbolic
 
 COINCIDENCE = 1e-9
-"""Distance below which an eigenvalue and a sum of eigenvalues are shown as the place of a resonance."""
+"""Distance below which an eigenvalue and a sum of eigenvalues count as a resonance."""
 
 
 class Free(msgspec.Struct, frozen=True):
-    """Terms that may be added to the series: at a resonance that does no harm the answer is not unique."""
+    """Terms that may be added to the series: at a solvable resonance the solution is not unique."""
 
     degree: int
     terms: dict[str, Any]
 
 
 class PowerSeries(msgspec.Struct, frozen=True):
-    """The steady state up to a degree, and what was left open (set to zero)."""
+    """The steady state up to a degree, and its free terms (set to zero)."""
 
     terms: dict[Any, Any]
     free: tuple[Free, ...]
@@ -46,9 +46,9 @@ def power_series(
 ) -> PowerSeries:
     """Solve Dpi s = F(pi, w) for the terms of degree 1 to ``degree``.
 
-    Assumes analytic F and s with F(0, 0) = 0 and s(0) = 0. A resonance whose equation can be solved all the
-    same leaves terms free: they are set to zero and returned. Parameters without value are taken as generic:
-    a resonance that they have for some values only is not seen.
+    Assumes analytic F and s with F(0, 0) = 0 and s(0) = 0. A resonance whose equation is still solvable
+    leaves terms free: they are set to zero and returned. Parameters without value are treated as generic:
+    resonances at particular values are not detected.
 
     Parameters: ``unknowns`` x and ``fields`` F, ``inputs`` other symbols of F as expressions in w, ``over``
     the states w of the generator and ``motion`` s. Raises ParameterError, and InfeasibleError at a resonance
@@ -107,7 +107,7 @@ def _shown(coefficients: Mapping[tuple[int, ...], Any], over: Sequence[Any]) -> 
 def _degree(
     unknowns: Sequence[Any], slopes: Any, turn: Any, rest: Sequence[Mapping[Any, Any]], k: int
 ) -> tuple[list[dict[Any, Any]], list[list[dict[Any, Any]]]]:
-    """The terms of degree k, and a basis of what may be added to them."""
+    """The terms of degree k, and a basis of the free terms."""
     sp = symbolic()
     monomials = powers_of_degree(len(turn), k)
     place = {(i, m): n for n, (i, m) in enumerate((i, m) for i in range(len(unknowns)) for m in monomials)}
@@ -137,7 +137,7 @@ def _degree(
 
 
 def _turned(powers: tuple[int, ...], turn: Any) -> dict[tuple[int, ...], Any]:
-    """The change of a monomial along w' = S w."""
+    """The derivative of a monomial along w' = S w."""
     moved: dict[tuple[int, ...], Any] = {}
     for j, exponent in enumerate(powers):
         for other, slope in enumerate(turn[j]):
@@ -152,7 +152,7 @@ def _turned(powers: tuple[int, ...], turn: Any) -> dict[tuple[int, ...], Any]:
 def _resonance(
     unknowns: Sequence[Any], slopes: Any, turn: Any, rest: Sequence[Mapping[Any, Any]], k: int
 ) -> str:
-    """Where no series exists: the degree, the equations and the eigenvalues that coincide."""
+    """The error message if no series exists: the degree, the equations and the coinciding eigenvalues."""
     names = ", ".join(f"{x}'" for x, one in zip(unknowns, rest, strict=True) if one)
     message = f"resonance at degree {k} in {names}: no power series satisfies the equation"
     try:

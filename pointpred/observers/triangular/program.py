@@ -1,6 +1,6 @@
-"""Symbolic expressions as numbers: a list of operations that one compiled law carries out.
+"""Symbolic expressions as a list of operations that one compiled law executes.
 
-Compiling a function a system would miss the cache in every process. A program is data instead: rows of
+Compiling one function per system would miss the cache in every process. A program is data: rows of
 (operation, target, left, right), where the last three are places in the memory of a stage.
 """
 
@@ -25,11 +25,11 @@ FUNCTIONS = {
     "sinh": SINH, "cosh": COSH, "tanh": TANH,
 }  # fmt: skip
 LARGEST_EXPONENT = 700.0
-"""exp of more overflows: NaN stands for what has no finite value."""
+"""Largest argument of exp; beyond it the result is NaN."""
 
 
 class Program(msgspec.Struct, frozen=True):
-    """Operations on registers: inputs first, then ``constants``, then what is computed, outputs last."""
+    """Operations on registers: inputs first, then ``constants``, then results, outputs last."""
 
     inputs: int
     constants: tuple[float, ...]
@@ -38,7 +38,7 @@ class Program(msgspec.Struct, frozen=True):
     outputs: int
 
     def placed(self, inputs: int, constants: int, computed: int) -> list[float]:
-        """The rows with places in a memory for registers, flat."""
+        """The rows, flat, with memory places for registers."""
         fixed = self.inputs + len(self.constants)
 
         def place(register: int) -> int:
@@ -53,13 +53,13 @@ class Program(msgspec.Struct, frozen=True):
 
     @property
     def computed(self) -> int:
-        """Registers that are written."""
+        """Number of registers that are written."""
         return self.registers - self.inputs - len(self.constants)
 
 
 @law
 def apply(code: int, a: float, b: float) -> float:
-    """One operation; NaN where it has no finite real value."""
+    """One operation; NaN without a finite real value."""
     if code == COPY:
         return a
     if code == ADD:
@@ -98,7 +98,7 @@ def apply(code: int, a: float, b: float) -> float:
 
 @law
 def execute(memory: FloatArray, first: int, count: int) -> None:
-    """Carry out ``count`` rows that begin at ``first``."""
+    """Execute ``count`` rows from ``first`` on."""
     for i in range(count):
         at = first + ROW * i
         target = int(memory[at + 1])
@@ -106,9 +106,9 @@ def execute(memory: FloatArray, first: int, count: int) -> None:
 
 
 def program(inputs: Sequence[Any], expressions: Sequence[Any]) -> Program:
-    """Translate expressions; parts that several share are computed once, polynomials by Horner's rule.
+    """Translate expressions; common parts are computed once, polynomials by Horner's rule.
 
-    Raises ParameterError for a symbol that is no input and for a function that is not known here.
+    Raises ParameterError for a symbol that is not an input and for an unsupported function.
 
     >>> import sympy as sp
     >>> w = sp.Symbol("w")
@@ -132,7 +132,7 @@ def program(inputs: Sequence[Any], expressions: Sequence[Any]) -> Program:
 
 
 class _Writer:
-    """Rows while they are written; a register is known by its kind and its number among that kind."""
+    """Collects rows; a register is named by its kind and its number within the kind."""
 
     def __init__(self, inputs: Sequence[Any]) -> None:
         self.names = {symbol: ("input", i) for i, symbol in enumerate(inputs)}

@@ -1,4 +1,4 @@
-"""Systems written as expressions, driven by a generator, and the steady state that was found for them."""
+"""Systems written as expressions, driven by a generator, and their steady state."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from pointpred.observers.triangular.polynomials import exact, symbolic
 from pointpred.observers.triangular.power_series import Free
 
 HIGHEST_DEGREE = 15
-"""Beyond it the number of terms, not the mathematics, sets the limit."""
+"""Highest degree of a series; the number of terms sets this limit."""
 SHORTENED_MOST = 400
-"""Operations in an expression that is still brought into a shorter form; a longer one stays as it is."""
+"""Most operations in an expression that is simplified; a longer one stays as it is."""
 
 
 class SymbolicGenerator:
-    """What drives the system: w' = s(w), (1.7).
+    """The generator that drives a system: w' = s(w), (1.7).
 
     Parameters: ``states`` w as symbols, ``field`` s as expressions in them with s(0) = 0; floats are read as
     the decimals they print. Raises ParameterError.
@@ -39,14 +39,14 @@ class SymbolicGenerator:
                 raise ParameterError(f"{w}' must be zero at the origin, received {rest}")
 
     def along(self, expression: Any) -> Any:
-        """The derivative of a function of w while w moves."""
+        """The derivative of a function of w along w' = s(w)."""
         return sum(
             (symbolic().diff(expression, w) * s for w, s in zip(self.states, self.field, strict=True)),
             symbolic().Integer(0),
         )
 
     def matrix(self) -> FloatArray:
-        """A of a linear generator w' = A w; raises ParameterError for any other."""
+        """A of a linear generator w' = A w; raises ParameterError for a nonlinear one."""
         jacobian = symbolic().Matrix(self.field).jacobian(self.states)
         if jacobian.free_symbols:
             raise ParameterError(f"the generator must be linear with numbers, received {self.field}")
@@ -104,9 +104,9 @@ class SymbolicSystem:
 class SymbolicSteadyState(msgspec.Struct, frozen=True):
     """x = pi(w), z = rho(w) and the input u = l(w) that keeps the system there.
 
-    ``exact``: every equation Dpi s = F(pi, rho, l) holds identically; otherwise ``residuals`` say by how much
-    it does not, and are of order ``degree`` + 1 at the origin. ``free``: terms that may be added.
-    Nothing here says that the steady state attracts: Propositions 4.3.1 and 4.3.2 do not either.
+    ``exact``: every equation Dpi s = F(pi, rho, l) holds identically; otherwise ``residuals`` hold the
+    differences, of order ``degree`` + 1 at the origin. ``free``: terms that may be added. The steady state
+    need not attract; Propositions 4.3.1 and 4.3.2 do not prove that either.
     """
 
     system: SymbolicSystem
@@ -141,7 +141,7 @@ class SymbolicSteadyState(msgspec.Struct, frozen=True):
 
 
 def vanishes(expression: Any) -> tuple[bool, Any]:
-    """Whether an expression is identically zero, as far as cancelling shows, and a shorter form of it."""
+    """Whether an expression simplifies to zero, and its simplified form."""
     sp = symbolic()
     if expression.is_polynomial(*expression.free_symbols):
         short = sp.expand(expression)

@@ -1,1 +1,1 @@
-"""Observers that need not know their input, over a box of varying parameters."""
+"""Unknown input observers over a box of varying parameters."""

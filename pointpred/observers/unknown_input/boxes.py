@@ -13,20 +13,20 @@ from pointpred.differentiators.sampling import is_number
 from pointpred.errors import ParameterError
 
 AXES_MOST = 12
-"""Bound on the axes that have a width: each doubles the vertices."""
+"""Most axes of nonzero width: each doubles the number of vertices."""
 ROUNDING = 1e-9
-"""Share of a width by which a point may lie outside and still counts as on the border."""
+"""Fraction of the width by which a point may lie outside and still count as on the border."""
 
 
 class Box:
     """Closed intervals, one for each scheduling variable.
 
-    An interval of no width is allowed: its variable is a constant and makes no further vertices. What is
-    true at the vertices says nothing of points outside, so such points have no weights.
+    An interval of zero width is allowed: its variable is constant and adds no vertices. A proof at the
+    vertices does not cover points outside, so such points have no weights.
 
-    Weights: mu_i(p) = product over the axes of (p - low) / (high - low) where vertex i is high and
-    (high - p) / (high - low) where it is low. They are not negative, sum to 1, and sum_i mu_i(p) M_i is M(p)
-    for every M that is affine in each variable on its own.
+    Weights: mu_i(p) = product over the axes of (p - low) / (high - low) if vertex i is high there and (high -
+    p) / (high - low) if it is low. They are nonnegative, sum to 1, and sum_i mu_i(p) M_i is M(p) for every M
+    that is affine in each variable on its own.
 
     Parameters: ``bounds`` by name, low <= high, finite; at most 12 axes with a width.
     Raises ParameterError, also from ``weights`` for a point outside.
@@ -55,7 +55,7 @@ class Box:
 
     @property
     def vertices(self) -> FloatArray:
-        """A row a vertex, a column a variable; the last axis changes fastest."""
+        """One row per vertex, one column per variable; the last axis changes fastest."""
         ends = [(low,) if low == high else (low, high) for low, high in self.bounds.values()]
         return np.array(list(product(*ends)))
 
@@ -64,7 +64,7 @@ class Box:
         return dict(zip(self.names, map(float, point), strict=True))
 
     def outside(self, point: Mapping[str, float]) -> list[str]:
-        """The variables whose values lie outside their intervals, or are no numbers at all."""
+        """The variables whose values lie outside their intervals, or are NaN."""
         names = []
         for name, (low, high) in self.bounds.items():
             slack = ROUNDING * (high - low)
@@ -83,7 +83,7 @@ class Box:
         return place
 
     def weights(self, point: Mapping[str, float]) -> FloatArray:
-        """The share of each vertex in a point; raises ParameterError for a point outside."""
+        """The weight of each vertex at a point; raises ParameterError for a point outside."""
         for name in self.outside(point):
             low, high = self.bounds[name]
             raise ParameterError(

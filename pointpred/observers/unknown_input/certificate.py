@@ -13,7 +13,7 @@ from pointpred.errors import CertificateError, ParameterError
 
 
 class UnknownInputCertificate(msgspec.Struct, frozen=True):
-    """A proof that the error of an observer fades, in the matrices that prove it.
+    """The matrices that prove the decay of an observer's error.
 
     |e(t)| <= phi1 |e(0)| exp(-sigma t / 2) + phi2 sup |delta|, delta = (A(p) - A(p_hat)) x, as long as the
     scheduling variables stay in the box. ``margin``: how far the largest eigenvalue of (27c) lies below 0.
@@ -25,7 +25,7 @@ class UnknownInputCertificate(msgspec.Struct, frozen=True):
     gamma: float
     margin: float
     zeros: NDArray[np.complex128]
-    """Invariant zeros at each vertex, 1/s, one row a vertex."""
+    """Invariant zeros, 1/s, one row per vertex."""
 
     @property
     def phi1(self) -> float:
@@ -40,7 +40,7 @@ class UnknownInputCertificate(msgspec.Struct, frozen=True):
 
     @property
     def largest_sigma(self) -> float:
-        """The bound that the zeros set to any design in this box, 1/s; infinite where there are none."""
+        """The bound on sigma for any design in this box, 1/s; infinite without zeros."""
         return largest_sigma(self.zeros)
 
     def bound(self, t: float, error: float, disturbance: float = 0.0) -> float:
@@ -66,9 +66,9 @@ def inequality(
     force: FloatArray,
     sigma: float,
 ) -> FloatArray:
-    """The matrix of (27c) at one vertex, with - W C: K = P^-1 W and N = Gamma - K C make it V's rate.
+    """The matrix of (27c) at one vertex, with - W C: with K = P^-1 W and N = Gamma - K C it is the rate of V.
 
-    The print has + W C, for which N = Gamma - K C of (44) is the wrong observer.
+    The print has + W C, which contradicts N = Gamma - K C of (44).
     """
     corner = gamma_i.T @ p + p @ gamma_i - w_i @ c - c.T @ w_i.T + sigma * p
     return np.block([[corner, p @ t_i], [t_i.T @ p, -force]])
@@ -84,10 +84,10 @@ def audit(
     sigma: float,
     zeros: NDArray[np.complex128],
 ) -> UnknownInputCertificate:
-    """Recompute every eigenvalue that Theorem 1 asks for; raises CertificateError naming the one that fails.
+    """Recompute every eigenvalue of Theorem 1; raises CertificateError naming the one that fails.
 
-    ``gammas``, ``ts`` and ``ws`` hold a matrix a vertex, ``force`` is F of the theorem; gamma is its largest
-    eigenvalue. The result does not change when P, W and F are multiplied by one positive number.
+    ``gammas``, ``ts`` and ``ws`` hold one matrix per vertex, ``force`` is F of the theorem; gamma is its
+    largest eigenvalue. Multiplying P, W and F by one positive number does not change the result.
     """
     if not (sigma > 0.0 and np.isfinite(sigma)):
         raise ParameterError(

@@ -1,4 +1,4 @@
-"""Gains of an unknown input observer: one small problem for a solver, the rest in closed form."""
+"""Gains of an unknown input observer: one small semidefinite problem, the rest in closed form."""
 
 from __future__ import annotations
 
@@ -13,27 +13,27 @@ from pointpred.observers.inequalities.matrix_inequalities import MatrixInequalit
 from pointpred.observers.unknown_input.invariant_zeros import kernel
 
 KAPPA = 1e6
-"""Largest condition of P that is looked for."""
+"""Largest condition number of P."""
 MODEST = 0.01
-"""What the trace of P counts beside gamma: without it P, and with it the gains, grow for nothing."""
+"""Weight of the trace of P beside gamma in the objective; without it P and the gains grow needlessly."""
 ROOM = 1.001
-"""gamma is taken this much above the least one, which would hold with equality."""
+"""Factor on the least gamma, with which the inequality would hold with equality."""
 
 
 def lyapunov(gammas: FloatArray, ts: FloatArray, c: FloatArray, sigma: float) -> tuple[FloatArray, float]:
-    """P and gamma with F = gamma I: (27c) where no gain acts, that is on the kernel of C.
+    """P and gamma with F = gamma I from (27c) on the kernel of C, where no gain acts.
 
-    The gains drop out (elimination lemma). Where C T = 0, the outputs' part of P drops out as well and is set
-    to the unit; vertices that differ only in what a gain can undo are one inequality. P lies between I and
-    1e6 I: the certificate does not change with its scale.
+    The gains drop out (elimination lemma). If C T = 0, the outputs' part of P drops out as well and is set to
+    the identity; vertices that differ only in terms that a gain can cancel share one inequality. P lies
+    between I and 1e6 I: the certificate does not change with its scale.
 
-    Raises UndecidedError where no such P is found although the zeros would allow one.
+    Raises UndecidedError if no such P is found although the zeros allow one.
     """
     blind = kernel(c)
     decoupled = float(np.abs(c @ ts).max()) == 0.0
     frame = blind if decoupled else np.eye(c.shape[1])
     rest = np.linalg.pinv(c) @ c if decoupled else np.zeros((c.shape[1], c.shape[1]))
-    # T' enters by its columns of the outputs only, which the kernel of C does not see.
+    # T' enters through its output columns only, which vanish on the kernel of C.
     cases = np.unique(np.concatenate([gammas @ blind, _root(ts)], axis=2), axis=0)
 
     def problem(name: str) -> MatrixInequalities:
@@ -55,7 +55,7 @@ def lyapunov(gammas: FloatArray, ts: FloatArray, c: FloatArray, sigma: float) ->
         any_p.below(f"decay, case {i}", partial(corner, case))
     try:
         values = best.solve(minimise=lambda v: v.gamma + MODEST * np.trace(v.P)).values
-    except (InfeasibleError, UndecidedError):  # gamma may have to be larger than a solver can handle
+    except (InfeasibleError, UndecidedError):  # the required gamma may be too large for a solver
         try:
             values = any_p.solve().values
         except InfeasibleError as none:
@@ -93,9 +93,10 @@ def gain(
     sigma: float,
     output_rate: float,
 ) -> FloatArray:
-    """W = P K at one vertex: it cancels what couples the outputs with the rest, and lets them fade.
+    """W = P K at one vertex: it decouples the outputs from the other states and makes their errors decay.
 
-    In the basis (C^+, ker C) the Schur complement of (27c) becomes diag(-2 rho P_11, what P was solved for).
+    In the basis (C^+, ker C) the Schur complement of (27c) becomes diag(-2 rho P_11, the block that P was
+    solved for).
     """
     basis = np.hstack([np.linalg.pinv(c), kernel(c)])
     outputs = c.shape[0]

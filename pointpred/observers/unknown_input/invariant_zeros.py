@@ -1,4 +1,4 @@
-"""Invariant zeros: what no observer without knowledge of the unknown inputs can change."""
+"""Invariant zeros: the modes that no unknown input observer can change."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ RELATIVE = 1e-9
 
 
 def kernel(matrix: FloatArray, size: float | None = None) -> FloatArray:
-    """An orthonormal basis of the vectors that a matrix maps to zero, one a column.
+    """An orthonormal basis of the null space of a matrix, one vector per column.
 
-    ``size`` is what counts as large, the largest singular value unless given.
+    ``size`` is the reference for small singular values, by default the largest.
     """
     _, sizes, rows = np.linalg.svd(np.atleast_2d(matrix))
     rank = int((sizes > RELATIVE * (sizes.max(initial=0.0) if size is None else size)).sum())
@@ -44,11 +44,12 @@ def unobservable(gamma: FloatArray, c: FloatArray) -> FloatArray:
 def invariant_zeros(a: FloatArray, f: FloatArray, c: FloatArray) -> NDArray[np.complex128]:
     """The invariant zeros of x' = A x + F d, y = C x, where d is unknown.
 
-    Assumes rank(C F) = rank(F) = columns of F, so that d can be undone; raises ParameterError otherwise.
+    Assumes rank(C F) = rank(F) = columns of F, so that d can be decoupled; raises ParameterError otherwise.
     Rank decisions are made at 1e-9: zeros of nearly cancelling systems may be found or missed.
 
     The zeros are the values s where [[A - s I, F], [C, 0]] loses rank: the eigenvalues of T A on its
-    unobservable subspace, T = I - F (C F)^+ C. No gain moves them; they are how errors there fade or grow.
+    unobservable subspace, T = I - F (C F)^+ C. No gain moves them: errors in those modes decay or grow at
+    these rates.
 
     Parameters: matrices of n x n, n x m, p x n. Returns the zeros, complex, the slowest first.
 
@@ -76,9 +77,9 @@ def fixed_modes(gamma: FloatArray, c: FloatArray) -> NDArray[np.complex128]:
 
 
 def decoupling(f: FloatArray, c: FloatArray) -> FloatArray:
-    """T = I - F (C F)^+ C, which no unknown input passes: T F = 0.
+    """T = I - F (C F)^+ C, which blocks the unknown inputs: T F = 0.
 
-    Raises ParameterError naming the ranks where the unknown inputs cannot be undone.
+    Raises ParameterError naming the ranks if the unknown inputs cannot be decoupled.
     """
     if f.ndim != 2 or c.ndim != 2 or f.shape[0] != c.shape[1]:
         raise ParameterError(f"C F must exist: F has shape {f.shape}, C has shape {c.shape}")

@@ -29,19 +29,19 @@ from pointpred.observers.unknown_input.takagi_sugeno import TakagiSugeno
 
 
 class UnknownInputObserver:
-    """Estimates the state of a system some of whose inputs nobody measures.
+    """Estimates the state of a system with unmeasured inputs.
 
-    Assumes that the scheduling variables stay in the box. It gives up every output direction that an unknown
-    input reaches; what is left without an output, the invariant zeros, follows the model alone, at its own
-    pace. With as many outputs as unknown inputs that is everything: no measurement corrects the estimate.
+    Assumes that the scheduling variables stay in the box. It discards every output direction that an unknown
+    input reaches; the modes that are then unobserved, the invariant zeros, follow the model at their own
+    rate. With as many outputs as unknown inputs these are all modes: no measurement corrects the estimate.
 
     z' = N z + T b + L y, x_hat = z - E y, E = -F (C F)^+, T = I + E C, N = T A + T' - K C, L = K - N E.
     Then e = T x - z obeys e' = N e + T delta, delta = (A(p) - A(p_hat)) x: Theorem 1 with - W C in (27c).
 
-    Made by ``design``; ``start`` and ``update`` run it. Memory: a gain a vertex, and one sample. Raises
-    ParameterError for shapes, ranks and points without sense; InfeasibleError where a zero reaches -sigma/2,
-    before any solver runs, with the largest feasible sigma; UndecidedError where no solver could tell;
-    CertificateError where recomputed eigenvalues fail.
+    Made by ``design``; ``start`` and ``update`` run it. Memory: one gain per vertex, and one sample. Raises
+    ParameterError for invalid shapes, ranks and points; InfeasibleError if a zero reaches -sigma/2, before
+    any solver runs, with the largest feasible sigma; UndecidedError if no solver could decide;
+    CertificateError if recomputed eigenvalues fail.
 
     Reference: Benyoucef et al. 2021, equations (16) to (27), (44), corrected as docs/equations.md says.
 
@@ -72,9 +72,9 @@ class UnknownInputObserver:
     def design(
         cls, system: ParameterVaryingSystem, box: Box, sigma: float, *, output_rate: float = 5.0
     ) -> Self:
-        """An observer whose error fades at least as exp(-sigma t / 2), with the proof.
+        """An observer whose error decays at least as exp(-sigma t / 2), with the proof.
 
-        ``sigma`` 1/s, positive; ``output_rate`` 1/s, how fast errors of the outputs themselves fade.
+        ``sigma`` 1/s, positive; ``output_rate`` 1/s, decay rate of errors of the outputs themselves.
         """
         for name, value in (("sigma", sigma), ("output_rate", output_rate)):
             if not (is_number(value) and isfinite(value) and value > 0.0):
@@ -95,7 +95,7 @@ class UnknownInputObserver:
         return cls(system, box, certificate, TakagiSugeno(box, np.linalg.solve(p, ws)))
 
     def start(self, estimate: FloatArray) -> None:
-        """Forget every sample and begin at an estimate; its outputs give way to the first sample's."""
+        """Forget every sample and start at an estimate; the first sample replaces its outputs."""
         self._running = RunningUnknownInputObserver(self, estimate)
 
     def update(self, sample: UnknownInputSample, /) -> UnknownInputEstimate:
@@ -107,7 +107,7 @@ class UnknownInputObserver:
     def rate(self, z: FloatArray, y: FloatArray, point: Point, known: FloatArray) -> FloatArray:
         """The rate of z in the full form; ``known`` is b(y, u).
 
-        Outside the box the gains are those of its nearest point, and nothing is proved.
+        Outside the box the gains are those of its nearest point, without a proof.
         """
         k, e = self.gains.at(self.box.nearest(point)), self.system.e(point)
         n = self.system.gamma(point) - k @ self.system.c
@@ -120,18 +120,18 @@ class UnknownInputObserver:
         return state
 
     def begin(self, estimate: FloatArray, point: Point) -> FloatArray:
-        """The z that stands for an estimate: T x_hat."""
+        """The z of an estimate: T x_hat."""
         z: FloatArray = self.system.t(point) @ estimate
         return z
 
     @property
     def reducible(self) -> bool:
-        """Whether C T = 0: with as many outputs as unknown inputs the rest needs no gain."""
+        """Whether C T = 0: with as many outputs as unknown inputs no gain is needed."""
         middle = self.box.named(self.box.vertices[0])
         return bool(self.system.f(middle).shape[1] == self.system.c.shape[0])
 
     def reduce(self, z: FloatArray) -> FloatArray:
-        """The coordinates of the reduced form: those of z in the kernel of C."""
+        """The coordinates of the reduced form: z in the kernel of C."""
         if not self.reducible:
             inputs = self.system.f(self.box.named(self.box.vertices[0])).shape[1]
             raise ParameterError(
@@ -142,21 +142,21 @@ class UnknownInputObserver:
         return reduced
 
     def expand(self, reduced: FloatArray) -> FloatArray:
-        """The z that has the coordinates of the reduced form."""
+        """The z with these coordinates of the reduced form."""
         z: FloatArray = self._blind @ reduced
         return z
 
     def reduced_rate(self, reduced: FloatArray, y: FloatArray, point: Point, known: FloatArray) -> FloatArray:
         """The rate of the reduced form, which needs no gain and holds outside the box as well.
 
-        Equal to the full form that began with C x_hat = y: C z = 0 stays true, so K never acts.
+        Equal to the full form started with C x_hat = y: C z = 0 stays true, so K never acts.
         """
         estimate = self.expand(reduced) - self.system.e(point) @ y
         return self.reduce(self.system.gamma(point) @ estimate + self.system.t(point) @ known)
 
 
 def zeros_over(system: ParameterVaryingSystem, box: Box) -> NDArray[np.complex128]:
-    """The invariant zeros at each vertex, one row a vertex; no solver is needed for it."""
+    """The invariant zeros, one row per vertex; needs no solver."""
     points = [box.named(vertex) for vertex in box.vertices]
     rows = [fixed_modes(system.ta(p), system.c) for p in points]
     widest = max(len(row) for row in rows)
@@ -169,7 +169,7 @@ def zeros_over(system: ParameterVaryingSystem, box: Box) -> NDArray[np.complex12
 
 
 def refuse(box: Box, zeros: NDArray[np.complex128], sigma: float) -> None:
-    """Raise InfeasibleError where a zero reaches -sigma/2, with the largest sigma."""
+    """Raise InfeasibleError, with the largest sigma, if a zero reaches -sigma/2."""
     most = largest_sigma(zeros)
     if sigma < most:
         return

@@ -15,7 +15,7 @@ from pointpred.observers.unknown_input.boxes import Box
 from pointpred.observers.unknown_input.system import ParameterVaryingSystem, Point
 
 Schedule = Callable[[FloatArray], Point]
-"""The scheduling variables at a time as a function of the estimate; what is measured it knows itself."""
+"""The scheduling variables at a time as a function of the estimate; it holds the measured ones itself."""
 SUBSTEP_S = 0.02
 
 
@@ -37,7 +37,7 @@ class UnknownInputEstimate(msgspec.Struct, frozen=True):
 
 
 class Design(Protocol):
-    """What is run: an ``UnknownInputObserver``."""
+    """The design that is run, an ``UnknownInputObserver``."""
 
     system: ParameterVaryingSystem
     box: Box
@@ -47,10 +47,10 @@ class Design(Protocol):
         """Whether the reduced form can run."""
 
     def begin(self, estimate: FloatArray, point: Point) -> FloatArray:
-        """The z that stands for an estimate."""
+        """The z of an estimate."""
 
     def estimate(self, z: FloatArray, y: FloatArray, point: Point) -> FloatArray:
-        """The estimate that z stands for."""
+        """The estimate of a z."""
 
     def rate(self, z: FloatArray, y: FloatArray, point: Point, known: FloatArray) -> FloatArray:
         """The rate of z in the full form."""
@@ -68,14 +68,14 @@ class Design(Protocol):
 class RunningUnknownInputObserver:
     """A ``Stage[UnknownInputSample, UnknownInputEstimate]`` around a design.
 
-    Assumes that everything measured lies on a line between two samples; errors of that are of second order
-    in the interval. F may depend on measured variables only. As many outputs as unknown inputs make it run
-    in the reduced form, without gains; otherwise the full form runs, outside the box with the gains of the
-    nearest point of it, and says so. Slow (numpy, some 100 us a step): the camera has a compiled law.
+    Assumes measurements linear between two samples; the error of that is of second order in the interval. F
+    may depend on measured variables only. With as many outputs as unknown inputs it runs in the reduced form,
+    without gains; otherwise in the full form, outside the box with the gains of its nearest point and
+    ``certified`` false. Slow (numpy, some 100 us a step): for the camera there is a compiled law.
 
     Parameters: ``design``; ``start`` the estimate at the first sample, whose outputs the first sample
     replaces. Memory: the state and one sample. Raises ParameterError; EventError and EventOrderError from
-    ``update``, and it is then unchanged.
+    ``update``, which leaves it unchanged.
 
     >>> from pointpred.observers.unknown_input.boxes import Box
     >>> from pointpred.observers.unknown_input.observer import UnknownInputObserver
@@ -103,7 +103,7 @@ class RunningUnknownInputObserver:
         self.reset()
 
     def reset(self) -> None:
-        """Forget every sample: the next one is the first."""
+        """Forget every sample."""
         self._z: FloatArray | None = None
         self._last: UnknownInputSample | None = None
 
@@ -127,7 +127,7 @@ class RunningUnknownInputObserver:
         return UnknownInputEstimate(sample.t, x, not observer.box.outside(point))
 
     def _carried(self, z: FloatArray, old: UnknownInputSample, new: UnknownInputSample) -> FloatArray:
-        """Runge and Kutta's method of fourth order, in steps of at most 20 ms."""
+        """The classical Runge-Kutta method in steps of at most 20 ms."""
         dt = new.t - old.t
         steps = ceil(dt / SUBSTEP_S)
         h = dt / steps
@@ -155,7 +155,7 @@ class RunningUnknownInputObserver:
         return self.design.rate(z, y, point, known)
 
     def _estimate(self, z: FloatArray, y: FloatArray, schedule: Schedule) -> FloatArray:
-        """x_hat = z - E y, where E needs measured variables only: z stands in for the estimate."""
+        """x_hat = z - E y; E depends on measured variables only, so z may stand in for the estimate."""
         return self.design.estimate(z, y, schedule(z))
 
     def _check(self, sample: UnknownInputSample) -> None:

@@ -1,4 +1,4 @@
-"""Parameter-varying systems with unknown inputs, and what decouples an observer from those inputs."""
+"""Parameter-varying systems with unknown inputs, and the matrices that decouple an observer from them."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ class ParameterVaryingSystem:
     E = -F (C F)^+, T = I + E C, so that T F = 0; Gamma = T A + T'. With rank(C F) = rank(F) the unknown
     input does not enter e = T x - z at all.
 
-    Parameters: ``a``, ``f`` functions of a point, n x n and n x m; ``c`` p x n; ``rates`` names the variable
-    that is the rate of another; ``decoupled`` T A as a function of a point, where it takes fewer variables
-    than A itself does.
-    Raises ParameterError for shapes that do not fit.
+    Parameters: ``a``, ``f`` functions of a point, n x n and n x m; ``c`` p x n; ``rates`` names for a
+    variable the one that is its rate; ``decoupled`` T A as a function of a point, if it needs fewer variables
+    than A.
+    Raises ParameterError for mismatched shapes.
 
     Reference: Benyoucef et al. 2021, equations (15), (16), (22), with the signs of (17), (18).
 
@@ -70,11 +70,11 @@ class ParameterVaryingSystem:
         return value
 
     def t(self, point: Point) -> FloatArray:
-        """T = I + E C; raises ParameterError naming the ranks where T F = 0 cannot be had."""
+        """T = I + E C; raises ParameterError naming the ranks if T F = 0 is impossible."""
         return decoupling(self.f(point), self.c)
 
     def e_rate(self, point: Point) -> FloatArray:
-        """dE/dt where F moves with the rates of its variables; exact for F affine in each of them."""
+        """dE/dt from the rates of F's variables; exact for F affine in each of them."""
         f = self.f(point)
         moving: FloatArray = np.zeros_like(f)
         for name, rate in self.rates.items():
@@ -96,12 +96,12 @@ class ParameterVaryingSystem:
         return value
 
     def gamma(self, point: Point) -> FloatArray:
-        """Gamma = T A + T', what the error would do without a gain."""
+        """Gamma = T A + T', the error dynamics without a gain."""
         value: FloatArray = self.ta(point) + self.e_rate(point) @ self.c
         return value
 
     def checked(self, box: Box) -> None:
-        """Raise ParameterError where the system and a box of its variables do not fit together."""
+        """Raise ParameterError if the system and a box of its variables do not match."""
         for name, rate in self.rates.items():
             for one in (name, rate):
                 if one not in box.names:

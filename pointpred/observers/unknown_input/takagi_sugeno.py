@@ -19,10 +19,10 @@ SEED = 20211217
 
 
 class TakagiSugeno:
-    """A matrix that depends on scheduling variables, as a convex sum of constant ones.
+    """A matrix that depends on scheduling variables, as a convex combination of constant ones.
 
-    Exact on the whole box for matrices that are affine in each variable on its own; any other is refused,
-    because a proof at the vertices would say nothing of it.
+    Exact on the whole box for matrices that are affine in each variable on its own; others are refused,
+    because a proof at the vertices would not cover them.
 
     M(p) = sum_i mu_i(p) M_i, M_i the value at vertex i, mu_i the weights of the box.
 
