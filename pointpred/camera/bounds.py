@@ -1,4 +1,4 @@
-"""How well any estimator could do, the Cramer-Rao bound, and whether a filter believes the right thing."""
+"""The Cramer-Rao bound of any estimator, and the consistency of a filter."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ IDENTITY = np.eye(6)
 
 
 def transition(truth: Trajectory, row: int) -> FloatArray:
-    """Phi from a row to the next one: (p, v) is linear, so it is exact up to how w runs in between."""
+    """Phi from a row to the next one: (p, v) is linear, so it is exact except for the change of w."""
     h = float(truth.t[row + 1] - truth.t[row])
     rx, ry, rz = (0.5 * h * (truth.w[row] + truth.w[row + 1])).tolist()
     columns = IDENTITY.ravel().copy()
@@ -24,7 +24,7 @@ def transition(truth: Trajectory, row: int) -> FloatArray:
 
 
 def information(truth: Trajectory, row: int, variance: float) -> FloatArray:
-    """What one image tells of (p, v): H' H / r at the truth."""
+    """The information of one image about (p, v): H' H / r at the truth."""
     x, y, z = truth.p[row]
     h = np.array([[1.0, 0.0, -x / z], [0.0, 1.0, -y / z]]) / z
     whole = np.zeros((6, 6))
@@ -43,8 +43,8 @@ def cramer_rao(
 ) -> FloatArray:
     """The least covariance of an unbiased estimate of (p, v) at each time, NaN while it is not determined.
 
-    Assumes normal pixel noise of standard deviation ``noise_px``, nothing known beforehand, and perfect
-    inertial sensors unless their noise is given. Noise that is not normal can be beaten below this.
+    Assumes normal pixel noise of standard deviation ``noise_px``, no prior knowledge, and perfect inertial
+    sensors unless their noise is passed. With noise that is not normal an estimator can be better.
 
     J <- (Phi J^-1 Phi' + Q)^-1 + H' H / r, with Phi J^-1 Phi' written as Phi^-T J Phi^-1 while Q is 0.
 
@@ -90,8 +90,7 @@ def _less(j: FloatArray, truth: Trajectory, row: int, gyro_noise: float, accel_n
 def normalised_errors(track: PointTrack, truth: Trajectory) -> FloatArray:
     """The normalised estimation error squared (NEES) of each row, NaN before the filter started.
 
-    For a filter that believes the right thing it is chi-squared distributed with 6 degrees of freedom: 6 on
-    average.
+    For a consistent filter it is chi-squared distributed with 6 degrees of freedom and has mean 6.
 
     Reference: Bar-Shalom, Li, Kirubarajan 2001, section 5.4.2.
     """
@@ -105,7 +104,7 @@ def normalised_errors(track: PointTrack, truth: Trajectory) -> FloatArray:
 def consistent(track_errors: FloatArray, share: float = 0.95) -> tuple[float, tuple[float, float]]:
     """The mean of independent NEES values and the interval it should lie in with probability ``share``.
 
-    ``track_errors``: one value a run, at the same time.
+    ``track_errors``: one value per run, at the same time.
     """
     from scipy.stats import chi2
 

@@ -1,4 +1,4 @@
-"""What all stages on camera samples share: which samples are refused, and why."""
+"""The stages on camera samples: which samples are refused, and why."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ SUBSTEP_S = 0.05
 """Longest step of an integration."""
 READ = attrgetter(*CameraColumns.names)
 PLAIN = frozenset({float, type(None)})
-"""Kinds of the fields of a sample that need no second look."""
+"""Types of a sample's fields that need no conversion."""
 
 
 @law
@@ -37,7 +37,7 @@ def sample_at(
 
 @law
 def usable(sample: SampleRow, started: float, last_t: float, gap_s: float) -> bool:
-    """Whether a sample can be used: within the bounds, later than the last one and not too late."""
+    """Whether a sample can be used: within the bounds, after the last one and within the longest gap."""
     t, x, y, wx, wy, wz, ax, ay, az = sample
     if not (abs(t) <= LATEST_S and abs(wx) <= LARGEST_W and abs(wy) <= LARGEST_W and abs(wz) <= LARGEST_W):
         return False
@@ -49,7 +49,7 @@ def usable(sample: SampleRow, started: float, last_t: float, gap_s: float) -> bo
 
 
 class CameraStage(CompiledStage):
-    """A stage whose rows are camera samples; a child names the places of its last time and of its gap."""
+    """A stage whose rows are camera samples; a subclass names the offsets of its last time and of its gap."""
 
     step: ClassVar[Callable[..., Any]]
     at_started: ClassVar[int]
@@ -57,7 +57,7 @@ class CameraStage(CompiledStage):
     at_gap: ClassVar[int]
 
     def advance(self, sample: CameraSample) -> Any:
-        """The row of answers to one sample; raises EventError or EventOrderError, and nothing has changed."""
+        """The row of answers to one sample; raises EventError or EventOrderError and then changes nothing."""
         values = _numbers(sample)
         row = type(self).step(self._memory, values)
         if row[0] != row[0]:

@@ -1,4 +1,4 @@
-"""The unknown input observer of depth at run time: its reduced form, two numbers and no gain."""
+"""The unknown input observer of depth at run time: its reduced form, two states without a gain."""
 
 from __future__ import annotations
 
@@ -19,15 +19,16 @@ from pointpred.stage import loop_of
 LARGEST_RATE = 1e3
 """Beyond this |eta| 1/s the camera meets the point within a millisecond: the estimate is lost."""
 
-# The parameters; the bounds of zero, eta, a_z, w_x, w_y, low before high. The state: whether a sample came,
-# its time and measurements, the observer's two numbers, whether an image came, whether the estimate is lost.
+# The parameters; the bounds of zero, eta, a_z, w_x, w_y, low before high. The state: whether there was a
+# sample, its time and measurements, the observer's two states, whether there was an image, whether the
+# estimate is lost.
 FOCAL, HALF_SIGMA, START_CHI, START_ETA, GAP_S, BOX = range(6)
 STARTED = BOX + 10
 T, X, Y, WX, WY, WZ, AZ, CHI, R, IMAGED, LOST, END = range(STARTED + 1, STARTED + 13)
 
 
 class Measured(NamedTuple):
-    """What the observer uses of a sample: ``x y`` in focal lengths, ``wx wy wz`` rad/s, ``az`` m/s^2."""
+    """The measurements used by the observer: ``x y`` in focal lengths, ``wx wy wz`` rad/s, ``az`` m/s^2."""
 
     x: float
     y: float
@@ -50,7 +51,7 @@ def rate(chi: float, r: float, m: Measured, dwx: float, dwy: float) -> tuple[flo
 
 @law
 def carry(memory: FloatArray, m: Measured, dt: float) -> None:
-    """Move (chi, r) over ``dt`` s by Runge-Kutta, every measured quantity on a line between two samples."""
+    """Move (chi, r) over ``dt`` s by Runge-Kutta, with measurements linear between two samples."""
     x0, y0, az0 = memory[X], memory[Y], memory[AZ]
     wx0, wy0, wz0 = memory[WX], memory[WY], memory[WZ]
     dwx, dwy = (m.wx - wx0) / dt, (m.wy - wy0) / dt
@@ -84,7 +85,7 @@ def carry(memory: FloatArray, m: Measured, dt: float) -> None:
 
 @law
 def inside(memory: FloatArray, zero: float, eta: float) -> bool:
-    """Whether what the certificate speaks of lies in its box; never where there is no certificate."""
+    """Whether the scheduling variables lie in the certificate's box; false without a certificate."""
     values = (zero, eta, memory[AZ], memory[WX], memory[WY])
     for i in range(5):
         if not memory[BOX + 2 * i] <= values[i] <= memory[BOX + 2 * i + 1]:
@@ -129,10 +130,10 @@ def step(memory: FloatArray, sample: Row) -> tuple[float, float, float, float, f
 
 
 class Depth(msgspec.Struct, frozen=True):
-    """What the observer says after a sample.
+    """The observer's estimate after a sample.
 
     ``chi`` = 1/Z 1/m, ``eta`` = v_z/Z 1/s and ``zero`` = y w_x - x w_y + eta 1/s, NaN before the first image
-    and where the estimate is lost; ``detectable`` while both zeros, as estimated, lie below -sigma/2;
+    and when the estimate is lost; ``detectable`` while both zeros, as estimated, lie below -sigma/2;
     ``certified`` while they and the measured quantities lie in the box of the design as well.
     """
 
@@ -158,20 +159,20 @@ class DepthColumns(Columns[Depth]):
 class DepthObserver(CameraStage):
     """Depth and forward velocity of a point from its image, a gyroscope and an accelerometer.
 
-    What it cannot do: with two unknown inputs and two outputs nothing corrects chi and eta. The model carries
-    their start values on; errors fade only while the camera recedes, v_z is the integral of the accelerometer
-    from its start, and the relative error of the depth ends where that of v_z is. ``detectable`` judges its
-    own estimate: an observer started with the wrong sign of v_z does not notice by itself (``CameraPipeline``
-    asks the images).
+    Limitation: with two unknown inputs and two outputs no measurement corrects chi and eta. The model
+    propagates their start values; errors decay only while the camera recedes, v_z is the integral of the
+    accelerometer from its start value, and the relative error of the depth converges to that of v_z.
+    ``detectable`` is computed from the estimate: it cannot detect a start with the wrong sign of v_z
+    (``CameraPipeline`` compares with the images).
 
     chi' = (y w_x - x w_y + eta) chi; r' = a_z chi + eta^2 + w_y B_1 w - w_x B_2 w + w_y' x - w_x' y with
     eta = r - w_y x + w_x y: the last two rows of T x, which no unknown input reaches. Between two samples
-    every measured quantity lies on a line, so w' is the slope of the gyroscope's readings and no angular
-    accelerometer is needed. Without an image x and y stay where they were seen last.
+    every measured quantity is linear, so w' is the slope of the gyroscope's readings and no angular
+    accelerometer is needed. Without an image x and y keep their last values.
 
     Parameters: ``focal_px`` px; ``start_chi`` 1/m and ``start_eta`` 1/s; ``gap_s`` s, the longest silence
-    that is bridged; ``observer``, a design whose sigma and box the flags speak of: without one sigma is 0 and
-    nothing is certified. Memory: 27 floats. Returns a Depth from ``update``, DepthColumns from ``run``.
+    that is bridged; ``observer``, a design whose sigma and box define the flags: without one sigma is 0 and
+    ``certified`` is false. Memory: 27 floats. Returns a Depth from ``update``, DepthColumns from ``run``.
     Raises ParameterError; EventError and EventOrderError from ``update`` and ``run``.
 
     Reference: Benyoucef et al. 2021, equations (12), (15) to (18), the signs corrected.
@@ -198,11 +199,11 @@ class DepthObserver(CameraStage):
 
     @property
     def half_sigma(self) -> float:
-        """Half the rate in 1/s that the design proves; 0 without one."""
+        """Half of the design's sigma in 1/s; 0 without one."""
         return 0.0 if self.observer is None else 0.5 * self.observer.certificate.sigma
 
     def settings(self) -> list[float]:
-        """What stands first in the memory."""
+        """The beginning of the memory."""
         box = [0.0] * 10
         if self.observer is not None:
             box = [bound for pair in list(self.observer.box.bounds.values())[:5] for bound in pair]

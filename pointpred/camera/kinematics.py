@@ -1,7 +1,7 @@
 """Exact motion of a fixed point seen by a moving camera, as laws on flat arrays.
 
 In (p, v), both in the camera's frame, p' = -v - w x p and v' = a - w x v: linear, so nothing is linearised
-when a step is predicted. In a frame that stands still p' = -v and v' = a; only the frame turns.
+when a step is predicted. In a fixed frame p' = -v and v' = a; only the frame rotates.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ SMALL = 1e-4
 
 @law
 def back(turn: Vector, vector: Vector) -> Vector:
-    """A vector in the frame after a turn in rad: exp(-[turn]) applied to it (Rodrigues)."""
+    """A vector in the frame after a rotation in rad: exp(-[turn]) applied to it (Rodrigues)."""
     rx, ry, rz = turn
     x, y, z = vector
     square = rx * rx + ry * ry + rz * rz
@@ -34,7 +34,7 @@ def back(turn: Vector, vector: Vector) -> Vector:
 
 @law
 def carry(memory: FloatArray, at: int, stride: int, h: float, turn: Vector) -> None:
-    """(p, v) after ``h`` s without acceleration: p - h v and v, seen from the turned frame."""
+    """(p, v) after ``h`` s without acceleration: p - h v and v, in the rotated frame."""
     px = memory[at] - h * memory[at + 3 * stride]
     py = memory[at + stride] - h * memory[at + 4 * stride]
     pz = memory[at + 2 * stride] - h * memory[at + 5 * stride]
@@ -47,7 +47,7 @@ def carry(memory: FloatArray, at: int, stride: int, h: float, turn: Vector) -> N
 
 @law
 def push(memory: FloatArray, at: int, h: float, turn: Vector, before: Vector, after: Vector) -> None:
-    """What an acceleration adds to (p, v) in ``h`` s, on a line from ``before`` to ``after`` the turn.
+    """The effect on (p, v) in ``h`` s of an acceleration, linear from ``before`` to ``after`` the rotation.
 
     Each is given in the frame of its own time.
     """
@@ -73,9 +73,9 @@ def turn_covariance(memory: FloatArray, at: int, h: float, turn: Vector) -> None
 
 @law
 def add_noise(memory: FloatArray, at: int, state: int, gyro: float, accel: float) -> None:
-    """Add to a covariance what sensor noise of these variances (rad^2, m^2/s^2) does to (p, v) at ``state``.
+    """Add the effect of sensor noise with variances (rad^2, m^2/s^2) on (p, v) at ``state`` to a covariance.
 
-    A turn that was misjudged by e moves p by p x e and v by v x e, both by the same e.
+    A rotation error e moves p by p x e and v by v x e with the same e.
     """
     for block in range(2):
         for other in range(2):

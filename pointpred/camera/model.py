@@ -23,7 +23,7 @@ SCHEDULED = ("zero", "eta", "a_z", "w_x", "w_y", "dw_x", "dw_y")
 
 
 def interaction(x: float, y: float) -> FloatArray:
-    """What the angular velocity does to a point in the image: the last three columns of (8)."""
+    """The effect of the angular velocity on an image point: the last three columns of (8)."""
     return np.array([[x * y, -(1.0 + x * x), y], [1.0 + y * y, -x * y, -x]])
 
 
@@ -40,7 +40,7 @@ def point_rate(x: float, y: float, chi: float, v: FloatArray, w: FloatArray) -> 
 def depth_rate(
     x: float, y: float, chi: float, eta: float, v: FloatArray, w: FloatArray, a: FloatArray
 ) -> FloatArray:
-    """(chi, eta)' by (12): four of the six signs of eta' are not those of the print."""
+    """(chi, eta)' by (12): four of the six signs of eta' differ from the print."""
     turn = y * w[0] - x * w[1]
     return np.array(
         [
@@ -81,7 +81,7 @@ def decoupled(point: Mapping[str, float]) -> FloatArray:
 
 
 def camera_system() -> ParameterVaryingSystem:
-    """(15) for the design of an observer: its zeros are ``zero`` and ``eta``, whatever the gains."""
+    """(15) for the design of an observer: its zeros are ``zero`` and ``eta`` for any gains."""
     return ParameterVaryingSystem(
         dynamics, unknown_input, C, rates={"w_x": "dw_x", "w_y": "dw_y"}, decoupled=decoupled
     )
@@ -95,10 +95,10 @@ def camera_box(
     w: tuple[float, float],
     dw: tuple[float, float],
 ) -> Box:
-    """A box of the seven scheduling variables from bounds that a person can name.
+    """A box of the seven scheduling variables from bounds on physical quantities.
 
-    ``eta`` = v_z/Z 1/s, below 0 for a camera that recedes; ``turn`` = y w_x - x w_y 1/s, what rotation adds
-    to the first zero; ``a_z`` m/s^2; ``w`` rad/s and ``dw`` rad/s^2 for x and y alike.
+    ``eta`` = v_z/Z 1/s, below 0 for a receding camera; ``turn`` = y w_x - x w_y 1/s, the rotation's part of
+    the first zero; ``a_z`` m/s^2; ``w`` rad/s and ``dw`` rad/s^2 for x and y alike.
 
     >>> still = (0.0, 0.0)
     >>> camera_box((-0.5, -0.25), turn=(-0.125, 0.125), a_z=still, w=still, dw=still).bounds["zero"]

@@ -1,4 +1,4 @@
-"""Observer, velocity and peer side by side: samples in, depth and velocity out, and which to believe."""
+"""Observer, velocity and Kalman filter together: samples in, depth and velocity out, with validity flags."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from pointpred.columns import Columns
 from pointpred.errors import EventError
 
 SURE = 2.0
-"""Standard deviations by which the images must speak against a receding camera."""
+"""Standard deviations by which the filter's eta must exceed -sigma/2 to clear ``detectable``."""
 
 
 class CameraEstimate(msgspec.Struct, frozen=True):
-    """What is known after a sample: the observer's depth and velocity, and the peer's estimate.
+    """Estimates after a sample: the observer's depth and velocity, and the Kalman filter's (``peer``).
 
-    ``detectable``: the observer's own zeros lie below -sigma/2 and the images do not say otherwise. Where it
-    is false the observer's errors do not fade: believe ``peer``, if it says anything.
+    ``detectable``: the observer's own zeros lie below -sigma/2 and the filter does not contradict. If it is
+    false the observer's errors do not decay: use ``peer`` if it is not ``None``.
     """
 
     depth: Depth
@@ -34,7 +34,7 @@ class CameraEstimate(msgspec.Struct, frozen=True):
 
 
 class CameraTable(Columns[tuple[float, ...]]):
-    """Estimates as columns, NaN where nothing is known; what begins with ``peer_`` is the filter's."""
+    """Estimates as columns, NaN if unknown; ``peer_`` columns are the filter's."""
 
     names = (
         "t",
@@ -61,12 +61,12 @@ class CameraTable(Columns[tuple[float, ...]]):
 class CameraPipeline:
     """A ``Stage[CameraSample, CameraEstimate]``: the unknown input observer with the filter as a check.
 
-    The observer alone cannot tell a camera that approaches from one that recedes when it was started with
-    the wrong sign. The filter can, once the images determine the depth: where its eta lies above -sigma/2 by
-    two standard deviations, ``detectable`` is false whatever the observer believes. Before that nobody knows.
+    The observer alone cannot distinguish an approaching from a receding camera if it was started with the
+    wrong sign. The filter can, once the images determine the depth: if its eta lies above -sigma/2 by two
+    standard deviations, ``detectable`` is false whatever the observer's estimate.
 
     Parameters: ``observer``; ``peer``; ``way``, how (x, y)' is computed, one of ``velocity.WAYS``;
-    ``noise_px`` px, the standard deviation of the image. Raises EventError and EventOrderError; it is then
+    ``noise_px`` px, the standard deviation of the image. Raises EventError and EventOrderError and is then
     unchanged.
     """
 

@@ -1,4 +1,4 @@
-"""The peer of the observer: an extended Kalman filter of a point's place and the camera's velocity."""
+"""An extended Kalman filter of a point's position and the camera's velocity, compared with the observer."""
 
 from __future__ import annotations
 
@@ -17,21 +17,22 @@ from pointpred.rows import Row
 from pointpred.stage import loop_into, offsets
 
 NEAREST_M = 1e-4
-"""A filter whose point comes closer than this, or goes behind the camera, begins anew."""
+"""The filter restarts if the point comes closer than this or goes behind the camera."""
 
-# The parameters. The state: whether a sample came, its time, angular velocity and acceleration, the mode,
-# how often the filter began anew; p then v, its covariance row by row, room for a column, what starts it.
+# The parameters. The state: whether there was a sample, its time, angular velocity and acceleration, the
+# mode, the number of restarts; p then v, its covariance row by row, scratch space for a column, the
+# initialisation.
 FOCAL, NOISE, GYRO, ACCEL, SHARE, GAP_S, STARTED, T, WX, WY, WZ, AX, AY, AZ, MODE, RESTARTS, STATE = range(17)
 _, SPREAD, COLUMN, START, END = offsets(STATE + 6, 36, 6, starting.STATES)
 WAITING, STARTING, RUNNING = 0.0, 1.0, 2.0
 
-# The answer: time, p then v and its covariance, how often it began anew, whether it runs.
+# The answer: time, p then v and its covariance, the number of restarts, whether it runs.
 _, OUT_STATE, OUT_SPREAD, OUT_RESTARTS, OUT_RUNNING, WIDTH = offsets(1, 6, 36, 1, 1)
 
 
 @law
 def correct(memory: FloatArray, measured: float, axis: int, x: float, y: float, z: float) -> None:
-    """One coordinate of the image, linearised at (x, y, z), where the prediction was."""
+    """One coordinate of the image, linearised at the prediction (x, y, z)."""
     side = y if axis else x
     near, far = 1.0 / z, -side / (z * z)
     for i in range(6):
@@ -48,14 +49,14 @@ def correct(memory: FloatArray, measured: float, axis: int, x: float, y: float, 
 
 @law
 def predict(memory: FloatArray, dt: float, w: kinematics.Vector, a: kinematics.Vector) -> None:
-    """Carry what is known over ``dt`` s: the state and its covariance, or the sums of the start."""
+    """Propagate over ``dt`` s: the state and its covariance, or the sums of the initialisation."""
     turn = (
         0.5 * dt * (memory[WX] + w[0]),
         0.5 * dt * (memory[WY] + w[1]),
         0.5 * dt * (memory[WZ] + w[2]),
     )
     running = memory[MODE] == RUNNING
-    # While it starts the place of the point is not known yet, nor what a misjudged turn does to it.
+    # During the initialisation the point's position, and so the effect of a rotation error, is unknown.
     gyro, accel = memory[GYRO] * dt if running else 0.0, memory[ACCEL] * dt
     state = STATE if running else START + starting.FORCE
     spread = SPREAD if running else START + starting.NOISE
@@ -70,7 +71,7 @@ def predict(memory: FloatArray, dt: float, w: kinematics.Vector, a: kinematics.V
 
 @law
 def look(memory: FloatArray, x: float, y: float) -> None:
-    """Take in an image: correct, or start."""
+    """Process an image: correct the state, or initialise it."""
     if memory[MODE] == WAITING:
         starting.begin(memory, START)
         memory[MODE] = STARTING
@@ -118,9 +119,9 @@ def answer(memory: FloatArray, sample: Row) -> FloatArray:
 
 
 class PointEstimate(msgspec.Struct, frozen=True):
-    """Place of the point m and velocity of the camera m/s, both in the camera's frame, with their covariance.
+    """Point position m and camera velocity m/s, both in the camera's frame, with their covariance.
 
-    ``state`` = (X, Y, Z, v_x, v_y, v_z); ``restarts`` counts how often the filter began anew.
+    ``state`` = (X, Y, Z, v_x, v_y, v_z); ``restarts`` counts the filter's restarts.
     """
 
     t: float
@@ -151,7 +152,7 @@ class PointEstimate(msgspec.Struct, frozen=True):
 
 
 class PointTrack(msgspec.Struct, frozen=True):
-    """Estimates as arrays, NaN where the filter had not started; a state is 6 numbers, a covariance 6 x 6."""
+    """Estimates as arrays, NaN before the filter started; a state is 6 numbers, a covariance 6 x 6."""
 
     t: FloatArray
     state: FloatArray
@@ -160,7 +161,7 @@ class PointTrack(msgspec.Struct, frozen=True):
     restarts: int
 
     def at(self, row: int) -> PointEstimate | None:
-        """One row as a record, ``None`` where the filter had not started."""
+        """One row as a record, ``None`` before the filter started."""
         if not self.running[row]:
             return None
         return PointEstimate(float(self.t[row]), self.state[row], self.covariance[row], self.restarts)
@@ -169,20 +170,20 @@ class PointTrack(msgspec.Struct, frozen=True):
 class PointFilter(CameraStage):
     """Extended Kalman filter of (p, v) from a tracked point, a gyroscope and an accelerometer.
 
-    Assumes sensors without bias, gravity already removed, and independent pixel errors of one size that is
-    known. Prediction is exactly linear in these coordinates; only the image is linearised, so it must not
-    start before the depth is roughly known: pseudo-linear least squares over the images so far, with the
-    noise's part taken out, hands over once the depth's standard deviation is ``share`` of the depth. It says
-    nothing before, and never where the images tell no depth: a camera that rests, only turns, or moves along
-    the ray of the point. A point that comes nearer than 0.1 mm makes it begin anew, which is counted.
+    Assumes sensors without bias, gravity already removed, and independent pixel errors of known size.
+    Prediction is exactly linear in these coordinates; only the image is linearised, so the filter needs a
+    rough depth first: noise-compensated pseudo-linear least squares over the images so far starts it once the
+    depth's standard deviation is ``share`` of the depth. Before, it returns ``None``, and always if the
+    images do not determine the depth: a camera at rest, pure rotation, or motion along the ray of the point.
+    It restarts, and counts that, if the point comes closer than 0.1 mm.
 
     p' = -v - w x p, v' = a - w x v; x = X/Z, y = Y/Z.
 
     Parameters: ``focal_px`` px; ``noise_px`` px, standard deviation of a coordinate (n / sqrt(3) for noise
     uniform in +-n); ``gyro_noise`` rad/s/sqrt(Hz); ``accel_noise`` m/s^2/sqrt(Hz); ``share`` of the depth:
-    above 0.15 some runs start wrong and stay wrong;
-    ``gap_s`` s. Memory: 274 floats. Returns PointEstimate or ``None`` from ``update``, PointTrack from
-    ``run``. Raises ParameterError; EventError and EventOrderError from ``update`` and ``run``.
+    above 0.15 some runs start wrong and do not recover; ``gap_s`` s. Memory: 274 floats. Returns
+    PointEstimate or ``None`` from ``update``, PointTrack from ``run``. Raises ParameterError; EventError and
+    EventOrderError from ``update`` and ``run``.
 
     Reference: Bar-Shalom, Li, Kirubarajan 2001, section 10.3 (extended Kalman filter) and 5.4 (consistency).
 
@@ -217,7 +218,7 @@ class PointFilter(CameraStage):
     at_started, at_t, at_gap = STARTED, T, GAP_S
 
     def settings(self) -> list[float]:
-        """What stands first in the memory: variances in the place of standard deviations."""
+        """The beginning of the memory, with variances instead of standard deviations."""
         image = (float(self.noise_px) / float(self.focal_px)) ** 2
         inertial = [float(self.gyro_noise) ** 2, float(self.accel_noise) ** 2]
         return [float(self.focal_px), image, *inertial, float(self.share), float(self.gap_s)]

@@ -1,4 +1,4 @@
-"""What the camera paper prints, kept to be audited: nothing here is used to estimate anything."""
+"""Equations as the camera paper prints them, for audits only; no estimate uses them."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pointpred.columns import FloatArray
 def derivatives(truth: Trajectory) -> FloatArray:
     """(x, y, chi, eta)' of a trajectory by the chain rule on p' = -v - w x p and v' = a - w x v alone.
 
-    Uses (7) and (11), none of the equations that are audited.
+    Uses (7) and (11), none of the audited equations.
     """
     p_rate = -truth.v - np.cross(truth.w, truth.p)
     v_rate = truth.a - np.cross(truth.w, truth.v)
@@ -54,7 +54,7 @@ def gain_inequality(
     force: FloatArray,
     sigma: float,
 ) -> FloatArray:
-    """(27c) as printed, with + W C: it proves something of Gamma + K C, while (44) runs Gamma - K C."""
+    """(27c) as printed, with + W C: it is a proof for Gamma + K C, while (44) uses Gamma - K C."""
     corner = gamma_i.T @ p + p @ gamma_i + w_i @ c + c.T @ w_i.T + sigma * p
     return np.block([[corner, p @ t_i], [t_i.T @ p, -force]])
 
@@ -67,7 +67,7 @@ P = np.array(
         [0.0, 0.0, 0.0, 1.6109e-13],
     ]
 )
-"""The P of section V: its least eigenvalue lies below the chi_1 that was demanded."""
+"""The P of section V: its least eigenvalue lies below the required chi_1."""
 CHI_1, SIGMA, GAMMA = 1e-12, 1e-2, 9.5492e-13
 TABLE_I = {
     0: (0.2350, 0.0917, 0.0516, 0.0848, 0.0139),

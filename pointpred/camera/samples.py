@@ -1,4 +1,4 @@
-"""What a camera with an inertial sensor delivers, as records, as columns, and simulated from a trajectory."""
+"""Samples of a camera with an inertial sensor: records, columns, and simulation from a trajectory."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ NOISE = (
     Parameter("dropped", "", 0.0, 1.0, "share of the images that are missing"),
 )
 ROWS_MOST = 10_000_000
-"""Samples that are simulated at once: a gigabyte or so."""
+"""Most samples of one simulation: about a gigabyte."""
 
 
 class CameraSample(msgspec.Struct, frozen=True):
-    """A reading of the inertial sensor, with the tracked point where an image was taken at that moment.
+    """A reading of the inertial sensor, with the tracked point if an image was taken at that time.
 
     ``t`` s; ``x y`` px from the principal point, x right, y down, ``None`` without an image; ``wx wy wz``
     rad/s; ``ax ay az`` m/s^2 of the motion in the camera's frame, gravity already removed (10).
@@ -72,10 +72,10 @@ class CameraColumns(Columns[CameraSample]):
 
 
 class Noise(msgspec.Struct, frozen=True):
-    """What a simulated sensor does to the truth; all zero by default.
+    """Errors of a simulated sensor; all zero by default.
 
-    ``noise_px``: uniform in +-noise_px, as the paper has it (standard deviation noise_px / sqrt(3));
-    ``normal``: normal noise of that standard deviation instead. Biases are constant, one number an axis.
+    ``noise_px``: uniform in +-noise_px, as in the paper (standard deviation noise_px / sqrt(3));
+    ``normal``: normal noise of that standard deviation instead. Biases are constant, one number per axis.
     """
 
     noise_px: float = 0.0
@@ -99,8 +99,8 @@ def simulate(
 ) -> tuple[CameraColumns, Trajectory]:
     """Samples of a scenario, and the truth at the same times.
 
-    ``focal_px`` must be given: it is what turns px of noise into radians, and the paper does not state it.
-    ``readings`` of the inertial sensor an image; 1e7 samples at most. The first sample always has an image.
+    ``focal_px`` converts px of noise to radians; it is required because the paper does not state it.
+    ``readings`` of the inertial sensor per image; 1e7 samples at most. The first sample always has an image.
     Raises ParameterError.
 
     >>> from pointpred.camera.scenario import SCENARIOS
@@ -134,7 +134,7 @@ def simulate(
 def observed(
     truth: Trajectory, *, focal_px: float, readings: int = 1, noise: Noise | None = None, seed: int = 0
 ) -> CameraColumns:
-    """What the sensors deliver on a trajectory sampled at equal intervals, an image every ``readings`` rows.
+    """Sensor samples along a trajectory sampled at equal intervals, with an image every ``readings`` rows.
 
     The same seed gives the same samples. Raises ParameterError.
     """

@@ -1,4 +1,4 @@
-"""Camera movements whose truth is known: the paper's (45) and others that show what an observer cannot do."""
+"""Camera movements with known truth: the paper's (45) and others that show limits of observers."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ ACCURACY = 1e-12
 class Scenario(msgspec.Struct, frozen=True):
     """A camera that moves past one fixed point.
 
-    ``velocity`` m/s and ``angular`` rad/s in the camera's frame; ``point`` m, where the point is at t = 0.
+    ``velocity`` m/s and ``angular`` rad/s in the camera's frame; ``point`` m, its position at t = 0.
     """
 
     name: str
@@ -30,7 +30,7 @@ class Scenario(msgspec.Struct, frozen=True):
 
 
 class Trajectory(msgspec.Struct, frozen=True):
-    """What is true at each time: point m, velocity m/s, angular velocity rad/s, acceleration m/s^2."""
+    """The truth at each time: point m, velocity m/s, angular velocity rad/s, acceleration m/s^2."""
 
     t: FloatArray
     p: FloatArray
@@ -59,7 +59,7 @@ class Trajectory(msgspec.Struct, frozen=True):
 
     @property
     def turn(self) -> FloatArray:
-        """What rotation adds to the zero of depth: y w_x - x w_y, 1/s."""
+        """The rotation's part of the zero of depth: y w_x - x w_y, 1/s."""
         x, y = self.image.T
         rate: FloatArray = y * self.w[:, 0] - x * self.w[:, 1]
         return rate
@@ -131,4 +131,4 @@ SCENARIOS = {
         Scenario("stationary", _still, _still, (0.1, 0.05, 2.0)),
     )
 }
-"""Names users type. ``axial`` recedes along the ray of the point: no image tells its depth."""
+"""Names users type. ``axial`` recedes along the ray of the point: its depth is unobservable from images."""

@@ -1,8 +1,8 @@
-"""Where a filter of (p, v) starts: pseudo-linear least squares over the images so far, noise compensated.
+"""The initial state of a filter of (p, v): noise-compensated pseudo-linear least squares over the images.
 
-x Z = X and y Z = Y are linear in (p, v) at the first image. The rows contain the noisy x and y, which draws
-the solution towards small depths (a factor of three at 8 px and 800 px of focal length): the noise's part of
-the normal matrix is known and is taken out again.
+x Z = X and y Z = Y are linear in (p, v) at the first image. The rows contain the noisy x and y, which biases
+the solution towards small depths (a factor of three at 8 px and 800 px of focal length): the known
+contribution of the noise to the normal matrix is subtracted.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.stage import offsets
 
-# Relative to `at`: Phi and g of s = Phi s0 + g, normal matrix, right side, sensor noise; then room for the
-# factor of the normal matrix, the first state, the state now, a row and the covariance.
+# Relative to `at`: Phi and g of s = Phi s0 + g, normal matrix, right side, sensor noise; then scratch space
+# for the factor of the normal matrix, the first state, the current state, a row and the covariance.
 CARRY, FORCE, NORMAL, RIGHT, NOISE, FACTOR, FIRST, NOW, ROW, SPREAD, STATES = offsets(
     36, 6, 36, 6, 36, 36, 6, 6, 6, 36
 )
@@ -46,7 +46,7 @@ def take(memory: FloatArray, at: int, x: float, y: float, variance: float) -> No
 
 @law
 def factor(memory: FloatArray, m: int) -> bool:
-    """Cholesky's lower factor in place; false where the matrix is not safely positive definite."""
+    """Cholesky's lower factor in place; false if the matrix is not safely positive definite."""
     for i in range(6):
         own = memory[m + 7 * i]
         for j in range(i + 1):
@@ -79,9 +79,9 @@ def solve(memory: FloatArray, m: int, v: int) -> None:
 
 @law
 def start(memory: FloatArray, at: int, state: int, p: int, variance: float, share: float) -> bool:
-    """Write (p, v) and its covariance now, if the depth is known to ``share`` of itself; else change nothing.
+    """Write the current (p, v) and covariance if the relative error of the depth is at most ``share``.
 
-    P = Phi N^-1 Phi' r Z^2, Z^2 the mean square of a depth that ran evenly since, and the sensors' noise.
+    P = Phi N^-1 Phi' r Z^2, Z^2 the mean square of a depth that changed linearly, plus the sensors' noise.
     """
     lower, first, now, row, spread = at + FACTOR, at + FIRST, at + NOW, at + ROW, at + SPREAD
     for i in range(36):

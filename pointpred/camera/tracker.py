@@ -1,4 +1,4 @@
-"""From images to a point: one feature followed by pyramidal Lucas and Kanade, through OpenCV."""
+"""One point tracked through images by pyramidal Lucas-Kanade, with OpenCV."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ Image = NDArray[np.uint8]
 
 
 class PointTracker:
-    """Follows one point from image to image.
+    """Tracks one point from image to image.
 
-    Assumes grey images of one size, a point on something textured, and a motion of less than a few windows
-    between two images. Errors add up from image to image like a random walk: noise of the filter's kind,
-    independent from image to image, is an approximation. A point that cannot be followed back to where it
-    came from is not reported; the next image is compared with the last good one.
+    Assumes grey images of one size, a point on a textured surface, and a motion of less than a few windows
+    between two images. Errors accumulate like a random walk; the filter's assumption of independent noise is
+    an approximation. A point that backward tracking does not lead back to its origin is not reported; the
+    next image is compared with the last good one.
 
-    Parameters: ``x``, ``y`` px from the image's centre, where the point is in the first image; ``window_px``
-    side of the window that is compared; ``back_px``, the largest distance by which following it back may
-    miss. Memory: one image. Returns px from the image's centre, or ``None``. Raises MissingExtraError,
-    ParameterError; EventError for what is no grey image of the first one's size.
+    Parameters: ``x``, ``y`` px from the image's centre, the point in the first image; ``window_px`` side of
+    the compared window; ``back_px``, the largest error of tracking back. Memory: one image. Returns px from
+    the image's centre, or ``None``. Raises MissingExtraError, ParameterError; EventError for anything but a
+    grey image of the first one's size.
 
     Reference: Lucas, Kanade 1981; Kalal, Mikolajczyk, Matas 2010 (forward-backward error).
     """
@@ -48,11 +48,11 @@ class PointTracker:
         self._point = np.zeros((1, 1, 2), np.float32)
 
     def reset(self) -> None:
-        """Forget every image: the next one shows the point at its start again."""
+        """Forget every image: the next one shows the point at its start position."""
         self._image = None
 
     def update(self, image: Image, /) -> tuple[float, float] | None:
-        """Consume one image; ``None`` where the point was not found in it."""
+        """Consume one image; ``None`` if the point was not found."""
         middle = self._middle(image)
         if self._image is None:
             inside = np.abs(self.start) <= middle
@@ -79,7 +79,7 @@ class PointTracker:
         return there, bool(status[0, 0] == 1)
 
     def _middle(self, image: Image) -> Any:
-        """Half the size of an image, so that pixel centres lie at whole numbers; checks the image."""
+        """Half the size of an image, so that pixel centres are whole numbers; checks the image."""
         grey = isinstance(image, np.ndarray) and image.ndim == 2 and image.dtype == np.uint8
         if not grey or min(image.shape) < self.window_px:
             received = getattr(image, "shape", image), getattr(image, "dtype", type(image))
@@ -92,9 +92,9 @@ class PointTracker:
 def tracked(
     tracker: PointTracker, images: list[Image], readings: CameraColumns, every: int = 1
 ) -> CameraColumns:
-    """The readings with x and y from the images, one image every ``every`` rows; NaN where it was lost.
+    """The readings with x and y from the images, one image every ``every`` rows; NaN if the point was lost.
 
-    Raises ParameterError where the images are not as many as the rows that have one.
+    Raises ParameterError if the number of images does not match the rows.
     """
     table = readings.table.copy()
     rows = range(0, len(table), every)

@@ -14,10 +14,10 @@ from pointpred.rows import Row
 from pointpred.stage import CompiledStage, loop_of
 
 SPREAD_START = 1.0
-"""Standard deviation of d before anything was seen, 1/s."""
+"""Standard deviation of d before the first image, 1/s."""
 
-# The parameters. The state: whether a row came, its time, whether an image came; its place and d, the known
-# part of the motion then, and the covariance of a place and d, which both axes share.
+# The parameters. The state: whether there was a row, its time, whether there was an image; its position and
+# d, the known part of the motion then, and the covariance of a position and d, shared by both axes.
 NOISE, DENSITY, STARTED, T, IMAGED, X, Y, DX, DY, KX, KY, P00, P01, P11, END = range(15)
 
 
@@ -35,7 +35,7 @@ class FlowRow(NamedTuple):
 
 @law
 def flow(x: float, y: float, eta: float, wx: float, wy: float, wz: float) -> tuple[float, float]:
-    """The known part of the image's motion: (x, y) eta + B w; what is left of (x, y)' is -d."""
+    """The known part of the image's motion: (x, y) eta + B w; the rest of (x, y)' is -d."""
     flow_x = x * eta + x * y * wx - (1.0 + x * x) * wy + y * wz
     flow_y = y * eta + (1.0 + y * y) * wx - x * y * wy - x * wz
     return flow_x, flow_y
@@ -96,16 +96,16 @@ def row_at(rows: FloatArray, i: int) -> tuple[float, float, float, float, float,
 class UnknownInputFilter(CompiledStage):
     """Kalman filter of (y, d) for both axes of the image, with the known motion fed forward.
 
-    Assumes that d changes as a random walk and that eta and w are right: their errors go into d. What is
-    known of y' is not differentiated but integrated, so the filter can be as slow as d alone demands.
+    Assumes that d changes as a random walk and that eta and w are correct: their errors enter d. The known
+    part of y' is integrated, not differentiated, so the filter needs only the bandwidth of d.
 
     y' = eta y + B_y w - d, d' white of density q; image noise r; both axes share one covariance.
 
     Parameters: ``noise`` of x and y (image units, px / focal length); ``density`` 1/s^3, q. Memory: 14
     floats. A row is t, x, y, eta, w_x, w_y, w_z; returns (t, d_x, d_y, spread). Raises ParameterError;
-    EventError where time does not increase or a value is no number.
+    EventError if time does not increase or a value is not a number.
 
-    Reference: Benyoucef et al. 2021, equations (39) to (41), with a filter in the place of the derivative.
+    Reference: Benyoucef et al. 2021, equations (39) to (41), with a filter instead of the derivative.
 
     >>> unknown = UnknownInputFilter(noise=1e-3, density=1e-2)
     >>> for i in range(200):
@@ -123,7 +123,7 @@ class UnknownInputFilter(CompiledStage):
     loop = staticmethod(loop_of(step, row_at))
 
     def settings(self) -> list[float]:
-        """What stands first in the memory."""
+        """The beginning of the memory."""
         return [float(self.noise) ** 2, float(self.density)]
 
     def update(self, row: tuple[float, ...], /) -> tuple[float, float, float, float]:

@@ -18,12 +18,12 @@ from pointpred.parameter import Parameter, check
 
 NOISE_PX = Parameter("noise_px", "px", 1e-3, 1e3, "standard deviation of a coordinate in the image")
 FLOOR = 1e-4
-"""chi at or below this (a depth of 10 km) is no depth: the velocity is NaN there, never clipped."""
+"""chi at or below this (a depth of 10 km) is invalid: the velocity is then NaN, never clipped."""
 FED_FORWARD = "kalman-two-state"
 DPI = 96.0
-"""Pixels of the image count as pixels of such a screen: the unit in which differentiators are set."""
+"""Image pixels are treated as pixels of a screen of this resolution, in which differentiators are tuned."""
 GAPS = {"dpi": DPI, "gap_s": 2.0, "pause_s": 5.0}
-"""A missing image is no pause of a hand: differentiators bridge it."""
+"""Settings of all differentiators; the gaps (s) are long, so that missing images are bridged."""
 CALM: dict[str, dict[str, Any]] = {
     "homogeneous": {"order": 3, "gain_lambda": 2.0, "gain_xi": 1.5, "alpha": -0.1, "step_s": 0.004},
     "kalman": {"jerk_density": 1e-3, "noise_m": 1e-3},
@@ -31,11 +31,11 @@ CALM: dict[str, dict[str, Any]] = {
 }
 """Settings for a camera at 33 images a second, the best of a small grid with 4 px of noise."""
 WAYS = (*DIFFERENTIATORS, *(f"{name}, calm" for name in CALM), FED_FORWARD)
-"""Ways to d: by each differentiator, by those set for a camera, by the two-state filter."""
+"""Methods for d: each differentiator, those tuned for a camera, the two-state filter."""
 
 
 def velocities(d: FloatArray, depth: DepthColumns) -> FloatArray:
-    """(v_x, v_y, v_z) m/s by (41), (42); NaN where chi is at its floor or unknown.
+    """(v_x, v_y, v_z) m/s by (41), (42); NaN if chi is at its floor or unknown.
 
     >>> depth = DepthColumns([[0.0, 0.5, -0.1, -0.1, 1.0, 1.0, 1.0], [1.0, 1e-5, -0.1, -0.1, 1.0, 1.0, 1.0]])
     >>> velocities(np.array([[0.1, 0.0], [0.1, 0.0]]), depth).tolist()
@@ -49,14 +49,14 @@ def velocities(d: FloatArray, depth: DepthColumns) -> FloatArray:
 class UnknownInputs:
     """d = chi (v_x, v_y) by (40): the known motion of the image less a derivative of it, or a filter.
 
-    Assumes that eta is right: its error times (x, y) goes into d. A derivative turns noise of n px into
-    noise of n rate / focal length; a calm one turns noise into delay; the two-state filter does not
-    differentiate what is known. Between two images a derivative's last answer stands.
+    Assumes eta correct: its error times (x, y) enters d. A derivative turns n px of noise into n rate / focal
+    length; stronger smoothing trades noise for delay; the two-state filter does not differentiate the known
+    motion. Between two images the last derivative is held.
 
     d = (x, y) eta + B_y w - (x, y)'.
 
-    Parameters: ``way``, one of ``WAYS``; ``focal_px`` px; ``noise_px`` px, the standard deviation that the
-    two-state filter takes. Memory: that of its stage and 2 floats. Raises ParameterError.
+    Parameters: ``way``, one of ``WAYS``; ``focal_px`` px; ``noise_px`` px, the standard deviation for the
+    two-state filter. Memory: that of its stage and 2 floats. Raises ParameterError.
 
     Reference: Benyoucef et al. 2021, equations (39) to (41).
     """
@@ -86,7 +86,7 @@ class UnknownInputs:
                 stage.reset()
 
     def update(self, sample: CameraSample, eta: float) -> tuple[float, float]:
-        """Consume one sample and the observer's eta; NaN where nothing is known yet."""
+        """Consume one sample and the observer's eta; NaN before the first estimate."""
         if eta != eta:
             return self._d
         w = (sample.wx, sample.wy, sample.wz)

@@ -1,4 +1,4 @@
-"""Linear regression on line: unknown constants from what is measured, and how far the data reach."""
+"""Online linear regression: unknown constants from measurements, and the excitation of the data."""
 
 from pointpred.regression.extension import DynamicRegressorExtension, Estimate
 from pointpred.regression.recursive_least_squares import Fit, RecursiveLeastSquares

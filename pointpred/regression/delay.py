@@ -1,8 +1,8 @@
-"""Signals a while ago: a ring of irregular samples in a flat array, whatever the rate of the device.
+"""Delayed signals: a ring of irregular samples in a flat array, for any device rate.
 
-The ring holds a fixed number of samples. Samples closer than ``spacing`` replace each other, except that
-the newest is always there, so a fast device fills the ring no sooner than a slow one. Between two samples
-a signal runs on the line. All zeros: an empty ring.
+The ring holds a fixed number of samples. Samples closer than ``spacing`` replace each other, except that the
+newest is always stored, so a fast device does not fill the ring sooner. Between two samples a signal is
+linear. All zeros: an empty ring.
 """
 
 from __future__ import annotations
@@ -11,15 +11,15 @@ from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
 
 PER_DELAY = 64
-"""Samples kept in one delay, at most."""
+"""Most samples stored per delay."""
 
-# Relative to `at`: how many samples, the place of the newest; then the samples, each (t, values).
+# Relative to `at`: number of samples, place of the newest; then the samples, each (t, values).
 COUNT, NEWEST, SAMPLES = 0, 1, 2
 
 
 @layout
 def capacity(delays: int) -> int:
-    """Samples needed to look back over a number of delays: two newest ones and both ends beside them."""
+    """Samples needed to span a number of delays: the two newest and one on each side."""
     return delays * PER_DELAY + 4
 
 
@@ -52,7 +52,7 @@ def push(memory: FloatArray, at: int, width: int, samples: int, spacing: float, 
 
 @law
 def find(memory: FloatArray, at: int, width: int, samples: int, t: float) -> tuple[bool, int, int, float]:
-    """The samples around ``t``: (is there a history so long, place before, place after, share of after).
+    """The samples around ``t``: (history long enough?, place before, place after, weight of after).
 
     A value j is then ``memory[before + j] + share * (memory[after + j] - memory[before + j])``. A time
     after the newest sample gives the newest.

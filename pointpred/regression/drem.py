@@ -1,8 +1,8 @@
 """Dynamic regressor extension and mixing (DREM) with delay operators, thesis section 2.5.3.
 
 ``advance`` works inside the memory of any stage: give it an offset and ``states(n)`` floats, write the
-regressor at ``at + REGRESSOR`` and call. Estimates stay at ``estimates(at, n)``, where a caller may also
-set or put back what he does not accept. All zeros: nothing remembered.
+regressor at ``at + REGRESSOR`` and call. Estimates stay at ``estimates(at, n)``, where a caller may also set
+or restore them. All zeros: no samples.
 """
 
 from __future__ import annotations
@@ -13,22 +13,22 @@ from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
 from pointpred.regression import delay, gradient, mixing
 
-# Relative to `at`: whether a sample came, its time, the determinant phi of the last step, the integral of
-# gamma phi^2 so far, the regressor w (n).
+# Relative to `at`: whether there was a sample, its time, the determinant phi of the last step, the integral
+# of gamma phi^2 so far, the regressor w (n).
 STARTED, T, PHI, EXCITATION, REGRESSOR = range(5)
-# Behind it: the largest |w_i| so far (n), the estimates (n), the extended output (n), the mixed output (n),
+# Then: the largest |w_i| so far (n), the estimates (n), the extended output (n), the mixed output (n),
 # the extended regressor (n^2), scratch (n^2), the ring of (t, w, y).
 
 
 @layout
 def estimates(at: int, n: int) -> int:
-    """Where the n estimates lie."""
+    """Offset of the n estimates."""
     return at + REGRESSOR + 2 * n
 
 
 @layout
 def ring(at: int, n: int) -> int:
-    """Where the ring of past samples lies."""
+    """Offset of the ring of past samples."""
     return at + REGRESSOR + 5 * n + n * n + mixing.work(n)
 
 
@@ -46,10 +46,10 @@ def restart(memory: FloatArray, at: int, n: int) -> None:
 
 @law
 def extend(memory: FloatArray, at: int, n: int, delay_s: float, t: float) -> bool:
-    """Fill the rows w(t - i delay), y(t - i delay); False where the history is too short or a row is zero.
+    """Fill the rows w(t - i delay), y(t - i delay); False if the history is too short or a row is zero.
 
-    Columns are divided by the largest values so far, the same for all rows, and rows by their norms, so
-    that the determinant lies in [-1, 1] whatever the units.
+    Columns are divided by the largest values so far, the same for all rows, and rows by their norms, so that
+    the determinant lies in [-1, 1] in any units.
     """
     scale, output = at + REGRESSOR + n, at + REGRESSOR + 3 * n
     rows, past, samples = output + 2 * n, ring(at, n), delay.capacity(n - 1)
@@ -75,7 +75,7 @@ def extend(memory: FloatArray, at: int, n: int, delay_s: float, t: float) -> boo
 
 @law
 def remember(memory: FloatArray, at: int, n: int, delay_s: float, t: float, output: float) -> float:
-    """Take in output = regressor . theta at ``t`` without learning; returns the step in s."""
+    """Store output = regressor . theta at ``t`` without learning; returns the step in s."""
     scale = at + REGRESSOR + n
     h = t - memory[at + T] if memory[at + STARTED] == 1.0 else 0.0
     memory[at + STARTED] = 1.0
@@ -93,7 +93,7 @@ def remember(memory: FloatArray, at: int, n: int, delay_s: float, t: float, outp
 def advance(
     memory: FloatArray, at: int, n: int, delay_s: float, gamma: float, sample: tuple[float, float]
 ) -> bool:
-    """Take in a sample (t, regressor . theta); False while the history is shorter than (n - 1) delays.
+    """Process a sample (t, regressor . theta); False while the history is shorter than (n - 1) delays.
 
     With Phi the extended regressor: phi = det Phi, Y~ = adj(Phi) Y = phi theta, and each theta_i follows
     theta_i' = gamma phi (Y~_i - phi theta_i) exactly over the step. ``gamma`` is in 1/s.

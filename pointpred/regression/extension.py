@@ -1,4 +1,4 @@
-"""DREM for Python: samples in, estimates of the constants out, each with its own scalar equation."""
+"""DREM for Python: samples in, estimates of the constants out, each by its own scalar equation."""
 
 from __future__ import annotations
 
@@ -20,9 +20,8 @@ DELAY_S, GAMMA, AT = range(3)
 class Estimate(msgspec.Struct, frozen=True):
     """The constants at ``t`` s.
 
-    ``phi`` in [-1, 1] is the excitation of this moment, and ``learnt`` in [0, 1] the share of the distance
-    from the initial values (zeros) to the constants that was covered so far: below 1 the values still lean
-    towards zero.
+    ``phi`` in [-1, 1] is the present excitation, and ``learnt`` in [0, 1] the fraction covered of the
+    distance from the initial values (zeros) to the constants: below 1 the values are biased towards zero.
     """
 
     t: float
@@ -34,15 +33,15 @@ class Estimate(msgspec.Struct, frozen=True):
 class DynamicRegressorExtension(CompiledStage):
     """Dynamic regressor extension and mixing (DREM) with the delays 0, tau, 2 tau, ...
 
-    Assumes y = w'theta with constant theta. Needs no persistent excitation, but it needs some: over short
-    delays the rows look alike, phi falls with the power n (n - 1) / 2 of the delay, and noise then rules.
+    Assumes y = w'theta with constant theta. Needs some excitation, though not persistent: over short delays
+    the rows are nearly equal, phi falls with the power n (n - 1) / 2 of the delay, and noise dominates.
 
     Row i of Phi and Y is w and y delayed by i tau; phi = det Phi, Y~ = adj(Phi) Y = phi theta, so that each
-    theta_i' = gamma phi (Y~_i - phi theta_i) stands alone; integrated exactly over each step. Columns are
+    theta_i' = gamma phi (Y~_i - phi theta_i) is independent; integrated exactly over each step. Columns are
     scaled by their largest values so far and rows by their norms: |phi| <= 1 in any units.
 
     Parameters: ``count`` of unknowns, 2 to 6; ``delay_s`` tau in s; ``gamma`` in 1/s, the rate at full
-    excitation (real phi are small: 1e6 is no exotic value).
+    excitation (real phi are small: 1e6 is not unusual).
     Memory: 2 + drem.states(count) floats, 701 for three. Raises ParameterError, and EventError and
     EventOrderError from ``update``.
 
@@ -68,14 +67,14 @@ class DynamicRegressorExtension(CompiledStage):
         self.states = drem.states(self.count)
 
     def settings(self) -> list[float]:
-        """What stands first in the memory."""
+        """The beginning of the memory."""
         return [float(self.delay_s), float(self.gamma)]
 
     def update(self, regressor: Sequence[float] | FloatArray, output: float, t: float) -> Estimate | None:
-        """Take in output = regressor . theta at ``t`` s; ``None`` while the history is too short.
+        """Process output = regressor . theta at ``t`` s; ``None`` while the history is too short.
 
         That is before n - 1 delays have passed. Raises EventError for a value that is not finite or a
-        regressor of another length, EventOrderError when time runs backwards; nothing is then changed.
+        regressor of another length, EventOrderError when time runs backwards; the stage is then unchanged.
         """
         memory, n = self._memory, self.count
         last_t = float(memory[AT + drem.T]) if memory[AT + drem.STARTED] == 1.0 else None

@@ -10,7 +10,7 @@ from pointpred.compiled import law
 
 @law
 def descend(theta: float, mixed: float, phi: float, gamma: float, h: float) -> float:
-    """Follow theta' = gamma phi (mixed - phi theta) over ``h`` s with mixed and phi held.
+    """Follow theta' = gamma phi (mixed - phi theta) over ``h`` s with constant mixed and phi.
 
     Exactly: theta + (1 - exp(-gamma phi^2 h)) (mixed / phi - theta), written so that phi = 0 is harmless.
     No gain is too large: the estimate never passes mixed / phi.

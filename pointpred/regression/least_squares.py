@@ -1,11 +1,11 @@
-"""Recursive least squares with forgetting, as compiled laws in a flat array: a triangle, never an inverse.
+"""Recursive least squares with forgetting, as compiled laws in a flat array: a triangular root, no inverse.
 
 The information A = sum of d^(k-i) w_i w_i' is kept as its triangular root R (A = R'R) with z (psi = R'z).
-Each sample is turned into the triangle by plane rotations, so the condition is that of the data, not its
+Plane rotations merge each sample into the triangle, so the condition number is that of the data, not its
 square. Rotations commute with a change of the regressor's units: no scaling is needed.
 
 ``advance`` works inside the memory of any stage: give it an offset and ``states(n)`` floats, write the
-regressor at ``at + REGRESSOR``, call. All zeros: nothing remembered.
+regressor at ``at + REGRESSOR``, call. All zeros: no samples.
 """
 
 from __future__ import annotations
@@ -15,14 +15,14 @@ from math import hypot, sqrt
 from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
 
-# Relative to `at`: samples so far, the same with old ones forgotten, forgotten sum of squared residuals, the
-# regressor (n), which is used up. Behind it: z (n) and R (n x n, row-major, upper).
+# Relative to `at`: samples so far, the same with forgetting, sum of squared residuals with forgetting, the
+# regressor (n), which is overwritten; then z (n) and R (n x n, row-major, upper).
 SAMPLES, EFFECTIVE, RESIDUAL, REGRESSOR = 0, 1, 2, 3
 
 
 @layout
 def root(at: int, n: int) -> int:
-    """Where R lies; z lies n floats before it."""
+    """Offset of R; z lies n floats before it."""
     return at + REGRESSOR + 2 * n
 
 
@@ -59,7 +59,7 @@ def advance(memory: FloatArray, at: int, n: int, forgetting: float, output: floa
 
 @law
 def excitation(memory: FloatArray, at: int, n: int, j: int) -> float:
-    """The sine of the angle between column j of the data and those before it: 0 when it brings nothing."""
+    """The sine of the angle between column j of the data and those before it: 0 if it depends on them."""
     r = root(at, n)
     square = 0.0
     for i in range(j + 1):
@@ -69,7 +69,7 @@ def excitation(memory: FloatArray, at: int, n: int, j: int) -> float:
 
 @law
 def solve(memory: FloatArray, at: int, n: int, least: float, out: int) -> bool:
-    """Write the estimate at ``out``; False, nothing written, where an excitation is below ``least``."""
+    """Write the estimate at ``out``; False, without writing, if an excitation is below ``least``."""
     for j in range(n):
         if excitation(memory, at, n, j) < least:
             return False

@@ -1,7 +1,7 @@
-"""The mixing step of DREM: determinant and adjugate of a small square matrix, right for singular ones too.
+"""The mixing step of DREM: determinant and adjugate of a small square matrix, valid for singular ones too.
 
 adj(A) y is never formed from an inverse. Its entry i is the determinant of A with column i replaced by y
-(Cramer), which is true, and smooth, for singular A as well.
+(Cramer), which holds, and is smooth, for singular A as well.
 """
 
 from __future__ import annotations

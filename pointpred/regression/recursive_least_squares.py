@@ -1,4 +1,4 @@
-"""Recursive least squares for Python: samples in, a fit with an account of what the data can tell."""
+"""Recursive least squares for Python: samples in, a fit with the excitation of the data out."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ from pointpred.parameter import option, parameter
 from pointpred.regression import least_squares
 from pointpred.stage import CompiledStage
 
-# Parameters, then the state: whether a time was given, the last one, the triangle.
+# Parameters, then the state: whether there was a time, the last one, the triangle.
 FORGETTING, RATE, LEAST, RIDGE, STARTED, T, AT = range(7)
 
 
 class Fit(msgspec.Struct, frozen=True):
-    """What the data say, and how well.
+    """The estimate and its quality.
 
-    ``values`` and ``errors`` (their standard errors if the samples' errors are independent) are ``None``
-    when a parameter is not excited; ``unexcited`` lists those whose data add nothing to the parameters
-    before them; ``condition`` of the data with columns of equal length; ``residual`` root mean square.
+    ``values`` and ``errors`` (their standard errors if the samples' errors are independent) are ``None`` if a
+    parameter is not excited; ``unexcited`` lists those whose columns depend on the columns before;
+    ``condition`` of the data with columns of equal length; ``residual`` root mean square.
     """
 
     values: tuple[float, ...] | None
@@ -38,23 +38,23 @@ class Fit(msgspec.Struct, frozen=True):
 
 
 class RecursiveLeastSquares(CompiledStage):
-    """Least squares over all samples so far, older ones forgotten by and by.
+    """Least squares over all samples so far, with exponential forgetting.
 
     Assumes y = w'theta + error with errors in y only: noise in the regressor biases the estimate towards
-    zero. Forgetting without new excitation leaves nothing to stand on; ``Fit.unexcited`` then says so.
+    zero. Forgetting without new excitation loses the estimate; ``Fit.unexcited`` then lists its parameters.
 
-    A = d A + w w', psi = d psi + w y, A theta = psi; kept as the triangular root of A, no inverse formed.
+    A = d A + w w', psi = d psi + w y, A theta = psi; stored as the triangular root of A, without an inverse.
 
-    The recursion theta += A^-1 w (y - w'theta) has no inverse for the first samples: how it starts is
-    part of the estimator. Without ``ridge`` the start is exact: no estimate until the samples
-    determine one, which is then ordinary least squares. With ``ridge`` r the recursion starts from A =
-    r I, psi = r ``start``: it is ridge regression, least squares with r |theta - start|^2 added, at
-    every sample; ``residual`` counts that term, and forgetting fades it like a sample.
+    The recursion theta += A^-1 w (y - w'theta) has no inverse for the first samples: its start is part of the
+    estimator. Without ``ridge`` the start is exact: no estimate until the samples determine one, which is
+    then ordinary least squares. With ``ridge`` r the recursion starts from A = r I, psi = r ``start``: it is
+    ridge regression, least squares with r |theta - start|^2 added, at every sample; ``residual`` counts that
+    term, and forgetting fades it like a sample.
 
     Parameters: ``count`` of unknowns, 1 to 32; ``forgetting`` d in (0, 1] for each sample;
     ``forgetting_rate`` in 1/s, a further factor exp(-rate h) for each step of h s; ``least_excitation`` the
     sine below which a parameter counts as not excited; ``ridge`` in the unit of w^2, 0 for the exact start;
-    ``start`` the estimate that a ridge draws to, zeros unless given.
+    ``start`` the estimate of the ridge, default zeros.
     Memory: 9 + 2 n + n^2 floats. Raises ParameterError, and EventError and EventOrderError from ``update``.
 
     Reference: Khalin 2022, section 2.5.1 and (3.62); Ljung 1999; Golub and Van Loan, Givens rotations.
@@ -86,7 +86,7 @@ class RecursiveLeastSquares(CompiledStage):
     start: Sequence[float] | FloatArray | None = option("the estimate that a ridge draws to", default=None)
 
     def declare(self, **values: Any) -> None:
-        """Check the values, and that a start has a ridge."""
+        """Check the values, and that a start comes with a ridge."""
         super().declare(**values)
         if self.start is not None and self.ridge == 0.0:
             raise ParameterError(
@@ -99,15 +99,15 @@ class RecursiveLeastSquares(CompiledStage):
         self.states = 2 + least_squares.states(self.count)
 
     def settings(self) -> list[float]:
-        """What stands first in the memory."""
+        """The beginning of the memory."""
         weights = [float(self.forgetting), float(self.forgetting_rate)]
         return [*weights, float(self.least_excitation), float(self.ridge)]
 
     def update(self, regressor: Sequence[float] | FloatArray, output: float, t: float | None = None) -> None:
-        """Take in output = regressor . theta at ``t`` s; ``None``: no time has passed since the last sample.
+        """Process output = regressor . theta at ``t`` s; ``None``: no time since the last sample.
 
-        Only the forgetting rate needs the time. Raises EventError for a value that is no finite number or a
-        regressor of another length, EventOrderError when time runs backwards; nothing is then changed.
+        Only the forgetting rate needs the time. Raises EventError for a value that is not a finite number or
+        a regressor of another length, EventOrderError when time runs backwards; the stage is then unchanged.
         """
         memory = self._memory
         last_t = float(memory[T]) if memory[STARTED] == 1.0 else None
@@ -122,11 +122,11 @@ class RecursiveLeastSquares(CompiledStage):
         least_squares.advance(memory, AT, self.count, memory[FORGETTING] * exp(-memory[RATE] * h), y)
 
     def fit(self) -> Fit:
-        """The estimate now, with what it rests on."""
+        """The current estimate and its quality."""
         return fit(self._memory, AT, self.count, float(self._memory[LEAST]))
 
     def _lean(self) -> None:
-        """Put the ridge where the first sample will find it: A = r I, psi = r start."""
+        """Initialise with the ridge: A = r I, psi = r start."""
         memory, n, root = self._memory, self.count, least_squares.root(AT, self.count)
         weight = sqrt(float(memory[RIDGE]))
         memory[root : root + n * n : n + 1] = weight
@@ -148,7 +148,7 @@ def starting(count: int, start: ArrayLike | None) -> FloatArray:
 
 
 def sample(count: int, regressor: ArrayLike, output: float) -> tuple[FloatArray, float]:
-    """A sample as numbers; raises EventError where a regression cannot take it in."""
+    """A sample as numbers; raises EventError for an invalid one."""
     received = f"received regressor {regressor!r}, output {output!r}"
     try:
         w, y = np.asarray(regressor, np.float64), float(output)
@@ -166,7 +166,7 @@ def sample(count: int, regressor: ArrayLike, output: float) -> tuple[FloatArray,
 
 
 def moment(t: float, last_t: float | None) -> float:
-    """The time of a sample; raises EventError for no number and EventOrderError when it runs backwards."""
+    """The time of a sample; raises EventError if not a number, EventOrderError if it runs backwards."""
     try:
         now = float(t)
     except (TypeError, ValueError, OverflowError) as unusable:
@@ -181,7 +181,7 @@ def moment(t: float, last_t: float | None) -> float:
 
 
 def fit(memory: FloatArray, at: int, count: int, least: float) -> Fit:
-    """The fit of a triangle that lies anywhere in a flat array."""
+    """The fit of a triangle at an offset of a flat array."""
     start = least_squares.root(at, count)
     triangle = memory[start : start + count * count].reshape(count, count)
     sines = [least_squares.excitation(memory, at, count, j) for j in range(count)]

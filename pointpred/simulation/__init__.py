@@ -1,4 +1,4 @@
-"""The closed pointing loop with simulated people: data whose truth is known, labelled as simulated."""
+"""The closed pointing loop with simulated people: data with known truth, labelled as simulated."""
 
 from pointpred.simulation.circle import Condition, simulate_circle, thesis_setup
 from pointpred.simulation.guarded import Claim, Guard, move_guarded

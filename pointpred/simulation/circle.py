@@ -1,4 +1,4 @@
-"""The multidirectional task of ISO 9241-411: targets on a circle, taken in an order across it."""
+"""The multidirectional task of ISO 9241-411: targets on a circle, visited across it."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ SETUP = plan.Setup(FUNCTIONS["constant"])
 
 
 class Condition(msgspec.Struct, frozen=True):
-    """What a circle asks for: distance between successive targets and their width in mm, the function."""
+    """A circle's condition: distance between successive targets and their width in mm, the function."""
 
     distance_mm: float
     width_mm: float
@@ -44,9 +44,9 @@ THESIS_CONDITIONS = tuple(
 
 
 def positions(distance_px: float, centre: tuple[float, float], targets: int = TARGETS) -> list[list[float]]:
-    """The targets' centres (px) in the order they are taken; neighbours in it are ``distance_px`` apart.
+    """The targets' centres (px) in the order of the visits; successive ones are ``distance_px`` apart.
 
-    An odd number of targets, so that going half way round each time visits them all.
+    The number of targets is odd, so that steps of half a turn visit them all.
 
     >>> places = np.array(positions(100.0, (0.0, 0.0)))
     >>> [round(float(d), 6) for d in np.hypot(*np.diff(places, axis=0).T)][:2], len(places)
@@ -75,13 +75,13 @@ def simulate_circle(
 ) -> Recording:
     """Every person does every condition: a circle of 13 targets, ``trials`` movements each.
 
-    Each movement starts where the last one ended; each circle starts where the order across has come to. A
-    trial begins when the button comes up and ends when the click on its target is over, so the press lies
-    some 80 ms before the last event. ``setup.transfer`` is replaced by the condition's function.
-    ``idle_reports`` keeps the polls in which nothing happened.
+    Each movement starts where the last one ended; each circle starts at the next target of the order. A trial
+    begins at a button release and ends after the click on its target, so the press lies some 80 ms before the
+    last event. ``setup.transfer`` is replaced by the condition's function. ``idle_reports`` keeps the polls
+    in which nothing happened.
 
-    Assumes polls that are never lost and a screen without edges. The same seed gives the same recording;
-    a person's trials do not depend on who else takes part. Raises ParameterError.
+    Assumes no lost polls and a screen without edges. The same seed gives the same recording; a person's
+    trials do not depend on the other people. Raises ParameterError.
     """
     check(BOUNDS[:1], {"trials": trials})
     for condition in conditions:
@@ -113,7 +113,7 @@ def thesis_setup(seed: int = 0) -> Recording:
     """The thesis's experiment with simulated people: 10 people x 2 distances x 2 widths x 2 functions x 12.
 
     960 trials at 1 kHz and 2000 counts per inch. The screen has 96 px per inch, so distances are 567 and
-    283 px; the thesis reports 265 to 800 px and not its screen.
+    283 px; the thesis reports 265 to 800 px without its screen.
     """
     return simulate_circle(people(10, seed), seed=seed, name="simulated circle, 10 people")
 

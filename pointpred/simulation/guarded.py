@@ -1,4 +1,4 @@
-"""The pointing loop with the guarded transfer function in it: what assistance does to a movement."""
+"""The pointing loop with the guarded transfer function: the effect of assistance on a movement."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ HABIT = (Parameter("habit", "", 0.0, 1.0, "share by which a person expects the c
 
 
 class Guard(msgspec.Struct, frozen=True):
-    """How much help: the parameters of ``GuardedTransfer`` that are not those of the device."""
+    """The parameters of ``GuardedTransfer`` except those of the device."""
 
     rho: float = 8.0
     strength: float = 0.5
@@ -33,7 +33,7 @@ class Guard(msgspec.Struct, frozen=True):
     unclaimed: float = 0.25
 
     def memory(self) -> FloatArray:
-        """Its flat memory: the parameters, nothing owed; raises ParameterError."""
+        """Its initial flat memory; raises ParameterError."""
         values: dict[str, Any] = msgspec.structs.asdict(self)
         for one in GuardedTransfer.parameters:
             if one.name in values:
@@ -45,9 +45,9 @@ OWED = len(Guard.__struct_fields__)
 
 
 class Claim(msgspec.Struct, frozen=True):
-    """What a scripted predictor says from the start of the hand's movement on, right or deliberately wrong.
+    """The constant prediction of a scripted predictor from the start of the hand's movement, right or wrong.
 
-    ``x``, ``y`` px from where the movement starts; ``spread_px`` the standard deviation it claims.
+    ``x``, ``y`` px from the start of the movement; ``spread_px`` its standard deviation.
     """
 
     x: float
@@ -70,7 +70,7 @@ class GuidedChance(NamedTuple):
 
 @law
 def step(memory: FloatArray, row: Row, guard: FloatArray) -> tuple[float, ...]:
-    """``loop.step``, and what the guard adds to the pixels of its report before the eyes have them."""
+    """``loop.step``, with the guard's pixels added before the person sees the report."""
     r = GuidedChance(*row)
     off_x, off_y = r.hat_x - memory[slots.X], r.hat_y - memory[slots.Y]
     poll = loop.step(memory, (r.noise_x, r.noise_y, r.late_s, nan, nan))
@@ -101,11 +101,11 @@ def move_guarded(
 ) -> movement.Movement:
     """One movement towards ``aim`` whose reports go through the guarded transfer function.
 
-    ``predictor``: a script, or a pipeline in the loop, which is reset first and hears every report that has
-    counts (some hundred times slower); ``None`` predicts nothing. ``setup`` must have a sensor and ``rho`` 0.
-    With strength 0 or without a predictor it is ``move`` bit for bit. ``habit`` in [0, 1]: how much farther
-    than their hand asks for the person has learnt that the cursor goes; their pieces are planned shorter by
-    1 + habit. 0 is somebody who does not know of the help, and nobody learns here. Raises ParameterError.
+    ``predictor``: a script, or a pipeline in the loop, which is reset first and updated with every report
+    with counts (some hundred times slower); ``None`` predicts nothing. ``setup`` must have a sensor and
+    ``rho`` 0. With strength 0 or without a predictor it is ``move`` bit for bit. ``habit`` in [0, 1]: the
+    extra cursor distance that the person expects from the assistance; their pieces are planned shorter by 1 +
+    habit. It is 0 for a person unaware of the assistance, and constant. Raises ParameterError.
     """
     check(HABIT, {"habit": habit})
     memory, chance = movement.prepare(person, setup, aim, generator)

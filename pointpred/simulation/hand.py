@@ -13,12 +13,12 @@ from pointpred.transfer import functions
 QUADRATURE = 16
 BISECTIONS = 40
 LONGEST_M = 2.0
-"""No hand moves a mouse farther in one piece."""
+"""Longest hand movement of one piece, m."""
 
 
 @law
 def profile(u: float, skew: float) -> tuple[float, float, float]:
-    """Share of the way at share u of the time, and its two derivatives by u.
+    """Share of the way at share u of the time, and its first two derivatives.
 
     (1 - cos pi s) / 2 with s = u + skew u (1 - u): the thesis's ballistic law (2.4.2) for skew 0, an earlier
     peak of the speed for skew > 0. |skew| < 1 keeps the speed positive.
@@ -35,7 +35,7 @@ def profile(u: float, skew: float) -> tuple[float, float, float]:
 
 @law
 def cursor_distance(memory: FloatArray, amplitude: float, duration: float) -> float:
-    """How far the cursor goes (px) while the hand goes ``amplitude`` metres by the law without skew.
+    """The cursor's distance (px) while the hand moves ``amplitude`` metres by the law without skew.
 
     The integral of PTF(V) over V = A pi / (2 D) sin pi u by Simpson's rule; over A it is the averaged gain c
     of 2.4.2, corrected.
@@ -50,7 +50,7 @@ def cursor_distance(memory: FloatArray, amplitude: float, duration: float) -> fl
 
 @law
 def hand_distance(memory: FloatArray, distance_px: float, duration: float) -> float:
-    """The amplitude (m) that brings the cursor ``distance_px`` far: ``cursor_distance`` inverted."""
+    """The amplitude (m) that moves the cursor by ``distance_px``: ``cursor_distance`` inverted."""
     low, high = 0.0, LONGEST_M
     for _ in range(BISECTIONS):
         middle = 0.5 * (low + high)
@@ -63,7 +63,7 @@ def hand_distance(memory: FloatArray, distance_px: float, duration: float) -> fl
 
 @law
 def ballistic_force(memory: FloatArray, t: float) -> tuple[float, float]:
-    """The open-loop force of the piece under way: planned acceleration, and friction allowed for."""
+    """The open-loop force of the current piece: planned acceleration with friction compensated."""
     piece = slots.PIECE + slots.PIECE_SLOTS * int(memory[slots.NUMBER])
     duration = memory[piece + slots.DURATION_S]
     curve = memory[piece + slots.CURVE]
@@ -77,7 +77,7 @@ def ballistic_force(memory: FloatArray, t: float) -> tuple[float, float]:
 
 @law
 def cursor_in_mind(memory: FloatArray, u: float, v: float, speed: float) -> tuple[float, float]:
-    """Where the person believes the cursor is: the sight of a moment ago, plus the hand's motion since."""
+    """The person's estimate of the cursor: its delayed sight, plus the hand's motion since."""
     late = int(memory[slots.DELAY_S] / memory[slots.PERIOD_S] + 0.5)
     row = slots.RING + slots.RING_SLOTS * ((int(memory[slots.TICK]) - late) % slots.RING_ROWS)
     gain = functions.gain(memory, slots.FUNCTION, speed) * memory[slots.PX_PER_METRE]
@@ -85,7 +85,7 @@ def cursor_in_mind(memory: FloatArray, u: float, v: float, speed: float) -> tupl
 
 
 class Place(NamedTuple):
-    """Where cursor and hand are: ``x y`` px, ``u v`` m, ``vx vy`` m/s."""
+    """Positions and velocities of cursor and hand: ``x y`` px, ``u v`` m, ``vx vy`` m/s."""
 
     x: float
     y: float

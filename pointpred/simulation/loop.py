@@ -16,9 +16,9 @@ WANDER_S = 0.03
 """Correlation time of motor noise and tremor: half its power lies below 5 Hz."""
 NEAR_SHARE = 0.85
 SLOW_M_S = 0.008
-"""A person stops correcting this far inside the target (share of its radius), at this speed of the hand."""
+"""A person stops correcting within this share of the target's radius, below this speed of the hand."""
 WORTHWHILE_PX = 10.0
-"""A shorter way, or one within the target's width, is left to the corrective phase."""
+"""A shorter way, or one within the target's width, belongs to the corrective phase."""
 
 
 class Chance(NamedTuple):
@@ -35,7 +35,7 @@ class Chance(NamedTuple):
 
 
 class Poll(NamedTuple):
-    """A row a report: an event (px from the start, counts), then hand in m, m/s, m/s^2, phase, piece."""
+    """One row per report: an event (px from the start, counts), then hand in m, m/s, m/s^2, phase, piece."""
 
     t: float
     x: float
@@ -64,7 +64,7 @@ def enter(memory: FloatArray, phase: float, t: float) -> None:
 
 @law
 def correct(memory: FloatArray, t: float) -> None:
-    """Begin the corrective phase; unless b2 is given it follows from the gain felt at half the speed now."""
+    """Begin the corrective phase; by default b2 follows from the gain at half the present speed."""
     enter(memory, slots.CORRECTIVE, t)
     memory[slots.FEEDBACK] = memory[slots.B2]
     if memory[slots.B2] == 0.0:
@@ -74,7 +74,7 @@ def correct(memory: FloatArray, t: float) -> None:
 
 @law
 def launch(memory: FloatArray, number: int, t: float) -> None:
-    """Begin a piece: aim at its share of the way that remains; too short a way is corrected instead."""
+    """Begin a piece towards its share of the remaining way; if that is too short, correct instead."""
     piece = slots.PIECE + slots.PIECE_SLOTS * number
     way_x, way_y = memory[slots.AIM_X] - memory[slots.X], memory[slots.AIM_Y] - memory[slots.Y]
     way = hypot(way_x, way_y)
@@ -90,7 +90,7 @@ def launch(memory: FloatArray, number: int, t: float) -> None:
 
 @law
 def decide(memory: FloatArray, t: float) -> None:
-    """What the person does next: wait, move, move again, correct, verify, press, release."""
+    """The person's next phase: wait, move, move again, correct, verify, press, release."""
     phase, since = memory[slots.PHASE], memory[slots.SINCE]
     if phase == slots.WAITING and t >= memory[slots.REACTION_S]:
         launch(memory, 0, t)
@@ -115,7 +115,7 @@ def decide(memory: FloatArray, t: float) -> None:
 def step(
     memory: FloatArray, chance: Row
 ) -> tuple[float, float, float, float, float, float, float, float, float, float, float, float, float, float]:
-    """One report period: decide, move the hand, poll the sensor, let the eyes have it.
+    """One report period: decide, move the hand, poll the sensor, update the delayed sight.
 
     Takes a ``Chance`` and returns the floats of a ``Poll``.
     """
@@ -175,7 +175,7 @@ def chance_at(rows: FloatArray, i: int) -> tuple[float, float, float, float, flo
 def play_of(step: Callable[..., Any], row_of: Callable[..., Any]) -> Callable[..., int]:
     """The compiled loop around a law ``step(memory, row, *shared)`` until the button is released.
 
-    It returns the number of reports made.
+    It returns the number of reports.
     """
 
     @law

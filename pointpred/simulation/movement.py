@@ -1,4 +1,4 @@
-"""One simulated movement: a person, a device and a target in, every report with its hidden truth out."""
+"""One simulated movement: a person, a device and a target in, every report with the truth out."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ PHASE = loop.OUTPUTS.index("phase")
 
 
 class Movement(msgspec.Struct, frozen=True):
-    """A row a poll (``loop.OUTPUTS``; px from the start) from before the movement until the click is over."""
+    """One row per poll (``loop.OUTPUTS``; px from the start) from before the movement to after the click."""
 
     table: FloatArray
 
@@ -27,17 +27,17 @@ class Movement(msgspec.Struct, frozen=True):
 
     @property
     def click_s(self) -> float:
-        """When the button goes down."""
+        """Time of the button press."""
         return float(self.table[np.argmax(self.column("buttons") == 1.0), 0])
 
     @property
     def pieces(self) -> int:
-        """How many ballistic pieces the movement really had."""
+        """The true number of ballistic pieces."""
         ballistic = self.column("phase") == slots.BALLISTIC
         return len(np.unique(self.column("number")[ballistic]))
 
     def events(self, start: tuple[float, float] = (0.0, 0.0), *, idle_reports: bool = False) -> EventColumns:
-        """What a recorder would have seen, the cursor starting at ``start``."""
+        """The events as recorded, with the cursor starting at ``start``."""
         first = np.array([[0.0, 0.0, 0.0, 0.0, 0.0, 0.0]])
         table = np.concatenate([first, self.table[:, :6]])
         table[:, 1:3] += start
@@ -53,8 +53,8 @@ def move(
 ) -> Movement:
     """Play one movement towards ``aim``; all chance comes from the generator.
 
-    ``endpoint`` (px from the start), with ``setup.rho`` > 0, is the estimate that an assisted transfer
-    function draws the cursor to, known from the moment the hand starts.
+    ``endpoint`` (px from the start), with ``setup.rho`` > 0, is the estimate to which an assisted transfer
+    function pulls the cursor, available from the hand's start.
     """
     memory, rows = prepare(person, setup, aim, generator)
     if endpoint is not None:
@@ -66,7 +66,7 @@ def move(
 def move_assisted(
     person: Person, setup: plan.Setup, aim: plan.Aim, generator: np.random.Generator, pipeline: Pipeline
 ) -> Movement:
-    """``move`` with a predictor in the loop: each report goes through the pipeline, its endpoint comes back.
+    """``move`` with a predictor in the loop: each report goes through the pipeline.
 
     The pipeline is reset first. Runs report by report, so it is some hundred times slower than ``move``.
     """
@@ -88,7 +88,7 @@ def move_assisted(
 def prepare(
     person: Person, setup: plan.Setup, aim: plan.Aim, generator: np.random.Generator
 ) -> tuple[FloatArray, FloatArray]:
-    """The memory of the trial and a row of chance a poll, without an estimated endpoint."""
+    """The memory of the trial and one row of chance per poll, without an estimated endpoint."""
     memory = plan.memory(person, setup, aim, generator)
     longest_s = plan.PATIENCE_S + memory[slots.VERIFY_S] + memory[slots.PRESS_S]
     rows = np.full((int(longest_s / setup.period_s) + 8, len(loop.INPUTS)), nan)

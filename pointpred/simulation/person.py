@@ -1,4 +1,4 @@
-"""Simulated people: how fast, how straight, how sure. Every number is drawn once from a seed."""
+"""Simulated people: their speed, accuracy and scatter, drawn once from a seed."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from pointpred.parameter import Parameter, check
 class Person(msgspec.Struct, frozen=True):
     """One simulated person; ``skill`` 0 is a novice, 1 an expert with the setup.
 
-    Assumes that a movement is one to four ballistic pieces and a corrective phase, each planned from what
-    the eyes tell; people here do not tire, learn or choose another strategy for a harder target.
+    Assumes that a movement is one to four ballistic pieces and a corrective phase, each planned from the
+    visible cursor; these people do not tire, learn or change strategy for a harder target.
 
     Fields: ``base_s`` and ``per_bit_s`` the time of a first piece, base + per_bit log2(A/W + 1);
     ``one_piece`` probability of a movement in one piece; ``reach`` and ``reach_sd`` share of the way a last
@@ -89,7 +89,7 @@ class Person(msgspec.Struct, frozen=True):
 
 
 def people(count: int = 10, seed: int = 0) -> tuple[Person, ...]:
-    """``count`` people from novice to expert, in an order of skill that means nothing.
+    """``count`` people from novice to expert, in random order of skill.
 
     Parameters: ``count`` in [1, 10000]; ``seed`` a whole number >= 0. The same seed gives the same people.
     Raises ParameterError.

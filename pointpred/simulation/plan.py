@@ -1,4 +1,4 @@
-"""What a person intends with one trial, drawn before it begins, and the memory the loop starts from."""
+"""A person's plan of one trial, drawn before it begins, and the initial memory of the loop."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from pointpred.simulation.person import Person
 from pointpred.transfer import TransferFunction
 
 PATIENCE_S = 5.0
-"""After this long a person clicks where the cursor is."""
+"""After this many seconds a person clicks where the cursor is."""
 SMALLEST_PIECE_S = 0.16
 LATER_PIECE = 0.65
-"""A later piece takes this share of the first one's time, for it goes a shorter way."""
+"""Duration of a later, shorter piece as a share of the first one's."""
 MOST_AIM_OFF = 0.33
-"""Share of the target's width: nobody aims at the rim."""
+"""Largest offset of the aim from the centre, as a share of the target's width."""
 SUBSTEPS = 2
 
 
@@ -39,7 +39,7 @@ class Setup(msgspec.Struct, frozen=True):
 
 
 class Aim(msgspec.Struct, frozen=True):
-    """A target seen from where the trial starts: centre and width, px."""
+    """A target relative to the start of the trial: centre and width, px."""
 
     x: float
     y: float
@@ -82,14 +82,14 @@ def memory(person: Person, setup: Setup, aim: Aim, generator: np.random.Generato
 
 
 def _aim(person: Person, aim: Aim, generator: np.random.Generator) -> tuple[float, float]:
-    """The point a person really makes for: scattered about the centre, always well inside the target."""
+    """The point a person aims at: scattered about the centre, always well inside the target."""
     off_x, off_y = generator.standard_normal(2) * person.aim_sd * aim.width
     shrink = min(1.0, MOST_AIM_OFF * aim.width / max(float(np.hypot(off_x, off_y)), 1e-9))
     return aim.x + shrink * float(off_x), aim.y + shrink * float(off_y)
 
 
 def _pieces(person: Person, generator: np.random.Generator) -> int:
-    """One piece, or two to four: the less skill, the more."""
+    """One to four pieces, more with less skill."""
     if generator.uniform() < person.one_piece:
         return 1
     return 2 + int(generator.binomial(slots.PIECES_MOST - 2, 0.55 * (1.0 - person.skill)))
@@ -114,5 +114,5 @@ def _piece(
 
 
 def _varied(generator: np.random.Generator, spread: float) -> float:
-    """A factor around 1 that is never far from it."""
+    """A random factor near 1, bounded."""
     return float(np.exp(spread * np.clip(generator.standard_normal(), -2.5, 2.5)))

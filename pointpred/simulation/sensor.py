@@ -13,20 +13,20 @@ from pointpred.transfer import assistance, functions, pixels
 
 MEAN_LATE_S = 60e-6
 MOST_LATE_S = 0.8e-3
-"""Stamps lag behind the poll by an exponential time, never into the next poll."""
+"""Largest delay of a stamp after its poll, s; delays are exponential with mean ``MEAN_LATE_S``."""
 STAMP_S = 2.0**-17
 """Stamps are whole ticks of a clock at 131072 Hz (7.6 us): exact as floats, and small in a file."""
 
 
 @law
 def count(position_m: float, metres_per_count: float, counted: float) -> float:
-    """Whole counts an axis has moved since the last report; what is left waits for the next."""
+    """Whole counts an axis has moved since the last report; the remainder carries over."""
     return float(trunc(position_m / metres_per_count - counted))
 
 
 @law
 def assist(memory: FloatArray, own_px: float, hat_x: float, hat_y: float) -> tuple[float, float]:
-    """The pull of the assisted transfer function over one report period, px; none without an estimate."""
+    """The pull of the assisted transfer function over one report period, px; 0 without an estimate."""
     off_x, off_y = hat_x - memory[slots.X], hat_y - memory[slots.Y]
     rho, strength = memory[slots.RHO], memory[slots.STRENGTH]
     share = assistance.pull(rho, strength, memory[slots.PERIOD_S], own_px, off_x, off_y)
@@ -37,7 +37,7 @@ def assist(memory: FloatArray, own_px: float, hat_x: float, hat_y: float) -> tup
 def report(memory: FloatArray, hat_x: float, hat_y: float) -> tuple[float, float]:
     """Poll the sensor: the counts of both axes; the cursor moves by whole pixels.
 
-    With an estimate of the endpoint the cursor is drawn to it (Remark 2.2.1).
+    With an estimate of the endpoint the cursor is pulled to it (Remark 2.2.1).
     """
     unit = memory[slots.METRES_PER_COUNT]
     dx = count(memory[slots.U], unit, memory[slots.COUNTED_X])
@@ -49,7 +49,7 @@ def report(memory: FloatArray, hat_x: float, hat_y: float) -> tuple[float, float
     pull_x, pull_y = assist(memory, scale * hypot(dx, dy), hat_x, hat_y)
     memory[slots.X] += pixels.carry(memory, slots.CARRY, scale * dx)
     memory[slots.Y] += pixels.carry(memory, slots.CARRY + 1, scale * dy)
-    # One fraction for both would be dropped at every poll in which the hand works against the pull.
+    # A common fraction would be dropped at every poll in which the hand moves against the pull.
     memory[slots.X] += pixels.carry(memory, slots.PULLED, pull_x)
     memory[slots.Y] += pixels.carry(memory, slots.PULLED + 1, pull_y)
     return dx, dy

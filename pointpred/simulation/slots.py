@@ -1,4 +1,4 @@
-"""Where the numbers of one simulated trial stand in its flat memory: parameters first, then the state."""
+"""Offsets of the numbers of one simulated trial in its flat memory: parameters first, then the state."""
 
 from __future__ import annotations
 

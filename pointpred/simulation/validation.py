@@ -52,7 +52,7 @@ def corrective_signals(
     step_s: float = 0.01,
     duration_s: float = 10.0,
 ) -> Signals:
-    """The corrective phase alone from rest, V' = -b1 V - b2 (x - T), x' = PTF(V), arctan unless given.
+    """The corrective phase alone from rest, V' = -b1 V - b2 (x - T), x' = PTF(V), by default arctan.
 
     The defaults are those of section 2.6.2; V is in px/s there and needs no sensor. arctan moves the cursor
     at most 1.57 px/s, so 600 px take 382 s, and V is nearly constant after the first two seconds.
@@ -86,7 +86,7 @@ def corrective_signals(
 
 
 def ballistic_estimate(t: FloatArray, x: FloatArray, v: FloatArray, a: FloatArray) -> FloatArray:
-    """The endpoint that ``SwitchedPredictor`` finds without its corrective phase, one axis.
+    """The endpoint of ``SwitchedPredictor`` without its corrective phase, one axis.
 
     t in s, x in px from the start, v in m/s, a in m/s^2, all of the same length.
     """

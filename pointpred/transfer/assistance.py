@@ -1,6 +1,6 @@
-"""Assisted transfer functions: a predicted endpoint helps the cursor on, thesis Remark 2.2.1.
+"""Assisted transfer functions: a predicted endpoint attracts the cursor, thesis Remark 2.2.1.
 
-The printed term pulls wherever the endpoint is; the guarded one helps the hand and never works against it.
+The printed term pulls in any direction; the guarded one never pulls against the hand.
 """
 
 from __future__ import annotations
@@ -19,17 +19,17 @@ from pointpred.stage import loop_of, offsets
 from pointpred.transfer import pixels
 from pointpred.transfer.pixels import ReportStage
 
-# Both stages: their own parameters, then what stands in a memory of ``pixels``. Behind it the guarded one has
-# the fractions of a pixel that assistance owes.
+# Both stages: their own parameters, then the memory of ``pixels``; for the guarded one also the pending
+# fractions of a pixel of the assistance.
 RHO, STRENGTH, ASSISTED = offsets(1, 1)
 _, _, SIDEWAYS, UNCERTAIN, UNCLAIMED, GUARDED, OWED, END = offsets(
     1, 1, 1, 1, 1, pixels.LENGTH, pixels.CARRIED
 )
 
 Way = tuple[float, float, float, float, float]
-"""The endpoint less the cursor, x and y in px, and its covariance sxx, sxy, syy in px^2; NaN: none."""
+"""The endpoint minus the cursor, x and y in px, and its covariance sxx, sxy, syy in px^2; NaN: none."""
 UNGUIDED: Way = (nan, nan, nan, nan, nan)
-"""The way where nothing is predicted."""
+"""The way without a prediction."""
 
 
 class OffsetReport(NamedTuple):
@@ -73,7 +73,7 @@ def guided_report_at(
 
 @law
 def pull(rho: float, strength: float, dt: float, own_px: float, off_x: float, off_y: float) -> float:
-    """The share of the offset (T_hat - x, T_hat_y - y) by which the cursor is pulled in ``dt`` s.
+    """The fraction of the offset (T_hat - x, T_hat_y - y) by which the cursor is pulled in ``dt`` s.
 
     The term -rho (x - T_hat) integrated exactly, 1 - exp(-rho dt), and never longer than ``strength`` times
     the ``own_px`` that the hand moved the cursor; 0 while no endpoint is predicted (NaN).
@@ -105,15 +105,14 @@ def assisted_step(memory: FloatArray, report: Row) -> tuple[float, float, float]
 class AssistedTransfer(ReportStage):
     """Counts to whole pixels through a transfer function, pulled towards a predicted endpoint.
 
-    Assumes that the prediction is worth following: a wrong one pulls the cursor away, and with an unlimited
-    ``strength`` it moves a cursor whose hand lies still, which no person expects. How people react to it is
-    not known.
+    Assumes a good prediction: a wrong one pulls the cursor away, and with an unlimited ``strength`` it moves
+    the cursor of a resting hand, which nobody expects. How people react to it is unknown.
 
     x' = V_mx / V_m PTF(V_m) - rho (x - T_hat), integrated exactly over a report; the pull is bounded to
     ``strength`` times the hand's own motion of the cursor. Below 1 the hand can always leave a wrong
     endpoint.
 
-    Parameters: ``rho`` in 1/s; ``strength``, infinite for the remark as printed; ``function``, ``cpi``,
+    Parameters: ``rho`` in 1/s; ``strength``, infinite as printed in the remark; ``function``, ``cpi``,
     ``dpi``, ``period_s``, ``gap_s`` as for ``PixelTransfer``. Memory: 19 floats.
     Raises ParameterError, and EventError from ``update``.
     Reference: Khalin 2022, Remark 2.2.1.
@@ -135,8 +134,8 @@ class AssistedTransfer(ReportStage):
     ) -> tuple[float, float]:
         """Consume one report (t in s, dx and dy in counts) and return the whole pixels moved.
 
-        ``off_px`` is the predicted endpoint minus the cursor in px, ``None`` where nothing is predicted.
-        Raises EventError when time runs backwards or a value is not finite; nothing is then changed.
+        ``off_px`` is the predicted endpoint minus the cursor in px, ``None`` without a prediction. Raises
+        EventError when time runs backwards or a value is not finite; the stage is then unchanged.
         """
         t, dx, dy = report
         off_x, off_y = (nan, nan) if off_px is None else off_px
@@ -154,7 +153,7 @@ class AssistedTransfer(ReportStage):
 def spread(way_px: float, sxx: float, sxy: float, syy: float, unclaimed: float) -> float:
     """The endpoint's standard deviation along the longest axis of its region, as a share of the way to it.
 
-    ``unclaimed`` where no region is claimed (sxx is NaN).
+    ``unclaimed`` without a region (sxx is NaN).
     """
     if sxx != sxx:
         return unclaimed
@@ -165,12 +164,12 @@ def spread(way_px: float, sxx: float, sxy: float, syy: float, unclaimed: float) 
 
 @law
 def guide(memory: FloatArray, at: int, dt: float, own: tuple[float, float], way: Way) -> tuple[float, float]:
-    """The px that are added to the hand's ``own`` (x, y) in ``dt`` s; the guard's parameters lie at ``at``.
+    """The px added to the hand's ``own`` (x, y) in ``dt`` s; the guard's parameters lie at ``at``.
 
-    ``way`` leads from the cursor before the report to the endpoint. Nothing is added to a hand at rest, nor
-    to one that leaves the endpoint. Along the hand's direction the pull is never negative, never longer than
-    ``strength`` of the hand's own way and never leads past the endpoint; across it is at most ``strength *
-    sideways`` of that way, less the farther the hand points elsewhere.
+    ``way`` leads from the cursor before the report to the endpoint. Nothing is added for a hand at rest or
+    moving away from the endpoint. Along the hand's direction the pull is never negative, never longer than
+    ``strength`` of the hand's own way and never past the endpoint; across it is at most ``strength *
+    sideways`` of that way times the cosine of the angle to the endpoint.
     """
     own_x, own_y = own
     off_x, off_y, sxx, sxy, syy = way
@@ -194,9 +193,9 @@ def guide(memory: FloatArray, at: int, dt: float, own: tuple[float, float], way:
 def add(
     memory: FloatArray, at: int, owed: int, dt: float, own: tuple[float, float], way: Way
 ) -> tuple[float, float]:
-    """``guide`` in whole pixels, the fractions carried in ``memory[owed]`` and the place after it.
+    """``guide`` in whole pixels, with the fractions carried in ``memory[owed]`` and the next place.
 
-    Rounding may release a pixel of one axis before its companion; what would go against the hand is dropped.
+    Rounding may release a pixel of one axis first; a pixel against the hand is dropped.
     """
     x, y = guide(memory, at, dt, own, way)
     whole_x, whole_y = pixels.carry(memory, owed, x), pixels.carry(memory, owed + 1, y)
@@ -208,7 +207,7 @@ def add(
 
 @law
 def guarded_step(memory: FloatArray, report: Row) -> tuple[float, float, float, float, float]:
-    """One ``GuidedReport``: (t, dx px, dy px, and of these what was added); NaN where it is refused."""
+    """One ``GuidedReport``: (t, dx px, dy px, and the added part of these); NaN if refused."""
     t, dx, dy, off_x, off_y, sxx, sxy, syy = GuidedReport(*report)
     usable, dt = pixels.accept(memory, GUARDED, t, dx, dy)
     if not usable or abs(off_x) > LARGEST or abs(off_y) > LARGEST:
@@ -222,22 +221,22 @@ def guarded_step(memory: FloatArray, report: Row) -> tuple[float, float, float, 
 
 
 class GuardedTransfer(ReportStage):
-    """Counts to whole pixels, helped towards a predicted endpoint as far as that is safe.
+    """Counts to whole pixels, with bounded assistance towards a predicted endpoint.
 
-    Assumes that the way from the cursor to the endpoint and the region around it are honest: a wrong endpoint
-    with a small region, in the direction of the hand, is followed, and the hand has to come back. It only
-    speeds up and bends; it never slows the cursor down, so a hand that would have stopped right goes too far.
+    Assumes that the endpoint and its region are reliable: with a wrong endpoint of small region in the hand's
+    direction the cursor overshoots and the hand has to come back. It speeds up and bends the motion and never
+    slows it, so a hand that would have stopped correctly goes too far.
 
     x' = V_mx / V_m PTF(V_m) - rho (x - T_hat), the second term integrated over a report, split along and
     across the hand's direction, and bounded: along in [0, strength m] and never past the endpoint, across
-    in strength sideways m cos(angle) at most, where m is what the hand itself moves and the angle that to the
-    endpoint. Both fade as 1 - s / (``uncertain`` d), with s the largest standard deviation of
-    the normal law with the same 50 % region, and d the distance of the endpoint. At rest, at angles above 90
-    degrees and without a prediction nothing is added; whole pixels, too, are never added against the hand.
-    With ``strength`` 0 it is ``PixelTransfer`` bit for bit.
+    in strength sideways m cos(angle) at most, where m is the hand's own motion and the angle that to the
+    endpoint. Both fade as 1 - s / (``uncertain`` d), with s the largest standard deviation of the normal law
+    with the same 50 % region, and d the distance of the endpoint. At rest, at angles above 90 degrees and
+    without a prediction nothing is added; whole pixels, too, are never added against the hand. With
+    ``strength`` 0 it is ``PixelTransfer`` bit for bit.
 
-    Parameters: ``rho`` in 1/s; ``strength`` and ``sideways`` in [0, 1]; ``uncertain`` and ``unclaimed``, what
-    s / d is taken to be where a predictor claims no region; the others as for ``PixelTransfer``.
+    Parameters: ``rho`` in 1/s; ``strength`` and ``sideways`` in [0, 1]; ``uncertain`` and ``unclaimed``, the
+    s / d of a prediction without a region; the others as for ``PixelTransfer``.
     Memory: 24 floats. Raises ParameterError, and EventError from ``update``.
     Reference: Khalin 2022, Remark 2.2.1, with a bound and a direction.
 
@@ -266,7 +265,7 @@ class GuardedTransfer(ReportStage):
     def advance(
         self, t: float, dx: float, dy: float, way: Way = UNGUIDED
     ) -> tuple[float, float, float, float, float]:
-        """``update`` in plain numbers: (t, dx px, dy px, of these added in x, in y), NaN where refused."""
+        """``update`` in plain numbers: (t, dx px, dy px, the added part in x, in y), NaN if refused."""
         return guarded_step(self._memory, (t, dx, dy, *way))
 
     def update(
@@ -278,8 +277,8 @@ class GuardedTransfer(ReportStage):
     ) -> tuple[float, float]:
         """Consume one report (t in s, dx and dy in counts) and return the whole pixels moved.
 
-        ``prediction`` is the newest one before the report, ``cursor`` (px) where it finds the cursor.
-        Raises EventError when time runs backwards or a value is not finite; nothing is then changed.
+        ``prediction`` is the newest one before the report, ``cursor`` (px) the cursor before it. Raises
+        EventError when time runs backwards or a value is not finite; the stage is then unchanged.
         """
         t, dx, dy, _, _ = self.advance(*report, way_to(prediction, cursor))
         if t != t:
@@ -293,9 +292,10 @@ class GuardedTransfer(ReportStage):
 
 
 def way_to(prediction: Prediction | None, cursor: tuple[float, float]) -> Way:
-    """A prediction as the law wants it: the way to it from the cursor (px), and a covariance (px^2).
+    """A prediction as a row of the law: the way to it from the cursor (px), and a covariance (px^2).
 
-    The covariance is that of the normal law with the same 50 % region: Student laws of small tails have none.
+    The covariance is that of the normal law with the same 50 % region: Student laws of small tails have no
+    covariance.
     """
     if prediction is None:
         return UNGUIDED

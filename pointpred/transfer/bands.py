@@ -1,8 +1,8 @@
-"""What a transfer function does in each band of speed: the mean gain there, and a polynomial through them.
+"""The mean gain of a transfer function in each band of speed, and a polynomial through them.
 
-Pointing visits low speeds far more often than high ones, and a sum over samples judges metres per second,
-not gains. Kept apart in bands, the speeds can be weighed afterwards, also so that the largest relative error
-of the gain is small (Lawson's algorithm). A band that is not visited forgets nothing.
+Pointing visits low speeds far more often than high ones, and a sum over samples weighs metres per second, not
+gains. In separate bands the speeds can be weighed afterwards, for example so that the largest relative error
+of the gain is small (Lawson's algorithm). A band without new samples forgets nothing.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ from pointpred.compiled import law, layout
 
 BANDS = 20
 ROUNDS = 6
-"""Rounds of reweighting: the largest error falls quickly, further rounds begin to chase noise."""
+"""Rounds of reweighting: the largest error falls quickly, further rounds fit noise."""
 TRUSTED = 0.02
-"""A band whose gain is known to this share counts half: the scale of trust."""
+"""Relative error at which a band's trust is one half."""
 
 
 @layout
@@ -37,13 +37,13 @@ class Bands(msgspec.Struct, frozen=True):
 
     @property
     def trust(self) -> FloatArray:
-        """In [0, 1]: a half where the gain is known to 2 %."""
+        """In [0, 1]: one half if the gain is known to 2 %."""
         shares: FloatArray = 1.0 / (1.0 + (self.errors / self.gains / TRUSTED) ** 2)
         return shares
 
 
 class Model(NamedTuple):
-    """``n`` coefficients, which of them is c_1, and the factor on the past at each sample."""
+    """``n`` coefficients, which of them is c_1, and the forgetting factor per sample."""
 
     n: int
     linear: int
@@ -52,7 +52,7 @@ class Model(NamedTuple):
 
 @law
 def learn(memory: FloatArray, at: int, model: Model, band: float, row: int, output: float) -> None:
-    """Take in output = row . c in a band, given as a real number; outside the bands nothing happens."""
+    """Add output = row . c to a band, a real number; outside the bands nothing happens."""
     if not 0.0 <= band < BANDS:
         return
     n, linear, forgetting = model
@@ -88,7 +88,7 @@ def trusted(
 def balance(rows: FloatArray, trust: FloatArray) -> FloatArray:
     """The coefficients for which the largest relative error of a band's gain is small.
 
-    Least squares, repeated with weights that grow where the error is large (Lawson 1961).
+    Least squares, repeated with weights that grow with the error (Lawson 1961).
     """
     weights = trust / trust.sum()
     lengths = np.linalg.norm(rows, axis=0)

@@ -1,4 +1,4 @@
-"""The gain curve of an identification as plain lists, beside a constant gain and a sigmoid fitted to it."""
+"""The gain curve of an identification as plain lists, with a constant gain and a sigmoid fitted to it."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from pointpred.transfer.identification import Identification
 POINTS = 41
 GAIN_MOST, SPEED_MOST = 1e3, 1e2
 AS_GOOD = 0.02
-"""A simpler function whose largest error is larger by no more than this explains the data as well."""
+"""A simpler function is preferred if its largest error is larger by no more than this."""
 NARROWEST_M_S = 1e-3
 
 Kind = Literal["constant", "sigmoid", "polynomial"]
 
 
 class Comparison(msgspec.Struct, frozen=True):
-    """A function beside the measured gains: errors as shares of the gain, over the bands that are trusted.
+    """A function compared with the measured gains: relative errors over the trusted bands.
 
     ``gains`` are its own at the curve's ``speeds``.
     """
@@ -37,14 +37,14 @@ class Comparison(msgspec.Struct, frozen=True):
 
 
 class GainCurve(msgspec.Struct, frozen=True):
-    """What a page draws: the gain over the speed of the hand, where it is known, and what it is like.
+    """The curve that a page draws: the gain over the speed of the hand where it is known, and its comparison.
 
-    ``speeds`` in m/s and ``gains`` run over ``excited`` only, the range of speeds that the person has shown
-    often enough; both are empty and ``excited`` is ``None`` while there is no function, for the reason in
-    ``words``. ``measured_speeds``, ``measured_gains``, ``measured_errors``: the bands behind it.
-    ``compared``: a constant gain, a sigmoid and the polynomial on the same bands; ``closest``: the simplest
-    of those that explain them best. ``skipped`` reports came after a pause, ``edges`` at the screen's edge,
-    ``fast`` above the range that is judged: they taught nothing.
+    ``speeds`` in m/s and ``gains`` run over ``excited`` only, the range of speeds with enough samples; both
+    are empty and ``excited`` is ``None`` while there is no function, for the reason in ``words``.
+    ``measured_speeds``, ``measured_gains``, ``measured_errors``: the bands behind it. ``compared``: a
+    constant gain, a sigmoid and the polynomial on the same bands; ``closest``: the simplest of the best fits.
+    ``skipped`` reports came after a pause, ``edges`` at the screen's edge, ``fast`` above the range of the
+    fit: none of these were used.
     """
 
     words: str
@@ -64,7 +64,7 @@ class GainCurve(msgspec.Struct, frozen=True):
 
 
 def curve_of(identification: Identification, bands: Bands, edges: int, fast: int) -> GainCurve:
-    """The curve of an identification and of the bands behind it, and how many events were left out why."""
+    """The curve of an identification and the bands behind it, and the events left out by reason."""
     function = identification.function
     speeds = gains = np.zeros(0)
     if function is not None:
@@ -90,7 +90,7 @@ def curve_of(identification: Identification, bands: Bands, edges: int, fast: int
 
 
 def words_of(identification: Identification) -> str:
-    """What the identification rests on, or what it lacks."""
+    """Text: the data behind the identification, or the data it lacks."""
     if identification.samples == 0:
         return "nothing learnt yet: move the mouse"
     if identification.function is None:
@@ -123,7 +123,7 @@ def compare(bands: Bands, function: TransferFunction | None, speeds: FloatArray)
 
 
 def closest(compared: list[Comparison]) -> Kind | None:
-    """The simplest whose largest error is the smallest, or larger by no more than 2 % of the gain."""
+    """The simplest whose largest error exceeds the smallest by no more than 2 % of the gain."""
     least = min((each.largest for each in compared), default=inf)
     return next((each.kind for each in compared if each.largest <= least + AS_GOOD), None)
 
@@ -137,7 +137,7 @@ def fitted_constant(bands: Bands) -> float:
 def fitted_sigmoid(bands: Bands) -> dict[str, float] | None:
     """The sigmoid whose squared relative errors are least, weighed by trust.
 
-    ``None`` from too few bands, and where scipy is not installed.
+    ``None`` with too few bands, and if scipy is not installed.
     """
     if len(bands.speeds) < 5 or find_spec("scipy") is None:
         return None

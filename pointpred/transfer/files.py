@@ -1,4 +1,4 @@
-"""Transfer functions as small JSON files, and as the words that a user types."""
+"""Transfer functions as small JSON files, and as text that a user types."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ Kind = Literal["constant", "sigmoid", "polynomial"]
 
 
 class SavedTransfer(msgspec.Struct, frozen=True):
-    """A transfer function and the resolutions it was identified with; ``None`` where it depends on none."""
+    """A transfer function and the resolutions it was identified with; ``None`` if it depends on neither."""
 
     function: TransferFunction
     cpi: float | None = None
@@ -37,7 +37,7 @@ class SavedTransfer(msgspec.Struct, frozen=True):
 
 
 class _File(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """What lies in the file: gains have no unit, speeds are in m/s, coefficients c_0 ... c_q in SI units."""
+    """File contents: gains have no unit, speeds are in m/s, coefficients c_0 ... c_q in SI units."""
 
     version: int
     kind: Kind
@@ -56,10 +56,10 @@ def save_transfer(
     dpi: float | None = None,
     replace: bool = False,
 ) -> None:
-    """Write a constant gain, a sigmoid or an identified polynomial with the resolutions it holds for.
+    """Write a constant gain, a sigmoid or an identified polynomial with the resolutions for which it holds.
 
-    The file is there whole or not at all. Raises ParameterError for another kind of function, for one that
-    could not move a cursor, and where the file exists and ``replace`` is false.
+    The file is written completely or not at all. Raises ParameterError for another kind of function, for one
+    that could not move a cursor, and if the file exists and ``replace`` is false.
     """
     slots = function.slots.tolist()
     if isinstance(function, ConstantGain):
@@ -83,7 +83,7 @@ def save_transfer(
 
 
 def load_transfer(path: Path) -> SavedTransfer:
-    """What ``save_transfer`` wrote; a polynomial keeps its gain beyond both ends of its range.
+    """Read a file of ``save_transfer``; a polynomial keeps its gain beyond both ends of its range.
 
     Raises RecordingError for any other text.
     """
@@ -103,7 +103,7 @@ def load_transfer(path: Path) -> SavedTransfer:
 def named_transfer(text: str) -> SavedTransfer:
     """The function that a user names: 'constant:4', 'sigmoid', 'sigmoid:1,15,0.05,0.6', or a saved file.
 
-    Raises ParameterError for words that name none, RecordingError for a file that holds none.
+    Raises ParameterError for text that names none, RecordingError for a file without one.
 
     >>> float(named_transfer("constant:4").function.gain(0.1))
     4.0

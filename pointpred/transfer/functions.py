@@ -1,7 +1,7 @@
 """Pointing transfer functions (PTF): from the speed of the hand to the speed of the cursor.
 
-A function is a kind and its numbers, ``SLOTS`` floats anywhere in a flat array, so that one compiled law
-(a simulated loop, pixels) runs over any of them.
+A function is a kind and its numbers, ``SLOTS`` floats anywhere in a flat array, so that one compiled law (a
+simulated loop, pixels) works with all of them.
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ from pointpred.compiled import law
 from pointpred.errors import EventError, ParameterError
 from pointpred.parameter import Parameter
 
-# The kind, then its numbers, zeros behind them.
+# The kind, then its numbers, then zeros.
 CONSTANT, SIGMOID, ARCTAN, POLYNOMIAL, BOUNDED = 1.0, 2.0, 3.0, 4.0, 5.0
 COEFFICIENTS_MOST = 7
 SLOTS = 1 + COEFFICIENTS_MOST
-# A bounded polynomial: c_1 ... c_5, then the range beyond which its gain stays.
+# A bounded polynomial: c_1 ... c_5, then the range outside which its gain is constant.
 BOUNDED_COEFFICIENTS = 5
 LOW, HIGH = 1 + BOUNDED_COEFFICIENTS, 2 + BOUNDED_COEFFICIENTS
 GAIN_MIN, GAIN_MAX, SPEED_LOW, SPEED_HIGH = 1, 2, 3, 4
@@ -67,14 +67,14 @@ def cursor_speed(memory: FloatArray, at: int, speed: float) -> float:
 
 @law
 def evaluate(memory: FloatArray, speeds: FloatArray, wanted_gain: bool, out: FloatArray) -> None:
-    """One of the two laws over many speeds."""
+    """Evaluate one of the two laws at many speeds."""
     for i in range(len(speeds)):
         out[i] = gain(memory, 0, speeds[i]) if wanted_gain else cursor_speed(memory, 0, speeds[i])
 
 
 @runtime_checkable
 class TransferFunction(Protocol):
-    """What every pointing transfer function answers."""
+    """The interface of pointing transfer functions."""
 
     @property
     def slots(self) -> FloatArray:
@@ -91,7 +91,7 @@ class TransferFunction(Protocol):
 
 
 class SlotsFunction:
-    """A transfer function that is a kind and its numbers, which ``parameters`` bound where it has any."""
+    """A transfer function of a kind and its numbers, bounded by its ``parameters`` if it has any."""
 
     parameters: ClassVar[tuple[Parameter, ...]] = ()
 
@@ -144,10 +144,10 @@ class ConstantGain(SlotsFunction):
 class SigmoidGain(SlotsFunction):
     """The piecewise-linear gain of the thesis's experiment, modelled on the macOS function.
 
-    gain(V) = ``gain_min`` below ``speed_low``, ``gain_max`` above ``speed_high``, a line between. Its corners
-    are what a polynomial cannot follow.
+    gain(V) = ``gain_min`` below ``speed_low``, ``gain_max`` above ``speed_high``, linear between. A
+    polynomial cannot reproduce its corners.
 
-    Parameters: gains in [0, 1000], speeds in m/s in [0, 100], the low one below the high one.
+    Parameters: gains in [0, 1000], speeds in m/s in [0, 100], ``speed_low`` below ``speed_high``.
     Memory: 8 floats, never changed. Raises ParameterError.
     Reference: Khalin 2022, section 2.6.1, function a.
 
@@ -182,8 +182,8 @@ class SigmoidGain(SlotsFunction):
 class Arctan(SlotsFunction):
     """PTF(V) = arctan V, the bounded function of the thesis's model validation (section 2.6.2).
 
-    The number stands for whatever unit the model is written in: the validation reads V and x' in px/s, so
-    the cursor never moves faster than 1.57 px/s. No device behaves like this.
+    V and PTF share a unit: the validation uses V and x' in px/s, so the cursor never exceeds 1.57 px/s. No
+    device behaves like this.
     Memory: 8 floats, never changed.
 
     >>> round(float(Arctan().cursor_speed(1.0)), 4), float(Arctan().gain(0.0))

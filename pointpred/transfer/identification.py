@@ -1,9 +1,9 @@
 """Identifying an unknown transfer function as a polynomial, thesis section 2.5.1.
 
-A cursor moves in whole pixels, so its speed between two reports at 1 kHz is nearly all rounding, and the
-length of a rounded step is biased. Reports are therefore gathered into short windows: over one, the
-displacement of an axis is sum of h (V_x / V) PTF(V) = sum_i c_i (sum of h V_x V^(i-1)): linear in c, and
-wrong by a pixel at most.
+A cursor moves in whole pixels, so its speed between two reports at 1 kHz is mostly rounding, and the length
+of a rounded step is biased. Reports are therefore combined into short windows: over one, the displacement of
+an axis is sum of h (V_x / V) PTF(V) = sum_i c_i (sum of h V_x V^(i-1)): linear in c, with an error of at most
+a pixel.
 """
 
 from __future__ import annotations
@@ -27,9 +27,9 @@ from pointpred.transfer import bands
 from pointpred.transfer.functions import COEFFICIENTS_MOST
 from pointpred.transfer.polynomial import PolynomialFunction
 
-# Parameters: number of coefficients, the power of the first (0 or 1), ... What was learned: reports left out,
-# the regression, the bands, room for a row. The movement: the last report, counts that wait for the time to
-# pass, where the window began, the hand's way and time in it, its rows of both axes.
+# Parameters: number of coefficients, the power of the first (0 or 1), ... Learned: reports left out, the
+# regression, the bands, scratch space for a row. The movement: the last report, counts pending until time
+# passes, the start of the window, the hand's way and time in it, its rows of both axes.
 N, POWER, METRES_PER_COUNT, METRES_PER_PX, WINDOW_S, GAP_S, FORGETTING, SPEED_LOW, BAND_WIDTH, LEARNED = (
     range(10)
 )
@@ -68,7 +68,7 @@ REFUSED, TAKEN, LEFT_OUT = -1.0, 0.0, 1.0
 
 @law
 def learn(memory: FloatArray, row: int, output: float, speed: float) -> None:
-    """Take in output = row . c at a speed of the hand, into the recursion and into its band."""
+    """Add output = row . c at a speed of the hand to the recursion and to its band."""
     n = int(memory[N])
     for j in range(n):
         memory[SOLVER + least_squares.REGRESSOR + j] = memory[row + j]
@@ -80,7 +80,7 @@ def learn(memory: FloatArray, row: int, output: float, speed: float) -> None:
 
 @law
 def learn_speeds(memory: FloatArray, speed: float, cursor_speed: float) -> None:
-    """Take in one pair of speeds in m/s, as in section 2.5.1: the regressor is made of powers of V."""
+    """Add one pair of speeds in m/s, as in section 2.5.1: the regressor consists of powers of V."""
     value = 1.0 if memory[POWER] == 0.0 else speed
     for j in range(int(memory[N])):
         memory[ROW + j] = value
@@ -153,12 +153,12 @@ def event_at(rows: FloatArray, i: int) -> SixFloats:
 
 
 class Identification(msgspec.Struct, frozen=True):
-    """A transfer function and what it rests on.
+    """A transfer function and the data behind it.
 
-    ``function`` is ``None`` where the data do not tell all powers apart, or hold no speed of the judged
-    range; ``unexcited`` lists the powers that add nothing to those before them, ``condition`` is that of the
-    data with columns of equal length. ``samples`` were used, ``skipped`` reports had no time before them that
-    could be believed; ``residual`` is the root mean square error of a sample (m for windows, m/s for speeds).
+    ``function`` is ``None`` if the data do not determine all powers, or contain no speed of the judged range;
+    ``unexcited`` lists the powers that add nothing to those before them, ``condition`` is that of the data
+    with columns of equal length. ``samples`` used, ``skipped`` reports without a valid time before them;
+    ``residual`` is the root mean square error of a sample (m for windows, m/s for speeds).
     """
 
     function: PolynomialFunction | None
@@ -172,16 +172,16 @@ class Identification(msgspec.Struct, frozen=True):
 class PolynomialIdentifier(CompiledStage):
     """Reports of a device with the cursor's positions in, a polynomial transfer function out.
 
-    Assumes that the cursor is free: at the screen's edge, or moved by anything else, it misleads. Reports
-    must carry counts. Small corners of the function are rounded; gains far outside the speeds seen are noise.
+    Assumes that only the device moves the cursor, away from the screen's edge. Reports must have counts.
+    Small corners of the function are rounded; gains far outside the measured speeds are noise.
 
     V_c = sum c_i V_m^i by recursive least squares with forgetting. ``update`` learns displacements over short
-    windows, which whole pixels cannot bias; ``learn`` takes pairs of speeds as in the thesis, from Euler
-    differences or from a differentiator (``pointpred.transfer.speeds``).
+    windows, which rounding to whole pixels does not bias; ``learn`` takes pairs of speeds as in the thesis,
+    from Euler differences or from a differentiator (``pointpred.transfer.speeds``).
 
     Parameters: ``order`` q in 1 ... 6; ``offset`` allows c_0; ``cpi`` and ``dpi``; ``window_s`` in s;
     ``gap_s``, a longer pause makes a report's speed unknown; ``forgetting`` in (0, 1] for each sample;
-    ``speed_low``, ``speed_high`` in m/s, the range that is judged; ``least_excitation`` the sine below which
+    ``speed_low``, ``speed_high`` in m/s, the range of the fit; ``least_excitation`` the sine below which
     a power counts as not excited.
     Memory: 267 floats. Raises ParameterError, and EventError from ``update``.
 
@@ -217,7 +217,7 @@ class PolynomialIdentifier(CompiledStage):
     loop = staticmethod(loop_of(step, event_at))
 
     def declare(self, **values: Any) -> None:
-        """Check the values, each on its own, and that the range of speeds is one."""
+        """Check each value, and that the range of speeds is not empty."""
         super().declare(**values)
         if self.speed_low >= self.speed_high:
             raise ParameterError(
@@ -230,7 +230,7 @@ class PolynomialIdentifier(CompiledStage):
         self.band_width = (self.speed_high - self.speed_low) / bands.BANDS
 
     def settings(self) -> list[float]:
-        """What stands first in the memory."""
+        """The beginning of the memory."""
         shape = [float(self.count), 0.0 if self.offset else 1.0]
         metres = [METRES_PER_INCH / self.cpi, METRES_PER_INCH / self.dpi]
         spans = [self.window_s, self.gap_s, self.forgetting, self.speed_low, self.band_width]
@@ -240,7 +240,7 @@ class PolynomialIdentifier(CompiledStage):
         """Consume one report with counts and the cursor's position after it.
 
         Raises EventError for an event without counts, with a value that is not finite, or before the last
-        one; nothing is then changed.
+        one; the stage is then unchanged.
         """
         dx, dy = (nan if d is None else d for d in (event.dx, event.dy))
         if step(self._memory, (event.t, event.x, event.y, dx, dy, 0.0)) == (REFUSED,):
@@ -268,11 +268,11 @@ class PolynomialIdentifier(CompiledStage):
         learn_speeds(self._memory, speed_m_s, cursor_speed_m_s)
 
     def begin(self) -> None:
-        """A new movement begins: no window reaches over to it. What was learned stays."""
+        """Start a new movement: no window spans both. Keeps everything learned."""
         self._memory[STARTED:] = 0.0
 
     def reset(self) -> None:
-        """Forget everything that was learned."""
+        """Forget everything learned."""
         self._memory[LEARNED:] = 0.0
 
     @property
@@ -281,21 +281,21 @@ class PolynomialIdentifier(CompiledStage):
         return float(self._memory[T]) if self._memory[STARTED] else None
 
     def measured(self, noise: float) -> bands.Bands:
-        """The mean gain in each band that was visited; ``noise``: standard deviation of a displacement."""
+        """The mean gain in each band with data; ``noise``: standard deviation of a displacement."""
         n, linear = self.count, 1 if self.offset else 0
         numbers, weight, product, rows = bands.visited(self._memory, BANDS, n, linear)
-        if n > linear + 1:  # between bends of the gain curve a band's gain is that at its mean speed
+        if n > linear + 1:  # where the gain curve is smooth a band's gain is that at its mean speed
             speeds = rows[:, linear + 1] / weight
         else:
             speeds = self.speed_low + (numbers + 0.5) * self.band_width
         return bands.Bands(speeds, product / weight, noise / np.sqrt(weight))
 
     def identify(self, weighting: Literal["samples", "gain"] = "gain") -> Identification:
-        """The function now.
+        """The current function.
 
         ``"samples"`` is the thesis's recursion: every sample counts alike, so the errors are small where most
         samples lie. ``"gain"`` weighs bands of speed so that the largest relative error of the gain is small;
-        with fewer bands than coefficients it falls back on the samples.
+        with fewer bands than coefficients it uses the samples.
         """
         fitted = fit(self._memory, SOLVER, self.count, self.least_excitation)
         shift = 0 if self.offset else 1

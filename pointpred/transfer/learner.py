@@ -1,4 +1,4 @@
-"""The transfer function learnt while a person works."""
+"""The transfer function, learnt while a person works."""
 
 from __future__ import annotations
 
@@ -14,30 +14,29 @@ from pointpred.transfer.curve import GainCurve, curve_of
 from pointpred.transfer.identification import Identification, PolynomialIdentifier
 
 FORGETTING = 1.0 - 2e-5
-"""Half of what the samples say is forgotten after three minutes of motion, half of a band of speed after an
-hour spread over all bands."""
+"""Half-life of the samples: three minutes of motion; of a band of speed: an hour spread over all bands."""
 SPACING_S, SPACING_MOST_S = 0.0005, 0.1
 TOO_FAST = 1.5
 WINDOW_S = 0.01
-"""Longer than for simulated reports: a real cursor follows its counts with a delay that varies."""
+"""Longer than for simulated reports, because a real cursor follows its counts with a varying delay."""
 
 
 class TransferLearner:
-    """Pointer events with counts and the screen's cursor in; the system's transfer function, at any time.
+    """Pointer events with counts and the screen's cursor in; the system's transfer function out.
 
-    Assumes that this device alone moves the cursor; what a program or a second mouse moves is taken for
-    gain. At the screen's edge the cursor stops and the hand does not: with ``size`` those events are left
-    out and counted. Knows nothing outside the speeds that were shown.
+    Assumes that only this device moves the cursor; motion by a program or a second mouse counts as gain. At
+    the screen's edge the cursor stops and the hand does not: with ``size`` those events are left out and
+    counted. Does not extrapolate beyond the measured speeds.
 
     The law is that of ``PolynomialIdentifier``: V_c = sum c_i V_m^i by recursive least squares over windows,
     with forgetting, bands of speed weighed so that the largest relative error of the gain is small. Reports
-    within ``spacing_s`` count as one: those that waited together for their reader have stamps too close to
-    divide by. What is faster than 1.5 ``speed_high`` is left out and counted in ``fast``: it is not
-    judged, and its powers would outweigh all that is.
+    within ``spacing_s`` count as one: reports queued for their reader have stamps too close to divide by.
+    Events faster than 1.5 ``speed_high`` are left out and counted in ``fast``: they are outside the range of
+    the fit, and their powers would outweigh all others.
 
     Parameters: ``size`` of the screen in px; ``forgetting`` for each window and axis; ``window_s`` in s,
-    longer than the time by which the cursor's delay varies; ``spacing_s`` in [0, 0.1] s; the others, ``cpi``
-    and ``dpi`` first, as for ``PolynomialIdentifier``. Any thread may ask while another one feeds.
+    longer than the variation of the cursor's delay; ``spacing_s`` in [0, 0.1] s; the others, ``cpi`` and
+    ``dpi`` first, as for ``PolynomialIdentifier``. One thread may read while another updates.
     Memory: 267 floats and one event. Raises ParameterError, and EventError from ``update``.
     Reference: Khalin 2022, sections 2.4.1 and 2.5.1, with the cursor's speed corrected.
 
@@ -77,8 +76,8 @@ class TransferLearner:
     def update(self, event: PointerEvent, /) -> None:
         """Learn from one event.
 
-        Raises EventError for one without counts, with a value that is not finite, or before the last one;
-        nothing is then changed.
+        Raises EventError for one without counts, with a value that is not finite, or before the last one; the
+        learner is then unchanged.
         """
         with self._lock:
             dx, dy = (nan if d is None else d for d in (event.dx, event.dy))
@@ -98,36 +97,36 @@ class TransferLearner:
             self._waiting = PointerEvent(event.t, event.x, event.y, dx, dy)
 
     def reset(self) -> None:
-        """A new movement begins: no speed reaches over to it. What was learnt stays."""
+        """Start a new movement: no speed spans both. Keeps everything learnt."""
         with self._lock:
             self._begin()
 
     def forget(self) -> None:
-        """Forget everything that was learnt."""
+        """Forget everything learnt."""
         with self._lock:
             self._begin()
             self._identifier.reset()
             self.edges = self.fast = 0
 
     def fresh(self) -> Self:
-        """A learner with the same parameters that has learnt nothing."""
+        """A learner with the same parameters and no data."""
         return type(self)(size=self.size, spacing_s=self.spacing_s, **self._settings)
 
     def identify(self) -> Identification:
-        """The function now, with what it rests on.
+        """The current function, with the data behind it.
 
-        Bands are weighed by their relative error once enough of them are known well; before that every
-        window counts alike, since weighing would follow the noise.
+        Bands are weighed by their relative error once enough of them are accurate; before, all windows have
+        equal weight, since weighing would follow the noise.
         """
         return self._identified()[0]
 
     def curve(self) -> GainCurve:
-        """The function now as plain lists, with its excited range, beside a constant gain and a sigmoid."""
+        """The current function as plain lists, with its excited range, a constant gain and a sigmoid."""
         identification, bands = self._identified()
         return curve_of(identification, bands, self.edges, self.fast)
 
     def _identified(self) -> tuple[Identification, Bands]:
-        """The identification and the bands behind it, from a copy that nobody feeds."""
+        """The identification and the bands behind it, from a copy."""
         with self._lock:
             identifier = copy(self._identifier)
         identification = identifier.identify()
@@ -137,7 +136,7 @@ class TransferLearner:
         return identification, bands
 
     def _pass_on(self) -> None:
-        """Let the law learn from what waits, or leave it out and count it."""
+        """Let the law learn from the pending report, or leave it out and count it."""
         event, self._waiting = self._waiting, None
         if event is None:
             return
@@ -154,13 +153,13 @@ class TransferLearner:
             self._identifier.update(event)
 
     def _begin(self) -> None:
-        """Finish with what waits, and know no last report."""
+        """Process the pending report and forget the last one."""
         self._pass_on()
         self._identifier.begin()
         self._last = -inf
 
     def _at_edge(self, event: PointerEvent) -> bool:
-        """Whether the cursor may have been stopped there."""
+        """Whether the screen's edge may have stopped the cursor there."""
         if self.size is None:
             return False
         width, height = self.size

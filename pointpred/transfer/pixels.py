@@ -1,4 +1,4 @@
-"""From counts to whole pixels: a transfer function at work, the fraction of a pixel carried on."""
+"""Counts to whole pixels through a transfer function, with the fraction of a pixel carried over."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from pointpred.rows import Row
 from pointpred.stage import CompiledStage, loop_of, offsets
 from pointpred.transfer import functions
 
-# Remainders of x and y in px, relative to `at`: all that carrying needs.
+# Remainders of x and y in px, relative to `at`.
 CARRIED = 2
 
-# Memory of the stage, relative to `at`: parameters with the transfer function behind them, then whether a
-# report came, its time, the gain then, the remainders.
+# Memory of the stage, relative to `at`: parameters with the transfer function last, then whether there was a
+# report, its time, its gain, the remainders.
 PX_PER_COUNT, METRES_PER_COUNT, PERIOD_S, GAP_S, FUNCTION, STARTED, T, GAIN, CARRY, LENGTH = offsets(
     1, 1, 1, 1, functions.SLOTS, 1, 1, 1, CARRIED
 )
@@ -38,9 +38,9 @@ class Report(NamedTuple):
 
 @law
 def carry(memory: FloatArray, at: int, moved_px: float) -> float:
-    """Whole pixels of one axis; the rest waits in ``memory[at]`` and is dropped when the direction reverses.
+    """Whole pixels of one axis; the remainder stays in ``memory[at]`` until the direction reverses.
 
-    Truncation leaves a rest with the sign of the motion, so the rest also remembers the direction.
+    Truncation leaves a remainder with the sign of the motion, so it also holds the direction.
     """
     rest = memory[at] if memory[at] * moved_px >= 0.0 else 0.0
     whole = float(trunc(rest + moved_px))
@@ -50,7 +50,7 @@ def carry(memory: FloatArray, at: int, moved_px: float) -> float:
 
 @law
 def accept(memory: FloatArray, at: int, t: float, dx: float, dy: float) -> tuple[bool, float]:
-    """Whether a report can be used, and the time in s that its counts took."""
+    """Whether a report is valid, and the time in s of its counts."""
     fine = abs(t) <= LATEST_S and abs(dx) <= LARGEST and abs(dy) <= LARGEST
     if memory[at + STARTED] == 0.0:
         return fine, float(memory[at + PERIOD_S])
@@ -59,7 +59,7 @@ def accept(memory: FloatArray, at: int, t: float, dx: float, dy: float) -> tuple
 
 @law
 def turn(memory: FloatArray, at: int, t: float, dt: float, dx: float, dy: float) -> float:
-    """Take in an accepted report and return the pixels of one count; no time, the gain of the one before."""
+    """Process an accepted report and return the pixels per count; without elapsed time, by the last gain."""
     if dt > 0.0:
         speed = hypot(dx, dy) * memory[at + METRES_PER_COUNT] / dt
         memory[at + GAIN] = functions.gain(memory, at + FUNCTION, speed)
@@ -86,7 +86,7 @@ def report_at(rows: FloatArray, i: int) -> tuple[float, float, float]:
 
 
 class ReportStage(CompiledStage):
-    """What all stages share that turn reports into pixels: the device, the screen, the function."""
+    """The parameters of all stages that turn reports into pixels: the device, the screen, the function."""
 
     function: functions.TransferFunction = option("the transfer function", kw_only=False)
     cpi: float = parameter("counts per inch", *CPI, "resolution of the device")
@@ -95,7 +95,7 @@ class ReportStage(CompiledStage):
     gap_s: float = parameter("s", 1e-3, 1e3, "longest time between two reports that is believed", default=0.1)
 
     def settings(self) -> list[float] | FloatArray:
-        """What stands first in the memory: the child's own parameters, then those of the device."""
+        """The beginning of the memory: the subclass's own parameters, then those of the device."""
         own = type(self).parameters[len(ReportStage.parameters) :]
         device = [self.dpi / self.cpi, METRES_PER_INCH / self.cpi, self.period_s, self.gap_s]
         return [*(one.number(getattr(self, one.name)) for one in own), *device, *self.function.slots.tolist()]
@@ -105,12 +105,12 @@ class PixelTransfer(ReportStage):
     """Counts of a device to whole pixels of the cursor, through a transfer function.
 
     px = gain(V) dpi / cpi counts, V = 0.0254 |counts| / (cpi h), both axes with the gain of the common
-    speed, each axis truncated to whole pixels with its remainder carried until the axis reverses. Nothing
-    bounds the cursor: the screen's edge is not its business.
+    speed, each axis truncated to whole pixels with its remainder carried until the axis reverses. The cursor
+    is not bounded by the screen's edge.
 
     Parameters: ``function`` a transfer function; ``cpi`` counts per inch and ``dpi`` px per inch;
-    ``period_s`` the time taken for the first report; ``gap_s`` the longest time between two reports that is
-    believed. A report with the time of the one before moves with the same gain.
+    ``period_s`` the time assumed for the first report; ``gap_s`` the longest valid time between two reports.
+    A report with the time of the one before moves with the same gain.
     Memory: 17 floats. Raises ParameterError, and EventError from ``update``.
     Reference: Khalin 2022, sections 2.3 and 2.6.1; Casiez and Roussel 2011.
 
@@ -126,7 +126,7 @@ class PixelTransfer(ReportStage):
     def update(self, report: tuple[float, float, float], /) -> tuple[float, float]:
         """Consume one report (t in s, dx and dy in counts) and return the whole pixels moved.
 
-        Raises EventError when time runs backwards or a value is not finite; nothing is then changed.
+        Raises EventError when time runs backwards or a value is not finite; the stage is then unchanged.
         """
         t, dx, dy = step(self._memory, report if type(report) is tuple else tuple(report))
         if t != t:

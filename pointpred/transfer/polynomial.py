@@ -23,7 +23,7 @@ NODES = 4096
 
 
 class _Saved(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """What a polynomial looks like as JSON."""
+    """A polynomial as JSON."""
 
     version: int
     coefficients: tuple[float, ...]
@@ -34,7 +34,7 @@ class _Saved(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class PolynomialFunction(SlotsFunction):
     """PTF(V) = c_0 + c_1 V + ... + c_q V^q, with V and PTF in m/s.
 
-    True only where it was identified: outside ``speed_low`` ... ``speed_high`` it may do anything. A gain
+    Valid only where it was identified: outside ``speed_low`` ... ``speed_high`` it may take any value. A gain
     needs c_0 = 0; with another c_0 it is infinite at V = 0. Corners of a function are rounded.
 
     Parameters: ``coefficients`` c_0 ... c_q, one to seven finite numbers; ``speed_low``, ``speed_high`` in
@@ -86,12 +86,12 @@ class PolynomialFunction(SlotsFunction):
 
 
 class HeldPolynomial(SlotsFunction):
-    """An identified polynomial that is safe to move a cursor with: its gain is constant beyond both ends.
+    """An identified polynomial made safe for moving a cursor: its gain is constant beyond both ends.
 
     Assumes that the range is the one in which the polynomial was identified: outside it a polynomial of
-    order 5 soon moves the cursor backwards. The constant ends are a guess, but a tame one.
+    order 5 soon moves the cursor backwards. The constant ends are a safe guess.
 
-    PTF(V) = gain(V) V, gain(V) = c_1 + c_2 U + ... + c_5 U^4, U = V but not beyond ``speed_low`` and
+    PTF(V) = gain(V) V, gain(V) = c_1 + c_2 U + ... + c_5 U^4, U = V clipped to ``speed_low`` and
     ``speed_high``.
 
     Parameters: ``polynomial`` of order 5 at most, without c_0, with a bounded range.

@@ -12,7 +12,7 @@ from pointpred.events import METRES_PER_INCH
 
 
 class Differentiating(Protocol):
-    """What is needed of a differentiator."""
+    """The interface of a differentiator used here."""
 
     def run(self, events: EventColumns) -> MotionColumns:
         """A motion for each event."""
@@ -24,11 +24,11 @@ def euler_speeds(
 ) -> tuple[FloatArray, FloatArray]:
     """The speeds of hand and cursor in m/s by Euler differences over windows of at least ``window_s``.
 
-    Assumes one trial with counts. Over single reports whole pixels are nearly all noise, and the length of a
-    rounded step is longer than the step on average, so a window near 0 gives too large a speed.
+    Assumes one trial with counts. Over single reports the rounding to whole pixels dominates, and a rounded
+    step is on average longer than the step, so a window near 0 overestimates the speed.
 
     V_c = sqrt(dx^2 + dy^2) / h, corrected: the printed difference of sqrt(x^2 + y^2), the distance from the
-    screen's corner, is no speed (a movement round the corner would have none).
+    screen's corner, is not a speed (it is 0 for a movement around the corner).
 
     Returns (V_m, V_c), one pair a window. Raises EventError without counts and ParameterError.
     Reference: Khalin 2022, section 2.4.1, corrected.
@@ -56,11 +56,11 @@ def euler_speeds(
 def differentiated_speeds(
     events: EventColumns, motor: Differentiating, cursor: Differentiating, *, spacing_s: float = 0.02
 ) -> tuple[FloatArray, FloatArray]:
-    """The speeds of hand and cursor in m/s, each by a differentiator, thinned to one pair in ``spacing_s``.
+    """The speeds of hand and cursor in m/s, each by a differentiator, thinned to one pair per ``spacing_s``.
 
     Assumes one trial. ``motor`` is built with the device's cpi, so that it follows the counts; ``cursor``
-    without, so that it follows the path on the screen. The same law and gains in both make both late by the
-    same time; a curved transfer function of a smoothed speed is not the smoothed function, though.
+    without, so that it follows the path on the screen. The same law and gains delay both equally; but a
+    curved transfer function of a smoothed speed is not the smoothed function.
 
     Returns (V_m, V_c) where both have settled.
     Reference: Khalin 2022, section 2.4.1.
