@@ -45,7 +45,7 @@ def doubt(learned: FloatArray) -> str:
     """What is wrong with numbers that are within the bounds of ``SLOTS``; empty for nothing."""
     far, long = learned[DISTANCES + distances.COUNT], learned[DURATIONS + durations.COUNT]
     if far != long:
-        return f"there must be as many distances as durations, are {far:g} and {long:g}"
+        return f"distances held must be as many as durations held, are {far:g} and {long:g}"
     return distances.doubt(learned[DISTANCES:DURATIONS]) or durations.doubt(learned[DURATIONS:REGIONS])
 
 
