@@ -15,7 +15,7 @@ VARIABLE = "POINTPRED_RECORDINGS"
 
 
 def folder() -> Path | None:
-    """The folder that the environment names; ``None`` without one, which is said."""
+    """The folder that the environment names; ``None``, with a message, without one."""
     named = os.environ.get(VARIABLE)
     if named is None:
         print(f"{VARIABLE} names no folder: only the embedded sample is used")

@@ -20,7 +20,7 @@ def say(what: str) -> None:
 
 
 def coefficients(where: Path) -> Iterator[tuple[Recording, Path]]:
-    """For each set and fifth of its people a recording of these, and the file that knows none of them.
+    """For each set and fifth of its people: their recording, and the file fitted to none of them.
 
     The calibration of a fifth comes from the other fifths. Files are kept in ``where`` and used again.
     """

@@ -41,7 +41,7 @@ WRONG: dict[str, dict[str, float]] = {
 
 
 class Measuring:
-    """Plays each way once, and says so."""
+    """Plays each way once, and prints its name."""
 
     def __init__(self, movements: int, people: int) -> None:
         self.movements, self.people = movements, people

@@ -146,7 +146,7 @@ def remark(rho: float, strength: float, *, angle_deg: float = 0.0, factor: float
 
 
 def faster(gain: float) -> Play:
-    """No help but another gain, which the person knows."""
+    """No help but another gain, to which the person is used."""
     setup = Setup(ConstantGain(gain), cpi=CPI)
 
     def play(person: Person, aim: Aim, generator: np.random.Generator) -> Movement:

@@ -1,4 +1,4 @@
-"""What the AsyncAPI document says of ``/v1/live``: the stream of the attached device."""
+"""The part of the AsyncAPI document for ``/v1/live``: the stream of the attached device."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from pointpred.transfer.curve import Comparison
 ABOUT = f"""Read only: events and predictions of the mouse attached to the machine of the service
 (`pointpred live --serve`). The server speaks first: `device`, `status` and, where something is known of it,
 `transfer`. Then `events` come with the newest `prediction`, at most 120 times a second, `status` once a
-second, and `transfer` when it is new. Times are those of the clock that `device` names. A viewer need not say
-anything; `bye` ends, everything else is answered by an error. One that reads slowly gets the newest frame,
-and is told by `slow` how many predictions gave way. Origin, host, token and the number of sessions are
-checked as for `/v1/stream`.
+second, and `transfer` when it is new. Times are those of the clock that `device` names. A viewer need not
+send anything; `bye` ends the session, everything else is answered by an error. One that reads slowly gets the
+newest frame, and `slow` gives the number of predictions dropped. Origin, host, token and the number of
+sessions are checked as for `/v1/stream`.
 
 Where no device is attached the upgrade is answered with HTTP 404 and an `error`: {NO_DEVICE}.
-`GET /v1/live` says without an upgrade whether one is."""
+`GET /v1/live` shows without an upgrade whether one is attached."""
 
 CURVE = GainCurve(
     words="identified between 0.025 and 0.250 m/s of the hand, from 4100 displacements",
@@ -49,9 +49,9 @@ EXAMPLES = {
     "status": (Status(True, 61250, 998.0, 2, 1, 3, 4, 5e-05, 0.00038), Status(False, 0, 0.0, note=NOTE)),
     "transfer": (Curve(CURVE.words, CURVE), Curve("nothing learnt yet: move the mouse")),
 }
-"""What only viewers hear."""
+"""Messages of this stream only."""
 SHARED = ("events", "prediction", "error", "goodbye")
-"""What they hear in the words of the other stream."""
+"""Messages that both streams have."""
 
 
 def live_messages() -> dict[str, Any]:
@@ -81,12 +81,12 @@ def live_channel() -> dict[str, Any]:
 
 
 def live_operations() -> dict[str, Any]:
-    """What is said to viewers, and the one thing that is heard of them."""
+    """The messages sent to viewers, and the one received from them."""
     channel = {"$ref": "#/channels/live"}
 
     def one(action: str, name: str) -> dict[str, Any]:
         messages = [{"$ref": f"#/channels/live/messages/{name}"}]
         return {"action": action, "channel": channel, "messages": messages}
 
-    said = {f"show{name.capitalize()}": one("send", name) for name in (*EXAMPLES, *SHARED)}
-    return {**said, "hearViewerLeave": one("receive", "bye")}
+    operations = {f"show{name.capitalize()}": one("send", name) for name in (*EXAMPLES, *SHARED)}
+    return {**operations, "hearViewerLeave": one("receive", "bye")}

@@ -1,4 +1,4 @@
-"""What the AsyncAPI document says beside the message types; the tests compare the lists with the code."""
+"""The texts of the AsyncAPI document besides the message types; the tests compare the lists with the code."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ The session goes connecting -> greeted -> streaming -> closed. The client speaks
 else before it is answered by an error. Every JSON message is one object with `type` in a text frame; unknown
 fields are errors. With `encoding: binary` in `hello`, events and predictions go as binary frames of packed
 records instead; everything else stays JSON. Positions are px with y growing downwards, times are seconds on
-the client's clock. A client that reads slowly gets the newest prediction only, and is told how many gave way
-to it. Proposals among targets (`choice`) go as text in either encoding; of more than 64 that wait to be read,
-the client gets what they come to: the end of the proposal it was told, and the one that stands.
+the client's clock. A client that reads slowly gets the newest prediction only, and the number of those
+dropped. Proposals among targets (`choice`) go as text in either encoding; if more than 64 wait to be read,
+the client gets a summary: the end of the proposal it was sent, and the current one.
 
-With `assist` in `hello` the service moves the cursor: events carry counts, the first says where the cursor
-stands before it, and before each prediction `cursor` says, as text in either encoding, where it is now.
-Positions in later events are not looked at. `configure` may replace `assist`, but not ask for it anew.
+With `assist` in `hello` the service moves the cursor: events carry counts, the first one has the position of
+the cursor before it, and before each prediction `cursor`, as text in either encoding, has its current
+position. Positions in later events are ignored. `configure` may replace `assist`, but not add it.
 
 Subprotocol: `{SUBPROTOCOL}`. A page of another origin or a foreign `Host` is refused with HTTP 403 before the
-upgrade. A token is needed where one is set; one is made up for an address that is not loopback."""
+upgrade. A token is needed where one is set; one is generated for an address that is not loopback."""
 CLOSES = {
     1000: "after `bye`",
     1001: "the server stops, after its `bye`",
@@ -45,7 +45,7 @@ CODES = {
     "internal": "something failed in the server; the session ends",
     "columns": "the columns of an uploaded table are not certain; sent over HTTP only",
 }
-NEEDED = "Needed where one is set; one is made up for an address that is not loopback."
+NEEDED = "Needed where one is set; one is generated for an address that is not loopback."
 SECURITY = {
     "token": {"type": "httpApiKey", "in": "query", "name": "token", "description": NEEDED},
     "bearer": {"type": "http", "scheme": "bearer", "description": f"The same token as a header. {NEEDED}"},

@@ -65,7 +65,7 @@ def _fading(target: Path, focal_px: float) -> None:
 
 
 def _bound(target: Path, focal_px: float) -> None:
-    """The filter's depth error over time beside the bound and beside what it believes."""
+    """The filter's depth error over time beside the bound and its own standard deviation."""
     truth = trajectory(SCENARIOS["paper"], np.arange(331) / 33.0)
     noise_px = 4.0 / np.sqrt(3.0)
     squares, believed = [], []

@@ -1,4 +1,4 @@
-"""What became of each row of a file: read, left out for a reason that was said, or lost without a word."""
+"""Counts the rows of a file: read, left out with a reason, or lost without one."""
 
 from __future__ import annotations
 

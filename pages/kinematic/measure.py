@@ -32,7 +32,7 @@ class Verdict(msgspec.Struct, frozen=True):
     known: calibration.Claims
     """Claims, calibrated, and how they turned out."""
     clock: tuple[float, float]
-    """Error of the time left in s, and that of a clock that knows the set's median time."""
+    """Error of the time left in s, and that of a clock that uses the set's median time."""
 
 
 class Verdicts(msgspec.Struct, frozen=True):

@@ -40,7 +40,7 @@ class SetRow(msgspec.Struct, frozen=True):
     left_ms: float
     """Mean absolute error of the time left."""
     clock_ms: float
-    """That of a clock that knows the set's median time."""
+    """That of a clock that uses the set's median time."""
     of_clock: float
     """The ratio of both."""
 

@@ -1,7 +1,7 @@
-"""Which systems get every library as a wheel: ``python -m pages.platforms.wheels`` asks the index.
+"""Which systems get every library as a wheel: ``python -m pages.platforms.wheels`` queries the index.
 
 What pointpred and its extras need there follows from the markers of the installed libraries, with versions of
-constraints.txt. Nothing is installed; pip says what it would install for Python 3.11.
+constraints.txt. Nothing is installed; pip reports what it would install for Python 3.11.
 """
 
 from __future__ import annotations

@@ -16,7 +16,7 @@ from pointpred.scoring import FLOOR
 
 
 def gains_of(name: str) -> dict[str, float]:
-    """What ``build(name)`` gives its differentiator, where the registry says it."""
+    """The parameters of the differentiator that ``build(name)`` takes from the registry."""
     stage = DIFFERENTIATORS[REGISTRY[name].differentiator]
     chosen = GAINS | REGISTRY[name].preset
     return {p.name: values_of(name)[p.name][1] for p in stage.parameters if p.name in chosen}

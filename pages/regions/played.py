@@ -54,7 +54,7 @@ class KnownService(Service):
 
 
 def hello_of(name: str, events: EventColumns, resolution: dict[str, float | None]) -> Hello:
-    """What a client says first: one prediction an event, packed where records can hold the events."""
+    """The hello of a client: one prediction an event, packed where records can hold the events."""
     cpi, dpi = resolution["cpi"], resolution["dpi"]
     return Hello(
         1,

@@ -1,7 +1,7 @@
 """Compare the simulated people with recorded ones: ``python -m pages.simulation.measure``.
 
 Recordings come from the folder named by POINTPRED_RECORDINGS; a
-set that is absent is left out of the table, and the page says so.
+set that is absent is left out of the table, and the page names it.
 """
 
 from __future__ import annotations

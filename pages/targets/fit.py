@@ -139,7 +139,7 @@ def fit(sets: Sequence[Cases], only: Sequence[int] | None = None) -> FloatArray:
 
 
 def coefficients(sets: Sequence[tuple[Cases, Cases]], only: Sequence[int] | None = None) -> FloatArray:
-    """Coefficients as ``posterior`` wants them: for a claimed law, then for none."""
+    """Coefficients as ``posterior`` takes them: for a claimed law, then for none."""
     return np.concatenate([fit([one[place] for one in sets], only) for place in range(2)])
 
 

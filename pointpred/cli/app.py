@@ -99,7 +99,7 @@ def _open_streams() -> None:
 
 
 def _abandon_output() -> None:
-    """The reader of our output has gone (``| head``): nothing more can be said, and that is no failure."""
+    """The reader of our output has closed it (``| head``); this is not an error."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 

@@ -19,7 +19,7 @@ Focal = Annotated[float, typer.Option(metavar="PX", help="Focal length in px; th
 Seen = Annotated[float, typer.Option(metavar="PX", help="Noise of the point: uniform in +- this many px.")]
 FED = "kalman-two-state"
 SMALLEST_PX = 0.05
-"""A point is never known better than this: a filter told no noise at all believes its first image."""
+"""The least noise the filter assumes: with none it would rely on its first image alone."""
 
 
 @app.command()
@@ -105,9 +105,9 @@ def run(
 ) -> None:
     """Estimate depth and velocity: the unknown input observer, and a Kalman filter that uses the image.
 
-    The observer's errors decay only while the camera moves away from the point; where they do not, the last
-    column says so: use the filter there. The filter gives no estimate until the images determine the depth;
-    until then nothing checks the observer, and a wrong start of it goes unnoticed.
+    The observer's errors decay only while the camera moves away from the point; the last column shows where
+    they do not: use the filter there. The filter gives no estimate until the images determine the depth;
+    until then the observer is not checked, and a wrong start is not detected.
 
     Try:
 

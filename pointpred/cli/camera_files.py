@@ -100,7 +100,7 @@ def read_images(folder: Path) -> list[Any]:
 
 
 def errors_of(estimates: CameraTable, truth: FloatArray) -> dict[str, dict[str, float | None]]:
-    """RMSE of observer and peer beside the truth, where each says something."""
+    """RMSE of observer and peer against the truth, where each has an estimate."""
     if len(truth) != len(estimates) or np.abs(truth[:, 0] - estimates.t).max() > 1e-6:
         raise ParameterError(f"--truth: needs the {len(estimates)} times of the samples, received others")
     chi, eta = 1.0 / truth[:, 1], truth[:, 4] / truth[:, 1]

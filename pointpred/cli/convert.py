@@ -28,7 +28,7 @@ def convert(
 ) -> None:
     """Convert a recording to pointpred's own format, and list what was skipped and why.
 
-    Knows GoFitts, Balabit and SapiMouse, jsPsych, OpenSesame mousetrap, PsychoPy, evemu, evtest, libinput
+    Reads GoFitts, Balabit and SapiMouse, jsPsych, OpenSesame mousetrap, PsychoPy, evemu, evtest, libinput
     record, hid-recorder, the Pointing Dynamics Dataset, its own Parquet and CSV, and any table of samples.
     The format is recognised by the file's content.
 

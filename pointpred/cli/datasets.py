@@ -24,7 +24,7 @@ app = typer.Typer(no_args_is_help=True, help="Public recordings: which exist, an
 def list_sets(
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON with everything known.")] = False,
 ) -> None:
-    """List the public sets the project knows, with licence and how to get each.
+    """List the public sets of the catalogue, with licence and how to get each.
 
     Try:
 

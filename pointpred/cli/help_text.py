@@ -31,7 +31,7 @@ def examples(command: Callable[..., Any] | None) -> list[str]:
 
 
 class _Argument(TyperArgument):
-    """An argument whose name says what it is: typer has no setting that leaves its type out."""
+    """An argument shown without its type, for which typer has no setting."""
 
     def display_type_rich(self, ctx: Any) -> None:
         """No type."""
@@ -69,7 +69,7 @@ def _named(parameters: list[Any]) -> list[Any]:
 
 
 def add_help(app: typer.Typer) -> None:
-    """Give every command of ``app``, and of its groups, the help that its docstring tells."""
+    """Set the help of every command of ``app``, and of its groups, from its docstring."""
     from rich.markup import escape
 
     app.info.cls = _Group

@@ -76,7 +76,7 @@ def live(
     person: Annotated[
         Path | None,
         typer.Option(
-            metavar="FILE", help="Go on with the person of this file, and save it there in the end."
+            metavar="FILE", help="Continue with the person of this file, and save it there at the end."
         ),
     ] = None,
     coefficients: Coefficients = None,

@@ -160,7 +160,7 @@ def reading(
     records: Records = None,
     target: Target = None,
 ) -> Reading:
-    """The options given, as the sources want them; raises ParameterError."""
+    """The options as a ``Reading``; raises ParameterError."""
     from pointpred.sources import Reading
     from pointpred.sources.reading import columns_of
 

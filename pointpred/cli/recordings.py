@@ -112,7 +112,7 @@ def _chosen(folder: Path | None) -> Path:
 
 
 def _sure(question: str) -> bool:
-    """Whether somebody is there who says yes."""
+    """Whether a user at the terminal confirms."""
     try:
         return typer.confirm(question, err=True)
     except typer.Abort:

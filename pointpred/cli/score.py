@@ -131,7 +131,7 @@ def _score_targets(
     report: Path | None,
     **settings: Any,
 ) -> None:
-    """What ``--targets`` asks for: tables, and every number as JSON under ``targets``."""
+    """The output of ``--targets``: tables, and every number as JSON under ``targets``."""
     if report is not None:
         message = "--report draws errors, not choices: leave it out with --targets"
         raise ParameterError(message, field="report", value=str(report))

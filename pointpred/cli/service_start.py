@@ -15,14 +15,14 @@ if TYPE_CHECKING:
     from pointpred.server.settings import Settings
 
 CLEAR = "\r\x1b[2K"
-"""Back to the beginning of the line, which becomes empty."""
+"""Returns to the beginning of the line and clears it."""
 
 
 class ServiceStart:
-    """Tells the settings, the address, that the page can be used, and how far compiling is.
+    """Prints the settings, the address, that the page can be used, and the progress of compiling.
 
-    The address goes to stdout, all else to ``screen``. The progress is one line that is written over, only
-    where somebody looks at it; elsewhere the log tells it.
+    The address goes to stdout, all else to ``screen``. The progress is one line that is updated, in a
+    terminal only; elsewhere it is in the log.
     """
 
     def __init__(self, service: Service, address: str, screen: TextIO | None = None) -> None:
@@ -51,7 +51,7 @@ class ServiceStart:
             self._screen.flush()
 
     def ready(self) -> None:
-        """The recommended predictor answers; the address is said again, without a token."""
+        """The recommended predictor is compiled; the address is printed again, without a token."""
         token = " with the token" if self.service.settings.token else ""
         self._say(f"Ready: open {self.address}{token} in a browser. Ctrl-C stops.")
 

@@ -45,7 +45,7 @@ def compared(score: SetScore) -> tuple[str, ...]:
 
 
 class Conclusion(msgspec.Struct, frozen=True):
-    """What a set shows, as the sentence at its top says it."""
+    """The sentence at the top of a set: its main result."""
 
     best: PredictorSummary | None
     """The lowest error, hold apart; fitted to people of the set only where all are."""

@@ -1,4 +1,4 @@
-"""What a report says of the single-axis errors: mean errors, and where along the path they differ surely."""
+"""The single-axis errors in a report: means, and where along the path they differ significantly."""
 
 from __future__ import annotations
 

@@ -96,7 +96,7 @@ class SetScore(msgspec.Struct, frozen=True):
     skipped: tuple[Skip, ...]
     predictors: tuple[PredictorErrors, ...]
     simulated: bool = False
-    """True where people were simulated: every title says so."""
+    """True where people were simulated, which every title states."""
     seed: int = 0
     """Seed of the resampling behind every interval."""
     notes: tuple[str, ...] = ()

@@ -34,7 +34,7 @@ SHARE_LABEL = "share of hold's error (left is better)"
 
 
 def marked(summary: SetSummary, title: str) -> str:
-    """A title that says where people were simulated."""
+    """A title that states where people were simulated."""
     return f"{title} (simulated)" if summary.simulated else title
 
 

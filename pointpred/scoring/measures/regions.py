@@ -1,4 +1,4 @@
-"""Is a predicted region as sure as it says? Shares of endpoints inside, and a score of the whole region."""
+"""Calibration of predicted regions: shares of endpoints inside, and a score of the whole region."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How well the time left is known: beside a clock that only knows how long the set's movements take."""
+"""The error of the predicted time left, beside that of a clock with the set's median duration."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ SHORTEST_S = 1e-6
 
 
 def clock_s(trials: Sequence[ScoredTrial]) -> float:
-    """What the clock knows: the median time from onset to arrival, NaN without trials."""
+    """The median time from onset to arrival, which the clock uses; NaN without trials."""
     return float(np.median([trial.arrival_s for trial in trials])) if trials else float("nan")
 
 
@@ -51,7 +51,7 @@ def time_left(
 ) -> None:
     """A row of ``out`` for each trial; time counts as in the time-averaged error of the endpoint.
 
-    The clock says max(median_s - time since the onset, 0). Where no time is claimed it is scored in its
+    The clock predicts max(median_s - time since the onset, 0). Where no time is claimed it is scored in its
     place. The interval of level p reaches from remaining_s exp(-z spread) to remaining_s exp(z spread), z the
     deviation within which the middle p of a normal law lies.
     """

@@ -42,7 +42,7 @@ def ratio_intervals(
     the right, so that several predictors are compared with one floor on the same draws.
 
     Assumes that people are drawn independently from those the claim is about; few people make the interval
-    too narrow. With one person the trials are drawn instead: the interval then says nothing about others.
+    too narrow. With one person the trials are drawn instead: the interval is then not valid for other people.
 
     Every draw takes as many people as there are, with replacement, each with all trials, and the same people
     for all columns. The bounds are the (1 - level) / 2 and (1 + level) / 2 quantiles; NaN where a draw's

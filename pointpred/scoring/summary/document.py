@@ -73,7 +73,7 @@ class Calibration(msgspec.Struct, frozen=True):
 
 
 class TimeLeft(msgspec.Struct, frozen=True):
-    """Error of the predicted time left, beside a clock that knows the set's median movement time."""
+    """Error of the predicted time left, beside a clock that uses the set's median movement time."""
 
     claimed: Number
     """Share of the time with a claim; elsewhere the clock is scored."""

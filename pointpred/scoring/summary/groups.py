@@ -30,7 +30,7 @@ class Group(msgspec.Struct, frozen=True):
 def groups_of(score: SetScore) -> tuple[Group, ...]:
     """All trials; those with and without sub-movements; clean ones; experienced people and novices.
 
-    A group without a trial is not listed; one that holds every trial is, for it says so.
+    A group without a trial is not listed; one with every trial is.
     """
     submovements = np.array([trial.submovements for trial in score.trials], dtype=np.bool_)
     clean = np.array([trial.clean for trial in score.trials], dtype=np.bool_)
@@ -46,7 +46,7 @@ def groups_of(score: SetScore) -> tuple[Group, ...]:
 
 
 def _people(score: SetScore, submovements: BoolArray) -> list[Group]:
-    """Experienced people and novices: as the recording says, otherwise by their sub-movements."""
+    """Experienced people and novices: by the recording's conditions, otherwise by their sub-movements."""
     for name in EXPERIENCE:
         labels = [str(trial.trial.condition.get(name, "")).lower() for trial in score.trials]
         if "novice" in labels and "experienced" in labels:

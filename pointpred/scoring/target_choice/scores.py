@@ -1,4 +1,4 @@
-"""How well a predictor tells which of some targets a movement is for, beside the nearest to the cursor."""
+"""How often a predictor finds the target of a movement, beside the nearest target to the cursor."""
 
 from __future__ import annotations
 

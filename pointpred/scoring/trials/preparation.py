@@ -66,7 +66,7 @@ def prepare(
     Onset, endpoint and arrival are known only afterwards: they say where to read errors, and no pipeline
     sees them, save that it is reset at the onset. A movement that passes its start again begins there.
 
-    ``cpi`` and ``dpi`` (counts and px per inch) replace what the recording says of itself; they matter only
+    ``cpi`` and ``dpi`` (counts and px per inch) replace the recording's own values; they matter only
     to the speed that decides on sub-movements.
 
     >>> from pointpred.columns import EventColumns
@@ -108,7 +108,7 @@ def prepare(
 
 
 def resolution(recording: Recording, cpi: float | None, dpi: float | None) -> dict[str, Any]:
-    """The device's and the screen's resolution: as given, otherwise as the recording says."""
+    """The device's and the screen's resolution: the arguments, otherwise the recording's values."""
     provenance = recording.provenance
     return {"cpi": provenance.cpi if cpi is None else cpi, "dpi": provenance.dpi if dpi is None else dpi}
 
