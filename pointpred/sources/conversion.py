@@ -16,7 +16,7 @@ from pointpred.sources.reading import AS_IS, Reading
 
 
 class Summary(msgspec.Struct, frozen=True):
-    """What a conversion did: the files written, trials and users kept, trials skipped by reason, notes."""
+    """The result of a conversion: files written, trials and users kept, trials skipped by reason, notes."""
 
     files: tuple[str, ...]
     trials: int
@@ -31,10 +31,10 @@ def convert(
 ) -> Summary:
     """Convert a recording of any format, or a folder of one, to pointpred's own Parquet or CSV.
 
-    ``path_out`` ends in ``.parquet`` or ``.csv``; where the input holds several recordings, each goes to a
-    file of that name with its own name put in front. A recording without a trial is not written. Where
-    anything fails, no file is left and none is replaced. Returns what was kept and skipped; raises
-    RecordingError, and ParameterError where a file would be replaced without ``replace``.
+    ``path_out`` ends in ``.parquet`` or ``.csv``; if the input has several recordings, each goes to a file of
+    that name prefixed with its own. A recording without a trial is not written. On any failure no file is
+    left and none is replaced. Raises RecordingError, and ParameterError if a file would be replaced without
+    ``replace``.
     """
     return write_recordings(read_any(path_in, reading), path_out, replace=replace)
 

@@ -1,4 +1,4 @@
-"""Every format pointpred reads, and which of them a file is, by its content."""
+"""Every format pointpred reads, and the detection of a file's format by its content."""
 
 from __future__ import annotations
 
@@ -27,16 +27,16 @@ from pointpred.sources.tables import arrow_tables
 from pointpred.sources.tables.column_table import ColumnTable
 
 OWN_NAMES = (set(recordings.REQUIRED), {"user", "trial", "n_samples"})
-"""The columns by which pointpred's own samples and trials are recognised without their mark."""
+"""The columns that identify pointpred's own samples and trials without their mark."""
 
 
 class Format(msgspec.Struct, frozen=True):
-    """A recording format: its key, what people call it, how it is recognised and read.
+    """A recording format: its key, its title, how it is recognised and read.
 
-    ``streams``: it has no trials of its own, so that ``Reading.cut`` says how they are cut.
-    ``tabular``: ``Reading.columns`` says what its columns are. ``binary``: its files are no text.
-    ``takes``: what of that it has a use for although it is no table of samples.
-    ``recognises_further``: looks on in a file, which begins with a head that does not tell.
+    ``streams``: it has no trials of its own; ``Reading.cut`` selects how they are cut. ``tabular``:
+    ``Reading.columns`` names its columns. ``binary``: its files are not text. ``takes``: the options for
+    tables that it uses although it is not a table of samples. ``recognises_further``: decides from the rest
+    of the file if its head is ambiguous.
     """
 
     key: str
@@ -74,7 +74,7 @@ def _is_own(head: bytes) -> bool:
 
 
 def _is_own_parquet(path: Path, head: bytes) -> bool:
-    """Whether a file is pointpred's own Parquet: what it holds stands at its end."""
+    """Whether a file is pointpred's own Parquet, whose header is at its end."""
     if not parquet.recognises(head):
         return False
     marked, names = arrow_tables.parquet_names(path)
@@ -121,13 +121,13 @@ FORMATS: tuple[Format, ...] = (
     table_format("json", json_records.TITLE, json_records.recognises, json_records.read),
     table_format("delimited", delimited.TITLE, delimited.recognises, delimited.read),
 )
-"""In the order in which they are tried: the strictest first."""
+"""In the order of detection: the strictest first."""
 
 
 def format_of(path: Path, reading: Reading = AS_IS) -> Format | None:
-    """The format of a file by its first 64 KiB, whatever its name; ``None`` where none fits.
+    """The format of a file by its first 64 KiB, not by its name; ``None`` if none fits.
 
-    Where ``reading`` names columns or records, the file is any table before it is anything else.
+    If ``reading`` names columns or records, formats of general tables are tried first.
     """
     if path.exists() and not path.is_file():
         raise RecordingError(f"{path}: no file that can be read twice (a pipe?); write it to a file first")

@@ -21,9 +21,9 @@ from pointpred.sources.trials.merge import join
 
 Progress = Callable[[str, int, int], None]
 OWN = ("recorder", "own")
-"""Formats of which each file is a recording of its own."""
+"""Formats in which each file is a separate recording."""
 ONE_TABLE = ("parquet", "delimited")
-"""Formats of which a file holds one table, so that ``Reading.records`` has nothing to choose."""
+"""Formats with one table per file, for which ``Reading.records`` has no effect."""
 
 
 def read_any(
@@ -39,12 +39,11 @@ def read_any(
 ) -> list[Recording]:
     """Read a recording of any known format, or every recording in a folder and the folders below it.
 
-    A file's format is told by its content. In a folder each own recording stays one; files of one foreign
-    format (sessions, users) become one recording named after the folder they share. A file that fits no
-    format is named in a note, one that cannot be read is a skip named after it; only when nothing can be read
-    an error is raised. ``progress`` is told before each file of a folder: its path, how many are done, of
-    how many.
-    The keywords say of any table what ``Reading`` describes, in the place of the fields of ``reading``.
+    A file's format is detected from its content. In a folder each own recording stays one; files of one
+    foreign format (sessions, users) become one recording named after the folder they share. A file of no
+    format is named in a note, one that cannot be read is a skip named after it; an error is raised only if
+    nothing can be read. ``progress`` is called before each file of a folder with its path, the number of
+    files done, and their total. The keywords override the fields of ``reading``.
     Returns at least one recording; raises RecordingError naming the formats that were tried, ColumnsError
     for a table whose columns are not certain, and ParameterError for a keyword out of its bounds.
     """
@@ -75,7 +74,7 @@ def _file(path: Path, reading: Reading) -> Recording:
 
 
 def _read(form: Format, path: Path, reading: Reading) -> Recording:
-    """One file; a way of cutting that its format has no use for is named in a note."""
+    """Read one file; a note names a ``cut`` that has no effect on its format."""
     recording = form.read(path, reading)
     if form.key not in OWN and not form.binary and (note := encoding_of(path).note):
         recording = msgspec.structs.replace(recording, notes=(note, *recording.notes))
@@ -95,7 +94,7 @@ def _read(form: Format, path: Path, reading: Reading) -> Recording:
 
 
 def _of_tables(reading: Reading, form: Format) -> list[str]:
-    """What ``reading`` says that only tables take; of our own ones, the unit of time."""
+    """The options of ``reading`` for tables only; for our own files, the unit of time."""
     names = (
         "columns",
         "y_up",
@@ -145,12 +144,12 @@ def _folder(path: Path, reading: Reading, progress: Progress | None) -> list[Rec
 
 
 def _with_label(recording: Recording, label: str) -> Recording:
-    """The recording with the file's name in front of each note."""
+    """The recording with each note prefixed by the file's name."""
     return msgspec.structs.replace(recording, notes=tuple(f"{label}: {note}" for note in recording.notes))
 
 
 def _with_distinct_names(parts: list[Recording]) -> list[Recording]:
-    """The recordings with a number added to a name that has been taken."""
+    """The recordings with a number added to repeated names."""
     taken: dict[str, Recording] = {}
     for recording in parts:
         name, count = recording.name, 1

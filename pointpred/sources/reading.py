@@ -1,4 +1,4 @@
-"""How a recording is read: everything that its file may not say."""
+"""Options for reading a recording: everything that its file may not contain."""
 
 from __future__ import annotations
 
@@ -15,30 +15,30 @@ Cut = Literal["clicks", "bursts", "whole"]
 Unit = Literal["pix", "height", "norm", "cm", "m", "deg"]
 TimeUnit = Literal["s", "ms", "us", "ns", "iso"]
 FIELDS = ("t", "x", "y", "user", "trial", "buttons", "target_x", "target_y", "target_w", "dx", "dy")
-"""What the columns of any table can be mapped to."""
+"""The fields to which columns of a table can be mapped."""
 NEEDED = ("t", "x", "y")
 
 
 MOST_PX = 1e9
-"""Pixels in a unit: as many as a position may have."""
+"""Most pixels in a unit: the bound of positions."""
 
 
 class Reading(msgspec.Struct, frozen=True, kw_only=True):
-    """How foreign recordings are read; own recordings carry all of this themselves.
+    """Options for reading foreign recordings; own recordings contain all of this.
 
-    ``cut``: how a stream without trials is cut (``segmentation``), ``None`` for what the format is made for;
+    ``cut``: how a stream without trials is cut (``segmentation``), ``None`` for the format's default;
     ``pause_s`` > 0 s ends a burst; trials of fewer than ``least_samples`` >= 2 or shorter
     than ``least_s`` >= 0 s are skipped.
-    ``unit`` of positions where the experiment chose it (PsychoPy), ``None`` for what the file says;
-    ``screen`` width and height in px, needed for the units height and norm, ``px_per_unit`` for deg;
-    ``dpi`` in [1, 1e5] px per inch, for positions in cm or m; ``cpi`` in [1, 1e6] counts per inch of the
-    device, kept in the provenance; ``target``: the selector of the page's element that is the goal (jsPsych).
+    ``unit`` of positions if the experiment chose it (PsychoPy), ``None`` for the file's; ``screen`` width and
+    height in px, needed for the units height and norm, ``px_per_unit`` for deg; ``dpi`` in [1, 1e5] px per
+    inch, for positions in cm or m; ``cpi`` in [1, 1e6] counts per inch of the device, stored in the
+    provenance; ``target``: the selector of the page's element that is the goal (jsPsych).
 
     For any table: ``columns`` names, for some of ``FIELDS``, the column that holds it, by its name or by its
-    place counted from 0; what is not named is guessed from the usual names, or left unknown where t, x and y
-    are all named. ``time_unit`` of the column t, ``iso`` for stamps of date and time; ``y_up`` where y grows
-    upwards; ``px_per_unit`` in (0, 1e9] px in a unit of x, y and the target; ``records``: the path to the
-    rows in a file of nested objects, as ``data.trials``.
+    place counted from 0; other fields are guessed from the usual names, or unknown if t, x and y are all
+    named. ``time_unit`` of the column t, ``iso`` for dates and times; ``y_up`` if y grows upwards;
+    ``px_per_unit`` in (0, 1e9] px in a unit of x, y and the target; ``records``: the path to the rows in a
+    file of nested objects, as ``data.trials``.
     """
 
     cut: Cut | None = None
@@ -96,9 +96,9 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
 
 
 def columns_of(text: str) -> dict[str, str | int]:
-    """The mapping that is written as ``t=time,x=px,y=py``; raises ParameterError.
+    """Parse a mapping such as ``t=time,x=px,y=py``; raises ParameterError.
 
-    A comma that no field follows belongs to the name of a column.
+    A comma that is not followed by a field belongs to the column's name.
 
     >>> columns_of("t=time, ms,x=0")
     {'t': 'time, ms', 'x': '0'}
@@ -114,7 +114,7 @@ def columns_of(text: str) -> dict[str, str | int]:
 
 
 def _check_columns(columns: dict[str, str | int]) -> None:
-    """Raise ParameterError for a field that does not exist, and for a column that is given to two fields."""
+    """Raise ParameterError for an unknown field, and for a column mapped to two fields."""
     owners: dict[str, str] = {}
     for field, column in columns.items():
         if field not in FIELDS:
@@ -138,11 +138,11 @@ AS_IS = Reading()
 
 
 def row_name(row: int) -> str:
-    """How messages name a row: the header and the line above it are not counted."""
+    """A row's name in messages: the header and the lines above it are not counted."""
     return f"data row {row} (counted from 0)"
 
 
 def user_of(path: Path) -> str:
-    """The user a file's folder is named after, as in ``user7/session_2`` or ``P3/Data.csv``."""
+    """The user named by a file's folder, as in ``user7/session_2`` or ``P3/Data.csv``."""
     folder = path.absolute().parent.name
     return folder if folder[-1:].isdigit() else "unknown"

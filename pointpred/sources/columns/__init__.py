@@ -1,1 +1,1 @@
-"""Any table of samples: which column is what, its units, and its rows as trials."""
+"""Tables of samples: the meaning of columns, their units, and rows as trials."""

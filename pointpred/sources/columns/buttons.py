@@ -1,4 +1,4 @@
-"""A column of buttons, as numbers or as words, as pressed buttons."""
+"""A column of buttons, in numbers or words, as pressed buttons."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ PRESSED = {
     "middle": 4.0,
 }
 BUTTON_WORDS = {*RELEASED, *PRESSED} - {"true", "false", "yes", "no", "none", "move"}
-"""Words that say of a column called ``state`` that it is the buttons' state."""
+"""Words that mark a column named ``state`` as the buttons' state."""
 
 
 def buttons_of(path: Path, name: str, column: Any, explicit: bool) -> FloatArray | None:
-    """Pressed buttons as W3C pointer events number them, 0 where a cell is empty.
+    """Pressed buttons as W3C pointer events number them, 0 for an empty cell.
 
-    A column that was ``told`` must hold buttons, RecordingError says which cell does not; of one that bears a
-    usual name the answer is ``None`` where it holds something else; ``state`` must hold words for buttons.
+    A column that the user named (``told``) must hold buttons, else RecordingError names the wrong cell; for a
+    column with a usual name the answer is then ``None``; ``state`` must hold words for buttons.
     """
     if not explicit and words_of(name) in [[vague] for vague in VAGUE] and not _has_words(column):
         return None
@@ -56,7 +56,7 @@ def buttons_of(path: Path, name: str, column: Any, explicit: bool) -> FloatArray
 
 
 def _has_words(column: Any) -> bool:
-    """Whether cells are words that only a button has."""
+    """Whether cells are words used only for buttons."""
     if not arrow_tables.is_words(column):
         return False
     _, cells = codes_of(arrow_tables.words(column).fill_null(""))
@@ -68,7 +68,7 @@ def _word(cell: str) -> str:
 
 
 def _pressed(cell: str) -> float:
-    """The number of a cell, NaN where it means no buttons."""
+    """The buttons of a cell, NaN if it is not a value of buttons."""
     word = _word(cell)
     if not word or word in RELEASED:
         return 0.0

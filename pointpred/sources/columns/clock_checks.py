@@ -12,12 +12,12 @@ from pointpred.sources.columns.clock_units import LONGEST_S, SHORTEST_S, forward
 from pointpred.sources.trials.keys import codes_of
 
 FEW = 3
-"""With fewer steps nothing is checked."""
+"""Fewest steps that are checked."""
 MOSTLY = 0.5
 
 
 def clock_notes(name: str, per_second: float, times: FloatArray, users: Any = None) -> list[str]:
-    """Notes on a clock whose median interval, or that of a user, is none of a pointer's.
+    """Notes on a clock whose median interval, or that of a user, is implausible for a pointer.
 
     ``name`` of its column; ``per_second``: its units in a second; ``users``: the name of each row's user,
     as an Arrow array, ``None`` for one.
@@ -33,7 +33,7 @@ def clock_notes(name: str, per_second: float, times: FloatArray, users: Any = No
 
 
 def only_whole_seconds(times: FloatArray, per_second: float, users: Any = None) -> bool:
-    """Whether a clock stands still in most steps and else goes on by whole seconds.
+    """Whether a clock is constant in most steps and otherwise advances by whole seconds.
 
     >>> only_whole_seconds(np.repeat([0.0, 1000.0, 2000.0], 4), 1e3)
     True
@@ -47,7 +47,7 @@ def only_whole_seconds(times: FloatArray, per_second: float, users: Any = None) 
 
 
 def _odd(times: FloatArray, per_second: float) -> str:
-    """A median interval out of bounds, with a question about its unit; empty where it is within."""
+    """A median interval out of bounds, with a question about its unit; empty if it is within."""
     steps = forwards(times)
     middle = float(np.median(steps)) / per_second if len(steps) >= FEW else SHORTEST_S
     if SHORTEST_S <= middle <= LONGEST_S:

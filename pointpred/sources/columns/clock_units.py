@@ -1,4 +1,4 @@
-"""The unit of a clock, from its column's name, or from the size and the steps of its numbers."""
+"""The unit of a clock, from its column's name, or from the size and steps of its numbers."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ from pointpred.sources.tables import arrow_tables
 SHORTEST_S, LONGEST_S = 1e-4, 1.5
 """Bounds on the median interval between samples: a fast mouse, and a slow protocol."""
 NEVER_S = 10.0
-"""Longer than the median interval of any recording of a pointer."""
+"""An interval longer than the median of any pointer recording, s."""
 FIRST_S, LAST_S = 1e9, 4e9
 """The years 2001 to 2096 in seconds since 1970."""
 HEAD = 1000
-"""Rows from which the size of a clock is taken."""
+"""Rows that determine the size of a clock."""
 
 
 def units_of(name: str, column: Any, time_unit: str | None) -> tuple[list[str], str]:
-    """The units that a column of times may have, only one where it is certain, and how notes say it."""
+    """The units that a column of times may have, only one if it is certain, and the text for notes."""
     if is_stamps(column, time_unit):
         return ["iso"], " as date and time"
     named = time_unit or unit_in(name)
@@ -39,10 +39,10 @@ def units_of(name: str, column: Any, time_unit: str | None) -> tuple[list[str], 
 
 
 def likely_units(times: FloatArray, numbers: FloatArray) -> tuple[list[str], str]:
-    """The units that fit the steps of ``times`` and the size of ``numbers``, the first of them as they stand.
+    """The units that fit the steps of ``times`` and the size of ``numbers``, the first of them unshifted.
 
-    A time since 1970 tells its unit, where that fits its steps; else both are possible. Where its steps would
-    last longer than any device's, it is none: the ms since a computer has started may be as large.
+    The size of a time since 1970 determines its unit if that fits its steps; else both are possible. With
+    steps longer than any device's it is not such a time: the ms since a computer started may be as large.
 
     >>> likely_units(np.arange(9) * 0.25, np.arange(9) * 0.25)[0]
     ['s', 'ms']
@@ -77,13 +77,13 @@ def unit_by_size(numbers: FloatArray) -> str | None:
 
 
 def counts_frames(column: Any) -> bool:
-    """Whether a column of times goes forwards by whole ones only, as the number of a frame or a row does."""
+    """Whether a column of times increases by whole ones only, like a frame or row number."""
     steps = forwards(steps_of(column) if holds_lists(column) else clock(column)[0])
     return bool(len(steps)) and bool(np.all(steps == 1))
 
 
 def is_clock(column: Any) -> bool:
-    """Whether the first cells of a column are times that never go backwards, and forwards in most steps."""
+    """Whether the first cells of a column are times that never decrease and mostly increase."""
     head = column.slice(0, HEAD)
     if holds_lists(head):
         return False
@@ -93,7 +93,7 @@ def is_clock(column: Any) -> bool:
 
 
 def is_numbers(column: Any) -> bool:
-    """Whether most of the first cells of a column are numbers, and no lists."""
+    """Whether most of the first cells of a column are numbers, not lists."""
     head = column.slice(0, HEAD)
     return not holds_lists(head) and 2 * int(np.isfinite(arrow_tables.finite_numbers(head)[0]).sum()) > len(
         head
@@ -101,13 +101,13 @@ def is_numbers(column: Any) -> bool:
 
 
 def middle_step(times: FloatArray) -> float:
-    """The median step forwards of a clock, 0 where there is none."""
+    """The median forward step of a clock, 0 if there is none."""
     steps = forwards(times)
     return float(np.median(steps)) if len(steps) else 0.0
 
 
 def forwards(times: FloatArray) -> FloatArray:
-    """The steps of a clock that go forwards."""
+    """The forward steps of a clock."""
     steps: FloatArray = np.diff(times[np.isfinite(times)])
     return steps[steps > 0]
 

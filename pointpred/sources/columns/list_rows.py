@@ -17,20 +17,20 @@ from pointpred.sources.trials.conditions import TARGET, condition_name
 from pointpred.sources.trials.lists import CLOSING, Lists, is_list, split
 
 LONGEST_CONDITION = 200
-"""Longer cells of other columns are no condition."""
+"""Longer cells of other columns are not conditions."""
 PROBE = 200
-"""Rows whose steps tell the unit of time."""
+"""Rows whose steps determine the unit of time."""
 LEAST_ITEMS = 3
 """Two numbers in a cell may be one with a decimal comma."""
 SERIES = ("t", "x", "y", "buttons")
 
 NOTHING = (("", ""), (None, None))
-"""Positions that are none."""
+"""Values for missing positions."""
 Column = Callable[[str], Any]
 
 
 def holds_lists(column: Any) -> bool:
-    """Whether the cells of a column are lists, or words that hold several numbers."""
+    """Whether the cells of a column are lists, or text with several numbers."""
     if pa.types.is_list(column.type) or pa.types.is_large_list(column.type):
         return True
     if not arrow_tables.is_words(column):
@@ -40,12 +40,12 @@ def holds_lists(column: Any) -> bool:
 
 
 def _is_long(cell: str) -> bool:
-    """Whether a cell is a list for sure: in brackets, or of more than two items."""
+    """Whether a cell is certainly a list: in brackets, or of more than two items."""
     return is_list(cell) and (cell.rstrip()[-1] in CLOSING or len(split(cell)) >= LEAST_ITEMS)
 
 
 def steps_of(column: Any) -> Any:
-    """The times of the first rows one after another, to tell their unit by."""
+    """The times of the first rows concatenated, to determine their unit."""
     lists = [_items(cell) for cell in column.slice(0, PROBE).to_pylist()]
     return np.array([_number(item) for items in lists for item in items])
 
@@ -62,7 +62,7 @@ def recording_of_lists(
     skipped: Sequence[Skip],
     notes: Sequence[str],
 ) -> Recording:
-    """A trial a row: ``found`` names the columns; those in ``others`` become conditions.
+    """One trial per row: ``found`` names the columns; those in ``others`` become conditions.
 
     A row without a list is counted in a note, one whose lists differ in length is a skip. Samples before the
     first position, which some programs leave empty until the pointer moves, are left out and counted.
@@ -120,14 +120,14 @@ def recording_of_lists(
 
 
 def _items(cell: Any) -> list[Any]:
-    """The items of a list, in a cell or in its words; none where it is empty."""
+    """The items of a list cell or of its text; none if it is empty."""
     if not isinstance(cell, str):
         return [] if cell is None else list(cell) if isinstance(cell, list) else [cell]
     return split(cell) if is_list(cell) else [cell] if cell.strip() else []
 
 
 def _blank(series: dict[str, list[Any]]) -> int:
-    """Samples before the first that has a position; 0 where the lists differ in length."""
+    """Number of samples before the first position; 0 if the lists differ in length."""
     xs, ys = series["x"], series["y"]
     if not len(series["t"]) == len(xs) == len(ys):
         return 0
@@ -136,7 +136,7 @@ def _blank(series: dict[str, list[Any]]) -> int:
 
 
 def _from_first(times: Sequence[Any]) -> Sequence[Any]:
-    """Whole times from the first on: a float would round those since 1970."""
+    """Integer times relative to the first: a float would round times since 1970."""
     try:
         whole = [int(time) if isinstance(time, str) else time for time in times]
     except ValueError:
@@ -145,7 +145,7 @@ def _from_first(times: Sequence[Any]) -> Sequence[Any]:
 
 
 def _buttons(series: dict[str, list[Any]]) -> list[float] | None:
-    """The buttons of each sample; ``None`` where there are none, or not as many as times."""
+    """The buttons of each sample; ``None`` if there are none, or not as many as times."""
     pressed = [_number(item) for item in series.get("buttons", [])]
     fits = len(pressed) == len(series["t"]) and all(value == value for value in pressed)
     return pressed if pressed and fits else None
@@ -156,7 +156,7 @@ def _word(cell: Any) -> str:
 
 
 def _number(cell: Any) -> float:
-    """A cell as a number, NaN where it is none."""
+    """A cell as a number, else NaN."""
     try:
         return float(cell)
     except (TypeError, ValueError):
@@ -164,7 +164,7 @@ def _number(cell: Any) -> float:
 
 
 def _condition(cells: dict[str, Any]) -> dict[str, str | float]:
-    """The cells of other columns, numbers as numbers; what is empty or long is left out."""
+    """The cells of other columns, numbers as numbers; empty and long cells are left out."""
     conditions: dict[str, str | float] = {}
     for name, cell in cells.items():
         word = _word(cell)

@@ -1,4 +1,4 @@
-"""Which column of a table is which of our fields: as ``Reading`` says, else by the usual names."""
+"""The mapping of a table's columns to our fields: from ``Reading``, else by the usual names."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from pointpred.sources.reading import FIELDS, NEEDED, Reading
 
 KEYS = ("user", "trial")
 JOIN = "+"
-"""Between the columns that name a user or a trial together."""
+"""Separator of columns that together name a user or a trial."""
 UNITS = ("s", "ms", "us", "ns", "iso")
 Cells = Callable[[str], Any]
 """The column of a name as an Arrow array."""
 MOST_NAMES = 40
-"""Columns that a message lists."""
+"""Most columns listed in a message."""
 
 
 def mapping(
@@ -31,10 +31,10 @@ def mapping(
     same: Callable[[Sequence[str]], bool],
     cells: Cells,
 ) -> tuple[dict[str, str], list[str]]:
-    """Field -> column, and notes on columns that could be meant but are left aside; raises ColumnsError.
+    """Field -> column, and notes on possible columns that are ignored; raises ColumnsError.
 
-    What ``reading`` does not name is taken by its usual name. Of several columns for user or trial that are
-    the ``same`` (they part the rows alike), the first is taken.
+    Fields not in ``reading`` are mapped by usual names. Of several columns for user or trial that are the
+    ``same`` (group the rows equally), the first is used.
     """
     explicit = {
         field: _find_column(path, names, field, column) for field, column in (reading.columns or {}).items()
@@ -67,9 +67,9 @@ def mapping(
 
 
 def parts_of(path: Path, names: Sequence[str], reading: Reading) -> dict[str, list[str]]:
-    """The columns that ``reading`` joins for user or trial, as in ``block+trial``, by how it writes them.
+    """The columns that ``reading`` joins for user or trial, by text such as ``block+trial``.
 
-    A column whose own name is written so is no join. Raises ColumnsError for a part that is no column.
+    A column with that very name is not a join. Raises ColumnsError for a part that is not a column.
     """
     explicit = (
         {str(reading.columns[key]): key for key in KEYS if key in reading.columns} if reading.columns else {}
@@ -89,7 +89,7 @@ def unit_refusal(
     reading: Reading,
     frames: bool,
 ) -> ColumnsError:
-    """The refusal of a table whose clock may run in several ``units``, or in none that a device has."""
+    """The error for a table whose clock fits several ``units``, or none."""
     why = f"may be {' or '.join(units)}" if units else "is not known"
     explicit = columns if reading.columns else {}
     question = "; do its numbers count frames, not time?" if frames else ""
@@ -113,14 +113,14 @@ def command_for(path: Path, columns: Mapping[str, str], time_unit: str | None = 
 
 
 def _command(path: Path, columns: Mapping[str, str], units: Sequence[str]) -> str:
-    """The command with the unit of time where it is certain, else with a word in its place."""
+    """The command with the unit of time if it is certain, else with a placeholder."""
     if len(units) == 1:
         return command_for(path, columns, units[0])
     return f"{command_for(path, columns, 'UNIT')} (UNIT: {' or '.join(units or UNITS)})"
 
 
 def _find_column(path: Path, names: Sequence[str], field: str, column: str | int) -> str:
-    """The column that is meant: by its name, by its name in other letters, by its place from 0."""
+    """The column by its name, by its name in other letter case, or by its place from 0."""
     wanted = str(column)
     if wanted in names:
         return wanted
@@ -155,13 +155,13 @@ def _refusal(
 
 
 def _possible_units(name: str, cells: Cells, explicit: str | None) -> Sequence[str] | None:
-    """The units that a column of times may have, none where they have to be asked for, ``None`` for words."""
+    """The possible units of a column of times, empty if unknown, ``None`` for text."""
     units = units_of(name, cells(name), explicit)[0]
     return units if units or is_numbers(cells(name)) else None
 
 
 def _by_place(names: Sequence[str], cells: Cells) -> dict[str, str]:
-    """What a table without a header may hold: the only column that is a clock, and the two right after it."""
+    """A guess for a table without a header: the only column that is a clock, and the two after it."""
     clocks = [name for name in names if is_clock(cells(name)) and not counts_frames(cells(name))]
     if len(clocks) != 1:
         return {}
@@ -175,7 +175,7 @@ def _by_place(names: Sequence[str], cells: Cells) -> dict[str, str]:
 
 
 def _guess(free: Sequence[str], names: Sequence[str]) -> Guess:
-    """The usual names among ``free``, where columns of one name, called after their places, are choices."""
+    """The usual names among ``free``; columns of the same name, numbered by place, are choices."""
     plain = {name: name.removesuffix(f".{place}") for place, name in enumerate(names)}
     often = Counter(plain[name] for name in free)
     several: dict[str, list[str]] = {}

@@ -1,4 +1,4 @@
-"""The usual names of columns: which column of a table is time, position, user, trial, button or target."""
+"""The usual column names of time, position, user, trial, button and target."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ def _words(*lines: str) -> tuple[str, ...]:
 
 
 TOKENS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[^\W\d_A-Z]+|\d+")
-"""The words of a name: capitals, marks and blanks separate them."""
+"""The words of a name, separated by capitals, marks and blanks."""
 TIME_UNITS = {
     word: unit
     for unit, words in {
@@ -27,10 +27,10 @@ TIME_UNITS = {
 OTHER_UNITS = frozenset(
     _words("min mins minute minutes h hr hrs hour hours day days frame frames tick ticks")
 )
-"""Words at the end of the name of a clock that runs in a unit we do not read."""
+"""Words at the end of a clock's name for units that are not supported."""
 PIXELS = frozenset(("px", "pix", "pixel", "pixels"))
 INTERVALS = frozenset(_words("interval intervals delta diff difference duration dt between"))
-"""Words in the name of a column of times between samples, which is no clock."""
+"""Words in the name of a column of intervals, which is not a clock."""
 TIMES = _words(
     "t time timestamp ts elapsed timestamps times elapsedtime timeelapsed datetime epoch unixtime mousetime",
     "eventtime timearray tarray timelist tlist timetrajectory",
@@ -42,10 +42,10 @@ XS = _words(
 )
 STUDY = ("block", "session", "run", "condition", "phase")
 COUNTS = frozenset(_words("id number num no nr index name count"))
-"""Words beside the one that says what a column counts."""
+"""Words beside the one that names the counted thing."""
 CLOCKS = ("t", "ts", "clock")
 VAGUE = ("state",)
-"""Names of columns that hold buttons only where their cells are words for buttons."""
+"""Names of columns that hold buttons only if their cells are words for buttons."""
 USUAL = {
     "user": "user users userid participant participantid participantnr subject subjectid subjectnr "
     "subjectnumber subj subjid sid pid ppid",
@@ -60,14 +60,14 @@ USUAL = {
 
 
 class Guess(msgspec.Struct, frozen=True):
-    """The columns that bear a usual name: ``columns`` field -> the only one, ``choices`` field -> several."""
+    """The columns with a usual name: ``columns`` field -> the only one, ``choices`` field -> several."""
 
     columns: dict[str, str]
     choices: dict[str, tuple[str, ...]]
 
     @property
     def best(self) -> dict[str, str]:
-        """One column a field, the first where there are several: to be shown, not to be used."""
+        """One column per field, the first of several: for display only."""
         return {field: several[0] for field, several in self.choices.items()} | self.columns
 
 
@@ -103,7 +103,7 @@ def has_other_unit(name: str) -> bool:
 def guess(names: Sequence[str]) -> Guess:
     """The usual names among ``names``; x and y count only as a pair, as ``clientX`` and ``clientY``.
 
-    Where t, x and y are not all there, the only group that holds them gives them, as ``samples.t`` and so on.
+    If t, x and y are not all present, the only group that contains them is used, as ``samples.t`` and so on.
 
     >>> guess(["subject", "time_ms", "xpos", "ypos"]).columns
     {'user': 'subject', 't': 'time_ms', 'x': 'xpos', 'y': 'ypos'}
@@ -141,7 +141,7 @@ def _usual(names: Sequence[str]) -> Guess:
 
 
 def similar_names(names: Sequence[str]) -> dict[str, str]:
-    """Columns that may be t, x and y although their names are not the usual ones: to be shown only.
+    """Columns that may be t, x and y although their names are not the usual ones, for display only.
 
     >>> similar_names(["gaze_time_at", "gaze_x_raw", "gaze_y_raw"])
     {'t': 'gaze_time_at', 'x': 'gaze_x_raw', 'y': 'gaze_y_raw'}
@@ -162,7 +162,7 @@ def similar_names(names: Sequence[str]) -> dict[str, str]:
 
 
 def parts_of_study(names: Sequence[str]) -> list[str]:
-    """The columns that part a study: its blocks, sessions, runs, conditions or phases, in this order.
+    """The columns that divide a study: blocks, sessions, runs, conditions or phases, in this order.
 
     >>> parts_of_study(["phase", "blockNum", "session_id", "blocked"])
     ['blockNum', 'session_id', 'phase']
@@ -178,13 +178,13 @@ def _plain(name: str, units: frozenset[str]) -> str:
 
 
 def _in_order(names: Sequence[str], usual: Sequence[str], units: frozenset[str]) -> list[str]:
-    """The names that are usual ones, in the order of the usual ones."""
+    """The usual names among ``names``, in the order of ``usual``."""
     ranked = [(usual.index(plain), name) for name in names if (plain := _plain(name, units)) in usual]
     return [name for _, name in sorted(ranked, key=lambda one: one[0])]
 
 
 def _lone(names: Sequence[str]) -> dict[str, str]:
-    """An x or a y that has no partner among the names, where there is only one."""
+    """The only x or y without a partner among the names."""
     ys = [word.replace("x", "y") for word in XS]
     matches = {"x": _in_order(names, XS, PIXELS), "y": _in_order(names, ys, PIXELS)}
     return {field: some[0] for field, some in matches.items() if len(some) == 1}

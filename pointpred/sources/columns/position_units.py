@@ -1,4 +1,4 @@
-"""The unit of positions: as ``Reading`` says, as a column says, or pixels where that is possible."""
+"""The unit of positions: from ``Reading``, from a column, or pixels if that is plausible."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from pointpred.sources.reading import Reading, Unit
 
 LEAST_PX = 2.0
 MOST_DEG = 40.0
-"""Positions with fractions that stay closer to the centre than this are hardly pixels."""
+"""Fractional positions that all lie closer to the centre than this are unlikely to be pixels."""
 NAMES = ("units", "unit", "winunits", "win_units")
 SPELLINGS: dict[str, Unit] = {
     **{unit: unit for unit in get_args(Unit)},
@@ -27,7 +27,7 @@ SPELLINGS: dict[str, Unit] = {
 
 
 def unit_of(rows: Sequence[dict[str, Any]], reading: Reading) -> tuple[Unit | None, list[str]]:
-    """The unit that was told or that a column of the file names in every row, and a note; or ``None``."""
+    """The unit from ``reading`` or from a column with one unit in every row, and a note; or ``None``."""
     if reading.unit is not None:
         return reading.unit, []
     for name in dict.fromkeys(name for row in rows for name in row):
@@ -41,7 +41,7 @@ def unit_of(rows: Sequence[dict[str, Any]], reading: Reading) -> tuple[Unit | No
 
 
 def gain_of(path: Path, unit: Unit, reading: Reading) -> tuple[float, float]:
-    """Pixels a unit, horizontally and vertically; raises RecordingError where more must be told."""
+    """Pixels per unit, horizontally and vertically; raises RecordingError if an option is missing."""
     if reading.px_per_unit is not None:
         return reading.px_per_unit, reading.px_per_unit
     if unit == "pix":
@@ -63,7 +63,7 @@ def gain_of(path: Path, unit: Unit, reading: Reading) -> tuple[float, float]:
 
 
 def check_pixels(path: Path, positions: Sequence[FloatArray]) -> list[str]:
-    """A note that pixels are assumed; raises RecordingError where the positions can hardly be pixels."""
+    """A note that pixels are assumed; raises RecordingError if the positions are unlikely to be pixels."""
     far = max((float(np.nanmax(np.abs(part), initial=0.0)) for part in positions), default=0.0)
     fractions = any(bool((part != np.round(part)).any()) for part in positions)
     if positions and far < LEAST_PX:

@@ -1,4 +1,4 @@
-"""Trial numbers that restart, as in every block: each run of rows becomes a trial of its own."""
+"""Trial numbers that restart, as in every block: each run of rows becomes a separate trial."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from pointpred.sources.tables.column_table import IntArray
 from pointpred.sources.trials.keys import Codes, codes_of
 
 JOINTS = "+|/;"
-"""Marks between the words of joined columns: the first that no word holds."""
+"""Separators of joined columns: the first that occurs in no cell is used."""
 
 
 def join_columns(columns: list[Any]) -> Any:
-    """The words of several columns as one column, such as ``2+7``; null where one of them is empty."""
+    """The words of several columns as one column, such as ``2+7``; null if one of them is empty."""
     words = [pc.utf8_trim_whitespace(arrow_tables.words(column)) for column in columns]
     words = [pc.if_else(pc.equal(column, ""), None, column) for column in words]
     mark = next((mark for mark in JOINTS if not any(_holds(column, mark) for column in words)), " ++ ")
@@ -30,11 +30,11 @@ def join_columns(columns: list[Any]) -> Any:
 def without_restarts(
     user: IntArray, column: Any, clock: FloatArray, others: Mapping[str, Any]
 ) -> tuple[Codes, list[str]]:
-    """The trial of each row by the ``column`` of trials, restarts apart; and what was assumed, as notes.
+    """The trial of each row by the ``column`` of trials, with restarts separated; and notes on assumptions.
 
-    Where a trial of a user comes in several runs of rows, a usual column such as ``block`` that separates
-    them is joined to the trial. Without one, a run that begins before the last one's end is a trial of its
-    own, named ``trial (2)`` and so on. Rows of no trial (an empty word) stay so.
+    If a trial of a user has several runs of rows, a usual column such as ``block`` that separates them is
+    joined to the trial. Without one, a run that begins before the end of the last one is a separate trial,
+    named ``trial (2)`` and so on. Rows without a trial (empty text) stay so.
     """
     trials = codes_of(column.fill_null(""))
     order = np.argsort(user, kind="stable")
@@ -64,12 +64,12 @@ class _Runs:
 
     @property
     def single(self) -> bool:
-        """Whether each trial comes in one run."""
+        """Whether each trial has one run."""
         return len(np.unique(self.keys)) == len(self.keys)
 
 
 def _separates(joint: _Runs, runs: _Runs, clock: FloatArray) -> bool:
-    """Whether joined trials come in one run each, without cutting a run but where its time goes backwards."""
+    """Whether joined trials have one run each and cut runs only where time goes backwards."""
     more = np.setdiff1d(joint.starts, runs.starts)
     return joint.single and joint.named == runs.named and bool(np.all(clock[more] < clock[more - 1]))
 
@@ -99,7 +99,7 @@ def _split(trials: Codes, runs: _Runs, clock: FloatArray, order: IntArray) -> tu
 
 
 def _free(name: str, taken: set[str]) -> str:
-    """A name that no trial has: primed where one has it."""
+    """An unused name: primed if a trial has it."""
     while name in taken:
         name += "'"
     taken.add(name)

@@ -32,18 +32,18 @@ from pointpred.sources.trials.conditions import TARGET
 from pointpred.sources.trials.keys import codes_of
 
 MOSTLY = 0.5
-"""A column of numbers in which a larger share of cells is none is the wrong column."""
+"""Largest share of cells that are not numbers in a column of numbers."""
 
 
 OFTEN, FEW = 0.2, 3
-"""A larger share, and more, of steps backwards is no clock that starts anew now and then."""
+"""With a larger share and number of backward steps a column is not a clock that restarts."""
 
 
 def recording_of_table(path: Path, table: ColumnTable, reading: Reading) -> Recording:
     """The recording in a table, by ``reading.columns`` or the usual names of columns.
 
-    Says in a note what was assumed. Raises ColumnsError, which names the columns and a mapping to try, where
-    no mapping is certain, and RecordingError where a mapped column is not what it should be.
+    Notes list the assumptions. Raises ColumnsError, which names the columns and a mapping to try, if no
+    mapping is certain, and RecordingError if a mapped column has the wrong content.
     """
     mapped = _MappedTable(path, _expand(path, table, reading), reading)
     recording = _of_lists(mapped) if mapped.holds_lists else _of_rows(mapped)
@@ -52,7 +52,7 @@ def recording_of_table(path: Path, table: ColumnTable, reading: Reading) -> Reco
 
 
 def _position_notes(events: EventColumns, reading: Reading) -> list[str]:
-    """Notes where positions are hardly px from a screen's top downwards, and nobody said what they are."""
+    """Notes if positions without a stated unit are unlikely to be px with y downwards."""
     if not len(events):
         return []
     notes = []
@@ -99,7 +99,7 @@ class _MappedTable:
 
     @property
     def others(self) -> list[str]:
-        """The columns that are mapped to no field."""
+        """The columns not mapped to a field."""
         return [name for name in self.names if name not in self.mapping.values()]
 
     @property
@@ -108,7 +108,7 @@ class _MappedTable:
         return any(holds_lists(self.field(field)) for field in NEEDED)
 
     def unit(self) -> tuple[str, str]:
-        """The unit of time, and how it is known, as notes say it; raises ColumnsError where it is not."""
+        """The unit of time, and its source for notes; raises ColumnsError if it is unknown."""
         column = self.field("t")
         units, how = units_of(self.mapping["t"], column, self.reading.time_unit)
         if not units and not is_numbers(column) and not holds_lists(column):
@@ -125,11 +125,11 @@ class _MappedTable:
         return units[0], how
 
     def refusal(self, reason: str, more: str = "") -> ColumnsError:
-        """What to raise where the mapping does not fit the cells; ``more`` is no part of its reason."""
+        """The error for cells that do not match the mapping; ``more`` is not part of its reason."""
         return ColumnsError(f"{self.path}: {reason}{more}", self.names, self.mapping, reason=reason)
 
     def provenance(self, how: str) -> Provenance:
-        """What the table and ``reading`` say about the samples."""
+        """The provenance, from the table and ``reading``."""
         reading = self.reading
         converted = reading.px_per_unit is not None or reading.unit not in (None, "pix")
         return Provenance(
@@ -143,24 +143,24 @@ class _MappedTable:
         )
 
     def all_notes(self, how: str) -> tuple[str, ...]:
-        """The notes of the table, the mapping, and what was assumed."""
+        """The notes of the table, the mapping, and the assumptions."""
         pairs = (f"{field} = {name}" + (how if field == "t" else "") for field, name in self.mapping.items())
         return (*self.table.notes, "columns: " + ", ".join(pairs), *self.notes)
 
     def _check_sure(self) -> None:
-        """Raise ColumnsError where a column of numbers may be read in two ways."""
+        """Raise ColumnsError if a column of numbers is ambiguous."""
         for field in (*NEEDED, *TARGET):
             if why := self.table.unsure.get(self.mapping.get(field, "")):
                 more = "; write numbers with a decimal point and without thousands separators"
                 raise self.refusal(f"the column {self.mapping[field]!r} ({field}): {why}", more)
 
     def _same(self, some: Sequence[str]) -> bool:
-        """Whether columns part the rows alike."""
+        """Whether columns group the rows equally."""
         return all(_part_alike(self.column(some[0]), self.column(other)) for other in some[1:])
 
 
 def _expand(path: Path, table: ColumnTable, reading: Reading) -> ColumnTable:
-    """The table with the tracks in its cells as columns, and the columns that ``reading`` joins."""
+    """The table with tracks in its cells expanded to columns, and with joined columns."""
     columns, damage = open_cells(table.columns)
     sizes = {len(column) for column in columns.values()}
     if len(sizes) > 1:
@@ -173,7 +173,7 @@ def _expand(path: Path, table: ColumnTable, reading: Reading) -> ColumnTable:
 
 
 def _of_lists(mapped: _MappedTable) -> Recording:
-    """The recording in a table with a trial a row; raises ColumnsError."""
+    """The recording in a table with one trial per row; raises ColumnsError."""
     lacking = [mapped.mapping[field] for field in NEEDED if not holds_lists(mapped.field(field))]
     if lacking:
         raise mapped.refusal(f"t, x and y must be lists alike; {', '.join(lacking)} holds none")
@@ -195,7 +195,7 @@ def _of_lists(mapped: _MappedTable) -> Recording:
 
 
 def _of_rows(mapped: _MappedTable) -> Recording:
-    """The recording in a table with a sample a row; raises ColumnsError."""
+    """The recording in a table with one sample per row; raises ColumnsError."""
     row_of = mapped.table.row_of
     rows = Rows(mapped.count, np.arange(mapped.count, dtype=np.int64) if row_of is None else row_of)
     how = _read_clock(mapped, rows)
@@ -220,7 +220,7 @@ def _of_rows(mapped: _MappedTable) -> Recording:
 
 
 def _read_clock(mapped: _MappedTable, rows: Rows) -> str:
-    """Put the times into ``rows``; returns how their unit is known, as notes say it."""
+    """Add the times to ``rows``; returns the source of their unit for notes."""
     unit, how = mapped.unit()
     rows.values["t"], wrong = time_units.clock(mapped.field("t"), unit == "iso")
     rows.blame("t", mapped.mapping["t"], wrong, "a date and time" if unit == "iso" else "a number")
@@ -229,11 +229,11 @@ def _read_clock(mapped: _MappedTable, rows: Rows) -> str:
 
 
 def _read_numbers(mapped: _MappedTable, rows: Rows) -> None:
-    """Put positions, counts and targets in px into ``rows``; raises ColumnsError where most are none."""
+    """Add positions, counts and targets in px to ``rows``; raises ColumnsError if most are not numbers."""
     for field in ("x", "y", "dx", "dy", *TARGET):
         if field in mapped.mapping:
             numbers, wrong = arrow_tables.finite_numbers(mapped.field(field))
-            with np.errstate(over="ignore"):  # what overflows is judged with its row
+            with np.errstate(over="ignore"):  # overflow is handled with its row
                 rows.values[field] = numbers * mapped.gains.get(field, 1.0) + 0.0  # no negative zero
             if field not in TARGET:
                 rows.blame(field, mapped.mapping[field], wrong, "a number")
@@ -242,7 +242,7 @@ def _read_numbers(mapped: _MappedTable, rows: Rows) -> None:
 
 
 def _read_buttons(mapped: _MappedTable, rows: Rows) -> None:
-    """Put the buttons into ``rows``; a column that holds none although it is called so is left aside."""
+    """Add the buttons to ``rows``; a column of that name without buttons is ignored."""
     if "buttons" not in mapped.mapping:
         return
     name = mapped.mapping["buttons"]
@@ -256,7 +256,7 @@ def _read_buttons(mapped: _MappedTable, rows: Rows) -> None:
 
 
 def as_arrow(column: Any) -> Any:
-    """A column as an Arrow array; cells of several kinds become words."""
+    """A column as an Arrow array; cells of several types become text."""
     if isinstance(column, pa.ChunkedArray):
         return column
     try:
@@ -269,7 +269,7 @@ def as_arrow(column: Any) -> Any:
 
 
 def _check_numbers(mapped: _MappedTable, field: str, values: FloatArray) -> None:
-    """Raise ColumnsError where most cells of a column are no numbers."""
+    """Raise ColumnsError if most cells of a column are not numbers."""
     bad = np.flatnonzero(~np.isfinite(values))
     if len(bad) <= MOSTLY * len(values):
         return
@@ -283,7 +283,7 @@ def _check_numbers(mapped: _MappedTable, field: str, values: FloatArray) -> None
 
 
 def _check_steps(mapped: _MappedTable, rows: Rows, keys: Mapping[str, Any]) -> None:
-    """Note what the steps of the clock say against it; raise ColumnsError where it cuts no stream."""
+    """Note implausible steps of the clock; raise ColumnsError if it is too coarse to cut a stream."""
     times, users = rows.values["t"], keys.get("user")
     if "trial" not in keys:
         _check_clock(mapped, times, users)
@@ -298,7 +298,7 @@ def _check_steps(mapped: _MappedTable, rows: Rows, keys: Mapping[str, Any]) -> N
 
 
 def _check_clock(mapped: _MappedTable, clock: FloatArray, users: Any) -> None:
-    """Raise ColumnsError where the time of a stream goes backwards so often that it holds intervals."""
+    """Raise ColumnsError if the time of a stream decreases so often that it must be intervals."""
     if users is not None:
         clock = clock[np.argsort(codes_of(pc.fill_null(users, ""))[0], kind="stable")]
     steps = np.diff(clock[np.isfinite(clock)])
@@ -317,7 +317,7 @@ def _check_clock(mapped: _MappedTable, clock: FloatArray, users: Any) -> None:
 
 
 def _part_alike(one: Any, other: Any) -> bool:
-    """Whether two columns part the rows into the same groups."""
+    """Whether two columns group the rows equally."""
     codes = [codes_of(pc.fill_null(arrow_tables.words(column), ""))[0] for column in (one, other)]
     together = len(np.unique(codes[0] * (codes[1].max(initial=0) + 1) + codes[1]))
     return together == len(np.unique(codes[0])) == len(np.unique(codes[1]))

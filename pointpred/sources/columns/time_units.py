@@ -12,12 +12,12 @@ from pointpred.columns import FloatArray
 from pointpred.sources.tables import arrow_tables
 
 PER_SECOND = {"s": 1.0, "ms": 1e3, "us": 1e6, "ns": 1e9, "iso": 1e9}
-"""Units of the clock in a second; stamps of date and time are read as ns."""
+"""Units of the clock in a second; dates and times are read as ns."""
 ISO = r"^\s*\d{4}-\d{2}-\d{2}[T ]\d{2}:\d{2}(:\d{2}([.,]\d{1,9})?)?(Z|[+-]\d{2}:?\d{2})?\s*$"
 ZONE = r"(Z|[+-]\d{2}:?\d{2})\s*$"
 WHOLE = r"^\s*[+-]?(\d{1,18}|[1-8]\d{18})\s*$"
 LONG = 1e6
-"""A clock that has come further than this is read digit by digit: a float would round it."""
+"""Larger times are read digit by digit, because a float would round them."""
 DECIMAL = pa.decimal128(36, 12)
 
 
@@ -32,10 +32,10 @@ def is_stamps(column: Any, unit: str | None) -> bool:
 
 
 def clock(column: Any, iso: bool = False) -> tuple[FloatArray, dict[int, str]]:
-    """The times of a column in its unit (ns of stamps), NaN where there is none, and what is no time, by row.
+    """The times of a column in its unit (ns of stamps), NaN if empty, and the bad cells by row.
 
-    A clock that has come far, such as the ns since 1970, counts from its first cell: differences are exact
-    up to 2^53 units.
+    Large times, such as the ns since 1970, are relative to the first cell: differences are exact up to 2^53
+    units.
     """
     if iso:
         return _stamps(column)
@@ -50,7 +50,7 @@ def clock(column: Any, iso: bool = False) -> tuple[FloatArray, dict[int, str]]:
 
 
 def _from_first(whole: Any) -> FloatArray:
-    """Whole numbers as floats, from the first on where they are large."""
+    """Whole numbers as floats, relative to the first if they are large."""
     valid = pc.drop_null(whole)
     if not len(valid):
         return np.full(len(whole), np.nan)
@@ -61,7 +61,7 @@ def _from_first(whole: Any) -> FloatArray:
 
 
 def _whole(column: Any) -> Any:
-    """A column of whole numbers as int64, nulls where cells are empty; ``None`` where it holds others."""
+    """A column of whole numbers as int64, nulls for empty cells; ``None`` if it contains others."""
     if pa.types.is_integer(column.type):
         return pc.cast(column, pa.int64())
     if not arrow_tables.is_words(column):
@@ -74,7 +74,7 @@ def _whole(column: Any) -> Any:
 
 
 def _decimals(column: Any, good: Any) -> FloatArray | None:
-    """Words as decimal numbers from the first on; ``None`` where they have more digits than decimals hold."""
+    """Text as decimal numbers relative to the first; ``None`` if they have too many digits."""
     words = pc.if_else(pa.array(good), pc.utf8_trim_whitespace(column), None)
     try:
         exact = pc.cast(words, DECIMAL)
@@ -85,7 +85,7 @@ def _decimals(column: Any, good: Any) -> FloatArray | None:
 
 
 def _stamps(column: Any) -> tuple[FloatArray, dict[int, str]]:
-    """Stamps of date and time as ns from the first on; those without a zone count as they are."""
+    """Dates and times as ns relative to the first; those without a zone are taken as they are."""
     faults: dict[int, str] = {}
     if not pa.types.is_temporal(column.type):
         words = pc.utf8_trim_whitespace(arrow_tables.words(column))
@@ -109,7 +109,7 @@ def _stamps(column: Any) -> tuple[FloatArray, dict[int, str]]:
 
 
 def _in_ns(column: Any, kind: Any) -> Any:
-    """A column as int64 of a type in ns, nulls where a cell is no possible date or is too far from 1970."""
+    """A column as int64 of a type in ns, nulls for impossible dates and dates too far from 1970."""
     try:
         return pc.cast(pc.cast(column, kind), pa.int64())
     except pa.ArrowInvalid:
@@ -121,7 +121,7 @@ def _in_ns(column: Any, kind: Any) -> Any:
 
 
 def _kind_in_ns(kind: Any) -> Any:
-    """The type in ns that holds what a type of dates and times, times of day or durations holds."""
+    """The type in ns that corresponds to a type of dates and times, times of day or durations."""
     if pa.types.is_time(kind):
         return pa.time64("ns")
     return pa.duration("ns") if pa.types.is_duration(kind) else pa.timestamp("ns", getattr(kind, "tz", None))

@@ -1,4 +1,4 @@
-"""The rows of a table as trials: by its own column, or cut where it has none."""
+"""The rows of a table as trials: by its own column, or cut without one."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ LONG_S, GAP_S = 10.0, 1.0
 class Rows(msgspec.Struct):
     """The samples of a table as numbers: ``values`` by field, in px but for the clock.
 
-    ``row_of``: the file's row of each; ``faults``: what is wrong with a row; ``per_second``: units of the
-    clock in a second.
+    ``row_of``: the file's row of each; ``faults``: the fault of a row; ``per_second``: units of the clock in
+    a second.
     """
 
     count: int
@@ -47,7 +47,7 @@ class Rows(msgspec.Struct):
 
 
 class Groups(msgspec.Struct):
-    """Trial of each row (-1: none), user and name of each trial, and what was left out or assumed."""
+    """Trial of each row (-1: none), user and name of each trial, notes on left-out rows and assumptions."""
 
     group: IntArray
     keys: list[tuple[str, str]]
@@ -67,7 +67,7 @@ def recording_of_rows(
     skipped: Sequence[Skip],
     notes: Sequence[str],
 ) -> Recording:
-    """The trials of a table: ``keys`` are its columns user and trial, as far as it has them.
+    """The trials of a table: ``keys`` are its columns user and trial, if present.
 
     Without users there is one, named after the file. Columns in ``others`` that have one value in each trial
     become conditions. Time starts at 0 in each trial.
@@ -136,7 +136,7 @@ def recording_of_rows(
 
 
 def _by_column(rows: Rows, users: Any, trials: Any, one_user: str, others: dict[str, Any]) -> Groups:
-    """Trials as the table names them, restarts apart; rows that belong to none are left out and counted."""
+    """Trials as named in the table, restarts separated; rows outside trials are left out and counted."""
     if users is None:
         user_codes, user_names = np.zeros(rows.count, dtype=np.int64), [one_user]
     else:
@@ -158,7 +158,7 @@ def _by_column(rows: Rows, users: Any, trials: Any, one_user: str, others: dict[
 
 
 def _cut(rows: Rows, table: FloatArray, users: Any, one_user: str, reading: Reading) -> Groups:
-    """A stream a user, cut as ``reading`` says, else at clicks where there are any, else at pauses."""
+    """One stream per user, cut according to ``reading``, else at clicks if there are any, else at pauses."""
     codes, names = (np.zeros(rows.count, dtype=np.int64), [one_user])
     if users is not None:
         codes, names = codes_of(users.fill_null(""))
@@ -194,7 +194,7 @@ def _cut(rows: Rows, table: FloatArray, users: Any, one_user: str, reading: Read
 def _cut_part(
     groups: Groups, rows: Rows, mine: IntArray, events: EventColumns, how: Cut, user: str, reading: Reading
 ) -> None:
-    """Cut the rows ``mine`` and add their trials and what is none."""
+    """Cut the rows ``mine`` and add their trials and skips."""
     for piece in cut(events, how, reading):
         some = mine[piece.start : piece.stop]
         first, last = int(rows.row_of[some[0]]), int(rows.row_of[some[-1]])
@@ -208,7 +208,7 @@ def _cut_part(
 
 
 def _method(events: FloatArray, parts: Sequence[NDArray[np.int64]]) -> Cut:
-    """How a stream is cut of which nobody said how."""
+    """How a stream is cut by default."""
     if np.any(events[:, 5] > 0):
         return "clicks"
     spans = [events[part[-1], 0] - events[part[0], 0] for part in parts]
@@ -217,7 +217,7 @@ def _method(events: FloatArray, parts: Sequence[NDArray[np.int64]]) -> Cut:
 
 
 def _assumptions(one: bool, user: str, methods: dict[str, int], reading: Reading, trials: int) -> list[str]:
-    """What was assumed of users and trials, as notes."""
+    """Notes on assumptions about users and trials."""
     notes = [f"one user, {user!r}: no column for users"] if one else []
     words = {
         "clicks": "cut at clicks",
@@ -229,7 +229,7 @@ def _assumptions(one: bool, user: str, methods: dict[str, int], reading: Reading
 
 
 def _holds_more(values: FloatArray, group: IntArray, of_trial: FloatArray) -> bool:
-    """Whether a trial of which no one value is known has some."""
+    """Whether a trial without a single value has any values."""
     return bool((np.isfinite(values) & np.isnan(of_trial)[group]).any())
 
 

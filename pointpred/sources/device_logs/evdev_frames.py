@@ -46,9 +46,9 @@ def text_recording(
     reading: Reading,
     clock: str,
 ) -> Recording:
-    """The recording of a text about one device, which ``name`` names; ``events`` finds its raw events.
+    """The recording of a text about the one device ``name``; ``events`` extracts its raw events.
 
-    Lines that cannot be read are counted in notes. Raises RecordingError where nothing moves.
+    Lines that cannot be read are counted in notes. Raises RecordingError if nothing moves.
     """
     text = read_text(path)
     match = name.search(text)
@@ -64,10 +64,9 @@ def text_recording(
 def frames(path: Path, raw: Iterable[RawEvent]) -> Frames | str:
     """Sum the relative motion of each frame; x and y are the summed counts, 1 count = 1 px.
 
-    Frames without motion and button (the wheel) are left aside and counted in a note. After SYN_DROPPED the
-    kernel has lost events: what came before it in the frame is void, and the frame is a fault.
-    Returns in words what there is instead where nothing moves; raises RecordingError when a value cannot be
-    one.
+    Frames without motion and button (the wheel) are ignored and counted in a note. SYN_DROPPED means that the
+    kernel lost events: the frame up to it is discarded, and counts as a fault. If nothing moves it returns a
+    text about the content; raises RecordingError for an impossible value.
     """
     table: list[tuple[int, int, int, int]] = []
     rows: list[int] = []
@@ -121,7 +120,7 @@ def frames_of_counts(
 
 
 def recording(path: Path, form: str, device: str, stream: Frames, reading: Reading, clock: str) -> Recording:
-    """The recording of one device's frames, cut into bursts unless told otherwise."""
+    """The recording of one device's frames, by default cut into bursts."""
     return trials_of_stream(
         stem_of(path),
         stream.events,

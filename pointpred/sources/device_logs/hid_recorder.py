@@ -42,8 +42,8 @@ def recognises(head: bytes) -> bool:
 def read(path: Path, reading: Reading = AS_IS) -> Recording:
     """Read the relative reports of every mouse, as counts; ``row`` counts the E lines of the file.
 
-    Reports without x, y and button, reports that cannot be read and lines of other kinds (``P:``, ``B:``) are
-    left aside and counted in notes; devices without relative x and y are named in a note.
+    Reports without x, y and button, unreadable reports and lines of other kinds (``P:``, ``B:``) are ignored
+    and counted in notes; devices without relative x and y are named in a note.
     Raises RecordingError, naming the line of a descriptor that cannot be read.
     """
     devices: dict[int, _Device] = {}
@@ -86,7 +86,7 @@ def _number(path: Path, number: int, line: str) -> int:
 
 
 def _describe(path: Path, number: int, line: str, device: _Device) -> None:
-    """Take a device's report descriptor; one that is no mouse's is remembered with the reason."""
+    """Store a device's report descriptor, or the reason why it is not a mouse's."""
     match = BYTES.match(line)
     data = bytes.fromhex(match.group(2)) if match else b""
     if not match or int(match.group(1)) != len(data):
@@ -98,7 +98,7 @@ def _describe(path: Path, number: int, line: str, device: _Device) -> None:
 
 
 def _report(line: str, device: _Device, row: int) -> str:
-    """Take one report of a device; returns why it cannot be read, in words, or nothing."""
+    """Process one report of a device; returns why it cannot be read, or an empty text."""
     match = REPORT.match(line)
     if not match:
         return "expected E: s.us, a size and its bytes"

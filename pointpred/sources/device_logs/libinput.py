@@ -25,7 +25,7 @@ EVENTS = re.compile(r" +events:\s*(?:#.*)?$")
 ENTRY = re.compile(r" +- (\w+):")
 ROW = re.compile(r" +- \[ *(\d{1,10}), *(\d{1,6}), *(\d{1,5}), *(\d{1,5}), *(-?\d{1,10}) *\]\s*(?:#.*)?$")
 MOST_ABOUT = 1 << 20
-"""Characters of what a device says about itself before its events; a touchpad says some 10,000."""
+"""Most characters of a device's description before its events; a touchpad has some 10,000."""
 
 Line = tuple[int, int, str]
 """The device a line belongs to, the line's number, and the line."""
@@ -39,8 +39,8 @@ def recognises(head: bytes) -> bool:
 def read(path: Path, reading: Reading = AS_IS) -> Recording:
     """Read the evdev events of every device that moves, as counts; ``row`` counts a device's events.
 
-    Assumes the lines that libinput writes: a row an event. Raw HID reports (``hid``) repeat what evdev says
-    and are left aside; devices that never move and lines that cannot be read are named in notes.
+    Assumes libinput's layout of one event per line. Raw HID reports (``hid``) repeat the evdev events and are
+    ignored; devices that never move and lines that cannot be read are named in notes.
     Memory: one device's frames. Raises RecordingError when no device moves or the YAML is broken.
     """
     parts: list[Recording] = []
@@ -75,13 +75,13 @@ def _lines(file: Iterable[str]) -> Iterator[Line]:
 def _device(
     path: Path, index: int, lines: Iterator[Line], unreadable: UnreadableLines
 ) -> tuple[str, Frames | str]:
-    """The name of a device and its frames, or in words what there is instead."""
+    """The name of a device and its frames, or a text about its content if nothing moves."""
     name = _name(path, index, takewhile(lambda line: not EVENTS.match(line[2]), lines))
     return name, frames(path, _events(lines, unreadable))
 
 
 def _name(path: Path, index: int, lines: Iterable[Line]) -> str:
-    """The name a device gives itself before its events."""
+    """The device's name, from before its events."""
     text, first = "", 0
     for _, number, line in lines:
         first = first or number

@@ -1,4 +1,4 @@
-"""Lines of a log that cannot be read: they are skipped and counted; a note names the first of a kind."""
+"""Lines of a log that cannot be read: skipped and counted; a note names the first of each kind."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class UnreadableLines:
 
     @property
     def notes(self) -> list[str]:
-        """A note for each kind, in the order in which they came."""
+        """A note for each kind, in order of appearance."""
         return [
             f"{kind}, left aside: {count}, the first is {first}"
             for kind, (count, first) in self._kinds.items()

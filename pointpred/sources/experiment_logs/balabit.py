@@ -33,11 +33,11 @@ def recognises(head: bytes) -> bool:
 
 
 def read(path: Path, reading: Reading = AS_IS) -> Recording:
-    """Read one session; the user is the folder's name where that ends in a digit (``user7``).
+    """Read one session; the user is the folder's name if that ends in a digit (``user7``).
 
-    Assumes the client's clock: s with Balabit, ms with SapiMouse. Wheel rows carry no motion: they are left
-    aside and counted in a note. A position of 65535 means that the logger had none: the trial is skipped.
-    Buttons follow Pressed and Released (Drag counts as pressed). Raises RecordingError.
+    Assumes the client's clock: s with Balabit, ms with SapiMouse. Wheel rows have no motion: they are ignored
+    and counted in a note. A position of 65535 means none: the trial is skipped. Buttons follow Pressed and
+    Released (Drag counts as pressed). Raises RecordingError.
     """
     table, _ = arrow_tables.read_table(path, lambda column: column in ("button", "state"))
     names = table.column_names
@@ -86,7 +86,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
 
 
 def _codes(column: Any) -> Any:
-    """A column of words as a numpy array of words, empty words where a cell is empty."""
+    """A text column as a numpy array; empty cells are empty strings."""
     filled = pc.fill_null(pc.cast(column, pa.string()), "")
     return np.array(pc.utf8_trim_whitespace(filled).to_pylist(), dtype=np.str_)
 

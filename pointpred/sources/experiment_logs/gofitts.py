@@ -29,8 +29,8 @@ def recognises(head: bytes) -> bool:
 def read(path: Path, reading: Reading = AS_IS) -> Recording:
     """Read a trace; target centre and width are known, A, from and the other columns become conditions.
 
-    A trial whose three lines do not belong together or do not have as many numbers each is skipped, ``row``
-    being the line of its ``t=`` counted from the first below the header. Raises RecordingError.
+    A trial whose three lines do not match or differ in length is skipped; ``row`` is the line of its ``t=``,
+    counted from the first below the header. Raises RecordingError.
     """
     lines = read_text(path).splitlines()
     if len(lines) < 2 or lines[0].strip() != FIRST or not lines[1].startswith(PREFIX):

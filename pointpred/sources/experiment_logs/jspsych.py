@@ -21,9 +21,9 @@ from pointpred.sources.trials.lists import Lists
 TITLE = "jsPsych mouse-tracking (JSON or CSV)"
 DATA, TARGETS = "mouse_tracking_data", "mouse_tracking_targets"
 MARKS = (b'"trial_type"', b'"time_elapsed"')
-"""What every trial of jsPsych has."""
+"""A key in every trial of jsPsych."""
 FARTHEST = 1 << 26
-"""So many bytes of jsPsych's JSON are looked through for a first mouse track."""
+"""Bytes of jsPsych's JSON that are searched for a first mouse track."""
 USERS = ("subject_id", "subject", "participant_id", "participant", "PROLIFIC_PID", "run_id")
 SHOWN = 5
 
@@ -46,20 +46,20 @@ def recognises(head: bytes) -> bool:
 
 
 def recognises_further(path: Path, head: bytes) -> bool:
-    """Whether JSON of jsPsych, which begins with ``head``, holds its first mouse track further on."""
+    """Whether jsPsych JSON that begins with ``head`` has its first mouse track beyond it."""
     json = head.lstrip()[:1] in (b"[", b"{") and all(mark in head for mark in MARKS)
     return json and holds(path, DATA.encode(), FARTHEST)
 
 
 def read(path: Path, reading: Reading = AS_IS) -> Recording:
-    """Read an experiment; rows without mouse tracking are other plugins' and counted in a note.
+    """Read an experiment; rows of other plugins, without mouse tracking, are counted in a note.
 
-    The file names rectangles of the page by selectors and does not say which of them was the goal: the target
-    of a trial is that of ``reading.target``, its centre and the smaller side. It is unknown where no selector
-    is given, where the trial has no such rectangle, and where the movement begins inside it (a container).
-    Buttons follow mousedown and mouseup. A trial is named after ``trial_index``, behind the number of its
-    line where each line is a person's JSON array (JATOS); ``row`` counts the experiment's trials. The other
-    short cells of a trial are its conditions. Raises RecordingError.
+    The file names rectangles of the page by selectors but not the goal: the target of a trial is the
+    rectangle of ``reading.target``, its centre and the smaller side. It is unknown without a selector, if the
+    trial has no such rectangle, and if the movement begins inside it (a container). Buttons follow mousedown
+    and mouseup. A trial is named by ``trial_index``, after its line number if each line is a person's JSON
+    array (JATOS); ``row`` counts the experiment's trials. The other short cells of a trial are its
+    conditions. Raises RecordingError.
     """
     text = read_text(path)
     lists = Lists(path)
@@ -128,12 +128,12 @@ def _json(path: Path, text: str, lists: Lists) -> Iterator[_Row]:
 
 
 def _experiment(content: Any) -> list[Any]:
-    """A decoded text as a list of trials."""
+    """Decoded JSON as a list of trials."""
     return content if isinstance(content, list) else [content]
 
 
 def _rows(path: Path, first: int, experiment: list[Any], line: str = "") -> Iterator[_Row]:
-    """The trials of one experiment, ``first`` being the place of its first; ``line`` numbers its person."""
+    """The trials of one experiment, ``first``: place of its first; ``line``: its person's number."""
     for place, cells in enumerate(experiment, first):
         if not isinstance(cells, dict):
             raise RecordingError(f"{path}: row {place} is {str(cells)[:40]!r}, expected an object")
@@ -144,7 +144,7 @@ def _rows(path: Path, first: int, experiment: list[Any], line: str = "") -> Iter
 
 
 def _csv(path: Path) -> Iterator[_Row]:
-    """The trials of a CSV file with the tracking columns decoded; what is no JSON stays a word."""
+    """The trials of a CSV file with the tracking columns decoded; cells that are not JSON stay text."""
     table, _ = arrow_tables.read_table(path, lambda column: True)
     arrow_tables.need_columns(path, table.column_names, (DATA,), table.column_names)
     for place, cells in enumerate(table.to_pylist()):
@@ -158,12 +158,12 @@ def _csv(path: Path) -> Iterator[_Row]:
 
 
 def _user(cells: Cells) -> str:
-    """Who made a trial, as the trial says; empty where it does not."""
+    """The user of a trial; empty if the trial has none."""
     return next((str(cells[word]) for word in USERS if cells.get(word) not in (None, "")), "")
 
 
 def _target(targets: Cells, selector: str | None, samples: list[Cells]) -> tuple[Target, str]:
-    """Centre and width of the rectangle that was asked for, or unknown and why."""
+    """Centre and width of the selected rectangle, or unknown and why."""
     nowhere = (UNKNOWN, UNKNOWN, UNKNOWN)
     if selector is None or selector not in targets:
         return nowhere, "absent"
@@ -181,7 +181,7 @@ def _target(targets: Cells, selector: str | None, samples: list[Cells]) -> tuple
 
 
 def _about_targets(matched: Counter[str], unknown: Counter[str], selector: str | None) -> list[str]:
-    """Notes on the selectors of a file, and on the trials whose target stays unknown."""
+    """Notes on the selectors of a file, and on the trials with an unknown target."""
     named = ", ".join(f"{name} ({count})" for name, count in matched.most_common(SHOWN))
     named += f" and {len(matched) - SHOWN} more" if len(matched) > SHOWN else ""
     if selector is None:
@@ -201,7 +201,7 @@ def _about_targets(matched: Counter[str], unknown: Counter[str], selector: str |
 
 
 def _held(events: list[Any]) -> list[float]:
-    """1.0 from a mousedown up to before the mouseup."""
+    """1.0 from a mousedown until before the mouseup."""
     pressed, answer = 0.0, []
     for event in events:
         pressed = {"mousedown": 1.0, "mouseup": 0.0}.get(str(event), pressed)

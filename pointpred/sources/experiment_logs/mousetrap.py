@@ -1,4 +1,4 @@
-"""OpenSesame mousetrap: CSV with a row a trial and lists of times and positions in its cells."""
+"""OpenSesame mousetrap: CSV with one trial per row and lists of times and positions in its cells."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ def recognises(head: bytes) -> bool:
 
 
 def read(path: Path, reading: Reading = AS_IS) -> Recording:
-    """Read a table; a trial is ``<row>``, or ``<row> <item>`` where a row holds several items' tracks.
+    """Read a table; a trial is ``<row>``, or ``<row> <item>`` if a row holds several tracks.
 
-    Assumes ms and px from the centre of the screen, y down. The stored positions stay relative to that centre
-    (the provenance says so). Cells are separated by commas, semicolons or tabs. Rows without a track are
-    counted in a note; without a column that names people, a file is one person's. The other short cells of a
-    row are conditions. Raises RecordingError.
+    Assumes ms and px from the centre of the screen, y down. Positions stay relative to that centre, as the
+    provenance records. Cells are separated by commas, semicolons or tabs. Rows without a track are counted in
+    a note; without a column of users, a file has one user. The other short cells of a row are conditions.
+    Raises RecordingError.
     """
     first = head_of(path).split(b"\n", 1)[0].decode("utf-8", "replace")
     table, _ = arrow_tables.read_table(path, lambda column: True, max(SEPARATORS, key=first.count))

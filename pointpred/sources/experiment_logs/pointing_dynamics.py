@@ -27,7 +27,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     """Read one file ``P<user>/Data0,-1,<distance px>,<width px>.csv``; a change of target begins a trial.
 
     Assumes m and s. The movement's one axis becomes x, y is 0; metres become px by ``reading.dpi``. The
-    columns ``sgv`` and ``sga`` look ahead in time and are left aside, like every further one.
+    columns ``sgv`` and ``sga`` look ahead in time and are ignored, like all other columns.
     Raises RecordingError.
     """
     table, _ = arrow_tables.read_table(path, lambda column: False)

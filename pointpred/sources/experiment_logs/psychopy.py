@@ -1,4 +1,4 @@
-"""PsychoPy: a table with a row a trial, a mouse component's track as Python lists in its cells."""
+"""PsychoPy: a table with one trial per row, a mouse component's track as Python lists in its cells."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ SEPARATORS = (",", ";", "\t")
 USERS = ("participant",)
 BUTTONS = {"left": 1, "right": 2, "mid": 4}
 CLICKS_S = 0.1
-"""Samples with a button held in each, farther apart than this, are clicks and no track."""
+"""Samples that all have a button pressed and lie farther apart than this are clicks, not a track."""
 CLICKS_ONLY = "only clicks were saved (the mouse saves its state 'on click'), expected 'every frame'"
 
 
@@ -32,14 +32,14 @@ def recognises(head: bytes) -> bool:
 
 
 def read(path: Path, reading: Reading = AS_IS) -> Recording:
-    """Read a table; a trial is ``<row>``, or ``<row> <mouse>`` where there are several mouse components.
+    """Read a table; a trial is ``<row>``, or ``<row> <mouse>`` with several mouse components.
 
-    Assumes s, the origin in the centre of the screen and y up; y is turned, the origin stays. The unit is
+    Assumes s, the origin in the centre of the screen and y up; y is negated, the origin stays. The unit is
     ``reading.unit``, with ``reading.screen`` for height and norm, ``reading.dpi`` for cm and m and
-    ``reading.px_per_unit`` for deg; untold, what a column ``units`` says, else pixels, with a note. Cells are
-    separated by commas, semicolons or tabs. Without a column that names people, a file is one person's.
+    ``reading.px_per_unit`` for deg; by default the unit in a column ``units``, else pixels, with a note.
+    Cells are separated by commas, semicolons or tabs. Without a column of users, a file has one user.
     Trials of which only clicks were saved are skipped. The other short cells of a row are conditions.
-    Raises RecordingError, also where pixels are assumed and can hardly be the unit.
+    Raises RecordingError, also if pixels would have to be assumed and are implausible.
     """
     separator = _separator(head_of(path)) or ","
     table, _ = arrow_tables.read_table(path, lambda column: True, separator)
@@ -88,7 +88,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
 
 
 def _separator(head: bytes) -> str | None:
-    """What separates the columns of a table with a mouse component; ``None`` where there is none."""
+    """The column separator of a table with a mouse component; ``None`` without one."""
     try:
         first = head.split(b"\n", 1)[0].decode("utf-8-sig")
         for separator in SEPARATORS:
@@ -106,7 +106,7 @@ def _mice(names: Sequence[str]) -> list[str]:
 
 
 def _held(cells: dict[str, Any], mouse: str, count: int) -> list[float] | None:
-    """The buttons of each sample as in W3C pointer events; ``None`` where they do not fit the times."""
+    """The buttons of each sample as in W3C pointer events; ``None`` if they do not match the times."""
     buttons = [0.0] * count
     for name, bit in BUTTONS.items():
         pressed = split(cells.get(f"{mouse}.{name}Button"))
@@ -119,7 +119,7 @@ def _held(cells: dict[str, Any], mouse: str, count: int) -> list[float] | None:
 
 
 def _are_clicks(t: Sequence[str], buttons: Sequence[float]) -> bool:
-    """Whether the samples of a trial are clicks alone: a button is held in each, and they are far apart."""
+    """Whether the samples of a trial are only clicks: all with a button pressed, and far apart."""
     if not buttons or not all(buttons):
         return False
     try:

@@ -14,16 +14,16 @@ from pointpred.sources.trials.conditions import MOST, TRIAL_COLUMNS
 
 SHOWN = 5
 LONGEST = 100
-"""A column with a longer cell holds a track, a page or an answer, and no condition."""
+"""A column with a longer cell is not a condition but a track, a page or an answer."""
 
 
 def row_conditions(
     rows: Sequence[dict[str, Any]], aside: Container[str | None] = ()
 ) -> tuple[list[dict[str, str | float]], list[str]]:
-    """The conditions in each row: columns of short words or numbers that are not ``aside``; and notes.
+    """The conditions in each row: columns of short text or numbers that are not in ``aside``; and notes.
 
-    Numbers stay numbers where every cell of a column is one; an empty cell is no condition. At most 64
-    columns are taken, those that vary before those that do not; a note names what is left out.
+    Numbers stay numbers if every cell of a column is one; an empty cell is not a condition. At most 64
+    columns are used, varying ones first; a note names the others.
 
     >>> row_conditions([{"block": "1", "cue": "left"}, {"block": "2", "cue": ""}])
     ([{'block': 1.0, 'cue': 'left'}, {'block': 2.0}], [])
@@ -48,10 +48,10 @@ def row_conditions(
 def people_of(
     path: Path, rows: Sequence[dict[str, Any]], usual: Sequence[str]
 ) -> tuple[list[str], str | None, list[str]]:
-    """Who made each row, the column that says so, and notes: without one, the file is one person's.
+    """The user of each row, the column with the users, and notes: without one, the file has one user.
 
-    The column is the first of ``usual`` that is there, or one with a usual name. A row with an empty cell
-    belongs to the person of the first row that names one.
+    The column is the first of ``usual`` in the file, or one with a usual name. A row with an empty cell
+    belongs to the first user in the file.
     """
     names = list(dict.fromkeys(name for row in rows for name in row))
     column = next((name for name in usual if name in names), None) or guess(names).best.get("user")
@@ -64,7 +64,7 @@ def people_of(
 
 
 def _fits(name: str) -> bool:
-    """Whether a name can be that of a condition in pointpred's own files."""
+    """Whether a name is valid for a condition in pointpred's own files."""
     return bool(name) and name not in TRIAL_COLUMNS and name == name.strip(' "\r\n,') and "," not in name
 
 
@@ -83,7 +83,7 @@ def _empty(cell: Any) -> bool:
 
 
 def _number(cell: Any) -> float | None:
-    """A cell as a finite number, ``None`` where it is none."""
+    """A cell as a finite number, else ``None``."""
     try:
         number = float(cell)
     except (ValueError, OverflowError):

@@ -1,1 +1,1 @@
-"""Files before they are understood: their encoding, their names, folders, and writing several at once."""
+"""Files: their encoding, their names, folders, and writing several at once."""

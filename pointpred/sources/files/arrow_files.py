@@ -1,7 +1,7 @@
-"""Files and bytes as Arrow reads and writes them, with nothing of Python's inside.
+"""Files and bytes for Arrow without Python objects inside.
 
-Arrow's threads may still let go of what they read when the program ends. Where that is an object of Python's,
-such as an open file or bytes, they ask for an interpreter that is gone, and the process aborts.
+Arrow's threads may release their input after the interpreter has ended. If that is a Python object, such as
+an open file or bytes, the process aborts.
 """
 
 from __future__ import annotations
@@ -15,12 +15,12 @@ import pyarrow as pa
 
 
 def open_file(path: Path, mode: str = "rb") -> Any:
-    """A file that Arrow opens itself; as bytes a name need not be UTF-8. Raises OSError."""
+    """A file opened by Arrow; a name in bytes need not be UTF-8. Raises OSError."""
     return pa.OSFile(os.fsencode(path), mode)
 
 
 def in_memory(file: BinaryIO) -> Any:
-    """The bytes of a file from its beginning in a buffer of Arrow's; raises OSError."""
+    """The bytes of a file from its beginning in an Arrow buffer; raises OSError."""
     buffer = pa.allocate_buffer(file.seek(0, io.SEEK_END))
     file.seek(0)
     with memoryview(buffer) as signed, signed.cast("B") as free:
@@ -29,7 +29,7 @@ def in_memory(file: BinaryIO) -> Any:
 
 
 def _fill(file: BinaryIO, free: memoryview) -> int:
-    """Read until the memory is full or the file ends; returns how many bytes were read."""
+    """Read until the memory is full or the file ends; returns the number of bytes read."""
     size = 0
     while size < len(free) and (count := file.readinto(free[size:])):  # type: ignore[attr-defined]
         size += count

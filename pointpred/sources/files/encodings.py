@@ -1,4 +1,4 @@
-"""Files as text, whatever their encoding: packed by gzip, UTF-8, UTF-16 or Windows-1252, any line ends."""
+"""Files as text in any encoding: gzip, UTF-8, UTF-16 or Windows-1252, any line ends."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ GZIP = b"\x1f\x8b\x08"
 UTF_8 = codecs.BOM_UTF8
 UTF_16 = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 CONTROLS = re.compile(rb"[\x00-\x08\x0e-\x1a\x1c-\x1f]")
-"""Bytes that no text in Windows-1252 has."""
+"""Bytes that do not occur in Windows-1252 text."""
 UNDEFINED = re.compile(rb"[\x81\x8d\x8f\x90\x9d]")
-"""Bytes to which Windows-1252 gives no character; Latin-1 does."""
+"""Bytes undefined in Windows-1252 but not in Latin-1."""
 CONTROL_BYTES, UNDEFINED_BYTES = (
     bytes(byte for byte in range(256) if pattern.match(bytes([byte]))) for pattern in (CONTROLS, UNDEFINED)
 )
@@ -34,10 +34,10 @@ DAMAGED = (gzip.BadGzipFile, EOFError, zlib.error)
 
 
 class Encoding(msgspec.Struct, frozen=True):
-    """How a file's characters are written: ``name`` is Python's name of the encoding.
+    """A file's encoding; ``name`` is Python's name of it.
 
-    ``packed``: by gzip; ``returns``: lines end with CR alone, as old Macintosh programs write them;
-    ``odd`` is the first byte that is not UTF-8, ``None`` where the encoding is certain.
+    ``packed``: by gzip; ``returns``: lines end with CR alone, as from old Macintosh programs; ``odd`` is the
+    first byte that is not UTF-8, ``None`` if the encoding is certain.
     """
 
     name: str
@@ -47,12 +47,12 @@ class Encoding(msgspec.Struct, frozen=True):
 
     @property
     def plain(self) -> bool:
-        """Whether the file's bytes are UTF-8 as they are, perhaps behind a mark."""
+        """Whether the file's bytes are plain UTF-8, perhaps with a byte order mark."""
         return self.name == "utf-8-sig" and not (self.packed or self.returns)
 
     @property
     def note(self) -> str:
-        """What a reader should know where the encoding is a guess; empty where it is not."""
+        """A note if the encoding is a guess, else empty."""
         if self.odd is None:
             return ""
         title = {"cp1252": "Windows-1252", "latin-1": "Latin-1"}[self.name]
@@ -60,10 +60,10 @@ class Encoding(msgspec.Struct, frozen=True):
 
 
 def encoding_of(path: Path) -> Encoding:
-    """The encoding of a whole text file; memory is one block, whatever the file unpacks to.
+    """The encoding of a whole text file; memory is one block for any unpacked size.
 
-    UTF-16 is told by its mark. What is not UTF-8 is Windows-1252, or Latin-1 where a byte has no meaning in
-    that. Raises RecordingError for a binary file, a damaged gzip file and more than 2 GiB after unpacking.
+    UTF-16 is detected by its mark. Text that is not UTF-8 is Windows-1252, or Latin-1 if a byte is undefined
+    in that. Raises RecordingError for a binary file, a damaged gzip file and more than 2 GiB after unpacking.
     """
     decoder = codecs.getincrementaldecoder("utf-8")()
     place, odd, control, returns, feeds, undefined = 0, -1, -1, False, False, False
@@ -95,7 +95,7 @@ def encoding_of(path: Path) -> Encoding:
 
 @contextmanager
 def open_unpacked(path: Path) -> Iterator[BinaryIO]:
-    """The bytes of a file, unpacked where it is packed by gzip; raises RecordingError where it is damaged."""
+    """The bytes of a file, unpacked if it is gzip; raises RecordingError if it is damaged."""
     try:
         with path.open("rb") as raw:
             packed = raw.read(len(GZIP)) == GZIP
@@ -113,12 +113,12 @@ def open_unpacked(path: Path) -> Iterator[BinaryIO]:
 
 @contextmanager
 def open_text(path: Path) -> Iterator[TextIO]:
-    """A text file to read line by line, without a mark, LF at the end of lines; raises RecordingError."""
+    """A text file to read line by line, without a mark and with LF line ends; raises RecordingError."""
     name = encoding_of(path).name
     try:
         with open_unpacked(path) as file, io.TextIOWrapper(file, encoding=name) as text:
             yield text
-    except UnicodeDecodeError as error:  # UTF-16 alone: it is taken by its mark
+    except UnicodeDecodeError as error:  # UTF-16 only, which is detected by its mark
         raise RecordingError(
             f"{path}: damaged {name.upper()} text: {error.reason}", code="damaged_file"
         ) from error
@@ -126,7 +126,7 @@ def open_text(path: Path) -> Iterator[TextIO]:
 
 @contextmanager
 def open_utf8(path: Path) -> Iterator[tuple[BinaryIO, Encoding]]:
-    """The bytes of a text file as UTF-8, and what it is written in; raises RecordingError.
+    """The bytes of a text file as UTF-8, and its original encoding; raises RecordingError.
 
     A file that is UTF-8 is opened as it is; any other is decoded into memory.
     """
@@ -139,7 +139,7 @@ def open_utf8(path: Path) -> Iterator[tuple[BinaryIO, Encoding]]:
 
 
 def read_text(path: Path) -> str:
-    """The whole file as text, LF at the end of lines; raises RecordingError when it is empty or binary."""
+    """The whole file as text with LF line ends; raises RecordingError if it is empty or binary."""
     with open_text(path) as file:
         text = file.read()
     if not text.strip():
@@ -148,15 +148,15 @@ def read_text(path: Path) -> str:
 
 
 def read_unpacked(path: Path) -> bytes:
-    """All bytes of a file, at most 2 GiB, unpacked where it is packed by gzip; raises RecordingError."""
+    """All bytes of a file, at most 2 GiB, unpacked if it is gzip; raises RecordingError."""
     with open_unpacked(path) as file:
         return b"".join(_blocks(path, file))
 
 
 def head_of(path: Path, most: int = HEAD_BYTES) -> bytes:
-    """The first ``most`` bytes, unpacked; as UTF-8 without a mark where they are text.
+    """The first ``most`` bytes, unpacked; text as UTF-8 without a mark and with LF for CR line ends.
 
-    Lines that end with CR alone end with LF. Raises RecordingError where the file is empty.
+    Raises RecordingError if the file is empty.
     """
     with open_unpacked(path) as file:
         head = file.read(most)
@@ -171,7 +171,7 @@ def head_of(path: Path, most: int = HEAD_BYTES) -> bytes:
 
 
 def holds(path: Path, word: bytes, most: int) -> bool:
-    """Whether the first ``most`` bytes of a file, unpacked, hold ``word``; memory is two blocks."""
+    """Whether the first ``most`` bytes of a file, unpacked, contain ``word``; memory is two blocks."""
     tail, place = b"", 0
     with open_unpacked(path) as file:
         for block in _blocks(path, file):
@@ -219,12 +219,12 @@ def _blocks(path: Path, file: BinaryIO, place: int = 0) -> Iterator[bytes]:
 
 
 def _has(block: bytes, some: bytes) -> bool:
-    """Whether a block holds one of some bytes; ten times as fast as a pattern."""
+    """Whether a block contains one of some bytes; ten times as fast as a regular expression."""
     return len(block.translate(None, some)) < len(block)
 
 
 def _odd(decoder: codecs.IncrementalDecoder, block: bytes, place: int) -> int:
-    """The first byte that is not UTF-8, -1 where there is none; an empty block ends the file."""
+    """The first byte that is not UTF-8, else -1; an empty block ends the file."""
     waiting = len(decoder.getstate()[0])
     try:
         decoder.decode(block, final=not block)

@@ -7,9 +7,9 @@ from pathlib import Path
 
 
 def list_files(folder: Path) -> tuple[list[Path], list[str]]:
-    """The files below a folder in the order of their paths, and notes on all that is none of them.
+    """The files below a folder in the order of their paths, and notes on everything else.
 
-    Hidden files are left aside. Links to folders are not followed, so that no file is met twice.
+    Hidden files are ignored. Links to folders are not followed, so that no file occurs twice.
     """
     files: list[Path] = []
     notes: list[str] = []

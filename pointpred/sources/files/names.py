@@ -1,4 +1,4 @@
-"""Names of files that any file system takes, and names from any file system that are text."""
+"""File names valid on any file system, and names from any file system as text."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from pointpred.recording import Recording
 
 LONGEST_BYTES = 150
 RESERVED = re.compile(r"^(con|prn|aux|nul|com[0-9¹²³]|lpt[0-9¹²³])(?=\.|$)", re.IGNORECASE)
-"""Devices on Windows, also with anything behind a dot."""
+"""Device names on Windows, also with any extension."""
 
 
 def readable(text: str) -> str:
-    """A file's name as text that can be written anywhere; bytes that are no UTF-8 become replacement marks.
+    """A file's name as valid text; bytes that are not UTF-8 become replacement marks.
 
     >>> readable("study") == "study"
     True
@@ -47,7 +47,7 @@ def readable_recording(recording: Recording) -> Recording:
 
 
 def file_names(names: Sequence[str], ending: str) -> list[str]:
-    """A file name ``<name>_<ending>`` for each name, no two the same where case does not count.
+    """A file name ``<name>_<ending>`` for each name, unique also without regard to case.
 
     >>> file_names(["study", "lab/a", "lab:a"], "all.csv")
     ['study_all.csv', 'lab_a_all.csv', 'lab_a_2_all.csv']

@@ -1,4 +1,4 @@
-"""Write several files so that all of them appear or none: each is written under another name first."""
+"""Write several files so that all appear or none: each is written under a temporary name first."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from pointpred.files import beside
 
 @contextmanager
 def write_together() -> Iterator[Callable[[Path], Path]]:
-    """Yields where to write each file; at the end of the block all of them take their places.
+    """Yield a path to write each file to; at the end of the block all are renamed to their final names.
 
-    Where anything fails, or the program is interrupted, no file is left and none is replaced. Raises
-    RecordingError naming the file that cannot take its place.
+    On a failure or an interrupt no file is left and none is replaced. Raises RecordingError naming the file
+    that cannot be renamed.
     """
     files: list[Path] = []
 
@@ -33,7 +33,7 @@ def write_together() -> Iterator[Callable[[Path], Path]]:
 
 
 def _place(files: list[Path]) -> None:
-    """Give all files their names; those that are replaced come back where one fails."""
+    """Rename all files; on a failure the replaced ones are restored."""
     placed: list[Path] = []
     path = files[0] if files else Path()
     try:
@@ -51,7 +51,7 @@ def _place(files: list[Path]) -> None:
         for done in files:
             if _old(done).exists():
                 _old(done).replace(done)
-                _old(done).unlink(missing_ok=True)  # two names of one file stay both
+                _old(done).unlink(missing_ok=True)  # two hard links to one file both remain
         if isinstance(error, OSError):
             raise RecordingError(f"{path}: cannot be written: {error.strerror or error}") from error
         raise
@@ -60,7 +60,7 @@ def _place(files: list[Path]) -> None:
 
 
 def _keep(path: Path) -> None:
-    """Keep what a file holds under another name, where there is one."""
+    """Back up a file under another name, if it exists."""
     old = _old(path)
     old.unlink(missing_ok=True)
     if path.exists():

@@ -1,7 +1,7 @@
-"""Recordings that were appended to while people moved, as the service's recorder leaves them.
+"""Recordings written row by row, as by the service's recorder.
 
-Their header says ``"append": true``: rows were added one after another and the process may have been killed
-at any moment, so the last line may be cut short. It alone is left aside, with a note.
+Their header says ``"append": true``: rows were appended one by one and the process may have been killed at
+any time, so the last line may be incomplete. It is ignored, with a note.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from pointpred.sources.trials.segmentation import trials_of_stream
 
 FORMAT = "pointpred recorder"
 LIVE = "pointpred live"
-"""What a header says that a session of a device was recorded by."""
+"""The header's name of the recorder of a device session."""
 TITLE = "pointpred recorder CSV"
 VALUES = ("t_s", "x_px", "y_px", "dx_counts", "dy_counts", "buttons")
 SAMPLES = ("user", "trial", *VALUES)
@@ -41,17 +41,17 @@ UNFINISHED = "the trial never ended"
 
 
 def recognises(head: bytes) -> bool:
-    """Whether the header of a file that begins with ``head`` says that it was appended to."""
+    """Whether the header of a file that begins with ``head`` marks it as appended to."""
     first = head.split(b"\n", 1)[0]
     return first.startswith(arrow_tables.MARK) and says_appended(first[len(arrow_tables.MARK) :])
 
 
 def read(path: Path, trials: Path | None, reading: Reading = AS_IS) -> Recording:
-    """Read a recording that was appended to, together with its table of trials where there is one.
+    """Read an appended recording, with its table of trials if there is one.
 
-    Rows of a marked trial name it. Where no row does, the stream is cut as ``reading`` says, at clicks unless
-    told otherwise; that of a device followed live at pauses, where nothing was clicked. A trial without a row
-    in ``trials`` had not ended; one that lost events has fewer samples than it says: both are skipped.
+    Rows of a marked trial name it. If no row does, the stream is cut according to ``reading``, by default at
+    clicks, or at pauses for a live device without clicks. A trial without a row in ``trials`` had not ended;
+    one that lost events has fewer samples than stated: both are skipped.
     Memory: the file, and about 150 bytes a row.
     Returns the recording; raises RecordingError.
     """
@@ -123,7 +123,7 @@ def _table(path: Path, columns: tuple[str, ...]) -> tuple[Any, Header, list[str]
 def _read_trials(
     path: Path | None, user: str, names: list[str]
 ) -> tuple[list[Trial], dict[int, Any], list[Skip], list[str]]:
-    """The trials, how many samples each should have (None: it never ended), those without samples, notes."""
+    """The trials, the number of samples of each (None: it never ended), those without samples, notes."""
     if path is None:
         return [Trial(user, name) for name in names], {}, [], ["no trials file: every target is unknown"]
     table, _, notes = _table(path, TRIALS)
@@ -141,7 +141,7 @@ def _read_trials(
 
 
 def _outside(group: IntArray) -> list[Skip]:
-    """The runs of rows that belong to no trial."""
+    """The runs of rows outside trials."""
     edges = np.flatnonzero(np.diff(np.concatenate([[False], group < 0, [False]]).astype(np.int8)))
     return [
         Skip(f"rows {first} to {stop - 1}", OUTSIDE, first) for first, stop in edges.reshape(-1, 2).tolist()

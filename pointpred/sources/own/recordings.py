@@ -32,22 +32,22 @@ SAMPLES, TRIALS, PREDICTIONS = "_samples", "_trials", "_predictions"
 EXTENSIONS = (".parquet", ".csv")
 READ = (*EXTENSIONS, ".csv.gz")
 SLOW_S = 1.0
-"""A longer median interval between samples is no pointing device's: a note asks about the unit of time."""
+"""Largest plausible median interval, s; with a longer one a note asks about the unit of time."""
 
 
 def read(path: str | Path, trials: str | Path | None = None, reading: Reading = AS_IS) -> Recording:
     """Read a samples file together with its trials file.
 
-    Assumes the columns ``user, trial, t_s, x_px, y_px`` and takes ``dataset, dx_counts, dy_counts, buttons``
-    where they are; any other column is an error (``t_raw_s`` is known and left aside, with a note). The rows
-    of a trial must be in the order of time. ``reading.time_unit`` names another unit of ``t_s`` where the
-    file was not written by pointpred; time then starts at 0 in each trial. The trials file is ``trials`` or
-    the sibling ``<set>_trials``; without one every target is unknown. Its columns beyond the target and
-    ``clean`` become conditions; ``n_samples`` is compared with the samples. Only a stream of the service's
-    recorder is cut into trials, as ``reading`` says. A trial that cannot be used is in ``Recording.skipped``
-    with the reason and the row.
+    Assumes the columns ``user, trial, t_s, x_px, y_px`` and optionally ``dataset, dx_counts, dy_counts,
+    buttons``; any other column is an error (``t_raw_s`` is ignored, with a note). The rows of a trial must be
+    in the order of time. ``reading.time_unit`` names another unit of ``t_s`` for a file not written by
+    pointpred; time then starts at 0 in each trial. The trials file is ``trials`` or the sibling
+    ``<set>_trials``; without one every target is unknown. Its columns beyond the target and ``clean`` become
+    conditions; ``n_samples`` is compared with the samples. Only a stream of the service's recorder is cut
+    into trials, according to ``reading``. A trial that cannot be used is in ``Recording.skipped`` with the
+    reason and the row.
     Memory: about 200 bytes a row while reading, 48 afterwards.
-    Returns the recording; raises RecordingError naming the file, the row and what was expected.
+    Raises RecordingError naming the file, the row and the expected content.
     """
     path = Path(path)
     beside = trials_beside(path) if trials is None else Path(trials)
@@ -99,18 +99,17 @@ def read(path: str | Path, trials: str | Path | None = None, reading: Reading = 
 def write(recording: Recording, path: str | Path) -> tuple[Path, Path]:
     """Write a recording as a samples file and a trials file; the same recording gives the same bytes.
 
-    ``path`` names the samples file (``<set>_samples.parquet`` or ``.csv``; ``_samples`` is added where it is
-    missing). Provenance, skips and notes go into the header. Floating point numbers are kept exactly.
-    Returns both paths; leaves neither file and replaces none where one cannot be written. Raises
-    RecordingError when the extension is neither, two trials share user and name, or a condition is words in
-    one trial and a number in another.
+    ``path`` names the samples file (``<set>_samples.parquet`` or ``.csv``; ``_samples`` is added if missing).
+    Provenance, skips and notes go into the header. Floating point numbers are exact. Returns both paths; if
+    one cannot be written, neither file is left or replaced. Raises RecordingError for another extension, two
+    trials with the same user and name, or a condition that is text in one trial and a number in another.
     """
     with write_together() as part:
         return write_parts(recording, path, part)
 
 
 def write_parts(recording: Recording, path: str | Path, part: Callable[[Path], Path]) -> tuple[Path, Path]:
-    """Write both files of a recording as ``write`` does, each where ``part`` says (``together``)."""
+    """Write both files of a recording as ``write`` does, each at its path in ``part`` (``together``)."""
     path, beside = files_of(path)
     sizes = np.diff(recording.offsets)
     about, header = trial_table(recording, sizes)
@@ -142,7 +141,7 @@ def _seconds(column: Any, unit: str, group: IntArray) -> FloatArray:
 
 
 def _too_slow(recording: Recording) -> list[str]:
-    """A note where the clock, of which nobody said anything, can hardly be in seconds."""
+    """A note if a clock without a unit is implausible in seconds."""
     inside = ~recording.events.begin[1:]
     intervals = np.diff(recording.events.t)[inside]
     middle = float(np.median(intervals)) if len(intervals) else 0.0
@@ -167,7 +166,7 @@ def files_of(path: str | Path) -> tuple[Path, Path]:
 
 
 def check_free(path: str | Path) -> None:
-    """Raise ParameterError where ``write`` to ``path`` would replace a file."""
+    """Raise ParameterError if ``write`` to ``path`` would replace a file."""
     files = files_of(path)
     taken = [file for file in files if file.exists()]
     if taken:
@@ -176,19 +175,19 @@ def check_free(path: str | Path) -> None:
 
 
 def is_samples(path: Path) -> bool:
-    """Whether a file is named as a samples file of pointpred's own."""
+    """Whether a file has the name of one of pointpred's own samples files."""
     return stem_of(path).endswith(SAMPLES)
 
 
 def trials_beside(path: Path) -> Path | None:
-    """The trials file beside a samples file, where there is one."""
+    """The trials file beside a samples file, if there is one."""
     stem = stem_of(path).removesuffix(SAMPLES)
     names_there = [path.with_name(f"{stem}{TRIALS}{end}") for end in (path.suffix, *READ)]
     return next((file for file in names_there if file.exists() and file != path), None)
 
 
 def _dataset(path: Path, table: Any) -> str:
-    """The one data set the rows belong to; the file's name where no column says."""
+    """The one data set the rows belong to; the file's name without such a column."""
     if "dataset" not in table.column_names or not table.num_rows:
         return stem_of(path).removesuffix(SAMPLES)
     column = arrow_tables.words(table["dataset"])
@@ -215,7 +214,7 @@ def _keys(path: Path, table: Any) -> tuple[IntArray, list[tuple[str, str]]]:
 
 
 def is_appended(path: Path) -> bool:
-    """Whether a file is the service's recorder's, to which rows were added one after another."""
+    """Whether a file was written by the service's recorder, row by row."""
     return appended.recognises(head_of(path, appended.MOST_HEADER))
 
 

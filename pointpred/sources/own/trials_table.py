@@ -1,4 +1,4 @@
-"""The table of trials beside a samples file: targets, what the set says about each trial, conditions."""
+"""The table of trials beside a samples file: targets, descriptions of each trial, conditions."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ from pointpred.sources.trials.conditions import TARGET, TRIAL_COLUMNS
 KEYS = ("dataset", "user", "trial")
 YES, NO = "true", "false"
 NEAR = 0.75
-"""Likeness, as difflib measures it, from which on a condition may be a misspelt column of ours."""
+"""difflib ratio from which a condition may be a misspelt column of ours."""
 
 
 class TrialsTable(msgspec.Struct):
-    """Trials in the order asked for, those without samples, those their samples contradict, and notes."""
+    """Trials in the requested order, those without samples, those that contradict them, and notes."""
 
     trials: list[Trial]
     empty: list[Skip] = []
@@ -36,11 +36,11 @@ class TrialsTable(msgspec.Struct):
 def read_trials_table(
     path: Path | None, name: str, keys: Sequence[tuple[str, str]], sizes: IntArray
 ) -> TrialsTable:
-    """What a trials file says about the trials ``keys`` = (user, trial), which have ``sizes`` samples.
+    """Read the descriptions of the trials ``keys`` = (user, trial), which have ``sizes`` samples.
 
     Trials of the file that have no samples are skips; a trial of other length than ``n_samples``, one
-    described twice, or one with an impossible target is unfit. Raises RecordingError when the file cannot
-    be read.
+    described twice, or one with an impossible target is unfit. Raises RecordingError if the file cannot be
+    read.
     """
     if path is None:
         return TrialsTable([Trial(user, trial) for user, trial in keys])
@@ -79,7 +79,7 @@ def read_trials_table(
 
 
 def _misnamed(columns: dict[str, list[Any]], conditions: Sequence[str]) -> list[str]:
-    """A note for each of our columns that is missing while a condition has nearly its name."""
+    """A note for each of our columns that is missing while a condition has nearly that name."""
     lower = {condition.lower(): condition for condition in conditions}
     notes = []
     for own in (*TARGET, "clean"):
@@ -91,7 +91,7 @@ def _misnamed(columns: dict[str, list[Any]], conditions: Sequence[str]) -> list[
 
 
 def trial_table(recording: Recording, sizes: IntArray) -> tuple[Any, dict[str, Any]]:
-    """The trials of a recording as an Arrow table, and the header's part that tells words from numbers."""
+    """The trials of a recording as an Arrow table, and the names of the text columns for the header."""
     trials = recording.trials
     keys = [(trial.user, trial.trial) for trial in trials]
     if len(set(keys)) < len(keys):
@@ -129,7 +129,7 @@ def trial_table(recording: Recording, sizes: IntArray) -> tuple[Any, dict[str, A
 
 
 def _columns(path: Path, table: Any, text: Sequence[str]) -> tuple[dict[str, list[Any]], dict[int, str]]:
-    """The columns as Python values (None where empty), and what is wrong in which row."""
+    """The columns as Python values (None for empty cells), and the faults by row."""
     columns: dict[str, list[Any]] = {}
     faults: dict[int, str] = {}
     for name in table.column_names:
@@ -153,12 +153,12 @@ def _columns(path: Path, table: Any, text: Sequence[str]) -> tuple[dict[str, lis
 
 
 def _numeric(column: Any) -> bool:
-    """Whether every cell of a column of words is a number or empty."""
+    """Whether every cell of a text column is a number or empty."""
     return not arrow_tables.numbers(column)[1]
 
 
 def _flags(column: Any) -> tuple[Any, dict[int, str]]:
-    """Words true and false as a column of booleans, and the rows that hold anything else."""
+    """Text true and false as a column of booleans, and the rows with anything else."""
     cells = [None if cell is None else cell.strip().lower() for cell in column.to_pylist()]
     wrong = {
         row: f"clean is {cell!r}, expected true or false"
@@ -179,7 +179,7 @@ def _trial(key: tuple[str, str], columns: dict[str, list[Any]], conditions: Sequ
 
 
 def _contradiction(columns: dict[str, list[Any]], row: int, size: int) -> str:
-    """Why a trial's description cannot be true of its samples; empty where it can."""
+    """Why a trial's description contradicts its samples; empty if it does not."""
     count = columns["n_samples"][row] if "n_samples" in columns else None
     if count is not None and count != size:
         return f"{size} samples, expected {count:g} as the trials file says"

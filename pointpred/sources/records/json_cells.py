@@ -10,11 +10,11 @@ from pointpred.sources.records.record_tables import records
 
 TRACK = re.compile(r'\s*(\[\s*[\[{]|\{\s*"[^"]*"\s*:\s*\[)')
 PROBE = 200
-"""Rows of which the first cell that is not empty tells what a column holds."""
+"""Rows among which the first nonempty cell decides the content of a column."""
 
 
 def open_cells(columns: dict[str, Any]) -> tuple[dict[str, Any], list[str]]:
-    """The columns, those with tracks replaced by a column a field, as ``track.t``; notes on damaged cells."""
+    """The columns, with tracks replaced by one column per field, as ``track.t``; notes on damaged cells."""
     opened: dict[str, Any] = {}
     notes: list[str] = []
     for name, column in columns.items():
@@ -34,7 +34,7 @@ def open_cells(columns: dict[str, Any]) -> tuple[dict[str, Any], list[str]]:
 
 
 def _text(cell: Any) -> str:
-    """A cell, or an Arrow scalar, as words; empty where it is no word."""
+    """A cell, or an Arrow scalar, as text; empty if it is not text."""
     value = cell.as_py() if hasattr(cell, "as_py") else cell
     return value.strip() if isinstance(value, str) else ""
 

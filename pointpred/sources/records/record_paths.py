@@ -23,16 +23,16 @@ EACH = "*"
 LEAST_COLUMNS = 3
 """A table of fewer columns cannot hold times and positions."""
 CLEAR = 2
-"""The largest list of records is taken where it holds so many times the samples of the next one."""
+"""The largest list of records is chosen if it has at least so many times the samples of the next."""
 MOST_FIELDS = 16
-"""An object of more fields that are all records of one kind holds a record by its name."""
+"""An object with more fields than this, all similar records, holds one record per name."""
 MOST_SHOWN = 8
 
 Tables = dict[str, RecordTable]
 
 
 class Branch(msgspec.Struct, frozen=True):
-    """A value, the path that leads to it, and the scalars beside that path as cells by name."""
+    """A value, the path that leads to it, and the scalars along that path as cells by name."""
 
     value: Any
     path: tuple[str, ...] = ()
@@ -40,17 +40,17 @@ class Branch(msgspec.Struct, frozen=True):
 
     @property
     def label(self) -> str:
-        """The path as it is written."""
+        """The path as text."""
         return ".".join(self.path)
 
     def child(self, name: str, value: Any) -> Branch:
-        """The value of that name or number."""
+        """The branch of a name or number."""
         return Branch(value, (*self.path, name), self._around())
 
     def item(self, key: str | int, value: Any) -> Branch:
-        """One of all values of a list or an object: a column named after that list says which.
+        """The branch of one item of a list or object, with its key in a column named after the list.
 
-        It is ``trial`` where the value is a list of records itself, or where the list has no name.
+        The column is ``trial`` if the item is a list of records itself, or if the list has no name.
         """
         names = [name for name in self.path if name != EACH]
         title = "trial" if isinstance(value, list) or not names else names[-1].removesuffix("s") or "trial"
@@ -73,7 +73,8 @@ def table_at(path: Path, document: Any, wanted: str | None, title: str) -> Colum
     """The records at ``wanted`` in a document of the format ``title``, else the only ones that fit.
 
     ``wanted`` is names, and numbers from 0, joined by dots; ``*`` stands for each value of a list or an
-    object. Scalars beside the path become columns of equal cells. Notes say what was taken and what was left.
+    object. Scalars beside the path become columns of equal cells. Notes name what was read and what was left
+    out.
     Raises RecordingError, which names the paths that hold records.
     """
     try:
@@ -102,7 +103,7 @@ def _table_at(document: Any, wanted: str | None, title: str) -> ColumnTable:
 
 
 def _follow(branch: Branch, names: list[str]) -> Iterator[Branch]:
-    """Every branch that a path leads to; a name may hold dots itself."""
+    """Every branch at a path; names may contain dots."""
     value = branch.value
     check_depth(len(branch.path))
     if not names:
@@ -131,7 +132,7 @@ def _table(branch: Branch) -> RecordTable | None:
 
 
 def _join(branches: list[Branch]) -> RecordTable | None:
-    """The branches of one path as one table; ``None`` where none of them is a table."""
+    """The branches of one path as one table; ``None`` if none of them is a table."""
     whole = RecordTable()
     for branch in branches:
         table = _table(branch)
@@ -166,7 +167,7 @@ def _collect(branch: Branch, tables: Tables) -> None:
 
 
 def _are_alike(value: dict[str, Any]) -> bool:
-    """Whether an object holds records of one kind by a number or an identifier, and no fields."""
+    """Whether an object maps numbers or identifiers to similar records, instead of having fields."""
     numbered = all(any(letter.isdigit() for letter in name) for name in value)
     if len(value) < 2 or not (numbered or len(value) > MOST_FIELDS):
         return False
@@ -174,7 +175,7 @@ def _are_alike(value: dict[str, Any]) -> bool:
 
 
 def _fields(value: Any) -> set[str]:
-    """What the fields of an object, or of the first record of a list, are called."""
+    """The names of the fields of an object, or of the first record of a list."""
     first = value[0] if isinstance(value, list) and value else value
     if isinstance(first, dict):
         return set(first)
@@ -192,7 +193,7 @@ def _choose(tables: Tables) -> tuple[str, Tables]:
 
 
 def _explain(tables: Tables) -> str:
-    """What a refusal says: where records lie, and the option that takes one."""
+    """The error message: the paths of records, and the option that selects one."""
     if not tables:
         return (
             f"no list of records with at least {LEAST_COLUMNS} fields, expected one with times and positions"

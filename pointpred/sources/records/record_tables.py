@@ -1,4 +1,4 @@
-"""Nested values, as JSON and MATLAB files hold them, as one table: a column a field, a row a record."""
+"""Nested values, as JSON and MATLAB files hold them, as one table of fields by records."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ from pointpred.sources.tables.column_table import distinct_names
 
 MOST_DEPTH = 32
 MOST_CELLS = 40_000_000
-"""Python takes 8 bytes for one that is empty, and 40 for a number."""
+"""Most cells of a table; Python needs 8 bytes for an empty one and 40 for a number."""
 FEW = 16
-"""An array of at most so many arrays, each longer than that, holds a column in each of them."""
+"""An array of at most so many arrays, each longer than that, is a list of columns."""
 POINT, TRACKS = range(2, 5), 3
-"""Lists of so few numbers in all cells of a column are points; three such columns are tracks: t, x, y."""
+"""Lists of at most so many numbers in all cells of a column are points."""
 NUMBERS = {int, float, bool, NoneType}
 SCALARS = NUMBERS | {str}
 
 
 class DeepField(msgspec.Struct, frozen=True):
-    """A field too deep for a cell: the number and the value of its row, its name there, its own value."""
+    """A field too deep for a cell: the number and value of its row, its name and its value."""
 
     row: int
     whole: Any
@@ -35,7 +35,7 @@ class DeepField(msgspec.Struct, frozen=True):
 
 
 class RecordTable:
-    """Columns of one length that grow row by row; a field that a row lacks is ``None``.
+    """Columns of one length that grow row by row; a missing field is ``None``.
 
     ``left`` are the fields that are too deep for a cell. Raises RecordingError above 4e7 cells.
     """
@@ -59,13 +59,13 @@ class RecordTable:
         self._check()
 
     def finish(self) -> RecordTable:
-        """The table itself, with all columns of one length."""
+        """The table, with all columns of one length."""
         for column in self.columns.values():
             column += [None] * (self.rows - len(column))
         return self
 
     def append(self, other: RecordTable, beside: dict[str, Any]) -> None:
-        """Add the rows of another table, each with the cells ``beside``, whose names are taken from none."""
+        """Add the rows of another table, each with the cells ``beside``, which keep their names."""
         new = dict(other.columns)
         for name, cell in beside.items():
             while name in new:
@@ -89,12 +89,12 @@ class RecordTable:
 
     @property
     def own(self) -> int:
-        """How many columns it has, not counting those that lay beside its records."""
+        """The number of columns of its records, without those from beside them."""
         return self._own or len(self.columns)
 
     @property
     def samples(self) -> int:
-        """The rows, or the items of the longest lists where cells hold lists."""
+        """The rows, or the items of the longest lists if cells hold lists."""
         return max(
             (
                 sum(len(cell) if isinstance(cell, list) else 1 for cell in column)
@@ -105,7 +105,7 @@ class RecordTable:
 
 
 def table_of(value: Any) -> RecordTable | None:
-    """A value as a table, ``None`` where it is none: records, an array of arrays, an object of lists."""
+    """A value as a table, ``None`` if it is not one: records, an array of arrays, an object of lists."""
     if isinstance(value, dict):
         return _of_split(value) or _of_lists(value) or _of_indexed(value)
     if not isinstance(value, list) or not value:
@@ -129,7 +129,7 @@ def records(rows: Sequence[dict[str, Any] | None]) -> RecordTable:
 
 
 def _spread(table: RecordTable) -> None:
-    """Replace a column of points, as ``pos`` in ``{"t": 0, "pos": [3, 4]}``, by a column a number."""
+    """Replace a column of points, as ``pos`` in ``{"t": 0, "pos": [3, 4]}``, by one column per number."""
     widths = {
         name: len(cells[0])
         for name, cells in table.columns.items()
@@ -143,12 +143,12 @@ def _spread(table: RecordTable) -> None:
 
 
 def scalars(row: dict[str, Any]) -> dict[str, Any]:
-    """The fields of an object that are words, numbers, true, false or null."""
+    """The scalar fields of an object."""
     return {name: value for name, value in row.items() if type(value) in SCALARS}
 
 
 def flatten(row: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
-    """The cells of an object by name, and what is too deep for a cell."""
+    """The cells of an object by name, and the fields that are too deep for a cell."""
     cells: dict[str, Any] = {}
     deep: dict[str, Any] = {}
     for name, value in row.items():
@@ -160,7 +160,7 @@ def flatten(row: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
 
 
 def _put(cells: dict[str, Any], deep: dict[str, Any], name: str, value: Any, depth: int) -> None:
-    """Put one field into the cells, or among what is too deep."""
+    """Add one field to the cells, or to the fields that are too deep."""
     check_depth(depth)
     if isinstance(value, dict):
         for key, inner in value.items():
@@ -178,13 +178,13 @@ def _put(cells: dict[str, Any], deep: dict[str, Any], name: str, value: Any, dep
 
 
 def check_depth(depth: int) -> None:
-    """Raise RecordingError beyond the depth that is read."""
+    """Raise RecordingError beyond the greatest depth."""
     if depth > MOST_DEPTH:
         raise RecordingError(f"values are nested deeper than {MOST_DEPTH} levels")
 
 
 def list_cell(values: Sequence[Any]) -> Any:
-    """A list as a cell: numbers where all its items are numbers or empty, else its JSON text."""
+    """A list as a cell: numbers if all its items are numbers or empty, else its JSON text."""
     if set(map(type, values)) <= NUMBERS:
         return list(values)
     try:
@@ -194,7 +194,7 @@ def list_cell(values: Sequence[Any]) -> Any:
 
 
 def _points(values: list[Any]) -> RecordTable | None:
-    """A list of points, objects or arrays, as columns; ``None`` where an item holds more than a point."""
+    """A list of points, objects or arrays, as columns; ``None`` if an item is not a point."""
     table = table_of(values)
     if table is None or table.deep_fields:
         return None
@@ -203,9 +203,9 @@ def _points(values: list[Any]) -> RecordTable | None:
 
 
 def by_position(rows: list[list[Any]], names: Sequence[str] | None = None) -> RecordTable | None:
-    """Arrays as rows, their columns named by position from 0 on, or by a first array of words.
+    """Arrays as rows, their columns named by position from 0 on, or by a first array of text.
 
-    At most 16 arrays that are longer than that are columns. ``None`` where an array holds more than scalars.
+    At most 16 arrays that are longer than that are columns. ``None`` if an array contains more than scalars.
     """
     if not all(set(map(type, row)) <= SCALARS for row in rows):
         return None
@@ -236,7 +236,7 @@ def _of_split(value: dict[str, Any]) -> RecordTable | None:
 
 
 def _of_lists(value: dict[str, Any]) -> RecordTable | None:
-    """An object of lists of one length as columns, its scalars repeated; lists of another length are left."""
+    """An object of lists of one length as columns, its scalars repeated; other lists are ignored."""
     lists = {name: cells for name, cells in value.items() if type(cells) is list and len(cells) > 1}
     columns = {name: cells for name, cells in lists.items() if _are_cells(cells)}
     if len(columns) < 2:

@@ -28,9 +28,9 @@ LARGEST_BLOCK = 1 << 25
 COMMENT = re.compile(rb"^[ \t]*#[^\r\n]*(\r\n|\n|\r|$)", re.MULTILINE)
 LINE = re.compile(rb"\r\n|\n|\r")
 MOST_ODD = 0.2
-"""A larger share of rows with another number of cells means that this is no table."""
+"""With a larger share of rows with another number of cells the text is not a table."""
 MOST_NAMED = 20
-"""Rows that are named one by one among the skips; the rest is counted."""
+"""Most rows named one by one among the skips; the rest is counted."""
 
 
 def recognises(head: bytes) -> bool:
@@ -39,12 +39,12 @@ def recognises(head: bytes) -> bool:
 
 
 def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
-    """The cells of a delimited text as words; numbers have a point as their decimal mark.
+    """The cells of a delimited text as text; numbers have a decimal point.
 
-    The text has no header where its first row holds numbers above numbers: columns are then called ``0``,
-    ``1`` and so on. A row with more or fewer cells than the others is a skip; where many rows have the same
-    further cells, the others are filled up with empty ones. Memory: the text, and its
-    cells once more. Raises RecordingError.
+    The text has no header if its first row has numbers above numbers: columns are then named ``0``, ``1`` and
+    so on. A row with another number of cells is a skip; if many rows have the same number of additional
+    cells, the others are padded with empty ones. Memory: the text, and its cells once more. Raises
+    RecordingError.
     """
     with open_utf8(path) as (file, _):
         text = file.read().removeprefix(UTF_8)
@@ -85,7 +85,7 @@ def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
 
 
 def _layout(head: bytes) -> Layout | None:
-    """The layout by the first lines; a line that is cut at the end of ``head`` does not count."""
+    """The layout by the first lines; an incomplete line at the end of ``head`` does not count."""
     text = head.removeprefix(UTF_8).decode("utf-8", "replace")
     if len(head) >= HEAD - 4 and "\n" in text.rstrip("\n"):
         text = text[: text.rindex("\n")]
@@ -93,7 +93,7 @@ def _layout(head: bytes) -> Layout | None:
 
 
 def _body(text: bytes, layout: Layout) -> tuple[bytes, int]:
-    """The rows alone, with one blank between cells where blanks separate them; the number of comments."""
+    """The rows alone, with one blank between cells if blanks separate them; the number of comments."""
     place = 0
     for _ in range(layout.first):
         match = LINE.search(text, place)
@@ -117,7 +117,7 @@ def _body(text: bytes, layout: Layout) -> tuple[bytes, int]:
 
 
 def _rows(path: Path, body: bytes, layout: Layout) -> tuple[Any, dict[int, int]]:
-    """The rows as an Arrow table of words, and the number of cells of each row that has another."""
+    """The rows as an Arrow table of words, and the number of cells of each deviating row."""
     odd: dict[int, int] = {}
 
     def other(row: Any) -> str:
@@ -143,7 +143,7 @@ def _rows(path: Path, body: bytes, layout: Layout) -> tuple[Any, dict[int, int]]
 
 
 def _wider(body: bytes, layout: Layout, odd: dict[int, int]) -> Layout | None:
-    """The layout of rows of two lengths: many go on where the others end. ``None`` where it is not so."""
+    """The layout of rows of two lengths: many have additional cells. ``None`` otherwise."""
     [*widths] = set(odd.values())
     if len(widths) != 1 or widths[0] < layout.width or b'"' in body or layout.separator == " ":
         return None
@@ -151,14 +151,14 @@ def _wider(body: bytes, layout: Layout, odd: dict[int, int]) -> Layout | None:
 
 
 def _pad(body: bytes, layout: Layout) -> bytes:
-    """The rows with empty cells at their ends, up to the width of the layout."""
+    """The rows padded with empty cells to the width of the layout."""
     mark, marks = layout.separator.encode(), layout.width - 1
     lines = (line and line + mark * (marks - line.count(mark)) for line in body.splitlines())
     return b"\n".join(lines) + b"\n"
 
 
 def _check_quotes(path: Path, column: Any, layout: Layout) -> None:
-    """Raise RecordingError for a cell that swallowed rows."""
+    """Raise RecordingError for a cell that contains rows."""
     broken = pc.match_substring(column, "\n")
     if pc.any(broken, min_count=0).as_py():
         for row in arrow_tables.as_array(pc.indices_nonzero(broken)).tolist():

@@ -1,4 +1,4 @@
-"""How a delimited text is laid out: its separator, the line of names, and where its rows begin."""
+"""The layout of a delimited text: its separator, the line of names, and the first row."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ import msgspec
 from pointpred.sources.tables.column_table import distinct_names
 
 LINES = 60
-"""Lines that are looked at."""
+"""Most lines examined."""
 PREAMBLE = 20
-"""Lines above the table that are passed over."""
+"""Most lines above the table."""
 MOST_COLUMNS = 4096
-"""A row of more cells is refused by who reads it."""
+"""Most cells of a row; the reader refuses more."""
 MOSTLY = 0.8
 """Share of the lines that must have as many cells as the most frequent count."""
 SEPARATORS = ("\t", ";", "|", ",", " ")
@@ -26,15 +26,15 @@ LISTED = re.compile(r"[\s\d.,;|+-]*\d[\s\d.,;|+-]*")
 """Several numbers in one cell."""
 QUOTED = re.compile(r'"(?:[^"]|"")*"')
 DECLARED = re.compile(r"sep=(.)")
-"""The first line that Excel writes and understands."""
+"""Excel's first line that declares the separator."""
 
 
 class Layout(msgspec.Struct, frozen=True):
-    """Where the cells of a text are.
+    """The layout of a text.
 
     ``separator`` of cells (a blank stands for any run of blanks); ``names`` of columns, ``None`` without a
-    header; ``width`` cells in a row; ``first``: the text's line at which the rows begin, from 0; ``above``:
-    lines that are no part of the table.
+    header; ``width`` cells in a row; ``first``: the line of the first row, from 0; ``above``: lines above the
+    table.
     """
 
     separator: str
@@ -45,7 +45,7 @@ class Layout(msgspec.Struct, frozen=True):
 
     @property
     def columns(self) -> list[str]:
-        """A name for each column, none twice: its place from 0 where it has none."""
+        """A unique name for each column: its place from 0 if it has none."""
         names = [name.strip() for name in self.names or ()]
         return distinct_names(
             [name or str(place) for place, name in enumerate(names + [""] * (self.width - len(names)))]
@@ -53,9 +53,9 @@ class Layout(msgspec.Struct, frozen=True):
 
 
 def layout_of(text: str) -> Layout | None:
-    r"""The layout of a text that begins with ``text``; ``None`` where it is no table with numbers.
+    r"""The layout of a text that begins with ``text``; ``None`` if it is not a table with numbers.
 
-    Lines that begin with # are comments; the last of them may hold the names of the columns.
+    Lines that begin with # are comments; the last of them may contain the column names.
 
     >>> layout_of("t;x;y\n0,1;5;6\n0,2;7;8\n")
     Layout(separator=';', names=('t', 'x', 'y'), width=3, first=1, above=0)
@@ -74,7 +74,7 @@ def layout_of(text: str) -> Layout | None:
     outside = set(QUOTED.sub("", "\n".join(line for _, line in below)).replace("\t", "\t "))
     for separator in candidates:
         if separator not in outside:
-            continue  # what stands inside quotes separates no cells
+            continue  # separators inside quotes do not count
         layout = _by(separator, numbered, comments)
         if layout is not None:
             return _from_hash(layout, lines)
@@ -82,7 +82,7 @@ def layout_of(text: str) -> Layout | None:
 
 
 def is_row(line: str, separator: str, width: int) -> bool:
-    """Whether a line that begins with # is a row, as of a participant #2: of its length, with numbers.
+    """Whether a line that begins with # is a row (participant #2): of the same length, with numbers.
 
     >>> is_row("#2,10,20", ",", 3), is_row("# t,x,y", ",", 3), is_row("# block 2, left", ",", 3)
     (True, False, False)
@@ -92,7 +92,7 @@ def is_row(line: str, separator: str, width: int) -> bool:
 
 
 def _from_hash(layout: Layout, lines: Sequence[str]) -> Layout:
-    """The layout with rows that begin with # directly below the names among its rows."""
+    """The layout including rows that begin with # directly below the names."""
     first = layout.first
     while first > 1 and lines[first - 1].lstrip().startswith("#"):
         first -= 1
@@ -115,7 +115,7 @@ def _is_value(cell: str) -> bool:
 
 
 def _split(separator: str, numbered: Sequence[tuple[int, str]]) -> tuple[list[list[str]], list[int]]:
-    """The cells of each row, and the line at which it begins; none where quotes are not as in a table."""
+    """The cells of each row, and its first line; none if the quotes are inconsistent."""
     lines = (" ".join(line.split()) if separator == " " else line for _, line in numbered)
     reader = csv.reader(lines, delimiter=separator, skipinitialspace=separator != " ")
     rows: list[list[str]] = []
@@ -132,7 +132,7 @@ def _split(separator: str, numbered: Sequence[tuple[int, str]]) -> tuple[list[li
 
 
 def _by(separator: str, numbered: Sequence[tuple[int, str]], comments: Sequence[str]) -> Layout | None:
-    """The layout by one separator; ``None`` where the lines have no common number of cells."""
+    """The layout by one separator; ``None`` if the lines have no common number of cells."""
     rows, places = _split(separator, numbered)
     if not rows:
         return None
@@ -143,7 +143,7 @@ def _by(separator: str, numbered: Sequence[tuple[int, str]], comments: Sequence[
     if start is None:
         return None
     if width > MOST_COLUMNS:
-        return Layout(separator, None, width, places[start], start)  # who reads it refuses it
+        return Layout(separator, None, width, places[start], start)  # refused by the reader
     start = _below_padding(rows, start)
     names: tuple[str, ...] | None
     if start and len(rows[start - 1]) == width - 1 and not any(map(is_number, rows[start - 1])):
@@ -161,7 +161,7 @@ def _by(separator: str, numbered: Sequence[tuple[int, str]], comments: Sequence[
 
 
 def _below_padding(rows: Sequence[Sequence[str]], start: int) -> int:
-    """The row that holds the names where a spreadsheet has padded the lines above to the width of all rows.
+    """The row of names below lines that a spreadsheet has padded to the width of the rows.
 
     The rows then end in empty cells, which the row at ``start`` fills.
     """
@@ -176,12 +176,12 @@ def _below_padding(rows: Sequence[Sequence[str]], start: int) -> int:
 
 
 def _filled(row: Sequence[str]) -> int:
-    """Cells up to the last that is not empty."""
+    """Number of cells up to the last nonempty one."""
     return max((place for place, cell in enumerate(row, 1) if cell), default=0)
 
 
 def _is_header(row: Sequence[str], below: Sequence[Sequence[str]]) -> bool:
-    """Whether a row holds names: words above numbers, and no number above a number."""
+    """Whether a row contains names: text above numbers, and no number above a number."""
     if [cell.strip() for cell in row] == [str(place) for place in range(len(row))]:
         return True
     numeric = [sum(is_number(cells[place]) for cells in below) > len(below) / 2 for place in range(len(row))]
@@ -193,12 +193,12 @@ def _is_header(row: Sequence[str], below: Sequence[Sequence[str]]) -> bool:
 
 
 def _short_names(names: Sequence[str], row: Sequence[str]) -> tuple[str, ...]:
-    """Names that are one fewer than the cells: a row ends with a separator, or begins with a name."""
+    """Names that are one fewer than the cells: rows end with a separator, or begin with a row name."""
     return (*names, "") if not row[-1] else ("", *names)
 
 
 def _in_comment(comments: Sequence[str], separator: str, width: int) -> tuple[str, ...] | None:
-    """Names in the last comment, as numpy writes them; ``None`` where it holds another number of words."""
+    """Names in the last comment, as numpy writes them; ``None`` if it has another number of words."""
     if not comments:
         return None
     rows, _ = _split(separator, [(0, comments[-1].strip().lstrip("#").strip())])

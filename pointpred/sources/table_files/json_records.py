@@ -1,4 +1,4 @@
-"""JSON and JSON lines: records anywhere in a document, in the arrangements that programs write."""
+"""JSON and JSON lines: records anywhere in a document, in the usual layouts."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from pointpred.sources.tables.column_table import ColumnTable
 TITLE = "JSON or JSON lines"
 BEGINNING = re.compile(rb"""\s*(\{\s*["}]|\[\s*["\[{\]\-0-9tfnN])""")
 MOST_CHARACTERS = 1 << 28
-"""Longer text would need more than 4 GB as Python's objects."""
+"""Longer text would need more than 4 GB as Python objects."""
 MOST_DIGITS = 18
-"""Whole numbers of more digits stay words, so that long identifiers keep all of theirs."""
+"""Whole numbers with more digits stay text, so that long identifiers keep all digits."""
 SURROGATE = re.compile(r"\\u[dD][89abAB]\w\w\\u[dD][c-fC-F]\w\w|\\u[dD][89a-fA-F]\w\w")
 
 
@@ -30,7 +30,7 @@ def recognises(head: bytes) -> bool:
 def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
     """Read the records at ``reading.records``, else the only ones that fit (``record_paths``).
 
-    In JSON lines each line is a record; a last line that is damaged is left aside with a note.
+    In JSON lines each line is a record; a damaged last line is ignored with a note.
     Raises RecordingError, also above 2^28 characters. Memory: about 11 bytes a character.
     """
     text = read_text(path)
@@ -48,7 +48,7 @@ def _document(path: Path, text: str) -> tuple[Any, list[str]]:
     """The value of the whole file, or the list of the values of its lines, and notes."""
     try:
         return parse(text), []
-    except ValueError as error:  # not kept itself: it holds the text, and this frame would hold it
+    except ValueError as error:  # its text only: the error holds the document
         whole = _reason(error)
     lines = [(number, line) for number, line in enumerate(text.split("\n"), 1) if line.strip()]
     values: list[Any] = []
@@ -79,7 +79,7 @@ def _whole(digits: str) -> int | str:
 
 
 def _paired(match: re.Match[str]) -> str:
-    """Half a surrogate pair is no character: a replacement mark stands for it."""
+    """Replace half surrogate pairs, which are not characters."""
     return match[0] if len(match[0]) > 6 else "\\ufffd"
 
 

@@ -25,7 +25,7 @@ def recognises(head: bytes) -> bool:
 def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
     """Read the variables at ``reading.records``, else the only ones that fit (``record_paths``).
 
-    Vectors of one length are columns, so are the columns of a matrix; a structure array is a record each.
+    Vectors of one length and the columns of a matrix are columns; elements of a structure array are records.
     Raises RecordingError, also for version 7.3.
     """
     data = read_unpacked(path)

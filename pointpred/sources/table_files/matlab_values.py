@@ -1,6 +1,6 @@
-"""The values in a MATLAB file of versions 5 to 7.2, with every size checked before it is believed.
+"""The values in a MATLAB file of versions 5 to 7.2, with every size checked before use.
 
-scipy's reader is not used because damaged files end its process: 1 in 100 with one changed byte.
+scipy's reader is not used because damaged files crash the process: 1 in 100 with one changed byte.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from pointpred.sources.records.record_tables import check_depth
 HEADER_BYTES, TAG_BYTES = 128, 8
 MATRIX, COMPRESSED = 14, 15
 NUMBERS = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 9: "f8", 12: "i8", 13: "u8"}
-"""Types of numbers as they are stored, which may be narrower than the array's own."""
+"""Stored number types, which may be narrower than the array's own."""
 LETTERS = {1: "latin-1", 2: "latin-1", 4: "utf-16", 16: "utf-8", 17: "utf-16", 18: "utf-32"}
 CELL, STRUCTURE, CHARACTERS, FIRST_NUMERIC, LAST_NUMERIC = 1, 2, 4, 6, 15
 LOGICAL, COMPLEX = 0x0200, 0x0800
@@ -27,15 +27,15 @@ MOST_UNPACKED = 1 << 28
 MOST_DIMENSIONS = 32
 BLOCK_BYTES = 1 << 20
 UNREAD = "MATLAB object"
-"""What stands for a value of a kind that is not read: objects, tables, dates, functions, complex numbers."""
+"""Placeholder for unsupported values: objects, tables, dates, functions, complex numbers."""
 
 
 def variables_of(data: bytes) -> dict[str, Any]:
-    """The variables of a file by name, as words, numbers, lists and objects.
+    """The variables of a file by name, as text, numbers, lists and objects.
 
     A vector is a list, a matrix a list of its rows, a cell array a list, a structure an object, an array of
-    structures a list of objects. Raises RecordingError where the bytes are damaged, nested deeper than 32
-    levels, or hold more than 256 MiB of values.
+    structures a list of objects. Raises RecordingError if the bytes are damaged, nested deeper than 32
+    levels, or contain more than 256 MiB of values.
     """
     if len(data) < HEADER_BYTES:
         raise RecordingError("cut within its header")
@@ -59,7 +59,7 @@ def variables_of(data: bytes) -> dict[str, Any]:
 
 
 class Elements:
-    """The elements that follow each other in some bytes: what type each has, and its content."""
+    """The consecutive elements in some bytes: the type and content of each."""
 
     def __init__(self, data: bytes, order: str, *, padded: bool = True) -> None:
         self.data = memoryview(data)
@@ -72,7 +72,7 @@ class Elements:
             yield self.next()
 
     def next(self) -> tuple[int, bytes]:
-        """The next element; raises RecordingError where it is cut."""
+        """The next element; raises RecordingError if it is cut."""
         if self.room < TAG_BYTES:
             raise RecordingError("cut within the tag of a value")
         kind, size = struct.unpack_from(f"{self.order}II", self.data, self.at)
@@ -89,7 +89,7 @@ class Elements:
 
     @property
     def room(self) -> int:
-        """Bytes that follow."""
+        """Number of remaining bytes."""
         return len(self.data) - self.at
 
 
@@ -105,7 +105,7 @@ def _unpacked(packed: bytes, most: int) -> bytes:
 
 
 def _matrix(data: bytes, order: str, depth: int) -> tuple[str, Any]:
-    """The name and the value of an array of any class."""
+    """The name and value of an array of any class."""
     check_depth(depth)
     if not data:
         return "", []
@@ -151,7 +151,7 @@ def _plain(values: Any, shape: list[int]) -> Any:
 
 
 def _words(kind: int, content: bytes, order: str, shape: list[int]) -> Any:
-    """Letters as a word, or as one word a row."""
+    """Characters as a string, or one string per row."""
     codec = LETTERS.get(kind, "")
     if not codec:
         raise RecordingError(f"type {kind} where letters are expected")
@@ -162,7 +162,7 @@ def _words(kind: int, content: bytes, order: str, shape: list[int]) -> Any:
 
 
 def _cells(parts: Elements, order: str, shape: list[int], depth: int) -> list[Any]:
-    """The cells as a list, as a list of rows where there are several rows and columns."""
+    """The cells as a list, or a list of rows if there are several rows and columns."""
     values = [_inner(parts, order, depth) for _ in range(_checked(math.prod(shape), parts))]
     if not values or len([size for size in shape if size != 1]) < 2:
         return values
@@ -182,7 +182,7 @@ def _structures(parts: Elements, order: str, count: int, depth: int) -> Any:
 
 
 def _checked(count: int, parts: Elements) -> int:
-    """A number of values to come, each of which needs a tag at least."""
+    """The number of values that follow, each of which needs at least a tag."""
     if count * TAG_BYTES > parts.room:
         raise RecordingError(f"{count} values announced, {parts.room} bytes follow")
     return count

@@ -1,4 +1,4 @@
-"""Decimal commas and thousands separators in numbers, and columns that could be read in two ways."""
+"""Decimal commas and thousands separators in numbers, and ambiguous columns."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ SIGN = r"^\s*[+-]?"
 COMMA_NUMBER = SIGN + r"(\d+,\d*|,\d+)([eE][+-]?\d+)?\s*$"
 POINT_NUMBER = SIGN + r"(\d+\.\d*|\.\d+)([eE][+-]?\d+)?\s*$"
 COMMA_GROUPS = SIGN + r"[1-9]\d{0,2}(,\d{3}){1,3}\s*$"
-"""A comma before three digits, which may be either mark where there is one."""
+"""A single comma before three digits, which may be either mark."""
 POINT_GROUPS = SIGN + r"[1-9]\d{0,2}(\.\d{3}){1,3}\s*$"
 COMMA_THOUSANDS = SIGN + r"[1-9]\d{0,2}((,\d{3}){1,3}\.\d*|(,\d{3}){2,3})\s*$"
 POINT_THOUSANDS = SIGN + r"[1-9]\d{0,2}((\.\d{3}){1,3},\d*|(\.\d{3}){2,3})\s*$"
@@ -22,13 +22,13 @@ BLANK_THOUSANDS = SIGN + r"[1-9]\d{0,2}(" + BLANK + r"\d{3}){1,2}([.,]\d*)?\s*$"
 SMALL = SIGN + r"\d{1,3}\s*$"
 NUMERIC = r"^[\s\d.,+\-eE\x{A0}\x{202F}\x{2009}]*$"
 SEVERAL = r"^[^,]*,[^,]*,"
-"""Two commas or more: a list of three items or more, if no groups of three digits."""
+"""Two commas or more: a list of three items or more, unless the digits are in groups of three."""
 SOME = 0.2
-"""A larger share of cells that are none of it means that a column holds no such numbers."""
+"""Largest share of other cells in a column of such numbers."""
 
 
 class Marks(msgspec.Struct):
-    """Columns with numbers as Python writes them, notes on what was changed, and columns left unsure: why."""
+    """Columns with numbers in Python's notation, notes on changes, and the reasons for unsure columns."""
 
     columns: dict[str, Any]
     notes: list[str] = []
@@ -36,11 +36,10 @@ class Marks(msgspec.Struct):
 
 
 def plain_numbers(columns: dict[str, Any], separator: str) -> Marks:
-    """The columns of words with decimal points and without thousands separators.
+    """The text columns with decimal points and without thousands separators.
 
-    A comma or a point before three digits may mean either; what the other cells of the table have decides.
-    Where nothing decides, or cells contradict each other, the column stays as it is and is unsure. Columns of
-    lists stay as they are.
+    A comma or a point before three digits is ambiguous; the other cells of the table decide. If they do not,
+    or contradict each other, the column is unchanged and unsure. Columns of lists are unchanged.
     """
     marks = Marks(dict(columns))
     if separator != " ":
@@ -73,7 +72,7 @@ def plain_numbers(columns: dict[str, Any], separator: str) -> Marks:
 
 
 def _blanks(marks: Marks) -> None:
-    """Take the blanks out of columns in which they can part nothing but thousands."""
+    """Remove the blanks from columns in which they can only separate thousands."""
     for name, column in list(marks.columns.items()):
         groups = _match(column, BLANK_THOUSANDS)
         if not pc.any(groups, min_count=0).as_py():
@@ -86,10 +85,10 @@ def _blanks(marks: Marks) -> None:
 
 
 def _points(marks: Marks, known: set[str]) -> None:
-    """Call columns unsure in which points may part thousands.
+    """Mark columns as unsure in which points may separate thousands.
 
-    No cell of the table has another number of digits than three after its point, and some column has numbers
-    below 1000 without one.
+    That is, all cells of the table have three digits after the point, and some column has numbers below 1000
+    without a point.
     """
     numbers = {name: column for name, column in marks.columns.items() if name not in known}
     if _first(numbers, POINT_NUMBER, POINT_GROUPS):
@@ -102,7 +101,7 @@ def _points(marks: Marks, known: set[str]) -> None:
 
 
 def _point_for_comma(marks: Marks, name: str) -> None:
-    """Write decimal commas as points; points that part thousands are taken out first."""
+    """Write decimal commas as points, after removing points that separate thousands."""
     column = marks.columns[name]
     grouped = _match(column, POINT_THOUSANDS)
     if pc.any(grouped, min_count=0).as_py():
@@ -113,7 +112,7 @@ def _point_for_comma(marks: Marks, name: str) -> None:
 
 
 def _change(marks: Marks, name: str, where: Any, changed: Any) -> None:
-    """Put cells without thousands separators into a column; a note shows the first of them."""
+    """Replace a column by its cells without thousands separators; a note shows the first of them."""
     rows = arrow_tables.as_array(pc.indices_nonzero(where))
     if len(rows):
         first = str(marks.columns[name][int(rows[0])].as_py())
@@ -137,7 +136,7 @@ def _numeric(column: Any) -> bool:
 
 
 def _first(columns: dict[str, Any], pattern: str, unlike: str | None = None) -> str:
-    """The first cell that fits one pattern and not another; empty where there is none."""
+    """The first cell that matches one pattern and not another; empty if there is none."""
     return next((cell for column in columns.values() if (cell := _cell(column, pattern, unlike))), "")
 
 

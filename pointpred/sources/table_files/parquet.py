@@ -22,10 +22,9 @@ def recognises(head: bytes) -> bool:
 
 
 def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
-    """The columns of words, numbers, dates and times, and lists of numbers; a structure is a column a field.
+    """The columns of words, numbers, dates and times, and lists of numbers; structures are flattened.
 
-    A note names the columns that hold anything else. Raises RecordingError for a file that is damaged, or
-    has a name twice.
+    A note names the other columns. Raises RecordingError for a damaged file or a repeated name.
     """
     try:
         table, _ = arrow_tables.read_parquet(path)
@@ -45,7 +44,7 @@ def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
 
 
 def _plain(column: Any) -> Any:
-    """A column of words, numbers, dates and times, or lists of numbers; ``None`` where it is another."""
+    """A column of words, numbers, dates and times, or lists of numbers; ``None`` for any other."""
     kind = column.type
     if pa.types.is_dictionary(kind):
         return _plain(column.cast(kind.value_type))

@@ -17,7 +17,7 @@ ADVICE = (
 
 
 def advice(head: bytes) -> str:
-    """What to do with a file that begins with ``head``; empty where nothing is known of it.
+    """Advice for a file that begins with ``head``; empty if the format is unknown.
 
     >>> advice(b"$FL2")
     'SPSS data are not read; save them in SPSS as CSV, or in R: write.csv(haven::read_sav(...), ...)'

@@ -24,10 +24,10 @@ TITLE = "XDF"
 MAGIC = b"XDF:"
 STREAM_HEADER = 2
 OF_STREAM = (STREAM_HEADER, 3, 4, 6)
-"""Chunks that begin with the number of their stream: header, samples, offset between clocks, footer."""
+"""Tags of chunks that begin with their stream's number: header, samples, clock offset, footer."""
 TAG_BYTES, NUMBER_BYTES = 2, 4
 LENGTHS = {1: "<B", 4: "<I", 8: "<Q"}
-"""How the length of a chunk is written, by the byte before it."""
+"""The format of a chunk's length, by the byte before it."""
 POSITIONS = ("mocap", "position")
 MOST_CHANNELS = 1024
 MOST_HEADER = 1 << 24
@@ -35,7 +35,7 @@ TIMES = "time_stamps"
 
 
 class Stream(msgspec.Struct, frozen=True):
-    """What the header of a stream says: its number, name, type, format of values, labels of channels."""
+    """The header of a stream: its number, name, type, format of values, labels of channels."""
 
     number: int
     name: str
@@ -46,7 +46,7 @@ class Stream(msgspec.Struct, frozen=True):
 
     @property
     def title(self) -> str:
-        """How messages name it."""
+        """Its name in messages."""
         return f"{self.name} (type {self.kind or 'unknown'}, {self.channels} channels)"
 
 
@@ -58,8 +58,8 @@ def recognises(head: bytes) -> bool:
 def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
     """Read the stream whose name or type is ``reading.records``, else the only one that may be a mouse.
 
-    Times are those of the recording computer: the offsets between clocks are taken out, jitter is not. The
-    columns are ``time_stamps`` in s and a column a channel, by its label or its place from 0.
+    Times are those of the recording computer: clock offsets are removed, jitter is not. The columns are
+    ``time_stamps`` in s and one per channel, by its label or its place from 0.
     Raises RecordingError, which names the streams; MissingExtraError.
     """
     require("tables", f"{path}: reading XDF")
@@ -81,7 +81,7 @@ def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
 
 
 def _streams(path: Path, file: BinaryIO) -> tuple[list[Stream], str]:
-    """The headers of all streams, and a note where the file ends within a chunk or is damaged."""
+    """The headers of all streams, and a note if the file ends within a chunk or is damaged."""
     streams, end = [], 0
     for tag, start, size in _chunks(file):
         if tag == STREAM_HEADER:
@@ -95,9 +95,9 @@ def _streams(path: Path, file: BinaryIO) -> tuple[list[Stream], str]:
 
 
 def _chunks(file: BinaryIO) -> Iterator[tuple[int, int, int]]:
-    """Tag, beginning and size of the content of every chunk up to the first that is cut or damaged.
+    """Tag, offset and size of the content of every chunk up to the first that is cut or damaged.
 
-    The file stands at the content while its chunk is looked at.
+    The file is positioned at the content of each chunk.
     """
     file.seek(0, SEEK_END)
     length = file.tell()
@@ -119,7 +119,7 @@ def _chunks(file: BinaryIO) -> Iterator[tuple[int, int, int]]:
 
 
 def _chunks_of(file: BinaryIO, number: int) -> io.BytesIO:
-    """The whole chunks of one stream as a file of their own."""
+    """The complete chunks of one stream as a separate file."""
     part = io.BytesIO()
     part.write(MAGIC)
     for tag, start, size in _chunks(file):
@@ -174,7 +174,7 @@ def _chosen(path: Path, streams: list[Stream], wanted: str | None) -> Stream:
 
 
 def _load(path: Path, file: io.BytesIO, stream: Stream) -> tuple[Any, Any, list[str]]:
-    """Values, times in s, and what pyxdf says about damage."""
+    """Values, times in s, and pyxdf's messages about damage."""
     import pyxdf
 
     try:
@@ -192,12 +192,12 @@ def _load(path: Path, file: io.BytesIO, stream: Stream) -> tuple[Any, Any, list[
 
 @contextmanager
 def _log_of(name: str) -> Iterator[list[str]]:
-    """What a library logs as an error while it works, each once."""
+    """The errors that a library logs, each once."""
     lines: dict[str, None] = {}
 
     class Listener(logging.Handler):
         def emit(self, record: logging.LogRecord) -> None:
-            if record.levelno >= logging.ERROR:  # warnings are of what it calls segments, for jitter removal
+            if record.levelno >= logging.ERROR:  # its warnings are about segments for jitter removal
                 lines[f"{name}: {record.getMessage()[:120]}"] = None
 
     logger, listener = logging.getLogger(name), Listener(logging.WARNING)

@@ -22,9 +22,9 @@ TITLE = "workbook .xlsx"
 ZIP, PART = b"PK\x03\x04", b"xl/"
 MOST_UNPACKED = 1 << 29
 MOST_ROWS = 1 << 20
-"""As many as a sheet of Excel has."""
+"""Most rows of an Excel sheet."""
 SHEET = "sheet"
-"""The column that names the sheet of each row where all sheets are read."""
+"""The column with each row's sheet if all sheets are read."""
 
 
 def recognises(head: bytes) -> bool:
@@ -35,11 +35,11 @@ def recognises(head: bytes) -> bool:
 def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
     """Read the sheet ``reading.records``, else the only one with a table of at least three columns.
 
-    Where several hold one, the largest is read if it has twice the samples of the next one. ``*`` reads all
-    sheets, whose names then are in the column ``sheet``.
+    If several have one, the largest is read if it has twice the samples of the next one. ``*`` reads all
+    sheets, with their names in the column ``sheet``.
 
-    The first row with three cells names the columns; where it holds numbers alone, they are numbered from 0.
-    Rows without any cell are left out. Cells of formulas have the values that were saved with the file.
+    The first row with three cells names the columns; if it contains only numbers, they are numbered from 0.
+    Empty rows are left out. Formulas have the values saved with the file.
     Raises RecordingError, also above 512 MiB of unpacked sheets; MissingExtraError.
     """
     require("tables", f"{path}: reading a workbook")
@@ -60,9 +60,9 @@ def _opened(path: Path) -> Iterator[Any]:
         size = sum(part.file_size for part in file.infolist())
     if size > MOST_UNPACKED:
         raise RecordingError(f"{path}: {size} bytes when unpacked, at most {MOST_UNPACKED} are read")
-    # an open file: of a path openpyxl would want the ending
+    # an open file, because openpyxl checks the extension of a path
     with warnings.catch_warnings(), path.open("rb") as content:
-        warnings.simplefilter("ignore")  # on styles and extensions that hold no cells
+        warnings.simplefilter("ignore")  # warnings about styles and extensions without cells
         book = load_workbook(content, read_only=True, data_only=True, keep_links=False)
         try:
             yield book
@@ -71,7 +71,7 @@ def _opened(path: Path) -> Iterator[Any]:
 
 
 def _sheet(path: Path, sheets: dict[str, Any], wanted: str | None) -> ColumnTable:
-    """The sheet of that name, all of them, or the only one that holds most of the rows."""
+    """The sheet of that name, all of them, or the only one with most of the rows."""
     if wanted not in (None, EACH, *sheets):
         raise RecordingError(
             f"{path}: no sheet {wanted!r}; --records takes one of {', '.join(sheets)}, or {EACH} for all"
@@ -94,7 +94,7 @@ def _sheet(path: Path, sheets: dict[str, Any], wanted: str | None) -> ColumnTabl
 
 
 def _joined(tables: dict[str, RecordTable]) -> ColumnTable:
-    """The rows of all sheets one below the other, with the name of their sheet."""
+    """The rows of all sheets concatenated, with the name of their sheet."""
     whole = RecordTable()
     for title, table in tables.items():
         whole.append(table, {SHEET: title})
@@ -103,7 +103,7 @@ def _joined(tables: dict[str, RecordTable]) -> ColumnTable:
 
 
 def _largest(path: Path, tables: dict[str, RecordTable]) -> str:
-    """The sheet with twice the samples of the next one; raises RecordingError where there is none."""
+    """The sheet with twice the samples of the next one; raises RecordingError if there is none."""
     first, *more = sorted(tables, key=lambda title: tables[title].samples, reverse=True)
     if more and tables[first].samples < CLEAR * tables[more[0]].samples:
         shown = "; ".join(f"{title} ({table.rows} rows)" for title, table in tables.items())
@@ -116,7 +116,7 @@ def _largest(path: Path, tables: dict[str, RecordTable]) -> str:
 
 def _table(path: Path, sheet: Any) -> RecordTable:
     """The cells of a sheet below the row that names its columns."""
-    sheet.reset_dimensions()  # what a file says about its size may be wrong
+    sheet.reset_dimensions()  # the size stored in a file may be wrong
     table = RecordTable()
     titles: list[str] = []
     for number, row in enumerate(sheet.iter_rows(values_only=True)):
@@ -136,7 +136,7 @@ def _table(path: Path, sheet: Any) -> RecordTable:
 
 
 def _titles(cells: dict[int, Any]) -> list[str]:
-    """A name for each column up to the last of the first row: its words, else its place from 0."""
+    """A name for each column up to the last of the first row: its text, else its place from 0."""
     names = [cells.get(at) for at in range(max(cells) + 1)]
     return distinct_names([name if isinstance(name, str) else str(at) for at, name in enumerate(names)])
 

@@ -1,4 +1,4 @@
-"""CSV and Parquet files as Arrow tables, with errors that name the file, the row and what was expected."""
+"""CSV and Parquet files as Arrow tables, with errors that name the file, the row and the expected content."""
 
 from __future__ import annotations
 
@@ -48,14 +48,14 @@ UNREADABLE = (
     IndexError,
     MemoryError,
 )
-"""What Arrow raises on damaged bytes."""
+"""Errors of Arrow on damaged bytes."""
 
 
 def read_table(path: Path, text: Callable[[str], bool], separator: str = ",") -> tuple[Any, Header]:
-    """The table in a Parquet or CSV file and its pointpred header; ``text`` says which columns are words.
+    """The table in a Parquet or CSV file and its pointpred header; ``text`` names the text columns.
 
-    In a CSV file every column that is not text is read as numbers where all its cells are numbers, and as
-    words otherwise: ``numbers`` then says which cells are at fault. Raises RecordingError.
+    In a CSV file every other column is read as numbers if all its cells are numbers, else as text:
+    ``numbers`` then lists the wrong cells. Raises RecordingError.
     """
     try:
         parquet = head_of(path).startswith(PARQUET_MAGIC)
@@ -81,7 +81,7 @@ def read_table(path: Path, text: Callable[[str], bool], separator: str = ",") ->
 
 
 def check_names(path: Path, names: Sequence[str]) -> None:
-    """Raise RecordingError where two columns have one name."""
+    """Raise RecordingError if two columns have the same name."""
     twice = sorted({name for name in names if names.count(name) > 1})
     if twice:
         raise RecordingError(
@@ -90,7 +90,7 @@ def check_names(path: Path, names: Sequence[str]) -> None:
 
 
 def parquet_names(path: Path) -> tuple[bool, set[str]]:
-    """Whether pointpred's header stands in a Parquet file, and its columns; neither where it is damaged."""
+    """Whether a Parquet file has pointpred's header, and its columns; neither if it is damaged."""
     try:
         with open_file(path) as opened, pq.ParquetFile(opened) as file:
             return KEY in (file.metadata.metadata or {}), set(file.schema_arrow.names)
@@ -99,7 +99,7 @@ def parquet_names(path: Path) -> tuple[bool, set[str]]:
 
 
 def read_parquet(path: Path) -> tuple[Any, Header]:
-    """The table in a Parquet file and its pointpred header; checksums are verified where present."""
+    """The table in a Parquet file and its pointpred header; checksums are verified if present."""
     with open_file(path) as opened, pq.ParquetFile(opened, page_checksum_verification=True) as file:
         table = file.read()
     table.validate(full=True)
@@ -139,7 +139,7 @@ def is_whole(path: Path) -> bool:
 
 
 def unbroken(path: Path, table: Any, columns: Iterable[str]) -> None:
-    """Raise RecordingError for a line break inside a cell: a quote that is not closed swallows rows."""
+    """Raise RecordingError for a line break inside a cell: an unclosed quote merges rows."""
     for name in columns:
         if name in table.column_names and pa.types.is_string(table[name].type):
             broken = as_array(pc.indices_nonzero(pc.match_substring_regex(table[name], "[\r\n]")))
@@ -153,14 +153,14 @@ def unbroken(path: Path, table: Any, columns: Iterable[str]) -> None:
 
 
 def short(cell: str) -> str:
-    """A cell as messages show it: cut after 40 characters."""
+    """A cell as shown in messages: truncated after 40 characters."""
     return cell if len(cell) <= CELL_MOST else cell[:CELL_MOST] + "..."
 
 
 def write_table(path: Path, part: Path, table: Any, header: dict[str, Any]) -> None:
     """Write a table with its header into ``part``, which is to become ``path``, as Parquet or CSV.
 
-    The extension of ``path`` says which. The same table gives the same bytes. Raises RecordingError.
+    The extension of ``path`` decides. The same table gives the same bytes. Raises RecordingError.
     """
     encoded = msgspec.json.encode(header | {"version": 1, "rows": table.num_rows}, order="sorted")
     try:
@@ -177,19 +177,19 @@ def write_table(path: Path, part: Path, table: Any, header: dict[str, Any]) -> N
 
 
 def words(column: Any) -> Any:
-    """A column as words; numbers as they print."""
+    """A column as text; numbers as they print."""
     if pa.types.is_dictionary(column.type):
         column = column.cast(column.type.value_type)
     return column if pa.types.is_string(column.type) else pc.cast(column, pa.string())
 
 
 def is_words(column: Any) -> bool:
-    """Whether the cells of a column are words."""
+    """Whether the cells of a column are text."""
     return bool(pa.types.is_string(column.type) or pa.types.is_large_string(column.type))
 
 
 def numbers(column: Any) -> tuple[FloatArray, dict[int, str]]:
-    """A column as float64, NaN where a cell is empty, and the cells that are no numbers by their row."""
+    """A column as float64, NaN for empty cells, and the cells that are not numbers by their row."""
     if pa.types.is_dictionary(column.type):
         column = column.cast(column.type.value_type)
     if pa.types.is_temporal(column.type):
@@ -199,7 +199,7 @@ def numbers(column: Any) -> tuple[FloatArray, dict[int, str]]:
         try:
             return float64(pc.cast(column, pa.float64())), faults
         except pa.ArrowInvalid:
-            pass  # some cell is no number, or has blanks around it
+            pass  # some cell is not a number, or has blanks around it
         good = pc.match_substring_regex(column, NUMBER)
         empty = pc.match_substring_regex(column, NOT_A_NUMBER)
         wrong = as_array(pc.indices_nonzero(pc.invert(pc.or_(good, empty))))
@@ -212,7 +212,7 @@ def numbers(column: Any) -> tuple[FloatArray, dict[int, str]]:
 
 
 def finite_numbers(column: Any) -> tuple[FloatArray, dict[int, str]]:
-    """As ``numbers``, with NaN for infinite cells too, which count among those that are no numbers."""
+    """As ``numbers``, but infinite cells also count as not numbers."""
     array, faults = numbers(column)
     for row in np.flatnonzero(np.isinf(array)).tolist():
         faults.setdefault(row, str(array[row]))
@@ -221,7 +221,7 @@ def finite_numbers(column: Any) -> tuple[FloatArray, dict[int, str]]:
 
 
 def float64(column: Any) -> FloatArray:
-    """A float64 column as an array, NaN where null; even ``fill_null`` would import pandas for its scalar."""
+    """A float64 column as an array, NaN for null; even ``fill_null`` would import pandas for its scalar."""
     parts = [np.empty(0)]
     for chunk in _chunks(column):
         parts.append(np.full(len(chunk), np.nan) if chunk.null_count else as_array(chunk))
@@ -244,7 +244,7 @@ def _chunks(column: Any) -> list[Any]:
 
 
 def rows_without(count: int, left: Collection[int]) -> NDArray[np.int64]:
-    """The rows 0 up to ``count`` but for some."""
+    """The rows from 0 up to ``count`` except some."""
     return np.delete(np.arange(count, dtype=np.int64), sorted(left))
 
 

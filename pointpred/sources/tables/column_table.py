@@ -1,4 +1,4 @@
-"""The cells of one table by column, as any file of tables gives them."""
+"""The cells of one table by column, for files of any table format."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ class ColumnTable(msgspec.Struct, frozen=True):
 
     A cell is a str, a number, a bool, ``None``, a date and time, or a list of numbers (a row a trial);
     a column is a list, a numpy array or an Arrow array. ``format`` for the provenance. ``row_of``: the file's
-    row of each row where some were left out, which ``skipped`` names. ``unsure``: columns of numbers that may
-    be read in two ways, and why.
+    row of each row if some were left out, which ``skipped`` names. ``unsure``: columns of ambiguous numbers,
+    and why.
     """
 
     columns: dict[str, Any]
@@ -33,7 +33,7 @@ class ColumnTable(msgspec.Struct, frozen=True):
 
 
 def distinct_names(names: Sequence[str]) -> list[str]:
-    """The names, none twice: one that stands at several places has its place from 0 behind it.
+    """The names made unique: a repeated one gets its place from 0 as a suffix.
 
     >>> distinct_names(["t", "x", "x", "x.1"])
     ['t', 'x.1', 'x.2', 'x.1.3']

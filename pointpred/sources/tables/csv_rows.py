@@ -1,4 +1,4 @@
-"""The rows of a CSV file as an Arrow table; a row that is cut or too long is named."""
+"""The rows of a CSV file as an Arrow table; rows that are cut or too long raise an error."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ LARGEST_BLOCK = 1 << 25
 
 
 def parse_csv(path: Path, file: BinaryIO, skip: int, types: dict[str, Any], separator: str) -> Any:
-    """The rows below ``skip`` lines of the opened ``file``, which messages call ``path``.
+    """The rows below ``skip`` lines of the open ``file``, named ``path`` in messages.
 
-    The columns have the Arrow ``types`` that are named; all are strings where a cell is not of its type.
+    The columns have the named Arrow ``types``, or are all strings if a cell is not of its type.
     Raises RecordingError naming the first row that is cut or too long, with its number as ``value``.
     """
     rows = in_memory(file)
@@ -48,7 +48,7 @@ def parse_csv(path: Path, file: BinaryIO, skip: int, types: dict[str, Any], sepa
 
 
 def _parse(rows: Any, skip: int, types: dict[str, Any], options: Any, *, threads: bool = True) -> Any:
-    block = min(max(rows.size, 1), LARGEST_BLOCK)  # Arrow wants the longest row in one block
+    block = min(max(rows.size, 1), LARGEST_BLOCK)  # Arrow needs the longest row in one block
     return pacsv.read_csv(
         pa.BufferReader(rows),
         read_options=pacsv.ReadOptions(skip_rows=skip, use_threads=threads, block_size=block),

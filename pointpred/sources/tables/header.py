@@ -13,10 +13,10 @@ from pointpred.recording import Provenance
 
 
 class Header(msgspec.Struct, frozen=True):
-    """The header of a file; a foreign file has none, so that everything is as it is here.
+    """The header of a file; a foreign file has these defaults.
 
-    ``rows`` the file must hold; ``text`` names conditions that are words; ``skipped`` trials that were left
-    out before the file was written, each (trial, reason, row, user); ``append``: the recorder's.
+    ``rows``: the number of rows in the file; ``text`` names conditions that are text; ``skipped`` trials that
+    were left out before the file was written, each (trial, reason, row, user); ``append``: the recorder's.
     """
 
     version: Any = None
@@ -37,7 +37,7 @@ class _Appended(msgspec.Struct, frozen=True):
 
 
 def parse_header(path: Path, encoded: bytes) -> Header:
-    """The header in ``encoded``; raises RecordingError where it is no JSON, or not what we write."""
+    """The header in ``encoded``; raises RecordingError if it is not JSON or not in our format."""
     try:
         header = msgspec.json.decode(encoded, type=Header)
     except msgspec.ValidationError as error:
@@ -58,7 +58,7 @@ def parse_header(path: Path, encoded: bytes) -> Header:
 
 
 def says_appended(encoded: bytes) -> bool:
-    """Whether a header says that rows were added to its file one after another."""
+    """Whether the header marks a file to which rows were appended one by one."""
     try:
         return msgspec.json.decode(encoded, type=_Appended).append
     except (msgspec.DecodeError, UnicodeError, RecursionError):

@@ -1,1 +1,1 @@
-"""From rows to trials: cut, group, check, and describe them."""
+"""Rows to trials: cutting, grouping, checks and descriptions."""

@@ -1,4 +1,4 @@
-"""From rows in any order to a recording: group them by trial, judge each trial, keep or skip it whole."""
+"""From rows in any order to a recording: grouped by trial, each trial kept or skipped as a whole."""
 
 from __future__ import annotations
 
@@ -33,13 +33,12 @@ def assemble(
     """A recording from event rows, row ``i`` of which belongs to ``trials[group[i]]``.
 
     Assumes that the rows of one trial are in the order of their time; rows of several trials may interleave:
-    they are put together and a note says so. A trial is skipped, with the reason and the first row at fault,
-    when it has fewer than two samples, a cell that is not a finite number (``faults``: row -> what is wrong)
-    or beyond the bounds of events, one count without the other, time that runs backwards, buttons that are
-    no whole number in 0..65535, or no movement at all.
-    ``unfit`` names further trials with the caller's reason. Equal times are normal. ``row_of`` gives the
-    file's row of each table row where the two differ.
-    Every trial is either in the recording or in its ``skipped``. Memory: two copies of the table at most.
+    they are regrouped, with a note. A trial is skipped, with the reason and the first row at fault, when it
+    has fewer than two samples, a cell that is not a finite number (``faults``: row -> fault) or beyond the
+    bounds of events, one count without the other, time that runs backwards, buttons that are not a whole
+    number in 0..65535, or no movement at all. ``unfit`` names further trials with the caller's reason. Equal
+    times are normal. ``row_of`` is the file's row of each table row if the two differ. Every trial is either
+    in the recording or in its ``skipped``. Memory: two copies of the table at most.
     """
     count = len(trials)
     sizes = np.bincount(group, minlength=count).astype(np.int64)
@@ -82,7 +81,7 @@ def assemble(
 
 
 def _first_return(group: IntArray) -> int:
-    """The first row whose trial has been left before."""
+    """The first row that returns to an earlier trial."""
     starts = np.flatnonzero(np.diff(group, prepend=-1))
     _, first = np.unique(group[starts], return_index=True)
     again = np.ones(len(starts), dtype=bool)
@@ -133,7 +132,7 @@ def _find_faults(
 
 
 def _moved(table: FloatArray, offsets: IntArray) -> NDArray[np.bool_]:
-    """Which trials leave their first position or carry a count that is not zero."""
+    """Which trials leave their first position or have a nonzero count."""
     sizes = np.diff(offsets)
     first = offsets[:-1][sizes > 0]
     moved = (np.nan_to_num(table[:, DX]) != 0) | (np.nan_to_num(table[:, DY]) != 0)

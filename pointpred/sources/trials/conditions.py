@@ -16,13 +16,13 @@ TARGET = ("target_x", "target_y", "target_w")
 TRIAL_COLUMNS = ("dataset", "user", "trial", *TARGET, "n_samples", "clean")
 """The columns of our own tables of trials; every other column is a condition."""
 PROBE = 1000
-"""Rows that are compared first: most columns that vary differ within them."""
+"""Rows compared first: most varying columns differ within them."""
 MOST = 64
-"""Columns that become conditions at most; the others are skipped."""
+"""Most columns that become conditions; the others are skipped."""
 
 
 def one_value(values: FloatArray, group: IntArray, count: int) -> FloatArray:
-    """The value of each trial, NaN where its rows differ or one has none.
+    """The value of each trial, NaN if its rows differ or one is empty.
 
     >>> one_value(np.array([1.0, 1.0, 2.0, 3.0]), np.array([0, 0, 1, 1]), 2)
     array([ 1., nan])
@@ -37,10 +37,10 @@ def one_value(values: FloatArray, group: IntArray, count: int) -> FloatArray:
 def conditions_of(
     columns: dict[str, tuple[Any, IntArray]], group: IntArray, count: int
 ) -> tuple[list[dict[str, str | float]], list[str]]:
-    """The conditions of each trial, and the columns that are none, for they vary within one.
+    """The conditions of each trial, and the columns that are not, because they vary within a trial.
 
-    ``columns``: the cells and the rows of them that belong to ``group``. Numbers stay numbers where every
-    cell is one; an empty cell is no condition.
+    ``columns``: the cells and the rows of them that belong to ``group``. Numbers stay numbers if every cell
+    is one; an empty cell is not a condition.
     """
     conditions: list[dict[str, str | float]] = [{} for _ in range(count)]
     varying = list(columns)[MOST:]
@@ -62,13 +62,13 @@ def conditions_of(
 
 
 def _codes(column: Any, group: IntArray, count: int) -> tuple[FloatArray, list[str]]:
-    """The place of the one cell of each trial among the different cells, NaN where it has several; these."""
+    """The index of each trial's only distinct cell, NaN if it has several; and the distinct cells."""
     codes, cells = codes_of(arrow_tables.words(column).fill_null(""))
     return one_value(codes.astype(np.float64), group, count), cells
 
 
 def condition_name(column: str) -> str:
-    """What a column of another table is called among the conditions, so that they can be written.
+    """A column's name as a condition, valid in our own files.
 
     >>> condition_name("trial"), condition_name("size, px")
     ('trial_column', 'size px')

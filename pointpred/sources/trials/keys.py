@@ -10,11 +10,11 @@ from pointpred.sources.tables import arrow_tables
 from pointpred.sources.tables.column_table import IntArray
 
 Codes = tuple[IntArray, list[str]]
-"""For each row the place of its word among the different words, and these."""
+"""For each row the index of its value among the distinct values, and these."""
 
 
 def codes_of(column: Any) -> Codes:
-    """The codes of a column of words, none of which may be missing."""
+    """The codes of a text column without missing values."""
     encoded = column.combine_chunks().dictionary_encode()
     return arrow_tables.as_array(encoded.indices).astype(np.int64), encoded.dictionary.to_pylist()
 

@@ -1,4 +1,4 @@
-"""Collects trials that a file holds as lists of t, x and y, one list a quantity, into a recording."""
+"""Collects trials that a file holds as lists of t, x and y, one list per quantity, into a recording."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def split(cell: str | None) -> list[str]:
 
 
 def is_list(cell: str) -> bool:
-    """Whether words hold a list: in brackets that close, or several numbers.
+    """Whether text is a list: in matching brackets, or several numbers.
 
     >>> is_list("[7]"), is_list("1 2.5"), is_list("c(1, 2)"), is_list("7"), is_list("[1, 2"), is_list("a, b")
     (True, True, True, False, False, False)
@@ -51,7 +51,7 @@ def is_list(cell: str) -> bool:
 
 
 class Lists:
-    """Trials one after another, each from lists of words or numbers; what cannot be read becomes a skip."""
+    """Trials one after another, each from lists of text or numbers; unreadable ones become skips."""
 
     def __init__(self, path: Path) -> None:
         self.path = path
@@ -67,7 +67,7 @@ class Lists:
         self.skipped.append(skip)
 
     def numbers(self, cells: Sequence[Any], trial: str, row: int) -> FloatArray | None:
-        """The cells as numbers; where one is none, the trial is reported and the answer is ``None``."""
+        """The cells as numbers; if one is not, the trial is reported and the answer is ``None``."""
         for place, cell in enumerate(cells):
             try:
                 float(cell)
@@ -116,7 +116,7 @@ class Lists:
         self.rows.append(row)
 
     def recording(self, name: str, provenance: Provenance) -> Recording:
-        """The recording of what was added; a fault's row is the row its trial was added with."""
+        """The recording of the added trials; a fault's row is the row its trial was added with."""
         sizes = [len(table) for table in self.tables]
         return assemble(
             name,

@@ -14,8 +14,8 @@ def join(
 ) -> Recording:
     """One recording of all trials, skips and notes of ``parts``, in their order.
 
-    Trials are renamed ``<label> <trial>`` where there is more than one part, so that names stay unique.
-    The provenance is the first part's: join only recordings of one format. Memory: a copy of all tables.
+    With more than one part, trials are renamed ``<label> <trial>`` so that names stay unique. The provenance
+    is the first part's: join only recordings of one format. Memory: a copy of all tables.
     """
 
     def named(label: str, trial: str) -> str:
@@ -35,7 +35,7 @@ def join(
 
 
 def _of_one_kind(trials: list[Trial]) -> list[Trial]:
-    """The trials with words for a condition that is a number in some parts and words in others."""
+    """The trials with text for a condition that is a number in some parts and text in others."""
     kinds: dict[str, set[bool]] = {}
     for trial in trials:
         for name, value in trial.condition.items():
@@ -48,7 +48,7 @@ def _of_one_kind(trials: list[Trial]) -> list[Trial]:
 
 
 def _in_words(condition: dict[str, str | float], names: set[str]) -> dict[str, str]:
-    """The conditions of these names as words; whole numbers without a point."""
+    """The conditions of these names as text; whole numbers without a point."""
     return {
         name: value if isinstance(value, str) else f"{value:.17g}"
         for name, value in condition.items()

@@ -16,7 +16,7 @@ from pointpred.sources.trials.assembly import BUTTONS, DX, DY, T, X, Y, assemble
 
 
 class Piece(msgspec.Struct, frozen=True):
-    """Rows ``start`` up to ``stop``: a trial where ``reason`` is empty, otherwise why it is none."""
+    """Rows ``start`` up to ``stop``: a trial if ``reason`` is empty, otherwise why it is not one."""
 
     start: int
     stop: int
@@ -26,7 +26,7 @@ class Piece(msgspec.Struct, frozen=True):
 def cut(events: EventColumns, how: Cut, reading: Reading) -> list[Piece]:
     """Cut a stream by the method named ``how`` with the parameters of ``reading``.
 
-    The pieces are in order, do not overlap and together hold every row, so that nothing is lost unseen.
+    The pieces are in order, do not overlap and together contain every row.
 
     >>> events = EventColumns.of([0.0, 0.1, 0.9, 1.0], [0, 5, 9, 12], [0, 0, 0, 0])
     >>> [(piece.start, piece.stop) for piece in cut(events, "bursts", Reading())]
@@ -76,9 +76,9 @@ def cut_at_clicks(events: EventColumns) -> list[Piece]:
 def cut_at_pauses(events: EventColumns, pause_s: float = 0.3) -> list[Piece]:
     """Bursts: runs of movement with no standstill longer than ``pause_s``.
 
-    Assumes that a pause separates two movements. Limitation: hesitations are cut apart, movements made in one
-    go stay together. A row moves when its position differs from the row before it or a count is not zero; the
-    first row moves with the burst that follows it at once. Rows of a pause belong to no trial.
+    Assumes that a pause separates two movements. Limitation: hesitations are cut apart, movements without a
+    pause stay together. A row moves when its position differs from the row before it or a count is not zero;
+    the first row moves with the burst that follows it at once. Rows of a pause belong to no trial.
 
     >>> stream = EventColumns.of([0.0, 0.1, 0.2, 0.8, 0.9], [0, 1, 1, 1, 2], [0] * 5)
     >>> [(piece.start, piece.stop, piece.reason) for piece in cut_at_pauses(stream)]
@@ -117,7 +117,7 @@ def trials_of_stream(
     row_of: IntArray | None = None,
     notes: Sequence[str] = (),
 ) -> Recording:
-    """A recording from a stream: its pieces as trials ``0, 1, ...`` and as skips named after their rows.
+    """A recording from a stream: its pieces as trials ``0, 1, ...`` and as skips named by their rows.
 
     Time starts at 0 in each trial; the condition ``begins_s`` is its beginning on the stream's clock.
     """
@@ -152,7 +152,7 @@ def trials_of_stream(
 
 
 def _check(piece: Piece, events: EventColumns, reading: Reading) -> Piece:
-    """The piece, with a reason where it is too short to be a trial."""
+    """The piece, with a reason if it is too short to be a trial."""
     if piece.reason:
         return piece
     samples = piece.stop - piece.start
