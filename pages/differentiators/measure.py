@@ -6,7 +6,7 @@ import contextlib
 import itertools
 from collections.abc import Iterator
 from functools import partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -157,7 +157,7 @@ def _settings(kind: type[Differentiator]) -> Iterator[dict[str, float]]:
 
 
 def _errors(
-    kind: type[Differentiator], parameters: dict[str, Any], signal: Signal, movement: Movement
+    kind: type[Differentiator], parameters: dict[str, float], signal: Signal, movement: Movement
 ) -> np.ndarray:
     """RMS over the whole signal, which begins and ends at rest, as shares of the movement's peaks."""
     motions = kind(cpi=signal.cpi, **parameters).run(signal.events)
@@ -166,7 +166,7 @@ def _errors(
 
 
 def _mean_errors(
-    kind: type[Differentiator], parameters: dict[str, Any], source: str, movements: tuple[Movement, ...]
+    kind: type[Differentiator], parameters: dict[str, float], source: str, movements: tuple[Movement, ...]
 ) -> np.ndarray:
     rate, counts = SOURCES[source]
     paths = [(m, partial(minimum_jerk, distance=m.distance, duration=m.duration)) for m in movements]
@@ -175,14 +175,14 @@ def _mean_errors(
 
 
 def _cost(
-    kind: type[Differentiator], parameters: dict[str, Any], source: str, movements: tuple[Movement, ...]
+    kind: type[Differentiator], parameters: dict[str, float], source: str, movements: tuple[Movement, ...]
 ) -> float:
     velocity, acceleration = _mean_errors(kind, parameters, source, movements)
     return float(velocity + WEIGHT * acceleration)
 
 
 def _percent(
-    kind: type[Differentiator], parameters: dict[str, Any], source: str, movements: tuple[Movement, ...]
+    kind: type[Differentiator], parameters: dict[str, float], source: str, movements: tuple[Movement, ...]
 ) -> str:
     velocity, acceleration = 100.0 * _mean_errors(kind, parameters, source, movements)
     return f"{velocity:.1f} %, {acceleration:.0f} %"

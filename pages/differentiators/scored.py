@@ -10,6 +10,7 @@ from typing import Any
 
 from pages.arguments import parse
 from pages.data import Table, keep
+from pages.scored import named
 from pages.sets import folder, recordings
 from pointpred import build
 from pointpred.pipeline import Pipeline
@@ -30,8 +31,7 @@ def patterns() -> list[Pipeline]:
     pipelines = []
     for predictor in PREDICTORS:
         for choice, parameters in CHOICES.items():
-            one = build(predictor, **parameters)
-            pipelines.append(Pipeline(f"{predictor}, {choice}", one.differentiator, one.predictor))
+            pipelines.append(named(f"{predictor}, {choice}", build(predictor, **parameters)))
     return pipelines
 
 

@@ -62,9 +62,9 @@ def context() -> dict[str, Any]:
     return {
         "recommended": RECOMMENDED,
         "floor": FLOOR,
-        "shares": together["shares"],
-        "wins": dict(together["wins"]),
-        "recorded": together["recorded"],
+        "shares": together.shares,
+        "wins": dict(together.wins),
+        "recorded": together.recorded,
         "costs": streaming_us(),
         "predictors": [predictor(name) for name in REGISTRY],
         "differentiators": [differentiator(name) for name in DIFFERENTIATORS],

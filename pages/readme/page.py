@@ -24,5 +24,5 @@ def context() -> dict[str, Any]:
         "made": sample.summary,
         "chosen": [sample.scored(name) for name in NAMES],
         "overall": together,
-        "fitted": [one for one in together["learned"] if one.without == "set"],
+        "fitted": [one for one in together.learned if one.without == "set"],
     }

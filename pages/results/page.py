@@ -111,27 +111,48 @@ def cautious(people: Sequence[SetResults]) -> Cautious | None:
     return Cautious(name, float(horizon[1]), (min(early[name]), max(early[name])), spread(early))
 
 
-def overall(sets: Sequence[SetResults]) -> dict[str, Any]:
-    """What the sets say together; raises ParameterError where no recorded set was scored."""
+class Overall(msgspec.Struct, frozen=True):
+    """The results of all sets together."""
+
+    recorded: int
+    """Recorded sets"""
+    shares: dict[str, list[float]]
+    """Time-averaged error over hold's on the recorded sets, by predictor"""
+    predictors: int
+    steady: list[str]
+    """Below 1 on every set"""
+    worse: int
+    worse_recorded: int
+    """Predictors worse than no prediction on a set, and on a recorded set"""
+    lowest: tuple[float, float]
+    wins: list[tuple[str, int]]
+    learned: list[Learned]
+    cautious: Cautious | None
+    alone: list[str]
+    """Sets of one person"""
+    recommended: str = RECOMMENDED
+
+
+def overall(sets: Sequence[SetResults]) -> Overall:
+    """The results of all sets together; raises ParameterError where no recorded set was scored."""
     scored = [one for one in sets if one.summary.trials]
     people = [one for one in scored if not one.summary.simulated]
     if not people:
         raise ParameterError("no recorded set was scored; run `make results` with recordings", code="missing")
     every, recorded = shares(scored), shares(people)
-    return {
-        "recorded": len(people),
-        "shares": recorded,
-        "predictors": len(every),
-        "steady": [name for name, values in every.items() if max(values) < 1.0],
-        "worse": sum(max(values) >= 1.0 for values in every.values()),
-        "worse_recorded": sum(max(values) > 1.0 for values in recorded.values()),
-        "lowest": spread(recorded),
-        "wins": winners(people).most_common(),
-        "recommended": RECOMMENDED,
-        "learned": learned(people),
-        "cautious": cautious(people),
-        "alone": [one.summary.name for one in scored if one.summary.users == 1],
-    }
+    return Overall(
+        recorded=len(people),
+        shares=recorded,
+        predictors=len(every),
+        steady=[name for name, values in every.items() if max(values) < 1.0],
+        worse=sum(max(values) >= 1.0 for values in every.values()),
+        worse_recorded=sum(max(values) > 1.0 for values in recorded.values()),
+        lowest=spread(recorded),
+        wins=winners(people).most_common(),
+        learned=learned(people),
+        cautious=cautious(people),
+        alone=[one.summary.name for one in scored if one.summary.users == 1],
+    )
 
 
 def overview(sets: Sequence[SetResults]) -> dict[str, list[float | None]]:

@@ -18,6 +18,7 @@ import numpy as np
 
 from pages import FIGURES
 from pages.data import Table, keep
+from pages.scored import find, named
 from pages.switched.parts import AxisWise, Held
 from pages.thinning import save
 from pointpred import Pipeline, build
@@ -25,18 +26,13 @@ from pointpred.datasets import sample
 from pointpred.recording import Recording
 from pointpred.report.figures.style import canvas, line_style, picture
 from pointpred.scoring import SetScore, resolution, score
-from pointpred.scoring.results import TIME_FRACTIONS, PredictorErrors
+from pointpred.scoring.results import TIME_FRACTIONS
 from pointpred.sources import read
 
 NAME = "switched-direction"
 OTHERS = ("switched", "switched-printed", "minimum-jerk", "kalman")
 SETS = ("freihaut2021", "pvplib23714", "cryslacks", "kh2017", "humanmovemouse", "gofitts_demo", "jrcalgo")
 DRAWN = ("freihaut2021", "pvplib23714", "cryslacks", "kh2017")
-
-
-def named(name: str, pattern: Pipeline) -> Pipeline:
-    """The same pipeline under another name."""
-    return Pipeline(name, pattern.differentiator, pattern.predictor)
 
 
 def variants(recording: Recording) -> list[Pipeline]:
@@ -57,11 +53,6 @@ def variants(recording: Recording) -> list[Pipeline]:
         Pipeline("held after the peak, as in the thesis", whole.differentiator.fresh(), Held()),
         *(named(label, build(NAME, **settings, **parameters)) for label, parameters in changed.items()),
     ]
-
-
-def find(scored: SetScore, name: str) -> PredictorErrors:
-    """The errors of one predictor."""
-    return next(errors for errors in scored.predictors if errors.name == name)
 
 
 def of_hold(scored: SetScore, name: str) -> str:

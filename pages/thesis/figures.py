@@ -8,12 +8,13 @@ from typing import Any
 
 import numpy as np
 
+from pages.scored import find
 from pages.thinning import thin
 from pointpred import build, run
 from pointpred.columns import FloatArray
 from pointpred.pipeline import Pipeline
 from pointpred.scoring import Prepared, SetScore
-from pointpred.scoring.results import AXIS_FRACTIONS, PredictorErrors
+from pointpred.scoring.results import AXIS_FRACTIONS
 from pointpred.scoring.statistics import axis_profile
 
 PRINTED, KEP = "switched-printed", "kep-quartic-gated"
@@ -96,11 +97,6 @@ def path(figure: Any, scored: SetScore) -> None:
     axes.set_ylim(bottom=0.0)
     axes.set_title(f"{len(scored.trials)} trials of simulated people")
     axes.legend()
-
-
-def find(scored: SetScore, name: str) -> PredictorErrors:
-    """The errors of one predictor."""
-    return next(one for one in scored.predictors if one.name == name)
 
 
 def boxes(figure: Any, scored: SetScore) -> None:

@@ -12,17 +12,19 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
+import msgspec
 import numpy as np
 
 from pages import FIGURES
 from pages.arguments import parse
 from pages.data import Table, keep
+from pages.scored import find, named
 from pages.thesis.figures import write_figures
 from pointpred import Pipeline, build
 from pointpred.columns import FloatArray
 from pointpred.recording import Recording
 from pointpred.scoring import Prepared, SetScore, prepare, score
-from pointpred.scoring.results import AXIS_FRACTIONS, PredictorErrors
+from pointpred.scoring.results import AXIS_FRACTIONS
 from pointpred.scoring.statistics import axis_anova, axis_profile
 from pointpred.scoring.summary.groups import groups_of
 from pointpred.scoring.trials import resolution
@@ -45,11 +47,6 @@ OPEN = {
     "held, and no corrective phase": {"between": "hold", "gamma": 0.0},
 }
 OPEN_SETS = ("freihaut2021", "pvplib23714", "cryslacks", "kh2017")
-
-
-def named(name: str, pattern: Pipeline) -> Pipeline:
-    """The same pipeline under another name."""
-    return Pipeline(name, pattern.differentiator, pattern.predictor)
 
 
 def unbounded_kep() -> Pipeline:
@@ -90,12 +87,17 @@ def groups_table(scored: SetScore) -> Table:
     return Table.of(header, rows)
 
 
-def find(scored: SetScore, name: str) -> PredictorErrors:
-    """The errors of one predictor."""
-    return next(errors for errors in scored.predictors if errors.name == name)
+class Loss(msgspec.Struct, frozen=True):
+    """The deciles of the path at which a switched predictor is no better than KEP."""
+
+    replaced: bool
+    """Mean with outliers replaced"""
+    switched: str
+    kep: str
+    at: list[float]
 
 
-def losses(scored: SetScore) -> list[dict[str, Any]]:
+def losses(scored: SetScore) -> list[Loss]:
     """The deciles at which a switched predictor's mean error is not below that of KEP."""
     rows = []
     for quantity in ("mae", "mae_replaced"):
@@ -104,8 +106,7 @@ def losses(scored: SetScore) -> list[dict[str, Any]]:
                 left = getattr(axis_profile(find(scored, ours)), quantity)
                 right = getattr(axis_profile(find(scored, theirs)), quantity)
                 lost = [AXIS_FRACTIONS[i] for i in DECILES if left[i] >= right[i]]
-                replaced = quantity == "mae_replaced"
-                rows.append({"replaced": replaced, "switched": ours, "kep": theirs, "at": lost})
+                rows.append(Loss(quantity == "mae_replaced", ours, theirs, lost))
     return rows
 
 

@@ -108,19 +108,19 @@ def test_what_the_sets_say_together_follows_from_their_numbers() -> None:
             one_set("other", 2, kalman=0.7, linear=1.0, switched=0.8),
         ]
     )
-    assert together["steady"] == ["kalman", "switched"]
-    assert (together["worse"], together["predictors"]) == (1, 3)
-    assert (together["worse_recorded"], together["recorded"]) == (1, 3)
-    assert together["lowest"] == (0.7, 0.84)
-    assert together["wins"] == [("kalman", 2), ("linear", 1)]
-    assert together["alone"] == ["loner"]
-    cautious = together["cautious"]
+    assert together.steady == ["kalman", "switched"]
+    assert (together.worse, together.predictors) == (1, 3)
+    assert (together.worse_recorded, together.recorded) == (1, 3)
+    assert together.lowest == (0.7, 0.84)
+    assert together.wins == [("kalman", 2), ("linear", 1)]
+    assert together.alone == ["loner"]
+    cautious = together.cautious
     assert (cautious.name, cautious.horizon_s) == ("kalman", 0.025)
     assert cautious.early == pytest.approx((0.71, 0.91))
 
 
 def test_a_winner_that_looks_at_the_movement_is_not_called_cautious() -> None:
-    assert page.overall([one_set("crowd", 8, kalman=0.9, switched=0.8)])["cautious"] is None
+    assert page.overall([one_set("crowd", 8, kalman=0.9, switched=0.8)]).cautious is None
     with pytest.raises(ParameterError) as refused:
         page.overall([one_set("made", 10, simulated=True, kalman=0.5)])
     assert refused.value.code == "missing"
@@ -135,9 +135,9 @@ def test_what_has_learned_is_judged_without_the_set() -> None:
     )  # fmt: skip
     other = one_set("other", 8, predictor("kinematic (set left out)", 0.95, high=1.1, worst=0.9), kalman=0.8)
     together = page.overall([one_set("made", 10, simulated=True, kalman=0.9, kinematic=0.5), crowd, other])
-    assert together["steady"] == ["kalman", "kinematic"]
-    without_set, without_person = together["learned"]
+    assert together.steady == ["kalman", "kinematic"]
+    without_set, without_person = together.learned
     assert (without_set.low, without_set.high, without_set.below, without_set.sets) == (0.7, 0.95, 1, 2)
     assert (without_set.worst, without_set.worst_set, without_set.worst_time) == (0.97, "crowd", 0.9)
     assert (without_person.without, without_person.low) == ("person", 0.6)
-    assert together["lowest"] == (0.7, 0.8)  # not the 0.60 of people left out
+    assert together.lowest == (0.7, 0.8)  # not the 0.60 of people left out
