@@ -5,11 +5,11 @@ no fastmath (the compiled law must agree with its source), no GIL (trials run in
 
 numba notices that the file of a law has changed, but not that a law it *calls*, or a constant it reads,
 has changed in another file. Each law therefore caches in a folder named after its own code and
-everything it reaches, so an upgraded installation never runs yesterday's machine code.
+everything it reaches, so an upgraded installation never runs stale machine code.
 
-The index of such a folder is a pickle: whoever can write there runs code as the user. Where the user's own
-cache cannot be written, a temporary folder serves only if it is his, closed to others and no link; else laws
-are compiled anew in every process, and a warning says so.
+The index of such a folder is a pickle: anyone who can write there can run code as the user. If the user's own
+cache is not writable, a temporary folder is used only if the user owns it, others have no access and it is
+not a link; else laws are compiled in every process, with a warning.
 
 Environment: ``POINTPRED_COMPILED=0`` runs plain Python; ``POINTPRED_CACHE_DIR`` moves the cache.
 """
@@ -79,12 +79,12 @@ def _key_by_signature(compiled: Any) -> None:
 
 @cache
 def _sealed(folder: Path) -> bool:
-    """Whether a cache is there to be read only, as in an image whose file system is read-only."""
+    """Whether a cache exists but is read-only, as in an image with a read-only file system."""
     return folder.is_dir() and not os.access(folder, os.W_OK)
 
 
 def _only_read(compiled: Any, plain: FunctionType) -> None:
-    """Let a law use a cache that cannot be written: numba itself takes none that it could not write to.
+    """Let a law use a read-only cache, which numba itself refuses.
 
     What is missing there is compiled anew in each process.
     """
@@ -132,7 +132,7 @@ def _distrust(compiled: Any) -> None:
             if found is None or found.signature.args == arguments(signature)[0]:
                 return found
             raise ValueError("the code of another signature")
-        except Exception:  # whatever damaged bytes make of a pickle or of machine code
+        except Exception:  # any error of a damaged pickle or damaged machine code
             try:
                 store.flush()
             except OSError:
@@ -143,7 +143,7 @@ def _distrust(compiled: Any) -> None:
 
 
 def layout(function: Function) -> Function:
-    """Mark a function that tells places in a memory: laws may call it, and it stays plain Python.
+    """Mark a function that computes offsets in a memory: laws may call it, and it stays plain Python.
 
     Laying out a memory when a module is imported then loads no machine code.
     """
@@ -158,7 +158,7 @@ def layout(function: Function) -> Function:
 
 @cache
 def _cache_folder() -> Path | None:
-    """The folder of compiled code: chosen by the user, else his cache, else a temporary one, else none."""
+    """The folder of compiled code: the chosen one, else the user's cache, a temporary one, or none."""
     chosen = os.environ.get("POINTPRED_CACHE_DIR")
     if chosen:
         return Path(chosen)

@@ -1,4 +1,4 @@
-"""What a stage knows of its person as a short string, and back.
+"""The floats that a stage has learned of its person, as a short string and back.
 
 The string is ``1.`` and base64url of: 8 bytes that name the layout, the learned float64 (little-endian,
 exact), 8 bytes of blake2b over all before them. The layout's name is a digest of the names, counts and bounds
@@ -26,17 +26,17 @@ DIGEST = 8
 
 
 def person_of(stage: CompiledStage) -> str:
-    """What finished movements taught ``stage``; "" where it knows nobody, or nothing that can be saved."""
+    """The person learned by ``stage``; "" if nothing was learned or nothing can be saved."""
     if not portable(stage) or not stage.known.any():
         return ""
     return packed(stage.slots, stage.known)
 
 
 def restore(stage: CompiledStage, person: str) -> None:
-    """Let a stage that remembers nothing know a person; "" leaves it as it is.
+    """Load a person into a stage without memory; "" leaves it as it is.
 
-    Raises ParameterError for a string that is none, is damaged, is of another layout, or holds a number that
-    no movement teaches; the stage is then unchanged.
+    Raises ParameterError for an invalid or damaged string, one of another layout, or one with an impossible
+    number; the stage is then unchanged.
     """
     if not isinstance(person, str):
         raise ParameterError(f"person must be a string made by a pipeline, received {type(person).__name__}")
@@ -54,7 +54,7 @@ def restore(stage: CompiledStage, person: str) -> None:
 
 
 def portable(stage: CompiledStage) -> bool:
-    """Whether what a stage learns can be saved."""
+    """Whether the learned floats of a stage can be saved."""
     return bool(stage.slots) and stage.learned > 0
 
 

@@ -14,7 +14,7 @@ import msgspec
 from pointpred.errors import ParameterError
 
 NEARLY_NORMAL = 1e16
-"""From so many degrees of freedom on, no float tells a Student law from a normal one."""
+"""From so many degrees of freedom on, a Student law equals a normal one in float precision."""
 LARGEST_LOG = 700.0
 """A region that grows further than this logarithm is infinite: exp(700) is about as large as floats get."""
 

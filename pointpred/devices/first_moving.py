@@ -1,4 +1,4 @@
-"""One of several devices: the one that moves first is the one that is followed."""
+"""Several devices, of which the first that moves is followed."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class FirstMoving(ClosedOnExit):
         self.note = ""
         """The newest remark: which device is followed, or which other one moves."""
         self.closed: tuple[DeviceInfo, ...] = ()
-        """Devices that cannot be opened, for whoever tells of them."""
+        """Devices that cannot be opened, for messages."""
         self._candidates, self._silence_s = candidates, silence_s
         self._followed: DeviceSource | None = None
         self._moved = self._away = False  # of the one that is followed: since it was plugged in
@@ -165,7 +165,7 @@ class FirstMoving(ClosedOnExit):
             return []
 
     def _follow(self, source: DeviceSource) -> None:
-        """From now on this device is the one."""
+        """Follow this device from now on."""
         before = self._followed
         others = tuple(one for one in self._listened if one is not source)
         if before is not None:

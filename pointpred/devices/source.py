@@ -44,7 +44,7 @@ class DeviceInfo(msgspec.Struct, frozen=True):
 
 
 class BoundedQueue:
-    """Reports on their way from a reader thread to whoever takes them; full, the oldest goes first.
+    """Reports passed from a reader thread to a consumer; when full, the oldest is dropped.
 
     ``put`` never blocks and what it drops is counted in ``lost``. Holds at most ``most`` reports.
     Raises ParameterError when ``most`` is below 1.
@@ -92,7 +92,7 @@ class BoundedQueue:
         return taken
 
     def close(self, failure: SourceError | None = None) -> None:
-        """Wake whoever waits: nothing more will come, because of ``failure`` where there was one.
+        """Wake waiting consumers: no more reports will come, because of ``failure`` if not ``None``.
 
         What waits can still be taken.
         """
@@ -141,7 +141,7 @@ class DeviceSource(Protocol):
 
     @property
     def lost(self) -> int:
-        """Reports dropped because nobody took them in time."""
+        """Reports dropped because they were not taken in time."""
 
     @property
     def unreadable(self) -> int:

@@ -1,4 +1,4 @@
-"""Rules for udev: they open mice to whoever sits at the screen, and to nobody else."""
+"""Rules for udev that give access to mice to the user at the screen only."""
 
 from __future__ import annotations
 

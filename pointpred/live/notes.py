@@ -1,4 +1,4 @@
-"""What the person should know about the device: that nothing moves and what to try, or which is followed."""
+"""Notes about the device: that nothing moves and what to try, or which device is followed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The person that a session knows, in a file: read at the start and written at the end."""
+"""The person file of a session: read at the start and written at the end."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from pointpred.registry import REGISTRY, build
 
 
 def read_person(file: Path | None, predictor: str) -> str:
-    """The person of a file; "" where there is no file yet, or none was named.
+    """The person in a file; "" if there is no file yet, or none was named.
 
     Raises ParameterError for a predictor without one, and for a file that holds none of this predictor.
     """
@@ -34,7 +34,7 @@ def read_person(file: Path | None, predictor: str) -> str:
 
 
 def save_person(file: Path, pipeline: Pipeline) -> str:
-    """Finish the movement and write the person, readable by the owner only; returns what was done."""
+    """Finish the movement and write the person, readable by the owner only; returns a message."""
     pipeline.reset()
     if not pipeline.person:
         return "nothing was learned, nothing saved"

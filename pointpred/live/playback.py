@@ -1,4 +1,4 @@
-"""A recording in the place of a device: its events come when they came, and each trial begins anew."""
+"""A recording instead of a device: its events come at the recorded times, and each trial starts afresh."""
 
 from __future__ import annotations
 

@@ -75,11 +75,11 @@ class LiveRecording:
 
     @property
     def failed(self) -> bool:
-        """Whether writing has ended with an error, which the log tells."""
+        """Whether writing has ended with an error, which is logged."""
         return self._session.failed
 
     def take(self, pairs: Sequence[Pair]) -> None:
-        """Record; an empty sequence sees that nothing is held back."""
+        """Record; an empty sequence flushes pending events."""
         waiting = self._waiting
         waiting.extend(pairs)
         if waiting and (
@@ -88,7 +88,7 @@ class LiveRecording:
             self._flush()
 
     def close(self) -> bool:
-        """Write what waits; False where that took too long or failed."""
+        """Write pending events; False if that took too long or failed."""
         self._flush()
         self._session.close()
         return self._recorder.close() and not self.failed

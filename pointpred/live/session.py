@@ -109,7 +109,7 @@ class LiveSession:
         return self.path.words
 
     def advance(self, timeout_s: float = WAIT_S) -> list[Pair]:
-        """What can be said of the reports that wait, after waiting at most so long until there are some.
+        """Predictions for the pending reports, after waiting at most ``timeout_s`` for some.
 
         An event that the pipeline refuses is left out and counted. Raises what a watcher raises.
         """
@@ -131,7 +131,7 @@ class LiveSession:
                 self._why = str(error)
                 continue
             pairs.append((event, prediction))
-            if comparable and event.t > self._last_t:  # not where a path corrects what it has said
+            if comparable and event.t > self._last_t:  # not for a correction of an earlier place
                 delay = self._clock() - event.t
                 self.delays.add(delay)
                 self._recent.add(event.t, delay)
@@ -143,7 +143,7 @@ class LiveSession:
         return pairs
 
     def run(self, stopping: Event) -> None:
-        """Follow the device until ``stopping`` is set; what waits then is taken too."""
+        """Follow the device until ``stopping`` is set, including the reports pending then."""
         while not stopping.is_set():
             self.advance()
         self.advance(0.0)

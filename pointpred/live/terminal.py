@@ -72,7 +72,7 @@ def picture(session: LiveSession, heading: Rows, extra: Rows) -> Panel:
 
 
 def prediction_rows(newest: tuple[PointerEvent, Prediction | None] | None, idle_s: float) -> Rows:
-    """Cursor, endpoint, phase and time left; a prediction says nothing of a device that rests."""
+    """Cursor, endpoint, phase and time left; no prediction is shown for a device at rest."""
     cursor = "nothing has moved yet" if newest is None else f"{newest[0].x:.0f}, {newest[0].y:.0f} px"
     event, one = newest or (None, None)
     if event is None or one is None or idle_s > REST_S:
@@ -89,7 +89,7 @@ def prediction_rows(newest: tuple[PointerEvent, Prediction | None] | None, idle_
 
 
 def timed(session: LiveSession) -> bool:
-    """Whether delays mean something: the times of a recording that is played are not those of now."""
+    """Whether delays are meaningful: the times of a replayed recording are not the present ones."""
     return not isinstance(session.source, PlayedSource)
 
 
@@ -103,7 +103,7 @@ def state_rows(state: LiveState, *, timed: bool = True) -> Rows:
 
 
 def losses(state: LiveState) -> str:
-    """Everything that did not become a prediction, by its kind."""
+    """Counts of reports without a prediction, by kind."""
     words = (
         f"{state.lost} lost, {state.unreadable} unreadable, {state.refused} refused, "
         f"{counted(state.resynchronised, 'gap')} in the kernel"

@@ -1,4 +1,4 @@
-"""The movement so far: what nearly every predictor needs to know before its own law."""
+"""The state of the movement so far, common to most predictors."""
 
 from __future__ import annotations
 

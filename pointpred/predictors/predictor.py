@@ -1,4 +1,4 @@
-"""What all predictors share: motions in, predictions or ``None`` out."""
+"""The interface of all predictors: motions in, predictions or ``None`` out."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Predictions and events in, proposals out: the object that a session holds."""
+"""Predictions and events in, proposals out."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class Choice(NamedTuple):
 
 
 class Chooser:
-    """Which rectangle the cursor is heading for, and whether that is sure enough to say so.
+    """Proposes the rectangle that the cursor is heading for, once that is likely enough.
 
     At most two targets are proposed at a time: the one that is predicted, and the one that the cursor is in
     if that is another. A target therefore has its choice when the cursor enters it at the latest. Of targets
@@ -98,7 +98,7 @@ class Chooser:
         least_lead_s: float | None = None,
         least_way_px: float | None = None,
     ) -> None:
-        """Change what is given, from the next event on; raises ParameterError and then changes nothing."""
+        """Change these parameters from the next event on; raises ParameterError and then changes nothing."""
         given = (precision, elsewhere, least_lead_s, least_way_px)
         names = (parameter.name for parameter in self.parameters)
         values = {name: value for name, value in zip(names, given, strict=True) if value is not None}
@@ -250,7 +250,7 @@ class Chooser:
         return [(self._ids[int(place)], p) for place, p in zip(row[:most], row[most:], strict=True)]
 
     def _note(self, t: float, chosen: int, over: int, entered: int, released: bool) -> tuple[Choice, ...]:
-        """Tell the ledger what has happened, and pass to what is proposed now; ends come first."""
+        """Update the ledger and the current proposals; ends come first."""
         if entered:
             for i in np.flatnonzero(self._inside == ENTERED).tolist():
                 self.ledger.enter(t, self._ids[i])

@@ -1,4 +1,4 @@
-"""What the cursor's own way says: where it started, which way it goes, how fast against its peak."""
+"""The cursor's own way: its start, its direction, its speed relative to the peak."""
 
 from __future__ import annotations
 

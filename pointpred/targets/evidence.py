@@ -1,4 +1,4 @@
-"""What speaks for each target: a predicted law and the cursor's own way, as features in columns.
+"""The evidence for each target, as features: a predicted law and the cursor's own way.
 
 Every feature is free of scale and of the screen's orientation, so the same coefficients serve all screens.
 """
@@ -18,7 +18,7 @@ from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, WIDTH
 ANGLE = 0.15
 """Angles (rad) below this are as good as straight."""
 ALONG, ACROSS, LEAST = 0.5, 0.2, 0.1
-"""Deviations of a law that nobody claimed, as shares of the way left, and the least of it."""
+"""Deviations of a default law, as shares of the way left, and the least way."""
 
 MASS, TRAIL, HEADING, PER_WAY, PER_SPEED, NEAR, FEATURES = range(7)
 

@@ -1,4 +1,4 @@
-"""What a chooser refuses: events out of bounds or order, and coefficients that are none."""
+"""Checks of a chooser's inputs: events out of bounds or order, and invalid coefficients."""
 
 from __future__ import annotations
 

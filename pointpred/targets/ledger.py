@@ -1,4 +1,4 @@
-"""What became of each proposal: hit, wasted or retracted, and how early it came."""
+"""The outcome of each proposal: hit, wasted or retracted, and its lead time."""
 
 from __future__ import annotations
 

@@ -38,7 +38,7 @@ PRECISION, ELSEWHERE, LEAST_LEAD_S, LEAST_WAY_PX = range(4)
 """Places of a chooser's settings."""
 
 FITTED_NONE, FITTED_TARGETS = 0.25, 16.0
-"""What was so in the fit: the share of movements to none of the targets, and how many targets there were."""
+"""Values in the fit: the share of movements to none of the targets, and the number of targets."""
 
 FLATTEST = 1e-12
 """The least determinant of a region over that of one with axes along x and y: below it, it is a line."""

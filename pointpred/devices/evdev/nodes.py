@@ -48,7 +48,7 @@ def nodes() -> list[Node]:
 
 
 def node(path: str) -> Node:
-    """What sysfs says of one node; a link such as those of ``/dev/input/by-id`` is followed."""
+    """The sysfs description of one node; a link such as those of ``/dev/input/by-id`` is followed."""
     device = CLASS / Path(path).resolve().name / "device"
     name, *ids = (
         _line(device / part)
@@ -94,7 +94,7 @@ def open_node(path: str) -> int:
 
 
 def rule(each: Node) -> str:
-    """The udev rule that opens this device to whoever sits at the screen."""
+    """The udev rule that gives the user at the screen access to this device."""
     vendor = f', ATTRS{{id/vendor}}=="{each.vendor}"' if each.vendor else ""
     return f'KERNEL=="event*", SUBSYSTEM=="input"{vendor}, ENV{{ID_INPUT_MOUSE}}=="1", TAG+="uaccess"'
 

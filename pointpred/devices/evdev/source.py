@@ -122,7 +122,7 @@ class EvdevSource(ReaderSource):
                 data = os.read(self._file, AT_ONCE) if ready else None
             except BlockingIOError:
                 data = None
-            except OSError:  # ENODEV, or whatever else a vanished device answers
+            except OSError:  # ENODEV, or another error of a vanished device
                 data = b""
             if data == b"" or (now - looked >= WATCH_S and not Path(self.path).exists()):
                 self._unplug(now)
@@ -140,7 +140,8 @@ class EvdevSource(ReaderSource):
     def _unplug(self, now: float) -> None:
         """The device has gone: it presses nothing any more.
 
-        Who else is there is asked before anybody hears of it: what comes later is no twin that stayed.
+        The devices like it are listed before the unplugging is reported, so that later arrivals can be told
+        apart.
         """
         self._twins = self._alike() - {self._real}
         os.close(self._file)

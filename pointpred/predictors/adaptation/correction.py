@@ -1,7 +1,7 @@
-"""What is known of a person laid over a prediction, and what a finished movement adds to it.
+"""The correction of a prediction for one person, and its update by a finished movement.
 
-Any prediction that claims a region and the time left can be adapted: all that is asked of the predictor is
-its answer, and where the movement started.
+Any prediction that claims a region and the time left can be adapted: the predictor only provides its answer
+and the start of the movement.
 """
 
 from __future__ import annotations

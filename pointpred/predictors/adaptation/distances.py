@@ -1,4 +1,4 @@
-"""How far a person has gone lately: the last distances, and how much is to be believed of them.
+"""A person's last movement distances, and the belief in each law of the next distance.
 
 Six laws of the next distance stand beside "nothing is known of it": kernels of three widths around the last
 distances, with the last few or all of them weighing most. Each finished movement is judged by how likely
@@ -29,9 +29,9 @@ LAWS = len(WIDTHS) * len(AGES)
 UNKNOWN_LOGS = 3.0
 """Where nothing is known the logarithm of the distance lies evenly in a range so wide: a factor of 20."""
 UNKNOWN_SHARE = 0.8
-"""Belief that nothing is known, at first."""
+"""Initial belief in "nothing is known"."""
 FORGET = 0.05
-"""Share of the belief that goes back to where it began with each movement."""
+"""Share of the belief that returns to its initial values per movement."""
 LEAST_LIKELY = 1e-12
 ARC = 0.5
 """A direction that is uncertain bends where the distance ends: its mean lies nearer."""

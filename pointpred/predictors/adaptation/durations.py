@@ -16,9 +16,9 @@ from pointpred.stage import Slot, offsets
 CAPACITY = 12
 """Durations that are remembered."""
 SHARES = (0.0, 0.25, 0.5, 0.75, 1.0)
-"""How much the clock says in each mixture."""
+"""Weight of the clock in each mixture."""
 KEEP = 0.97
-"""What stays, with each movement, of what earlier ones said of the mixtures."""
+"""Forgetting factor of the mixtures' errors per movement."""
 FIRST = (1.0, 0.92, 0.88, 0.9, 0.97)
 """Errors of the mixtures that are believed at first, against that of the first."""
 FIRST_OF = 5.0
@@ -77,7 +77,7 @@ def judge(memory: FloatArray, at: int, since: float, predicted: float, left: flo
 
 @law
 def forget(memory: FloatArray, at: int) -> None:
-    """A movement has ended: what earlier ones said counts less."""
+    """Discount the errors of earlier movements."""
     for k in range(len(SHARES)):
         memory[at + ERRORS + k] *= KEEP
     memory[at + MOVEMENTS] = KEEP * memory[at + MOVEMENTS] + 1.0

@@ -1,4 +1,4 @@
-"""What a person's finished movements teach at each stage of progress: bias, widths, tempo.
+"""A person's bias, widths and tempo at each stage of progress, learned from finished movements.
 
 A stage is a share of the time that has passed, as predicted: 0.1, 0.3 ... 0.9; between two of them lines.
 """
@@ -14,15 +14,15 @@ from pointpred.stage import Slot, offsets
 
 STAGES = 5
 KEEP = 0.97
-"""What stays, with each movement, of what earlier ones taught."""
+"""Forgetting factor per movement."""
 RIDGE = 20.0
-"""Precision of the belief that a person is as everybody is, against one movement's."""
+"""Ridge: precision of the prior of no bias, relative to one movement's."""
 DOUBT = 5.0
-"""Squared shifts that must have paid before half of a correction is believed."""
+"""Squared shifts that must have helped before half of a correction is applied."""
 WIDTHS_OF = 2.0
-"""Movements that the widths of everybody count for."""
+"""Weight of the common widths, in movements."""
 TEMPO_OF = 10.0
-"""Movements that the tempo of everybody counts for."""
+"""Weight of the common tempo, in movements."""
 FURTHEST = 4.0
 """No single movement is further off than so many widths."""
 TEMPO_MOST, TEMPO_OFF = 0.4, 0.3

@@ -1,4 +1,4 @@
-"""What held-out people taught about the network's regions: factors that depend on how far it thinks it is."""
+"""Factors on the network's regions, fitted to held-out people, by the predicted share of the time."""
 
 from __future__ import annotations
 

@@ -42,7 +42,7 @@ UNUSABLE = (
     zipfile.BadZipFile,
     zlib.error,
 )
-"""What reading a file that is none of ours can raise."""
+"""Errors of reading an invalid file."""
 LAYERS = 3
 
 
@@ -87,7 +87,7 @@ def check_writable(path: Path) -> None:
 
 
 def read(path: Path | str) -> FloatArray:
-    """The coefficients of a file as one array that nobody may write to.
+    """The coefficients of a file as one read-only array.
 
     A file is read once, and again when its size or the time of its last change is another.
     Raises ParameterError for a file that cannot be read, is of another version or does not fit.

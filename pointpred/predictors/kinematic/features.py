@@ -1,4 +1,4 @@
-"""What a learned predictor sees of a movement: numbers that know neither rotation nor the screen's scale.
+"""The features of a movement, independent of rotation and of the screen's scale.
 
 Lengths on the screen count in ``reach``, the px travelled and what the cursor's peak speed adds; lengths of
 the hand in the hand's own reach. How large a movement is stands only in what is measured in metres.

@@ -107,7 +107,7 @@ def winner(memory: FloatArray, at: int, times: float) -> int:
 
 @law
 def keep(memory: FloatArray, at: int, distance: float) -> None:
-    """Make the movement a template, the oldest learned one giving way, if it is long but not too long."""
+    """Store the movement as a template, replacing the oldest learned one, if its length is within bounds."""
     most, samples = int(memory[LEARNED_MOST]), int(memory[at + SAMPLES])
     if most == 0 or memory[at + POINTS] < POINTS_LEAST or not 2 <= samples <= memory[LONGEST]:
         return
