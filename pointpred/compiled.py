@@ -128,9 +128,9 @@ def _distrust(compiled: Any) -> None:
 
     def load_or_forget(signature: Any, context: Any) -> Any:
         try:
-            found = load(signature, context)
-            if found is None or found.signature.args == arguments(signature)[0]:
-                return found
+            code = load(signature, context)
+            if code is None or code.signature.args == arguments(signature)[0]:
+                return code
             raise ValueError("the code of another signature")
         except Exception:  # any error of a damaged pickle or damaged machine code
             try:
@@ -190,13 +190,13 @@ def _private(folder: Path) -> bool:
     """Whether a folder in a place that others may write to is ours alone; it is made where it is missing."""
     try:
         folder.mkdir(mode=0o700, exist_ok=True)
-        found = folder.lstat()
+        status = folder.lstat()
     except OSError:
         return False
-    if not stat.S_ISDIR(found.st_mode):
+    if not stat.S_ISDIR(status.st_mode):
         return False
     # Without user ids (Windows) the temporary folder is the user's own already.
-    return not hasattr(os, "getuid") or (found.st_uid == os.getuid() and found.st_mode & 0o077 == 0)
+    return not hasattr(os, "getuid") or (status.st_uid == os.getuid() and status.st_mode & 0o077 == 0)
 
 
 def _fingerprint(function: FunctionType) -> str:

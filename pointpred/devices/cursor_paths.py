@@ -56,12 +56,12 @@ class MotorPath:
 
     def events(self, reports: Sequence[Report]) -> list[PointerEvent]:
         """One event for each report."""
-        made = []
+        events = []
         for report in reports:
             self._x += self._scale * report.dx
             self._y += self._scale * report.dy
-            made.append(event_of(report, self._x, self._y))
-        return made
+            events.append(event_of(report, self._x, self._y))
+        return events
 
 
 class TransferPath:
@@ -87,7 +87,7 @@ class TransferPath:
 
     def events(self, reports: Sequence[Report]) -> list[PointerEvent]:
         """One event for each report."""
-        made = []
+        events = []
         for report in reports:
             try:
                 moved = self._transfer.update((report.t, report.dx, report.dy))
@@ -96,8 +96,8 @@ class TransferPath:
                 moved = (0.0, 0.0)
             self._x += moved[0]
             self._y += moved[1]
-            made.append(event_of(report, self._x, self._y))
-        return made
+            events.append(event_of(report, self._x, self._y))
+        return events
 
 
 class PositionReport(Report, frozen=True, kw_only=True, gc=False):

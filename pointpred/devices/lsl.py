@@ -24,7 +24,7 @@ ASIDE = re.compile(r"mouse|cursor|pointer|position|pos|pixels?|(?<=[xy])px$")
 WAIT_S = 5.0
 MOST_AT_ONCE = 1024
 BUFFER = 600
-"""What Lab Streaming Layer holds for us: s of a stream of known rate, hundreds of samples of another."""
+"""Buffer of Lab Streaming Layer: s for a stream of known rate, hundreds of samples for another."""
 
 
 def library() -> Any:
@@ -50,7 +50,7 @@ def ahead_s(lsl: Any) -> float:
 
 
 class Channels(msgspec.Struct, frozen=True):
-    """Which channel of a stream is what; ``None`` where there is none."""
+    """The channel of each quantity of a stream; ``None`` if absent."""
 
     x: int
     y: int
@@ -80,11 +80,11 @@ class LslInlet(ClosedOnExit):
         self.unreadable = 0
         self.clock = "this computer's monotonic clock, to which a stream's stamps are moved"
         self.words = ""
-        """What its positions are; once it is open."""
+        """The meaning of its positions; known once open."""
         self.offset_s = 0.0
-        """What was added to its first stamps to have them on this computer's clock of Lab Streaming Layer."""
+        """Offset of its first stamps to this computer's Lab Streaming Layer clock, s."""
         self.counts = False
-        """Whether its samples have counts; once it is open."""
+        """Whether its samples have counts; known once open."""
         self._wait_s = wait_s
         self._inlet: Any = None
         self._place: tuple[float, float] | None = None
@@ -193,7 +193,7 @@ def _channel_words(channels: Channels, labels: Sequence[str | None]) -> str:
 
 
 def _nothing(name: str, others: Sequence[Any]) -> str:
-    """Why no stream was found, and what there is."""
+    """Why no stream was found, and the streams present."""
     names = ", ".join(sorted(f"{one.name()} ({one.channel_count()} channels)" for one in others)) or "none"
     return (
         f"no stream of {PURPOSE} is called {name!r}; streams on this network: {names}. Start the program "

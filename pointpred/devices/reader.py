@@ -46,7 +46,7 @@ class ReaderSource(ClosedOnExit):
         return self.path or "this source"
 
     def _check_unused(self) -> None:
-        """Raise SourceError where the source was opened before."""
+        """Raise SourceError if the source was opened before."""
         if self._thread is not None:
             raise SourceError(f"{self._described}: this source is open already; make another")
 
@@ -60,7 +60,7 @@ class ReaderSource(ClosedOnExit):
             self._read_all()
         except SourceError as error:
             failure = error
-        except Exception as error:  # take raises it: nobody would hear of what ends this thread
+        except Exception as error:  # raised by take, as an error on this thread would go unnoticed
             failure = SourceError(f"{self._described}: reading ended: {error}")
             failure.__cause__ = error
         finally:

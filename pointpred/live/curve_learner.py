@@ -69,7 +69,7 @@ class CurveLearner:
 
 
 def curve_learner(path: CursorPath, cpi: float | None, dpi: float) -> CurveLearner | str:
-    """A learner, or why nothing can be learned from this path."""
+    """A learner, or why this path does not allow one."""
     if path.space != "screen":
         return NEEDS_CURSOR
     if isinstance(path, PositionPath) and not path.counts:

@@ -44,7 +44,7 @@ class DeviceOptions(msgspec.Struct, frozen=True):
 
 
 class OpenPath(msgspec.Struct, frozen=True):
-    """A path of the cursor, and what closes it."""
+    """A path of the cursor, and its resource to close."""
 
     path: CursorPath
     close: Callable[[], None] = lambda: None

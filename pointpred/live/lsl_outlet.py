@@ -24,7 +24,7 @@ CHANNELS = {
     "remaining_s": "s",
     "phase": "code",
 }
-"""What each sample holds, and its unit."""
+"""The channels of a sample, with units."""
 
 
 class LslOutlet:

@@ -20,7 +20,7 @@ from pointpred.server.settings import Settings
 
 
 def live_feed(session: LiveSession, predictor: str, cpi: float | None, dpi: float) -> LiveFeed:
-    """The feed of a session for those who view it on the page."""
+    """The feed of a session for viewers of the page."""
     source = session.source
     attached = Attached(source.name, source.clock, session.space, session.words, predictor, cpi, dpi)
     feed = LiveFeed(attached, lambda: status_of(session.state()))

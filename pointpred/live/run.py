@@ -51,7 +51,7 @@ class OutputOptions(msgspec.Struct, frozen=True):
     parameters: dict[str, Any] = {}
 
     def pipeline(self, person: str = "") -> Pipeline:
-        """The predictor, which knows ``person``; raises ParameterError."""
+        """The predictor with ``person`` loaded; raises ParameterError."""
         return build(self.predictor, cpi=self.cpi, dpi=self.dpi, person=person, **self.parameters)
 
 
@@ -74,10 +74,10 @@ class LiveRun:
         self._log = TerminalLog() if results().is_terminal else None
         self._thread = SessionThread(session, self.feed.fail if self.feed else lambda why: None)
         self.stopping = self._thread.stopping
-        """Set it to end the session."""
+        """Set this event to end the session."""
 
     def run(self) -> None:
-        """Drive the session until something or somebody ends it; raises what ended it."""
+        """Drive the session until it ends; raises the error that ended it."""
         stopping, console = self.stopping, results()
         heading = self._heading()
         self.session.source.take(0.0)  # reports that came while the outputs were opened are left out
@@ -134,7 +134,7 @@ class LiveRun:
             self.feed.curve = Curve(curve.words, curve)
 
     def _end(self, *, quiet: bool) -> None:
-        """Stop, finish the recording, and print a summary unless nobody can read it (``quiet``)."""
+        """Stop, finish the recording, and print a summary unless ``quiet``."""
         recording = self.recording
         try:
             self._thread.stop()

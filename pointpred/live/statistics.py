@@ -1,4 +1,4 @@
-"""What is counted while a device is read: how many reports a second, and how long predictions take."""
+"""Statistics while a device is read: reports per second, and the delays of predictions."""
 
 from __future__ import annotations
 

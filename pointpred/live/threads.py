@@ -18,7 +18,7 @@ LOOK_S = 0.5
 
 
 class SessionThread:
-    """Drives a session until it is stopped, or until something breaks, which ``stop`` then raises."""
+    """Drives a session until it is stopped or fails; ``stop`` then raises the error."""
 
     def __init__(self, session: LiveSession, failed: Callable[[str], None] = lambda why: None) -> None:
         self.session = session
@@ -36,7 +36,7 @@ class SessionThread:
             timer.start()
 
     def stop(self) -> None:
-        """End, and raise what ended it before."""
+        """End, and raise the error that ended it before."""
         self.stopping.set()
         self._thread.join()
         if self._error is not None:

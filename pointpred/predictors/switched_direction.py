@@ -97,8 +97,8 @@ class SwitchedDirectionPredictor(Predictor):
     v^(1-turn): the corrective phase converges. Below 2 mm/s the cursor has arrived.
 
     A sub-movement begins where the speed rises out of a valley by ``rise`` of the peak before. Each sees only
-    itself: a correction yet to come is not foretold. The hand's velocity becomes the cursor's by the
-    averaged gain, least squares of the cursor's displacement on the hand's.
+    itself: a later correction is not predicted. The hand's velocity becomes the cursor's by the averaged
+    gain, least squares of the cursor's displacement on the hand's.
 
     Parameters: ``rise`` (share of the peak speed), ``typical_s`` s, ``own``, ``turn``, ``watched``,
     ``stopping`` (no unit). Always answers, at first with the cursor. Memory: 29 floats. Claims no region and

@@ -11,7 +11,7 @@ from pointpred.targets import cursor, decision, posterior
 from pointpred.targets.rectangles import CENTRE_X, CENTRE_Y, HEIGHT, LOG_WEIGHT, WIDTH
 
 KEEP = 0.4
-"""A proposal stands while its share is at least this part of the precision asked for."""
+"""A proposal stands while its share is at least this fraction of the required precision."""
 
 OUTSIDE, INSIDE, ENTERED, RELEASED = 0.0, 1.0, 2.0, 3.0
 """Where the cursor is, for each target; ENTERED at the event that took it in, RELEASED once the button came

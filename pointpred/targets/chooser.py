@@ -78,10 +78,10 @@ class Chooser:
         coefficients: FloatArray = posterior.FITTED,
     ) -> None:
         self._answer: Row = REFUSED
-        given = (precision, elsewhere, least_lead_s, least_way_px)
+        settings = (precision, elsewhere, least_lead_s, least_way_px)
         names = (parameter.name for parameter in self.parameters)
-        check(self.parameters, dict(zip(names, given, strict=True)))
-        self._settings = np.array(given, dtype=np.float64)
+        check(self.parameters, dict(zip(names, settings, strict=True)))
+        self._settings = np.array(settings, dtype=np.float64)
         self._coefficients = usable(coefficients)
         self._memory = np.zeros(cursor.STATES)
         self._standing = self._over = decision.NOBODY
@@ -99,9 +99,9 @@ class Chooser:
         least_way_px: float | None = None,
     ) -> None:
         """Change these parameters from the next event on; raises ParameterError and then changes nothing."""
-        given = (precision, elsewhere, least_lead_s, least_way_px)
+        settings = (precision, elsewhere, least_lead_s, least_way_px)
         names = (parameter.name for parameter in self.parameters)
-        values = {name: value for name, value in zip(names, given, strict=True) if value is not None}
+        values = {name: value for name, value in zip(names, settings, strict=True) if value is not None}
         check(tuple(p for p in self.parameters if p.name in values), values)
         for place, parameter in enumerate(self.parameters):
             self._settings[place] = values.get(parameter.name, self._settings[place])

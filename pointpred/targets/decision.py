@@ -1,4 +1,4 @@
-"""When probabilities become a proposal, and when it is withdrawn."""
+"""The rules for making and withdrawing proposals from probabilities."""
 
 from __future__ import annotations
 

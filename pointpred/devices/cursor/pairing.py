@@ -73,13 +73,13 @@ class Pairing:
         due: list[Report] = []
         while self._waiting and self._waiting[0].t <= shown_until:
             due.append(self._waiting.popleft())
-        made = self._share(due, x, y) if due else self._correct(x, y)
+        events = self._share(due, x, y) if due else self._correct(x, y)
         while len(self._waiting) > self._most:
             self.unpaired += 1
             self._last = self._waiting.popleft()
-            made.append(_event(self._last, x, y))
+            events.append(_event(self._last, x, y))
         self._place = (x, y)
-        return made
+        return events
 
     def _share(self, due: list[Report], x: float, y: float) -> list[PointerEvent]:
         """The way since the last look, along the reports that this look shows."""
@@ -87,12 +87,12 @@ class Pairing:
         x0, y0 = self._place or (x, y)
         paths = [hypot(report.dx, report.dy) for report in due]
         whole, gone = sum(paths), 0.0
-        made = []
+        events = []
         for report, path in zip(due[:-1], paths[:-1], strict=True):
             gone += path
             share = gone / whole if whole > 0.0 else 1.0
-            made.append(_event(report, x0 + share * (x - x0), y0 + share * (y - y0)))
-        return [*made, _event(due[-1], x, y)]
+            events.append(_event(report, x0 + share * (x - x0), y0 + share * (y - y0)))
+        return [*events, _event(due[-1], x, y)]
 
     def _correct(self, x: float, y: float) -> list[PointerEvent]:
         """The last report's event once more, when the cursor came to its place after it was passed on."""

@@ -19,7 +19,7 @@ NAME = "cursor"
 BUTTONS = (1, 2, 4, 8, 16)
 """Bits of the left, right, middle, back and forward button in ``PointerEvent``."""
 UNTRIED = {"win32", "cygwin", "darwin"}
-"""Systems on which this was never tried on a real machine."""
+"""Systems on which this is untested on real machines."""
 
 
 class Cursor(Protocol):
@@ -83,7 +83,7 @@ class CursorSource(ReaderSource):
 
     @property
     def words(self) -> str:
-        """What a px of the positions is; once it is open."""
+        """The unit of the positions; known once open."""
         return self.cursor.words
 
     def __enter__(self) -> Self:

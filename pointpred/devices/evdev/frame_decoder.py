@@ -47,7 +47,7 @@ class FrameDecoder:
     Parameters: ``buttons`` pressed at the beginning; ``ask`` the buttons pressed now, ``None`` where they
     cannot be told (those known then stand). Memory: one unfinished frame and less than one record.
     Counts ``resynchronised`` recoveries, ``unreadable`` records that cannot be events (their frame is void),
-    and frames left ``aside`` that say nothing of the pointer (a key of the keyboard).
+    and frames left ``aside`` without pointer events (a key of the keyboard).
 
     >>> decoder = FrameDecoder()
     >>> left = EVENT.pack(5, 250000, EV_REL, REL_X, -3) + EVENT.pack(5, 250000, EV_SYN, SYN_REPORT, 0)
@@ -59,7 +59,7 @@ class FrameDecoder:
         self.buttons, self._ask = buttons, ask
         self.resynchronised = self.unreadable = self.aside = 0
         self._rest = b""
-        self._fine = False  # the wheel has told steps in 120 parts: whole steps would count twice
+        self._fine = False  # the wheel reports high-resolution steps: whole steps would count twice
         self._begin()
 
     def _begin(self) -> None:
@@ -109,7 +109,7 @@ class FrameDecoder:
                 self._sideways_parts, self._fine = self._sideways_parts + value, True
 
     def _end(self, stamp_us: int) -> Frame | None:
-        """The frame that SYN_REPORT ends, if it says anything of the pointer."""
+        """The frame that SYN_REPORT ends, if it has pointer events."""
         frame: Frame | None = None
         if self._lost:
             self.resynchronised += 1

@@ -58,13 +58,13 @@ class Unknown(msgspec.Struct, frozen=True):
 
     def numbers(self, matrix: Any) -> FloatArray:
         """The entries of a matrix; raises ParameterError if its shape or its structure differs."""
-        given = matrices.matrix(self.name, matrix, self.rows, self.columns)
-        numbers = given.reshape(-1)
+        entries = matrices.matrix(self.name, matrix, self.rows, self.columns)
+        numbers = entries.reshape(-1)
         if self.kind == "symmetric":
-            numbers = given[_triangle(self.rows)]
+            numbers = entries[_triangle(self.rows)]
         elif self.kind == "diagonal":
-            numbers = np.diag(given).copy()
-        if not np.array_equal(np.atleast_2d(self.matrix(numbers)), given):
+            numbers = np.diag(entries).copy()
+        if not np.array_equal(np.atleast_2d(self.matrix(numbers)), entries):
             raise ParameterError(f"{self.name} must be {self.kind}, received {matrix!r}")
         return numbers
 

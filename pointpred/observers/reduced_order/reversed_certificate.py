@@ -200,11 +200,11 @@ def _next(one: Connection, lipschitz: float) -> Block:
     onward = np.hstack([one.S0, one.S1, -np.eye(q)])
 
     def block(v: Any) -> FloatArray:
-        held = np.zeros((2 * q + k, 2 * q + k))
-        held[:q, :q] = v.Xi - v.P + v.alpha * lipschitz**2 * np.eye(q)
-        held[q : q + k, q : q + k] = -v.alpha * np.eye(k)
-        held[q + k :, q + k :] = -v.Gamma
-        return np.asarray(held + onward.T @ v.P @ onward)
+        block = np.zeros((2 * q + k, 2 * q + k))
+        block[:q, :q] = v.Xi - v.P + v.alpha * lipschitz**2 * np.eye(q)
+        block[q : q + k, q : q + k] = -v.alpha * np.eye(k)
+        block[q + k :, q + k :] = -v.Gamma
+        return np.asarray(block + onward.T @ v.P @ onward)
 
     return block
 

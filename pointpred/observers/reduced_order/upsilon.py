@@ -188,11 +188,11 @@ class Choice(msgspec.Struct, frozen=True):
         problem.number("alpha")
 
         def block(v: Any) -> FloatArray:
-            held = np.zeros((q + k, q + k))
-            held[:q, :q] = v.alpha * constant**2 * np.eye(q) - keep * p(v)
-            held[q:, q:] = -v.alpha * np.eye(k)
+            block = np.zeros((q + k, q + k))
+            block[:q, :q] = v.alpha * constant**2 * np.eye(q) - keep * p(v)
+            block[q:, q:] = -v.alpha * np.eye(k)
             onward = np.hstack([closed(v, parts.drift, parts.seen), closed(v, parts.driven, parts.shown)])
-            whole = np.block([[held, onward.T], [onward, -p(v)]])
+            whole = np.block([[block, onward.T], [onward, -p(v)]])
             return np.asarray(whole - spare(v) * np.eye(len(whole)))
 
         return problem.below("the LMI", block)

@@ -19,7 +19,7 @@ from pointpred.predictors.adaptation.stages import STAGES, place
 from pointpred.stage import Slot, offsets
 
 LEVELS = (0.5, 0.8)
-"""The levels whose regions are to hold as many ends as they say."""
+"""The levels of the regions whose coverage is adapted."""
 JUDGED = 9
 """A movement is judged at 10, 20 ... 90 % of its time."""
 STEP, STEP_OF, STEP_LEAST = 6.0, 5.0, 0.2

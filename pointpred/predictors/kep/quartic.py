@@ -50,7 +50,7 @@ def bend(p: Quartic, far: float) -> tuple[float, float]:
 
 @law
 def between(p: Quartic, low: float, high: float) -> float:
-    """The zero between low and high where the polynomial is monotone; ``high`` when it has none there.
+    """The zero between low and high where the polynomial is monotone; ``high`` if there is none.
 
     Newton's steps as long as they stay within the bracket, which every step narrows; else it is halved.
     """

@@ -96,8 +96,8 @@ def read(path: Path | str) -> FloatArray:
         raise ParameterError(f"coefficients must be the path of a file, received {path!r}")
     path = Path(path)
     try:
-        found = path.stat()
-        return _read(path, found.st_mtime_ns, found.st_size)
+        status = path.stat()
+        return _read(path, status.st_mtime_ns, status.st_size)
     except UNUSABLE as unusable:
         raise ParameterError(
             f"coefficients must be a file of version {VERSION}: {path}: {unusable}"
@@ -217,8 +217,8 @@ def sets(path: Path | str = OWN) -> frozenset[str]:
     where there is no card.
     """
     path = Path(path)
-    found = path.stat()
-    return _sets(path, found.st_mtime_ns, found.st_size)
+    status = path.stat()
+    return _sets(path, status.st_mtime_ns, status.st_size)
 
 
 @lru_cache(maxsize=16)
@@ -229,9 +229,9 @@ def _sets(path: Path, changed_ns: int, size: int) -> frozenset[str]:
 
 def digest(path: Path = OWN) -> str:
     """A short digest of what the file holds: how an interpreter packs the same arrays makes no difference."""
-    found = hashlib.blake2b(digest_size=8)
+    digest = hashlib.blake2b(digest_size=8)
     with np.load(path, allow_pickle=False) as arrays:
         for name in sorted(arrays.files):
             array = np.ascontiguousarray(arrays[name])
-            found.update(f"{name} {array.dtype.str} {array.shape} ".encode() + array.tobytes())
-    return found.hexdigest()
+            digest.update(f"{name} {array.dtype.str} {array.shape} ".encode() + array.tobytes())
+    return digest.hexdigest()

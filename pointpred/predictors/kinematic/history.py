@@ -1,4 +1,4 @@
-"""Where the cursor was: positions on a grid of equal times, so that the sampling rate leaves no trace."""
+"""Past cursor positions on a grid of equal times, independent of the sampling rate."""
 
 from __future__ import annotations
 

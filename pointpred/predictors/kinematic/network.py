@@ -1,4 +1,4 @@
-"""The small network of the learned predictor: features in, what the answer is made of out."""
+"""The small network of the learned predictor: features in, parameters of the answer out."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a learned predictor follows through a movement: peaks, sub-movements, how long it has been slow.
+"""The movement's track for the learned predictor: peaks, sub-movements, time since it became slow.
 
 Places are px relative to the movement's start, times seconds since it, speeds the hand's.
 """

@@ -27,16 +27,16 @@ def templates_of(recording: Recording, *, longest_s: float = 3.0) -> FloatArray:
         raise ParameterError(
             f"a library needs 1 to {TEMPLATES_MOST} trials, received {len(recording.trials)}"
         )
-    found = np.empty((len(recording.trials), matching.SPEEDS + samples_of(longest_s)))
+    templates = np.empty((len(recording.trials), matching.SPEEDS + samples_of(longest_s)))
     for k, trial in enumerate(recording.trials):
-        made = profile_of(recording.rows(k), longest_s)
-        if not len(made):
+        template = profile_of(recording.rows(k), longest_s)
+        if not len(template):
             raise ParameterError(
                 f"trial {trial.trial!r} of {trial.user!r} is no template: it needs {matching.POINTS_LEAST} "
                 f"points and 0.05 to {longest_s:g} s, received {_size(recording.rows(k))}"
             )
-        found[k] = made[0]
-    return found
+        templates[k] = template[0]
+    return templates
 
 
 def profile_of(rows: EventColumns, longest_s: float) -> FloatArray:
