@@ -19,7 +19,7 @@ from pointpred.client.session import hello_message
 from tests.unit.talking import Talk, events
 
 ROWS = [[i / 60, 3.0 * i * i, 0.5 * i * i, None, None, 0] for i in range(12)]
-ROOMS = ("cli", "client", "replaying", "server", "devices")
+ROOMS = ("cli", "client", "devices", "live", "protocol", "replaying", "server")
 """Where live people are served."""
 
 
@@ -67,9 +67,9 @@ def test_it_is_a_name_of_the_registry() -> None:
 @pytest.mark.parametrize(
     ("script", "default"),
     [
-        ("service/http.js", r'^export const PREFERRED = "([^"]*)";$'),
+        ("service/http.js", r'^const FALLBACK = "([^"]*)";'),
         ("pointpred.js", r'^    this\.#options = \{ predictor: "([^"]*)",'),
-        ("pointpred.js", r'\[predictor\] a name of the registry; "([^"]*)" unless given$'),
+        ("pointpred.js", r'\[predictor\] a name of the registry; "([^"]*)" by default$'),
     ],
 )
 def test_the_scripts_say_it(script: str, default: str) -> None:

@@ -180,7 +180,7 @@ def one(path: Path, reading: Reading | None, result: Result) -> str:
     """Read one copy: ``read``, ``refused`` or what broke in words."""
     gc.collect()
     Path("/proc/self/clear_refs").write_text("5", encoding="ascii")  # the peak of memory starts anew
-    began = time.process_time()
+    held, began = _peak_mib(), time.process_time()
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("error")
@@ -191,7 +191,7 @@ def one(path: Path, reading: Reading | None, result: Result) -> str:
         end = "refused" if path.name in str(error) else f"an error without the file's name: {error}"
     except BaseException:
         end = traceback.format_exc()
-    lasted, peak = time.process_time() - began, _peak_mib()
+    lasted, peak = time.process_time() - began, _peak_mib() - held
     result.mib, result.s = max(result.mib, peak), max(result.s, lasted)
     if lasted > MOST_S or peak > MOST_MIB:
         end = f"{lasted:.1f} s, {peak:.0f} MiB; {end}"

@@ -113,12 +113,13 @@ def test_the_table_of_example_7_is_that_of_the_data() -> None:
     if not os.environ.get("POINTPRED_RECORDINGS"):
         pytest.skip("POINTPRED_RECORDINGS is not set")
     from pages.observers.examples_5_7 import recursion, sniffer, starts
+    from pages.rendering import shown
 
     data = sniffer()
     if data is None:
         pytest.skip("sniffer.csv is not in the folder of recordings")
     page = (PAGES / "example-7.md").read_text(encoding="utf-8")
-    assert filled(page, "sniffer", starts(*data)) == page
+    assert filled(page, "sniffer", shown(starts(*data))) == page
     rows, outputs = data
     normal = rows.T @ rows
     late = recursion(rows[3:], outputs[3:], rows[:3].T @ rows[:3], np.zeros(4))
