@@ -130,8 +130,8 @@ def follow(socket: ClientConnection, url: str) -> list[float]:
 def far(url: str) -> dict[str, Any]:
     """How far compiling is."""
     with urlopen(url + "v1/compiling") as answer:
-        told: dict[str, Any] = json.load(answer)
-        return told
+        progress: dict[str, Any] = json.load(answer)
+        return progress
 
 
 def cpu_s() -> float:

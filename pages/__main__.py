@@ -42,23 +42,19 @@ def several(**parts: str) -> Context:
     return lambda: {name: data.read(PAGES / f"{where}.json", data.Tables) for name, where in parts.items()}
 
 
-def costs() -> dict[str, Any]:
-    """The four measurements of what things cost."""
-    names = ("events", "service", "devices", "first_start")
-    return several(**{name: f"costs/{name}" for name in names})()
-
-
-def targets() -> dict[str, Any]:
-    """Choices among targets, and proposals with a page's defaults."""
-    return {**measured("targets")(), **several(proposals="proposals/data")()}
-
-
+COSTS = ("events", "service", "devices", "first_start")
 PAGES_MADE: dict[str, tuple[str, Context]] = {
     "docs/evidence/results.md": ("results", results.context),
     "docs/evidence/kinematic.md": ("kinematic", kinematic.context),
     "docs/evidence/ktm.md": ("ktm", ktm.context),
-    "docs/evidence/costs.md": ("costs", costs),
-    "docs/evidence/targets.md": ("targets", targets),
+    "docs/evidence/costs.md": (
+        "costs",
+        several(**{part: f"costs/{part}" for part in ("events", "service", "devices", "first_start")}),
+    ),
+    "docs/evidence/targets.md": (
+        "targets",
+        lambda: measured("targets")() | several(proposals="proposals/data")(),
+    ),
     **{
         f"docs/evidence/{name}.md": (name, measured(name))
         for name in (

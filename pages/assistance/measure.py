@@ -140,7 +140,7 @@ def main() -> None:
     arguments = parser.parse_args()
     measure = Measuring(arguments.movements, arguments.people)
     right = right_table(measure)
-    drawn = {
+    points = {
         words: (
             curves(measure, "angle_deg", ANGLES, learnt),
             curves(measure, "factor", FACTORS, learnt),
@@ -149,7 +149,7 @@ def main() -> None:
     }
     laws, times = laws_table(measure)
     keep("assistance", {"right": right, "laws": laws, "predictors": predictors_table(measure)})
-    assistance_figure.draw(drawn, times, FIGURE)
+    assistance_figure.draw(points, times, FIGURE)
 
 
 if __name__ == "__main__":

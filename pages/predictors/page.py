@@ -10,6 +10,7 @@ from pages import data
 from pages.results.page import overall
 from pages.results.records import stored
 from pointpred.differentiators import DIFFERENTIATORS
+from pointpred.parameter import Parameter
 from pointpred.registry import GAINS, RECOMMENDED, REGISTRY, describe
 from pointpred.registry import parameters as values_of
 from pointpred.scoring import FLOOR
@@ -34,19 +35,26 @@ def predictor(name: str) -> dict[str, Any]:
     }
 
 
-def differentiator(name: str) -> dict[str, Any]:
+class DifferentiatorEntry(msgspec.Struct, frozen=True):
     """One differentiator with the defaults of its class."""
+
+    name: str
+    title: str
+    own: tuple[Parameter, ...]
+
+
+def differentiator(name: str) -> DifferentiatorEntry:
+    """The entry of one name."""
     stage = DIFFERENTIATORS[name]
-    own = [msgspec.structs.asdict(p) for p in stage.parameters]
-    return {"name": name, "title": (stage.__doc__ or "").strip().splitlines()[0], "own": own}
+    return DifferentiatorEntry(name, (stage.__doc__ or "").strip().splitlines()[0], tuple(stage.parameters))
 
 
-def grouped() -> list[dict[str, Any]]:
-    """Which names use which gains."""
+def grouped() -> list[tuple[dict[str, float], list[str]]]:
+    """The names that share their gains."""
     groups: dict[tuple[tuple[str, float], ...], list[str]] = {}
     for name in REGISTRY:
         groups.setdefault(tuple(gains_of(name).items()), []).append(name)
-    return [{"gains": dict(gains), "names": names} for gains, names in groups.items()]
+    return [(dict(gains), names) for gains, names in groups.items()]
 
 
 def streaming_us() -> dict[str, float]:
