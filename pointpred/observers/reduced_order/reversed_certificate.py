@@ -200,11 +200,11 @@ def _next(one: Connection, lipschitz: float) -> Block:
     onward = np.hstack([one.S0, one.S1, -np.eye(q)])
 
     def block(v: Any) -> FloatArray:
-        block = np.zeros((2 * q + k, 2 * q + k))
-        block[:q, :q] = v.Xi - v.P + v.alpha * lipschitz**2 * np.eye(q)
-        block[q : q + k, q : q + k] = -v.alpha * np.eye(k)
-        block[q + k :, q + k :] = -v.Gamma
-        return np.asarray(block + onward.T @ v.P @ onward)
+        diagonal = np.zeros((2 * q + k, 2 * q + k))
+        diagonal[:q, :q] = v.Xi - v.P + v.alpha * lipschitz**2 * np.eye(q)
+        diagonal[q : q + k, q : q + k] = -v.alpha * np.eye(k)
+        diagonal[q + k :, q + k :] = -v.Gamma
+        return np.asarray(diagonal + onward.T @ v.P @ onward)
 
     return block
 

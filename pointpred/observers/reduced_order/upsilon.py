@@ -188,11 +188,11 @@ class Choice(msgspec.Struct, frozen=True):
         problem.number("alpha")
 
         def block(v: Any) -> FloatArray:
-            block = np.zeros((q + k, q + k))
-            block[:q, :q] = v.alpha * constant**2 * np.eye(q) - keep * p(v)
-            block[q:, q:] = -v.alpha * np.eye(k)
+            diagonal = np.zeros((q + k, q + k))
+            diagonal[:q, :q] = v.alpha * constant**2 * np.eye(q) - keep * p(v)
+            diagonal[q:, q:] = -v.alpha * np.eye(k)
             onward = np.hstack([closed(v, parts.drift, parts.seen), closed(v, parts.driven, parts.shown)])
-            whole = np.block([[block, onward.T], [onward, -p(v)]])
+            whole = np.block([[diagonal, onward.T], [onward, -p(v)]])
             return np.asarray(whole - spare(v) * np.eye(len(whole)))
 
         return problem.below("the LMI", block)
