@@ -8,7 +8,7 @@ from typing import Self
 from pointpred.columns import BoolArray, EventColumns, FloatArray, PredictionColumns
 from pointpred.compiled import law
 from pointpred.differentiators import Differentiator
-from pointpred.differentiators.differentiator import row_of
+from pointpred.differentiators.differentiator import checked_event_row
 from pointpred.errors import EventError
 from pointpred.events import PointerEvent, Prediction
 from pointpred.person import person_of
@@ -43,7 +43,7 @@ class Pipeline:
         Raises EventOrderError when time runs backwards and EventError when a value is not finite or out of
         range; the pipeline is then unchanged.
         """
-        answer = self.advance(row_of(event))
+        answer = self.advance(checked_event_row(event))
         if answer is None:
             raise self._reason(lambda: self.predictor.update(self.differentiator.update(event)))
         return prediction_of(answer)

@@ -1,7 +1,7 @@
 """The region of a prediction: the ellipse that holds the endpoint with a given probability.
 
-``reach`` says how far such a region goes. ``radius`` in ``predictors/adaptation/region_widening.py`` is its
-Student law in compiled code, and ``server/web/client/regions.js`` is the same law for browsers.
+``reach`` says how far such a region goes. ``squared_radius`` in ``predictors/adaptation/region_widening.py``
+is its Student law in compiled code, and ``server/web/client/regions.js`` is the same law for browsers.
 """
 
 from __future__ import annotations

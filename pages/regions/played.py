@@ -13,7 +13,7 @@ import numpy as np
 from pointpred import EventColumns, Pipeline, PredictionColumns
 from pointpred.client import connect
 from pointpred.protocol.client_messages import Device, Hello, Reset, Screen
-from pointpred.protocol.frames import event_frames, packable, row_of
+from pointpred.protocol.frames import event_frames, packable, row_of_prediction
 from pointpred.protocol.records import unpack_predictions
 from pointpred.protocol.server_messages import PredictionMessage, encode
 from pointpred.server.access import HostRule
@@ -88,7 +88,7 @@ def rows_of(answer: str | bytes) -> list[list[float]]:
     """A frame of predictions as rows of ``PredictionColumns``."""
     if isinstance(answer, bytes):
         return unpack_predictions(answer)
-    return [row_of(msgspec.json.decode(answer, type=PredictionMessage))]
+    return [row_of_prediction(msgspec.json.decode(answer, type=PredictionMessage))]
 
 
 def over_socket(url: str, hello: Hello, movements: list[EventColumns]) -> Iterator[PredictionColumns]:

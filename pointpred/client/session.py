@@ -36,7 +36,7 @@ from pointpred.protocol.client_messages import (
     TrialMark,
 )
 from pointpred.protocol.decoding import decode_server_message
-from pointpred.protocol.frames import Frame, event_frames, message_of, row_of
+from pointpred.protocol.frames import Frame, event_frames, message_of, row_of_prediction
 from pointpred.protocol.records import NONE, unpack_predictions
 from pointpred.protocol.server_messages import (
     Choice,
@@ -204,7 +204,7 @@ class ClientSession:
             return None
         message = decode_server_message(frame)
         if isinstance(message, PredictionMessage):
-            self._add_prediction(row_of(message), message.targets)
+            self._add_prediction(row_of_prediction(message), message.targets)
             return None
         if isinstance(message, Choice):
             self._choices.append(message)

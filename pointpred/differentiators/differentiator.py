@@ -87,7 +87,7 @@ class Differentiator(CompiledStage):
         Raises EventOrderError when time runs backwards and EventError when a value is not finite or out of
         range; the memory is then unchanged.
         """
-        motion = self.advance(row_of(event))
+        motion = self.advance(checked_event_row(event))
         if motion[0] != motion[0]:
             raise self.refusal(event)
         return motion_of(motion)
@@ -131,7 +131,7 @@ class Differentiator(CompiledStage):
         return float(self._memory[self.at + sampling.T]) if started else None
 
 
-def row_of(event: PointerEvent) -> SixFloats:
+def checked_event_row(event: PointerEvent) -> SixFloats:
     """The row of an event that a user made; raises EventError where a field is no number."""
     try:
         t, x, y, dx, dy, buttons = event.t, event.x, event.y, event.dx, event.dy, event.buttons

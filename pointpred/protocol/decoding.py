@@ -46,7 +46,7 @@ def decode_server_message(text: str) -> Struct:
     return message
 
 
-def row_of(row: EventRow) -> tuple[float, float, float, float, float, float]:
+def event_row_of_json(row: EventRow) -> tuple[float, float, float, float, float, float]:
     """One event of an ``events`` message as a row of the table."""
     t, x, y, dx, dy, buttons = row
     return t, x, y, NONE if dx is None else dx, NONE if dy is None else dy, float(buttons)

@@ -109,7 +109,7 @@ def message_of(row: Sequence[float], likely: list[Likely] | UnsetType = UNSET) -
     )
 
 
-def row_of(message: PredictionMessage) -> list[float]:
+def row_of_prediction(message: PredictionMessage) -> list[float]:
     """A message as a row of ``PredictionColumns``; the spread of the time left is not sent."""
     scale = message.scale
     claimed = (NONE, NONE, NONE) if scale is None else (scale.sxx, scale.sxy, scale.syy)

@@ -21,7 +21,12 @@ from pointpred.protocol.client_messages import (
     Targets,
     TrialMark,
 )
-from pointpred.protocol.decoding import decode_client_message, row_of, table_of_bytes, table_of_rows
+from pointpred.protocol.decoding import (
+    decode_client_message,
+    event_row_of_json,
+    table_of_bytes,
+    table_of_rows,
+)
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.records import EVENT, unpack_event
 from pointpred.protocol.server_messages import (
@@ -161,7 +166,7 @@ class PointingSession(Session):
         """Predict from events in JSON."""
         stream, rows = self._open_stream, message.events
         self._quota.take_events(len(rows), now)
-        if len(rows) != 1 or not stream.feed_event(row_of(rows[0]), self.outbox):
+        if len(rows) != 1 or not stream.feed_event(event_row_of_json(rows[0]), self.outbox):
             self._feed(stream, table_of_rows(rows))
         elif self.state is not STREAMING:
             self.move(Trigger.EVENTS)

@@ -15,7 +15,7 @@ from math import exp, log
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.events import ROUNDING_S
-from pointpred.predictors.adaptation.stages import STAGES, place
+from pointpred.predictors.adaptation.stages import STAGES, interpolation
 from pointpred.stage import Slot, offsets
 
 LEVELS = (0.5, 0.8)
@@ -54,7 +54,7 @@ LOWEST, HIGHEST = 1e-6, 40.0
 
 
 @law
-def radius(level: float, heavy: float) -> float:
+def squared_radius(level: float, heavy: float) -> float:
     """Squared radius of a level's region over the tail; ``heavy``: 2 / tail.
 
     The Student law of ``pointpred.regions.reach`` in the form that is compiled here.
@@ -65,7 +65,7 @@ def radius(level: float, heavy: float) -> float:
 @law
 def offset(memory: FloatArray, at: int, share: float, which: int) -> float:
     """Logarithm of what the squared radius of a level is multiplied by: on lines between the stages."""
-    stage, part = place(share)
+    stage, part = interpolation(share)
     low = at + OFFSETS + len(LEVELS) * stage + which
     return float(memory[low] + part * (memory[low + len(LEVELS)] - memory[low]))
 
@@ -79,17 +79,17 @@ def widen(memory: FloatArray, at: int, share: float, tail: float) -> tuple[float
     if memory[at + MOVEMENTS] == 0.0:
         return 1.0, tail
     heavy_now = min(max(2.0 / tail, LOWEST), HIGHEST)
-    near = log(radius(LEVELS[0], heavy_now) * 2.0 / heavy_now) + offset(memory, at, share, 0)
-    far = log(radius(LEVELS[1], heavy_now) * 2.0 / heavy_now) + offset(memory, at, share, 1)
+    near = log(squared_radius(LEVELS[0], heavy_now) * 2.0 / heavy_now) + offset(memory, at, share, 0)
+    far = log(squared_radius(LEVELS[1], heavy_now) * 2.0 / heavy_now) + offset(memory, at, share, 1)
     ratio, low, high = exp(far - near), LIGHTEST, HEAVIEST
     for _ in range(HALVINGS):
         heavy = 0.5 * (low + high)
-        if radius(LEVELS[1], heavy) < ratio * radius(LEVELS[0], heavy):
+        if squared_radius(LEVELS[1], heavy) < ratio * squared_radius(LEVELS[0], heavy):
             low = heavy
         else:
             high = heavy
     heavy = 0.5 * (low + high)
-    both = radius(LEVELS[0], heavy) * radius(LEVELS[1], heavy) * (2.0 / heavy) ** 2
+    both = squared_radius(LEVELS[0], heavy) * squared_radius(LEVELS[1], heavy) * (2.0 / heavy) ** 2
     return exp(0.5 * (near + far - log(both))), 2.0 / heavy
 
 
@@ -100,7 +100,7 @@ def record(
     t: float,
     cursor_x: float,
     cursor_y: float,
-    law: tuple[float, float, float, float, float, float],
+    stated: tuple[float, float, float, float, float, float],
 ) -> None:
     """Remember the law stated at a moment: endpoint, scale matrix, tail. Of one time the last is remembered.
 
@@ -124,12 +124,12 @@ def record(
         memory[at + COUNT] = count + 1.0
         last = at + FIRST + MOMENT * count
     memory[at + CURSOR_X], memory[at + CURSOR_Y], memory[last + T] = cursor_x, cursor_y, t
-    for i in range(len(law)):
-        memory[last + X + i] = law[i]
+    for i in range(len(stated)):
+        memory[last + X + i] = stated[i]
 
 
 @law
-def surprise(memory: FloatArray, moment: int, x: float, y: float) -> float:
+def probability_within(memory: FloatArray, moment: int, x: float, y: float) -> float:
     """Share of the probability that a moment's law gives to places nearer than the end (x, y)."""
     dx, dy = x - memory[moment + X], y - memory[moment + Y]
     sxx, sxy, syy = memory[moment + SXX], memory[moment + SXY], memory[moment + SYY]
@@ -167,10 +167,10 @@ def learn(
         due = share * (end - start) + ROUNDING_S + 0.5 * memory[at + APART]
         while k + 1 < count and memory[at + FIRST + MOMENT * (k + 1) + T] - start <= due:
             k += 1
-        stated = surprise(memory, at + FIRST + MOMENT * k, x, y)
-        stage, part = place(share)
+        within = probability_within(memory, at + FIRST + MOMENT * k, x, y)
+        stage, part = interpolation(share)
         for which in range(len(LEVELS)):
-            missed = LEVELS[which] - 1.0 if stated <= LEVELS[which] else LEVELS[which]
+            missed = LEVELS[which] - 1.0 if within <= LEVELS[which] else LEVELS[which]
             low = person + OFFSETS + len(LEVELS) * stage + which
             add(memory, low, step * (1.0 - part) * missed)
             add(memory, low + len(LEVELS), step * part * missed)

@@ -89,7 +89,7 @@ STATES = STAGES * MOMENT
 
 
 @law
-def place(share: float) -> tuple[int, float]:
+def interpolation(share: float) -> tuple[int, float]:
     """The stage before a share of the time, and how far the share is from it to the next."""
     spot = min(max(share * STAGES - 0.5, 0.0), STAGES - 1.0)
     stage = min(floor(spot), STAGES - 2)
@@ -131,7 +131,7 @@ def correct(
     memory: FloatArray, at: int, share: float, total: float, along: float
 ) -> tuple[float, float, float, float]:
     """(bias px, factors of the width along, the width across, the time left)."""
-    stage, part = place(share)
+    stage, part = interpolation(share)
     shift, wide, broad, slow = 0.0, 0.0, 0.0, 0.0
     for side in range(2):
         a, weight = at + (stage + side) * WIDTH, part if side == 1 else 1.0 - part

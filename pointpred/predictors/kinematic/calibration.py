@@ -14,10 +14,10 @@ WIDTH, TAIL, SPREAD, FACTORS = range(4)
 
 
 @law
-def factor(table: FloatArray, at: int, share: float, which: int) -> float:
+def factor(coefficients: FloatArray, at: int, share: float, which: int) -> float:
     """A factor at a share of the time, on lines between the knots."""
     place = min(max(share * KNOTS - 0.5, 0.0), KNOTS - 1.0)
     knot = min(floor(place), KNOTS - 2)
-    low = table[at + FACTORS * knot + which]
-    high = table[at + FACTORS * (knot + 1) + which]
+    low = coefficients[at + FACTORS * knot + which]
+    high = coefficients[at + FACTORS * (knot + 1) + which]
     return exp(low + (place - knot) * (high - low))

@@ -39,7 +39,7 @@ def step(memory: FloatArray, motion: Row, coefficients: FloatArray) -> TenFloats
     if reach == 0.0:
         return endpoint(m.t, m.x, m.y, phase)
     out = np.empty(network.OUTPUTS)
-    table = network.evaluate(coefficients, values, out)
+    calibration_at = network.evaluate(coefficients, values, out)
     along, across = out[network.ALONG], out[network.ACROSS] * network.side(values)
     for i in range(network.BASES):
         along += out[network.BASIS + i] * values[network.BASIS_ALONG[i]]
@@ -47,7 +47,7 @@ def step(memory: FloatArray, motion: Row, coefficients: FloatArray) -> TenFloats
     since = m.t - memory[AT + movement.T0]
     left = (since + network.HEAD_START_S) * bounded_exp(out[network.LEFT], network.LEFT_LOGS)
     share = since / (since + left)
-    scale = reach * calibration.factor(coefficients, table, share, calibration.WIDTH)
+    scale = reach * calibration.factor(coefficients, calibration_at, share, calibration.WIDTH)
     wide = (scale * bounded_exp(out[network.WIDE], network.WIDTH_LOGS)) ** 2
     broad = (scale * bounded_exp(out[network.BROAD], network.WIDTH_LOGS)) ** 2
     tail = bounded_exp(out[network.TAIL], network.TAIL_LOGS)
@@ -61,8 +61,8 @@ def step(memory: FloatArray, motion: Row, coefficients: FloatArray) -> TenFloats
         wide * uy * uy + broad * ux * ux,
         left,
         phase,
-        tail * calibration.factor(coefficients, table, share, calibration.TAIL),
-        spread * calibration.factor(coefficients, table, share, calibration.SPREAD),
+        tail * calibration.factor(coefficients, calibration_at, share, calibration.TAIL),
+        spread * calibration.factor(coefficients, calibration_at, share, calibration.SPREAD),
     )
 
 

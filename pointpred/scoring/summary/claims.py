@@ -53,13 +53,13 @@ def claims(
         )
         return _ratios(np.nan_to_num(flat, nan=0.0), counted, users, seed, draws)
 
-    regions = shares(errors.inside_by_time)
+    inside = shares(errors.inside_by_time)
     times = shares(errors.time_inside_by_time)
     targets = shares(errors.hits)
     left = errors.time_left
     clock = None if left is None else shares(left[:, time_left.ERROR], left[:, time_left.CLOCK])
     return (
-        None if errors.calibration is None else _calibration(errors.calibration[mask], regions),
+        None if errors.calibration is None else _calibration(errors.calibration[mask], inside),
         None if left is None or clock is None else _time_left(left[mask], clock[0], times),
         None if targets is None or not targets[0].trials else _hits(targets),
     )
