@@ -108,7 +108,7 @@ def main() -> None:
         file: Path = ROOT / path
         file.write_text(made(path), encoding="utf-8")
         print(f"wrote {path}")
-    results.figures(results.stored())
+    results.save_figures()
     print(f"drew the results into {DOCS.relative_to(ROOT)}/figures")
 
 

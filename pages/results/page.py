@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from functools import cache
 from typing import Any
 
 import msgspec
@@ -23,7 +24,6 @@ from pointpred.scoring import FLOOR, SetSummary
 
 EARLY = 0.2
 """The share of the time at which a predictor that only looks a fixed time ahead gives itself away."""
-LEVELS = (0.5, 0.8, 0.95)
 
 
 class Learned(msgspec.Struct, frozen=True):
@@ -71,24 +71,33 @@ def winners(sets: Sequence[SetResults]) -> Counter[str]:
     return counts
 
 
-def spread(columns: Mapping[str, Sequence[float]]) -> tuple[float, float]:
-    """The smallest and the largest of the sets' lowest shares."""
-    lowest = [min(column) for column in zip(*columns.values(), strict=True)]
+def spread(rows: Mapping[str, Sequence[float | None]]) -> tuple[float, float]:
+    """The smallest and the largest of the sets' lowest shares; ``None``, a share that is unknown, is none."""
+    columns = (
+        [share for share in column if share is not None] for column in zip(*rows.values(), strict=True)
+    )
+    lowest = [min(column) for column in columns if column]
     return min(lowest), max(lowest)
 
 
 def learned(people: Sequence[SetResults]) -> list[Learned]:
-    """How what has learned does without the set, and without the person."""
+    """How what has learned does without the set, and without the person; unknown errors are left out."""
     rows_of = []
     for without, ending in (("set", SET_OUT), ("person", PEOPLE_OUT)):
         names = dict.fromkeys(p.name for one in people for p in one.summary.predictors)
         for name in (name for name in names if name.endswith(ending)):
             rows = {one.summary.name: p for one in people for p in one.summary.predictors if p.name == name}
-            ratios = [p.time_averaged.of_hold or 0.0 for p in rows.values()]
+            ratios = [p.time_averaged.of_hold for p in rows.values() if p.time_averaged.of_hold is not None]
             bounds = [p.time_averaged.interval for p in rows.values()]
-            worst, where, when = max(
-                (cell.of_hold or 0.0, which, t) for which, p in rows.items() for t, cell in p.by_time.items()
-            )
+            moments = [
+                (cell.of_hold, which, t)
+                for which, p in rows.items()
+                for t, cell in p.by_time.items()
+                if cell.of_hold is not None
+            ]
+            if not ratios or not moments:
+                continue
+            worst, where, when = max(moments)
             below = sum(bound is not None and bound[1] < 1.0 for bound in bounds)
             rows_of.append(
                 Learned(
@@ -100,15 +109,19 @@ def learned(people: Sequence[SetResults]) -> list[Learned]:
 
 
 def cautious(people: Sequence[SetResults]) -> Cautious | None:
-    """The most frequent winner and its early errors; ``None`` where it looks at the movement."""
+    """The most frequent winner and its early errors.
+
+    ``None`` where it looks at the movement, or where none of its early errors is known.
+    """
     (name, _), *_ = winners(people).most_common()
     horizon = parameters(name).get("horizon_s")
     if horizon is None:
         return None
-    early = {
-        other: [one.judged[other].by_time[EARLY].of_hold or 0.0 for one in people] for other in shares(people)
-    }
-    return Cautious(name, float(horizon[1]), (min(early[name]), max(early[name])), spread(early))
+    early = {other: [one.judged[other].by_time[EARLY].of_hold for one in people] for other in shares(people)}
+    own = [share for share in early.get(name, ()) if share is not None]
+    if not own:
+        return None
+    return Cautious(name, float(horizon[1]), (min(own), max(own)), spread(early))
 
 
 class Overall(msgspec.Struct, frozen=True):
@@ -145,7 +158,7 @@ def overall(sets: Sequence[SetResults]) -> Overall:
         shares=recorded,
         predictors=len(every),
         steady=[name for name, values in every.items() if max(values) < 1.0],
-        worse=sum(max(values) >= 1.0 for values in every.values()),
+        worse=sum(max(values) > 1.0 for values in every.values()),
         worse_recorded=sum(max(values) > 1.0 for values in recorded.values()),
         lowest=spread(recorded),
         wins=winners(people).most_common(),
@@ -172,22 +185,31 @@ def drawings(one: SetSummary) -> dict[str, Picture]:
     """The figures of a set by what they show."""
     judged = tuple(p for p in one.predictors if not p.name.endswith(PEOPLE_OUT))
     shown = highlighted(msgspec.structs.replace(one, predictors=judged))
-    pictures = {
+    drawn = {
         "by-time": curves(one, shown, "by_time", "of_hold"),
         "cost": cost(one),
         "regions": inside_curves(one, "calibration"),
         "time-left": time_left_bars(one),
     }
-    return {kind: figure for kind, figure in pictures.items() if figure is not None}
+    return {kind: figure for kind, figure in drawn.items() if figure is not None}
 
 
-def figures(sets: Sequence[SetResults]) -> dict[str, dict[str, Picture]]:
-    """Draw every set; files go to ``docs/figures``."""
-    pictures = {one.summary.name: drawings(one.summary) for one in sets if one.summary.trials}
-    for name, group in pictures.items():
+def pictures(sets: Sequence[SetResults]) -> dict[str, dict[str, Picture]]:
+    """The figures of every set that has trials, by the set's name."""
+    return {one.summary.name: drawings(one.summary) for one in sets if one.summary.trials}
+
+
+@cache
+def stored_pictures() -> dict[str, dict[str, Picture]]:
+    """The figures of the stored results, which the page and the files share."""
+    return pictures(stored())
+
+
+def save_figures() -> None:
+    """Write the figures of the stored results into ``docs/figures``."""
+    for name, group in stored_pictures().items():
         for kind, figure in group.items():
             save(figure.svg, FIGURES / f"{name}-{kind}.svg")
-    return pictures
 
 
 def context(sets: Sequence[SetResults] | None = None) -> dict[str, Any]:
@@ -201,8 +223,7 @@ def context(sets: Sequence[SetResults] | None = None) -> dict[str, Any]:
         "overview": overview(results),
         "catalogue": catalogue,
         "absent": [name for name in catalogue if name not in present],
-        "levels": LEVELS,
         "skipped": {one.summary.name: Counter(s.reason for s in one.summary.skipped) for one in results},
-        "figures": {one.summary.name: drawings(one.summary) for one in results if one.summary.trials},
+        "figures": stored_pictures() if sets is None else pictures(results),
         "versions": results[0].versions,
     }

@@ -141,3 +141,17 @@ def test_what_has_learned_is_judged_without_the_set() -> None:
     assert (without_set.worst, without_set.worst_set, without_set.worst_time) == (0.97, "crowd", 0.9)
     assert (without_person.without, without_person.low) == ("person", 0.6)
     assert together.lowest == (0.7, 0.8)  # not the 0.60 of people left out
+
+
+def test_an_unknown_error_is_left_out_and_is_not_the_best() -> None:
+    unknown = Measure(None, None, None, None)
+    learner = predictor("kinematic (set left out)", 0.7, high=0.8)
+    early = msgspec.structs.replace(predictor("kalman", 0.6), by_time={0.2: unknown})
+    crowd = one_set("crowd", 8, learner, kalman=0.6)
+    blind = msgspec.structs.replace(learner, time_averaged=unknown, by_time={0.2: unknown})
+    other = one_set("other", 8, blind, early)
+    together = page.overall([crowd, other])
+    (without_set,) = together.learned
+    assert (without_set.low, without_set.worst_set) == (0.7, "crowd")
+    assert together.cautious.early == pytest.approx((0.61, 0.61))
+    assert page.overall([one_set("other", 8, blind, early)]).learned == []
