@@ -19,10 +19,11 @@ from pages import ROOT
 from pages.asyncapi.document import document, keys, schemas
 from pages.asyncapi.examples import EVENT_ROWS
 from pages.asyncapi.live import EXAMPLES
-from pointpred.protocol.client_messages import CLIENT_TYPES
+from pointpred.protocol import client_messages, server_messages
+from pointpred.protocol.client_messages import CLIENT_MESSAGES, CLIENT_TYPES, ClientMessage
 from pointpred.protocol.decoding import decode_client_message, table_of_bytes
 from pointpred.protocol.records import EVENT, PREDICTION
-from pointpred.protocol.server_messages import Code
+from pointpred.protocol.server_messages import SERVER_MESSAGES, Code, ServerMessage
 
 DOCUMENT: dict[str, Any] = yaml.safe_load((ROOT / "docs/reference/asyncapi.yaml").read_text(encoding="utf-8"))
 CHANNEL = DOCUMENT["channels"]["stream"]
@@ -58,6 +59,15 @@ def test_every_message_the_code_knows_is_described() -> None:
     ours = {*CLIENT, *SERVER, "binaryEvents", "binaryPredictions"}
     assert ours | EXAMPLES.keys() == MESSAGES.keys()
     assert CHANNEL["messages"].keys() == ours
+
+
+@pytest.mark.parametrize(
+    ("module", "parent", "listed"),
+    [(client_messages, ClientMessage, CLIENT_MESSAGES), (server_messages, ServerMessage, SERVER_MESSAGES)],
+)
+def test_every_message_stands_above_the_list_of_messages(module: Any, parent: type, listed: Any) -> None:
+    structs = {one for one in vars(module).values() if isinstance(one, type) and issubclass(one, parent)}
+    assert structs - {parent} <= set(listed)
 
 
 def test_every_message_is_heard_or_said() -> None:
