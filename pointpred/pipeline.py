@@ -19,7 +19,7 @@ from pointpred.rows import REFUSED, Row, TenFloats, prediction_of
 @law
 def has_refusal(rows: FloatArray) -> bool:
     """Whether a stage refused a row: its time is NaN."""
-    count = 0
+    count = 0  # refusals are rare: an early exit gains nothing, and ruff would turn it into any() (SIM110)
     for i in range(len(rows)):
         count += 1 if rows[i, 0] != rows[i, 0] else 0
     return count > 0
@@ -29,7 +29,9 @@ class Pipeline:
     """A ``Stage[PointerEvent, Prediction | None]``: the differentiator's motion feeds the predictor.
 
     ``advance`` takes one row and ``advance_all`` a table; ``update`` and ``run`` do the same for records and
-    columns. Where an event is refused, or a law fails, nothing has changed.
+    columns. Where an event is refused, nothing has changed. Where a law raises an exception, ``advance_all``
+    restores both stages, but ``advance`` only the differentiator: a predictor that refuses a motion has not
+    changed, so its memory is not copied for each event.
     """
 
     def __init__(self, name: str, differentiator: Differentiator, predictor: Predictor) -> None:
@@ -98,7 +100,7 @@ class Pipeline:
     @property
     def learns(self) -> bool:
         """Whether finished movements change what is said of the next: then only a new person starts fresh."""
-        return bool(getattr(self.predictor, "learned", 0))
+        return bool(self.predictor.learned)
 
     @property
     def person(self) -> str:

@@ -171,10 +171,10 @@ class ClientSession:
         return self._text(_fit(Configure, {"type": "configure", **changes}))
 
     def configured(self, **changes: Any) -> None:
-        """The service accepted the changes."""
-        if "reply" in changes:
+        """The service accepted the changes; to the service None and no parameters change nothing."""
+        if changes.get("reply") is not None:
             self.hello.reply = changes["reply"]
-        if {"predictor", "parameters"} & changes.keys():
+        if changes.get("predictor") is not None or changes.get("parameters"):
             self._unanswered.restart()
 
     def person_frame(self, replacement: str | None) -> Frame:

@@ -61,7 +61,7 @@ def load_network(path: Path | str = coefficient_file.OWN) -> FittedNetwork:
 
 
 def sides(moments: Floats) -> Floats:
-    """``kinematic_net.side`` of rows."""
+    """``side`` of ``predictors.kinematic.network``, of rows."""
     bent = moments[:, net.SIDES[0]] + moments[:, net.SIDES[1]]
     side: Floats = bent / np.sqrt(bent**2 + np.float32(net.SIDE_SOFT**2))
     return side

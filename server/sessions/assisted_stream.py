@@ -72,8 +72,10 @@ class AssistedStream(PredictionStream):
         """As ``PredictionStream.feed_event``: the one event of most frames, without a table."""
         if self.place is None or self.observer or self._trial.running or self.tracker:
             return False
+        t, x, y, dx, dy, buttons = row
+        if not (abs(x) <= LARGEST and abs(y) <= LARGEST):  # not used, but ``feed`` refuses them
+            return False
         memory, before = self.transfer.remembered(), (self.place, self.added_px)
-        t, _, _, dx, dy, buttons = row
         prediction: tuple[float, ...] | None = None
         try:
             place = self._step(t, *self.place, dx, dy)
@@ -106,11 +108,14 @@ class AssistedStream(PredictionStream):
         self._guidance = ()
 
     def _moved(self, table: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """The events where the cursor is, and their predictions; raises EventError, nothing changed."""
+        """The events where the cursor is, and their predictions; raises EventError.
+
+        Nothing has changed then, nor where a law fails.
+        """
         stages = (self.transfer, self.pipeline.differentiator, self.pipeline.predictor)
         memories = [stage.remembered() for stage in stages]
         before = self.place, self.added_px, self._guidance
-        moved, predictions = table.copy(), np.empty((len(table), 10))
+        moved, predictions, complete = table.copy(), np.empty((len(table), 10)), False
         try:
             for i, (t, x, y, dx, dy, buttons) in enumerate(table.tolist()):
                 place = self._step(t, x, y, dx, dy)
@@ -119,11 +124,12 @@ class AssistedStream(PredictionStream):
                     raise EventError(f"t = {t!r} s with counts {dx!r}, {dy!r} cannot be used")
                 moved[i, 1:3], predictions[i] = place, answer
                 self._guide(answer)
-        except EventError:
-            for stage, memory in zip(stages, memories, strict=True):
-                stage.recall(memory)
-            self.place, self.added_px, self._guidance = before
-            raise
+            complete = True
+        finally:
+            if not complete:
+                for stage, memory in zip(stages, memories, strict=True):
+                    stage.recall(memory)
+                self.place, self.added_px, self._guidance = before
         return moved, predictions
 
     def _step(self, t: float, x: float, y: float, dx: float, dy: float) -> tuple[float, float] | None:

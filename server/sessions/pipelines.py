@@ -48,9 +48,6 @@ def pipeline_of(hello: Hello, coefficients: Mapping[str, Path] = NO_COEFFICIENTS
         _check_substeps(pipeline)
     except ParameterError as error:
         raise _refusal(error, _path(error, hello)) from None
-    except (TypeError, ValueError) as error:
-        path = _path(ParameterError(), hello)
-        raise ProtocolError("bad_field", f"a parameter is of a wrong type: {error}", path) from None
     try:
         restore(pipeline.predictor, hello.person)
     except ParameterError as error:

@@ -195,6 +195,42 @@ def test_a_frame_that_the_pipeline_refuses_changes_nothing(
         assert talk.say(events(row)) == other.say(events(row))
 
 
+@pytest.mark.parametrize("column", [0, 1, 2])
+@pytest.mark.parametrize("value", [np.nan, 1e30])
+def test_an_event_alone_is_refused_as_in_a_table(column: int, value: float) -> None:
+    rows = reach()
+    talk, other = Talk(greet=asking()), Talk(greet=asking())
+    for one in (talk, other):
+        one.say(packed(*rows[:50]))
+    bad = list(rows[50])
+    bad[column] = value
+    for part in ([bad], [bad, rows[51]]):
+        error = talk.error(packed(*part))
+        assert (error["code"], error["path"]) == ("bad_field", f"$.events[0][{column}]")
+    assert talk.say(packed(rows[50])) == other.say(packed(rows[50]))
+
+
+@pytest.mark.parametrize("count", [1, 10])
+def test_a_frame_in_which_a_law_fails_changes_nothing(count: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    rows = reach()
+    talk, other = Talk(greet=asking()), Talk(greet=asking())
+    for one in (talk, other):
+        one.say(events(*rows[: 56 - count]))
+    predictor = Predictor.advance
+
+    def fails(self: Predictor, row: tuple[float, ...]) -> tuple[float, ...]:
+        if row[0] == rows[55][0]:
+            raise RuntimeError("the law fails")
+        return predictor(self, row)
+
+    monkeypatch.setattr(Predictor, "advance", fails)
+    with pytest.raises(RuntimeError):
+        talk.say(events(*rows[56 - count : 56]))
+    monkeypatch.undo()
+    for row in rows[56 - count :]:
+        assert talk.say(events(row)) == other.say(events(row))
+
+
 def test_targets_and_trials_see_the_assisted_cursor() -> None:
     rows = reach()
     talk = Talk(greet=asking())

@@ -189,6 +189,27 @@ def test_after_a_change_of_the_predictor_no_time_is_late() -> None:
     assert pair.times() == [1.0, 1.5]
 
 
+def test_changes_that_are_none_for_the_service_are_none_for_the_client() -> None:
+    """Both still answer each event, and refuse a time before the newest."""
+    pair = Pair(reply="event", encoding="json")
+    pair.send([(1.0, 0, 0)])
+    nothing: dict[str, Any] = {"predictor": None, "parameters": {}, "reply": None}
+    pair.tell(pair.client.configure_frame(**nothing))
+    assert pair.hear() == []
+    pair.client.configured(**nothing)
+    assert pair.client.hello.reply == "event"
+    pair.send([(0.5, 0, 0), (1.5, 0, 0), (2.0, 0, 0)])
+    answers = pair.session.outbox.take()
+    assert len(answers) == 3
+    codes = []
+    for frame in answers:
+        assert not pair.client.answered
+        codes += pair.take_in([frame])
+    assert codes == ["out_of_order"]
+    assert pair.client.answered
+    assert pair.times() == [1.0, 1.5, 2.0]
+
+
 def test_the_newest_of_equal_times_speaks_for_those_that_gave_way() -> None:
     pair = Pair()
     for x in range(3):

@@ -9,7 +9,11 @@ import pytest
 from pages.asyncapi.document import schemas
 from pointpred import REGISTRY, PointerEvent, build
 from pointpred.differentiators import DIFFERENTIATORS, HomogeneousDifferentiator
+from pointpred.protocol.client_messages import Hello
+from pointpred.protocol.errors import ProtocolError
 from pointpred.registry import parameters
+from pointpred.server.sessions import pipelines
+from pointpred.server.sessions.pipelines import pipeline_of
 from tests.unit.talking import Talk, events, hello
 
 ROWS = [[0.01 * i, 1.0 * i * i, 0.5 * i * i, 4 * i, 2 * i, 0] for i in range(100)]
@@ -117,6 +121,23 @@ def test_a_wrong_parameter_is_told_by_its_path(name: str, value: Any, word: str)
             True,
         )
         assert word in error["message"]
+
+
+@pytest.mark.parametrize("value", ["x", 3.0])
+def test_a_library_that_is_no_table_is_refused_by_its_name(value: Any) -> None:
+    error = Talk(greet=False).error(hello("ktm", parameters={"library": value}))
+    assert (error["code"], error["path"]) == ("bad_field", "$.parameters.library")
+    assert error["field"] == "library"
+
+
+def test_a_fault_of_the_service_is_not_the_clients(monkeypatch: pytest.MonkeyPatch) -> None:
+    def fails(*_: Any, **__: Any) -> None:
+        raise ValueError("a fault of the code")
+
+    monkeypatch.setattr(pipelines, "build", fails)
+    with pytest.raises(ValueError, match="a fault of the code") as error:
+        pipeline_of(Hello(1, "hold"))
+    assert not isinstance(error.value, ProtocolError)
 
 
 @pytest.mark.parametrize("value", ["NaN", "1e999", "-Infinity"])

@@ -43,7 +43,6 @@ UNUSABLE = (
     zlib.error,
 )
 """Errors of reading an invalid file."""
-LAYERS = 3
 
 
 def write(
@@ -143,7 +142,7 @@ def _array(name: str, written: bytes) -> Any:
 
 
 def _parts(arrays: dict[str, Any]) -> list[Any]:
-    """The arrays in the order in which ``kinematic_net`` reads them; ValueError where one does not fit."""
+    """The arrays in the order in which ``network.evaluate`` reads them; ValueError where one does not fit."""
     version = arrays["version"]
     if version.shape != () or version.dtype.kind not in "iu" or int(version) != VERSION:
         raise ValueError(f"is of version {version}")

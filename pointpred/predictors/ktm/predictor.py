@@ -170,7 +170,13 @@ def _checked(library: FloatArray | None, longest_s: float) -> FloatArray:
     """The library, checked."""
     if library is None:
         return np.empty((0, matching.SPEEDS))
-    table, most = np.asarray(library, dtype=np.float64), samples_of(longest_s)
+    most = samples_of(longest_s)
+    try:
+        table = np.asarray(library, dtype=np.float64)
+    except (TypeError, ValueError, OverflowError) as error:
+        raise ParameterError(
+            f"library must be a table of numbers: {error}", field="library", value=library
+        ) from error
     if table.ndim != 2 or not matching.SPEEDS < table.shape[1] <= matching.SPEEDS + most:
         raise ParameterError(
             f"library needs a row a template with at most {most} samples (longest_s is {longest_s:g} s), "
