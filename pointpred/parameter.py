@@ -8,6 +8,7 @@ The declaration gives the default, the check, the order in the memory, ``describ
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Mapping
 from typing import Any
 
@@ -90,14 +91,33 @@ def option(meaning: str, *, default: Any = REQUIRED, kw_only: bool = True) -> An
 def declared(
     own: Mapping[str, Any], inherited: tuple[Parameter | Option, ...]
 ) -> tuple[Parameter | Option, ...]:
-    """The declarations of a class body, behind those of its parent that it does not replace."""
-    mine = [
-        msgspec.structs.replace(value, name=name)
-        for name, value in own.items()
-        if isinstance(value, Parameter | Option)
-    ]
-    replaced = {one.name for one in mine}
-    return (*(one for one in inherited if one.name not in replaced), *mine)
+    """The declarations of a class body behind those of its parent; one that replaces another takes its place.
+
+    The place in the memory follows the order, so that the law of the parent finds its own.
+    """
+    declarations = {one.name: one for one in inherited}
+    for name, value in own.items():
+        if isinstance(value, Parameter | Option):
+            declarations[name] = msgspec.structs.replace(value, name=name)
+    return tuple(declarations.values())
+
+
+def signature(declarations: tuple[Parameter | Option, ...]) -> inspect.Signature:
+    """The signature of a constructor that takes these, as ``help`` shows it."""
+    kinds = {True: inspect.Parameter.POSITIONAL_OR_KEYWORD, False: inspect.Parameter.KEYWORD_ONLY}
+    ordered = [one for one in declarations if one.positional and one.default is REQUIRED]
+    ordered += [one for one in declarations if one.positional and one.default is not REQUIRED]
+    ordered += [one for one in declarations if not one.positional]
+    return inspect.Signature(
+        [
+            inspect.Parameter(
+                one.name,
+                kinds[one.positional],
+                default=inspect.Parameter.empty if one.default is REQUIRED else one.default,
+            )
+            for one in ordered
+        ]
+    )
 
 
 def by_name(declarations: tuple[Parameter | Option, ...], values: tuple[Any, ...]) -> dict[str, Any]:

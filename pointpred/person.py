@@ -39,17 +39,20 @@ def restore(stage: CompiledStage, person: str) -> None:
     number; the stage is then unchanged.
     """
     if not isinstance(person, str):
-        raise ParameterError(f"person must be a string made by a pipeline, received {type(person).__name__}")
+        raise ParameterError(
+            f"person must be a string made by a pipeline, received {type(person).__name__}", field="person"
+        )
     if not person:
         return
     if not portable(stage):
         raise ParameterError(
             f"person must be '' for a predictor that saves nothing of a person, "
-            f"received {len(person)} characters"
+            f"received {len(person)} characters",
+            field="person",
         )
     known = unpacked(stage.slots, person)
     if objection := _bounds(stage.slots, known) or type(stage).doubt(known):
-        raise ParameterError(f"person holds what no movement teaches: {objection}")
+        raise ParameterError(f"person holds what no movement teaches: {objection}", field="person")
     stage.known[:] = known
 
 
@@ -67,21 +70,27 @@ def packed(slots: tuple[Slot, ...], known: FloatArray) -> str:
 def unpacked(slots: tuple[Slot, ...], person: str) -> FloatArray:
     """The learned floats of a string, not yet compared with their bounds; raises ParameterError."""
     if len(person) > LARGEST:
-        raise ParameterError(f"person may have {LARGEST} characters, received {len(person)}")
+        raise ParameterError(f"person may have {LARGEST} characters, received {len(person)}", field="person")
     written = person.removeprefix(VERSION)
     if written == person:
-        raise ParameterError(f"person must begin with {VERSION!r}, as pipelines write it")
+        raise ParameterError(f"person must begin with {VERSION!r}, as pipelines write it", field="person")
     try:
         body = base64.b64decode(written + "=" * (-len(written) % 4), b"-_", validate=True)
     except (binascii.Error, ValueError):
-        raise ParameterError("person must be base64url after its version, as pipelines write it") from None
+        raise ParameterError(
+            "person must be base64url after its version, as pipelines write it", field="person"
+        ) from None
     count = sum(slot.count for slot in slots)
     if len(body) >= 2 * DIGEST and body[:DIGEST] != _layout(slots):
-        raise ParameterError("person was saved by another predictor or by another version of this one")
+        raise ParameterError(
+            "person was saved by another predictor or by another version of this one", field="person"
+        )
     whole = len(body) == 8 * count + 2 * DIGEST
     known = np.frombuffer(body[DIGEST:-DIGEST], "<f8").astype(np.float64) if whole else np.empty(0)
     if not known.any() or packed(slots, known) != person:  # the digest is compared with all else
-        raise ParameterError("person is damaged: it must be the whole string, as a pipeline wrote it")
+        raise ParameterError(
+            "person is damaged: it must be the whole string, as a pipeline wrote it", field="person"
+        )
     return known
 
 

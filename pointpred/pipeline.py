@@ -58,7 +58,9 @@ class Pipeline:
         memory = self.differentiator.remembered()  # it has moved on when the predictor refuses its motion
         answer: TenFloats = REFUSED
         try:
-            answer = self.predictor.advance(self.differentiator.advance(row))
+            motion = self.differentiator.advance(row)
+            if motion[0] == motion[0]:
+                answer = self.predictor.advance(motion)
         finally:
             if answer[0] != answer[0]:
                 self.differentiator.recall(memory)

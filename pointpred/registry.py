@@ -199,7 +199,9 @@ def build(
     own, shared = _names(entry.predictor), _names(DIFFERENTIATORS[chosen])
     for word in parameters:
         if word not in own + shared:
-            raise _unknown(f"parameter of {name}", word, word, own + shared)
+            error = _unknown(f"parameter of {name}", word, word, own + shared)
+            error.value = parameters[word]
+            raise error
     settings = GAINS | entry.preset | parameters | {"cpi": cpi, "dpi": dpi}
     predictor = entry.predictor(**{key: settings[key] for key in own if key in settings})
     restore(predictor, person)

@@ -8,6 +8,7 @@ remembers, which is all zeros while it remembers nothing. ``advance`` calls the 
 from __future__ import annotations
 
 import copy
+import inspect
 from collections.abc import Callable
 from typing import Any, ClassVar, Protocol, Self, TypeVar, dataclass_transform, runtime_checkable
 
@@ -16,7 +17,7 @@ import numpy as np
 
 from pointpred.columns import BoolArray, FloatArray
 from pointpred.compiled import law
-from pointpred.parameter import Option, Parameter, by_name, complete, declared, option, parameter
+from pointpred.parameter import Option, Parameter, by_name, complete, declared, option, parameter, signature
 
 In = TypeVar("In", contravariant=True)
 Out = TypeVar("Out", covariant=True)
@@ -149,6 +150,7 @@ class CompiledStage:
     law fail or answer NaN.
     """
 
+    __signature__: ClassVar[inspect.Signature]
     declarations: ClassVar[tuple[Parameter | Option, ...]] = ()
     parameters: ClassVar[tuple[Parameter, ...]] = ()
     """The declarations that are numbers."""
@@ -166,6 +168,8 @@ class CompiledStage:
         cls.declarations = declared(vars(cls), cls.declarations)
         if "parameters" not in vars(cls):
             cls.parameters = tuple(one for one in cls.declarations if isinstance(one, Parameter))
+        if cls.__init__ is CompiledStage.__init__:
+            cls.__signature__ = signature(cls.declarations)
 
     def __init__(self, *first: Any, **values: Any) -> None:
         """Check the values and lay out the memory; raises ParameterError."""

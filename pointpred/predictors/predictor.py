@@ -25,7 +25,7 @@ class Predictor(CompiledStage):
     def __init_subclass__(cls) -> None:
         """Make the loop over a table of motions around the class's own law."""
         super().__init_subclass__()
-        if "step" in vars(cls) and "loop" not in vars(cls):
+        if {"step", "conclude"} & vars(cls).keys() and "loop" not in vars(cls):
             conclude = cls.conclude if cls.conclude is not CompiledStage.conclude else learn_nothing
             cls.loop = staticmethod(loop_of(cls.step, row_at, conclude))
 

@@ -36,7 +36,7 @@ class ProtocolError(Exception):
         path: str | None = None,
         *,
         field: str = "",
-        value: object = None,
+        value: object = UNSET,
         close: int | None = None,
     ) -> None:
         super().__init__(message)
@@ -65,6 +65,7 @@ def short(text: str, most: int = SENTENCE_MOST) -> str:
 
 def invalid_message(text: str, reason: str) -> ProtocolError:
     """The error for JSON that is no message; the decoder has no more than a sentence for the ``reason``."""
+    content = _lenient(text)
     place = _decoder_place.search(reason)
     path = place["path"] if place else "$"
     sentence = _decoder_place.sub("", reason)
@@ -73,8 +74,9 @@ def invalid_message(text: str, reason: str) -> ProtocolError:
         path = f"{path}.{missing_or_unknown['name']}"
     if path == "$.type":
         code: Code = "bad_field" if sentence.startswith("Expected") else "unknown_type"
-        return ProtocolError(code, f"{sentence}; known: {', '.join(CLIENT_TYPES)}", path, field="type")
-    content = _lenient(text)
+        received = content.get("type", UNSET) if isinstance(content, dict) else UNSET
+        sentence = f"{sentence}; known: {', '.join(CLIENT_TYPES)}"
+        return ProtocolError(code, sentence, path, field="type", value=received)
     if path.startswith("$.parameters["):
         path = _wrong_parameter(content)
     if not missing_or_unknown and " got " not in sentence:

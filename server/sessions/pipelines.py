@@ -61,7 +61,9 @@ def _settings(hello: Hello, coefficients: Mapping[str, Path]) -> dict[str, Any]:
     for name, place in ELSEWHERE.items():
         if name in hello.parameters:
             sentence = f"{name} is no parameter of a predictor; it belongs to {place}"
-            raise ProtocolError("bad_field", sentence, f"$.parameters.{name}", field=name)
+            raise ProtocolError(
+                "bad_field", sentence, f"$.parameters.{name}", field=name, value=hello.parameters[name]
+            )
     settings: dict[str, Any] = {name: _whole(value) for name, value in hello.parameters.items()}
     if by_name and COEFFICIENTS in settings:
         settings[COEFFICIENTS] = _file_of(settings[COEFFICIENTS], coefficients)
