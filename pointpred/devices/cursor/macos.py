@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from pointpred.devices.cursor.source import mask_of
+from pointpred.devices.cursor.buttons import mask_of
 from pointpred.devices.hidraw.nodes import BROWSER
 from pointpred.errors import SourceError
 

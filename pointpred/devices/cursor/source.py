@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import Protocol, Self
 
 from pointpred.devices.cursor_paths import PositionReport
@@ -16,8 +16,6 @@ from pointpred.events import PointerEvent
 RATE_HZ, FASTEST_HZ = 250.0, 1000.0
 NAME = "cursor"
 """The name of the cursor where a device is named."""
-BUTTONS = (1, 2, 4, 8, 16)
-"""Bits of the left, right, middle, back and forward button in ``PointerEvent``."""
 UNTRIED = {"win32", "cygwin", "darwin"}
 """Systems on which this is untested on real machines."""
 
@@ -139,12 +137,3 @@ def cursor_info() -> DeviceInfo:
     except SourceError as error:
         return DeviceInfo(NAME, name, "cursor", False, "it cannot be read", str(error))
     return DeviceInfo(NAME, name, "cursor", True)
-
-
-def mask_of(pressed: Sequence[bool]) -> int:
-    """Buttons as in ``PointerEvent`` from left, right, middle, back, forward.
-
-    >>> mask_of([True, False, True])
-    5
-    """
-    return sum(bit for bit, down in zip(BUTTONS, pressed, strict=False) if down)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes
 from typing import Any
 
-from pointpred.devices.cursor.source import mask_of
+from pointpred.devices.cursor.buttons import mask_of
 from pointpred.devices.hidraw.nodes import BROWSER
 from pointpred.errors import SourceError
 

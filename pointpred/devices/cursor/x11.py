@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from typing import Any
 
-from pointpred.devices.cursor.source import mask_of
+from pointpred.devices.cursor.buttons import mask_of
 from pointpred.devices.source import ClosedOnExit
 from pointpred.errors import SourceError
 
