@@ -1,4 +1,4 @@
-"""Draw the figures of docs/guide/observers, and print what a design and a step of an observer cost.
+"""Draw the figures of docs/guide/observers.
 
 ``python -m pages.observers.draw [example-1 example-2 ...]``: all of them unless some are named.
 """
@@ -38,10 +38,6 @@ def main(names: list[str]) -> None:
         file = FIGURES / f"{name}.svg"
         writers[name](file)
         print(f"drew {name}")
-    if not names:
-        from benchmarks.observers_cost import main as cost
-
-        cost()
 
 
 if __name__ == "__main__":
