@@ -46,6 +46,8 @@ from pointpred.server.service import Service
 from pointpred.server.uploads.receiving import UploadError, received_body
 
 SCRIPT = "text/javascript"
+CLIENT_MODULE = 'export * from "./web/pointpred.js";\n'
+"""The short address of the client; its parts lie beside the module itself, wherever that is served from."""
 WEB = Path(__file__).with_name("web")
 OPEN, GUARDED = error_responses(403), error_responses(401, 403)
 
@@ -158,9 +160,9 @@ def _page() -> FileResponse:
     return FileResponse(WEB / "index.html")
 
 
-def _client() -> FileResponse:
+def _client() -> Response:
     """The browser client, an ES module."""
-    return FileResponse(WEB / "pointpred.js", media_type=SCRIPT)
+    return Response(CLIENT_MODULE, media_type=SCRIPT)
 
 
 def _origin(request: Request) -> Response:

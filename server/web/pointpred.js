@@ -54,19 +54,19 @@
  * @property {number} [queue] events kept while there is no connection; beyond it the oldest are dropped
  */
 
-import { findRefusal, isOwn, socketAddress, warningFor } from "/web/client/address.js";
-import { EventQueue } from "/web/client/event-queue.js";
-import { decode, frames, row, targetsFrame } from "/web/client/frames.js";
-import { PageChoices } from "/web/client/page-choices.js";
-import { Person } from "/web/client/person.js";
-import { PointerStream } from "/web/client/pointer-stream.js";
-import { Proposals } from "/web/client/proposals.js";
-import { ServiceChoices } from "/web/client/service-choices.js";
-import { Settings } from "/web/client/settings.js";
-import { RetryingSocket } from "/web/client/socket.js";
-import { Targets } from "/web/client/targets.js";
+import { findRefusal, isOwn, socketAddress, warningFor } from "./client/address.js";
+import { EventQueue } from "./client/event-queue.js";
+import { decode, frames, row, targetsFrame } from "./client/frames.js";
+import { PageChoices } from "./client/page-choices.js";
+import { Person } from "./client/person.js";
+import { PointerStream } from "./client/pointer-stream.js";
+import { Proposals } from "./client/proposals.js";
+import { ServiceChoices } from "./client/service-choices.js";
+import { Settings } from "./client/settings.js";
+import { RetryingSocket } from "./client/socket.js";
+import { Targets } from "./client/targets.js";
 
-export { regionOf } from "/web/client/regions.js";
+export { regionOf } from "./client/regions.js";
 
 const NO_TARGETS = targetsFrame([]).text;
 const MOST_BUFFERED = 2 ** 20; // bytes the browser may hold back before events are dropped: half a minute of a fast mouse

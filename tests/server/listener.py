@@ -23,6 +23,7 @@ from websockets.typing import Subprotocol
 
 from pointpred.protocol.client_messages import SUBPROTOCOL
 from pointpred.protocol.server_messages import Limits
+from pointpred.server.app import CLIENT_MODULE
 from pointpred.server.http_responses import SECURITY_HEADERS
 from pointpred.server.sessions.pointing import PointingSession
 
@@ -120,6 +121,8 @@ class Listener:
         name = path.removeprefix("/").removeprefix("web/")
         file = WEB / name
         body = file.read_bytes() if name and file.is_file() else BARE
+        if path == "/pointpred.js":
+            body = CLIENT_MODULE.encode()
         kind = mimetypes.guess_type(name)[0] or "text/html"
         headers = Headers(
             {

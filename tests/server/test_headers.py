@@ -55,15 +55,16 @@ def test_every_answer_says_what_it_is_and_what_a_page_may_do(
 
 
 def test_a_page_that_has_not_changed_is_not_sent_again(client: TestClient) -> None:
-    first = client.get("/pointpred.js")
+    first = client.get("/web/pointpred.js")
     again = client.get("/web/pointpred.js", headers={"If-None-Match": first.headers["etag"]})
     assert again.status_code == 304
 
 
 def test_any_page_may_load_the_client_and_nothing_else(client: TestClient) -> None:
-    shared = client.get("/pointpred.js", headers=FOREIGN).headers
-    assert shared["access-control-allow-origin"] == "*"
-    assert shared["cross-origin-resource-policy"] == "cross-origin"
+    for path in ("/pointpred.js", "/web/pointpred.js", "/web/client/frames.js"):
+        shared = client.get(path, headers=FOREIGN).headers
+        assert shared["access-control-allow-origin"] == "*"
+        assert shared["cross-origin-resource-policy"] == "cross-origin"
     for path in ("/", "/v1/samples", "/metrics", "/readyz"):
         own = client.get(path, headers=FOREIGN).headers
         assert "access-control-allow-origin" not in own

@@ -17,7 +17,7 @@ export const frames = (rows, encoding, limits) => (encoding === "binary" ? binar
 
 /**
  * An event as the row that is sent; throws a RangeError where a value cannot be sent.
- * @param {import("../pointpred.js").EventRow|import("/pointpred.js").EventRecord} event
+ * @param {import("../pointpred.js").EventRow|import("../pointpred.js").EventRecord} event
  * @returns {import("../pointpred.js").EventRow}
  */
 export function row(event) {
@@ -34,7 +34,7 @@ const onGrid = (px) => Math.round(GRID * px) / GRID;
 
 /**
  * The message with all targets; the last ones are left out where the limits allow fewer.
- * @param {import("../pointpred.js").Target[]} targets @param {import("/pointpred.js").Limits} [limits]
+ * @param {import("../pointpred.js").Target[]} targets @param {import("../pointpred.js").Limits} [limits]
  * @returns {{text: string, count: number, omitted: number}}
  */
 export function targetsFrame(targets, { max_targets: most, max_frame_bytes: bytes } = {}) {
