@@ -143,7 +143,7 @@ def _distrust(compiled: Any) -> None:
 
 
 def layout(function: Function) -> Function:
-    """Mark a function that computes offsets in a memory: laws may call it, and it stays plain Python.
+    """Mark a function that lays out a memory or checks one: laws may call it, and it stays plain Python.
 
     Laying out a memory when a module is imported then loads no machine code.
     """

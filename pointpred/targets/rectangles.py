@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Sequence
-from math import inf
+from math import exp, inf, log
 
 import msgspec
 import numpy as np
 
 from pointpred.columns import FloatArray
+from pointpred.compiled import law
 from pointpred.errors import ParameterError
 from pointpred.events import LARGEST
 
@@ -45,6 +46,25 @@ def around(id: Hashable, x: float, y: float, width: float, height: float | None 
     return Target(id, x - width / 2.0, y - tall / 2.0, width, tall)
 
 
+@law
+def complete(rows: FloatArray) -> None:
+    """Rows of an upper left corner, a size and a weight become the table: centres, logarithms of weights."""
+    most = -inf
+    for i in range(len(rows)):
+        rows[i, CENTRE_X] += 0.5 * rows[i, WIDTH]
+        rows[i, CENTRE_Y] += 0.5 * rows[i, HEIGHT]
+        weight = rows[i, LOG_WEIGHT]
+        rows[i, LOG_WEIGHT] = log(weight) if weight > 0.0 else -inf
+        most = max(most, rows[i, LOG_WEIGHT])
+    if most == -inf:
+        return
+    total = 0.0
+    for i in range(len(rows)):
+        total += exp(rows[i, LOG_WEIGHT] - most)
+    for i in range(len(rows)):
+        rows[i, LOG_WEIGHT] -= most + log(total)
+
+
 def table(targets: Sequence[Target]) -> FloatArray:
     """The targets as a table, a row each.
 
@@ -71,13 +91,12 @@ def table(targets: Sequence[Target]) -> FloatArray:
             raise ParameterError(f"the id of a target must occur once, received {target.id!r} twice")
         seen.add(target.id)
         rows[place] = _row(target)
-    weights = rows[:, LOG_WEIGHT]
-    if len(rows) and weights.max() > -inf:
-        weights -= weights.max() + np.log(np.exp(weights - weights.max()).sum())
+    complete(rows)
     return rows
 
 
 def _row(target: Target) -> tuple[float, ...]:
+    """A target as ``complete`` takes it; raises ParameterError."""
     for name, value, low, high in (
         ("x", target.x, -LARGEST, LARGEST),
         ("y", target.y, -LARGEST, LARGEST),
@@ -91,5 +110,4 @@ def _row(target: Target) -> tuple[float, ...]:
             raise ParameterError(
                 f"{name} of target {target.id!r} must lie in [{low:g}, {high:g}]{unit}, received {value!r}"
             )
-    x, y = target.x + target.width / 2.0, target.y + target.height / 2.0
-    return x, y, target.width, target.height, float(np.log(target.weight)) if target.weight > 0.0 else -inf
+    return target.x, target.y, target.width, target.height, target.weight

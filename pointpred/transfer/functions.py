@@ -26,6 +26,8 @@ SLOTS = 1 + COEFFICIENTS_MOST
 BOUNDED_COEFFICIENTS = 5
 LOW, HIGH = 1 + BOUNDED_COEFFICIENTS, 2 + BOUNDED_COEFFICIENTS
 GAIN_MIN, GAIN_MAX, SPEED_LOW, SPEED_HIGH = 1, 2, 3, 4
+MACOS = (1.0, 15.0, 0.05, 0.6)
+"""The numbers of a sigmoid function that is like that of macOS."""
 
 
 @law
@@ -165,10 +167,10 @@ class SigmoidGain(SlotsFunction):
 
     def __init__(
         self,
-        gain_min: float = 1.0,
-        gain_max: float = 15.0,
-        speed_low: float = 0.05,
-        speed_high: float = 0.6,
+        gain_min: float = MACOS[0],
+        gain_max: float = MACOS[1],
+        speed_low: float = MACOS[2],
+        speed_high: float = MACOS[3],
     ) -> None:
         super().__init__(SIGMOID, [gain_min, gain_max, speed_low, speed_high])
         if speed_low >= speed_high:

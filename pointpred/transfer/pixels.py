@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.compiled import law
+from pointpred.compiled import law, layout
 from pointpred.errors import EventError
 from pointpred.events import CPI, DPI, LARGEST, LATEST_S, METRES_PER_INCH
 from pointpred.parameter import option, parameter
@@ -79,6 +79,25 @@ def step(memory: FloatArray, report: Row) -> tuple[float, float, float]:
     return t, carry(memory, AT + CARRY, scale * dx), carry(memory, AT + CARRY + 1, scale * dy)
 
 
+@layout
+def lay_out(
+    memory: FloatArray, own: FloatArray, device: tuple[float, float, float, float], function: FloatArray
+) -> None:
+    """Write the beginning of a memory: a stage's ``own`` parameters, the device, the transfer function.
+
+    ``device``: counts per inch, px per inch, the time of the first report and the longest time in s.
+    ``function``: the slots of the transfer function.
+    """
+    cpi, dpi, period_s, gap_s = device
+    at = len(own)
+    for i in range(at):
+        memory[i] = own[i]
+    memory[at + PX_PER_COUNT], memory[at + METRES_PER_COUNT] = dpi / cpi, METRES_PER_INCH / cpi
+    memory[at + PERIOD_S], memory[at + GAP_S] = period_s, gap_s
+    for i in range(functions.SLOTS):
+        memory[at + FUNCTION + i] = function[i]
+
+
 @law
 def report_at(rows: FloatArray, i: int) -> tuple[float, float, float]:
     """A row of a table of reports."""
@@ -96,9 +115,11 @@ class ReportStage(CompiledStage):
 
     def settings(self) -> list[float] | FloatArray:
         """The beginning of the memory: the subclass's own parameters, then those of the device."""
-        own = type(self).parameters[len(ReportStage.parameters) :]
-        device = [self.dpi / self.cpi, METRES_PER_INCH / self.cpi, self.period_s, self.gap_s]
-        return [*(one.number(getattr(self, one.name)) for one in own), *device, *self.function.slots.tolist()]
+        declared = type(self).parameters[len(ReportStage.parameters) :]
+        own = np.array([one.number(getattr(self, one.name)) for one in declared])
+        out = np.empty(len(own) + SETTINGS)
+        lay_out(out, own, (self.cpi, self.dpi, self.period_s, self.gap_s), self.function.slots)
+        return out
 
 
 class PixelTransfer(ReportStage):

@@ -9,7 +9,7 @@ from __future__ import annotations
 from math import floor, hypot, sqrt
 
 from pointpred.columns import FloatArray
-from pointpred.compiled import law
+from pointpred.compiled import law, layout
 from pointpred.predictors.adaptation import distances, durations, region_widening, stages
 from pointpred.predictors.adaptation.distances import Ahead
 from pointpred.predictors.adaptation.stages import Moment
@@ -41,11 +41,27 @@ EARLY = 0.1
 """A stage begins at this share of its length before its middle."""
 
 
+UNEQUAL = 21
+
+
+@layout
+def fault(learned: FloatArray) -> tuple[int, float]:
+    """What is wrong with numbers that are within the bounds of ``SLOTS``, and the number that is wrong."""
+    held = learned[DISTANCES + distances.COUNT]
+    if held != learned[DURATIONS + durations.COUNT]:
+        return UNEQUAL, held
+    wrong, value = distances.fault(learned[DISTANCES:DURATIONS])
+    if wrong != distances.FINE:
+        return wrong, value
+    return durations.fault(learned[DURATIONS:REGIONS])
+
+
 def doubt(learned: FloatArray) -> str:
-    """What is wrong with numbers that are within the bounds of ``SLOTS``; empty for nothing."""
-    far, long = learned[DISTANCES + distances.COUNT], learned[DURATIONS + durations.COUNT]
-    if far != long:
-        return f"distances held must be as many as durations held, are {far:g} and {long:g}"
+    """``fault`` in words; empty for nothing."""
+    wrong, held = fault(learned)
+    if wrong == UNEQUAL:
+        other = learned[DURATIONS + durations.COUNT]
+        return f"distances held must be as many as durations held, are {held:g} and {other:g}"
     return distances.doubt(learned[DISTANCES:DURATIONS]) or durations.doubt(learned[DURATIONS:REGIONS])
 
 

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.compiled import law
+from pointpred.compiled import law, layout
 from pointpred.events import LARGEST
 from pointpred.stage import Slot, offsets
 
@@ -59,16 +59,39 @@ SLOTS = (
 """What is known of a person's distances, in the order of the layout."""
 
 
-def doubt(learned: FloatArray) -> str:
-    """What is wrong with numbers that are within the bounds of their slots; empty for nothing."""
+LEAST_UNKNOWN = FORGET * UNKNOWN_SHARE
+"""The belief in "nothing is known" is never less."""
+FINE, TOO_SHORT, TOO_SURE, NO_SHARES = range(4)
+
+
+@layout
+def fault(learned: FloatArray) -> tuple[int, float]:
+    """What is wrong with numbers that are within the bounds of their slots, and the number that is wrong."""
     count = int(learned[COUNT])
-    if count and not learned[DISTANCES : DISTANCES + count].min() >= SHORTEST_PX:
-        return f"distances: each of the {count} must be at least {SHORTEST_PX:g} px"
-    if count and not learned[BELIEF + LAWS] >= (least := FORGET * UNKNOWN_SHARE):
-        return f"belief: that nothing is known must be at least {least:g}, is {learned[BELIEF + LAWS]:g}"
-    if count and not abs((total := learned[BELIEF:WEIGHTS].sum()) - 1.0) <= ROUNDING:
-        return f"belief must sum to 1, sums to {total:g}"
-    return ""
+    if count == 0:
+        return FINE, 0.0
+    for i in range(count):
+        if not learned[DISTANCES + i] >= SHORTEST_PX:
+            return TOO_SHORT, learned[DISTANCES + i]
+    if not learned[BELIEF + LAWS] >= LEAST_UNKNOWN:
+        return TOO_SURE, learned[BELIEF + LAWS]
+    total = 0.0
+    for i in range(BELIEF, WEIGHTS):
+        total += learned[i]
+    if not abs(total - 1.0) <= ROUNDING:
+        return NO_SHARES, total
+    return FINE, 0.0
+
+
+def doubt(learned: FloatArray) -> str:
+    """``fault`` in words; empty for nothing."""
+    wrong, value = fault(learned)
+    return {
+        FINE: "",
+        TOO_SHORT: f"distances: each must be at least {SHORTEST_PX:g} px, one is {value:g} px",
+        TOO_SURE: f"belief: that nothing is known must be at least {LEAST_UNKNOWN:g}, is {value:g}",
+        NO_SHARES: f"belief must sum to 1, sums to {value:g}",
+    }[wrong]
 
 
 class Ahead(NamedTuple):

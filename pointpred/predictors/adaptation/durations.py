@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.compiled import law
+from pointpred.compiled import law, layout
 from pointpred.events import LATEST_S
 from pointpred.stage import Slot, offsets
 
@@ -41,15 +41,7 @@ SLOTS = (
 """What is known of a person's durations, in the order of the layout."""
 
 
-def doubt(learned: FloatArray) -> str:
-    """What is wrong with numbers that are within the bounds of their slots; empty for nothing."""
-    count = int(learned[COUNT])
-    durations = learned[DURATIONS : DURATIONS + count]
-    if count and not durations.min() > 0.0:
-        return f"durations: each of the {count} must be above 0 s"
-    if count and learned[MEDIAN] != np.median(durations):
-        return f"median must be that of the durations, {np.median(durations):g} s, is {learned[MEDIAN]:g} s"
-    return ""
+FINE, NO_DURATION, OTHER_MEDIAN = 0, 11, 12
 
 
 @law
@@ -83,7 +75,7 @@ def forget(memory: FloatArray, at: int) -> None:
     memory[at + MOVEMENTS] = KEEP * memory[at + MOVEMENTS] + 1.0
 
 
-@law
+@layout
 def value_of_rank(values: FloatArray, at: int, count: int, rank: int) -> float:
     """The value that would stand at a place if the values were sorted."""
     for i in range(at, at + count):
@@ -96,11 +88,33 @@ def value_of_rank(values: FloatArray, at: int, count: int, rank: int) -> float:
     return np.nan
 
 
-@law
+@layout
 def median(values: FloatArray, at: int, count: int) -> float:
     """The median of some values, bit for bit that of ``np.median``, which takes a second to compile."""
     upper = value_of_rank(values, at, count, count // 2)
     return upper if count % 2 else (value_of_rank(values, at, count, count // 2 - 1) + upper) / 2.0
+
+
+@layout
+def fault(learned: FloatArray) -> tuple[int, float]:
+    """What is wrong with numbers that are within the bounds of their slots, and the number that is wrong."""
+    count = int(learned[COUNT])
+    for i in range(count):
+        if not learned[DURATIONS + i] > 0.0:
+            return NO_DURATION, learned[DURATIONS + i]
+    if count > 0 and learned[MEDIAN] != median(learned, DURATIONS, count):
+        return OTHER_MEDIAN, learned[MEDIAN]
+    return FINE, 0.0
+
+
+def doubt(learned: FloatArray) -> str:
+    """``fault`` in words; empty for nothing."""
+    wrong, value = fault(learned)
+    return {
+        FINE: "",
+        NO_DURATION: f"durations: each must be above 0 s, one is {value:g} s",
+        OTHER_MEDIAN: f"median must be that of the durations, is {value:g} s",
+    }[wrong]
 
 
 @law
