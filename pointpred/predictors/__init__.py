@@ -6,8 +6,8 @@ from pointpred.predictors.hold import HoldPredictor
 from pointpred.predictors.kalman import KalmanPredictor
 from pointpred.predictors.kep.predictor import KinematicEndpointPredictor
 from pointpred.predictors.kinematic.predictor import KinematicPredictor
-from pointpred.predictors.ktm.library import templates_of
 from pointpred.predictors.ktm.predictor import TemplatePredictor
+from pointpred.predictors.ktm.templates import templates_of
 from pointpred.predictors.linear import LinearPredictor
 from pointpred.predictors.minimum_jerk import MinimumJerkPredictor
 from pointpred.predictors.predictor import Predictor

@@ -10,8 +10,8 @@ import numpy as np
 from pointpred.columns import BoolArray, EventColumns, FloatArray
 from pointpred.pipeline import Pipeline, run
 from pointpred.predictors import TemplatePredictor
-from pointpred.predictors.ktm.library import profile_of
 from pointpred.predictors.ktm.predictor import TEMPLATES_MOST
+from pointpred.predictors.ktm.templates import profile_of
 from pointpred.recording import Skip
 from pointpred.registry import build
 from pointpred.scoring.summary.bootstrap import ratio_intervals

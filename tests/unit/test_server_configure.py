@@ -125,9 +125,10 @@ def test_a_wrong_parameter_is_told_by_its_path(name: str, value: Any, word: str)
 
 @pytest.mark.parametrize("value", ["x", 3.0])
 def test_a_library_that_is_no_table_is_refused_by_its_name(value: Any) -> None:
-    error = Talk(greet=False).error(hello("ktm", parameters={"library": value}))
-    assert (error["code"], error["path"]) == ("bad_field", "$.parameters.library")
-    assert error["field"] == "library"
+    name = "library"
+    error = Talk(greet=False).error(hello("ktm", parameters={name: value}))
+    assert (error["code"], error["path"]) == ("bad_field", f"$.parameters.{name}")
+    assert error["field"] == name
 
 
 def test_a_fault_of_the_service_is_not_the_clients(monkeypatch: pytest.MonkeyPatch) -> None:

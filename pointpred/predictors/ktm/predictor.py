@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 from math import hypot, nan
+from typing import Any
 
 import numpy as np
 
@@ -133,9 +134,14 @@ class TemplatePredictor(Predictor):
     step = staticmethod(step)
     conclude = staticmethod(conclude)
 
+    def declare(self, **values: Any) -> None:
+        """Check the values, and the templates of the library; raises ParameterError."""
+        super().declare(**values)
+        self._library = _checked(values.get("library"), self.longest_s)
+
     def settings(self) -> FloatArray:
         """The numbers, the kernel and the library; how much is learned and remembered follows from them."""
-        library, longest = _checked(self.library, self.longest_s), samples_of(self.longest_s)
+        library, longest = self._library, samples_of(self.longest_s)
         templates = int(self.templates)
         if templates + len(library) > TEMPLATES_MOST:
             raise ParameterError(
