@@ -89,13 +89,14 @@ class CameraPipeline:
 
     def update(self, sample: CameraSample, /) -> CameraEstimate:
         """Consume one sample; a refused one changes nothing."""
-        before = self.observer.remembered()
-        depth = self.observer.update(sample)
+        memory = self.observer.remembered()  # it has moved on when the filter refuses the sample
+        depth, accepted = self.observer.update(sample), False
         try:
             peer = self.peer.update(sample)
-        except Exception:
-            self.observer.recall(before)
-            raise
+            accepted = True
+        finally:
+            if not accepted:
+                self.observer.recall(memory)
         d = self.unknown.update(sample, depth.eta)
         row = DepthColumns([[depth.t, depth.chi, depth.eta, depth.zero, 0.0, 0.0, 0.0]])
         vx, vy, vz = velocities(np.array([d]), row)[0].tolist()

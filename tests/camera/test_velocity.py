@@ -165,3 +165,14 @@ def test_the_pipeline_refuses_as_a_whole(truth: Trajectory) -> None:
     with pytest.raises(EventOrderError):
         stage.update(CameraSample(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
     assert (stage.observer.remembered(), stage.peer.remembered()) == kept
+
+
+def test_a_sample_that_the_filter_refuses_leaves_the_observer_unchanged(truth: Trajectory) -> None:
+    samples = list(observed(truth, focal_px=FOCAL).samples())
+    stage = pipeline(-0.3)
+    stage.update(samples[0])
+    stage.peer.update(samples[2])
+    kept = stage.observer.remembered(), stage.peer.remembered()
+    with pytest.raises(EventOrderError):
+        stage.update(samples[1])
+    assert (stage.observer.remembered(), stage.peer.remembered()) == kept
