@@ -1,17 +1,22 @@
-"""Cost of a step of the camera's observer and of its filter: ``python -m benchmarks.camera_cost``."""
+"""Cost of steps of the camera's observer and filter, and of designs: ``python -m benchmarks.camera_cost``."""
 
 from __future__ import annotations
 
 import time
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
 
 from benchmarks.machine import machine
 from pages.arguments import parse
+from pages.camera.tables import asked
 from pages.data import Table, keep
-from pointpred.camera import SCENARIOS, DepthObserver, PointFilter, trajectory
+from pointpred.camera import SCENARIOS, DepthObserver, PointFilter, camera_system, trajectory
 from pointpred.camera.samples import observed
+from pointpred.errors import InfeasibleError
+from pointpred.observers.unknown_input.boxes import Box
+from pointpred.observers.unknown_input.observer import UnknownInputObserver
 
 FOCAL = 800.0
 START = {"start_chi": 4.0, "start_eta": -1.6}
@@ -44,6 +49,22 @@ def costs() -> Table:
     return Table.of(("us a sample", "step", "update", "in a table"), rows)
 
 
+def design_costs() -> Table:
+    """Seconds that a design takes, or its refusal, after a first one that imports the solver."""
+    _design(*asked()[0][1:])
+    rows = []
+    for names, box, sigma in asked():
+        start = time.perf_counter()
+        _design(box, sigma)
+        rows.append((*names, f"{time.perf_counter() - start:.2f}"))
+    return Table.of(("eta 1/s", "sigma 1/s", "seconds"), rows)
+
+
+def _design(box: Box, sigma: float) -> None:
+    with suppress(InfeasibleError):
+        UnknownInputObserver.design(camera_system(), box, sigma)
+
+
 if __name__ == "__main__":
     parse(__doc__)
-    keep("camera", {"cost": costs()}, machine=machine())
+    keep("camera", {"cost": costs(), "design cost": design_costs()}, machine=machine())

@@ -1,4 +1,4 @@
-"""Examples 5 to 7 of the thesis: figures, the table on real data, what a step costs.
+"""Examples 5 to 7 of the thesis: figures, and the table on real data.
 
 ``python -m pages.observers.examples_5_7``; example 7 needs sniffer.csv in the folder that
 POINTPRED_RECORDINGS names.
@@ -9,7 +9,6 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from pathlib import Path
-from time import perf_counter
 
 import numpy as np
 
@@ -24,7 +23,6 @@ from pointpred.observers import (
     RecursiveLeastSquares,
     design_reduced_order,
     invariant_observer,
-    invariant_stage,
     simulate,
 )
 from pointpred.observers.examples import (
@@ -150,22 +148,8 @@ FIGURES: dict[str, Callable[[Path], None]] = {
 }
 
 
-def step_us(rows: int = 100_000) -> float:
-    """One step of the observer of example 5 (2 states, 2 outputs, 2 inputs), the best of five."""
-    stage = invariant_stage(invariant_observer(two_masses(), UNMEASURED, [[-1, 0], [0, 0]]))
-    samples = np.column_stack([np.arange(rows) * 1e-2, np.zeros((rows, 4))])
-    begin, best = np.zeros(rows, np.bool_), np.inf
-    stage.walk(begin[:10], samples[:10])
-    for _ in range(5):
-        fresh = stage.fresh()
-        began = perf_counter()
-        fresh.walk(begin, samples)
-        best = min(best, perf_counter() - began)
-    return best / rows * 1e6
-
-
 def main() -> None:
-    """Draw every figure, fill in the table where the data are at hand, print the cost."""
+    """Draw every figure, and fill in the table where the data are at hand."""
     for name, draw in FIGURES.items():
         draw(PAGES / "figures" / f"{name}.svg")
         print(f"wrote {name}.svg")
@@ -174,7 +158,6 @@ def main() -> None:
         print("sniffer.csv is not at hand: the table of example 7 stays as it is")
     else:
         keep("observers", {"sniffer": starts(*data)})
-    print(f"a step of example 5's observer: {step_us():.2f} us")
 
 
 if __name__ == "__main__":
