@@ -5,19 +5,20 @@ const LAG_S = 0.002; // a dispatch that spans more comes from a page that lags b
 /** Listens to pointer events and passes them on as rows. */
 export class PointerStream {
   /** What turns positions in the viewport into positions on the screen, px. */ offset = [0, 0];
-  #onScreen; #onRows; #last = [0, 0, 0]; #pending = []; #clicks = new Map(); #turn = new MessageChannel();
+  #onScreen; #accepts; #onRows; #last = [0, 0, 0]; #pending = []; #clicks = new Map(); #turn = new MessageChannel();
 
   /**
    * @param {EventTarget} element
-   * @param {{onScreen: boolean, onRows: (rows: import("../pointpred.js").EventRow[]) => void, signal: AbortSignal}} options
-   *   `onScreen`: positions on the screen instead of the viewport
+   * @param {{onScreen?: boolean, raw?: boolean, accepts?: (event: PointerEvent) => boolean, onRows: (rows: import("../pointpred.js").EventRow[]) => void,
+   *   signal: AbortSignal}} options `onScreen`: positions on the screen instead of the viewport; `raw` false: samples come once a frame
+   *   instead of at once, which costs less; `accepts`: which events count
    */
-  constructor(element, { onScreen, onRows, signal }) {
-    [this.#onScreen, this.#onRows] = [onScreen, onRows];
+  constructor(element, { onScreen = false, raw = true, accepts = () => true, onRows, signal }) {
+    [this.#onScreen, this.#accepts, this.#onRows] = [onScreen, accepts, onRows];
     this.#turn.port1.onmessage = () => this.flush();
     signal.addEventListener("abort", () => this.#turn.port1.close());
     const settings = { signal, capture: true, passive: true };
-    const moves = "onpointerrawupdate" in window ? "pointerrawupdate" : "pointermove";
+    const moves = raw && "onpointerrawupdate" in window ? "pointerrawupdate" : "pointermove";
     for (const name of [moves, "pointerdown", "pointerup"]) element.addEventListener(name, (event) => this.#add(event), settings);
     element.addEventListener("pointercancel", (event) => this.#cancel(event), settings);
   }
@@ -40,7 +41,7 @@ export class PointerStream {
   }
 
   #add(event) {
-    if (!event.isPrimary) return;
+    if (!event.isPrimary || !this.#accepts(event)) return;
     this.offset = [event.screenX - event.clientX, event.screenY - event.clientY];
     const coalesced = event.getCoalescedEvents?.() ?? [];
     const rows = (coalesced.length ? coalesced : [event]).map((one) => [one.timeStamp / 1000,
@@ -55,7 +56,7 @@ export class PointerStream {
 
   /** A cancelled touch has no position: it ends where it was. */
   #cancel(event) {
-    if (!event.isPrimary) return;
+    if (!event.isPrimary || !this.#accepts(event)) return;
     this.flush();
     const [t, x, y] = this.#last;
     this.#onRows([[Math.max(t, event.timeStamp / 1000), x, y, null, null, 0]]);
