@@ -7,7 +7,7 @@ RUNS = .venv/.run
 READY = .venv/.ready
 INSTALL = -m pip install --quiet --disable-pip-version-check -c constraints.txt --editable
 
-.PHONY: run test check format bench docs results train crossvalidate sample inputs fuzz fuzz-inputs clean help
+.PHONY: run test check format bench page docs results train crossvalidate sample inputs fuzz fuzz-inputs clean help
 
 help:  ## show these lines
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -31,6 +31,9 @@ bench: $(READY)  ## measure the cost of each pipeline, and of the service
 	$(BIN)/python -m benchmarks.per_event
 	$(BIN)/python -m benchmarks.service
 	$(BIN)/python -m pages
+
+page: $(READY)  ## translate the laws to JavaScript, into server/web/laws
+	$(BIN)/python -m translation
 
 docs: $(READY)  ## write the pages made from code and from the measured numbers in pages/
 	$(BIN)/python -m pages

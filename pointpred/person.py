@@ -63,7 +63,7 @@ def portable(stage: CompiledStage) -> bool:
 
 def packed(slots: tuple[Slot, ...], known: FloatArray) -> str:
     """Learned floats as a string."""
-    body = _layout(slots) + known.astype("<f8").tobytes()
+    body = layout_name(slots) + known.astype("<f8").tobytes()
     return VERSION + base64.urlsafe_b64encode(body + _digest(body)).decode().rstrip("=")
 
 
@@ -81,7 +81,7 @@ def unpacked(slots: tuple[Slot, ...], person: str) -> FloatArray:
             "person must be base64url after its version, as pipelines write it", field="person"
         ) from None
     count = sum(slot.count for slot in slots)
-    if len(body) >= 2 * DIGEST and body[:DIGEST] != _layout(slots):
+    if len(body) >= 2 * DIGEST and body[:DIGEST] != layout_name(slots):
         raise ParameterError(
             "person was saved by another predictor or by another version of this one", field="person"
         )
@@ -95,7 +95,7 @@ def unpacked(slots: tuple[Slot, ...], person: str) -> FloatArray:
 
 
 @cache
-def _layout(slots: tuple[Slot, ...]) -> bytes:
+def layout_name(slots: tuple[Slot, ...]) -> bytes:
     """The name of a layout."""
     return _digest(repr(slots).encode())
 

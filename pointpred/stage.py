@@ -16,7 +16,7 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import BoolArray, FloatArray
-from pointpred.compiled import law
+from pointpred.compiled import law, layout
 from pointpred.parameter import Option, Parameter, by_name, complete, declared, option, parameter, signature
 
 In = TypeVar("In", contravariant=True)
@@ -62,6 +62,13 @@ def offsets(*sizes: int) -> tuple[int, ...]:
     for size in sizes:
         ends.append(ends[-1] + size)
     return tuple(ends)
+
+
+@layout
+def copy_values(values: FloatArray, memory: FloatArray) -> None:
+    """What most stages do with the numbers of their parameters: these are their settings."""
+    for i in range(len(values)):
+        memory[i] = values[i]
 
 
 @law
@@ -154,6 +161,10 @@ class CompiledStage:
     declarations: ClassVar[tuple[Parameter | Option, ...]] = ()
     parameters: ClassVar[tuple[Parameter, ...]] = ()
     """The declarations that are numbers."""
+    fill: ClassVar[Callable[..., None]] = staticmethod(copy_values)
+    """Writes the settings, which stand first in a memory, from the parameters' numbers in their order."""
+    sizes: ClassVar[Callable[..., tuple[int, int, int]] | None] = None
+    """How many settings, learned floats and states follow from the values; None: always as many."""
     states: int = 0
     width: int
     loop: ClassVar[Callable[..., None]]
@@ -181,8 +192,18 @@ class CompiledStage:
         self.__dict__.update(complete(type(self).__name__, type(self).declarations, values))
 
     def settings(self) -> list[float] | FloatArray:
-        """What stands first in the memory: the parameters in the order of their declarations."""
-        return [one.number(getattr(self, one.name)) for one in type(self).parameters]
+        """What stands first in the memory: as many numbers as there are parameters, made by ``fill``."""
+        return self.filled(len(type(self).parameters))
+
+    def filled(self, count: int) -> FloatArray:
+        """So many settings, as ``fill`` makes them of the parameters' numbers."""
+        settings = np.zeros(count)
+        type(self).fill(self.values(), settings)
+        return settings
+
+    def values(self) -> FloatArray:
+        """The parameters' numbers in the order of their declarations."""
+        return np.array([one.number(getattr(self, one.name)) for one in type(self).parameters])
 
     def lay_out(self, settings: list[float] | FloatArray, states: int) -> None:
         """Make the memory: ``settings`` first, ``learned`` zeros, then ``states`` zeros."""

@@ -10,7 +10,7 @@ from pointpred.columns import EventColumns, FloatArray, MotionColumns
 from pointpred.compiled import law
 from pointpred.differentiators import sampling
 from pointpred.errors import EventError, ParameterError
-from pointpred.events import CPI, DPI, METRES_PER_INCH, Motion, PointerEvent
+from pointpred.events import CPI, DPI, Motion, PointerEvent
 from pointpred.parameter import parameter
 from pointpred.rows import MotionRow, Row, SixFloats, TenFloats, event_row, motion_of
 from pointpred.stage import CompiledStage, loop_of
@@ -42,6 +42,7 @@ class Differentiator(CompiledStage):
 
     width = len(MotionRow._fields)
     at: ClassVar[int]
+    fill = staticmethod(sampling.fill)
     step: ClassVar[Callable[..., TenFloats]]
 
     cpi: float | None = parameter(
@@ -72,14 +73,8 @@ class Differentiator(CompiledStage):
             )
 
     def settings(self) -> list[float] | FloatArray:
-        """What stands first in the memory: m per count or 0, m per px, gap and pause in s; then ``own``."""
-        per_count = 0.0 if self.cpi is None else METRES_PER_INCH / self.cpi
-        return [per_count, METRES_PER_INCH / self.dpi, self.gap_s, self.pause_s, *self.own()]
-
-    def own(self) -> list[float]:
-        """The settings behind the shared ones: those that the child declares, in their order."""
-        shared = Differentiator.parameters
-        return [one.number(getattr(self, one.name)) for one in type(self).parameters[len(shared) :]]
+        """What stands first in the memory: m per count or 0, m per px, gap, pause in s; then the child's."""
+        return self.filled(type(self).at)
 
     def update(self, event: PointerEvent, /) -> Motion:
         """Consume one event and return the motion after it.

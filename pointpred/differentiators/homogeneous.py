@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import ceil
+from math import ceil, floor
 from typing import Any, Literal
 
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.compiled import law
+from pointpred.compiled import law, layout
 from pointpred.differentiators import sampling
 from pointpred.differentiators.differentiator import Differentiator, loop_over_events
 from pointpred.differentiators.sampling import is_number
@@ -35,6 +35,9 @@ STEPS_M = (METRES_PER_INCH / 2000.0, METRES_PER_INCH / 96.0)
 _, ORDER, ALPHA, STEP_S, HOLD, SETTLE_S, GAIN, AT, ZX, ZY, SLOPE, LENGTH = offsets(
     sampling.SETTINGS, 1, 1, 1, 1, 1, ORDER_MOST, sampling.STATES, ORDER_MOST, ORDER_MOST, 2
 )
+
+# The values of the parameters behind those of sampling.
+ORDER_OF, LAMBDA_OF, XI_OF, ALPHA_OF, STEP_OF = range(sampling.SETTINGS, sampling.SETTINGS + 5)
 
 
 @law
@@ -109,14 +112,38 @@ def chatter(memory: FloatArray, place: float, h: float, steps: int) -> float:
     return fastest
 
 
-def gains(gain_lambda: float, gain_xi: float, order: int) -> list[float]:
+@layout
+def place_poles(memory: FloatArray, gain_lambda: float, gain_xi: float) -> None:
     """The gains k_1 ... k_n: coefficients of (s + lambda)(s + lambda xi) ... (s + lambda xi^(n-1)).
 
-    >>> gains(5.0, 2.0, 4)
+    >>> memory = np.zeros(LENGTH)
+    >>> memory[ORDER] = 4.0
+    >>> place_poles(memory, 5.0, 2.0)
+    >>> memory[GAIN : GAIN + 4].tolist()
     [75.0, 1750.0, 15000.0, 40000.0]
     """
-    roots = [-gain_lambda * gain_xi**i for i in range(order)]
-    return [float(k) for k in np.poly(roots)[1:]]
+    for i in range(int(memory[ORDER])):
+        rate = gain_lambda * gain_xi**i
+        for j in range(i, 0, -1):
+            memory[GAIN + j] += rate * memory[GAIN + j - 1]
+        memory[GAIN] += rate
+
+
+@layout
+def fill(values: FloatArray, memory: FloatArray) -> None:
+    """The settings but for the settling time; between two samples the position runs on a line."""
+    sampling.fill(values, memory)
+    memory[ORDER], memory[ALPHA], memory[STEP_S] = values[ORDER_OF], values[ALPHA_OF], values[STEP_OF]
+    memory[HOLD] = memory[SETTLE_S] = 0.0
+    place_poles(memory, values[LAMBDA_OF], values[XI_OF])
+
+
+@layout
+def settle(memory: FloatArray) -> None:
+    """Measure how long the law takes to settle, in a memory without states."""
+    h = min(memory[STEP_S], 1e-3)
+    memory[SETTLE_S] = settling(memory, SETTLING_SPEED_M_S, h, floor(2.0 / h + 0.5))
+    memory[AT:] = 0.0
 
 
 def check_step(gains: Sequence[float], step_s: float) -> None:
@@ -203,6 +230,8 @@ class HomogeneousDifferentiator(Differentiator):
     loop = staticmethod(loop)
     at = AT
     states = LENGTH - AT
+    fill = staticmethod(fill)
+    settle = staticmethod(settle)
 
     def declare(self, **values: Any) -> None:
         """Check each value, and which of them go together."""
@@ -228,29 +257,25 @@ class HomogeneousDifferentiator(Differentiator):
                 field="gap_s",
                 value=self.gap_s,
             )
-        own_gains = self.gains
-        chosen = (
-            gains(self.gain_lambda, self.gain_xi, self.order)
-            if own_gains is None
-            else check_gains(own_gains, self.order)
-        )
-        check_step(chosen, self.step_s)
-        self.gains = tuple(chosen)
+        if self.gains is None:
+            self.gains = tuple(self.filled(AT)[GAIN : GAIN + self.order].tolist())
+        else:
+            self.gains = tuple(check_gains(self.gains, self.order))
+        check_step(self.gains, self.step_s)
 
-    def own(self) -> list[float]:
-        """Order, degree, longest step, whether the position is held, room for the settling time, gains."""
-        chosen = self.gains or ()
-        padded = [*chosen, *([0.0] * (ORDER_MOST - len(chosen)))]
-        hold = 1.0 if self.between == "hold" else 0.0
-        return [float(self.order), float(self.alpha), float(self.step_s), hold, 0.0, *padded]
+    def settings(self) -> FloatArray:
+        """The settings, with the gains themselves, which may have been given, and with what is held."""
+        settings = self.filled(AT)
+        settings[GAIN : GAIN + self.order] = self.gains
+        settings[HOLD] = 1.0 if self.between == "hold" else 0.0
+        return settings
 
     def lay_out(self, settings: list[float] | FloatArray, states: int) -> None:
         """Make the memory, and measure how long the law takes to settle and whether it comes to rest."""
         super().lay_out(settings, states)
-        h = min(self.step_s, 1e-3)
         if self.alpha < 0.0:
             _check_rest(self._memory, self.alpha, self.step_s)
-        self._memory[SETTLE_S] = settling(self._memory.copy(), SETTLING_SPEED_M_S, h, round(2.0 / h))
+        settle(self._memory)
 
 
 def _check_rest(memory: FloatArray, alpha: float, step_s: float) -> None:

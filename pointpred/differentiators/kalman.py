@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pointpred.columns import FloatArray
-from pointpred.compiled import law
+from pointpred.compiled import law, layout
 from pointpred.differentiators import constant_acceleration, sampling
 from pointpred.differentiators.differentiator import Differentiator, loop_over_events
 from pointpred.parameter import parameter
@@ -18,6 +18,13 @@ SETTLED_RADIANS = 4.0
 # The parameters: those of sampling, the density in m^2/s^5, the noise in m^2. The state: that of sampling;
 # position, velocity, acceleration of x, then of y; p00 p01 p02 p11 p12 p22, the same for both axes.
 _, JERK_DENSITY, NOISE, AT, X, COVARIANCE, LENGTH = offsets(sampling.SETTINGS, 1, 1, sampling.STATES, 6, 6)
+
+
+@layout
+def fill(values: FloatArray, memory: FloatArray) -> None:
+    """The settings; of the noise in m its variance."""
+    sampling.fill(values, memory)
+    memory[NOISE] = values[NOISE] * values[NOISE]
 
 
 @law
@@ -89,7 +96,4 @@ class KalmanDifferentiator(Differentiator):
     loop = staticmethod(loop)
     at = AT
     states = LENGTH - AT
-
-    def own(self) -> list[float]:
-        """The density and the variance of a position."""
-        return [float(self.jerk_density), float(self.noise_m) ** 2]
+    fill = staticmethod(fill)

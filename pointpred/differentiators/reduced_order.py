@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import cos, exp, sin, sqrt
 
 from pointpred.columns import FloatArray
-from pointpred.compiled import law
+from pointpred.compiled import law, layout
 from pointpred.differentiators import sampling
 from pointpred.differentiators.differentiator import Differentiator, loop_over_events
 from pointpred.parameter import parameter
@@ -17,6 +17,16 @@ SETTLED_RADIANS = 5.0
 # The parameters: those of sampling, decay and frequency of the observer's error, the time it takes to settle.
 # The state: that of sampling; velocity and acceleration of x, then of y.
 _, DECAY, FREQUENCY, SETTLE_S, AT, X, LENGTH = offsets(sampling.SETTINGS, 1, 1, 1, sampling.STATES, 4)
+
+
+@layout
+def fill(values: FloatArray, memory: FloatArray) -> None:
+    """The error's decay in 1/s and frequency in rad/s, of bandwidth and damping; the settling time in s."""
+    sampling.fill(values, memory)
+    bandwidth, damping = values[sampling.SETTINGS], values[sampling.SETTINGS + 1]
+    memory[DECAY] = damping * bandwidth
+    memory[FREQUENCY] = bandwidth * sqrt(max(1.0 - damping * damping, 0.0))
+    memory[SETTLE_S] = SETTLED_RADIANS / memory[DECAY]
 
 
 @law
@@ -92,9 +102,4 @@ class ReducedOrderDifferentiator(Differentiator):
     loop = staticmethod(loop)
     at = AT
     states = LENGTH - AT
-
-    def own(self) -> list[float]:
-        """The error's decay in 1/s and frequency in rad/s, and the settling time in s."""
-        decay = self.damping * self.bandwidth
-        frequency = self.bandwidth * sqrt(max(1.0 - self.damping**2, 0.0))
-        return [decay, frequency, SETTLED_RADIANS / decay]
+    fill = staticmethod(fill)

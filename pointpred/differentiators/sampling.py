@@ -11,9 +11,9 @@ from math import floor
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.compiled import law
+from pointpred.compiled import law, layout
 from pointpred.errors import EventError, EventOrderError
-from pointpred.events import LARGEST, LATEST_S, ROUNDING_S, PointerEvent
+from pointpred.events import LARGEST, LATEST_S, METRES_PER_INCH, ROUNDING_S, PointerEvent
 from pointpred.rows import EventRow, TenFloats
 
 # Parameters, first in the memory of every differentiator.
@@ -25,6 +25,18 @@ METRES_PER_COUNT, METRES_PER_PX, GAP_S, PAUSE_S, SETTINGS = range(5)
 STARTED, T, X, Y, BUTTONS, U, V, SAMPLES, COUNTS, SINCE, LAST_U, LAST_V, STATES = range(13)
 
 REFUSED, MERGED, RESTARTED, MOVED = -1, 0, 1, 2
+
+
+@layout
+def fill(values: FloatArray, memory: FloatArray) -> None:
+    """The settings of counts per inch (0: counts are not used), px per inch, gap and pause in s.
+
+    What else a differentiator may be set follows as it is.
+    """
+    memory[METRES_PER_COUNT] = METRES_PER_INCH / values[0] if values[0] > 0.0 else 0.0
+    memory[METRES_PER_PX] = METRES_PER_INCH / values[1]
+    for i in range(GAP_S, len(values)):
+        memory[i] = values[i]
 
 
 @law

@@ -28,8 +28,8 @@ def rank(shares: FloatArray, count: int, order: FloatArray) -> None:
 
     There are at least as many targets as places in ``order``.
     """
-    for place in range(len(order)):
-        order[place] = NOBODY
+    for k in range(len(order)):
+        order[k] = NOBODY
     for i in range(count):
         place = len(order)
         while place > 0 and (order[place - 1] == NOBODY or shares[i] > shares[int(order[place - 1])]):

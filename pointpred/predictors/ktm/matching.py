@@ -10,7 +10,7 @@ from __future__ import annotations
 from math import exp
 
 from pointpred.columns import FloatArray
-from pointpred.compiled import law
+from pointpred.compiled import law, layout
 from pointpred.predictors import movement
 from pointpred.stage import offsets
 
@@ -36,6 +36,35 @@ COUNT, NEXT, LEARNED = range(3)
 # last 22 smoothed differences.
 _, POINTS, SAMPLES, GRID_X, GRID_Y, RECENT, PROFILE = offsets(movement.STATES, 1, 1, 1, 1, TAPS)
 SUM, FINAL, SCORE, SMOOTH, MATCH = offsets(1, 1, 1, TAPS)
+
+
+# The values of the parameters.
+TEMPLATES_OF, LONGEST_OF, SHORTEST_OF = range(3)
+
+
+@layout
+def samples_of(longest_s: float) -> int:
+    """Samples in the profile of the longest movement: one for each 50 ms, and the zero before them."""
+    return int((longest_s + STAMP_S) / STEP_S) + 1
+
+
+@layout
+def fill(values: FloatArray, memory: FloatArray) -> None:
+    """The settings and the kernel, without a library."""
+    memory[LEARNED_MOST], memory[LIBRARY] = values[TEMPLATES_OF], 0.0
+    memory[LONGEST], memory[SHORTEST_PX] = samples_of(values[LONGEST_OF]), values[SHORTEST_OF]
+    for k in range(TAPS):
+        memory[HALF + k] = KERNEL[k]
+
+
+@layout
+def sizes(values: FloatArray) -> tuple[int, int, int]:
+    """How many settings, learned floats and states of a movement there are without a library."""
+    templates, longest = int(values[TEMPLATES_OF]), samples_of(values[LONGEST_OF])
+    states = PROFILE + longest + templates * MATCH
+    if templates == 0:
+        return STORE, 0, states + LEARNED
+    return STORE, templates * (SPEEDS + longest) + LEARNED, states
 
 
 @law

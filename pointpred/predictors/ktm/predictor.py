@@ -133,6 +133,8 @@ class TemplatePredictor(Predictor):
     library: FloatArray | None = option("templates that stay, as `templates_of` makes them", default=None)
     step = staticmethod(step)
     conclude = staticmethod(conclude)
+    fill = staticmethod(matching.fill)
+    sizes = staticmethod(matching.sizes)
 
     def declare(self, **values: Any) -> None:
         """Check the values, and the templates of the library; raises ParameterError."""
@@ -141,7 +143,7 @@ class TemplatePredictor(Predictor):
 
     def settings(self) -> FloatArray:
         """The numbers, the kernel and the library; how much is learned and remembered follows from them."""
-        library, longest = self._library, samples_of(self.longest_s)
+        library, longest = self._library, matching.samples_of(self.longest_s)
         templates = int(self.templates)
         if templates + len(library) > TEMPLATES_MOST:
             raise ParameterError(
@@ -151,11 +153,11 @@ class TemplatePredictor(Predictor):
             )
         wide = np.zeros((len(library), matching.SPEEDS + longest))
         wide[:, : library.shape[1]] = library
-        self.learned = templates * wide.shape[1] + matching.LEARNED if templates else 0
-        self.states = matching.PROFILE + longest + (templates + len(library)) * matching.MATCH
-        self.states += 0 if templates else matching.LEARNED
-        numbers = [templates, len(library), longest, self.shortest_px, *matching.KERNEL]
-        return np.concatenate([numbers, wide.ravel()])
+        count, self.learned, states = matching.sizes(self.values())
+        self.states = states + len(library) * matching.MATCH
+        settings = self.filled(count)
+        settings[matching.LIBRARY] = len(library)
+        return np.concatenate([settings, wide.ravel()])
 
     def template_table(self) -> FloatArray:
         """The templates it would compare with after a reset, in the order in which ties are decided."""
@@ -167,16 +169,11 @@ class TemplatePredictor(Predictor):
         return twin._memory[first : first + count * wide].reshape(count, wide).copy()
 
 
-def samples_of(longest_s: float) -> int:
-    """Samples in the profile of the longest movement: one for each 50 ms, and the zero before them."""
-    return int((longest_s + matching.STAMP_S) / matching.STEP_S) + 1
-
-
 def _checked(library: FloatArray | None, longest_s: float) -> FloatArray:
     """The library, checked."""
     if library is None:
         return np.empty((0, matching.SPEEDS))
-    most = samples_of(longest_s)
+    most = matching.samples_of(longest_s)
     try:
         table = np.asarray(library, dtype=np.float64)
     except (TypeError, ValueError, OverflowError) as error:

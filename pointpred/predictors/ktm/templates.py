@@ -7,7 +7,7 @@ import numpy as np
 from pointpred.columns import EventColumns, FloatArray
 from pointpred.errors import ParameterError
 from pointpred.predictors.ktm import matching
-from pointpred.predictors.ktm.predictor import TEMPLATES_MOST, TemplatePredictor, samples_of
+from pointpred.predictors.ktm.predictor import TEMPLATES_MOST, TemplatePredictor
 from pointpred.recording import Recording
 
 
@@ -27,7 +27,7 @@ def templates_of(recording: Recording, *, longest_s: float = 3.0) -> FloatArray:
         raise ParameterError(
             f"a library needs 1 to {TEMPLATES_MOST} trials, received {len(recording.trials)}"
         )
-    templates = np.empty((len(recording.trials), matching.SPEEDS + samples_of(longest_s)))
+    templates = np.empty((len(recording.trials), matching.SPEEDS + matching.samples_of(longest_s)))
     for k, trial in enumerate(recording.trials):
         template = profile_of(recording.rows(k), longest_s)
         if not len(template):

@@ -1,0 +1,142 @@
+"""The modules of the page: each module of the package whose laws are needed, as one in JavaScript."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterable
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+
+import pointpred
+from pointpred.predictors.kinematic import coefficient_file
+from pointpred.stage import CompiledStage
+from translation import stages
+from translation.expressions import is_constant, number
+from translation.javascript import Law
+from translation.names import alias, renamed
+from translation.source import Name, UntranslatableError, is_law, module
+
+HAND_WRITTEN = ("arithmetic.js",)
+"""Files beside the translator that go into the folder as they are."""
+ROOTS = {
+    "pointpred.differentiators.sampling": ("usable", "STARTED", "T"),
+    "pointpred.differentiators.homogeneous": ("chatter", "STEPS_M", "CHATTER_MOST_M_S", "SUBSTEPS_MOST"),
+    "pointpred.events": ("LARGEST", "LATEST_S"),
+    "pointpred.predictors.adaptation.correction": ("UNEQUAL",),
+    "pointpred.regions": ("reach", "as_normal"),
+    "pointpred.targets.rectangles": ("complete", "MOST_TARGETS", "SMALLEST_PX", "FIELDS"),
+    "pointpred.targets.choice_law": ("step", "OUTSIDE", "INSIDE", "ENTERED", "RELEASED"),
+    "pointpred.targets.decision": ("rank", "decide", "NOBODY"),
+    "pointpred.targets.posterior": (
+        *("scores", "normalise", "FITTED"),
+        *("PRECISION", "ELSEWHERE", "LEAST_LEAD_S", "LEAST_WAY_PX"),
+    ),
+    "pointpred.targets.cursor": (
+        "usable",
+        "KNOWN",
+        "T",
+        "X",
+        "Y",
+        "PRESSED",
+        "T0",
+        "X0",
+        "Y0",
+        "SPEED",
+        "STATES",
+    ),
+}
+"""What the page's own code calls by name, beside the laws of all predictors and differentiators."""
+
+
+def write(folder: Path) -> None:
+    """Write every module of the page into a folder; files that are there and not written are removed."""
+    files = texts()
+    for path in [one for one in folder.rglob("*") if one.is_file()]:
+        if path.relative_to(folder).as_posix() not in files:
+            path.unlink()
+    for name, content in files.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
+
+
+def texts() -> dict[str, bytes]:
+    """The content of every file by its path in the folder; raises UntranslatableError."""
+    named = [Name(where, word) for where, words in ROOTS.items() for word in words]
+    all_stages = stages.stages()
+    of_stages = [name for stage in all_stages for name in stages.laws_of(stage).values()]
+    wanted = reach([*named, *of_stages])
+    modules = sorted({one.module for one in wanted} | {stage.__module__ for stage in all_stages})
+    files = {
+        path_of(name): text_of(name, wanted, [one for one in all_stages if one.__module__ == name]).encode()
+        for name in modules
+    }
+    files["registry.js"] = stages.registry_text(pointpred.__version__, path_of).encode()
+    files["kinematic.f32"] = coefficient_file.read(coefficient_file.OWN).astype("<f4").tobytes()
+    here = Path(__file__).parent
+    return files | {name: (here / name).read_bytes() for name in HAND_WRITTEN}
+
+
+@cache
+def law(name: Name) -> Law:
+    """A law in JavaScript; raises UntranslatableError."""
+    home = module(name.module)
+    return Law(home, home.functions[name.name])
+
+
+def reach(roots: Iterable[Name]) -> set[Name]:
+    """The laws and constants that these need, and they themselves."""
+    known: set[Name] = set()
+    waiting = list(roots)
+    while waiting:
+        name = waiting.pop()
+        if name not in known:
+            known.add(name)
+            if is_law(name):
+                waiting += law(name).uses
+            elif not is_constant(name) and not isinstance(
+                module(name.module).values.get(name.name), np.ndarray
+            ):
+                raise UntranslatableError(f"{name.module}.{name.name} is neither a law nor a constant")
+    return known
+
+
+def path_of(name: str) -> str:
+    """Where the module in JavaScript lies, relative to the folder of laws."""
+    return name.removeprefix("pointpred.").replace(".", "/") + ".js"
+
+
+def relative(reader: str, target: str) -> str:
+    """How one file of that folder names another."""
+    path = posixpath.relpath(target, posixpath.dirname(path_of(reader)) or ".")
+    return path if path.startswith(".") else f"./{path}"
+
+
+def text_of(name: str, wanted: Iterable[Name], classes: list[type[CompiledStage]]) -> str:
+    """The text of a module that exports these of its names, and these of its classes."""
+    own = [one for one in wanted if one.module == name]
+    home = module(name)
+    laws = sorted((one for one in own if is_law(one)), key=lambda one: home.functions[one.name].lineno)
+    constants = [one for one in own if not is_law(one)]
+    constants.sort(key=lambda one: list(home.values).index(one.name))
+    uses = {used.module for one in laws for used in law(one).uses}
+    uses |= {used.module for stage in classes for used in stages.laws_of(stage).values()}
+    uses -= {name}
+    arithmetic = sorted({word for one in laws for word in law(one).arithmetic})
+    lines = [f"// Written by `make page` from {home.path.name}: change that and run it again."]
+    if arithmetic:
+        lines.append(f'import {{ {", ".join(arithmetic)} }} from "{relative(name, "arithmetic.js")}";')
+    lines += [f'import * as {alias(used)} from "{relative(name, path_of(used))}";' for used in sorted(uses)]
+    lines += [f"export const {renamed(one.name)} = {constant(home.values[one.name])};" for one in constants]
+    lines += [law(one).text for one in laws]
+    lines += [stages.text_of(stage) for stage in classes]
+    return "\n".join(lines) + "\n"
+
+
+def constant(value: object) -> str:
+    """A number, a tuple of numbers, or a flat array."""
+    if isinstance(value, np.ndarray):
+        return f"new Float64Array({number(tuple(value.tolist())).text})"
+    return number(value).text

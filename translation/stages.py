@@ -1,0 +1,126 @@
+"""The classes of stages as objects in JavaScript: their laws, their parameters, the sizes of their memory."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from typing import Any
+
+from pointpred.differentiators import DIFFERENTIATORS
+from pointpred.parameter import REQUIRED, Parameter
+from pointpred.person import layout_name
+from pointpred.registry import GAINS, RECOMMENDED, REGISTRY
+from pointpred.stage import CompiledStage
+from translation.expressions import number
+from translation.names import qualified, renamed
+from translation.source import Name, is_law
+
+LAWS = ("step", "conclude", "fill", "settle", "sizes", "fault")
+"""What a class may name as its laws."""
+
+
+def stages() -> list[type[CompiledStage]]:
+    """Every predictor and every differentiator that has a name."""
+    return list(dict.fromkeys([*(one.predictor for one in REGISTRY.values()), *DIFFERENTIATORS.values()]))
+
+
+def laws_of(stage: type[CompiledStage]) -> dict[str, Name]:
+    """The laws of a class by the names of its attributes."""
+    named = {}
+    for word in LAWS:
+        function = getattr(stage, word, None)
+        plain = getattr(function, "py_func", function)
+        if plain is not None and is_law(name := Name(plain.__module__, plain.__name__)):
+            named[word] = name
+    return named
+
+
+def text_of(stage: type[CompiledStage]) -> str:
+    """The object of a class."""
+    laws = laws_of(stage)
+    parts = [
+        f"{word}: {renamed(name.name) if name.module == stage.__module__ else qualified(name)}"
+        for word, name in laws.items()
+    ]
+    example = stage(**_required(stage))
+    memory, learned = len(example.remembered()) // 8, example.learned
+    parts.append(
+        f"settings: {example._first - learned}, learned: {learned}, states: {memory - example._first}"
+    )
+    if at := getattr(stage, "at", None):
+        parts.append(f"at: {at}")
+    if stage.slots:
+        parts.append(f"layout: {json.dumps(layout_name(stage.slots).hex())}")
+        parts.append(f"slots: [\n{_lines(_slot(slot) for slot in stage.slots)}\n  ]")
+    parts.append(f"parameters: [\n{_lines(_parameter(one) for one in stage.parameters)}\n  ]")
+    return f"export const {stage.__name__} = {{\n" + "".join(f"  {part},\n" for part in parts) + "};"
+
+
+def registry_text(version: str, path_of: Any) -> str:
+    """The module that names every predictor and loads what it needs."""
+    lines = [
+        "// Written by `make page` from the registry: change that and run it again.",
+        f"export const VERSION = {json.dumps(version)};",
+        f"export const RECOMMENDED = {json.dumps(RECOMMENDED)};",
+        f"export const GAINS = {_object(GAINS)};",
+        "export const PREDICTORS = {",
+    ]
+    for entry in REGISTRY.values():
+        coefficients = '"kinematic.f32"' if hasattr(entry.predictor, "coefficients") else "null"
+        lines.append(
+            f"  {json.dumps(entry.name)}: {{ title: {json.dumps(entry.title)}, "
+            f"reference: {json.dumps(entry.reference)}, "
+            f"differentiator: {json.dumps(entry.differentiator)}, preset: {_object(entry.preset)}, "
+            f"coefficients: {coefficients}, load: {_load(entry.predictor, path_of)} }},"
+        )
+    lines += ["};", "export const DIFFERENTIATORS = {"]
+    lines += [
+        f"  {json.dumps(name)}: {{ load: {_load(stage, path_of)} }},"
+        for name, stage in DIFFERENTIATORS.items()
+    ]
+    return "\n".join([*lines, "};"]) + "\n"
+
+
+def _load(stage: type[CompiledStage], path_of: Any) -> str:
+    return f'async () => (await import("./{path_of(stage.__module__)}")).{stage.__name__}'
+
+
+def _required(stage: type[CompiledStage]) -> dict[str, Any]:
+    """A value for each parameter that has no default."""
+    return {one.name: one.low for one in stage.parameters if one.default is REQUIRED}
+
+
+def _parameter(one: Parameter) -> str:
+    absent = {} if one.absent is None else {"absent": one.absent}
+    whole = {"whole": True} if one.whole else {}
+    given = {} if one.default is REQUIRED else {"default": one.default}
+    return _object(
+        {"name": one.name, "unit": one.unit, "low": one.low, "high": one.high}
+        | given
+        | whole
+        | absent
+        | {"meaning": one.meaning}
+    )
+
+
+def _slot(slot: Any) -> str:
+    whole = {"whole": True} if slot.whole else {}
+    return _object({"name": slot.name, "count": slot.count, "low": slot.low, "high": slot.high} | whole)
+
+
+def _object(values: dict[str, Any]) -> str:
+    return (
+        "{ " + ", ".join(f"{key}: {_value(value)}" for key, value in values.items()) + " }"
+        if values
+        else "{}"
+    )
+
+
+def _value(value: Any) -> str:
+    if isinstance(value, bool | int | float):
+        return number(value).text
+    return json.dumps(value)
+
+
+def _lines(lines: Iterator[str]) -> str:
+    return "\n".join(f"    {line}," for line in lines)
