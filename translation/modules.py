@@ -16,38 +16,11 @@ from translation import stages
 from translation.expressions import is_constant, number
 from translation.javascript import Law
 from translation.names import alias, renamed
+from translation.roots import ROOTS
 from translation.source import Name, UntranslatableError, is_law, module
 
 HAND_WRITTEN = ("arithmetic.js",)
 """Files beside the translator that go into the folder as they are."""
-ROOTS = {
-    "pointpred.differentiators.sampling": ("usable", "STARTED", "T"),
-    "pointpred.differentiators.homogeneous": ("chatter", "STEPS_M", "CHATTER_MOST_M_S", "SUBSTEPS_MOST"),
-    "pointpred.events": ("LARGEST", "LATEST_S"),
-    "pointpred.predictors.adaptation.correction": ("UNEQUAL",),
-    "pointpred.regions": ("reach", "as_normal"),
-    "pointpred.targets.rectangles": ("complete", "MOST_TARGETS", "SMALLEST_PX", "FIELDS"),
-    "pointpred.targets.choice_law": ("step", "OUTSIDE", "INSIDE", "ENTERED", "RELEASED"),
-    "pointpred.targets.decision": ("rank", "decide", "NOBODY"),
-    "pointpred.targets.posterior": (
-        *("scores", "normalise", "FITTED"),
-        *("PRECISION", "ELSEWHERE", "LEAST_LEAD_S", "LEAST_WAY_PX"),
-    ),
-    "pointpred.targets.cursor": (
-        "usable",
-        "KNOWN",
-        "T",
-        "X",
-        "Y",
-        "PRESSED",
-        "T0",
-        "X0",
-        "Y0",
-        "SPEED",
-        "STATES",
-    ),
-}
-"""What the page's own code calls by name, beside the laws of all predictors and differentiators."""
 
 
 def write(folder: Path) -> None:

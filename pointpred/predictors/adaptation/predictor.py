@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from pointpred.columns import FloatArray
-from pointpred.compiled import law
+from pointpred.compiled import law, layout
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
 from pointpred.predictors.adaptation import correction
@@ -19,6 +19,13 @@ from pointpred.stage import loop_sharing, offsets
 ADAPT, DISTANCES, SHORTEST_PX, PERSON, OBSERVATION, MOVEMENT, LENGTH = offsets(
     1, 1, 1, correction.LEARNED, observation.STATES, correction.STATES
 )
+
+
+@layout
+def sizes(values: FloatArray) -> tuple[int, int, int]:
+    """How many settings, learned floats and states there are: without adaptation nothing is learned."""
+    learned = correction.LEARNED if values[ADAPT] == 1.0 else 0
+    return PERSON, learned, LENGTH - PERSON - learned
 
 
 @law
@@ -119,9 +126,10 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     conclude = staticmethod(conclude)
     slots = correction.SLOTS
     doubt = staticmethod(correction.doubt)
+    fault = staticmethod(correction.fault)
+    sizes = staticmethod(sizes)
 
     def declare(self, **values: Any) -> None:
         """Check the values; without adaptation nothing of the person is remembered."""
         super().declare(**values)
-        self.learned = correction.LEARNED if self.adapt else 0
-        self.states = LENGTH - PERSON - self.learned
+        _, self.learned, self.states = sizes(self.values())
