@@ -1,0 +1,45 @@
+// Written by `make page` from constant_acceleration.py: change that and run it again.
+import { larger } from "../arithmetic.js";
+export function predict(memory, x, dt) {
+  memory[x] += dt * (memory[x + 1] + 0.5 * dt * memory[x + 2]);
+  memory[x + 1] += dt * memory[x + 2];
+}
+export function spread(memory, p, jerk_density, dt) {
+  const p00 = memory[p];
+  const p01 = memory[p + 1];
+  const p02 = memory[p + 2];
+  const p11 = memory[p + 3];
+  const p12 = memory[p + 4];
+  const p22 = memory[p + 5];
+  const half = 0.5 * dt * dt;
+  const q = jerk_density * dt;
+  const f00 = p00 + dt * p01 + half * p02;
+  const f01 = p01 + dt * p11 + half * p12;
+  const f02 = p02 + dt * p12 + half * p22;
+  const g11 = p11 + dt * p12;
+  const g12 = p12 + dt * p22;
+  memory[p] = f00 + dt * f01 + half * f02 + q * Math.pow(dt, 4) / 20;
+  memory[p + 1] = f01 + dt * f02 + q * Math.pow(dt, 3) / 8;
+  memory[p + 2] = f02 + q * dt * dt / 6;
+  memory[p + 3] = g11 + dt * g12 + q * dt * dt / 3;
+  memory[p + 4] = g12 + q * dt / 2;
+  memory[p + 5] = p22 + q;
+}
+export function correct(memory, x, p, noise, measured) {
+  const share = (measured - memory[x]) / (memory[p] + noise);
+  memory[x] += memory[p] * share;
+  memory[x + 1] += memory[p + 1] * share;
+  memory[x + 2] += memory[p + 2] * share;
+}
+export function narrow(memory, p, noise) {
+  const p00 = memory[p];
+  const p01 = memory[p + 1];
+  const p02 = memory[p + 2];
+  const total = p00 + noise;
+  memory[p + 3] = larger(memory[p + 3] - p01 * p01 / total, 0);
+  memory[p + 4] -= p01 * p02 / total;
+  memory[p + 5] = larger(memory[p + 5] - p02 * p02 / total, 0);
+  memory[p] = p00 * noise / total;
+  memory[p + 1] = p01 * noise / total;
+  memory[p + 2] = p02 * noise / total;
+}

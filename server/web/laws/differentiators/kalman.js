@@ -1,0 +1,62 @@
+// Written by `make page` from kalman.py: change that and run it again.
+import { larger } from "../arithmetic.js";
+import * as $constant_acceleration from "./constant_acceleration.js";
+import * as $sampling from "./sampling.js";
+import * as $rows from "../rows.js";
+export const START_SPEED_M_S = 0.3;
+export const START_ACCELERATION_M_S2 = 5;
+export const SETTLED_RADIANS = 4;
+export const JERK_DENSITY = 4;
+export const NOISE = 5;
+export const AT = 6;
+export const X = 18;
+export const COVARIANCE = 24;
+export function fill(values, memory) {
+  $sampling.fill(values, memory);
+  memory[NOISE] = values[NOISE] * values[NOISE];
+}
+export function settle_s(memory) {
+  const intervals = larger(memory[AT + $sampling.SAMPLES] - 1, 1);
+  const period = (memory[AT + $sampling.T] - memory[AT + $sampling.SINCE]) / intervals;
+  return SETTLED_RADIANS * Math.pow(memory[NOISE] * period / memory[JERK_DENSITY], 1 / 6);
+}
+export function step(memory, event) {
+  const values_1 = $sampling.accept(memory, AT, event);
+  const verdict = values_1[0];
+  const dt = values_1[1];
+  const start = values_1[4];
+  if (verdict === $sampling.REFUSED) {
+    return $rows.REFUSED;
+  }
+  if (verdict === $sampling.RESTARTED) {
+    memory.fill(0, X, COVARIANCE + 6);
+    memory[COVARIANCE] = memory[NOISE];
+    memory[COVARIANCE + 3] = START_SPEED_M_S * START_SPEED_M_S;
+    memory[COVARIANCE + 5] = START_ACCELERATION_M_S2 * START_ACCELERATION_M_S2;
+  } else if (verdict === $sampling.MOVED) {
+    $constant_acceleration.predict(memory, X, dt);
+    $constant_acceleration.predict(memory, X + 3, dt);
+    $constant_acceleration.spread(memory, COVARIANCE, memory[JERK_DENSITY], dt);
+    $constant_acceleration.correct(memory, X, COVARIANCE, memory[NOISE], memory[AT + $sampling.U]);
+    $constant_acceleration.correct(memory, X + 3, COVARIANCE, memory[NOISE], memory[AT + $sampling.V]);
+    $constant_acceleration.narrow(memory, COVARIANCE, memory[NOISE]);
+  }
+  const velocity = [memory[X + 1], memory[X + 4]];
+  const acceleration = [memory[X + 2], memory[X + 5]];
+  const settled = $sampling.settled(memory, AT, 4, settle_s(memory));
+  return $sampling.motion(memory, AT, event, [velocity, acceleration], settled, start);
+}
+export const KalmanDifferentiator = {
+  step: step,
+  fill: fill,
+  settings: 6, learned: 0, states: 24,
+  at: 6,
+  parameters: [
+    { name: "cpi", unit: "counts per inch", low: 1, high: 1000000, default: null, absent: 0, meaning: "resolution of the device; None: counts are not used" },
+    { name: "dpi", unit: "px per inch", low: 1, high: 100000, default: 96, meaning: "resolution of the screen, used where counts are not" },
+    { name: "gap_s", unit: "s", low: 0.001, high: 1000, default: 0.1, meaning: "a longer gap between events means that the device was still" },
+    { name: "pause_s", unit: "s", low: 0.001, high: 1000, default: 0.3, meaning: "the first event after a longer pause starts a movement" },
+    { name: "jerk_density", unit: "m^2/s^5", low: 0.001, high: 1000000000, default: 30, meaning: "spectral density of the jerk" },
+    { name: "noise_m", unit: "m", low: 1e-08, high: 0.1, default: 0.0001, meaning: "standard deviation of a measured position" },
+  ],
+};

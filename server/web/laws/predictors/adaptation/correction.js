@@ -1,0 +1,213 @@
+// Written by `make page` from correction.py: change that and run it again.
+import { hypot, larger, remainder, smaller, view } from "../../arithmetic.js";
+import * as $distances from "./distances.js";
+import * as $durations from "./durations.js";
+import * as $region_widening from "./region_widening.js";
+import * as $stages from "./stages.js";
+export const DISTANCES = 80;
+export const DURATIONS = 136;
+export const REGIONS = 157;
+export const LEARNED = 168;
+export const TRACE_PLACES = 96;
+export const APART_S = 0.005;
+export const STARTED = 0;
+export const T0 = 1;
+export const X0 = 2;
+export const Y0 = 3;
+export const T = 4;
+export const X = 5;
+export const Y = 6;
+export const PLACES = 7;
+export const SAMPLES = 8;
+export const TRACE = 9;
+export const MOMENTS = 297;
+export const STATED = 362;
+export const STATES = 702;
+export const NEAR_PX = 8;
+export const NEAR_SHARE = 0.03;
+export const SAMPLES_LEAST = 6;
+export const LEAST_S = 0.08;
+export const BIAS_FADE = 0.2;
+export const FADE = 0.5;
+export const EARLY = 0.1;
+export const UNEQUAL = 21;
+export function fault(learned) {
+  const held = learned[DISTANCES + $distances.COUNT];
+  if (held !== learned[DURATIONS + $durations.COUNT]) {
+    return [UNEQUAL, held];
+  }
+  const values_1 = $distances.fault(view(learned, DISTANCES, DURATIONS));
+  const wrong = values_1[0];
+  const value = values_1[1];
+  if (wrong !== $distances.FINE) {
+    return [wrong, value];
+  }
+  return $durations.fault(view(learned, DURATIONS, REGIONS));
+}
+export function arrival(memory, at, near) {
+  const places = Math.trunc(memory[at + PLACES]);
+  let when = memory[at + T];
+  for (let back = 0, end_1 = smaller(places, TRACE_PLACES); back < end_1; back++) {
+    const place = at + TRACE + 3 * remainder(places - 1 - back, TRACE_PLACES);
+    if (hypot(memory[place + 1] - memory[at + X], memory[place + 2] - memory[at + Y]) > near) {
+      return when;
+    }
+    when = memory[place];
+  }
+  return when;
+}
+export function learn(memory, person, at, distance, end) {
+  const x = memory[at + X];
+  const y = memory[at + Y];
+  const start = memory[at + T0];
+  const duration = end - start;
+  const clock = person + DURATIONS;
+  const not_first = memory[clock + $durations.COUNT] > 0;
+  if (not_first) {
+    $durations.forget(memory, clock);
+  }
+  for (let number = 0; number < $stages.STAGES; number++) {
+    const place = at + MOMENTS + number * $stages.MOMENT;
+    const stage = person + number * $stages.WIDTH;
+    if (memory[place + $stages.PRESENT] === 1) {
+      const m = $stages.moment_at(memory, place);
+      if (not_first && m[0] < end) {
+        const left = m[10] * $stages.tempo_factor(memory, stage);
+        $durations.judge(memory, clock, m[0] - start, left, end - m[0], duration);
+      }
+      $stages.learn(memory, stage, m, x, y, end);
+    }
+  }
+  $distances.remember(memory, person + DISTANCES, distance);
+  $durations.remember(memory, clock, duration);
+  $region_widening.learn(memory, person + REGIONS, at + STATED, [x, y], [start, end]);
+}
+export function conclude(memory, person, at, shortest) {
+  const distance = hypot(memory[at + X] - memory[at + X0], memory[at + Y] - memory[at + Y0]);
+  const end = arrival(memory, at, larger(NEAR_PX, NEAR_SHARE * distance));
+  const whole = memory[at + STARTED] === 1 && memory[at + SAMPLES] >= SAMPLES_LEAST;
+  if (whole && end - memory[at + T0] >= LEAST_S && distance >= larger(shortest, $distances.SHORTEST_PX)) {
+    learn(memory, person, at, distance, end);
+  }
+  memory.fill(0, at, at + STATES);
+}
+export function follow(memory, at, now, start) {
+  const t = now[0];
+  const x = now[1];
+  const y = now[2];
+  const places = Math.trunc(memory[at + PLACES]);
+  const last = at + TRACE + 3 * remainder(places - 1, TRACE_PLACES);
+  if (memory[at + STARTED] === 0 || t > memory[at + T]) {
+    memory[at + SAMPLES] += 1;
+  }
+  const moved = x !== memory[last + 1] || y !== memory[last + 2];
+  if (places > 0 && t === memory[last]) {
+    memory[last + 1] = x;
+    memory[last + 2] = y;
+  } else if (places === 0 || moved && t - memory[last] >= APART_S) {
+    const place = at + TRACE + 3 * remainder(places, TRACE_PLACES);
+    memory[place] = t;
+    memory[place + 1] = x;
+    memory[place + 2] = y;
+    memory[at + PLACES] = places + 1;
+  }
+  memory[at + STARTED] = 1;
+  memory[at + T0] = start[0];
+  memory[at + X0] = start[1];
+  memory[at + Y0] = start[2];
+  memory[at + T] = t;
+  memory[at + X] = x;
+  memory[at + Y] = y;
+}
+export function record(memory, at, share, moment) {
+  const stage = Math.floor(share * $stages.STAGES - 0.5 + EARLY);
+  if (stage < 0 || stage >= $stages.STAGES) {
+    return;
+  }
+  const place = at + MOMENTS + stage * $stages.MOMENT;
+  const again = memory[place + $stages.PRESENT] === 1 && memory[place + $stages.T] === moment[0];
+  for (let later = stage; later < $stages.STAGES; later++) {
+    if (memory[at + MOMENTS + later * $stages.MOMENT + $stages.PRESENT] === 1 && !again) {
+      return;
+    }
+  }
+  $stages.record(memory, place, moment);
+}
+export function fading(share, since) {
+  return smaller((1 - share) / (1 - since), 1);
+}
+export function adapt(memory, person, at, with_distances, answer) {
+  const t = answer[0];
+  let px = answer[1];
+  let py = answer[2];
+  let sxx = answer[3];
+  let sxy = answer[4];
+  let syy = answer[5];
+  let left = answer[6];
+  const phase = answer[7];
+  let tail = answer[8];
+  const spread = answer[9];
+  const x = memory[at + X];
+  const y = memory[at + Y];
+  const away_x = x - memory[at + X0];
+  const away_y = y - memory[at + Y0];
+  const reached = hypot(away_x, away_y);
+  if (!(reached > 0 && left > 0 && tail > 0 && sxx + syy > 0)) {
+    return answer;
+  }
+  const ux = away_x / reached;
+  const uy = away_y / reached;
+  let wide2 = sxx * ux * ux + 2 * sxy * ux * uy + syy * uy * uy;
+  let broad2 = sxx * uy * uy - 2 * sxy * ux * uy + syy * ux * ux;
+  if (!(wide2 > 0 && broad2 > 0)) {
+    return answer;
+  }
+  const wide = Math.sqrt(wide2);
+  const broad = Math.sqrt(broad2);
+  const along = (px - x) * ux + (py - y) * uy;
+  const across = (py - y) * ux - (px - x) * uy;
+  const now = memory[at + T];
+  const since = now - memory[at + T0];
+  let share = since / (since + left);
+  record(memory, at, share, [now, x, y, ux, uy, along, across, wide, broad, tail, left, reached]);
+  if (memory[person + DISTANCES + $distances.COUNT] === 0) {
+    $region_widening.record(memory, at + STATED, now, x, y, [px, py, sxx, sxy, syy, tail]);
+    return answer;
+  }
+  const total = hypot(reached + along, across);
+  const values_1 = $stages.correct(memory, person, share, total, along);
+  const shift = values_1[0];
+  const widen = values_1[1];
+  const broaden = values_1[2];
+  const slow = values_1[3];
+  left = $durations.mix(memory, person + DURATIONS, since, left * slow);
+  let new_wide = wide * widen;
+  const new_broad = broad * broaden;
+  share = since / (since + left);
+  let new_along = along + shift * fading(share, BIAS_FADE);
+  if (with_distances === 1) {
+    const ahead = [new_along, new_wide, new_broad, tail];
+    const values_2 = $distances.combine(memory, person + DISTANCES, reached, ahead);
+    const usual_along = values_2[0];
+    const usual_wide = values_2[1];
+    const weight = fading(share, FADE);
+    new_along += weight * (usual_along - new_along);
+    new_wide *= Math.pow(usual_wide / new_wide, weight);
+  }
+  const ratio = new_wide / wide;
+  const moved = new_along - along;
+  let cross = (sxy * (ux * ux - uy * uy) + (syy - sxx) * ux * uy) * ratio * broaden;
+  const values_3 = $region_widening.widen(memory, person + REGIONS, share, tail);
+  const factor = values_3[0];
+  tail = values_3[1];
+  wide2 = factor * new_wide * new_wide;
+  broad2 = factor * new_broad * new_broad;
+  cross = factor * cross;
+  px = px + moved * ux;
+  py = py + moved * uy;
+  sxx = wide2 * ux * ux - 2 * cross * ux * uy + broad2 * uy * uy;
+  sxy = (wide2 - broad2) * ux * uy + cross * (ux * ux - uy * uy);
+  syy = wide2 * uy * uy + 2 * cross * ux * uy + broad2 * ux * ux;
+  $region_widening.record(memory, at + STATED, now, x, y, [px, py, sxx, sxy, syy, tail]);
+  return [t, px, py, sxx, sxy, syy, left, phase, tail, spread];
+}

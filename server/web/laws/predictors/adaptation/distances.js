@@ -1,0 +1,161 @@
+// Written by `make page` from distances.py: change that and run it again.
+import { larger, remainder, smaller, square } from "../../arithmetic.js";
+export const CAPACITY = 12;
+export const LEAST = 2;
+export const WIDTHS = [0.02, 0.08, 0.35];
+export const AGES = [1.5, 12];
+export const LAWS = 6;
+export const UNKNOWN_LOGS = 3;
+export const UNKNOWN_SHARE = 0.8;
+export const FORGET = 0.05;
+export const LEAST_LIKELY = 1e-12;
+export const ARC = 0.5;
+export const LOGISTIC = 1.7;
+export const HALVINGS = 10;
+export const NEGLIGIBLE = 0.0001;
+export const COUNT = 0;
+export const DISTANCES = 1;
+export const BELIEF = 13;
+export const WEIGHTS = 20;
+export const ROUNDING = 1e-06;
+export const SHORTEST_PX = 1e-06;
+export const LEAST_UNKNOWN = 0.04000000000000001;
+export const FINE = 0;
+export const TOO_SHORT = 1;
+export const TOO_SURE = 2;
+export const NO_SHARES = 3;
+export function fault(learned) {
+  const count = Math.trunc(learned[COUNT]);
+  if (count === 0) {
+    return [FINE, 0];
+  }
+  for (let i = 0; i < count; i++) {
+    if (!(learned[DISTANCES + i] >= SHORTEST_PX)) {
+      return [TOO_SHORT, learned[DISTANCES + i]];
+    }
+  }
+  if (!(learned[BELIEF + LAWS] >= LEAST_UNKNOWN)) {
+    return [TOO_SURE, learned[BELIEF + LAWS]];
+  }
+  let total = 0;
+  for (let i = BELIEF; i < WEIGHTS; i++) {
+    total += learned[i];
+  }
+  if (!(Math.abs(total - 1) <= ROUNDING)) {
+    return [NO_SHARES, total];
+  }
+  return [FINE, 0];
+}
+export function age_weight(age, count, time) {
+  let total = 0;
+  for (let j = 0; j < count; j++) {
+    total += Math.exp(-j / time);
+  }
+  return Math.exp(-age / time) / total;
+}
+export function judge(memory, at, distance) {
+  const count = Math.trunc(memory[at + COUNT]);
+  const belief = at + BELIEF;
+  let total = 0;
+  for (let k = 0; k < LAWS; k++) {
+    const width = WIDTHS[remainder(k, WIDTHS.length)];
+    const time = AGES[Math.floor(k / WIDTHS.length)];
+    let likely = 0;
+    for (let j = 0; j < count; j++) {
+      const off = Math.log(distance / memory[at + DISTANCES + j]) / width;
+      likely += age_weight(j, count, time) * Math.exp(-0.5 * smaller(off * off, 1000)) / (width * Math.sqrt(2 * Math.PI));
+    }
+    memory[belief + k] *= larger(UNKNOWN_LOGS * likely, LEAST_LIKELY);
+    total += memory[belief + k];
+  }
+  total += memory[belief + LAWS];
+  for (let k = 0; k < LAWS; k++) {
+    const first = (1 - UNKNOWN_SHARE) / LAWS;
+    memory[belief + k] = (1 - FORGET) * memory[belief + k] / total + FORGET * first;
+  }
+  memory[belief + LAWS] = (1 - FORGET) * memory[belief + LAWS] / total + FORGET * UNKNOWN_SHARE;
+}
+export function remember(memory, at, distance) {
+  if (memory[at + COUNT] === 0) {
+    memory.fill((1 - UNKNOWN_SHARE) / LAWS, at + BELIEF, at + BELIEF + LAWS);
+    memory[at + BELIEF + LAWS] = UNKNOWN_SHARE;
+  }
+  if (memory[at + COUNT] >= LEAST) {
+    judge(memory, at, distance);
+  }
+  for (let j = CAPACITY - 1; j > 0; j--) {
+    memory[at + DISTANCES + j] = memory[at + DISTANCES + j - 1];
+  }
+  memory[at + DISTANCES] = distance;
+  memory[at + COUNT] = smaller(memory[at + COUNT] + 1, CAPACITY);
+  const count = Math.trunc(memory[at + COUNT]);
+  for (let j = 0; j < count; j++) {
+    for (let w = 0, end_1 = WIDTHS.length; w < end_1; w++) {
+      let weight = 0;
+      for (let a = 0, end_2 = AGES.length; a < end_2; a++) {
+        weight += memory[at + BELIEF + a * WIDTHS.length + w] * age_weight(j, count, AGES[a]);
+      }
+      memory[at + WEIGHTS + j * WIDTHS.length + w] = weight;
+    }
+  }
+}
+export function combine(memory, at, reached, predicted) {
+  let middle;
+  const ahead = predicted[0];
+  const wide = predicted[1];
+  const broad = predicted[2];
+  const tail = predicted[3];
+  const count = Math.trunc(memory[at + COUNT]);
+  if (count < LEAST) {
+    return [ahead, wide];
+  }
+  const most = count * WIDTHS.length + 1;
+  const weight = new Float64Array(most);
+  const shift = new Float64Array(most);
+  const width = new Float64Array(most);
+  let total = memory[at + BELIEF + LAWS];
+  let low = 0;
+  let high = 0;
+  let parts = 1;
+  weight[0] = total;
+  shift[0] = 0;
+  width[0] = wide;
+  for (let j = 0; j < count; j++) {
+    const distance = memory[at + DISTANCES + j];
+    const gap = distance / Math.sqrt(1 + ARC * square(broad / distance)) - reached - ahead;
+    for (let w = 0, end_1 = WIDTHS.length; w < end_1; w++) {
+      const kernel2 = square(WIDTHS[w] * distance);
+      const both2 = wide * wide + kernel2;
+      const fits = Math.pow(1 + gap * gap / both2 / tail, -0.5 * (tail + 1)) / Math.sqrt(2 * Math.PI * both2);
+      const part = memory[at + WEIGHTS + j * WIDTHS.length + w] * UNKNOWN_LOGS * distance * fits;
+      if (part > NEGLIGIBLE * total) {
+        weight[parts] = part;
+        shift[parts] = gap * wide * wide / both2;
+        width[parts] = wide * Math.sqrt(kernel2 / both2);
+        low = smaller(low, shift[parts]);
+        high = larger(high, shift[parts]);
+        total += part;
+        parts += 1;
+      }
+    }
+  }
+  for (let _ = 0; _ < HALVINGS; _++) {
+    middle = 0.5 * (low + high);
+    let below = 0;
+    for (let k = 0, end_2 = parts; k < end_2; k++) {
+      const off = LOGISTIC * (shift[k] - middle) / width[k];
+      below += weight[k] / (1 + Math.exp(smaller(larger(off, -50), 50)));
+    }
+    if (below < 0.5 * total) {
+      low = middle;
+    } else {
+      high = middle;
+    }
+  }
+  middle = 0.5 * (low + high);
+  let around = 0;
+  for (let k = 0, end_3 = parts; k < end_3; k++) {
+    around += weight[k] * (square(width[k]) + square(shift[k] - middle));
+  }
+  return [ahead + middle, smaller(Math.sqrt(around / total), wide)];
+}

@@ -1,0 +1,132 @@
+// Written by `make page` from predictor.py: change that and run it again.
+import { view } from "../../arithmetic.js";
+import * as $correction from "./correction.js";
+import * as $kinematic_predictor from "../kinematic/predictor.js";
+import * as $predictors_movement from "../movement.js";
+import * as $stage from "../../stage.js";
+export const ADAPT = 0;
+export const DISTANCES = 1;
+export const SHORTEST_PX = 2;
+export const PERSON = 3;
+export const OBSERVATION = 171;
+export const MOVEMENT = 444;
+export const LENGTH = 1146;
+export function sizes(values) {
+  const learned = values[ADAPT] === 1 ? $correction.LEARNED : 0;
+  return [PERSON, learned, LENGTH - PERSON - learned];
+}
+export function conclude(memory) {
+  if (memory[ADAPT] === 1) {
+    $correction.conclude(memory, PERSON, MOVEMENT, memory[SHORTEST_PX]);
+  }
+}
+export function adapt(memory, answer) {
+  return $correction.adapt(memory, PERSON, MOVEMENT, memory[DISTANCES], answer);
+}
+export function step(memory, motion, coefficients) {
+  const m = motion;
+  const own = view(memory, OBSERVATION, MOVEMENT);
+  const answer = $kinematic_predictor.step(own, motion, coefficients);
+  if (memory[ADAPT] === 0 || answer[0] !== answer[0]) {
+    return answer;
+  }
+  if (m[8] === 1) {
+    conclude(memory);
+  }
+  const start = [own[$predictors_movement.T0], own[$predictors_movement.X0], own[$predictors_movement.Y0]];
+  $correction.follow(memory, MOVEMENT, [m[0], m[1], m[2]], start);
+  return adapt(memory, answer);
+}
+export const AdaptiveKinematicPredictor = {
+  step: step,
+  conclude: conclude,
+  fill: $stage.copy_values,
+  sizes: sizes,
+  fault: $correction.fault,
+  settings: 3, learned: 168, states: 975,
+  layout: "22777835ce8c74ba",
+  slots: [
+    { name: "normal equations, diagonal", count: 1, low: 0, high: 1e+30 },
+    { name: "normal equations, side", count: 1, low: -1e+30, high: 1e+30 },
+    { name: "normal equations, diagonal", count: 1, low: 0, high: 1e+30 },
+    { name: "right side", count: 2, low: -1e+30, high: 1e+30 },
+    { name: "bias", count: 2, low: -1000, high: 1000 },
+    { name: "bias paid", count: 1, low: -533.8666666666661, high: 533.8666666666661 },
+    { name: "bias size", count: 1, low: 0, high: 533.8666666666661 },
+    { name: "movements", count: 1, low: 0, high: 33.36666666666663 },
+    { name: "squares of the widths", count: 2, low: 0, high: 1e+30 },
+    { name: "tempo", count: 1, low: -13.346666666666653, high: 13.346666666666653 },
+    { name: "movements timed", count: 1, low: 0, high: 33.36666666666663 },
+    { name: "tempo paid", count: 1, low: -660.413498600821, high: 660.413498600821 },
+    { name: "tempo size", count: 1, low: 0, high: 660.413498600821 },
+    { name: "normal equations, diagonal", count: 1, low: 0, high: 1e+30 },
+    { name: "normal equations, side", count: 1, low: -1e+30, high: 1e+30 },
+    { name: "normal equations, diagonal", count: 1, low: 0, high: 1e+30 },
+    { name: "right side", count: 2, low: -1e+30, high: 1e+30 },
+    { name: "bias", count: 2, low: -1000, high: 1000 },
+    { name: "bias paid", count: 1, low: -533.8666666666661, high: 533.8666666666661 },
+    { name: "bias size", count: 1, low: 0, high: 533.8666666666661 },
+    { name: "movements", count: 1, low: 0, high: 33.36666666666663 },
+    { name: "squares of the widths", count: 2, low: 0, high: 1e+30 },
+    { name: "tempo", count: 1, low: -13.346666666666653, high: 13.346666666666653 },
+    { name: "movements timed", count: 1, low: 0, high: 33.36666666666663 },
+    { name: "tempo paid", count: 1, low: -660.413498600821, high: 660.413498600821 },
+    { name: "tempo size", count: 1, low: 0, high: 660.413498600821 },
+    { name: "normal equations, diagonal", count: 1, low: 0, high: 1e+30 },
+    { name: "normal equations, side", count: 1, low: -1e+30, high: 1e+30 },
+    { name: "normal equations, diagonal", count: 1, low: 0, high: 1e+30 },
+    { name: "right side", count: 2, low: -1e+30, high: 1e+30 },
+    { name: "bias", count: 2, low: -1000, high: 1000 },
+    { name: "bias paid", count: 1, low: -533.8666666666661, high: 533.8666666666661 },
+    { name: "bias size", count: 1, low: 0, high: 533.8666666666661 },
+    { name: "movements", count: 1, low: 0, high: 33.36666666666663 },
+    { name: "squares of the widths", count: 2, low: 0, high: 1e+30 },
+    { name: "tempo", count: 1, low: -13.346666666666653, high: 13.346666666666653 },
+    { name: "movements timed", count: 1, low: 0, high: 33.36666666666663 },
+    { name: "tempo paid", count: 1, low: -660.413498600821, high: 660.413498600821 },
+    { name: "tempo size", count: 1, low: 0, high: 660.413498600821 },
+    { name: "normal equations, diagonal", count: 1, low: 0, high: 1e+30 },
+    { name: "normal equations, side", count: 1, low: -1e+30, high: 1e+30 },
+    { name: "normal equations, diagonal", count: 1, low: 0, high: 1e+30 },
+    { name: "right side", count: 2, low: -1e+30, high: 1e+30 },
+    { name: "bias", count: 2, low: -1000, high: 1000 },
+    { name: "bias paid", count: 1, low: -533.8666666666661, high: 533.8666666666661 },
+    { name: "bias size", count: 1, low: 0, high: 533.8666666666661 },
+    { name: "movements", count: 1, low: 0, high: 33.36666666666663 },
+    { name: "squares of the widths", count: 2, low: 0, high: 1e+30 },
+    { name: "tempo", count: 1, low: -13.346666666666653, high: 13.346666666666653 },
+    { name: "movements timed", count: 1, low: 0, high: 33.36666666666663 },
+    { name: "tempo paid", count: 1, low: -660.413498600821, high: 660.413498600821 },
+    { name: "tempo size", count: 1, low: 0, high: 660.413498600821 },
+    { name: "normal equations, diagonal", count: 1, low: 0, high: 1e+30 },
+    { name: "normal equations, side", count: 1, low: -1e+30, high: 1e+30 },
+    { name: "normal equations, diagonal", count: 1, low: 0, high: 1e+30 },
+    { name: "right side", count: 2, low: -1e+30, high: 1e+30 },
+    { name: "bias", count: 2, low: -1000, high: 1000 },
+    { name: "bias paid", count: 1, low: -533.8666666666661, high: 533.8666666666661 },
+    { name: "bias size", count: 1, low: 0, high: 533.8666666666661 },
+    { name: "movements", count: 1, low: 0, high: 33.36666666666663 },
+    { name: "squares of the widths", count: 2, low: 0, high: 1e+30 },
+    { name: "tempo", count: 1, low: -13.346666666666653, high: 13.346666666666653 },
+    { name: "movements timed", count: 1, low: 0, high: 33.36666666666663 },
+    { name: "tempo paid", count: 1, low: -660.413498600821, high: 660.413498600821 },
+    { name: "tempo size", count: 1, low: 0, high: 660.413498600821 },
+    { name: "distances held", count: 1, low: 0, high: 12, whole: true },
+    { name: "distances", count: 12, low: 0, high: 4000000000 },
+    { name: "belief", count: 7, low: 0, high: 1 },
+    { name: "weights", count: 36, low: 0, high: 1 },
+    { name: "durations held", count: 1, low: 0, high: 12, whole: true },
+    { name: "durations", count: 12, low: 0, high: 400000000000 },
+    { name: "median", count: 1, low: 0, high: 400000000000 },
+    { name: "errors", count: 5, low: 0, high: 1e+30 },
+    { name: "movements", count: 1, low: 0, high: 33.36666666666663 },
+    { name: "clock's share", count: 1, low: 0, high: 1 },
+    { name: "movements judged", count: 1, low: 0, high: 1000000, whole: true },
+    { name: "radii of the levels", count: 10, low: -6, high: 6 },
+  ],
+  parameters: [
+    { name: "adapt", unit: "", low: 0, high: 1, default: 1, whole: true, meaning: "1: learn from each finished movement; 0: exactly `kinematic`" },
+    { name: "distances", unit: "", low: 0, high: 1, default: 1, whole: true, meaning: "1: ask the last distances; 0: only bias, widths, tempo and the clock" },
+    { name: "shortest_px", unit: "px", low: 0, high: 1000000, default: 10, meaning: "straight distance of the shortest movement that teaches" },
+  ],
+};

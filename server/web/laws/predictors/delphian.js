@@ -1,0 +1,59 @@
+// Written by `make page` from delphian.py: change that and run it again.
+import { hypot, larger } from "../arithmetic.js";
+import * as $predictors_movement from "./movement.js";
+import * as $rows from "../rows.js";
+import * as $stage from "../stage.js";
+export const SLOPE = 0;
+export const OFFSET = 1;
+export const FALL = 2;
+export const AT = 3;
+export const PEAK_X = 12;
+export const PEAK_Y = 13;
+export const UNIT_X = 14;
+export const UNIT_Y = 15;
+export const FALLEN = 16;
+export function step(memory, motion) {
+  const m = motion;
+  const before = memory[AT + $predictors_movement.PEAK];
+  const values_1 = $predictors_movement.follow(memory, AT, m);
+  const accepted = values_1[0];
+  const new_ = values_1[1];
+  if (!accepted) {
+    return $rows.REFUSED;
+  }
+  const phase = $predictors_movement.phase(memory, AT, m);
+  if (new_) {
+    memory.fill(0, PEAK_X);
+  }
+  const peak = memory[AT + $predictors_movement.PEAK];
+  const speed = hypot(m[3], m[4]);
+  if (new_ || peak > before) {
+    const away_x = m[1] - memory[AT + $predictors_movement.X0];
+    const away_y = m[2] - memory[AT + $predictors_movement.Y0];
+    const away = hypot(away_x, away_y);
+    memory[PEAK_X] = m[1];
+    memory[PEAK_Y] = m[2];
+    memory[FALLEN] = 0;
+    memory[UNIT_X] = away > 0 ? away_x / away : 0;
+    memory[UNIT_Y] = away > 0 ? away_y / away : 0;
+  } else if (speed < (1 - memory[FALL]) * peak && peak >= $predictors_movement.STILL_M_S) {
+    memory[FALLEN] = 1;
+  }
+  if (memory[FALLEN] === 0 || memory[UNIT_X] === 0 && memory[UNIT_Y] === 0) {
+    return $rows.endpoint(m[0], NaN, NaN, phase);
+  }
+  const ahead = larger(memory[SLOPE] * peak + memory[OFFSET], 0);
+  const end_x = memory[PEAK_X] + ahead * memory[UNIT_X];
+  const end_y = memory[PEAK_Y] + ahead * memory[UNIT_Y];
+  return $rows.endpoint(m[0], end_x, end_y, phase);
+}
+export const DelphianPredictor = {
+  step: step,
+  fill: $stage.copy_values,
+  settings: 3, learned: 0, states: 14,
+  parameters: [
+    { name: "slope_px_s_m", unit: "px s/m", low: 0, high: 100000, default: 56, meaning: "distance left at the peak for each m/s of its speed" },
+    { name: "offset_px", unit: "px", low: -10000, high: 10000, default: 111, meaning: "distance left at a peak without speed" },
+    { name: "fall", unit: "", low: 0, high: 0.9, default: 0.05, meaning: "share by which the speed must fall for a peak to be known" },
+  ],
+};

@@ -1,0 +1,22 @@
+// Written by `make page` from hold.py: change that and run it again.
+import * as $predictors_movement from "./movement.js";
+import * as $rows from "../rows.js";
+import * as $stage from "../stage.js";
+export const AT = 0;
+export function step(memory, motion) {
+  const m = motion;
+  const values_1 = $predictors_movement.follow(memory, AT, m);
+  const accepted = values_1[0];
+  if (!accepted) {
+    return $rows.REFUSED;
+  }
+  return $rows.endpoint(m[0], m[1], m[2], $predictors_movement.phase(memory, AT, m));
+}
+export const HoldPredictor = {
+  step: step,
+  fill: $stage.copy_values,
+  settings: 0, learned: 0, states: 9,
+  parameters: [
+
+  ],
+};

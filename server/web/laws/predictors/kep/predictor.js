@@ -1,0 +1,95 @@
+// Written by `make page` from predictor.py: change that and run it again.
+import { hypot } from "../../arithmetic.js";
+import * as $quartic from "./quartic.js";
+import * as $predictors_movement from "../movement.js";
+import * as $least_squares from "../../regression/least_squares.js";
+import * as $rows from "../../rows.js";
+import * as $stage from "../../stage.js";
+export const DEGREE = 0;
+export const REACH = 1;
+export const CHANGE_MOST = 2;
+export const AT = 3;
+export const FIT = 12;
+export const COEFFICIENTS = 50;
+export const LENGTH = 55;
+export const ACCEPTED = 56;
+export const ACCEPTED_X = 57;
+export const ACCEPTED_Y = 58;
+export const EXCITATION_LEAST = 1e-05;
+export function add(memory, distance, speed) {
+  const terms = Math.trunc(memory[DEGREE]) + 1;
+  let power = 1;
+  for (let j = 0; j < terms; j++) {
+    memory[FIT + $least_squares.REGRESSOR + j] = power;
+    power *= distance;
+  }
+  $least_squares.advance(memory, FIT, terms, 1, speed);
+}
+export function remaining(memory, travelled) {
+  const degree = Math.trunc(memory[DEGREE]);
+  if (!(travelled > 0 && $least_squares.solve(memory, FIT, degree + 1, EXCITATION_LEAST, COEFFICIENTS))) {
+    return NaN;
+  }
+  const c0 = memory[COEFFICIENTS];
+  const c1 = memory[COEFFICIENTS + 1] * travelled;
+  const c2 = memory[COEFFICIENTS + 2] * (travelled * travelled);
+  const c3 = degree > 2 ? memory[COEFFICIENTS + 3] * Math.pow(travelled, 3) : 0;
+  const c4 = degree > 3 ? memory[COEFFICIENTS + 4] * Math.pow(travelled, 4) : 0;
+  const here = [$quartic.value([c0, c1, c2, c3, c4], 1), c1 + 2 * c2 + 3 * c3 + 4 * c4, c2 + 3 * c3 + 6 * c4, c3 + 4 * c4, c4];
+  return $quartic.first_zero(here, memory[REACH]) * travelled;
+}
+export function judge(memory, length, x, y) {
+  const before = memory[LENGTH];
+  if (before > 0 && Math.abs(length - before) < memory[CHANGE_MOST] * before) {
+    memory[ACCEPTED] = 1;
+    memory[ACCEPTED_X] = x;
+    memory[ACCEPTED_Y] = y;
+  }
+  memory[LENGTH] = length > 0 ? length : 0;
+}
+export function step(memory, motion) {
+  const m = motion;
+  const values_1 = $predictors_movement.follow(memory, AT, m);
+  let accepted = values_1[0];
+  const new_ = values_1[1];
+  const dt = values_1[2];
+  if (!accepted) {
+    return $rows.REFUSED;
+  }
+  const travelled = memory[AT + $predictors_movement.PATH];
+  if (new_) {
+    memory.fill(0, FIT);
+  }
+  if (new_ || dt > 0) {
+    add(memory, travelled, hypot(m[3], m[4]));
+  }
+  const away_x = m[1] - memory[AT + $predictors_movement.X0];
+  const away_y = m[2] - memory[AT + $predictors_movement.Y0];
+  const away = hypot(away_x, away_y);
+  let end_x = NaN;
+  let end_y = NaN;
+  if (away > 0) {
+    const ahead = remaining(memory, travelled);
+    end_x = m[1] + ahead * (away_x / away);
+    end_y = m[2] + ahead * (away_y / away);
+    if (dt > 0) {
+      judge(memory, travelled + ahead, end_x, end_y);
+    }
+  }
+  if (memory[CHANGE_MOST] > 0) {
+    accepted = memory[ACCEPTED] === 1;
+    end_x = accepted ? memory[ACCEPTED_X] : NaN;
+    end_y = accepted ? memory[ACCEPTED_Y] : NaN;
+  }
+  return $rows.endpoint(m[0], end_x, end_y, $predictors_movement.phase(memory, AT, m));
+}
+export const KinematicEndpointPredictor = {
+  step: step,
+  fill: $stage.copy_values,
+  settings: 3, learned: 0, states: 56,
+  parameters: [
+    { name: "degree", unit: "", low: 2, high: 4, default: 4, whole: true, meaning: "degree of the polynomial of speed over distance" },
+    { name: "reach", unit: "", low: 0.001, high: 1000000, default: 10, meaning: "farthest zero ahead, as a multiple of the distance travelled" },
+    { name: "change_most", unit: "", low: 1e-06, high: 1, default: null, absent: 0, meaning: "relative change between samples of an accepted prediction" },
+  ],
+};

@@ -1,0 +1,67 @@
+// Written by `make page` from network.py: change that and run it again.
+import { larger, smaller } from "../../arithmetic.js";
+import * as $features from "./features.js";
+export const BASES = 5;
+export const ALONG = 0;
+export const ACROSS = 1;
+export const BASIS = 2;
+export const WIDE = 7;
+export const BROAD = 8;
+export const TAIL = 9;
+export const LEFT = 10;
+export const SPREAD = 11;
+export const OUTPUTS = 12;
+export const BASIS_ALONG = [9, 40, 42, 45, 28];
+export const BASIS_ACROSS = [50, 55, 57, 60, 52];
+export const SIDES = [57, 60];
+export const SIDE_SOFT = 0.01;
+export const WIDTH_LOGS = [-9, 4];
+export const TAIL_LOGS = [0.3, 4];
+export const LEFT_LOGS = [-6, 4];
+export const SPREAD_LOGS = [-3, 1.5];
+export const HEAD_START_S = 0.05;
+export const EXTREME = 6;
+export const FIRST = 0;
+export const SECOND = 1;
+export const HEAD = 2;
+export function side(values) {
+  const bent = values[SIDES[0]] + values[SIDES[1]];
+  return bent / Math.pow(bent * bent + SIDE_SOFT * SIDE_SOFT, 0.5);
+}
+export function layer(coefficients, at, inputs, sums) {
+  const width = sums.length;
+  const offset = at + inputs.length * width;
+  for (let j = 0; j < width; j++) {
+    sums[j] = coefficients[offset + j];
+  }
+  for (let i = 0, end_1 = inputs.length; i < end_1; i++) {
+    const value = inputs[i];
+    const weights = at + i * width;
+    for (let j = 0; j < width; j++) {
+      sums[j] += value * coefficients[weights + j];
+    }
+  }
+  return offset + width;
+}
+export function activate(sums) {
+  for (let j = 0, end_1 = sums.length; j < end_1; j++) {
+    sums[j] /= 1 + Math.exp(smaller(-sums[j], 60));
+  }
+}
+export function evaluate(coefficients, values, out) {
+  const mirror = side(values);
+  const count = values.length;
+  const inputs = new Float64Array(count);
+  for (let i = 0; i < count; i++) {
+    let value = i >= $features.ODD ? values[i] * mirror : values[i];
+    value = (value - coefficients[HEAD + i]) * coefficients[HEAD + count + i];
+    inputs[i] = smaller(larger(value, -EXTREME), EXTREME);
+  }
+  const first = new Float64Array(Math.trunc(coefficients[FIRST]));
+  const second = new Float64Array(Math.trunc(coefficients[SECOND]));
+  let at = layer(coefficients, HEAD + 2 * count, inputs, first);
+  activate(first);
+  at = layer(coefficients, at, first, second);
+  activate(second);
+  return layer(coefficients, at, second, out);
+}

@@ -1,0 +1,55 @@
+// Written by `make page` from predictor.py: change that and run it again.
+import { larger, smaller, square } from "../../arithmetic.js";
+import * as $kinematic_calibration from "./calibration.js";
+import * as $features from "./features.js";
+import * as $kinematic_network from "./network.js";
+import * as $observation from "./observation.js";
+import * as $predictors_movement from "../movement.js";
+import * as $rows from "../../rows.js";
+import * as $stage from "../../stage.js";
+export const AT = 0;
+export function bounded_exp(logarithm, bounds) {
+  return Math.exp(smaller(larger(logarithm, bounds[0]), bounds[1]));
+}
+export function step(memory, motion, coefficients) {
+  const m = motion;
+  const values = new Float64Array($features.FEATURES);
+  const values_1 = $observation.observe(memory, AT, m, values);
+  const accepted = values_1[0];
+  const frame = values_1[1];
+  if (!accepted) {
+    return $rows.REFUSED;
+  }
+  const phase = $predictors_movement.phase(memory, AT, m);
+  const reach = frame[0];
+  const ux = frame[2];
+  const uy = frame[3];
+  if (reach === 0) {
+    return $rows.endpoint(m[0], m[1], m[2], phase);
+  }
+  const out = new Float64Array($kinematic_network.OUTPUTS);
+  const calibration_at = $kinematic_network.evaluate(coefficients, values, out);
+  let along = out[$kinematic_network.ALONG];
+  let across = out[$kinematic_network.ACROSS] * $kinematic_network.side(values);
+  for (let i = 0; i < $kinematic_network.BASES; i++) {
+    along += out[$kinematic_network.BASIS + i] * values[$kinematic_network.BASIS_ALONG[i]];
+    across += out[$kinematic_network.BASIS + i] * values[$kinematic_network.BASIS_ACROSS[i]];
+  }
+  const since = m[0] - memory[AT + $predictors_movement.T0];
+  const left = (since + $kinematic_network.HEAD_START_S) * bounded_exp(out[$kinematic_network.LEFT], $kinematic_network.LEFT_LOGS);
+  const share = since / (since + left);
+  const scale = reach * $kinematic_calibration.factor(coefficients, calibration_at, share, $kinematic_calibration.WIDTH);
+  const wide = square(scale * bounded_exp(out[$kinematic_network.WIDE], $kinematic_network.WIDTH_LOGS));
+  const broad = square(scale * bounded_exp(out[$kinematic_network.BROAD], $kinematic_network.WIDTH_LOGS));
+  const tail = bounded_exp(out[$kinematic_network.TAIL], $kinematic_network.TAIL_LOGS);
+  const spread = bounded_exp(out[$kinematic_network.SPREAD], $kinematic_network.SPREAD_LOGS);
+  return [m[0], m[1] + reach * (along * ux - across * uy), m[2] + reach * (along * uy + across * ux), wide * ux * ux + broad * uy * uy, (wide - broad) * ux * uy, wide * uy * uy + broad * ux * ux, left, phase, tail * $kinematic_calibration.factor(coefficients, calibration_at, share, $kinematic_calibration.TAIL), spread * $kinematic_calibration.factor(coefficients, calibration_at, share, $kinematic_calibration.SPREAD)];
+}
+export const KinematicPredictor = {
+  step: step,
+  fill: $stage.copy_values,
+  settings: 0, learned: 0, states: 273,
+  parameters: [
+
+  ],
+};

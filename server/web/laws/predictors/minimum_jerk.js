@@ -1,0 +1,36 @@
+// Written by `make page` from minimum_jerk.py: change that and run it again.
+import { hypot, larger, smaller } from "../arithmetic.js";
+import * as $predictors_movement from "./movement.js";
+import * as $rows from "../rows.js";
+import * as $stage from "../stage.js";
+export const AT = 0;
+export function progress(ratio) {
+  const tau = 0.5 * (1 + Math.sqrt(1 - Math.sqrt(smaller(larger(ratio, 0), 1))));
+  return [tau, tau * tau * tau * (10 - tau * (15 - 6 * tau))];
+}
+export function step(memory, motion) {
+  const m = motion;
+  const values_1 = $predictors_movement.follow(memory, AT, m);
+  const accepted = values_1[0];
+  if (!accepted) {
+    return $rows.REFUSED;
+  }
+  const phase = $predictors_movement.phase(memory, AT, m);
+  const peak = memory[AT + $predictors_movement.PEAK];
+  if (peak < $predictors_movement.STILL_M_S) {
+    return $rows.endpoint(m[0], NaN, NaN, phase);
+  }
+  const values_2 = progress(hypot(m[3], m[4]) / peak);
+  const tau = values_2[0];
+  const done = values_2[1];
+  const ahead = (1 - done) / done;
+  return [m[0], m[1] + ahead * (m[1] - memory[AT + $predictors_movement.X0]), m[2] + ahead * (m[2] - memory[AT + $predictors_movement.Y0]), NaN, NaN, NaN, (m[0] - memory[AT + $predictors_movement.T0]) * (1 - tau) / tau, phase, NaN, NaN];
+}
+export const MinimumJerkPredictor = {
+  step: step,
+  fill: $stage.copy_values,
+  settings: 0, learned: 0, states: 9,
+  parameters: [
+
+  ],
+};

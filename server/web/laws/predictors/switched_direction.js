@@ -1,0 +1,95 @@
+// Written by `make page` from switched_direction.py: change that and run it again.
+import { hypot } from "../arithmetic.js";
+import * as $predictors_movement from "./movement.js";
+import * as $submovement from "./submovement.js";
+import * as $rows from "../rows.js";
+import * as $stage from "../stage.js";
+export const RISE = 0;
+export const TYPICAL_S = 1;
+export const OWN = 2;
+export const TURN = 3;
+export const WATCHED = 4;
+export const STOPPING = 5;
+export const AT = 6;
+export const UNIT = 15;
+export const VX = 23;
+export const VY = 24;
+export const HAND_X = 25;
+export const HAND_Y = 26;
+export const CROSS = 27;
+export const SQUARE = 28;
+export const END = 29;
+export function gain(memory, dt, away_x, away_y, vx, vy) {
+  memory[HAND_X] += 0.5 * dt * (vx + memory[VX]);
+  memory[HAND_Y] += 0.5 * dt * (vy + memory[VY]);
+  memory[VX] = vx;
+  memory[VY] = vy;
+  const hand_x = memory[HAND_X];
+  const hand_y = memory[HAND_Y];
+  memory[CROSS] += dt * (away_x * hand_x + away_y * hand_y);
+  memory[SQUARE] += dt * (hand_x * hand_x + hand_y * hand_y);
+  if (!(memory[CROSS] > 0 && memory[SQUARE] > 0)) {
+    return 0;
+  }
+  return memory[CROSS] / memory[SQUARE];
+}
+export function time_constant(own, typical_s, done, peak) {
+  if (own === 0) {
+    return typical_s;
+  }
+  return Math.pow(done / peak, own) * Math.pow(typical_s, 1 - own);
+}
+export function approach(memory, px_m, x, y, speed) {
+  const peak = memory[UNIT + $submovement.PEAK];
+  const peak_x = memory[UNIT + $submovement.PEAK_X];
+  const peak_y = memory[UNIT + $submovement.PEAK_Y];
+  const done = hypot(peak_x - memory[UNIT + $submovement.START_X], peak_y - memory[UNIT + $submovement.START_Y]);
+  if (done === 0) {
+    return 0;
+  }
+  const at_switch = 1 / time_constant(memory[OWN], memory[TYPICAL_S], done, peak * px_m);
+  const since = hypot(x - peak_x, y - peak_y);
+  const slope = since > 0 ? (peak - speed) * px_m / since : 0;
+  const share = Math.pow(speed / peak, memory[TURN]);
+  return share * at_switch + (1 - share) * memory[WATCHED] * slope;
+}
+export function step(memory, motion) {
+  const m = motion;
+  const values_1 = $predictors_movement.follow(memory, AT, m);
+  const accepted = values_1[0];
+  const new_ = values_1[1];
+  const dt = values_1[2];
+  if (!accepted) {
+    return $rows.REFUSED;
+  }
+  if (new_) {
+    memory.fill(0, VX, END);
+  }
+  if (new_ || m[0] === memory[AT + $predictors_movement.T0]) {
+    $submovement.begin(memory, UNIT, m[1], m[2]);
+  }
+  const speed = hypot(m[3], m[4]);
+  $submovement.follow(memory, UNIT, memory[RISE], m[1], m[2], speed);
+  const phase = $predictors_movement.phase(memory, AT, m);
+  const px_m = gain(memory, dt, m[1] - memory[AT + $predictors_movement.X0], m[2] - memory[AT + $predictors_movement.Y0], m[3], m[4]);
+  const rate = px_m > 0 && speed > $predictors_movement.STILL_M_S ? approach(memory, px_m, m[1], m[2], speed) : 0;
+  let ahead_s = rate > 0 ? 1 / rate : 0;
+  const braking = -(m[5] * m[3] + m[6] * m[4]);
+  if (braking > 0 && ahead_s * braking > memory[STOPPING] * speed * speed) {
+    ahead_s = memory[STOPPING] * speed * speed / braking;
+  }
+  return $rows.endpoint(m[0], m[1] + ahead_s * px_m * m[3], m[2] + ahead_s * px_m * m[4], phase);
+}
+export const SwitchedDirectionPredictor = {
+  step: step,
+  fill: $stage.copy_values,
+  settings: 6, learned: 0, states: 23,
+  parameters: [
+    { name: "rise", unit: "share of peak speed", low: 0, high: 10, default: 0.6, meaning: "a rise out of a valley by more is a sub-movement" },
+    { name: "typical_s", unit: "s", low: 0.0001, high: 10, default: 0.045, meaning: "time constant of a typical approach at its peak" },
+    { name: "own", unit: "", low: 0, high: 1, default: 0.4, meaning: "share of the sub-movement's own time in its time constant" },
+    { name: "turn", unit: "", low: 0, high: 1, default: 0.6, meaning: "power of speed over peak speed that says how much the peak counts" },
+    { name: "watched", unit: "", low: 0, high: 10, default: 0.65, meaning: "weight of the rate seen since the peak" },
+    { name: "stopping", unit: "", low: 0, high: 1000000, default: 0.5, meaning: "way left at most, in speed^2 / deceleration" },
+  ],
+};

@@ -1,0 +1,65 @@
+// Written by `make page` from choice_law.py: change that and run it again.
+import * as $cursor from "./cursor.js";
+import * as $decision from "./decision.js";
+import * as $posterior from "./posterior.js";
+import * as $rectangles from "./rectangles.js";
+export const KEEP = 0.4;
+export const OUTSIDE = 0;
+export const INSIDE = 1;
+export const ENTERED = 2;
+export const RELEASED = 3;
+export function innermost(table, inside) {
+  let best = $decision.NOBODY;
+  for (let i = 0, end_1 = table.length; i < end_1; i++) {
+    if (inside[i] === OUTSIDE || inside[i] === RELEASED || table[i][$rectangles.LOG_WEIGHT] === -Infinity) {
+      continue;
+    }
+    const area = table[i][$rectangles.WIDTH] * table[i][$rectangles.HEIGHT];
+    if (best === $decision.NOBODY || area <= table[best][$rectangles.WIDTH] * table[best][$rectangles.HEIGHT]) {
+      best = i;
+    }
+  }
+  return best;
+}
+export function enter(table, inside, x, y, released) {
+  let count = 0;
+  for (let i = 0, end_1 = table.length; i < end_1; i++) {
+    const row = table[i];
+    if (Math.abs(row[$rectangles.CENTRE_X] - x) <= 0.5 * row[$rectangles.WIDTH] && Math.abs(row[$rectangles.CENTRE_Y] - y) <= 0.5 * row[$rectangles.HEIGHT]) {
+      if (inside[i] === OUTSIDE) {
+        inside[i] = ENTERED;
+        count += 1;
+      } else {
+        inside[i] = released || inside[i] === RELEASED ? RELEASED : INSIDE;
+      }
+    } else {
+      inside[i] = OUTSIDE;
+    }
+  }
+  return count;
+}
+export function step(memory, event, answer, targets, model, standing) {
+  const t = event[0];
+  const x = event[1];
+  const y = event[2];
+  const pressed = event[3];
+  const table = targets[0];
+  const inside = targets[1];
+  const shares = targets[2];
+  const coefficients = model[0];
+  const settings = model[1];
+  const p = answer;
+  const released = $cursor.follow(memory, t, x, y, pressed);
+  if (released) {
+    standing = $decision.NOBODY;
+  }
+  $posterior.scores(memory, table, answer, coefficients, settings[$posterior.ELSEWHERE], shares);
+  $posterior.normalise(shares);
+  const count = enter(table, inside, x, y, released);
+  const ask = settings[$posterior.PRECISION];
+  const least_s = settings[$posterior.LEAST_LEAD_S];
+  const bounds = [ask, KEEP * ask, least_s, settings[$posterior.LEAST_WAY_PX]];
+  const chosen = $decision.decide(memory, table, shares, standing, p[6], bounds);
+  const over = innermost(table, inside);
+  return [chosen, over === chosen ? $decision.NOBODY : over, count];
+}

@@ -1,0 +1,91 @@
+// Written by `make page` from posterior.py: change that and run it again.
+import { larger, smaller } from "../arithmetic.js";
+import * as $events from "../events.js";
+import * as $cursor from "./cursor.js";
+import * as $evidence from "./evidence.js";
+import * as $rectangles from "./rectangles.js";
+export const FEATURES = 6;
+export const SET = 14;
+export const FITTED = new Float64Array([0, -0.2328, -0.4561, -1.789, 0.05295, -0.5663, 0.2747, -0.4731, -0.3258, -0.6721, 0.3524, 0, -0.3208, -2.712, 0, -0.2239, -0.4621, -1.803, 0.06911, -0.6918, 0.0004115, -0.5252, -0.3819, -0.7671, 0.3922, -0.2329, -0.5535, -1.907]);
+export const PRECISION = 0;
+export const ELSEWHERE = 1;
+export const LEAST_LEAD_S = 2;
+export const LEAST_WAY_PX = 3;
+export const FITTED_NONE = 0.25;
+export const FITTED_TARGETS = 16;
+export const FLATTEST = 1e-12;
+export const TAILS = [0.001, 1000000000];
+export function lawful(predicted) {
+  const sxx = predicted[2];
+  const sxy = predicted[3];
+  const syy = predicted[4];
+  const tail = predicted[5];
+  if (!((0 < sxx && sxx <= $events.LARGEST * $events.LARGEST) && (0 < syy && syy <= $events.LARGEST * $events.LARGEST) && Math.abs(sxy) <= $events.LARGEST * $events.LARGEST)) {
+    return false;
+  }
+  return sxx * syy - sxy * sxy > FLATTEST * sxx * syy && (tail !== tail || TAILS[0] <= tail && tail <= TAILS[1]);
+}
+export function scores(memory, table, answer, coefficients, elsewhere, out) {
+  let x = answer[1];
+  let y = answer[2];
+  let sxx = answer[3];
+  let sxy = answer[4];
+  let syy = answer[5];
+  const tail = answer[8];
+  const claimed = Math.abs(x) <= $events.LARGEST && Math.abs(y) <= $events.LARGEST;
+  if (!claimed) {
+    x = memory[$cursor.X];
+    y = memory[$cursor.Y];
+  }
+  let first = 0;
+  let predicted = [x, y, sxx, sxy, syy, tail];
+  if (!claimed || !lawful(predicted)) {
+    const values_1 = $evidence.unclaimed(memory, x, y);
+    sxx = values_1[0];
+    sxy = values_1[1];
+    syy = values_1[2];
+    first = SET;
+    predicted = [x, y, sxx, sxy, syy, NaN];
+  }
+  const now = $evidence.situation(memory);
+  const weight = new Float64Array(FEATURES);
+  const fast = memory[$cursor.PEAK] > 0 ? smaller(memory[$cursor.SPEED] / memory[$cursor.PEAK], 1) : 0;
+  for (let j = 0; j < FEATURES; j++) {
+    weight[j] = (1 - fast) * coefficients[first + j] + fast * coefficients[first + FEATURES + j];
+  }
+  const count = table.length;
+  const mass = weight[0] !== 0;
+  const usual = Math.log(FITTED_TARGETS * (1 - elsewhere) / (1 - FITTED_NONE));
+  for (let i = 0; i < count; i++) {
+    if (table[i][$rectangles.LOG_WEIGHT] === -Infinity) {
+      out[i] = -Infinity;
+      continue;
+    }
+    const values_2 = $evidence.feature(table[i], now, predicted, mass);
+    const f0 = values_2[0];
+    const f1 = values_2[1];
+    const f2 = values_2[2];
+    const f3 = values_2[3];
+    const f4 = values_2[4];
+    const f5 = values_2[5];
+    const score = weight[0] * f0 + weight[1] * f1 + weight[2] * f2;
+    out[i] = table[i][$rectangles.LOG_WEIGHT] + usual + score + weight[3] * f3 + weight[4] * f4 + weight[5] * f5;
+  }
+  const at = first + 2 * FEATURES;
+  const none = (1 - fast) * coefficients[at] + fast * coefficients[at + 1];
+  out[count] = none + Math.log(elsewhere / FITTED_NONE);
+}
+export function normalise(out) {
+  let most = -Infinity;
+  for (let i = 0, end_1 = out.length; i < end_1; i++) {
+    most = larger(most, out[i]);
+  }
+  let total = 0;
+  for (let i = 0, end_2 = out.length; i < end_2; i++) {
+    out[i] = Math.exp(out[i] - most);
+    total += out[i];
+  }
+  for (let i = 0, end_3 = out.length; i < end_3; i++) {
+    out[i] /= total;
+  }
+}

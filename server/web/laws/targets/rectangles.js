@@ -1,0 +1,30 @@
+// Written by `make page` from rectangles.py: change that and run it again.
+import { larger } from "../arithmetic.js";
+export const MOST_TARGETS = 1000;
+export const SMALLEST_PX = 0.001;
+export const CENTRE_X = 0;
+export const CENTRE_Y = 1;
+export const WIDTH = 2;
+export const HEIGHT = 3;
+export const LOG_WEIGHT = 4;
+export const FIELDS = 5;
+export function complete(rows) {
+  let most = -Infinity;
+  for (let i = 0, end_1 = rows.length; i < end_1; i++) {
+    rows[i][CENTRE_X] += 0.5 * rows[i][WIDTH];
+    rows[i][CENTRE_Y] += 0.5 * rows[i][HEIGHT];
+    const weight = rows[i][LOG_WEIGHT];
+    rows[i][LOG_WEIGHT] = weight > 0 ? Math.log(weight) : -Infinity;
+    most = larger(most, rows[i][LOG_WEIGHT]);
+  }
+  if (most === -Infinity) {
+    return;
+  }
+  let total = 0;
+  for (let i = 0, end_2 = rows.length; i < end_2; i++) {
+    total += Math.exp(rows[i][LOG_WEIGHT] - most);
+  }
+  for (let i = 0, end_3 = rows.length; i < end_3; i++) {
+    rows[i][LOG_WEIGHT] -= most + Math.log(total);
+  }
+}
