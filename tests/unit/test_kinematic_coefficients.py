@@ -1,7 +1,8 @@
-"""Files of coefficients that cannot be right are refused, each with a ParameterError that says why."""
+"""Files of coefficients: what is written packs well, and what cannot be right is refused with a reason."""
 
 from __future__ import annotations
 
+import gzip
 import os
 import zipfile
 from pathlib import Path
@@ -154,3 +155,27 @@ def test_a_card_that_is_none_is_refused_with_the_file_named(tmp_path: Path, card
     path = wrong(tmp_path / "odd.npz", card=np.frombuffer(card, np.uint8))
     with pytest.raises(ParameterError, match="odd"):
         KinematicPredictor(coefficients=path)
+
+
+def test_the_coefficients_of_the_package_pack_into_60_kilobytes() -> None:
+    packed = gzip.compress(coefficients.read(coefficients.OWN).astype("<f4").tobytes(), 9)
+    assert len(packed) < 60_000
+
+
+def test_what_is_written_is_single_precision_near_what_was_given(tmp_path: Path) -> None:
+    random, arrays = np.random.default_rng(3), own()
+    changed = {
+        name: array * random.uniform(0.5, 0.9, array.shape)
+        for name, array in arrays.items()
+        if array.dtype.kind == "f"
+    }
+    layers = [(changed[f"weights{number}"], changed[f"offset{number}"]) for number in range(3)]
+    path = tmp_path / "me.npz"
+    coefficients.write(path, changed["mean"], changed["scale"], layers, changed["table"], {})
+    given, flat = coefficients.read(wrong(tmp_path / "exact.npz", **changed)), coefficients.read(path)
+    np.testing.assert_allclose(flat, given, rtol=2.0**-10)
+    assert not np.array_equal(flat, given)
+    assert np.array_equal(flat, flat.astype(np.float32))
+    behind = (1 << 23 - coefficients.MANTISSA_BITS) - 1
+    assert not (flat.astype(np.float32).view(np.uint32) & behind).any()
+    assert np.array_equal(coefficients.short(flat), flat)

@@ -104,9 +104,10 @@ def test_the_law_computes_what_training_computes(material: data.TrainingData, tm
     fitted = train.fit_without(material, set(), None, SMALL)
     path = tmp_path / "small.npz"
     train.save(path, fitted, np.zeros((kinematic_calibration.KNOTS, kinematic_calibration.FACTORS)), {})
-    flat = coefficient_file.read(path)
+    flat, stored = coefficient_file.read(path), fitting.load_network(path)
     rows = material.own[0].features[:50]
-    for seen, wanted in zip(rows, fitted.outputs(rows), strict=True):
+    np.testing.assert_allclose(stored.outputs(rows), fitted.outputs(rows), atol=0.05)
+    for seen, wanted in zip(rows, stored.outputs(rows), strict=True):
         said = np.empty(net.OUTPUTS)
         at = net.evaluate(flat, seen.astype(np.float64), said)
         np.testing.assert_allclose(said, wanted, rtol=2e-3, atol=2e-4)
