@@ -1,5 +1,5 @@
 // Written by `make page` from network.py: change that and run it again.
-import { larger, smaller } from "../../arithmetic.js";
+import { larger, remainder, smaller } from "../../arithmetic.js";
 import * as $features from "./features.js";
 export const BASES = 5;
 export const ALONG = 0;
@@ -30,11 +30,26 @@ export function side(values) {
 }
 export function layer(coefficients, at, inputs, sums) {
   const width = sums.length;
-  const offset = at + inputs.length * width;
+  const count = inputs.length;
+  const offset = at + count * width;
   for (let j = 0; j < width; j++) {
     sums[j] = coefficients[offset + j];
   }
-  for (let i = 0, end_1 = inputs.length; i < end_1; i++) {
+  for (let k = 0, end_1 = Math.floor(count / 4); k < end_1; k++) {
+    const p = 4 * k;
+    const a = inputs[p];
+    const b = inputs[p + 1];
+    const c = inputs[p + 2];
+    const d = inputs[p + 3];
+    const wa = at + p * width;
+    const wb = at + (p + 1) * width;
+    const wc = at + (p + 2) * width;
+    const wd = at + (p + 3) * width;
+    for (let j = 0; j < width; j++) {
+      sums[j] = sums[j] + a * coefficients[wa + j] + b * coefficients[wb + j] + c * coefficients[wc + j] + d * coefficients[wd + j];
+    }
+  }
+  for (let i = count - remainder(count, 4); i < count; i++) {
     const value = inputs[i];
     const weights = at + i * width;
     for (let j = 0; j < width; j++) {
