@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 import pointpred
+from pointpred.columns import FloatArray
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.stage import CompiledStage
 from translation import stages
@@ -19,7 +20,7 @@ from translation.names import alias, renamed
 from translation.roots import ROOTS
 from translation.source import Name, UntranslatableError, is_law, module
 
-HAND_WRITTEN = ("arithmetic.js",)
+HAND_WRITTEN = ("arithmetic.js", "coefficients.js")
 """Files beside the translator that go into the folder as they are."""
 
 
@@ -47,7 +48,7 @@ def texts() -> dict[str, bytes]:
         for name in modules
     }
     files["registry.js"] = stages.registry_text(pointpred.__version__, path_of).encode()
-    files["kinematic.f32"] = coefficient_file.read(coefficient_file.OWN).astype("<f4").tobytes()
+    files["kinematic.f32"] = planes(coefficient_file.read(coefficient_file.OWN))
     here = Path(__file__).parent
     return files | {name: (here / name).read_bytes() for name in HAND_WRITTEN}
 
@@ -113,3 +114,13 @@ def constant(value: object) -> str:
     if isinstance(value, np.ndarray):
         return f"new Float64Array({number(tuple(value.tolist())).text})"
     return number(value).text
+
+
+def planes(coefficients: FloatArray) -> bytes:
+    """Coefficients as little-endian float32: the first bytes of all of them, then the second ones, and so on.
+
+    In this order the file compresses to four fifths; ``coefficients.js`` puts it right.
+    """
+    packed = coefficients.astype("<f4")
+    assert (packed == coefficients).all(), "coefficients must be float32 numbers"
+    return packed.view(np.uint8).reshape(-1, 4).T.tobytes()

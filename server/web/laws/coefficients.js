@@ -1,0 +1,14 @@
+// The coefficients of the learned predictor.
+
+const BYTES = 4;
+
+/**
+ * The numbers of a file of coefficients: float32, little-endian, the first bytes of all of them before the second ones, and so
+ * on, because the file is smaller so when it is compressed.
+ * @param {ArrayBuffer} packed @returns {Float64Array}
+ */
+export function unpack(packed) {
+  const planes = new Uint8Array(packed), count = planes.length / BYTES, view = new DataView(new ArrayBuffer(planes.length));
+  for (let k = 0; k < BYTES; k++) for (let i = 0; i < count; i++) view.setUint8(BYTES * i + k, planes[k * count + i]);
+  return Float64Array.from({ length: count }, (_, i) => view.getFloat32(BYTES * i, true));
+}

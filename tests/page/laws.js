@@ -1,0 +1,97 @@
+// Runs the laws in JavaScript over streams of events, and compares every answer with that of Python.
+
+/** @typedef {{name: string, differentiator: string, settings: object, rows: (number|null)[][], known: number[], answers: (number|null)[][]}} Stream */
+
+const PLACES = [1, 2], LEFT = 6, PHASE = 7;
+
+/** A stage: its laws and its memory. */
+class Stage {
+  constructor(kind, settings, coefficients) {
+    const values = Float64Array.from(kind.parameters, (one) => settings[one.name] ?? one.default ?? one.absent);
+    const [first, learned, states] = kind.sizes ? kind.sizes(values) : [kind.settings, kind.learned, kind.states];
+    [this.kind, this.settings, this.first, this.coefficients] = [kind, first, first + learned, coefficients];
+    this.memory = new Float64Array(first + learned + states);
+    kind.fill(values, this.memory);
+    kind.settle?.(this.memory);
+  }
+
+  step(row) {
+    return this.coefficients ? this.kind.step(this.memory, row, this.coefficients) : this.kind.step(this.memory, row);
+  }
+
+  reset() {
+    this.kind.conclude?.(this.memory);
+    this.memory.fill(0, this.first);
+  }
+}
+
+const numbers = (row) => row.map((value) => (value === null ? NaN : value));
+
+/**
+ * The furthest that the endpoints of a stream are from Python's, as a share of how far the movement or the prediction goes; the
+ * same for the time left and for the scale of the region; and the events at which a phase or a refusal differs.
+ * @param {string} laws the folder of the laws @param {Stream} stream @param {Float64Array} coefficients
+ */
+export async function compare(laws, stream, coefficients) {
+  const { PREDICTORS, DIFFERENTIATORS } = await import(`${laws}/registry.js`);
+  const entry = PREDICTORS[stream.name];
+  const differentiator = new Stage(await DIFFERENTIATORS[stream.differentiator].load(), stream.settings);
+  const predictor = new Stage(await entry.load(), stream.settings, entry.coefficients ? coefficients : undefined);
+  predictor.memory.set(stream.known, predictor.settings);
+  const worst = { place: 0, left: 0, scale: 0 }, unequal = [];
+  let start = null;
+  stream.rows.forEach((row, i) => {
+    if (row.length === 0) { // a reset
+      differentiator.reset();
+      predictor.reset();
+      start = null;
+      return;
+    }
+    const event = numbers(row), expected = stream.answers[i] && numbers(stream.answers[i]);
+    const before = differentiator.memory.slice();
+    const motion = differentiator.step(event);
+    const answer = motion[0] === motion[0] ? predictor.step(motion) : motion;
+    if (answer[0] !== answer[0]) differentiator.memory.set(before);
+    if ((answer[0] === answer[0]) !== Boolean(expected)) return unequal.push(i);
+    if (!expected) return;
+    start ??= event;
+    if (answer[PHASE] !== expected[PHASE] || (answer[1] === answer[1]) !== (expected[1] === expected[1])) return unequal.push(i);
+    const far = Math.max(1, ...PLACES.map((k) => Math.abs(event[k] - start[k])), ...PLACES.map((k) => Math.abs(expected[k] - event[k]) || 0));
+    for (const k of PLACES) worst.place = Math.max(worst.place, Math.abs(answer[k] - expected[k]) / far || 0);
+    worst.left = Math.max(worst.left, Math.abs(answer[LEFT] - expected[LEFT]) / Math.max(1, expected[LEFT]) || 0);
+    for (const k of [3, 4, 5])
+      worst.scale = Math.max(worst.scale, Math.abs(answer[k] - expected[k]) / (Math.abs(expected[3]) + Math.abs(expected[5])) || 0);
+  });
+  return { name: stream.name, differentiator: stream.differentiator, ...worst, unequal };
+}
+
+/**
+ * The same for targets: the furthest that a share is from Python's, and the events at which a decision differs.
+ * @param {string} laws @param {{table: number[][], settings: number[], events: (number|null)[][], answers: (number|null)[][],
+ *   shares: number[][], decisions: number[][]}} given
+ */
+export async function compareTargets(laws, given) {
+  const { step } = await import(`${laws}/targets/choice_law.js`);
+  const { FITTED } = await import(`${laws}/targets/posterior.js`);
+  const { STATES } = await import(`${laws}/targets/cursor.js`);
+  const table = given.table.map((row) => Float64Array.from(row)), count = table.length;
+  const targets = [table, new Float64Array(count), new Float64Array(count + 1)], model = [FITTED, Float64Array.from(given.settings)];
+  const memory = new Float64Array(STATES), unequal = [];
+  let standing = -1, worst = 0;
+  given.events.forEach((event, i) => {
+    const decision = step(memory, [event[0], event[1], event[2], event[5] & 1], numbers(given.answers[i]), targets, model, standing);
+    standing = decision[0];
+    if (String(decision) !== String(given.decisions[i])) unequal.push(i);
+    for (let k = 0; k <= count; k++) worst = Math.max(worst, Math.abs(targets[2][k] - given.shares[i][k]));
+  });
+  return { worst, unequal };
+}
+
+/** All comparisons of one file of cases. @param {string} laws @param {{streams: Stream[], targets: object}} cases @param {ArrayBuffer} packed */
+export async function compareAll(laws, cases, packed) {
+  const { unpack } = await import(`${laws}/coefficients.js`);
+  const coefficients = unpack(packed);
+  const streams = [];
+  for (const stream of cases.streams) streams.push(await compare(laws, stream, coefficients));
+  return { streams, targets: await compareTargets(laws, cases.targets) };
+}
