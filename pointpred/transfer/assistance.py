@@ -26,6 +26,9 @@ _, _, SIDEWAYS, UNCERTAIN, UNCLAIMED, GUARDED, OWED, END = offsets(
     1, 1, 1, 1, 1, pixels.LENGTH, pixels.CARRIED
 )
 
+USUAL_GUARD = (0.5, 0.5, 0.25)
+"""``sideways``, ``uncertain`` and ``unclaimed`` unless they are set."""
+
 Way = tuple[float, float, float, float, float]
 """The endpoint minus the cursor, x and y in px, and its covariance sxx, sxy, syy in px^2; NaN: none."""
 UNGUIDED: Way = (nan, nan, nan, nan, nan)
@@ -252,12 +255,18 @@ class GuardedTransfer(ReportStage):
     rho: float = parameter("1/s", 0.0, 1e4, "rate at which the cursor is pulled to the endpoint", default=8.0)
     strength: float = parameter("", 0.0, 1.0, "longest pull as a share of the hand's own motion", default=0.5)
     sideways: float = parameter(
-        "", 0.0, 1.0, "longest pull across the hand's direction, as a share of strength", default=0.5
+        "",
+        0.0,
+        1.0,
+        "longest pull across the hand's direction, as a share of strength",
+        default=USUAL_GUARD[0],
     )
     uncertain: float = parameter(
-        "", 1e-3, 1e3, "spread of the endpoint over the way to it at which help ends", default=0.5
+        "", 1e-3, 1e3, "spread of the endpoint over the way to it at which help ends", default=USUAL_GUARD[1]
     )
-    unclaimed: float = parameter("", 0.0, 1e3, "that spread where a predictor claims none", default=0.25)
+    unclaimed: float = parameter(
+        "", 0.0, 1e3, "that spread where a predictor claims none", default=USUAL_GUARD[2]
+    )
     states = pixels.STATES + pixels.CARRIED
     width = 5
     loop = staticmethod(loop_of(guarded_step, guided_report_at))

@@ -26,6 +26,8 @@ PX_PER_COUNT, METRES_PER_COUNT, PERIOD_S, GAP_S, FUNCTION, STARTED, T, GAIN, CAR
 )
 SETTINGS, STATES = STARTED, LENGTH - STARTED
 AT = 0
+USUAL_TIMES_S = (0.001, 0.1)
+"""``period_s`` and ``gap_s`` unless they are set."""
 
 
 class Report(NamedTuple):
@@ -110,8 +112,10 @@ class ReportStage(CompiledStage):
     function: functions.TransferFunction = option("the transfer function", kw_only=False)
     cpi: float = parameter("counts per inch", *CPI, "resolution of the device")
     dpi: float = parameter("px per inch", *DPI, "resolution of the screen", default=96.0)
-    period_s: float = parameter("s", 1e-5, 1.0, "time taken for the first report", default=0.001)
-    gap_s: float = parameter("s", 1e-3, 1e3, "longest time between two reports that is believed", default=0.1)
+    period_s: float = parameter("s", 1e-5, 1.0, "time taken for the first report", default=USUAL_TIMES_S[0])
+    gap_s: float = parameter(
+        "s", 1e-3, 1e3, "longest time between two reports that is believed", default=USUAL_TIMES_S[1]
+    )
 
     def settings(self) -> list[float] | FloatArray:
         """The beginning of the memory: the subclass's own parameters, then those of the device."""
