@@ -46,8 +46,8 @@ ROOTS = {
         "SPEED",
         "STATES",
     ),
-    "pointpred.transfer.assistance": ("guarded_step", "GUARDED", "END"),
+    "pointpred.transfer.assistance": ("guarded_step", "GUARDED", "END", "USUAL_GUARD"),
     "pointpred.transfer.functions": ("CONSTANT", "SIGMOID", "SLOTS", "MACOS"),
-    "pointpred.transfer.pixels": ("lay_out", "SETTINGS"),
+    "pointpred.transfer.pixels": ("lay_out", "SETTINGS", "USUAL_TIMES_S"),
 }
 """What the page's own code calls by name, beside the laws of all predictors and differentiators."""

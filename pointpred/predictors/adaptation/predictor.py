@@ -125,6 +125,7 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     step = staticmethod(step)
     conclude = staticmethod(conclude)
     slots = correction.SLOTS
+    fault = staticmethod(correction.fault)
     doubt = staticmethod(correction.doubt)
     fault = staticmethod(correction.fault)
     sizes = staticmethod(sizes)

@@ -1,0 +1,204 @@
+// A differentiator and a predictor, joined: events in, predictions out.
+
+import { T as LAST_T, STARTED } from "../laws/differentiators/sampling.js";
+import { EventError } from "./errors.js";
+import { general, quoted } from "./words.js";
+
+const PHASES = /** @type {const} */ (["still", "ballistic", "corrective"]);
+const LARGEST = 1e9; // positions, counts and buttons are smaller
+const LATEST_S = 1e11; // times are smaller
+
+/**
+ * @typedef {import("./stage.js").Row} Row
+ * @typedef {{t: number, x: number, y: number, dx?: number|null, dy?: number|null, buttons?: number}} PointerEvent t s, x y px
+ *   of the viewport, y down; dx dy: counts of the device, if there are any; buttons as in W3C pointer events
+ */
+
+/** Where a movement will end, as seen at `t`. */
+export class Prediction {
+  /** @param {Row} row t, x, y, sxx, sxy, syy, remaining_s, phase, tail, remaining_spread; NaN: not claimed */
+  constructor([t, x, y, sxx, sxy, syy, remaining, phase, tail, spread]) {
+    /** s */ this.t = t;
+    /** px */ this.x = x;
+    /** px */ this.y = y;
+    /** [sxx, sxy, syy] px^2: the scale matrix of the endpoint's law. @type {number[]|null} */
+    this.scale = sxx === sxx ? [sxx, sxy, syy] : null;
+    /** @type {"still"|"ballistic"|"corrective"} */ this.phase = PHASES[phase];
+    /** s until arrival. @type {number|null} */ this.remaining_s = claimed(remaining);
+    /** Degrees of freedom of a Student law; null: the law is normal. @type {number|null} */ this.tail = claimed(tail);
+    /** Standard deviation of the logarithm of the time left. @type {number|null} */ this.remaining_spread = claimed(spread);
+  }
+
+  /** [sxx, sxy, syy] px^2 of the endpoint; null where no region is claimed, or its law has none (a tail up to 2). @returns {number[]|null} */
+  get covariance() {
+    if (this.scale === null || this.tail === null) return this.scale;
+    if (!(this.tail > 2)) return null;
+    const wider = 1 / (1 - 2 / this.tail);
+    return this.scale.map((part) => wider * part);
+  }
+
+  /** The law as `regionOf` takes it. @returns {{sxx: number, sxy: number, syy: number, tail: number|null}|null} */
+  get region() {
+    if (this.scale === null) return null;
+    const [sxx, sxy, syy] = this.scale;
+    return { sxx, sxy, syy, tail: this.tail };
+  }
+}
+
+const claimed = (value) => (value === value ? value : null);
+
+/** The prediction of a row; null where it claims no endpoint. @param {Row} row @returns {Prediction|null} */
+const predictionOf = (row) => (row[1] === row[1] ? new Prediction(row) : null);
+
+/** Consumes events one by one. Where an event is refused, nothing has changed. */
+export class Pipeline {
+  #differentiator; #predictor; #samplingAt;
+
+  /**
+   * Use `build`.
+   * @param {string} name @param {import("./stage.js").Stage} differentiator @param {import("./stage.js").Stage} predictor
+   * @param {number} samplingAt the place of the sampling state in the differentiator's memory
+   */
+  constructor(name, differentiator, predictor, samplingAt) {
+    this.name = name;
+    [this.#differentiator, this.#predictor, this.#samplingAt] = [differentiator, predictor, samplingAt];
+  }
+
+  /**
+   * Consumes one event; null where nothing is justified now. Throws an EventError for a time before the last
+   * (`code` "time_backwards") and for a value that is not finite or out of range.
+   * @param {PointerEvent} event @returns {Prediction|null}
+   */
+  update(event) {
+    const wrong = wrongKind(event);
+    if (wrong !== null) throw wrong;
+    const { t, x, y, dx, dy, buttons = 0 } = event;
+    const answer = this.advance([t, x, y, dx ?? NaN, dy ?? NaN, buttons]);
+    if (answer === null) throw this.refusal(event);
+    return predictionOf(answer);
+  }
+
+  /**
+   * `update` in rows: t, x, y, dx, dy (NaN: no counts), buttons in; the ten numbers of a prediction out, x NaN where nothing
+   * is justified. Null where the event is refused.
+   * @param {Row} row @returns {Row|null}
+   */
+  advance(row) {
+    this.#differentiator.keep(); // it has moved on when the predictor refuses its motion
+    let answer = null;
+    try {
+      const motion = this.#differentiator.advance(row);
+      if (motion[0] === motion[0]) answer = this.#predictor.advance(motion);
+    } finally {
+      if (answer === null || answer[0] !== answer[0]) this.#differentiator.recall();
+    }
+    return answer !== null && answer[0] === answer[0] ? answer : null;
+  }
+
+  /**
+   * `advance` for rows in turn: all are taken in, or none. Null where one of them is refused.
+   * @param {Row[]} rows @returns {Row[]|null}
+   */
+  advanceAll(rows) {
+    if (rows.length === 1) { // most frames
+      const answer = this.advance(rows[0]);
+      return answer === null ? null : [answer];
+    }
+    const before = this.remembered, answers = [];
+    try {
+      for (const row of rows) {
+        const answer = this.advance(row);
+        if (answer === null) break;
+        answers.push(answer);
+      }
+    } finally {
+      if (answers.length < rows.length) this.remembered = before;
+    }
+    return answers.length < rows.length ? null : answers;
+  }
+
+  /** Copies of both memories; setting them goes on from there. @type {[Float64Array, Float64Array]} */
+  get remembered() {
+    return [this.#differentiator.remembered, this.#predictor.remembered];
+  }
+
+  set remembered([ofDifferentiator, ofPredictor]) {
+    this.#differentiator.remembered = ofDifferentiator;
+    this.#predictor.remembered = ofPredictor;
+  }
+
+  /** Why `update` refuses an event. @param {PointerEvent} event @returns {EventError} */
+  refusal(event) {
+    for (const name of ["t", "x", "y", "dx", "dy", "buttons"]) {
+      const value = event[name] ?? (name === "buttons" ? 0 : null), high = name === "t" ? LATEST_S : LARGEST;
+      const low = name === "buttons" ? 0 : -high;
+      if (value === null) continue;
+      if (!(value >= low && value <= high))
+        return new EventError(`${name} must lie in [${general(low)}, ${general(high)}], received ${value}`, { field: name, value });
+      if (name === "buttons" && !Number.isInteger(value))
+        return new EventError(`buttons must be a whole number, received ${value}`, { field: name, value });
+    }
+    const { t, dx = null, dy = null } = event, last = this.#lastTime;
+    if ((dx === null) !== (dy === null))
+      return new EventError(`dx and dy come together or not at all, received ${dx} and ${dy}`, { field: "dx", value: dx });
+    if (t < last) {
+      const message = `t must not run backwards: received ${t} s after ${last} s`;
+      return new EventError(message, { code: "time_backwards", field: "t", value: t });
+    }
+    return new EventError(`event refused: ${JSON.stringify(event)}`);
+  }
+
+  /** The time of the last event, s; -Infinity before the first. */
+  get #lastTime() {
+    const at = this.#samplingAt;
+    return this.#differentiator.at(at + STARTED) === 1 ? this.#differentiator.at(at + LAST_T) : -Infinity;
+  }
+
+  /** Whether finished movements change what is said of the next: then only a new person starts fresh. */
+  get learns() {
+    return this.#predictor.learns;
+  }
+
+  /** Whether what finished movements taught can be saved. */
+  get portable() {
+    return this.#predictor.portable;
+  }
+
+  /**
+   * What finished movements taught of the person, for `build(name, { person })`: the string that Python's pipelines give. ""
+   * while nobody is known, and always where nothing is learned or can be saved (`ktm`). `reset` finishes the current movement.
+   * @returns {string}
+   */
+  get person() {
+    return this.#predictor.person;
+  }
+
+  /** Forgets every event: the next one starts a movement. What is known of the person stays. */
+  reset() {
+    this.#differentiator.reset();
+    this.#predictor.reset();
+  }
+
+  /** A pipeline with the same parameters and no memory, which knows nobody. @returns {Pipeline} */
+  fresh() {
+    return new Pipeline(this.name, this.#differentiator.fresh(), this.#predictor.fresh(), this.#samplingAt);
+  }
+
+  /** Goes on with what is known of a person; for a pipeline without memory. Throws a ParameterError. @param {string} person */
+  restore(person) {
+    this.#predictor.restore(person);
+  }
+}
+
+/** The error for an event with a field that is no number, null for none. A count may be missing. */
+function wrongKind(event) {
+  if (event === null || typeof event !== "object") return new EventError(`an event must be an object, received ${quoted(event)}`);
+  for (const name of ["t", "x", "y", "dx", "dy", "buttons"]) {
+    const value = event[name] ?? null, missing = value === null && !["t", "x", "y"].includes(name);
+    if (!missing && typeof value !== "number")
+      return new EventError(`${name} must be a number, received ${quoted(value)}`, { field: name, value });
+    if (value !== value)
+      return new EventError(`${name} must be finite, received NaN`, { field: name, value });
+  }
+  return null;
+}

@@ -1,0 +1,104 @@
+// A session in the page: it answers the messages of `pointpred.v1` as the service does, without a service.
+
+import { MOST_TARGETS } from "../laws/targets/rectangles.js";
+import { EventError } from "./errors.js";
+import { checked, ProtocolError } from "./messages.js";
+import { PredictionStream } from "./stream.js";
+
+const VERSION = 1;
+/** What a session may do: nobody else waits for it, so most of it is without bounds. @type {import("../pointpred.js").Limits} */
+const LIMITS = Object.freeze({ max_frame_bytes: Infinity, max_events_per_frame: Infinity, max_events_per_s: Infinity,
+  max_targets: MOST_TARGETS, max_sessions: 1, idle_s: Infinity });
+
+/** One session. A message that is to be waited for is answered by a promise; no other may be sent before it is resolved. */
+export class PageSession {
+  /** Why the session has ended; null while it goes on. @type {string|null} */ ended = null;
+  #send; #stream = null;
+
+  /** @param {(message: object) => void} send is called with each answer, an object as the service sends it as JSON */
+  constructor(send) {
+    this.#send = send;
+  }
+
+  /** Takes in events: t, x, y, dx, dy (null: no counts), buttons. @param {import("../pointpred.js").EventRow[]} rows */
+  receiveRows(rows) {
+    if (this.ended !== null) return;
+    try {
+      if (this.#stream === null) throw outOfPlace("expected 'hello' first, received 'events'");
+      if (rows.length) this.#stream.feed(rows.map(([t, x, y, dx, dy, buttons]) => [t, x, y, dx ?? NaN, dy ?? NaN, buttons]));
+    } catch (error) {
+      this.#refuse(error);
+    }
+  }
+
+  /** Takes in a message. @param {object} message @returns {Promise<void>|undefined} */
+  receive(message) {
+    if (message?.type === "events" && Array.isArray(message.events)) return this.receiveRows(message.events);
+    return this.ended === null ? this.#answer(message) : undefined;
+  }
+
+  async #answer(message) {
+    try {
+      const asked = checked(message), { type } = asked;
+      if (type === "bye") return this.#end(asked.reason || "bye");
+      if (type === "hello" && this.#stream !== null) throw outOfPlace("expected 'hello' once");
+      if (type !== "hello" && this.#stream === null) throw outOfPlace(`expected 'hello' first, received '${type}'`);
+      const reply = await this.#handlers[type](asked);
+      if (reply !== undefined) this.#send(reply);
+    } catch (error) {
+      this.#refuse(error);
+    }
+  }
+
+  /** What is done at each message; the answer is sent. */
+  #handlers = {
+    hello: async (hello) => {
+      if (hello.version !== VERSION) throw new ProtocolError("bad_field", `version must be ${VERSION}, received ${hello.version}`, "$.version");
+      const kind = hello.assist == null ? PredictionStream : (await import("./assisted-stream.js")).AssistedStream;
+      this.#stream = await kind.open(hello, this.#send);
+      return this.#welcome();
+    },
+    configure: async (message) => {
+      await this.#stream.configure(message);
+      return this.#welcome();
+    },
+    targets: ({ targets }) => {
+      this.#checkTargets(targets);
+      this.#stream.replaceTargets(targets);
+      return { type: "targets", count: targets.length };
+    },
+    trial: ({ action, target = null }) => (action === "start" ? this.#stream.startTrial(target) : this.#stream.endTrial(target)),
+    reset: () => this.#stream.reset(),
+    person: async ({ person }) => ({ type: "person", person: await this.#stream.person(person) }),
+  };
+
+  #checkTargets(targets) {
+    if (targets.length > MOST_TARGETS) throw new ProtocolError("too_many", `at most ${MOST_TARGETS} targets, received ${targets.length}`, "$.targets");
+    const ids = new Set();
+    targets.forEach(({ id }, place) => {
+      if (ids.has(id)) throw new ProtocolError("bad_field", `id '${id}' occurs twice`, `$.targets[${place}].id`, { field: "id", value: id });
+      ids.add(id);
+    });
+  }
+
+  #welcome() {
+    return { type: "welcome", version: VERSION, session: "page", predictor: this.#stream.hello.predictor, limits: LIMITS };
+  }
+
+  /** Sends why something was not used; what is nobody's mistake but ours, or a file that cannot be fetched, ends the session. */
+  #refuse(error) {
+    if (error instanceof ProtocolError) return this.#send(error.answer);
+    if (error instanceof EventError)
+      return this.#send(new ProtocolError("bad_field", error.message, "$.events", error).answer);
+    console.error(error);
+    this.#send(new ProtocolError("internal", `the prediction failed: ${error.message}`, null, { recoverable: false }).answer);
+    this.#end(error.message);
+  }
+
+  #end(reason) {
+    this.ended = reason;
+    this.#stream = null;
+  }
+}
+
+const outOfPlace = (sentence) => new ProtocolError("out_of_place", sentence);

@@ -1,0 +1,75 @@
+// The targets of a session: how likely each is, which is proposed, and how good the proposals were.
+
+import { Chooser, PRECISION } from "./chooser.js";
+import { ParameterError } from "./errors.js";
+import { ProtocolError } from "./messages.js";
+
+/** Decides among the targets of a session; what it proposes and retracts is sent. */
+export class TargetTracker {
+  #send; #chooser = new Chooser(); #targets = []; #lastTime = null;
+
+  /** @param {(message: object) => void} send @param {number|null} precision share of proposals that shall be right, null: the chooser's own */
+  constructor(send, precision) {
+    this.#send = send;
+    if (precision !== null) this.configure(precision);
+  }
+
+  /** The share of proposals that shall be right, brought within the bounds of the chooser. @param {number} precision 0 to 1 */
+  configure(precision) {
+    this.#chooser.configure({ precision: Math.min(Math.max(precision, PRECISION.low), PRECISION.high) });
+  }
+
+  /** Replaces the targets; a proposal of one that is gone is retracted. Throws a ProtocolError. @param {import("./chooser.js").Target[]} targets */
+  replace(targets) {
+    let changes;
+    try {
+      changes = this.#chooser.replace(targets);
+    } catch (error) {
+      if (!(error instanceof ParameterError)) throw error;
+      throw new ProtocolError("bad_field", error.message, "$.targets", error);
+    }
+    this.#targets = targets;
+    this.#announce(this.#lastTime, changes);
+  }
+
+  /** Forgets every event; what is proposed is retracted. */
+  reset() {
+    const proposed = [this.#chooser.standing, this.#chooser.entered].filter((id) => id !== null);
+    this.#announce(this.#lastTime, proposed.map((id) => ({ id, p: 0, action: "retract", reason: null })));
+    this.#chooser.reset();
+    this.#lastTime = null;
+  }
+
+  /** Decides after an event and its prediction. @param {number[]} event @param {number[]} answer */
+  follow(event, answer) {
+    const changes = this.#chooser.update(answer, event);
+    this.#lastTime = event[0];
+    if (changes.length) this.#announce(event[0], changes);
+  }
+
+  /** The likeliest five and their probabilities. @returns {{id: string, p: number}[]} */
+  get likeliest() {
+    return this.#chooser.likeliest();
+  }
+
+  /** Finishes the movement: how good its proposals were, null where the goal is unknown. @param {{x: number, y: number}|null} goal */
+  finishTrial(goal) {
+    if (goal === null) return null;
+    const { proposed, hit, wasted, lead_entry_s } = this.#chooser.finish(this.#targetAt(goal));
+    return { fired: proposed, hit, wasted, lead_s: lead_entry_s };
+  }
+
+  #announce(t, changes) {
+    for (const { id, p, action, reason } of changes) this.#send({ type: "choice", id, p, action, t, reason });
+  }
+
+  /** The target that holds the goal's centre, the one with the nearest centre; null without any. */
+  #targetAt({ x, y }) {
+    let nearest = null, least = Infinity;
+    for (const one of this.#targets) {
+      const across = Math.abs(one.x + one.width / 2 - x), down = Math.abs(one.y + one.height / 2 - y);
+      if (across <= one.width / 2 && down <= one.height / 2 && across + down < least) [nearest, least] = [one.id, across + down];
+    }
+    return nearest;
+  }
+}

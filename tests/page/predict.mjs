@@ -1,0 +1,16 @@
+// A pipeline by its name: steps are rows of events, "reset", "fresh", and "person".
+
+import { build } from "../../server/web/prediction/build.js";
+import { answer, attempt, given, numbers } from "./given.mjs";
+
+const { name, options, steps } = await given();
+answer(await attempt(async () => {
+  let pipeline = await build(name, options);
+  return steps.map((step) => {
+    if (step === "person") return pipeline.person;
+    if (step === "reset") return pipeline.reset() ?? null;
+    if (step === "fresh") return (pipeline = pipeline.fresh()) && null;
+    const answer = pipeline.advance(numbers(step));
+    return answer && [...answer];
+  });
+}));
