@@ -127,7 +127,6 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     slots = correction.SLOTS
     fault = staticmethod(correction.fault)
     doubt = staticmethod(correction.doubt)
-    fault = staticmethod(correction.fault)
     sizes = staticmethod(sizes)
 
     def declare(self, **values: Any) -> None:

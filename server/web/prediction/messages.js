@@ -86,7 +86,7 @@ export function checked(message) {
   const kind = message?.type;
   if (typeof kind !== "string" || !Object.hasOwn(MESSAGES, kind)) {
     const known = Object.keys(MESSAGES).join(", ");
-    throw new ProtocolError(typeof kind === "string" ? "unknown_type" : "bad_field", `unknown message ${quoted(kind)}; known: ${known}`, "$.type",
+    throw new ProtocolError(["string", "undefined"].includes(typeof kind) ? "unknown_type" : "bad_field", `unknown message ${quoted(kind)}; known: ${known}`, "$.type",
       { field: "type", value: kind });
   }
   MESSAGES[kind](message, "$");

@@ -10,6 +10,7 @@ export const UNCLAIMED = 4;
 export const GUARDED = 5;
 export const OWED = 22;
 export const END = 24;
+export const USUAL_GUARD = [0.5, 0.5, 0.25];
 export function spread(way_px, sxx, sxy, syy, unclaimed) {
   if (sxx !== sxx) {
     return unclaimed;

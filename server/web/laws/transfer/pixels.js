@@ -12,6 +12,7 @@ export const T = 13;
 export const GAIN = 14;
 export const CARRY = 15;
 export const SETTINGS = 12;
+export const USUAL_TIMES_S = [0.001, 0.1];
 export function carry(memory, at, moved_px) {
   const rest = memory[at] * moved_px >= 0 ? memory[at] : 0;
   const whole = Math.trunc(rest + moved_px);
