@@ -1,5 +1,5 @@
 // Cards light up while the pointer is still on its way to them, and their pages are fetched once.
-import { connect } from "/pointpred.js";
+import { connect } from "./pointpred.js";
 
 const status = document.getElementById("status");
 const connection = connect();

@@ -47,6 +47,8 @@
  *   the cursor by the counts of events, assisted towards the predicted endpoint; needs `device.cpi` and counts
  * @property {string} [person] what an earlier session has learned about the person; nothing unless given
  * @property {string} [token] if the service asks for one
+ * @property {boolean} [page] true: predictions are made in the page, without a service; their modules are loaded when it is opened,
+ *   and predictions hold the likeliest targets unless `encoding` is "binary"
  * @property {EventTarget} [element] whose pointer events are streamed; the window by default
  * @property {boolean} [pointer] false: only events passed to `send` are streamed
  * @property {"client"|"screen"} [coordinates]
@@ -56,8 +58,9 @@
 
 import { findRefusal, isOwn, socketAddress, warningFor } from "./client/address.js";
 import { EventQueue } from "./client/event-queue.js";
-import { decode, frames, row, targetsFrame } from "./client/frames.js";
+import { decode, row, targetsFrame } from "./client/frames.js";
 import { PageChoices } from "./client/page-choices.js";
+import { PageSocket } from "./client/page-socket.js";
 import { Person } from "./client/person.js";
 import { PointerStream } from "./client/pointer-stream.js";
 import { Proposals } from "./client/proposals.js";
@@ -99,8 +102,9 @@ export class Connection {
 
   /** Use `connect`. @param {string|URL|undefined} url @param {Options} options */
   constructor(url, options) {
-    this.#options = { predictor: "kinematic-adaptive", reply: "frame", encoding: "binary", element: window, pointer: true,
-      coordinates: "client", targets: [], queue: 8192, ...withoutUndefined(options) };
+    const given = withoutUndefined(options);
+    this.#options = { predictor: "kinematic-adaptive", reply: "frame", encoding: given.page ? "json" : "binary", element: window, pointer: true,
+      coordinates: "client", targets: [], queue: 8192, ...given };
     this.#url = url;
     this.#queue = new EventQueue(this.#options.queue);
     const { predictor, parameters = {}, device, reply, encoding, assist } = this.#options;
@@ -110,9 +114,10 @@ export class Connection {
     this.#person = new Person(this.#options.person ?? "", predictor, {
       send: (message) => this.#transmit(JSON.stringify(message)),
       onChange: (person) => this.#emit("person", { type: "person", person }) });
-    this.#socket = new RetryingSocket(() => this.#address, {
+    const handlers = {
       onOpen: () => this.#socket.send(this.#settings.hello(this.#person.hello(this.#settings.predictor))),
-      onMessage: (data) => this.#receive(data), onClose: () => this.#endSession() });
+      onMessage: (data) => this.#receive(data), onClose: () => this.#endSession() };
+    this.#socket = given.page ? new PageSocket(handlers) : new RetryingSocket(() => this.#address, handlers);
     const { element, pointer, coordinates, targets } = this.#options;
     const onScreen = coordinates === "screen", { signal } = this.#stop;
     if (pointer) this.#pointer = new PointerStream(element, { onScreen, onRows: (rows) => this.#addRows(rows), signal });
@@ -277,7 +282,7 @@ export class Connection {
     if (this.#errorCode === "idle" && this.#queue.length === 0) return this.#setState("idle");
     this.#socket.retry(() => this.#open());
     this.#setState("waiting");
-    if (!this.#socket.opened) this.#findRefusal(this.#address);
+    if (!this.#socket.opened && !this.#options.page) this.#findRefusal(this.#address);
   }
 
   /** If the origin of the page is not allowed, stops trying and reports which flag allows it. */
@@ -306,7 +311,7 @@ export class Connection {
       for (const prediction of decode(data)) this.#addPrediction(prediction);
       return;
     }
-    const message = JSON.parse(data);
+    const message = typeof data === "string" ? JSON.parse(data) : data;
     if (message.type === "prediction") return this.#addPrediction({ region: null, phase: null, remaining_s: null, ...message });
     if (message.type === "choice") return this.#serviceChoices.receive(this.#withElement(message));
     if (message.type === "person") return this.#person.receive(message.person, this.welcome.predictor);
@@ -390,7 +395,7 @@ export class Connection {
   #sendRows(rows) {
     const { limits } = this.welcome;
     this.#newestTime = rows.at(-1)[0];
-    for (const { frame, last, count } of frames(rows, this.#settings.encoding, limits)) {
+    for (const { frame, last, count } of this.#socket.frames(rows, this.#settings.encoding, limits)) {
       if (this.#socket.bufferedAmount > MOST_BUFFERED) {
         this.#queue.dropped += count;
         continue;

@@ -12,7 +12,7 @@ export class CircleChoices {
     connection.setTargets(places.map(([x, y], i) => ({ id: String(i), x: x - width / 2, y: y - width / 2, width, height: width })));
   }
 
-  /** @param {import("/pointpred.js").Choice} choice */
+  /** @param {import("../pointpred.js").Choice} choice */
   addChoice({ id, p, action, reason }) {
     if (this.probabilities[id] === undefined || reason === "entered") return; // only predictions are shown
     this.probabilities[id] = action === "propose" ? p : 0;
@@ -20,7 +20,7 @@ export class CircleChoices {
     else if (this.proposed === Number(id)) this.proposed = null;
   }
 
-  /** @param {import("/pointpred.js").Prediction} prediction */
+  /** @param {import("../pointpred.js").Prediction} prediction */
   addPrediction({ targets }) {
     if (!targets) return;
     this.probabilities.fill(0);

@@ -1,14 +1,14 @@
 // A WebSocket to the service that can be opened again; each attempt waits longer than the one before.
 
+import { frames } from "./frames.js";
+import { Retries } from "./retries.js";
+
 const SUBPROTOCOL = "pointpred.v1";
-const FIRST_WAIT_MS = 250;
-const LONGEST_WAIT_MS = 8000;
-const STEADY_MS = 2000; // a session that lasts this long resets the waits
 
 /** One WebSocket at a time; events of earlier ones are ignored. */
 export class RetryingSocket {
   /** Whether the newest socket was ever open: if not, the service refused it or cannot be reached. */ opened = false;
-  #address; #handlers; #socket = null; #attempts = 0; #timer; #sessionAt = Infinity;
+  #address; #handlers; #socket = null; #retries = new Retries();
 
   /**
    * @param {() => string} address
@@ -25,7 +25,7 @@ export class RetryingSocket {
 
   /** Whether the service has begun a session on this socket. */
   get hasSession() {
-    return this.isOpen && this.#sessionAt < Infinity;
+    return this.isOpen && this.#retries.hasSession;
   }
 
   /** Bytes that the browser still holds back. */
@@ -34,8 +34,8 @@ export class RetryingSocket {
   }
 
   open() {
-    clearTimeout(this.#timer);
-    [this.opened, this.#sessionAt] = [false, Infinity];
+    this.opened = false;
+    this.#retries.begin();
     const socket = new WebSocket(this.#address(), SUBPROTOCOL);
     socket.binaryType = "arraybuffer";
     const current = (handle) => (event) => socket === this.#socket && handle(event);
@@ -45,7 +45,7 @@ export class RetryingSocket {
     });
     socket.onmessage = current(({ data }) => this.#handlers.onMessage(data));
     socket.onclose = current(() => {
-      if (performance.now() - this.#sessionAt > STEADY_MS) this.#attempts = 0;
+      this.#retries.end();
       this.#socket = null;
       this.#handlers.onClose();
     });
@@ -54,7 +54,12 @@ export class RetryingSocket {
 
   /** The service has begun a session: if it lasts, the next wait is the shortest again. */
   beginSession() {
-    this.#sessionAt = performance.now();
+    this.#retries.beginSession();
+  }
+
+  /** Events as frames to send: within the limits of the service. @see frames */
+  frames(rows, encoding, limits) {
+    return frames(rows, encoding, limits);
   }
 
   /** @param {string|ArrayBuffer} frame */
@@ -64,13 +69,12 @@ export class RetryingSocket {
 
   /** Calls `open` after a wait. @param {() => void} open */
   retry(open) {
-    const wait = Math.min(LONGEST_WAIT_MS, FIRST_WAIT_MS * 2 ** this.#attempts++) * (0.75 + 0.5 * Math.random());
-    this.#timer = setTimeout(open, wait);
+    this.#retries.retry(open);
   }
 
   /** Gives up waiting for the next attempt. */
   cancelRetry() {
-    clearTimeout(this.#timer);
+    this.#retries.cancel();
   }
 
   /** Closes the socket without calling `onClose`. @param {string} [farewell] the last message of a session */

@@ -1,7 +1,7 @@
 // The regions of a prediction as the page draws them: the 50 % ellipse tinted, the 80 % ellipse as a thin outline.
 
 import { colours } from "./canvas.js";
-import { regionOf } from "/pointpred.js";
+import { regionOf } from "../pointpred.js";
 
 const EASE_MS = 120;
 const MOST_PER_MS = 0.006; // change of an axis' logarithm: a factor of 1.8 in 100 ms

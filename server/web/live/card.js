@@ -16,7 +16,7 @@ export class LiveCard {
   /**
    * @param {HTMLElement} card @param {HTMLDetailsElement} parameters
    * @param {(prediction: object, name: string) => void} onPrediction is called with each, and with its predictor
-   * @param {{choice?: (one: object) => void}} handlers @param {import("/pointpred.js").Options} options of the connection
+   * @param {{choice?: (one: object) => void}} handlers @param {import("../pointpred.js").Options} options of the connection
    */
   constructor(card, parameters, onPrediction, handlers = {}, options = {}) {
     this.#options = options;

@@ -3,7 +3,7 @@
 import { Ledger } from "../page/ledger.js";
 import { read, token } from "../service/http.js";
 import { speed } from "./movement.js";
-import { connect } from "/pointpred.js";
+import { connect } from "../pointpred.js";
 
 const PLANS = [{ tile: 3, start: [0.16, 0.24] }, { tile: 1, start: [0.84, 0.3] }, { tile: 4, start: [0.4, 0.18] }];
 const STEP_S = 0.008; // as a mouse at 125 Hz
@@ -40,7 +40,7 @@ function transform(rows, [startX, startY], [endX, endY]) {
 
 /**
  * Requests the movements and their predictions one after another, over a connection of its own.
- * @param {{predictor: string, parameters: object, tiles: import("/pointpred.js").Target[], width: number, height: number}} scene
+ * @param {{predictor: string, parameters: object, tiles: import("../pointpred.js").Target[], width: number, height: number}} scene
  * @param {(take: Take) => void} onTake @param {AbortSignal} signal
  */
 export async function requestTakes({ predictor, parameters, tiles, width, height }, onTake, signal) {
@@ -83,7 +83,7 @@ function answersTo(connection, rows, offset) {
   });
 }
 
-/** The tile that is predicted after each event. @param {number[]} times s @param {import("/pointpred.js").Choice[]} choices */
+/** The tile that is predicted after each event. @param {number[]} times s @param {import("../pointpred.js").Choice[]} choices */
 export function proposedAt(times, choices) {
   const ledger = new Ledger();
   let next = 0;

@@ -6,7 +6,7 @@ const COUNT = 5;
 const HEIGHT_PX = 44;
 const EDGE_PX = 22;
 
-/** The tiles of a picture of this size, side by side at its lower edge. @returns {import("/pointpred.js").Target[]} */
+/** The tiles of a picture of this size, side by side at its lower edge. @returns {import("../pointpred.js").Target[]} */
 export function row(width, height) {
   const step = width / COUNT, tileWidth = Math.round(0.62 * step);
   return Array.from({ length: COUNT }, (_, i) => ({
@@ -14,7 +14,7 @@ export function row(width, height) {
   }));
 }
 
-/** Whether a point lies on a tile. @param {import("/pointpred.js").Target} tile */
+/** Whether a point lies on a tile. @param {import("../pointpred.js").Target} tile */
 export const contains = (tile, x, y) => x >= tile.x && x <= tile.x + tile.width && y >= tile.y && y <= tile.y + tile.height;
 
 /**
@@ -26,7 +26,7 @@ export const opacitiesOf = (probabilities, mark) => Object.fromEntries(Object.en
 /** Knows where the tiles are, how likely each is, and what became of the proposals. */
 export class Tiles {
   ledger = new Ledger();
-  /** @type {import("/pointpred.js").Target[]} */ list = [];
+  /** @type {import("../pointpred.js").Target[]} */ list = [];
   /** By the tile's id. @type {Object<string, number>} */ probabilities = {};
   /** @type {string|null} */ proposed = null;
   #under = null;
@@ -40,12 +40,12 @@ export class Tiles {
     return true;
   }
 
-  /** @param {import("/pointpred.js").Prediction} prediction */
+  /** @param {import("../pointpred.js").Prediction} prediction */
   addPrediction({ targets }) {
     if (targets && this.#pressed === null) this.probabilities = Object.fromEntries(targets.map(({ id, p }) => [id, p]));
   }
 
-  /** @param {import("/pointpred.js").Choice} choice */
+  /** @param {import("../pointpred.js").Choice} choice */
   addChoice(choice) {
     if (choice.reason === "entered") return; // only predictions are highlighted
     if (choice.action === "propose") this.proposed = choice.id;

@@ -7,7 +7,7 @@ export class Ledger {
   movements = 0; proposals = 0; hits = 0; wasted = 0;
   #leads = []; #proposedIds = []; #current = null; #entries = new Map();
 
-  /** @param {import("/pointpred.js").Choice} choice */
+  /** @param {import("../pointpred.js").Choice} choice */
   addChoice({ id, action, t, reason }) {
     if (reason === "entered") return; // not a prediction
     if (action === "propose") this.#current = { id, t };

@@ -1,5 +1,7 @@
 // The numbers of the learned predictor: fetched once, shared by every pipeline of the page.
 
+import { unpack } from "../laws/coefficients.js";
+
 const FILES = { "kinematic.f32": () => new URL("../laws/kinematic.f32", import.meta.url) }; // a bundler finds the file by this expression
 const NODE_FILES = "node:fs/promises"; // a name, so that a bundler for the browser does not look for it
 
@@ -8,7 +10,7 @@ const NODE_FILES = "node:fs/promises"; // a name, so that a bundler for the brow
 /** The coefficients in a file. Rejects where it cannot be fetched; the next call tries again. @param {string} name @returns {Promise<Float64Array>} */
 export function coefficientsOf(name) {
   if (!read.has(name)) {
-    const reading = bytesOf(FILES[name]()).then((buffer) => Float64Array.from(new Float32Array(buffer)));
+    const reading = bytesOf(FILES[name]()).then(unpack);
     reading.catch(() => read.delete(name));
     read.set(name, reading);
   }

@@ -1,7 +1,7 @@
 // Predictions along a recorded movement: its events are sent to the service, which answers each.
 
 import { token } from "../service/http.js";
-import { connect } from "/pointpred.js";
+import { connect } from "../pointpred.js";
 
 const PART = 512; // events per message; the next message waits for the answers, so that none is dropped
 const PER_S = 10000;

@@ -2,7 +2,7 @@
 
 import { median } from "../page/numbers.js";
 import { token } from "./http.js";
-import { connect } from "/pointpred.js";
+import { connect } from "../pointpred.js";
 
 const TEXTS = {
   connecting: "Connecting…",
@@ -19,7 +19,7 @@ export const stateText = (state) => TEXTS[state] ?? state;
 
 /** A connection with one predictor; the page sends the events. */
 export class PredictorConnection {
-  /** @type {import("/pointpred.js").Prediction|null} */ latest = null;
+  /** @type {import("../pointpred.js").Prediction|null} */ latest = null;
   /** When `latest` was received, on the page's clock, ms. */ at = -Infinity;
   /** Predictions received. */ received = 0;
   /** The newest error. @type {string|null} */ error = null;
@@ -29,7 +29,7 @@ export class PredictorConnection {
    * @param {string} predictor
    * @param {{state?: (state: string) => void, prediction?: (one: object) => void, score?: (one: object) => void,
    *   choice?: (one: object) => void, cursor?: (one: object) => void, error?: (one: object) => void}} handlers
-   * @param {import("/pointpred.js").Options} options
+   * @param {import("../pointpred.js").Options} options
    */
   constructor(predictor, handlers = {}, options = {}) {
     this.predictor = predictor;
@@ -75,12 +75,12 @@ export class PredictorConnection {
     this.#connection.send(rows);
   }
 
-  /** @param {import("/pointpred.js").Target[]} list */
+  /** @param {import("../pointpred.js").Target[]} list */
   setTargets(list) {
     this.#connection.targets(list);
   }
 
-  /** @param {"start"|"end"} action @param {import("/pointpred.js").Goal} goal */
+  /** @param {"start"|"end"} action @param {import("../pointpred.js").Goal} goal */
   trial(action, goal) {
     this.#connection.trial(action, goal);
   }
@@ -97,7 +97,7 @@ export class PredictorConnection {
     this.#connection.configure({ predictor, parameters });
   }
 
-  /** @param {import("/pointpred.js").Options["assist"]} assist */
+  /** @param {import("../pointpred.js").Options["assist"]} assist */
   setAssistance(assist) {
     this.#connection.configure({ assist });
   }

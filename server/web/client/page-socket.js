@@ -1,0 +1,102 @@
+// A session in the page, with the interface of a socket to the service: the connection need not know which it has.
+
+import { Retries } from "./retries.js";
+
+/** One session at a time. What is sent is answered after the code that runs now, events as they are and answers as objects. */
+export class PageSocket {
+  /** Whether the newest session was ever open: if not, its modules could not be loaded. */ opened = false;
+  #handlers; #session = null; #attempt = 0; #waiting = []; #heard = []; #runs = false; #retries = new Retries();
+
+  /** @param {{onOpen: () => void, onMessage: (message: object) => void, onClose: () => void}} handlers */
+  constructor(handlers) {
+    this.#handlers = handlers;
+  }
+
+  /** Whether what is sent now is answered. */
+  get isOpen() {
+    return this.#session !== null;
+  }
+
+  /** Whether the session has begun. */
+  get hasSession() {
+    return this.isOpen && this.#retries.hasSession;
+  }
+
+  /** Nothing is held back. */
+  get bufferedAmount() {
+    return 0;
+  }
+
+  /** Loads the session's modules, and opens one. */
+  async open() {
+    this.opened = false;
+    this.#retries.begin();
+    const attempt = ++this.#attempt;
+    try {
+      const { PageSession } = await import("../prediction/session.js");
+      if (attempt !== this.#attempt) return;
+      const heard = [];
+      [this.#waiting, this.#heard] = [[], heard];
+      this.#session = new PageSession((message) => heard.push(message));
+      this.opened = true;
+      this.#handlers.onOpen();
+    } catch (error) {
+      console.error(error);
+      if (attempt === this.#attempt) this.#end();
+    }
+  }
+
+  /** The session has begun: if it lasts, the next wait is the shortest again. */
+  beginSession() {
+    this.#retries.beginSession();
+  }
+
+  /** Events as they are sent: all of them at once. @param {import("../pointpred.js").EventRow[]} rows */
+  frames(rows) {
+    return [{ frame: rows, last: rows.at(-1)[0], count: rows.length }];
+  }
+
+  /** @param {string|import("../pointpred.js").EventRow[]} frame a message as JSON, or rows of events */
+  send(frame) {
+    this.#waiting.push(frame);
+    if (this.#runs) return;
+    this.#runs = true;
+    queueMicrotask(() => this.#run());
+  }
+
+  /** Calls `open` after a wait. @param {() => void} open */
+  retry(open) {
+    this.#retries.retry(open);
+  }
+
+  /** Gives up waiting for the next attempt. */
+  cancelRetry() {
+    this.#retries.cancel();
+  }
+
+  /** Ends the session without calling `onClose`. */
+  close() {
+    this.cancelRetry();
+    this.#attempt += 1;
+    this.#session = null;
+  }
+
+  /** Takes in what waits, one after the other, and passes the answers on. */
+  async #run() {
+    while (this.#waiting.length && this.#session !== null) {
+      const session = this.#session, frame = this.#waiting.shift();
+      if (Array.isArray(frame)) session.receiveRows(frame);
+      else await session.receive(JSON.parse(frame));
+      if (session !== this.#session) continue;
+      for (const message of this.#heard.splice(0)) if (session === this.#session) this.#handlers.onMessage(message);
+      if (session === this.#session && session.ended !== null) this.#end();
+    }
+    this.#runs = false;
+  }
+
+  #end() {
+    this.#retries.end();
+    this.#session = null;
+    this.#handlers.onClose();
+  }
+}
