@@ -14,7 +14,8 @@ START = """import("/pointpred/intent/index.js").then((module) => {
     const element = document.createElement(tag);
     element.id = id;
     element.textContent = id;
-    element.style = `position: absolute; left: ${left}px; top: ${top}px; width: ${width}px; height: ${height}px; padding: 0`;
+    element.style = `position: absolute; left: ${left}px; top: ${top}px; width: ${width}px;
+      height: ${height}px; padding: 0`;
     document.body.append(element);
     return element;
   };
@@ -27,7 +28,8 @@ START = """import("/pointpred/intent/index.js").then((module) => {
   };
   window.signals = {};
   window.said = () => heard.map(({ id, reason, began }) => (began ? `${id} ${reason}` : `${id} ended`));
-  window.frames = (count) => new Promise((done) => { const next = () => (count-- ? requestAnimationFrame(next) : done()); next(); });
+  window.frames = (count) => new Promise((done) => { const next = () => (
+    count-- ? requestAnimationFrame(next) : done()); next(); });
 })"""
 
 

@@ -25,7 +25,8 @@ def test_a_moved_element_fires_where_it_is_now(page: IntentPage) -> None:
 def test_an_element_that_moves_all_the_time_is_followed(page: IntentPage) -> None:
     page.make(
         "watch(box('goal', 600, 500), { threshold: 1 });"
-        "goal.animate([{ transform: 'none' }, { transform: 'translateY(-300px)' }], { duration: 400, fill: 'forwards' })"
+        "goal.animate([{ transform: 'none' }, { transform: 'translateY(-300px)' }], { "
+        "duration: 400, fill: 'forwards' })"
     )
     page.move((40, 40), (650, 230), 0.6)
     assert page.said() == ["goal entered"]
@@ -44,7 +45,10 @@ def test_a_removed_element_rests_until_it_comes_back(page: IntentPage) -> None:
 
 
 def test_a_scrolled_element_is_where_the_scroll_has_put_it(page: IntentPage) -> None:
-    page.make("document.body.style.height = '3000px'; watch(box('goal', 600, 1500), { threshold: 1, scroll: 'none' })")
+    page.make(
+        "document.body.style.height = '3000px'; watch(box('goal', 600, 1500), { threshold: 1, "
+        "scroll: 'none' })"
+    )
     page.move((40, 40), (650, 530), 0.3)
     assert page.said() == []
     page.make("scrollTo(0, 1000)")
@@ -88,7 +92,8 @@ def test_an_element_below_a_dialog_does_not_fire(page: IntentPage) -> None:
 
 def test_elements_that_nobody_holds_are_given_back(page: IntentPage) -> None:
     page.make(
-        "for (let i = 0; i < 50; i += 1) { const one = box(`x${i}`, 100, 100); watch(one); stops = {}; signals = {};"
+        "for (let i = 0; i < 50; i += 1) { const one = box(`x${i}`, 100, 100); watch(one); "
+        "stops = {}; signals = {};"
         "(window.references ??= []).push(new WeakRef(one)); }"
         "document.body.replaceChildren()"
     )

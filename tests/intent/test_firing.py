@@ -43,7 +43,9 @@ def test_it_fires_once_unless_asked_for_more(page: IntentPage) -> None:
 
 
 def test_it_fires_again_after_a_time(page: IntentPage) -> None:
-    page.make("watch(box('late', 500, 500), { again_s: 0.3 }); watch(box('later', 500, 400), { again_s: 60 })")
+    page.make(
+        "watch(box('late', 500, 500), { again_s: 0.3 }); watch(box('later', 500, 400), { again_s: 60 })"
+    )
     for _ in range(2):
         page.move((40, 40), (550, 530), 0.3)
         page.away()
@@ -81,12 +83,16 @@ def test_of_equal_elements_the_prior_decides(page: IntentPage) -> None:
     assert page.said() == []
 
 
-def test_a_higher_threshold_fires_later(page: IntentPage) -> None:
-    page.make("box('goal', 700, 500); for (const threshold of [0.1, 1]) watch(goal, { threshold })")
-    page.move((40, 40), (750, 530), 0.6)
-    assert page.said()[0] == "goal predicted"
-    early, late = (one["t"] for one in page.value("heard"))
-    assert early < late
+def test_a_threshold_is_the_share_from_which_it_fires(page: IntentPage) -> None:
+    page.make(
+        f"{ROW} window.predicted = {{ 0.1: [], 0.9: [] }};"
+        "for (const threshold of [0.1, 0.9]) for (const one of document.querySelectorAll('button'))"
+        " onIntent(one, ({ p, reason }) => { if (reason === 'predicted') predicted[threshold].push(p); },"
+        " { threshold, predictor: 'minimum-jerk' })"
+    )
+    page.move((40, 40), (470, 590), 0.8)
+    assert 0.1 <= min(page.value("predicted[0.1]")) < 0.9
+    assert all(p >= 0.9 for p in page.value("predicted[0.9]"))
 
 
 def test_stopping_leaves_no_listener(page: IntentPage) -> None:
@@ -113,8 +119,10 @@ def test_stopping_leaves_no_listener(page: IntentPage) -> None:
 
 def test_an_error_of_the_page_keeps_no_other_from_being_called(page: IntentPage) -> None:
     page.make(
-        "window.errors = []; addEventListener('error', (event) => { errors.push(event.message); event.preventDefault(); });"
-        "box('goal', 600, 500); onIntent(goal, () => { throw new Error('mine'); }, { predictor: 'minimum-jerk' }); watch(goal)"
+        "window.errors = []; addEventListener('error', (event) => { errors.push(event.message); "
+        "event.preventDefault(); });"
+        "box('goal', 600, 500); onIntent(goal, () => { throw new Error('mine'); }, { "
+        "predictor: 'minimum-jerk' }); watch(goal)"
     )
     page.move((40, 40), (650, 530))
     assert len(page.said()) == 1
@@ -128,8 +136,14 @@ def test_an_error_of_the_page_keeps_no_other_from_being_called(page: IntentPage)
         ("onIntent('#a', () => {})", "an element of the page is needed, received #a"),
         ("watch(document.body, { treshold: 1 })", "unknown option treshold; known: policy, "),
         ("watch(document.body, { threshold: 2 })", "threshold must be a number in [0, 1], received 2"),
-        ("watch(document.body, { hitSlop: { top: -1 } })", "hitSlop top must be a number in [0, 10000], received -1"),
-        ("watch(document.body, { policy: 'both' })", "policy must be one of prefetch, highlight, received both"),
+        (
+            "watch(document.body, { hitSlop: { top: -1 } })",
+            "hitSlop top must be a number in [0, 10000], received -1",
+        ),
+        (
+            "watch(document.body, { policy: 'both' })",
+            "policy must be one of prefetch, highlight, received both",
+        ),
         ("prefetchLink(document.body)", "a link (<a href>) is needed, received [object HTMLBodyElement]"),
     ],
 )

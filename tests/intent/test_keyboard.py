@@ -21,7 +21,9 @@ def test_tab_fires_what_the_next_presses_reach(page: IntentPage) -> None:
 
 
 def test_how_far_ahead_is_a_choice(page: IntentPage) -> None:
-    page.make(f"{FOUR} watch(b1, {{ keyboard: 0 }}); watch(b2, {{ keyboard: 1 }}); watch(b3, {{ keyboard: 3 }})")
+    page.make(
+        f"{FOUR} watch(b1, {{ keyboard: 0 }}); watch(b2, {{ keyboard: 1 }}); watch(b3, {{ keyboard: 3 }})"
+    )
     page.visitor.press("Tab")
     page.wait("heard.length >= 1")
     page.settle()
@@ -32,7 +34,8 @@ def test_how_far_ahead_is_a_choice(page: IntentPage) -> None:
 
 
 def test_the_order_is_the_browsers(page: IntentPage) -> None:
-    """A positive tabindex comes first; what is disabled, hidden, inert or taken out of the order is left out."""
+    """A positive tabindex comes first; what is disabled, hidden,
+    inert or taken out of the order is left out."""
     page.make(
         "for (const id of ['first', 'off', 'gone', 'inert', 'out', 'second']) box(id, 100, 40);"
         "box('early', 100, 500).tabIndex = 1; off.disabled = true; gone.style.visibility = 'hidden';"

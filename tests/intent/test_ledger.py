@@ -13,7 +13,8 @@ pytestmark = browser.needed
 def test_a_click_is_a_hit_with_its_lead_and_the_others_are_waste(page: IntentPage) -> None:
     page.make(
         "window.told = []; window.stopTelling = onLedger((entry) => told.push(entry));"
-        "for (let i = 0; i < 6; i += 1) watch(box(`b${i}`, 100 + 100 * i, 300, 90, 60), { name: i < 3 ? 'near' : 'far' })"
+        "for (let i = 0; i < 6; i += 1) watch(box(`b${i}`, 100 + 100 * i, 300, 90, 60), { "
+        "name: i < 3 ? 'near' : 'far' })"
     )
     page.move((50, 330), (645, 330), 0.5)
     assert len(page.said()) == 6
@@ -24,7 +25,10 @@ def test_a_click_is_a_hit_with_its_lead_and_the_others_are_waste(page: IntentPag
     assert told["names"]["near"]["hit"] == 0
     assert told["names"]["far"]["hit"] == 1
     fired = next(one for one in page.value("heard") if one["id"] == "b5")
-    hit = page.value("told.filter(({ kind }) => kind === 'hit').map(({ name, t, lead_s, reason, policy }) => [name, t, lead_s, reason, policy])")
+    hit = page.value(
+        "told.filter(({ kind }) => kind === 'hit').map(({ name, t, lead_s, reason, "
+        "policy }) => [name, t, lead_s, reason, policy])"
+    )
     assert hit == [["far", pytest.approx(fired["t"] + hit[0][2]), hit[0][2], fired["reason"], "prefetch"]]
     assert told["lead_s"]["count"] == 1
     assert told["lead_s"]["least"] == told["lead_s"]["median"] == told["lead_s"]["most"] == hit[0][2] > 0.0

@@ -9,7 +9,10 @@ pytestmark = browser.needed
 
 
 def test_a_highlight_ends_when_the_movement_turns_to_another(page: IntentPage) -> None:
-    page.make("watch(box('west', 100, 500), { policy: 'highlight' }); watch(box('east', 800, 500), { policy: 'highlight' })")
+    page.make(
+        "watch(box('west', 100, 500), { policy: 'highlight' }); watch(box('east', 800, 500), { "
+        "policy: 'highlight' })"
+    )
     for start, end in [((500, 100), (850, 530)), ((850, 530), (150, 530)), ((150, 530), (150, 300))]:
         page.move(start, end, 0.5)
         page.away()

@@ -13,7 +13,9 @@ OVERRIDE = """window.network = Object.assign(new EventTarget(), {});
 Object.defineProperty(navigator, "connection", { get: () => network, configurable: true });"""
 
 
-@pytest.mark.parametrize("network", ["{ saveData: true }", "{ effectiveType: '2g' }", "{ effectiveType: 'slow-2g' }"])
+@pytest.mark.parametrize(
+    "network", ["{ saveData: true }", "{ effectiveType: '2g' }", "{ effectiveType: 'slow-2g' }"]
+)
 def test_prefetches_are_withheld_and_counted_once(page: IntentPage, network: str) -> None:
     page.make(
         f"{OVERRIDE} Object.assign(network, {network});"

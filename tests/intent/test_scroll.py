@@ -8,7 +8,8 @@ from tests.server import browser
 pytestmark = browser.needed
 
 SCROLL = """new Promise((done) => { let at = FROM; const next = () => {
-  at += 12; document.scrollingElement.scrollTop = at; if (at < TO) requestAnimationFrame(next); else done(); }; next(); })"""
+  at += 12; document.scrollingElement.scrollTop = at; if (at < TO) requestAnimationFrame(next);
+    else done(); }; next(); })"""
 
 
 def scroll(page: IntentPage, start: int, end: int) -> None:
@@ -20,7 +21,8 @@ def test_what_comes_under_the_pointer_fires_before_it_is_there(page: IntentPage)
     page.make(
         "document.body.style.height = '5000px';"
         "watch(box('under', 300, 560, 200), { threshold: 1 });"
-        "onIntent(under, () => heard.push({ id: 'never', reason: '', began: true }), { threshold: 1, scroll: 'none', predictor: 'minimum-jerk' });"
+        "onIntent(under, () => heard.push({ id: 'never', reason: '', began: true }), { "
+        "threshold: 1, scroll: 'none', predictor: 'minimum-jerk' });"
         "watch(box('aside', 700, 560), { threshold: 1 })"
     )
     page.move((20, 20), (440, 300), 0.3)
@@ -32,7 +34,9 @@ def test_what_comes_under_the_pointer_fires_before_it_is_there(page: IntentPage)
 def test_a_container_that_scrolls_counts_as_the_page_does(page: IntentPage) -> None:
     page.make(
         "const list = box('list', 300, 100, 400, 500, 'div'); list.style.overflow = 'auto';"
-        "list.innerHTML = '<button id=row style=\"position:absolute;top:460px;width:300px;height:40px\">row</button><div style=\"height:3000px\"></div>';"
+        "list.innerHTML = '<button id=row "
+        'style="position:absolute;top:460px;width:300px;height:40px">row</button><div '
+        'style="height:3000px"></div>\';'
         "watch(row, { threshold: 1 })"
     )
     page.move((20, 20), (450, 300), 0.3)

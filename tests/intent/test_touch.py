@@ -29,8 +29,10 @@ def touch(page: IntentPage, kind: str, *points: tuple[float, float]) -> None:
 
 
 def test_a_finger_on_the_element_fires(phone: IntentPage) -> None:
-    phone.make("watch(box('on', 100, 100)); watch(box('lit', 300, 100), { policy: 'highlight' });"
-               "watch(box('off', 500, 100), { touch: 'none' })")
+    phone.make(
+        "watch(box('on', 100, 100)); watch(box('lit', 300, 100), { policy: 'highlight' });"
+        "watch(box('off', 500, 100), { touch: 'none' })"
+    )
     for x in (150, 350, 550):
         touch(phone, "touchStart", (x, 130))
         touch(phone, "touchEnd")

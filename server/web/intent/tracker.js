@@ -127,7 +127,7 @@ export class Tracker {
   #firePrefetch(entry, reason, { p = this.share(entry.element), t = this.#shares.cursor.t, press = 0, into = "", isSeen = true }) {
     const visit = this.#visit + this.#shares.movement;
     for (const one of entry.registrations)
-      if (one.follows("prefetch") && one.mayFire(t, visit) && accepts(one.options, reason, press, into) && (isSeen || !entry.isCovered))
+      if (one.follows("prefetch") && one.mayFire(t, visit) && accepts(one.options, reason, { p, press, into }) && (isSeen || !entry.isCovered))
         one.fire(this.#cause(reason, p, t), visit);
   }
 
@@ -141,7 +141,7 @@ export class Tracker {
     const { id: entry, reason } = choice;
     if (reason !== "entered") this.#visit += 1;
     this.#firePrefetch(entry, reason, choice);
-    if ([...entry.registrations].some((one) => one.follows("highlight") && accepts(one.options, reason))) this.#highlights.begin(source, choice);
+    if ([...entry.registrations].some((one) => one.follows("highlight") && accepts(one.options, reason, choice))) this.#highlights.begin(source, choice);
   }
 
   /** The pointer is elsewhere. */
@@ -204,9 +204,9 @@ export class Tracker {
 
   /** Fires what a scroll is about to bring into view. */
   async #watchNear(element) {
-    const { signal } = this.#stop;
-    this.#near ??= import("./scroll.js").then(({ NearView }) => new NearView((one) => this.#comeNear(one), signal));
-    (await this.#near).observe(element);
+    const { NearView } = await import("./scroll.js");
+    this.#near ??= new NearView((one) => this.#comeNear(one), this.#stop.signal);
+    this.#near.observe(element);
   }
 
   #comeNear(element) {
@@ -216,14 +216,15 @@ export class Tracker {
 
   /** A scroll that goes on while the pointer rests. */
   async #scroll(entries) {
-    this.#ahead ??= import("./scroll.js").then(({ ScrollAhead }) => new ScrollAhead());
-    const ahead = await this.#ahead, t = performance.now() / 1000;
-    for (const entry of ahead.comingUnder(entries, this.#shares.cursor, t)) this.#firePrefetch(entry, "scroll", { t, isSeen: false, into: "pointer" });
+    const { ScrollAhead } = await import("./scroll.js"), t = performance.now() / 1000;
+    this.#ahead ??= new ScrollAhead();
+    for (const entry of this.#ahead.comingUnder(entries, this.#shares.cursor, t)) this.#firePrefetch(entry, "scroll", { t, isSeen: false, into: "pointer" });
   }
 }
 
 /** Whether a registration fires for a reason. */
-function accepts({ touch, scroll, keyboard }, reason, press, into) {
+function accepts({ touch, scroll, keyboard, threshold }, reason, { p, press, into }) {
+  if (reason === "predicted") return p >= threshold;
   if (reason === "touch") return touch === "start";
   if (reason === "viewport") return touch === "viewport";
   if (reason === "scroll") return scroll === into;
