@@ -123,6 +123,9 @@ export function ledger(): LedgerSummary;
 /** Calls `listener` with each entry of the ledger from now on. Returns what stops it. */
 export function onLedger(listener: (entry: LedgerEntry) => void): () => void;
 
+/** Shows developers what is predicted. Resolves to what hides it. */
+export function showOverlay(): Promise<() => void>;
+
 /** t s, x y px, y down; dx dy: counts of the device; buttons as in pointer events. */
 export interface PointerSample { t: number; x: number; y: number; dx?: number | null; dy?: number | null; buttons?: number }
 

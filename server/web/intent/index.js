@@ -16,3 +16,6 @@ export const ledger = () => theLedger.summary();
 
 /** Calls `listener` with each entry of the ledger from now on. @param {(entry: import("../index.d.ts").LedgerEntry) => void} listener @returns {() => void} stops it */
 export const onLedger = (listener) => theLedger.subscribe(listener);
+
+/** Shows developers what is predicted; loads its module first. @returns {Promise<() => void>} hides it */
+export const showOverlay = async () => (await import("./overlay/overlay.js")).showOverlay();

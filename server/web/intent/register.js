@@ -6,7 +6,7 @@ import { Source } from "./source.js";
 import { Tracker } from "./tracker.js";
 
 /** The trackers in use, by their predictor and service. @type {Map<string, Tracker>} */
-const trackers = new Map();
+export const trackers = new Map();
 
 /**
  * Calls `callback` when the user is heading for an element. Throws a TypeError or a RangeError for options that cannot be used.
