@@ -74,34 +74,71 @@ def assert_alike(found: Any, expected: Any) -> None:
         assert found == expected
 
 
+def scene(predictor: str, *, buttons: bool = True) -> tuple[list[dict[str, Any]], list[list[Any]], list[int]]:
+    """Targets where movements end or close by, an update for each event, and the places of the presses."""
+    table = movements(31, count=8)
+    pressed = np.flatnonzero(np.diff(table[:, 5]) > 0.0) + 1
+    ends = [
+        {
+            "id": f"end {k}",
+            "x": table[i, 1] + (8.0 if k % 2 else -25.0),
+            "y": table[i, 2] - 25.0,
+            "width": 50.0,
+            "height": 50.0,
+        }
+        for k, i in enumerate(pressed.tolist())
+    ]
+    if not buttons:
+        table[:, 5] = 0.0
+    pipeline, updates = build(predictor), []
+    for event in table.tolist():
+        answer = pipeline.advance(tuple(event))
+        updates.append(["update", None if answer is None or answer[1] != answer[1] else answer, event])
+    return [*targets(2), *ends], updates, pressed.tolist()
+
+
+def compare(listed: list[dict[str, Any]], settings: dict[str, float], steps: list[list[Any]]) -> list[Any]:
+    """Compare both on these steps; the answers."""
+    found = node.run("choose.mjs", {"targets": listed, "settings": settings, "steps": steps})
+    expected = in_python(listed, settings, steps)
+    assert_alike(found, expected)
+    return expected
+
+
 @pytest.mark.parametrize("predictor", ["kinematic", "switched", "ktm"])
 @pytest.mark.parametrize("settings", [{}, {"precision": 0.2, "least_lead_s": 0.1, "elsewhere": 0.1}])
 def test_it_proposes_what_python_proposes(predictor: str, settings: dict[str, float]) -> None:
-    pipeline, steps = build(predictor), []
-    rows = movements(31, count=8).tolist()
-    for i, event in enumerate(rows):
-        answer = pipeline.advance(tuple(event))
-        steps.append(["update", None if answer is None or answer[1] != answer[1] else answer, event])
+    listed, updates, pressed = scene(predictor)
+    steps = []
+    for i, update in enumerate(updates):
+        steps.append(update)
         if i % 20 == 0:
-            steps += [["shares"], ["likeliest", 7], ["proposed"]]
-        if i % 50 == 25:
-            steps += [["headingTo", targets(2)[7], 0.4]]
-        if i > 0 and event[5] > rows[i - 1][5]:
-            steps.append(["finish", "2,2" if i % 2 else None])
+            steps += [["shares"], ["likeliest", 7], ["proposed"], ["headingTo", listed[7], 0.4]]
         if i == 150:
-            steps += [["replace", targets(2)], ["shares"]]
+            steps += [["replace", listed[10:]], ["shares"]]
         if i == 300:
-            steps += [["configure", {"precision": 0.3}], ["replace", targets(1, weight=3.0)]]
-        if i == 450:
-            steps += [["reset"], ["proposed"]]
-    steps += [["finish", "0,0"], ["summary"]]
-    listed = targets(1)
-    found, expected = (
-        node.run("choose.mjs", {"targets": listed, "settings": settings, "steps": steps}),
-        in_python(listed, settings, steps),
-    )
-    assert sum(len(one) for one, step in zip(expected, steps, strict=True) if step[0] == "update") > 10
-    assert_alike(found, expected)
+            steps += [
+                ["configure", {"precision": 0.3}],
+                ["replace", targets(1, weight=3.0)],
+                ["replace", listed],
+            ]
+        at_release = i - 1 in pressed and pressed.index(i - 1) % 2 == 1
+        if at_release or (i in pressed and pressed.index(i) % 2 == 0):
+            steps.append(["finish", f"end {pressed.index(i - at_release)}"])
+    *_, summary = compare(listed, settings, [*steps, ["finish", None], ["summary"]])
+    assert summary["hit"] > 2
+
+
+@pytest.mark.parametrize("more", [["finish", "end 0"], ["reset"], ["replace", None]])
+@pytest.mark.parametrize("buttons", [True, False])
+def test_calls_between_events_change_what_python_changes(more: list[Any], buttons: bool) -> None:
+    listed, updates, pressed = scene("kinematic", buttons=buttons)
+    call = [listed if one is None else one for one in more]
+    often = range(len(updates)) if more[0] == "replace" else {*pressed, *range(0, len(updates), 37)}
+    steps = [
+        step for i, update in enumerate(updates) for step in ([update, call] if i in often else [update])
+    ]
+    compare(listed, {"precision": 0.3}, [*steps, ["summary"], ["proposed"], ["shares"]])
 
 
 def test_what_it_refuses_changes_nothing() -> None:
