@@ -138,6 +138,7 @@ export interface PredictionInPage {
   tail: number | null;
   phase: "still" | "ballistic" | "corrective";
   remaining_s: number | null;
+  remaining_spread: number | null;
 }
 
 /** Consumes events one by one. */

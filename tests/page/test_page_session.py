@@ -105,9 +105,9 @@ def test_an_assisted_session_moves_the_cursor_alike() -> None:
     moved = [
         [t, x, y, *map(float, dxy), int(b)] for (t, x, y, _, _, b), dxy in zip(table, counts, strict=True)
     ]
-    for assist in ({"strength": 1.0, "rho": 1e4}, {"function": "sigmoid"}):
+    for name, assist in (("switched", {"strength": 1.0, "rho": 1e4}), ("kinematic", {"function": "sigmoid"})):
         frames = [
-            hello("kinematic", assist=assist, device={"cpi": 1600.0}, screen=SCREEN),
+            hello(name, assist=assist, device={"cpi": 1600.0}, screen=SCREEN),
             *frames_of(moved[:90], 1),
             {"type": "configure", "assist": {"strength": 0.2}},
             *frames_of(moved[90:300], 6),
