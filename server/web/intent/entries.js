@@ -1,6 +1,7 @@
 // The registered elements: what is registered for each, and where it is.
 
-const CENTRE_X = 0, CENTRE_Y = 1, WIDTH = 2, HEIGHT = 3, FIELDS = 5;
+import { CENTRE_X, CENTRE_Y, FIELDS, HEIGHT, WIDTH } from "../laws/targets/rectangles.js";
+
 const COVERED_MS = 250; // how long an answer of the hit test is used
 
 /** A registered element. */

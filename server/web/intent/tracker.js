@@ -12,12 +12,12 @@ const A_FRAME = 32; // elements measured in a frame without a scroll, besides th
 const LIKELY = 0.02; // an element of this share is measured in each frame
 const REST_MS = 100; // a pointer without events for this long is at rest
 const MOST_PRESSES = 20; // of Tab
-const REMAINING_S = 6; // in the row of a prediction
+const BUTTONS = 5, REMAINING_S = 6; // places in the row of an event, and of a prediction
 
 /** Registered elements that share a predictor. */
 export class Tracker {
   #entries = new WeakMap(); #count = 0; #shares = new Shares(); #source; #onIdle; #eventAt = -Infinity; #visit = 0; #next = 0; #changed = false;
-  #elements; #stop = new AbortController(); #pageChoices; #predicted; #over; #ahead = null; #near = null;
+  #elements; #stop = new AbortController(); #pageChoices; #predicted; #over; #ahead = null; #near = null; #rows = []; #buttons = 0;
   #highlights = new Proposals((choice) => this.#highlight(choice));
 
   /**
@@ -28,7 +28,7 @@ export class Tracker {
     const { signal } = this.#stop;
     this.#onIdle = onIdle;
     this.#source = open((answer) => this.#choose(answer));
-    this.#elements = new Elements({ onFrame: (scrolled) => this.#measure(scrolled), onView: (seen) => this.#setInView(seen), signal });
+    this.#elements = new Elements({ onFrame: (scrolled) => this.#update(scrolled), onView: (seen) => this.#setInView(seen), signal });
     new PointerStream(window, { raw: false, accepts: ({ pointerType }) => pointerType !== "touch", onRows: (rows) => this.#addRows(rows), signal });
     this.#pageChoices = new PageChoices(window, { pointer: true, idOf: (one) => this.#entries.get(one), onLeave: () => this.#pause(), signal,
       proposals: { has: (entry) => this.#highlights.has(entry), begin: (...begun) => this.#begin(...begun), end: (...ended) => this.#highlights.end(...ended) } });
@@ -85,14 +85,23 @@ export class Tracker {
     this.#onIdle();
   }
 
+  /** Events wait for the frame, which the browser begins with them, unless a button has changed: what follows it may leave the page. */
   #addRows(rows) {
     this.#eventAt = performance.now();
-    this.#elements.activate();
+    const pressed = rows.some((row) => row[BUTTONS] !== this.#buttons);
+    this.#buttons = rows.at(-1)[BUTTONS];
+    this.#rows.push(...rows);
+    if (pressed) this.#use();
+    else this.#elements.schedule();
+  }
+
+  /** Every event is used, but shares are computed once. */
+  #use() {
+    const rows = this.#rows.splice(0);
+    if (rows.length === 0) return;
     let answer = null;
-    for (const row of rows) {
-      answer = this.#source.add(row);
-      for (const entry of this.#shares.follow(row)) this.#firePrefetch(entry, "entered", { isSeen: false });
-    }
+    for (const row of rows) answer = this.#source.add(row);
+    for (const entry of this.#shares.follow(rows)) this.#firePrefetch(entry, "entered", { isSeen: false });
     if (!this.#source.flush()) this.#choose(answer);
   }
 
@@ -160,22 +169,25 @@ export class Tracker {
     }
   }
 
-  /** Measures every element after a scroll; otherwise the likely ones, and some of the others in turn. */
-  #measure(scrolled) {
+  /** Once a frame, while something happens. */
+  #update(scrolled) {
     const { entries } = this.#shares;
     if (this.#changed) this.#replace();
-    else if (entries.length) {
-      const first = this.#next;
-      this.#next = (first + A_FRAME) % entries.length;
-      let changed = false;
-      entries.forEach((entry, i) => {
-        if (scrolled || (i - first + entries.length) % entries.length < A_FRAME || this.#shares.share(i) >= LIKELY) changed = entry.measure() || changed;
-      });
-      if (changed) this.#shares.replace(entries);
-    }
+    else if (entries.length) this.#measure(scrolled);
+    this.#use();
     if (!scrolled || performance.now() - this.#eventAt <= REST_MS) return;
     this.#pause();
     if (this.#eventAt > -Infinity) this.#scroll(entries);
+  }
+
+  /** Measures every element after a scroll; otherwise the likely ones, and some of the others in turn. */
+  #measure(scrolled) {
+    const { entries } = this.#shares, first = this.#next, count = entries.length;
+    this.#next = (first + A_FRAME) % count;
+    let changed = false;
+    for (let i = 0; i < count; i += 1)
+      if (scrolled || (i - first + count) % count < A_FRAME || this.#shares.share(i) >= LIKELY) changed = entries[i].measure() || changed;
+    if (changed) this.#shares.replace(entries);
   }
 
   #replace() {
