@@ -30,11 +30,16 @@ ROOTS = {
     "pointpred.targets.choice_law": ("step", "OUTSIDE", "INSIDE", "ENTERED", "RELEASED"),
     "pointpred.targets.decision": ("rank", "decide", "NOBODY"),
     "pointpred.targets.posterior": (
-        *("scores", "normalise", "FITTED"),
+        *("scores", "normalise", "FITTED", "FITTED_PAGES"),
         *("PRECISION", "ELSEWHERE", "LEAST_LEAD_S", "LEAST_WAY_PX"),
+    ),
+    "pointpred.targets.prefetch": (
+        *("step", "contact", "inside", "FITTED", "THRESHOLD", "ELSEWHERE", "STATES", "BEGAN", "COUNT"),
+        *("ARMED", "FIRED", "RESTING", "PREDICTED", "ENTERED"),
     ),
     "pointpred.targets.cursor": (
         "usable",
+        "follow",
         "KNOWN",
         "T",
         "X",

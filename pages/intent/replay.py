@@ -12,9 +12,6 @@ from pointpred.compiled import law
 from pointpred.rows import row_at
 from pointpred.targets import cursor, posterior, prefetch
 
-ELSEWHERE = 0.02
-"""The chooser's default."""
-
 
 @law
 def weigh(
@@ -30,7 +27,7 @@ def weigh(
     for i in range(len(events)):
         cursor.follow(memory, events[i, 0], events[i, 1], events[i, 2], 0.0)
         if frame_end(events, i, frame_s) < inf:
-            posterior.scores(memory, table, row_at(answers, i), coefficients, ELSEWHERE, shares[i])
+            posterior.scores(memory, table, row_at(answers, i), coefficients, prefetch.ELSEWHERE, shares[i])
             posterior.normalise(shares[i])
 
 
@@ -40,6 +37,7 @@ def fire(
     shares: FloatArray,
     table: FloatArray,
     settings: FloatArray,
+    threshold: float,
     frame_s: float,
     fired_at: FloatArray,
 ) -> None:
@@ -49,7 +47,9 @@ def fire(
     policy decides at the end of each frame; 0 for every event.
     """
     memory = np.zeros(prefetch.STATES)
-    visits, fired = np.zeros(len(table)), np.zeros(len(table))
+    thresholds, visits, fired = np.zeros(len(table)), np.zeros(len(table)), np.zeros(len(table))
+    thresholds[:] = threshold
+    targets = table, thresholds, visits, fired
     for k in range(len(table)):
         if prefetch.inside(events[0, 1], events[0, 2], table[k]):
             fired[k] = prefetch.RESTING
@@ -58,7 +58,7 @@ def fire(
     for i in range(len(events)):
         cursor.follow(memory, events[i, 0], events[i, 1], events[i, 2], 0.0)
         now = frame_end(events, i, frame_s)
-        if now == inf or prefetch.step(memory, table, shares[i], visits, fired, settings) == 0:
+        if now == inf or prefetch.step(memory, targets, shares[i], settings) == 0:
             continue
         for k in range(len(table)):
             if fired[k] > prefetch.RESTING and fired_at[k] == inf:

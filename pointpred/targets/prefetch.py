@@ -34,10 +34,15 @@ AGE_S = 1.0
 SMALLEST, LEAST_VISITS = 1e-6, 0.05
 """Bounds on probabilities and on their sum in logarithms."""
 
-THRESHOLD, END, SPENT, NEAR, FAR, AGE, PASSED, SURE, LATE_S, LATE, SETTINGS = range(11)
-"""Places of the settings: ``threshold`` in (0, 1), the user's dial, and the coefficients behind it."""
-FITTED = (0.129, 0.862, 0.06, 0.226, 0.128, 0.215, 0.786, 3.899, 0.085, 0.496)
-"""Settings by ``python -m pages.intent.fit``: the fewest firings at twice the lead of a straight line's."""
+THRESHOLD, ELSEWHERE = 0.5, 0.02
+"""Unless set otherwise: the threshold of a target, and the share of movements that go to none of them."""
+BASE, END, SPENT, NEAR, FAR, AGE, PASSED, SURE, LATE_S, LATE, SETTINGS = range(11)
+"""Places of the settings."""
+FITTED = (1.909, 0.862, 0.06, 0.226, 0.128, 0.215, 0.786, 3.899, 0.085, 0.496)
+"""Settings by ``python -m pages.intent.fit``, for shares by ``posterior.FITTED_PAGES``."""
+
+Targets = tuple[FloatArray, FloatArray, FloatArray, FloatArray]
+"""The table of the targets; of each its threshold, how likely it is visited, and its state."""
 
 
 @law
@@ -106,27 +111,30 @@ def urgency(memory: FloatArray, row: FloatArray, settings: FloatArray) -> float:
 
 
 @law
-def step(
-    memory: FloatArray,
-    table: FloatArray,
-    shares: FloatArray,
-    visits: FloatArray,
-    fired: FloatArray,
-    settings: FloatArray,
-) -> int:
+def log_odds(p: float) -> float:
+    """Logarithm of p over 1 - p, finite also at 0 and 1."""
+    p = min(max(p, SMALLEST), 1.0 - SMALLEST)
+    return log(p / (1.0 - p))
+
+
+@law
+def step(memory: FloatArray, targets: Targets, shares: FloatArray, settings: FloatArray) -> int:
     """Decide which targets fire now; returns how many.
 
     ``memory``: STATES floats, the first of which ``cursor.follow`` has brought up to the last event; it need
-    not be called at every event, once a frame is enough. ``shares``: those of the targets, and of none of
-    them. Writes ``visits``, how likely the cursor goes through each target, and ``fired``, a state of
-    each: PREDICTED or ENTERED where it fires at this call. A target fires once a movement, and is armed
-    again where the next one begins, or if that starts in it, once the cursor has left it.
+    not be called at every event, once a frame is enough. ``targets``: the table, the thresholds, and what is
+    written: how likely the cursor goes through each target, and a state of each, PREDICTED or ENTERED where
+    it fires at this call. ``shares``: those of the targets, and of none of them. A target fires once a
+    movement, and is armed again where the next one begins, or if that starts in it, once the cursor has left
+    it. A target of weight 0 never fires.
 
-    A target fires where the logarithm of its odds of a visit, with what else speaks for it, reaches that of
-    ``threshold``: how many targets lie on the way at all, how sure the likeliest is, the time to contact,
-    the time since the start, what was fired in this movement already, and that visits are not ends. It also
-    fires where the cursor's own line meets it within LATE_S s and a visit is as likely as LATE.
+    A target fires where the logarithm of the odds of a visit, with what else speaks for it, reaches that of
+    its threshold in (0, 1): how many targets lie on the way at all, how sure the likeliest is, the time to
+    contact, the time since the start, what was fired in this movement already, and that visits are not ends.
+    It also fires where the cursor's own line meets it within LATE_S s and a visit is as likely as LATE and
+    the threshold say.
     """
+    table, thresholds, visits, fired = targets
     begin(memory, table, fired)
     x, y = memory[cursor.X], memory[cursor.Y]
     visit(x, y, table, shares, visits)
@@ -134,9 +142,8 @@ def step(
     for i in range(len(table)):
         if not inside(x, y, table[i]):
             passed, sure = passed + visits[i], max(sure, shares[i])
-    common = settings[PASSED] * log(max(passed, LEAST_VISITS)) - settings[SURE] * sure
+    common = settings[BASE] + settings[PASSED] * log(max(passed, LEAST_VISITS)) - settings[SURE] * sure
     common += settings[AGE] * min(memory[cursor.T] - memory[cursor.T0], AGE_S)
-    ask = log(settings[THRESHOLD] / (1.0 - settings[THRESHOLD]))
     moves = hypot(x - memory[cursor.X0], y - memory[cursor.Y0]) >= LEAST_WAY_PX
     count = 0
     for i in range(len(table)):
@@ -150,12 +157,12 @@ def step(
             fired[i] = ARMED
         if fired[i] != ARMED or not moves:
             continue
-        likely = min(max(visits[i], SMALLEST), 1.0 - SMALLEST)
-        odds = log(likely / (1.0 - likely))
-        line_s = contact(x, y, memory[cursor.VX], memory[cursor.VY], table[i])
-        score = common + odds + settings[END] * log(min(max(shares[i], SMALLEST) / likely, 1.0))
+        likely = max(visits[i], SMALLEST)
+        score = common + log_odds(likely) + settings[END] * log(max(shares[i], SMALLEST) / likely)
         score += urgency(memory, table[i], settings) - settings[SPENT] * (memory[COUNT] + count)
-        if score >= ask or (line_s <= settings[LATE_S] and likely >= settings[LATE]):
+        line_s = contact(x, y, memory[cursor.VX], memory[cursor.VY], table[i])
+        late = line_s <= settings[LATE_S] and likely >= max(settings[LATE], thresholds[i])
+        if late or score >= log_odds(thresholds[i]):
             fired[i], count = PREDICTED, count + 1
     memory[COUNT] += count
     return count

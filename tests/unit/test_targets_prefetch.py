@@ -9,7 +9,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pointpred.columns import FloatArray
 from pointpred.targets import Target, around, cursor, prefetch
 from pointpred.targets.prefetch import ARMED, ENTERED, FIRED, PREDICTED, RESTING
 from pointpred.targets.rectangles import table
@@ -25,10 +24,14 @@ SETTINGS = np.array(prefetch.FITTED)
 class Page:
     """A page's targets, and a cursor that is moved over it by hand."""
 
-    def __init__(self, targets: Sequence[Target], settings: FloatArray = SETTINGS) -> None:
-        self.table, self.settings = table(targets), settings
+    def __init__(self, targets: Sequence[Target], threshold: float = prefetch.THRESHOLD) -> None:
+        self.table, self.thresholds = table(targets), np.full(len(targets), threshold)
         self.memory = np.zeros(prefetch.STATES)
         self.visits, self.fired = np.zeros(len(targets)), np.zeros(len(targets))
+
+    @property
+    def targets(self) -> prefetch.Targets:
+        return self.table, self.thresholds, self.visits, self.fired
 
     def move(
         self, t: float, x: float, y: float, shares: Sequence[float] | None = None, pressed: float = 0.0
@@ -36,7 +39,7 @@ class Page:
         """The places of the targets that fire at this event; all targets equally unlikely unless given."""
         cursor.follow(self.memory, t, x, y, pressed)
         each = np.full(len(self.table) + 1, 1e-9) if shares is None else np.array([*shares, 0.0])
-        count = prefetch.step(self.memory, self.table, each, self.visits, self.fired, self.settings)
+        count = prefetch.step(self.memory, self.targets, each, SETTINGS)
         now = np.flatnonzero(self.fired >= PREDICTED).tolist()
         assert count == len(now)
         return now
@@ -110,16 +113,14 @@ def test_each_firing_makes_the_next_one_dearer() -> None:
 
 def test_a_higher_threshold_fires_later() -> None:
     def first(threshold: float) -> float:
-        settings = SETTINGS.copy()
-        settings[prefetch.THRESHOLD] = threshold
-        page = Page([NEAR, ASIDE, BEHIND], settings)
+        page = Page([NEAR, ASIDE, BEHIND], threshold)
         for i in range(100):
             p = i / 100
             if page.move(i / 100, 1.5 * i, 0.0, (p, 0.5 * (1.0 - p), 0.0)):
                 return p
         return 1.0
 
-    times = [first(threshold) for threshold in (0.05, 0.3, 0.8, 0.99)]
+    times = [first(threshold) for threshold in (0.0, 0.1, 0.5, 0.9, 1.0)]
     assert times == sorted(times)
     assert times[0] < times[-1]
 
@@ -157,6 +158,6 @@ def test_plain_python_agrees_with_the_compiled_law() -> None:
         shares = generator.dirichlet(np.full(4, 0.3))
         for page, step in ((one, prefetch.step), (other, plain)):
             cursor.follow(page.memory, t, x, y, 0.0)
-            step(page.memory, page.table, shares, page.visits, page.fired, page.settings)
+            step(page.memory, page.targets, shares, SETTINGS)
         assert one.fired.tolist() == other.fired.tolist()
         assert one.visits == pytest.approx(other.visits, rel=1e-12)
