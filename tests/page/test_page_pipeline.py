@@ -165,8 +165,9 @@ def test_a_person_that_cannot_be_used_is_refused() -> None:
             error.field,
             str(error).split(", received")[0],
         )
-    error, found = wrong("hold", person=taught.person)
-    assert found["message"] == str(error)
+    for name, options in (("hold", {}), ("kinematic-adaptive", {"adapt": 0})):
+        error, found = wrong(name, person=taught.person, **options)
+        assert found["message"] == str(error)
 
 
 def test_a_person_with_impossible_numbers_is_refused() -> None:
