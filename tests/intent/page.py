@@ -36,10 +36,10 @@ START = """import("/pointpred/intent/index.js").then((module) => {
 class IntentPage:
     """One document; ``box`` and ``watch`` are functions in it."""
 
-    def __init__(self, visitor: Visitor, host: str) -> None:
+    def __init__(self, visitor: Visitor, host: str, package: str = "/pointpred") -> None:
         self.visitor = visitor
         visitor.open(f"{host}/page.html")
-        visitor.value(START)
+        visitor.value(START.replace("/pointpred/", f"{package}/"))
         self.value, self.wait = visitor.value, visitor.wait
 
     def make(self, text: str) -> None:

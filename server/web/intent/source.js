@@ -1,5 +1,7 @@
 // Where predictions come from: a predictor in the page, or a service.
 
+const SMALL = ["minimum-jerk", "switched-direction", "switched", "linear", "hold"]; // need little code and no coefficients
+
 /** A predictor, which is loaded when it is first needed. Until then it predicts nothing. */
 export class Source {
   #loaded = null; #closed = false;
@@ -9,17 +11,15 @@ export class Source {
    * @param {(row: number[]) => void} onAnswer a prediction has come that `add` did not return, as a row
    */
   constructor(predictor, service, onAnswer) {
-    const opened = service === undefined ? import("./page-source.js").then(({ open }) => open(predictor))
-      : import("./service-source.js").then(({ open }) => open(predictor, service, onAnswer));
-    opened.then((loaded) => {
-      if (this.#closed) loaded.close();
-      else this.#loaded = loaded;
-    }).catch(reportError);
+    this.#load(predictor, service, onAnswer).catch(reportError);
   }
 
-  /** Whether events are used. */
-  get isReady() {
-    return this.#loaded !== null;
+  async #load(predictor, service, onAnswer) {
+    const { open } = await (service !== undefined ? import("./service-source.js")
+      : SMALL.includes(predictor) ? import("./small-source.js") : import("./page-source.js"));
+    const loaded = await open(predictor, service, onAnswer);
+    if (this.#closed) loaded.close();
+    else this.#loaded = loaded;
   }
 
   /** Uses one event. @param {number[]} row t, x, y, dx, dy, buttons @returns {number[]|null} the row of the prediction made at it, if there is one now */
