@@ -6,7 +6,7 @@ ROOTS = {
     "pointpred.differentiators.sampling": ("usable", "STARTED", "T"),
     "pointpred.differentiators.homogeneous": ("chatter", "STEPS_M", "CHATTER_MOST_M_S", "SUBSTEPS_MOST"),
     "pointpred.events": ("LARGEST", "LATEST_S"),
-    "pointpred.regions": ("reach", "as_normal"),
+    "pointpred.regions": ("ellipse", "as_normal"),
     "pointpred.scoring.measures.endpoint": (
         *("measure_trial", "FRACTIONS", "MEASURES", "TIME_AVERAGED", "BY_TIME", "BY_PATH"),
         *("SINGLE_AXIS", "SOUND"),
