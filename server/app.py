@@ -5,12 +5,10 @@ from __future__ import annotations
 import asyncio
 import contextlib
 from collections.abc import AsyncIterator, Callable
-from pathlib import Path
 from typing import Any
 
 from fastapi import FastAPI, Request, Response
 from fastapi.exceptions import RequestValidationError
-from fastapi.responses import FileResponse
 from fastapi.staticfiles import StaticFiles
 from starlette.exceptions import HTTPException
 from starlette.routing import Route, WebSocketRoute
@@ -42,13 +40,13 @@ from pointpred.server.openapi import (
     error_responses,
     text_response,
 )
+from pointpred.server.page import WEB, page
 from pointpred.server.service import Service
 from pointpred.server.uploads.receiving import UploadError, received_body
 
 SCRIPT = "text/javascript"
 CLIENT_MODULE = 'export * from "./web/pointpred.js";\n'
 """The short address of the client; its parts lie beside the module itself, wherever that is served from."""
-WEB = Path(__file__).with_name("web")
 OPEN, GUARDED = error_responses(403), error_responses(401, 403)
 
 
@@ -155,9 +153,9 @@ async def _metrics(request: Request) -> Response:
     return Response(service.metrics.text(), media_type=METRICS)
 
 
-def _page() -> FileResponse:
+def _page() -> Response:
     """The live page."""
-    return FileResponse(WEB / "index.html")
+    return Response(page(), media_type="text/html")
 
 
 def _client() -> Response:

@@ -54,9 +54,14 @@ def trial(name: str, predictors: tuple[str, ...]) -> dict[str, Any]:
         "name": name,
         "user": about.user,
         "target": _target(about.target_x, about.target_y, about.target_w),
-        "t": _column(events.t - events.t[0], 5),
-        "x": _column(events.x, 2),
-        "y": _column(events.y, 2),
+        "dpi": recording.provenance.dpi,
+        "cpi": recording.provenance.cpi,
+        "t": (events.t - events.t[0]).tolist(),
+        "x": events.x.tolist(),
+        "y": events.y.tolist(),
+        "dx": events.dx.tolist(),
+        "dy": events.dy.tolist(),
+        "buttons": events.buttons.tolist(),
         "predictions": {which: _predict(which, recording, number) for which in predictors},
     }
 

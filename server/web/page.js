@@ -1,4 +1,4 @@
-// The page's four views; each is connected and drawn only while its tab is open.
+// The page's four views, of one part or two; each is connected and drawn only while its tab is open.
 // All modules are loaded with the page: a browser does not request a module again after it has failed to load once.
 
 import * as assist from "./assist/view.js";
@@ -10,62 +10,72 @@ import { explainTerms } from "./page/glossary.js";
 import { makeTabs } from "./page/tabs.js";
 import { refuseFiles } from "./replay/drop.js";
 import * as replay from "./replay/view.js";
+import { hasService, makePlaceSelect, onPlace } from "./service/place.js";
 
-const liveWithDevice = {
-  open: () => Promise.all([live.open(), device.open()]),
-  close() {
-    live.close();
-    device.close();
-  },
-};
-const VIEWS = { live: liveWithDevice, circle, replay, assist };
-const STATUS = { live: "live-verdict", circle: "circle-status", replay: "replay-source", assist: "assist-status" };
+const PARTS = { live, device, circle, replay, assist };
+const VIEWS = { live: hasService ? ["live", "device"] : ["live"], circle: ["circle"], replay: ["replay"], assist: ["assist"] };
+const STATUS = { live: "live-verdict", device: "device-status", circle: "circle-status", replay: "replay-source", assist: "assist-status" };
 const RETRY_MS = 2000;
 
 let current = null;
 
-const errors = new Map(); // by view: the message shown, and the text that it has replaced
+const errors = new Map(); // by part: the message shown, and the text that it has replaced
+const attempts = new Map(); // by part: the newest attempt to open it
 
-function showError(view, error) {
-  const place = part(STATUS[view]);
-  const replaced = errors.get(view)?.replaced ?? place.textContent;
-  place.textContent = `Not working: ${error.message}. Is the service still running? Trying again.`;
+function showError(name, error) {
+  const place = part(STATUS[name]);
+  const replaced = errors.get(name)?.replaced ?? place.textContent;
+  place.textContent = `Not working: ${error.message}.${hasService ? " Is the service still running?" : ""} Trying again.`;
   place.dataset.failed = "true";
-  errors.set(view, { replaced, message: place.textContent });
+  errors.set(name, { replaced, message: place.textContent });
 }
 
-/** Puts the replaced text back, unless the view has written another since. */
-function clearError(view) {
-  const place = part(STATUS[view]), shown = errors.get(view);
+/** Puts the replaced text back, unless the part has written another since. */
+function clearError(name) {
+  const place = part(STATUS[name]), shown = errors.get(name);
   if (place.textContent === shown?.message) place.textContent = shown.replaced;
   delete place.dataset.failed;
-  errors.delete(view);
+  errors.delete(name);
 }
 
-/** Opens a view, and tries again until the service answers or another view is chosen. */
-async function open(view) {
+const isOpen = (name) => VIEWS[current].includes(name);
+
+/** Opens a part of a view, and tries again until it works or another view is chosen. */
+async function open(name) {
+  const attempt = (attempts.get(name) ?? 0) + 1;
+  attempts.set(name, attempt);
+  const isNewest = () => attempts.get(name) === attempt;
   try {
-    await VIEWS[view].open();
-    if (current === view) clearError(view);
-    else VIEWS[view].close();
+    await PARTS[name].open();
+    if (isOpen(name)) clearError(name);
+    else PARTS[name].close();
   } catch (error) {
-    if (current !== view) return;
-    showError(view, error);
-    setTimeout(() => current === view && open(view), RETRY_MS);
+    if (!isOpen(name) || !isNewest()) return;
+    showError(name, error);
+    setTimeout(() => isOpen(name) && isNewest() && open(name), RETRY_MS);
   }
 }
+
+const closeView = (view) => VIEWS[view].forEach((name) => PARTS[name].close());
 
 explainTerms();
 
 makeTabs(part("tabs"), (view, before) => {
   current = view;
   document.title = `pointpred: ${view}`;
-  if (before !== null) VIEWS[before].close();
-  open(view);
+  if (before !== null) closeView(before);
+  VIEWS[view].forEach(open);
+});
+
+makePlaceSelect(part("place"));
+
+onPlace(() => { // the attached device is shown wherever predictions are made
+  PARTS[current].close("place");
+  open(current);
 });
 
 // A browser may keep a page in its history with open sockets.
-window.addEventListener("pagehide", () => VIEWS[current].close());
-window.addEventListener("pageshow", ({ persisted }) => persisted && open(current));
+window.addEventListener("pagehide", () => closeView(current));
+window.addEventListener("pageshow", ({ persisted }) => persisted && VIEWS[current].forEach(open));
 
 refuseFiles();

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from pointpred.replaying import Page
-from pointpred.server.app import WEB
+from pointpred.server.page import WEB
 from tests.server import browser
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, running

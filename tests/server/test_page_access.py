@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from pointpred.server.app import WEB
+from pointpred.server.page import WEB
 from tests.server import browser, page_browser
 from tests.server.page_browser import Visitor
 
@@ -62,9 +62,10 @@ def visitor(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
 
 
 STOPS = {
-    "live": {"tab-live", "live-predictor-0", "live-predictor-1"},
+    "live": {"tab-live", "place", "live-predictor-0", "live-predictor-1"},
     "circle": {
         "tab-circle",
+        "place",
         "targets",
         "distance",
         "width",
@@ -73,9 +74,16 @@ STOPS = {
         "shown",
         "circle-start",
     },
-    "replay": {"tab-replay", "replay-predictor-0", "replay-predictor-1", "replay-trials", "replay-file"}
+    "replay": {
+        "tab-replay",
+        "place",
+        "replay-predictor-0",
+        "replay-predictor-1",
+        "replay-trials",
+        "replay-file",
+    }
     | {"replay-play", "replay-time", "replay-previous", "replay-next"},
-    "assist": {"tab-assist", "assist-predictor", "cpi", "gain", "strength", "alternate"}
+    "assist": {"tab-assist", "place", "assist-predictor", "cpi", "gain", "strength", "alternate"}
     | {"assist-capture", "assist-clear"},
 }
 
@@ -86,6 +94,8 @@ def test_every_control_is_reached_by_tab_and_shows_its_focus(visitor: Visitor, u
     visitor.open(f"{url}#{view}")
     selects = "[...document.querySelectorAll('[role=tabpanel]:not([hidden]) select')]"
     visitor.wait(f"{selects}.every(({{ disabled }}) => !disabled)")
+    line = "document.querySelector('[role=tabpanel]:not([hidden]) .connection')"
+    visitor.wait(f"{line}?.dataset.state !== 'connecting'")
     reached = set()
     active = "document.activeElement"
     shown = f"getComputedStyle({active}.type === 'file' ? {active}.parentElement : {active}).outlineStyle"
@@ -152,7 +162,7 @@ def test_settings_out_of_bounds_are_named(visitor: Visitor, url: str) -> None:
 @browser.needed
 def test_the_page_says_when_the_service_is_gone(visitor: Visitor) -> None:
     with page_browser.service() as url:
-        visitor.open(f"{url}#live")
+        visitor.open(f"{url}?by=service#live")
         visitor.wait("document.querySelector('#live-card-0 .connection').dataset.state === 'open'")
     visitor.wait("document.querySelector('#live-card-0 .connection').dataset.state === 'waiting'")
 

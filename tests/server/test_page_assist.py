@@ -53,7 +53,7 @@ def one(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
 @pytest.fixture
 def visitor(one: Visitor, url: str) -> Iterator[Visitor]:
     """Somebody who has opened the view; nothing complains, nothing shifts."""
-    one.open(f"{url}#assist")
+    one.open(f"{url}?by=service#assist")
     one.wait("!document.querySelector('#assist-capture').disabled")
     yield one
     assert one.complaints() == []
@@ -196,7 +196,7 @@ def test_raw_counts_are_requested_and_their_kind_is_shown(visitor: Visitor) -> N
 def test_a_service_that_goes_away_releases_the_mouse(tmp_path_factory: pytest.TempPathFactory) -> None:
     with page_browser.visitor(tmp_path_factory.mktemp("profile")) as visitor:
         with page_browser.service() as address:
-            visitor.open(f"{address}#assist")
+            visitor.open(f"{address}?by=service#assist")
             visitor.wait("!document.querySelector('#assist-capture').disabled")
             place = capture(visitor)
             move_by(visitor, place, (-60.0, 0.0))

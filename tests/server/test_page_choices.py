@@ -45,7 +45,7 @@ def visitor(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
     with page_browser.service() as url, page_browser.visitor(tmp_path_factory.mktemp("profile")) as opened:
         opened.page.call("Page.addScriptToEvaluateOnNewDocument", source=HEARD)
         opened.prefer(prefers_color_scheme="light")
-        opened.open(f"{url}#circle")
+        opened.open(f"{url}?by=service#circle")
         opened.wait("!document.querySelector('#circle-start').disabled")
         opened.value("document.querySelector('[name=shown]').checked = true")
         opened.wait("document.querySelector('#circle-connection').dataset.state === 'open'")

@@ -69,7 +69,7 @@ def test_the_usual_settings_do_not_overlap(visitor: Visitor) -> None:
 def test_start_waits_for_the_service_and_says_so(tmp_path_factory: pytest.TempPathFactory) -> None:
     with page_browser.visitor(tmp_path_factory.mktemp("profile")) as visitor:
         with page_browser.service() as url:
-            visitor.open(f"{url}#circle")
+            visitor.open(f"{url}?by=service#circle")
             visitor.wait(f"!{START}.disabled")
             before = visitor.value(STATUS)
         visitor.wait(f"{START}.disabled")

@@ -46,7 +46,7 @@ def visitor(one: Visitor) -> Iterator[Visitor]:
 
 
 def test_the_page_says_what_is_compiled_and_what_can_be_used(visitor: Visitor, url: str) -> None:
-    visitor.open(url)
+    visitor.open(f"{url}?by=service")
     visitor.wait(f"{LINE}.includes('1 of {COUNT}, ktm')")
     visitor.wait(f"{STATE.format('live')} === 'ready'")
     longest = visitor.value(LINE).replace("ktm", "differentiators")
@@ -70,5 +70,5 @@ def test_the_page_says_what_is_compiled_and_what_can_be_used(visitor: Visitor, u
     visitor.value(f"window.compiling = {json.dumps(OTHER)}, 0")
     visitor.wait(f"{STATE.format('live')} === 'compiling'")
     visitor.value(f"window.compiling = {json.dumps(DONE)}, 0")
-    visitor.wait(f"{LINE} === 'Connected.'")
+    visitor.wait(f"{LINE} === 'Predicted by the service.'")
     assert sorted(visitor.value(LABELS)) == sorted(REGISTRY)

@@ -60,7 +60,7 @@ def visitor(one: Visitor, url: str) -> Iterator[Visitor]:
     """Somebody at a live view that is connected."""
     one.resize(1280, 720)
     one.prefer(prefers_reduced_motion="no-preference", prefers_color_scheme="light")
-    one.open(f"{url}#live")
+    one.open(f"{url}?by=service#live")
     one.wait(CONNECTED)
     yield one
     assert one.complaints() == []
@@ -213,7 +213,7 @@ def test_known_is_what_stays_known_until_the_arrival(
 def test_the_demo_shows_everything_before_anybody_moves(visitor: Visitor, url: str) -> None:
     """Where less motion is asked for it stands in the middle of a movement."""
     visitor.prefer(prefers_reduced_motion="reduce", prefers_color_scheme="light")
-    visitor.open(f"{url}#live")
+    visitor.open(f"{url}?by=service#live")
     visitor.wait(f"{SCENE}.dataset.shows === 'demo'")
     visitor.wait("document.querySelector('#live-card-0 [data-of=region]').dataset.px !== ''")
     (mark, none) = visitor.value(MARKS)

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from pointpred.server.app import WEB
+from pointpred.server.page import WEB
 from tests.server import browser, page_browser
 
 pytestmark = browser.needed

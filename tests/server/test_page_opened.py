@@ -21,7 +21,7 @@ pytestmark = browser.needed
 @pytest.fixture
 def visitor(one: Visitor, url: str) -> Iterator[Visitor]:
     """Somebody at the replay view with its sample; whatever they do: no complaint, no other host."""
-    one.open(f"{url}#replay")
+    one.open(f"{url}?by=service#replay")
     one.wait("!document.querySelector('#replay-play').disabled")
     yield one
     assert one.complaints() == []

@@ -65,7 +65,7 @@ def one(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
 @pytest.fixture
 def visitor(one: Visitor, url: str) -> Iterator[Visitor]:
     """Somebody at a live view that is connected."""
-    one.open(f"{url}#live")
+    one.open(f"{url}?by=service#live")
     one.wait(CONNECTED)
     yield one
     assert one.complaints() == []

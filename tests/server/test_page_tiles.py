@@ -36,7 +36,7 @@ def visitor(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
     with page_browser.service() as url, page_browser.visitor(tmp_path_factory.mktemp("profile")) as opened:
         opened.page.call("Page.addScriptToEvaluateOnNewDocument", source=HEARD)
         opened.prefer(prefers_color_scheme="light")
-        opened.open(f"{url}#live")
+        opened.open(f"{url}?by=service#live")
         opened.wait("document.querySelector('#live-card-0 .connection').dataset.state === 'open'")
         opened.wait('answered.includes(\'{"type":"targets","count":5}\')')
         opened.choose("#live-predictor-0", "switched")  # it draws no region over the tiles

@@ -54,7 +54,7 @@ def test_a_view_first_opened_without_the_service_works_once_it_is_back(visitor: 
     visitor.open(f"{url}healthz")
     refuse(visitor, "*/v1/*")
     visitor.page.call("Network.setCacheDisabled", cacheDisabled=True)
-    visitor.open(f"{url}#live")
+    visitor.open(f"{url}?by=service#live")
     refuse(visitor, "*/v1/*", "*/web/circle*")
     press(visitor, "#tab-circle")
     visitor.wait(f"document.querySelector('{STATUS}').dataset.failed === 'true'")
@@ -63,7 +63,7 @@ def test_a_view_first_opened_without_the_service_works_once_it_is_back(visitor: 
 
 
 def test_a_file_that_stalls_leaves_what_is_shown(visitor: Visitor, url: str) -> None:
-    visitor.open(f"{url}#replay")
+    visitor.open(f"{url}?by=service#replay")
     visitor.wait("!document.querySelector('#replay-play').disabled")
     visitor.value(SILENT)
     visitor.give_files({"slow.csv": TABLE})

@@ -1,10 +1,11 @@
-// The assist view: the page captures the mouse, and the service moves a cursor by its counts, assisted or not.
+// The assist view: the page captures the mouse, and the session moves a cursor by its counts, assisted or not.
 
 import { FrameLoop, clearCanvas, colours, onRepaint } from "../drawing/canvas.js";
 import { disc, line } from "../drawing/marks.js";
 import { fillSelect, fillTable, part, write } from "../page/elements.js";
-import { predictors } from "../service/http.js";
+import { predictors } from "../service/listing.js";
 import { PredictorConnection } from "../service/predictor-connection.js";
+import { inPage } from "../service/place.js";
 import { ConnectionStatus } from "../service/status.js";
 import { COUNTS, PointerLock, isSupported } from "./pointer-lock.js";
 import { Task } from "./task.js";
@@ -126,10 +127,10 @@ function draw() {
 
 function onState(state) {
   status.show(state, { predictor: select.value, error: connection?.error });
-  if (state === "waiting" || state === "refused") release("the service does not answer");
+  if (state === "waiting" || state === "refused") release(inPage() ? "the predictor could not be loaded" : "the service does not answer");
 }
 
-/** Releases the mouse: without the service its cursor does not move. */
+/** Releases the mouse: without a session its cursor does not move. */
 function release(reason) {
   releaseText = `The mouse was released: ${reason}.`;
   lock.release();

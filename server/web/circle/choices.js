@@ -1,4 +1,4 @@
-// The targets of a circle at the service: how likely each is, and which one is proposed.
+// The targets of a circle in the session: how likely each is, and which one is proposed.
 
 /** Registers the targets, and follows predictions and choices. */
 export class CircleChoices {

@@ -2,6 +2,7 @@
 
 import { fillTable, part } from "../page/elements.js";
 import { number, percent } from "../page/numbers.js";
+import { hasService } from "../service/place.js";
 import { Results } from "../results/results.js";
 import { recording } from "./recording.js";
 import { statistics } from "./statistics.js";
@@ -55,7 +56,7 @@ function nameAt(time) {
 }
 
 /**
- * Shows the statistics of a run, then its scores when the service has computed them.
+ * Shows the statistics of a run, then its scores where there is a service, when it has computed them.
  * @param {import("./task.js").Trial[]} trials @param {string[]} names of the predictors that will be scored
  */
 export function showResult(trials, names) {
@@ -68,6 +69,10 @@ export function showResult(trials, names) {
   result.hidden = false;
   part("circle-result-title").focus({ preventScroll: true });
   result.scrollIntoView();
+  if (!hasService) {
+    result.dataset.state = "done";
+    return;
+  }
   part("circle-rescore").onclick = () => showScores(files.samples.text, names);
   showScores(files.samples.text, names);
 }

@@ -5,8 +5,9 @@ import { fillSelect, part, write } from "../page/elements.js";
 import { Ledger } from "../page/ledger.js";
 import { count } from "../page/numbers.js";
 import { listenToPointer } from "../page/pointer.js";
-import { predictors } from "../service/http.js";
+import { predictors } from "../service/listing.js";
 import { PredictorConnection } from "../service/predictor-connection.js";
+import { inPage } from "../service/place.js";
 import { ConnectionStatus } from "../service/status.js";
 import { CircleChoices } from "./choices.js";
 import { circle } from "./geometry.js";
@@ -19,6 +20,8 @@ import { CircleTask } from "./task.js";
 const SHOWN_MS = 500; // a prediction is drawn for this long
 const READY = ["open", "idle"]; // states of a connection in which a run can start: the next event opens an idle one
 const DOWN = "Start is disabled: the service does not answer. Is it still running? The page tries again by itself.";
+const UNLOADED = "Start is disabled: the predictor could not be loaded. The page tries again by itself.";
+const CANCELLED = { view: "The run was cancelled because another view was opened.", place: "The run was cancelled because predictions are now made elsewhere." };
 
 const [canvas, form, startButton, stopButton] = ["circle-scene", "circle-form", "circle-start", "circle-stop"].map(part);
 const [runStatus, progress, ledgerLine] = ["circle-status", "circle-progress", "circle-ledger"].map(part);
@@ -31,7 +34,7 @@ let active = false;
 let filled = false; // whether the predictors are offered
 let run = { text: runStatus.textContent, state: "ready" }; // what is shown of the run
 let edited = false; // whether the person has set the distance
-let started = false; // whether the service knows where the current movement began
+let started = false; // whether the session knows where the current movement began
 let names = []; // of all predictors
 /** @type {PredictorConnection|null} */ let connection = null;
 let ledger = new Ledger();
@@ -61,13 +64,13 @@ function select(row) {
 }
 
 /**
- * Shows how the run stands; between runs, that the service does not answer if so.
+ * Shows how the run stands; between runs, that nothing can be predicted if so.
  * @param {string} [text] @param {"ready"|"invalid"|"waiting"|"running"|"done"|"stopped"|"cancelled"} [state]
  */
 function showRunStatus(text = run.text, state = run.state) {
   run = { text, state };
   const down = !isRunning() && ["waiting", "refused"].includes(status.state);
-  write(runStatus, down ? DOWN : text);
+  write(runStatus, !down ? text : inPage() ? UNLOADED : DOWN);
   runStatus.dataset.state = down ? "down" : state;
 }
 
@@ -191,12 +194,12 @@ export async function open() {
   if (active) connectWith(form.elements.predictor.value);
 }
 
-/** Cancels the run and closes the connection. */
-export function close() {
+/** Cancels the run and closes the connection. @param {"view"|"place"} reason another view was opened, or another place chosen */
+export function close(reason = "view") {
   if (isRunning()) {
     task = null;
     setRunning(false);
-    showRunStatus("The run was cancelled because another view was opened.", "cancelled");
+    showRunStatus(CANCELLED[reason], "cancelled");
   }
   active = false;
   loop.stop();

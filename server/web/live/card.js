@@ -2,6 +2,7 @@
 
 import { fillSelect, sentence, write } from "../page/elements.js";
 import { SmoothRegions } from "../drawing/regions.js";
+import { withParameters } from "../service/listing.js";
 import { PredictorConnection, stateText } from "../service/predictor-connection.js";
 import { ConnectionStatus } from "../service/status.js";
 import { PredictionFields, markOf, opacityAfter } from "./prediction.js";
@@ -10,7 +11,7 @@ import { Parameters } from "./parameters.js";
 /** The card of one predictor. */
 export class LiveCard {
   /** Null while no predictor is chosen or the view is closed. @type {PredictorConnection|null} */ connection = null;
-  /** As the service describes them. @type {object[]} */ #predictors = [];
+  /** @type {import("../service/listing.js").Listed[]} */ #predictors = [];
   #card; #status; #about; #handlers; #options; #regions = new SmoothRegions();
 
   /**
@@ -71,7 +72,13 @@ export class LiveCard {
   #describe() {
     const chosen = this.#predictors.find(({ name }) => name === this.select.value) ?? null;
     write(this.#about, chosen?.title ? sentence(chosen.title) : "");
-    this.parameters.show(chosen);
+    this.parameters.show(chosen === null ? null : { name: chosen.name, parameters: [] });
+    if (chosen !== null) this.#showParameters(chosen);
+  }
+
+  async #showParameters(chosen) {
+    const described = await withParameters(chosen).catch(() => null); // the connection says what is wrong
+    if (described !== null && chosen.name === this.select.value) this.parameters.show(described);
   }
 
   #showError({ message, path }) {

@@ -1,4 +1,4 @@
-// What the live view shows while nobody moves: a simulated movement, predicted by the service.
+// What the live view shows while nobody moves: a simulated movement and its predictions.
 
 import { NEAR_PX, Movement } from "./movement.js";
 import { requestTakes } from "./takes.js";

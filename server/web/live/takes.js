@@ -1,7 +1,9 @@
-// Simulated movements of the embedded sample, turned so that they end on a tile, with the service's answer to each event.
+// Simulated movements of the embedded sample, turned so that they end on a tile, with the prediction after each event.
 
 import { Ledger } from "../page/ledger.js";
-import { read, token } from "../service/http.js";
+import { token } from "../service/http.js";
+import { inPage } from "../service/place.js";
+import { sample, samples } from "../service/samples.js";
 import { speed } from "./movement.js";
 import { connect } from "../pointpred.js";
 
@@ -44,12 +46,12 @@ function transform(rows, [startX, startY], [endX, endY]) {
  * @param {(take: Take) => void} onTake @param {AbortSignal} signal
  */
 export async function requestTakes({ predictor, parameters, tiles, width, height }, onTake, signal) {
-  const { samples } = await read("/v1/samples");
-  const connection = connect(undefined, { predictor, parameters, pointer: false, token, encoding: "json", targets: tiles });
+  const listed = await samples();
+  const connection = connect(undefined, { predictor, parameters, pointer: false, token, page: inPage(), encoding: "json", targets: tiles });
   signal.addEventListener("abort", () => connection.close());
   try {
     for (const [i, { tile, start }] of PLANS.entries()) {
-      const movement = await read(`/v1/samples/${encodeURIComponent(samples[i % samples.length].name)}?predictors=`);
+      const movement = await sample(listed[i % listed.length].name);
       const target = tiles[tile];
       const rows = transform(trim(movement), [start[0] * width, start[1] * height], [target.x + target.width / 2, target.y + target.height / 2]);
       if (signal.aborted) return;
@@ -62,7 +64,7 @@ export async function requestTakes({ predictor, parameters, tiles, width, height
   }
 }
 
-/** The service's answer to each event; rejects if the connection is lost. */
+/** The prediction after each event; rejects if the connection is lost. */
 function answersTo(connection, rows, offset) {
   const answers = [], delays = [], choices = [];
   const send = ([t, x, y]) => connection.send([[offset + t, x, y, null, null, 0]]);

@@ -7,8 +7,9 @@ import { part, write } from "../page/elements.js";
 import { explainPredictors } from "../page/glossary.js";
 import { median, number } from "../page/numbers.js";
 import { listenToPointer } from "../page/pointer.js";
-import { predictors } from "../service/http.js";
+import { predictors } from "../service/listing.js";
 import { LiveCard } from "./card.js";
+import { Comparison } from "./comparison.js";
 import { Demo, judge } from "./demo.js";
 import { RecentLeads, describe } from "./earliness.js";
 import { Movement, speed } from "./movement.js";
@@ -41,6 +42,7 @@ const first = new LiveCard(part("live-card-0"), part("live-parameters-0"), (pred
 }, { choice: (choice) => tiles.addChoice(choice) }, { encoding: "json" }); // packed predictions have no probabilities of targets
 const second = new LiveCard(part("live-card-1"), part("live-parameters-1"), (prediction, name) => movement.addPrediction(1, prediction, name));
 const cards = [first, second];
+const comparison = new Comparison(() => ({ predictor: first.select.value, parameters: first.parameters.values }));
 
 let strip = null;
 let active = false;
@@ -62,6 +64,7 @@ function move(rows) {
   movement.move(rows);
   tiles.move(rows);
   for (const card of cards) card.connection?.send(rows);
+  comparison.send(rows);
 }
 
 function press(row) {
@@ -145,6 +148,7 @@ function writeNumbers(now, { marks, speed: pace, rate, delay }) {
   write(numbers.speed, number(pace));
   write(numbers.delay, number(delay ?? first.connection?.delay(), 2));
   marks.forEach((mark, i) => cards[i].fields.writeTimes(mark));
+  comparison.update();
 }
 
 /** Writes how early the end of the person's movement was predicted. */
@@ -176,6 +180,7 @@ export async function open() {
   for (const card of cards) card.open();
   loop.start();
   await fillCards();
+  if (active) comparison.open();
 }
 
 /** Offers the predictors, and connects with the recommended one. */
@@ -194,6 +199,7 @@ export function close() {
   loop.stop();
   tiles.clear();
   demo.close();
+  comparison.close();
   for (const card of cards) card.close();
 }
 

@@ -13,7 +13,7 @@ const TERMS = {
   answered: ["answered", "share of the pointer's events for which the predictor gave an endpoint"],
   left: ["time left", "predicted time until the movement ends"],
   region: ["region", "where the endpoint lies with a given probability, as the predictor claims: 50 % for the tinted ellipse, 80 % for the thin one. Its size is length × breadth of the tinted one. Some predictors give no region"],
-  proposed: ["tile proposed", "the service is confident that you are heading for this tile: a program could now load what the tile opens"],
+  proposed: ["tile proposed", "the prediction is confident enough that you are heading for this tile: a program could now load what the tile opens"],
   near: ["predicted within 40 px", "from then until you arrived, every predicted endpoint was within 40 px of where you stopped"],
   arrived: ["arrived", "from then on the pointer stayed within 8 px of where it stopped (3 % of the distance, if that is more)"],
   delay: ["delay", "time from sending an event to receiving its prediction, median of the last second"],

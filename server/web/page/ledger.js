@@ -1,4 +1,4 @@
-// Counts what became of the service's proposals: how many there were, how many were right or wrong, and how early.
+// Counts what became of the proposals: how many there were, how many were right or wrong, and how early.
 
 import { count, median, number } from "./numbers.js";
 
@@ -38,7 +38,7 @@ export class Ledger {
     return lead;
   }
 
-  /** Adds a movement that the service has scored. @param {{fired?: number|null, hit?: boolean|null, wasted?: number|null, lead_s?: number|null}} score */
+  /** Adds a scored movement. @param {{fired?: number|null, hit?: boolean|null, wasted?: number|null, lead_s?: number|null}} score */
   addScore({ fired, hit, wasted, lead_s: lead }) {
     if (fired == null) return;
     this.movements += 1;

@@ -10,9 +10,9 @@ const MOST_BYTES = 64 * MIB;
 const HEAD_BYTES = 4096;
 
 /** A file that cannot be opened; `code` is what is wrong with it. */
-class FileError extends Error {
+export class FileError extends Error {
   /**
-   * @param {"bad_header"|"bad_row"|"wrong_count"|"no_column"|"no_movement"|"no_samples"|"not_a_table"|"several"|"too_large"|"unreadable"} code
+   * @param {"bad_header"|"bad_row"|"wrong_count"|"no_column"|"no_movement"|"no_samples"|"not_a_table"|"several"|"too_large"|"unreadable"|"needs_service"} code
    * @param {string} message
    */
   constructor(code, message) {

@@ -1,10 +1,11 @@
-// Predictions along a recorded movement: its events are sent to the service, which answers each.
+// Predictions along a recorded movement: a session answers each of its events.
 
 import { token } from "../service/http.js";
+import { inPage } from "../service/place.js";
 import { connect } from "../pointpred.js";
 
 const PART = 512; // events per message; the next message waits for the answers, so that none is dropped
-const PER_S = 10000;
+const PER_S = 10000; // that a service takes
 const TIMEOUT_MS = 10000;
 
 /** The next message of a connection that `accept` accepts; rejects after an error or ten seconds. */
@@ -15,7 +16,7 @@ function nextMessage(connection, name, accept) {
       removers.forEach((remove) => remove());
       act(value);
     };
-    const timer = setTimeout(() => settle(reject, new Error("the service does not answer")), TIMEOUT_MS);
+    const timer = setTimeout(() => settle(reject, new Error("no answer came within ten seconds")), TIMEOUT_MS);
     const removers = [
       connection.on(name, (message) => accept(message) && settle(resolve, message)),
       connection.on("error", ({ message }) => settle(reject, new Error(message))),
@@ -30,7 +31,8 @@ function nextMessage(connection, name, accept) {
  * @returns {Promise<import("./picture.js").Column>}
  */
 export async function predictionsAlong(rows, predictor, { dpi, cpi }) {
-  const options = { predictor, pointer: false, token, reply: "event", screen: { dpi }, ...(cpi ? { device: { cpi } } : {}) };
+  const page = inPage();
+  const options = { page, predictor, pointer: false, token, reply: "event", screen: { dpi }, ...(cpi ? { device: { cpi } } : {}) };
   const connection = connect(undefined, options);
   const column = { x: [], y: [], regions: [] };
   connection.on("prediction", ({ x, y, region }) => {
@@ -45,7 +47,7 @@ export async function predictionsAlong(rows, predictor, { dpi, cpi }) {
       const answered = nextMessage(connection, "prediction", () => column.x.length === first + part.length);
       connection.send(part);
       await answered;
-      if (rows.length > PER_S) await new Promise((resolve) => setTimeout(resolve, (1000 * PART) / PER_S));
+      if (!page && rows.length > PER_S) await new Promise((resolve) => setTimeout(resolve, (1000 * PART) / PER_S));
     }
   } finally {
     connection.close();

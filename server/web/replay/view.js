@@ -5,7 +5,9 @@ import { drawLegends } from "../drawing/legend.js";
 import { fillSelect, part, sentence, write } from "../page/elements.js";
 import { number } from "../page/numbers.js";
 import { Results } from "../results/results.js";
-import { ServiceError, predictors } from "../service/http.js";
+import { ServiceError } from "../service/http.js";
+import { predictors } from "../service/listing.js";
+import { hasService, inPage } from "../service/place.js";
 import { askColumns, closeColumns } from "./columns.js";
 import { acceptFiles } from "./drop.js";
 import { drawErrors } from "./errors.js";
@@ -22,6 +24,7 @@ const results = new Results("replay");
 let source = null;
 let movement = null;
 let index = 0;
+let predictedInPage = null; // whether the movement was predicted in the page
 let movementRequest = 0; // the newest one: answers to older requests are ignored
 let sourceRequest = 0;
 
@@ -53,7 +56,7 @@ const load = (from, which) => from.movement(which, chosenPredictors()).catch((er
 function showResult(result, ms = null) {
   if (result instanceof Error) clear(`Movement ${index + 1} cannot be shown: ${result.message}.`);
   else {
-    movement = result;
+    [movement, predictedInPage] = [result, inPage()];
     player.load(1000 * movement.t[movement.t.length - 1], ms ?? 1000 * movement.t[halfway()]);
   }
   retryButton.hidden = movement !== null;
@@ -119,7 +122,7 @@ async function changeSource(promise) {
   list.replaceChildren(...source.names.map((name, i) => new Option(name, String(i))));
   list.selectedIndex = 0;
   showStatus(source.description, "open");
-  part("replay-result").hidden = source.csv === null;
+  part("replay-result").hidden = source.csv === null || !hasService;
   sampleButton.disabled = source.csv === null;
   for (const control of [previousButton, nextButton, list]) control.disabled = false;
   showResult(first);
@@ -134,7 +137,7 @@ async function openRecording(files, parameters = {}) {
   try {
     if (!(await changeSource(fileSource(files, parameters)))) return;
     closeColumns();
-    await results.score(source.csv, [...selects[0].options].map(({ value }) => value), "", source.columns);
+    if (hasService) await results.score(source.csv, [...selects[0].options].map(({ value }) => value), "", source.columns);
   } catch (error) {
     showOpeningError(error, files);
   }
@@ -156,7 +159,7 @@ async function openSample() {
   try {
     await changeSource(sampleSource());
   } catch (error) {
-    showStatus(`The sample cannot be shown: ${sentence(error.message)} Is the service still running?`, "failed", error.code);
+    showStatus(`The sample cannot be shown: ${sentence(error.message)}${inPage() ? "" : " Is the service still running?"}`, "failed", error.code);
   }
 }
 
@@ -169,7 +172,7 @@ export async function open() {
   }
   drawLegends();
   if (source === null) await changeSource(sampleSource());
-  else if (movement === null) await show(index);
+  else if (movement === null || predictedInPage !== inPage()) await show(index, movement && player.ms);
   draw();
 }
 

@@ -1,6 +1,7 @@
 // What the service still compiles on its first start, requested once a second until it is done.
 
 import { read } from "./http.js";
+import { inPage, onPlace } from "./place.js";
 
 const INTERVAL_MS = 1000;
 
@@ -24,20 +25,26 @@ export function onCompiling(listener) {
   listeners.add(listener);
 }
 
-/** Requests the progress, and again until everything is compiled. */
+/** Requests the progress, and again until everything is compiled or the page predicts. */
 export async function pollCompiling() {
   if (polling) return;
   polling = true;
   do {
     const answer = await read("/v1/compiling").catch(() => null);
-    const before = progress;
-    progress = answer?.next ? answer : null;
-    labelOptions();
-    if (progress !== null || before !== null) for (const listener of listeners) listener();
+    set(answer?.next && !inPage() ? answer : null);
     if (progress !== null) await new Promise((resolve) => setTimeout(resolve, INTERVAL_MS));
   } while (progress !== null);
   polling = false;
 }
+
+function set(newest) {
+  const before = progress;
+  progress = newest;
+  labelOptions();
+  if (progress !== null || before !== null) for (const listener of listeners) listener();
+}
+
+onPlace(() => inPage() && set(null)); // in the page nothing is compiled
 
 /** Labels the predictors that are not compiled yet. */
 function labelOptions() {

@@ -1,6 +1,6 @@
-// Requests to the service over HTTP.
+// Requests to the service over HTTP; a page without one reads files beside it.
 
-const FALLBACK = "kinematic-adaptive"; // the predictor shown first if the service recommends none
+import { hasService } from "./place.js";
 
 /** The token in the page's own address, if the service asks for one. */
 export const token = new URLSearchParams(window.location.search).get("token") ?? undefined;
@@ -11,7 +11,7 @@ const AUTHORIZATION = token === undefined ? {} : { Authorization: `Bearer ${toke
 export class ServiceError extends Error {
   /** @param {object} body the error as the service describes it @param {number} status */
   constructor(body, status) {
-    super(body.message ?? `the service answered with status ${status}`);
+    super(body.message ?? `the server answered with status ${status}`);
     this.code = body.code ?? "internal";
     this.path = body.path ?? null;
     this.field = body.field ?? null;
@@ -23,22 +23,11 @@ export class ServiceError extends Error {
 export async function read(address, options = {}) {
   const headers = { ...AUTHORIZATION, ...options.headers };
   const response = await fetch(address, { ...options, headers }).catch(() => {
-    throw new Error("the service cannot be reached"); // the browsers' own messages differ and say less
+    throw new Error(hasService ? "the service cannot be reached" : `${address} cannot be read`); // the browsers' own messages differ and say less
   });
   const body = await response.json().catch(() => ({}));
   if (!response.ok) throw new ServiceError(body, response.status);
   return body;
-}
-
-let listing = null;
-
-/** The predictors of the service, and which one it recommends; requested once, and again after a failure. */
-export function predictors() {
-  listing ??= read("/v1/predictors").then((answer) => ({ recommended: FALLBACK, ...answer })).catch((error) => {
-    listing = null;
-    throw error;
-  });
-  return listing;
 }
 
 /** Uploads a table of samples. @param {string|Blob} body @param {object} columns how to read it: the query of the request */

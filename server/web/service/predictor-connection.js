@@ -1,12 +1,20 @@
-// A connection of the page to the service with one predictor: its newest prediction, and how long answers take.
+// A connection with one predictor, in the page or at the service: its newest prediction, and how long answers take.
 
 import { median } from "../page/numbers.js";
 import { token } from "./http.js";
+import { inPage } from "./place.js";
 import { connect } from "../pointpred.js";
 
-const TEXTS = {
+const PAGE_TEXTS = {
+  connecting: "Loading the predictor…",
+  open: "Predicted in this page.",
+  waiting: "The predictor could not be loaded. Trying again…",
+  refused: "The predictor cannot be used.",
+  closed: "Not predicting.",
+};
+const SERVICE_TEXTS = {
   connecting: "Connecting…",
-  open: "Connected.",
+  open: "Predicted by the service.",
   waiting: "The service does not answer. Trying again…",
   idle: "Paused. Move to connect again.",
   refused: "The service refused the connection.",
@@ -15,7 +23,7 @@ const TEXTS = {
 const MOST_DELAYS = 4000;
 
 /** The state of a connection in words. */
-export const stateText = (state) => TEXTS[state] ?? state;
+export const stateText = (state) => (inPage() ? PAGE_TEXTS : SERVICE_TEXTS)[state] ?? state;
 
 /** A connection with one predictor; the page sends the events. */
 export class PredictorConnection {
@@ -33,7 +41,7 @@ export class PredictorConnection {
    */
   constructor(predictor, handlers = {}, options = {}) {
     this.predictor = predictor;
-    this.#connection = connect(undefined, { predictor, pointer: false, token, ...options });
+    this.#connection = connect(undefined, { predictor, pointer: false, token, page: inPage(), ...options });
     this.#connection.on("prediction", (prediction) => {
       this.latest = prediction;
       this.at = performance.now();
@@ -58,6 +66,11 @@ export class PredictorConnection {
     return this.#connection.state;
   }
 
+  /** The newest delay, ms; null before the first prediction. @returns {number|null} */
+  get delayMs() {
+    return this.#connection.delayMs;
+  }
+
   /** The median delay of the last second, ms; NaN if there was no prediction. */
   delay() {
     const since = performance.now() - 1000;
@@ -65,7 +78,7 @@ export class PredictorConnection {
     return median(this.#delays.map(([, ms]) => ms).filter((ms) => ms !== null));
   }
 
-  /** The predictor of the newest prediction: the service answers in order, so a change is in force from its welcome on. */
+  /** The predictor of the newest prediction: answers come in order, so a change is in force from its welcome on. */
   get activePredictor() {
     return this.#connection.welcome?.predictor ?? this.predictor;
   }

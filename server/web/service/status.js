@@ -2,6 +2,7 @@
 
 import { write } from "../page/elements.js";
 import { compilingProgress, onCompiling, pollCompiling } from "./compiling.js";
+import { inPage } from "./place.js";
 import { stateText } from "./predictor-connection.js";
 
 /** One status line; it is updated while the service compiles. */
@@ -26,13 +27,13 @@ export class ConnectionStatus {
   show(state, about) {
     this.#shown = { state, ...about };
     this.#line.dataset.state = state ?? "";
-    if (state === "connecting") pollCompiling();
+    if (state === "connecting" && !inPage()) pollCompiling();
     this.#write();
   }
 
   #write() {
     const { state, predictor, error, disconnected } = this.#shown;
-    const compiling = state === "connecting" || state === "open" ? compilingProgress(predictor, state === "open") : null;
+    const compiling = state === "connecting" || state === "open" ? compilingProgress(predictor, state === "open") : null; // none in the page
     const text = compiling?.text ?? (state === undefined ? disconnected : stateText(state));
     this.#line.dataset.compiling = compiling?.state ?? "";
     if (text !== undefined) write(this.#line, error && state !== "open" ? `${text} ${error}` : text);

@@ -1,0 +1,169 @@
+"""Where the page predicts: in itself unless the service is chosen, and both compared in the live view."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pointpred import build, run
+from pointpred.datasets import sample
+from pointpred.recording import Recording
+from pointpred.sources import write
+from tests.server import browser
+from tests.server.page_browser import Visitor
+
+pytestmark = browser.needed
+
+LINES = {"live": "#live-card-0 .connection", "circle": "#circle-connection", "assist": "#assist-connection"}
+HERE, THERE = "Predicted in this page.", "Predicted by the service."
+SHOWN = "document.querySelector('#live-compared')"
+CHOSEN = "document.querySelector('#place').value"
+READOUT = "#replay-readout"
+
+
+@pytest.fixture
+def visitor(one: Visitor) -> Iterator[Visitor]:
+    one.resize(1280, 720)
+    yield one
+    assert one.complaints() == []
+    assert one.shift() < 0.001
+
+
+def says(visitor: Visitor, view: str, words: str) -> None:
+    visitor.wait(f"document.querySelector('{LINES[view]}').textContent === '{words}'")
+
+
+def sockets(visitor: Visitor) -> set[str]:
+    return {address for address in visitor.asked() if address.startswith("ws")}
+
+
+def move(visitor: Visitor) -> None:
+    left, top, width, height = visitor.corner("#live-scene")
+    for share in (0.8, 0.3):
+        visitor.reach(
+            (left + (1 - share) * width, top + 0.3 * height), (left + share * width, top + 0.5 * height), 0.4
+        )
+
+
+def test_the_page_predicts_unless_the_service_is_chosen_which_the_address_keeps(
+    visitor: Visitor, url: str
+) -> None:
+    visitor.open(f"{url}#live")
+    says(visitor, "live", HERE)
+    move(visitor)
+    visitor.wait("Number(document.querySelector('#live-scene').dataset.drawn) > 0")
+    assert sockets(visitor) == set()
+    assert f"{url}v1/predictors" not in visitor.asked()
+    visitor.choose("#place", "service")
+    says(visitor, "live", THERE)
+    assert len(sockets(visitor)) == 1
+    assert visitor.value("location.search + location.hash") == "?by=service#live"
+    visitor.page.go(visitor.value("location.href"))
+    says(visitor, "live", THERE)
+    visitor.value("location.hash = 'circle'")
+    says(visitor, "circle", THERE)
+    visitor.choose("#place", "page")
+    says(visitor, "circle", HERE)
+    assert visitor.value("location.search") == ""
+    visitor.value("location.hash = 'live'")
+    says(visitor, "live", HERE)
+
+
+def test_both_places_are_compared_on_the_same_movements_when_asked(visitor: Visitor, url: str) -> None:
+    visitor.open(f"{url}#live")
+    says(visitor, "live", HERE)
+    assert sockets(visitor) == set()
+    visitor.value("document.querySelector('#live-compare').click()")
+    visitor.wait("document.querySelector('#live-compare-status').textContent === 'Move over the picture.'")
+    move(visitor)
+    visitor.wait(f"Number({SHOWN}.dataset.events) > 50")
+    assert visitor.text("#live-compare-status") == "The predictions are equal."
+    assert visitor.value(f"Number({SHOWN}.dataset.px)") < 1e-6
+    delays = [float(visitor.text(f"#live-compared [data-of={place}]")) for place in ("page", "service")]
+    assert all(0.0 <= delay < 1000.0 for delay in delays)
+    visitor.choose("#live-predictor-0", "switched")
+    visitor.wait("document.querySelector('#live-compare-status').textContent === 'Move over the picture.'")
+    move(visitor)
+    visitor.wait(f"Number({SHOWN}.dataset.events) > 50")
+    assert visitor.text("#live-compare-status") == "The predictions are equal."
+    visitor.value("document.querySelector('#live-compare').click()")
+    assert visitor.value(f"{SHOWN}.hidden")
+
+
+def test_predictions_that_differ_are_reported(visitor: Visitor, url: str) -> None:
+    visitor.open(url)
+    found = visitor.value(
+        "import('/web/live/pairs.js').then(({ Pairs }) => {"
+        "const pairs = new Pairs();"
+        "const add = (which, t, x, y) => pairs.add(which, { t, x, y });"
+        "add(0, 1, 5, 5); add(1, 1, 5, 5); add(0, 2, null, null); add(1, 2, null, null);"
+        "add(1, 3, 1, 1); add(1, 4, 8, 9); add(0, 4, 5, 5);"
+        "const before = [pairs.count, pairs.largestPx];"
+        "add(0, 5, null, null); add(1, 5, 1, 1);"
+        "return [...before, pairs.count, String(pairs.largestPx)]; })"
+    )
+    assert found == [3, 5, 4, "Infinity"]
+
+
+def test_a_changed_place_cancels_a_run_and_predicts_the_replayed_movement_again(
+    visitor: Visitor, url: str
+) -> None:
+    visitor.open(f"{url}#circle")
+    visitor.wait("!document.querySelector('#circle-start').disabled")
+    visitor.value("document.querySelector('#circle-start').click()")
+    visitor.choose("#place", "service")
+    visitor.wait("document.querySelector('#circle-status').dataset.state === 'cancelled'")
+    says(visitor, "circle", THERE)
+    visitor.value("location.hash = 'replay'")
+    visitor.wait("!document.querySelector('#replay-play').disabled")
+    by_service = visitor.text(READOUT)
+    assert "px off" in by_service
+    visitor.value(
+        "window.computed = 0, new MutationObserver(() => computed += 1).observe("
+        f"document.querySelector('{READOUT}'), {{ childList: true }})"
+    )
+    visitor.choose("#place", "page")
+    visitor.wait(f"computed > 1 && document.querySelector('{READOUT}').textContent.includes('px off')")
+    assert visitor.text(READOUT) == by_service
+
+
+@pytest.mark.parametrize("predictor", ["kinematic-adaptive", "switched", "kep-quartic"])
+def test_an_opened_file_is_predicted_in_the_page_as_in_python(
+    visitor: Visitor, url: str, tmp_path: Path, predictor: str
+) -> None:
+    visitor.open(f"{url}#replay")
+    visitor.wait("!document.querySelector('#replay-play').disabled")
+    whole = sample()
+    parts = [whole.rows(i) for i in (3, 4)]
+    own = Recording.of("study", parts, [whole.trials[i] for i in (3, 4)], provenance=whole.provenance)
+    visitor.choose_files("#replay-file", write(own, tmp_path / "study_samples.csv"))
+    visitor.wait(f"document.querySelector('{READOUT}').textContent.includes('Movement 1 of 2')")
+    predicted = visitor.value(
+        "import('/web/replay/predictions.js').then(async ({ predictionsAlong }) => {"
+        "const { readFiles } = await import('/web/replay/csv.js');"
+        "const { movements, dpi, cpi } = await readFiles([...document.querySelector('#replay-file').files]);"
+        f"return predictionsAlong(movements[1].rows, '{predictor}', {{ dpi, cpi }}); }})"
+    )
+    assert sockets(visitor) == set()
+    expected = run(build(predictor, cpi=own.provenance.cpi, dpi=own.provenance.dpi), parts[1])
+    assert np.isfinite(expected.x).any()
+    for axis, column in (("x", expected.x), ("y", expected.y)):
+        np.testing.assert_allclose(np.array(predicted[axis], dtype=float), column, rtol=0.0, atol=1e-6)
+    visitor.wait("document.querySelector('#replay-score-status').dataset.state === 'done'")
+
+
+def test_parameters_are_described_as_by_the_service(visitor: Visitor, url: str) -> None:
+    visitor.open(url)
+    differing = visitor.value(
+        "import('/web/prediction/description.js').then(async ({ describe }) => {"
+        "const { predictors } = await (await fetch('/v1/predictors')).json();"
+        "const own = await Promise.all(predictors.map(({ name }) => describe(name)));"
+        "const text = (one) => JSON.stringify(one, (_, value) =>"
+        "value && !Array.isArray(value) && typeof value === 'object'"
+        "? Object.fromEntries(Object.entries(value).sort()) : value);"
+        "return predictors.filter((one, i) => text(one) !== text(own[i])).map((one, i) => text(one)); })"
+    )
+    assert differing == []
