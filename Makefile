@@ -7,13 +7,16 @@ RUNS = .venv/.run
 READY = .venv/.ready
 INSTALL = -m pip install --quiet --disable-pip-version-check -c constraints.txt --editable
 
-.PHONY: run test check format bench page docs results train crossvalidate sample inputs fuzz fuzz-inputs clean help
+.PHONY: run demo test check format bench page docs results train crossvalidate sample inputs fuzz fuzz-inputs clean help
 
 help:  ## show these lines
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
 
 run: $(RUNS)  ## set up and serve the live page on 127.0.0.1
 	$(BIN)/pointpred serve
+
+demo: $(RUNS)  ## write the page for a static host into FOLDER (demo)
+	$(BIN)/pointpred demo --force --out '$(or $(FOLDER),demo)'
 
 test: $(READY)  ## set up and run every test
 	$(BIN)/python -m pytest -n 2 -q

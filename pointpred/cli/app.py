@@ -14,6 +14,7 @@ import pointpred
 from pointpred.cli.camera import app as camera
 from pointpred.cli.convert import convert
 from pointpred.cli.datasets import app as datasets
+from pointpred.cli.demo import demo
 from pointpred.cli.devices import app as devices
 from pointpred.cli.doctor import doctor
 from pointpred.cli.help_text import add_help
@@ -40,7 +41,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-for command in (score, train, simulate, convert, predictors, serve, replay, live, doctor):
+for command in (score, train, simulate, convert, predictors, serve, demo, replay, live, doctor):
     app.command()(command)
 app.add_typer(camera, name="camera")
 app.add_typer(datasets, name="datasets")
