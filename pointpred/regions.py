@@ -1,7 +1,7 @@
 """The region of a prediction: the ellipse that holds the endpoint with a given probability.
 
-``reach`` says how far such a region goes. ``squared_radius`` in ``predictors/adaptation/region_widening.py``
-is its Student law in compiled code, and ``server/web/client/regions.js`` is the same law for browsers.
+``reach`` says how far such a region goes, ``ellipse`` what it looks like. ``squared_radius`` in
+``predictors/adaptation/region_widening.py`` is the Student law of ``reach`` in compiled code.
 """
 
 from __future__ import annotations
@@ -53,26 +53,35 @@ def reach(level: float, tail: float) -> float:
     return tail * expm1(normal / tail)
 
 
-def region_of(
-    level: float, x: float, y: float, sxx: float, sxy: float, syy: float, tail: float = nan
-) -> Region | None:
-    """The region of a level around (x, y) px, from the scale matrix in px^2 and the tail (NaN: normal).
+def ellipse(level: float, sxx: float, sxy: float, syy: float, tail: float) -> tuple[float, float, float]:
+    """Half axes (major, minor) px and angle of the region of a level, from its law's scale matrix and tail.
 
-    ``None`` where a number is missing (NaN), the matrix has no inside, or the ellipse is too large for a
+    All NaN where a number is missing (NaN), the matrix has no inside, or the ellipse is too large for a
     finite number, as with a tail near 0. The smaller eigenvalue is the determinant over the larger one: a
     difference would lose the breadth of a thin region to rounding.
     """
     determinant = sxx * syy - sxy * sxy
     far = reach(level, tail)
-    if not (
-        isfinite(x) and isfinite(y) and sxx > 0.0 and syy > 0.0 and 0.0 < determinant < inf and far > 0.0
-    ):
-        return None
+    if not (sxx > 0.0 and syy > 0.0 and 0.0 < determinant < inf and far > 0.0):
+        return nan, nan, nan
     larger = 0.5 * (sxx + syy) + hypot(0.5 * (sxx - syy), sxy)
     major, minor = sqrt(far * larger), sqrt(far * (determinant / larger))
     if not isfinite(major):
+        return nan, nan, nan
+    return major, min(minor, major), 0.5 * atan2(2.0 * sxy, sxx - syy)
+
+
+def region_of(
+    level: float, x: float, y: float, sxx: float, sxy: float, syy: float, tail: float = nan
+) -> Region | None:
+    """The region of a level around (x, y) px, from the scale matrix in px^2 and the tail (NaN: normal).
+
+    ``None`` where there is no such ``ellipse``, or no place for it.
+    """
+    major, minor, angle = ellipse(level, sxx, sxy, syy, tail)
+    if not (isfinite(x) and isfinite(y) and major == major):
         return None
-    return Region(x, y, major, min(minor, major), 0.5 * atan2(2.0 * sxy, sxx - syy))
+    return Region(x, y, major, minor, angle)
 
 
 def as_normal(sxx: float, sxy: float, syy: float, tail: float) -> tuple[float, float, float]:

@@ -6,7 +6,7 @@ ROOTS = {
     "pointpred.differentiators.sampling": ("usable", "STARTED", "T"),
     "pointpred.differentiators.homogeneous": ("chatter", "STEPS_M", "CHATTER_MOST_M_S", "SUBSTEPS_MOST"),
     "pointpred.events": ("LARGEST", "LATEST_S"),
-    "pointpred.regions": ("reach", "as_normal"),
+    "pointpred.regions": ("ellipse", "as_normal"),
     "pointpred.scoring.measures.endpoint": (
         *("measure_trial", "FRACTIONS", "MEASURES", "TIME_AVERAGED", "BY_TIME", "BY_PATH"),
         *("SINGLE_AXIS", "SOUND"),
@@ -30,11 +30,16 @@ ROOTS = {
     "pointpred.targets.choice_law": ("step", "OUTSIDE", "INSIDE", "ENTERED", "RELEASED"),
     "pointpred.targets.decision": ("rank", "decide", "NOBODY"),
     "pointpred.targets.posterior": (
-        *("scores", "normalise", "FITTED"),
+        *("scores", "normalise", "FITTED", "FITTED_PAGES"),
         *("PRECISION", "ELSEWHERE", "LEAST_LEAD_S", "LEAST_WAY_PX"),
+    ),
+    "pointpred.targets.prefetch": (
+        *("step", "contact", "inside", "FITTED", "THRESHOLD", "ELSEWHERE", "STATES", "BEGAN", "COUNT"),
+        *("ARMED", "FIRED", "RESTING", "PREDICTED", "ENTERED"),
     ),
     "pointpred.targets.cursor": (
         "usable",
+        "follow",
         "KNOWN",
         "T",
         "X",

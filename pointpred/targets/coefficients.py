@@ -15,3 +15,10 @@ UNCLAIMED_NONE = (-0.5535, -1.907)
 NEAREST = (-2.865, -0.7696)
 """Of the feature NEAR alone, standing and at the peak, for the nearest target to the cursor."""
 NEAREST_NONE = (-5.336, -0.3403)
+PAGES_SLOW = (0.007443, -0.1337, -0.4188, 0.05134, 0.05939, -1.288)
+PAGES_FAST = (0.5313, -0.3073, -0.06355, 0.01958, 0.03213, 0)
+PAGES_NONE = (-2.22, -2.093)
+PAGES_UNCLAIMED_SLOW = (0, -0.1249, -0.4109, 0.03059, 0.08159, -1.488)
+PAGES_UNCLAIMED_FAST = (0, -0.4625, -0.2371, -0.006573, 0.04915, -0.7289)
+PAGES_UNCLAIMED_NONE = (-2.372, -1.483)
+"""The same for pages, as cards, links and menus are laid out, by ``python -m pages.intent.fit``."""

@@ -28,6 +28,13 @@ FITTED: FloatArray = np.array(
     ]
 )
 """The coefficients that come with pointpred."""
+FITTED_PAGES: FloatArray = np.array(
+    [
+        *(*fitted.PAGES_SLOW, *fitted.PAGES_FAST, *fitted.PAGES_NONE),
+        *(*fitted.PAGES_UNCLAIMED_SLOW, *fitted.PAGES_UNCLAIMED_FAST, *fitted.PAGES_UNCLAIMED_NONE),
+    ]
+)
+"""Those for a prefetch: sharpest early in a movement over cards, links and menus."""
 FITTED_NEAREST: FloatArray = np.zeros(COEFFICIENTS)
 """Coefficients of the distance from the cursor alone: the nearest target, as something to compare with."""
 for _first in (0, SET):

@@ -83,6 +83,16 @@ def test_counts_and_options_go_to_the_stages() -> None:
         assert_equal(found, answers(build("switched", **given), steps))
 
 
+@pytest.mark.parametrize("fails", [False, True])
+def test_what_a_stage_refuses_leaves_both_as_they_were(fails: bool) -> None:
+    """One row, or several at once, which the predictor or the differentiator refuses."""
+    good, late, early = [0.0, 0.0], [0.0, 1.0], [0.0, 2.0]
+    steps = [[good], [late], [good, good], [good, late], [good, good, early, good], [good]]
+    assert node.run("refuse.mjs", {"steps": steps, "fails": fails}) == [
+        [1, 1], [1, 1], [3, 3], [3, 3], [3, 3], [4, 4],
+    ]  # fmt: skip
+
+
 def test_a_person_goes_from_python_to_the_page_and_back() -> None:
     name, first, second = "kinematic-adaptive", movements(7).tolist(), movements(8).tolist()
     taught = build(name)
@@ -155,8 +165,9 @@ def test_a_person_that_cannot_be_used_is_refused() -> None:
             error.field,
             str(error).split(", received")[0],
         )
-    error, found = wrong("hold", person=taught.person)
-    assert found["message"] == str(error)
+    for name, options in (("hold", {}), ("kinematic-adaptive", {"adapt": 0})):
+        error, found = wrong(name, person=taught.person, **options)
+        assert found["message"] == str(error)
 
 
 def test_a_person_with_impossible_numbers_is_refused() -> None:

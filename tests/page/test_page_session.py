@@ -82,7 +82,8 @@ def test_a_session_with_targets_and_trials_is_answered_alike(predictor: str, rep
         mark,
         *frames_of(first[200:], 5),
         {**mark, "action": "end", "target": goal(first[-1])},
-        {"type": "configure", "precision": 0.9},
+        {"type": "configure", "precision": 1},
+        {"type": "configure", "precision": 0},
         {"type": "reset"},
         mark,
         *frames_of([[t + 100.0, *rest] for t, *rest in second], 3),
@@ -104,17 +105,37 @@ def test_an_assisted_session_moves_the_cursor_alike() -> None:
     moved = [
         [t, x, y, *map(float, dxy), int(b)] for (t, x, y, _, _, b), dxy in zip(table, counts, strict=True)
     ]
-    for assist in ({"strength": 0.9, "rho": 20.0}, {"function": "sigmoid"}):
+    for name, assist in (("switched", {"strength": 1.0, "rho": 1e4}), ("kinematic", {"function": "sigmoid"})):
         frames = [
-            hello("kinematic", assist=assist, device={"cpi": 1600.0}, screen=SCREEN),
+            hello(name, assist=assist, device={"cpi": 1600.0}, screen=SCREEN),
             *frames_of(moved[:90], 1),
             {"type": "configure", "assist": {"strength": 0.2}},
-            *frames_of(moved[90:], 6),
-            {"type": "reset"},
+            *frames_of(moved[90:300], 6),
+            {"type": "configure", "assist": assist},
+            *(
+                frame
+                for i in range(300, 400, 7)
+                for frame in (*frames_of(moved[i : i + 7], 3), {"type": "reset"})
+            ),
             events([1e3, 0.0, 0.0, 5, 5, 0], [1e3, 0.0, 0.0, None, None, 0]),
             events([1e3, 0.0, 0.0, 5, 5, 0], [999.0, 0.0, 0.0, 1, 1, 0]),
         ]
         assert_alike(*both(frames))
+
+
+@pytest.mark.parametrize("late", [9.0, None])
+def test_a_frame_with_an_event_that_is_refused_changes_nothing(late: float | None) -> None:
+    """But where only its time is wrong: then the others of the frame are used."""
+    first = rows(16, count=2)
+    wrong = [late, 0.0, 0.0, None, None, 0] if late else [first[45][0], 2e9, 0.0, None, None, 0]
+    frames = [
+        hello("switched", reply="event"),
+        *frames_of(first[:40], 8),
+        events(*first[40:45], wrong, first[45]),
+    ]
+    found, expected = both([*frames, *frames_of(first[46:], 8)])
+    assert expected[6][-1]["code"] == ("out_of_order" if late else "bad_field")
+    assert_alike(found, expected)
 
 
 REFUSED: list[list[Any]] = [
@@ -181,6 +202,7 @@ def test_the_person_of_a_session_can_be_asked_for_and_set() -> None:
         hello("kinematic-adaptive", person=known),
         *frames_of(later, 10),
         {"type": "configure", "parameters": {"gap_s": 0.09}},
+        *frames_of([[t + 50.0, *rest] for t, *rest in later], 10),
         {"type": "person", "person": ""},
         {"type": "person", "person": found[-1][0]["person"]},
     ]

@@ -3,6 +3,20 @@
 const MOST_FINGERS = 16; // beyond that the oldest is forgotten: its end may never have been reported
 
 /**
+ * The innermost observed element that contains one.
+ * @template Id
+ * @param {Element|null} element @param {(element: Element) => Id|undefined} idOf the id of an observed element
+ * @returns {{id: Id, element: Element}|null}
+ */
+export function closest(element, idOf) {
+  for (let one = element; one instanceof Element; one = one.parentElement ?? one.getRootNode().host) {
+    const id = idOf(one);
+    if (id !== undefined) return { id, element: one };
+  }
+  return null;
+}
+
+/**
  * Proposes an observed element when it gets the keyboard focus or is touched. It also proposes one that the mouse enters,
  * but only while the service does not, or when the mouse comes from outside the page. An element that is proposed while the mouse is in it stays
  * proposed until the mouse leaves. Of nested elements the innermost counts.
@@ -66,13 +80,8 @@ export class PageChoices {
     }
   }
 
-  /** The innermost observed element that contains one. @returns {{id: string, element: Element}|null} */
   #closest(element) {
-    for (let one = element; one instanceof Element; one = one.parentElement ?? one.getRootNode().host) {
-      const id = this.#idOf(one);
-      if (id !== undefined) return { id, element: one };
-    }
-    return null;
+    return closest(element, this.#idOf);
   }
 
   /** Sets the target of a source; `begins` false: only if the target is already proposed. */

@@ -1,13 +1,12 @@
 // Sessions whose cursor is moved here: counts in, the assisted cursor and predictions out; as `server/sessions/assisted_stream.py`.
 
+import { LARGEST } from "../laws/events.js";
 import { as_normal as asNormal } from "../laws/regions.js";
 import { END, GUARDED, guarded_step as step, USUAL_GUARD } from "../laws/transfer/assistance.js";
 import { CONSTANT, MACOS, SIGMOID, SLOTS } from "../laws/transfer/functions.js";
 import { lay_out as layOut, SETTINGS, USUAL_TIMES_S } from "../laws/transfer/pixels.js";
 import { checkRows, ProtocolError } from "./messages.js";
 import { PredictionStream } from "./stream.js";
-
-const LARGEST = 1e9; // px
 
 /**
  * Counts move the cursor, and the pipeline predicts from where the cursor then is. The first event of the session says where

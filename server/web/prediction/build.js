@@ -24,7 +24,8 @@ export async function build(name, options = {}) {
   const entry = entryOf(PREDICTORS, "predictor", name);
   const { cpi = null, dpi = 96, person = "", differentiator: chosen = entry.differentiator, ...given } = options;
   const source = entryOf(DIFFERENTIATORS, "differentiator", chosen);
-  const [predictorKind, differentiatorKind] = await Promise.all([entry.load(), source.load()]);
+  const loading = entry.coefficients === null ? undefined : coefficientsOf(entry.coefficients);
+  const [predictorKind, differentiatorKind, coefficients] = await Promise.all([entry.load(), source.load(), loading]);
   refuseUnknown(name, given, [...predictorKind.parameters, ...differentiatorKind.parameters]);
   const values = { ...GAINS, ...entry.preset, ...withoutUndefined(given), cpi, dpi };
   const ofPredictor = valuesOf(predictorKind.parameters, values);
@@ -32,7 +33,6 @@ export async function build(name, options = {}) {
   const differentiator = Stage.of(differentiatorKind, ofDifferentiator);
   await checkTogether(chosen, namedValues(differentiatorKind.parameters, ofDifferentiator), differentiator);
   differentiator.settle();
-  const coefficients = entry.coefficients === null ? undefined : await coefficientsOf(entry.coefficients);
   const predictor = Stage.of(predictorKind, ofPredictor, coefficients);
   predictor.restore(person);
   return new Pipeline(name, differentiator, predictor, differentiatorKind.at);

@@ -1,11 +1,10 @@
 // What a client may say to a session in the page: the messages of `pointpred.v1` and their bounds, as in `pointpred/protocol`.
 
+import { LARGEST, LATEST_S } from "../laws/events.js";
 import { RECOMMENDED } from "../laws/registry.js";
+import { SMALLEST_PX } from "../laws/targets/rectangles.js";
 import { general, quoted } from "./words.js";
 
-const LARGEST = 1e9; // of positions, sizes and counts
-const LATEST_S = 1e11;
-const SMALLEST_PX = 1e-3; // of a target
 
 /** A message is refused: `answer` is the message that says so. */
 export class ProtocolError extends Error {

@@ -1,12 +1,11 @@
 // A differentiator and a predictor, joined: events in, predictions out.
 
 import { T as LAST_T, STARTED } from "../laws/differentiators/sampling.js";
+import { LARGEST, LATEST_S } from "../laws/events.js";
 import { EventError } from "./errors.js";
 import { general, quoted } from "./words.js";
 
 const PHASES = /** @type {const} */ (["still", "ballistic", "corrective"]);
-const LARGEST = 1e9; // positions, counts and buttons are smaller
-const LATEST_S = 1e11; // times are smaller
 
 /**
  * @typedef {import("./stage.js").Row} Row

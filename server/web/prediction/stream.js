@@ -69,8 +69,8 @@ export class PredictionStream {
     (each ? answers : answers.slice(-1)).forEach((answer, i) => this.#send(messageOf(answer, listed ? likely[i] : undefined)));
   }
 
-  /** Sends what goes before the predictions. @param {number} t of the newest event, s */
-  beforePredictions(t) {} // eslint-disable-line no-unused-vars -- for assisted streams
+  /** Sends what goes before the predictions: nothing, unless the cursor is assisted. @param {number} t of the newest event, s */
+  beforePredictions(t) {}
 
   send(message) {
     this.#send(message);

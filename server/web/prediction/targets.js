@@ -1,10 +1,10 @@
 // The rectangles that a pointer may be heading for, as the table that laws walk over.
 
+import { LARGEST } from "../laws/events.js";
 import * as rectangles from "../laws/targets/rectangles.js";
 import { ParameterError } from "./errors.js";
 import { general, quoted } from "./words.js";
 
-const LARGEST = 1e9; // of every number of a target
 const { FIELDS, MOST_TARGETS, SMALLEST_PX } = rectangles;
 const BOUNDS = [["x", -LARGEST], ["y", -LARGEST], ["width", SMALLEST_PX], ["height", SMALLEST_PX], ["weight", 0]];
 

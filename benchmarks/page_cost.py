@@ -1,0 +1,149 @@
+"""What a page with many registered elements costs while the mouse moves: ``python -m benchmarks.page_cost``.
+
+Two pages in one Chromium, the same elements: one registers them with ``onIntent``, the other does not.
+The mouse moves in both for some seconds at the given rate, in turn. The share of a core is the time that
+the page's own process worked (``ProcessTime`` of ``Performance.getMetrics``, all its threads) and the
+time that its main thread was in a task (``TaskDuration``, which also counts what other processes took
+from it meanwhile); ``more`` is the process's share beyond that of the page without registrations.
+Through DevTools the browser hands a move to the page at once, not once a frame as with a real mouse:
+there are several dispatches a frame, so both pages cost more than they do there.
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import statistics
+import tempfile
+import threading
+import time
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+
+from pointpred.replaying import Page
+from tests.server import browser
+
+WEB = Path(__file__).parents[1] / "server" / "web"
+SIZE = 1250, 700
+ELEMENTS = """{ document.body.innerHTML = ''; document.body.style = 'margin: 0; position: relative';
+for (let i = 0; i < COUNT; i += 1) {
+  const one = document.createElement('a'), [column, row] = [i % COLUMNS, Math.floor(i / COLUMNS)];
+  one.textContent = i;
+  const [left, top, side] = [column * STEP, row * STEP, STEP - 6].map((px) => `${px}px`);
+  Object.assign(one.style, { position: 'absolute', left, top, width: side, height: side, overflow: 'clip' });
+  document.body.append(one);
+} }"""
+REGISTER = """import('/intent/index.js').then(({ onIntent }) => {
+  window.fired = 0;
+  for (const one of document.querySelectorAll('a'))
+    onIntent(one, () => { fired += 1; }, { predictor: 'PREDICTOR', policy: 'POLICY' });
+  return new Promise((done) => setTimeout(done, 1500));
+})"""
+
+
+class Host(SimpleHTTPRequestHandler):
+    """The browser client as files; any other address is an empty page."""
+
+    def do_GET(self) -> None:
+        """Answer a request."""
+        if self.path.endswith((".js", ".f32")):
+            return super().do_GET()
+        body = b"<!doctype html><title>cost</title><body>"
+        self.send_response(200)
+        self.send_header("Content-Type", "text/html")
+        self.send_header("Content-Length", str(len(body)))
+        self.end_headers()
+        self.wfile.write(body)
+        return None
+
+    def log_message(self, format: str, *args: object) -> None:
+        """Print nothing."""
+
+
+def drive(page: Page, seconds: float, rate_hz: float) -> int:
+    """Move the mouse in loops over the page; returns how many moves were sent."""
+    began, sent = time.perf_counter(), 0
+    while (now := time.perf_counter() - began) < seconds:
+        due = int(now * rate_hz)
+        while sent < due:
+            angle = sent / rate_hz * 2.0
+            x = SIZE[0] * (0.5 + 0.45 * math.sin(3.0 * angle))
+            y = SIZE[1] * (0.5 + 0.45 * math.sin(2.0 * angle + 1.0))
+            page.send("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
+            sent += 1
+        time.sleep(0.0005)
+    page.wait_for_results()
+    return sent
+
+
+def busy(page: Page) -> tuple[float, float]:
+    """Seconds that the page's process, and its main thread, have worked so far."""
+    metrics = {one["name"]: one["value"] for one in page.call("Performance.getMetrics")["metrics"]}
+    return metrics["ProcessTime"], metrics["TaskDuration"]
+
+
+def share(page: Page, seconds: float, rate_hz: float) -> tuple[float, float, float]:
+    """Share of a core of the process and of its main thread, and moves a second that were sent."""
+    before, began = busy(page), time.perf_counter()
+    sent = drive(page, seconds, rate_hz)
+    took = time.perf_counter() - began
+    process, main = (after - first for after, first in zip(busy(page), before, strict=True))
+    return process / took, main / took, sent / took
+
+
+LISTEN = """addEventListener('pointermove', (event) => {
+  window.rows = event.getCoalescedEvents().map((one) => [one.timeStamp, one.clientX, one.clientY]);
+}, { capture: true, passive: true })"""
+"""What hearing every event costs, whatever is done with them."""
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--elements", type=int, default=1000)
+    parser.add_argument("--in-view", type=int, default=1000, help="how many of them fit into the window")
+    parser.add_argument("--seconds", type=float, default=5.0)
+    parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("--rate", type=float, default=1000.0, help="moves a second")
+    parser.add_argument("--predictor", action="append", help="may be repeated")
+    parser.add_argument("--policy", choices=("prefetch", "highlight"), default="prefetch")
+    options = parser.parse_args()
+    step = math.floor(math.sqrt(SIZE[0] * SIZE[1] / options.in_view))
+    elements = (
+        ELEMENTS.replace("COUNT", str(options.elements))
+        .replace("COLUMNS", str(SIZE[0] // step))
+        .replace("STEP", str(step))
+    )
+    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Host, directory=str(WEB)))
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    print(f"{options.elements} elements, {options.in_view} in view; share of a core")
+    print(f"{'':24}{'process':>9}{'thread':>9}{'more':>9}{'moves/s':>9}")
+    with (
+        tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile,
+        browser.running(Path(profile)) as devtools,
+        browser.tab(devtools) as page,
+    ):
+        page.call("Performance.enable")
+        size = {"width": SIZE[0], "height": SIZE[1], "deviceScaleFactor": 1, "mobile": False}
+        page.call("Emulation.setDeviceMetricsOverride", **size)
+        names = (None, "listener alone", *(options.predictor or ("minimum-jerk", "kinematic-adaptive")))
+        measured: dict[str | None, list[tuple[float, ...]]] = {name: [] for name in names}
+        for _ in range(options.rounds):  # in turn, so that a busy machine is busy for each of them
+            for name in names:
+                page.go(f"http://127.0.0.1:{server.server_port}/page")
+                page.evaluate(elements)
+                if name == "listener alone":
+                    page.evaluate(LISTEN)
+                elif name is not None:
+                    page.evaluate(REGISTER.replace("PREDICTOR", name).replace("POLICY", options.policy))
+                drive(page, 2.0, options.rate)  # what is compiled at first
+                measured[name].append(share(page, options.seconds, options.rate))
+        for name, shares in measured.items():
+            process, thread, rate = (statistics.median(column) for column in zip(*shares, strict=True))
+            more = process - statistics.median(one[0] for one in measured[None])
+            print(f"{name or 'nothing registered':24}{process:9.3f}{thread:9.3f}{more:9.3f}{rate:9.0f}")
+    server.shutdown()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,179 @@
+// Types of the npm package `pointpred`.
+
+/** Why it fired. */
+export type Reason =
+  /** The movement of the pointer heads for the element. */ | "predicted"
+  /** The pointer has gone into it. */ | "entered"
+  /** It has the keyboard focus. */ | "focus"
+  /** A few presses of Tab reach it. */ | "tab"
+  /** A finger was put on it. */ | "touch"
+  /** It came into view on a device that cannot hover. */ | "viewport"
+  /** A scroll is about to bring it under the pointer, or into view. */ | "scroll";
+
+/** px beyond each side. */
+export interface Sides { top?: number; right?: number; bottom?: number; left?: number }
+
+export interface IntentOptions {
+  /**
+   * `"prefetch"` (default): fires for every element that is worth it, when the pointer enters it at the latest; nothing is withdrawn.
+   * `"highlight"`: fires for the one that is likeliest, and for the one that the pointer is in; ends when that is over.
+   */
+  policy?: "prefetch" | "highlight";
+  /** The share in (0, 1) from which it fires early: what a firing costs over what a miss costs. 0.5 by default. */
+  threshold?: number;
+  /** Whether it fires only once; true by default for prefetch. Otherwise once in each movement. */
+  once?: boolean;
+  /** After so many seconds it may fire again, also with `once`; never by default. */
+  again_s?: number;
+  /** How far beyond its sides the element counts, px; 0 by default. */
+  hitSlop?: number | Sides;
+  /** How likely the element is before anything moves, over the others, which have 1 by default. 0: never. */
+  priority?: number;
+  /** Its name in the ledger; the element's id by default. */
+  name?: string;
+  /** A name of the registry of predictors: `"kinematic-adaptive"` by default; `"minimum-jerk"` and `"switched-direction"` are small. */
+  predictor?: string;
+  /** The address of a service that predicts instead of the page. */
+  service?: string;
+  /** Prefetch what so many presses of Tab reach; 2 by default, 0 for none. The focus itself always counts. */
+  keyboard?: number;
+  /** Fingers: fire when one is put on the element (default), when it comes into view on a device that cannot hover, or not. */
+  touch?: "start" | "viewport" | "none";
+  /** Scrolls: fire when the element is about to come under the pointer that rests (default), or into view, or not. */
+  scroll?: "pointer" | "view" | "none";
+  /** `"respect"` (default): no prefetch while the user saves data or has a 2G connection. */
+  saveData?: "respect" | "ignore";
+}
+
+/** What a callback is given. */
+export interface Firing {
+  element: Element;
+  name: string;
+  policy: "prefetch" | "highlight";
+  reason: Reason;
+  /** The probability that the movement is for this element; 1 where it is certain. */
+  p: number;
+  /** When, s since the page was opened. */
+  t: number;
+  /** The predicted time until the pointer arrives, s; null where none is predicted. */
+  remaining_s: number | null;
+  /** Is aborted when a highlight ends, and when the registration stops. */
+  signal: AbortSignal;
+}
+
+/** May return a function, which is called when a highlight ends. */
+export type IntentCallback = (firing: Firing) => unknown;
+
+/** A registered element. */
+export interface Handle {
+  readonly element: Element;
+  /** The probability that the movement is for this element, 0 while it is not in view. */
+  readonly share: number;
+  /** Stops it. */
+  stop(): void;
+}
+
+/** Calls `callback` when the user is heading for an element. Returns what stops it. */
+export function onIntent(element: Element, callback: IntentCallback, options?: IntentOptions): () => void;
+
+/** Makes an element one that users may head for, without a call. */
+export function register(element: Element, options?: IntentOptions): Handle;
+
+export interface PrefetchLinkOptions extends IntentOptions {
+  /** `"prefetch"` (default) or `"prerender"`, where the browser has Speculation Rules. */
+  action?: "prefetch" | "prerender";
+  /** Whether links to other origins are loaded, too; false by default. */
+  crossOrigin?: boolean;
+}
+
+/** Loads the pages of links that the user is heading for. Returns what stops it. */
+export function prefetchLink(links: Element | string, options?: PrefetchLinkOptions): () => void;
+
+export interface Counts {
+  fired: number;
+  /** Firings whose element was activated afterwards. */
+  hit: number;
+  /** Firings whose element has not been activated so far. */
+  wasted: number;
+  /** Firings left out to save data. */
+  withheld: number;
+  /** Highlights that have ended. */
+  withdrawn: number;
+  /** From firing to activation, s, of the newest 1,000 hits; null where there is none. */
+  lead_s: { count: number; least: number | null; median: number | null; most: number | null };
+}
+
+export interface LedgerSummary extends Counts { names: Record<string, Counts> }
+
+export interface LedgerEntry {
+  kind: "fired" | "hit" | "withheld" | "withdrawn";
+  element: Element;
+  name: string;
+  policy: "prefetch" | "highlight";
+  reason: Reason;
+  p: number;
+  t: number;
+  /** Of a hit. */
+  lead_s: number | null;
+}
+
+/** What has fired so far, and what came of it. */
+export function ledger(): LedgerSummary;
+
+/** Calls `listener` with each entry of the ledger from now on. Returns what stops it. */
+export function onLedger(listener: (entry: LedgerEntry) => void): () => void;
+
+/** Shows developers what is predicted. Resolves to what hides it. */
+export function showOverlay(): Promise<() => void>;
+
+/** t s, x y px, y down; dx dy: counts of the device; buttons as in pointer events. */
+export interface PointerSample { t: number; x: number; y: number; dx?: number | null; dy?: number | null; buttons?: number }
+
+export interface PredictionInPage {
+  t: number; x: number; y: number;
+  /** [sxx, sxy, syy] px². */
+  scale: number[] | null;
+  covariance: number[] | null;
+  region: { sxx: number; sxy: number; syy: number; tail: number | null } | null;
+  tail: number | null;
+  phase: "still" | "ballistic" | "corrective";
+  remaining_s: number | null;
+  remaining_spread: number | null;
+}
+
+/** Consumes events one by one. */
+export interface Pipeline {
+  readonly name: string;
+  /** What finished movements taught of the person. */
+  readonly person: string;
+  update(event: PointerSample): PredictionInPage | null;
+  reset(): void;
+  fresh(): Pipeline;
+}
+
+/** A pipeline by its name in the registry, with values for its parameters. */
+export function build(name: string, options?: Record<string, unknown>): Promise<Pipeline>;
+
+export interface Ellipse { x: number; y: number; major: number; minor: number; angle: number }
+
+/** The ellipse that holds the endpoint with probability `level`; null where no region is claimed. */
+export function regionOf(prediction: object | null | undefined, level: number): Ellipse | null;
+
+/** A connection to a service; its calls are described in the guide of the browser client. */
+export interface Connection {
+  readonly state: "connecting" | "open" | "waiting" | "idle" | "refused" | "closed";
+  on(name: string, listener: (message: any) => void): () => void;
+  send(events: readonly (readonly (number | null)[] | PointerSample)[]): void;
+  observe(element: Element, id?: string): string;
+  unobserve(element: Element): void;
+  targets(list: readonly { id: string; x: number; y: number; width: number; height: number; weight?: number }[]): void;
+  probability(target: Element | string): number;
+  trial(action: "start" | "end", target?: Element | { x: number; y: number; width: number }): void;
+  configure(changes: Record<string, unknown>): void;
+  person(known?: string): Promise<string>;
+  reset(): void;
+  close(): void;
+}
+
+/** Opens a connection to a service and keeps it open. */
+export function connect(url?: string | URL, options?: Record<string, unknown>): Connection;

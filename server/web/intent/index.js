@@ -1,0 +1,21 @@
+/**
+ * What the movement of a user is heading for, called before it gets there: mouse and pen, keyboard, touch and scroll.
+ *
+ *     import { onIntent } from "pointpred/intent";
+ *     const stop = onIntent(document.querySelector("#cart"), () => import("./cart.js"));
+ *
+ * Everything runs in the page. Types and every option: `../index.d.ts`.
+ */
+
+export { onIntent, register } from "./register.js";
+export { prefetchLink } from "./prefetch-link.js";
+import { ledger as theLedger } from "./ledger.js";
+
+/** What has fired so far, and what came of it. @returns {import("../index.d.ts").LedgerSummary} */
+export const ledger = () => theLedger.summary();
+
+/** Calls `listener` with each entry of the ledger from now on. @param {(entry: import("../index.d.ts").LedgerEntry) => void} listener @returns {() => void} stops it */
+export const onLedger = (listener) => theLedger.subscribe(listener);
+
+/** Shows developers what is predicted; loads its module first. @returns {Promise<() => void>} hides it */
+export const showOverlay = async () => (await import("./overlay/overlay.js")).showOverlay();

@@ -1,0 +1,23 @@
+// What the next presses of Tab reach.
+
+const FOCUSABLE = "a[href], area[href], button, input, select, textarea, summary, iframe, audio[controls], video[controls], "
+  + "[contenteditable]:not([contenteditable=false]), [tabindex]";
+const SEEN = { visibilityProperty: true, contentVisibilityAuto: false };
+
+/**
+ * The elements that presses of Tab reach from one, in their order: first those with a positive tabindex, then the others as
+ * they stand in the document. Elements in shadow trees and the members of a radio group but the first are not told apart.
+ * @param {Element|null} from the focused one @param {boolean} backwards with Shift @param {number} most presses
+ * @returns {Element[]}
+ */
+export function reached(from, backwards, most) {
+  const order = [...document.querySelectorAll(FOCUSABLE)].filter(({ tabIndex }) => tabIndex >= 0);
+  const rank = ({ tabIndex }) => tabIndex || Infinity;
+  if (order.some(({ tabIndex }) => tabIndex > 0)) order.sort((one, other) => (rank(one) === rank(other) ? 0 : rank(one) - rank(other)));
+  if (backwards) order.reverse();
+  const found = [];
+  for (let i = order.indexOf(from) + 1; i < order.length && found.length < most; i += 1) if (isReachable(order[i])) found.push(order[i]);
+  return found;
+}
+
+const isReachable = (element) => !element.matches(":disabled") && !element.closest("[inert]") && (element.checkVisibility?.(SEEN) ?? true);

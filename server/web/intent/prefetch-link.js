@@ -1,0 +1,45 @@
+// Loads the page behind a link when the user is heading for it.
+
+import { onIntent } from "./register.js";
+
+const loaded = new Set(); // addresses, so that each is loaded once
+const SPECULATES = globalThis.HTMLScriptElement?.supports?.("speculationrules") ?? false;
+
+/**
+ * Prefetches or prerenders the pages of links that the user is heading for: by Speculation Rules where the browser has them,
+ * else by `<link rel=prefetch>`. Left out are links to other origins (unless `crossOrigin`), to this page itself, with
+ * `download` or another `target`, and pages loaded before. A link that is added later, or whose address changes to one that may be loaded, needs another call.
+ * @param {Element|string} links a link, or a selector of several
+ * @param {import("../index.d.ts").PrefetchLinkOptions} [options] of `onIntent`, and `action`, `crossOrigin`
+ * @returns {() => void} stops it
+ */
+export function prefetchLink(links, { action = "prefetch", crossOrigin = false, ...options } = {}) {
+  if (action !== "prefetch" && action !== "prerender") throw new TypeError(`action must be prefetch or prerender, received ${action}`);
+  const found = typeof links === "string" ? [...document.querySelectorAll(links)] : [links];
+  const stops = found.map((link) => {
+    if (!(link instanceof HTMLAnchorElement)) throw new TypeError(`a link (<a href>) is needed, received ${link}`);
+    return isLoadable(link, crossOrigin) ? onIntent(link, () => isLoadable(link, crossOrigin) && load(link.href, action), options) : () => {};
+  });
+  return () => stops.forEach((stop) => stop());
+}
+
+/** Whether a link leads to a page that may be loaded ahead. */
+function isLoadable(link, crossOrigin) {
+  const { href, origin, protocol, target } = link;
+  const [page, here] = [href, location.href].map((url) => url.replace(/#.*/, ""));
+  return href !== "" && /^https?:$/.test(protocol) && (crossOrigin || origin === location.origin) && page !== here
+    && (target === "" || target === "_self") && !link.hasAttribute("download");
+}
+
+/** Asks the browser to load a page, once. */
+function load(url, action) {
+  const address = url.replace(/#.*/, "");
+  if (loaded.has(address)) return;
+  loaded.add(address);
+  const element = document.createElement(SPECULATES ? "script" : "link");
+  if (SPECULATES) {
+    element.type = "speculationrules";
+    element.textContent = JSON.stringify({ [action]: [{ source: "list", urls: [address], eagerness: "immediate" }] });
+  } else Object.assign(element, { rel: "prefetch", href: address });
+  document.head.append(element);
+}

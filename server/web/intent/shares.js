@@ -1,0 +1,133 @@
+// How likely the cursor is heading for each element in view, by the laws of `pointpred/targets`.
+
+import { ENTERED, INSIDE, KEEP, OUTSIDE, enter, innermost } from "../laws/targets/choice_law.js";
+import { KNOWN, STATES, T, T0, X, Y, follow, usable } from "../laws/targets/cursor.js";
+import { NOBODY, decide, likeliest } from "../laws/targets/decision.js";
+import { CENTRE_X, CENTRE_Y, HEIGHT, LOG_WEIGHT, WIDTH } from "../laws/targets/rectangles.js";
+import { FITTED, FITTED_NONE, normalise, scores } from "../laws/targets/posterior.js";
+import { fires } from "./prefetch.js";
+
+const LEAST_LEAD_S = 0, LEAST_WAY_PX = 3; // the defaults of the chooser in Python
+const REMAINING_S = 6; // in the row of a prediction
+const IN_TURN = 64; // of many elements, so many unlikely ones are scored at a time; the others keep their score until it is their turn
+const LIKELY = 1e-3; // an element of this share is scored each time
+const NOTHING = new Array(10).fill(NaN);
+
+/** The cursor, the table of the elements in view, and their shares. */
+export class Shares {
+  /** In the order of the table. @type {import("./entries.js").Entry[]} */ entries = [];
+  /** The newest row of a prediction. */ answer = NOTHING;
+  /** Counts movements. */ movement = 0;
+  #memory = new Float64Array(STATES); #table = []; #inside = new Float64Array(0); #shares = Float64Array.of(1); #standing = NOBODY;
+  #prefetchFrom = new Float64Array(0); #scores = Float64Array.of(0); #scoredIn = -1; #turn = 0;
+
+  /** When the newest event was, s, and where, px. @returns {{t: number, x: number, y: number}} */
+  get cursor() {
+    return { t: this.#memory[T], x: this.#memory[X], y: this.#memory[Y] };
+  }
+
+  /** Takes other elements; what is known of those that stay is kept. @param {import("./entries.js").Entry[]} entries */
+  replace(entries) {
+    const inside = new Map(this.entries.map((entry, i) => [entry, this.#inside[i] === ENTERED ? INSIDE : this.#inside[i]]));
+    const standing = this.entries[this.#standing];
+    this.entries = entries;
+    this.#table = entries.map(({ row }) => row);
+    this.#inside = Float64Array.from(entries, (entry) => inside.get(entry) ?? OUTSIDE);
+    this.#shares = new Float64Array(entries.length + 1);
+    this.#shares[entries.length] = 1;
+    this.#prefetchFrom = Float64Array.from(entries, (entry) => entry.prefetchFrom);
+    this.#scores = new Float64Array(entries.length + 1);
+    this.#scoredIn = -1;
+    this.#standing = standing ? entries.indexOf(standing) : NOBODY; // -1 where it is gone
+    const total = entries.reduce((sum, { isHidden, weight }) => sum + (isHidden ? 0 : weight), 0);
+    for (const { row, isHidden, weight } of entries) row[LOG_WEIGHT] = isHidden ? -Infinity : Math.log(weight / total);
+  }
+
+  /** The share of the element at a place of the table. @param {number} place */
+  share(place) {
+    return this.#shares[place] ?? 0;
+  }
+
+  /** Uses the events of a dispatch. @param {number[][]} rows t, x, y, dx, dy, buttons @returns {import("./entries.js").Entry[]} the elements they have entered, in turn */
+  follow(rows) {
+    const near = this.#near(rows), table = near.map((place) => this.#table[place]);
+    const inside = Float64Array.from(near, (place) => this.#inside[place]), memory = this.#memory, entered = [];
+    for (const [t, x, y, , , buttons] of rows) {
+      if (!usable(t, x, y) || (memory[KNOWN] === 1 && t < memory[T])) continue;
+      const began = memory[T0], released = follow(memory, t, x, y, buttons & 1);
+      if (memory[T0] !== began) this.movement += 1;
+      if (released) this.#standing = NOBODY;
+      if (enter(table, inside, x, y, released) === 0) continue;
+      near.forEach((place, k) => inside[k] === ENTERED && entered.push(this.entries[place]));
+    }
+    near.forEach((place, k) => { this.#inside[place] = inside[k]; });
+    return entered;
+  }
+
+  /** The places of the rows that the cursor is in, or may get into by these events. */
+  #near(rows) {
+    let [left, right, top, bottom] = [Infinity, -Infinity, Infinity, -Infinity];
+    for (const [, x, y] of rows) [left, right, top, bottom] = [Math.min(left, x), Math.max(right, x), Math.min(top, y), Math.max(bottom, y)];
+    const near = [], table = this.#table;
+    for (let i = 0; i < table.length; i += 1) {
+      const row = table[i], halfWidth = 0.5 * row[WIDTH], halfHeight = 0.5 * row[HEIGHT];
+      const meets = row[CENTRE_X] + halfWidth >= left && row[CENTRE_X] - halfWidth <= right && row[CENTRE_Y] + halfHeight >= top && row[CENTRE_Y] - halfHeight <= bottom;
+      if (meets || this.#inside[i] !== OUTSIDE) near.push(i);
+    }
+    return near;
+  }
+
+  /** Computes the shares. @param {number[]|null} answer the row of the newest prediction, null for none */
+  weigh(answer) {
+    this.answer = answer ?? NOTHING;
+    if (this.#table.length <= 2 * IN_TURN || this.#scoredIn !== this.movement) this.#score(this.#table, this.#scores);
+    else this.#scoreSome();
+    this.#scoredIn = this.movement;
+    this.#shares.set(this.#scores);
+    normalise(this.#shares);
+  }
+
+  /** Writes the logarithms of the shares of some rows, up to a constant, and behind them that of none of them. */
+  #score(rows, out) {
+    // Many movements on a page go to nothing that is registered: as many as in the recordings that the coefficients were fitted to.
+    scores(this.#memory, rows, this.answer, FITTED, FITTED_NONE, out);
+  }
+
+  /** Scores the likely elements, and some of the others in turn. */
+  #scoreSome() {
+    const count = this.#table.length, places = [];
+    for (let i = 0; i < count; i += 1)
+      if (this.#shares[i] >= LIKELY || (i - this.#turn + count) % count < IN_TURN) places.push(i);
+    this.#turn = (this.#turn + IN_TURN) % count;
+    const some = new Float64Array(places.length + 1);
+    this.#score(places.map((i) => this.#table[i]), some);
+    places.forEach((place, k) => { this.#scores[place] = some[k]; });
+    this.#scores[count] = some[places.length];
+  }
+
+  /** The elements whose prefetch is worth its cost now. @returns {import("./entries.js").Entry[]} */
+  worthPrefetching() {
+    const worth = [];
+    for (let i = 0; i < this.entries.length; i += 1)
+      if (fires(this.#memory, this.#table[i], this.#shares[i], this.#prefetchFrom[i])) worth.push(this.entries[i]);
+    return worth;
+  }
+
+  /** The element to highlight because the movement heads for it, if there is one. @returns {import("./entries.js").Entry|undefined} */
+  headedFor() {
+    const best = likeliest(this.#shares, this.#table.length);
+    const ask = this.entries[best]?.highlightFrom ?? 1, keep = KEEP * (this.entries[this.#standing]?.highlightFrom ?? ask);
+    this.#standing = decide(this.#memory, this.#table, this.#shares, this.#standing, this.answer[REMAINING_S], [ask, keep, LEAST_LEAD_S, LEAST_WAY_PX]);
+    return this.entries[this.#standing];
+  }
+
+  /** The innermost element that the cursor is in, if there is one. @returns {import("./entries.js").Entry|undefined} */
+  enclosing() {
+    return this.entries[innermost(this.#table, this.#inside)];
+  }
+
+  /** The pointer is elsewhere: nothing is headed for. */
+  rest() {
+    this.#standing = NOBODY;
+  }
+}

@@ -1,0 +1,60 @@
+"""A static host, as people have one, and a browser that opens pages on it."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+
+import pytest
+
+from tests.intent.page import IntentPage
+from tests.server import page_browser
+
+WEB = Path(__file__).parents[2] / "server" / "web"
+EMPTY = b'<!doctype html><title>a page</title><body style="margin:0">'
+
+
+class StaticHost(SimpleHTTPRequestHandler):
+    """Files of the browser client below ``/pointpred/``, and an empty page at any other address."""
+
+    def do_GET(self) -> None:
+        if self.path.startswith("/pointpred/"):
+            self.path = self.path.removeprefix("/pointpred")
+            super().do_GET()
+            return
+        self.send_response(200)
+        self.send_header("Content-Type", "text/html")
+        self.send_header("Content-Length", str(len(EMPTY)))
+        self.end_headers()
+        self.wfile.write(EMPTY)
+
+    def log_message(self, format: str, *args: object) -> None:
+        """Say nothing."""
+
+
+@pytest.fixture(scope="session")
+def host() -> Iterator[str]:
+    """The address of a static host."""
+    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(StaticHost, directory=str(WEB)))
+    thread = threading.Thread(target=server.serve_forever)
+    thread.start()
+    yield f"http://127.0.0.1:{server.server_port}"
+    server.shutdown()
+    thread.join()
+    server.server_close()
+
+
+@pytest.fixture(scope="module")
+def visitor(tmp_path_factory: pytest.TempPathFactory) -> Iterator[page_browser.Visitor]:
+    """Somebody with a browser of this module's own."""
+    with page_browser.visitor(tmp_path_factory.mktemp("profile"), size=(1000, 700)) as opened:
+        yield opened
+
+
+@pytest.fixture
+def page(visitor: page_browser.Visitor, host: str) -> IntentPage:
+    """An empty page with the module loaded."""
+    return IntentPage(visitor, host)

@@ -1,0 +1,104 @@
+"""Elements that move, come, go, are scrolled, hidden or covered."""
+
+from __future__ import annotations
+
+from tests.intent.page import IntentPage
+from tests.server import browser
+
+pytestmark = browser.needed
+
+LONG = "new Promise((done) => setTimeout(done, 900))"
+"""A while in which the page measures its elements although nothing else happens."""
+
+
+def test_a_moved_element_fires_where_it_is_now(page: IntentPage) -> None:
+    page.make("watch(box('goal', 100, 500), { threshold: 1 })")
+    page.make("goal.style.left = '700px'")
+    page.value(LONG)
+    page.move((40, 40), (150, 530), 0.3)
+    assert page.said() == []
+    page.away()
+    page.move((150, 530), (750, 530), 0.3)
+    assert page.said() == ["goal entered"]
+
+
+def test_an_element_that_moves_all_the_time_is_followed(page: IntentPage) -> None:
+    page.make(
+        "watch(box('goal', 600, 500), { threshold: 1 });"
+        "goal.animate([{ transform: 'none' }, { transform: 'translateY(-300px)' }], { "
+        "duration: 400, fill: 'forwards' })"
+    )
+    page.move((40, 40), (650, 230), 0.6)
+    assert page.said() == ["goal entered"]
+
+
+def test_a_removed_element_rests_until_it_comes_back(page: IntentPage) -> None:
+    page.make("window.goal = box('goal', 600, 500); watch(goal); goal.remove()")
+    page.move((40, 40), (650, 530), 0.4)
+    assert page.said() == []
+    page.away()
+    page.make("document.body.append(goal)")
+    page.move((650, 530), (40, 40), 0.4)
+    page.away()
+    page.move((40, 40), (650, 530), 0.4)
+    assert len(page.said()) == 1
+
+
+def test_a_scrolled_element_is_where_the_scroll_has_put_it(page: IntentPage) -> None:
+    page.make(
+        "document.body.style.height = '3000px'; watch(box('goal', 600, 1500), { threshold: 1, "
+        "scroll: 'none' })"
+    )
+    page.move((40, 40), (650, 530), 0.3)
+    assert page.said() == []
+    page.make("scrollTo(0, 1000)")
+    page.away()
+    page.move((40, 40), (650, 530), 0.3)
+    assert page.said() == ["goal entered"]
+
+
+def test_hidden_elements_do_not_count(page: IntentPage) -> None:
+    page.make(
+        "watch(box('none', 600, 500)); none.style.display = 'none';"
+        "watch(box('unseen', 600, 500)); unseen.style.visibility = 'hidden';"
+        "watch(box('clear', 600, 500)); clear.style.opacity = '0';"
+        "watch(box('empty', 600, 500, 0, 0, 'div'))"
+    )
+    page.move((40, 40), (590, 490), 0.4)
+    assert page.said() == []
+    page.make("clear.style.opacity = '1'")
+    page.value(LONG)
+    page.move((590, 490), (40, 40), 0.4)
+    page.away()
+    page.move((40, 40), (590, 490), 0.4)
+    assert page.said() == ["clear predicted"]
+
+
+def test_an_element_below_a_dialog_does_not_fire(page: IntentPage) -> None:
+    page.make(
+        "watch(box('below', 600, 500)); watch(box('lit', 600, 300), { policy: 'highlight' });"
+        "const dialog = document.createElement('dialog'); dialog.style = 'width: 900px; height: 600px';"
+        "document.body.append(dialog); dialog.showModal(); window.dialog = dialog"
+    )
+    page.move((40, 40), (650, 530), 0.4)
+    page.away()
+    page.move((650, 530), (650, 330), 0.4)
+    assert page.said() == []
+    page.make("dialog.close()")
+    page.away()
+    page.move((650, 330), (650, 530), 0.4)
+    assert "below" in {one.split()[0] for one in page.said()}
+
+
+def test_elements_that_nobody_holds_are_given_back(page: IntentPage) -> None:
+    page.make(
+        "for (let i = 0; i < 50; i += 1) { const one = box(`x${i}`, 100, 100); watch(one); "
+        "stops = {}; signals = {};"
+        "(window.references ??= []).push(new WeakRef(one)); }"
+        "document.body.replaceChildren()"
+    )
+    page.value(LONG)
+    page.visitor.page.call("HeapProfiler.collectGarbage")
+    page.value(LONG)
+    page.visitor.page.call("HeapProfiler.collectGarbage")
+    assert page.value("references.filter((one) => one.deref()).length") <= 1

@@ -1,0 +1,153 @@
+"""When a registered element fires, and when it does so again."""
+
+from __future__ import annotations
+
+import pytest
+
+from pointpred.errors import SourceError
+from tests.intent.page import IntentPage
+from tests.server import browser
+
+pytestmark = browser.needed
+
+ROW = "for (const i of [0, 1, 2, 3, 4]) box(`b${i}`, 60 + 180 * i, 560);"
+
+
+def test_it_fires_before_the_pointer_is_there_and_says_why(page: IntentPage) -> None:
+    page.make(f"{ROW} for (const i of [0, 1, 2, 3, 4]) watch(document.getElementById(`b${{i}}`))")
+    page.move((40, 40), (470, 590))
+    heard = page.value("heard")
+    assert [one["id"] for one in heard] == ["b2"]
+    assert heard[0]["reason"] == "predicted"
+    assert 0.5 <= heard[0]["p"] <= 1.0
+    assert heard[0]["remaining_s"] is None or 0.0 < heard[0]["remaining_s"] < 0.5
+    assert 0.0 < heard[0]["t"] < page.value("performance.now() / 1000")
+
+
+def test_one_that_is_not_predicted_fires_when_the_pointer_goes_in(page: IntentPage) -> None:
+    page.make("watch(box('wide', 0, 300, 1000, 40), { threshold: 1 })")
+    page.move((500, 40), (500, 600), 0.3)
+    assert page.said() == ["wide entered"]
+
+
+def test_it_fires_once_unless_asked_for_more(page: IntentPage) -> None:
+    page.make("watch(box('once', 700, 500)); watch(box('each', 200, 500), { once: false })")
+    for _ in range(2):
+        page.move((450, 40), (750, 530), 0.4)
+        page.away()
+        page.move((750, 530), (250, 530), 0.4)
+        page.away()
+    said = page.said()
+    assert said.count("once predicted") + said.count("once entered") == 1
+    assert sum(one.startswith("each") for one in said) >= 2
+
+
+def test_it_fires_again_after_a_time(page: IntentPage) -> None:
+    page.make(
+        "watch(box('late', 500, 500), { again_s: 0.3 }); watch(box('later', 500, 400), { again_s: 60 })"
+    )
+    for _ in range(2):
+        page.move((40, 40), (550, 530), 0.3)
+        page.away()
+        page.move((550, 530), (40, 40), 0.3)
+        page.away()
+    said = [one.split()[0] for one in page.said()]
+    assert said.count("late") == 2
+    assert said.count("later") <= 1
+
+
+def test_slop_widens_the_element_on_each_side(page: IntentPage) -> None:
+    page.make(
+        "watch(box('wide', 400, 300), { hitSlop: { left: 80 }, threshold: 1 });"
+        "watch(box('plain', 400, 500), { threshold: 1 })"
+    )
+    page.move((350, 20), (350, 680), 0.4)  # 50 px to the left of both
+    assert page.said() == ["wide entered"]
+    page.away()
+    page.move((550, 680), (550, 20), 0.4)  # 50 px to the right
+    assert page.said() == ["wide entered"]
+
+
+def test_of_equal_elements_the_prior_decides(page: IntentPage) -> None:
+    """Two that lie one upon the other have the same evidence."""
+    page.make(
+        "window.less = register(box('less', 600, 500), { predictor: 'minimum-jerk' });"
+        "window.more = register(box('more', 600, 500), { predictor: 'minimum-jerk', priority: 3 });"
+        "window.never = register(box('never', 600, 500), { predictor: 'minimum-jerk', priority: 0 })"
+    )
+    page.move((40, 40), (500, 420), 0.4)
+    less, more, never = page.value("[less.share, more.share, never.share]")
+    assert more == pytest.approx(3 * less, rel=1e-9)
+    assert never == 0.0
+    assert less > 0.05
+    assert page.said() == []
+
+
+def test_a_threshold_is_the_share_from_which_it_fires(page: IntentPage) -> None:
+    page.make(
+        f"{ROW} window.predicted = {{ 0.1: [], 0.9: [] }};"
+        "for (const threshold of [0.1, 0.9]) for (const one of document.querySelectorAll('button'))"
+        " onIntent(one, ({ p, reason }) => { if (reason === 'predicted') predicted[threshold].push(p); },"
+        " { threshold, predictor: 'minimum-jerk' })"
+    )
+    page.move((40, 40), (470, 590), 0.8)
+    assert 0.1 <= min(page.value("predicted[0.1]")) < 0.9
+    assert all(p >= 0.9 for p in page.value("predicted[0.9]"))
+
+
+def test_stopping_leaves_no_listener(page: IntentPage) -> None:
+    """The browser itself is asked."""
+
+    def listeners() -> list[str]:
+        thing = page.visitor.page.call("Runtime.evaluate", expression="window")["result"]["objectId"]
+        found = page.visitor.page.call("DOMDebugger.getEventListeners", objectId=thing)["listeners"]
+        return sorted(one["type"] for one in found)
+
+    before = listeners()
+    page.make("watch(box('a', 100, 100)); watch(box('b', 300, 100), { policy: 'highlight' })")
+    assert len(listeners()) > len(before)
+    page.make("stops.a(); stops.a()")
+    assert len(listeners()) > len(before)
+    page.make("stops.b()")
+    assert listeners() == before
+    page.move((20, 20), (350, 130), 0.3)
+    assert page.said() == []
+    page.make("watch(box('c', 300, 300))")  # another one begins anew
+    page.move((350, 130), (350, 330), 0.3)
+    assert len(page.said()) == 1
+
+
+def test_an_error_of_the_page_keeps_no_other_from_being_called(page: IntentPage) -> None:
+    page.make(
+        "window.errors = []; addEventListener('error', (event) => { errors.push(event.message); "
+        "event.preventDefault(); });"
+        "box('goal', 600, 500); onIntent(goal, () => { throw new Error('mine'); }, { "
+        "predictor: 'minimum-jerk' }); watch(goal)"
+    )
+    page.move((40, 40), (650, 530))
+    assert len(page.said()) == 1
+    assert page.value("errors") == ["Uncaught Error: mine"]
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        ("onIntent(document.body)", "onIntent needs a function to call, received undefined"),
+        ("onIntent('#a', () => {})", "an element of the page is needed, received #a"),
+        ("watch(document.body, { treshold: 1 })", "unknown option treshold; known: policy, "),
+        ("watch(document.body, { threshold: 2 })", "threshold must be a number in [0, 1], received 2"),
+        (
+            "watch(document.body, { hitSlop: { top: -1 } })",
+            "hitSlop top must be a number in [0, 10000], received -1",
+        ),
+        (
+            "watch(document.body, { policy: 'both' })",
+            "policy must be one of prefetch, highlight, received both",
+        ),
+        ("prefetchLink(document.body)", "a link (<a href>) is needed, received [object HTMLBodyElement]"),
+    ],
+)
+def test_mistakes_are_named(page: IntentPage, call: str, words: str) -> None:
+    with pytest.raises(SourceError) as error:
+        page.value(call)
+    assert words in str(error.value)

@@ -1,0 +1,27 @@
+"""What a page loads stays small, as a bundler makes it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from benchmarks.page_size import WEB, reached, sizes
+
+SMALL, LEARNED = 15_000, 90_000
+
+
+def test_nothing_is_loaded_that_the_predictor_does_not_need() -> None:
+    names = {path.relative_to(WEB).as_posix() for path in reached("intent/index.js", "minimum-jerk")}
+    assert "laws/predictors/minimum_jerk.js" in names
+    assert not any("kinematic" in name or name.startswith("prediction/") for name in names)
+    assert not any("overlay" in name or name == "pointpred.js" for name in names)
+
+
+@pytest.mark.parametrize(("predictor", "most"), [("minimum-jerk", SMALL), ("kinematic-adaptive", LEARNED)])
+def test_a_bundle_is_small(predictor: str, most: int, tmp_path: Path) -> None:
+    _, plain, bundled = sizes("intent/index.js", predictor, tmp_path)
+    if bundled is None:
+        pytest.skip("npm cannot fetch esbuild")
+    assert bundled < most
+    assert bundled < plain

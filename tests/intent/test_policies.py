@@ -1,0 +1,72 @@
+"""Prefetch fires several and withdraws nothing; highlight has one at a time, and ends."""
+
+from __future__ import annotations
+
+from tests.intent.page import IntentPage
+from tests.server import browser
+
+pytestmark = browser.needed
+
+
+def test_a_highlight_ends_when_the_movement_turns_to_another(page: IntentPage) -> None:
+    page.make(
+        "watch(box('west', 100, 500), { policy: 'highlight' }); watch(box('east', 800, 500), { "
+        "policy: 'highlight' })"
+    )
+    for start, end in [((500, 100), (850, 530)), ((850, 530), (150, 530)), ((150, 530), (150, 300))]:
+        page.move(start, end, 0.5)
+        page.away()
+    said = page.said()
+    assert said[0].split()[0] == "east"
+    assert {"east ended", "west ended"} <= set(said)
+    begun: list[str] = []
+    for name, word in (one.split() for one in said):
+        if word == "ended":
+            begun.remove(name)
+        else:
+            begun.append(name)
+        assert len(begun) <= 2
+    assert begun == []
+
+
+def test_a_prefetch_is_not_withdrawn(page: IntentPage) -> None:
+    page.make("watch(box('west', 100, 500)); watch(box('east', 800, 500))")
+    for start, end in [((500, 100), (850, 530)), ((850, 530), (150, 530)), ((150, 530), (150, 300))]:
+        page.move(start, end, 0.5)
+        page.away()
+    assert sorted(one.split()[0] for one in page.said()) == ["east", "west"]
+    assert not any("ended" in one for one in page.said())
+    assert page.ledger()["withdrawn"] == 0
+
+
+def test_the_signal_of_a_highlight_is_aborted_when_it_ends(page: IntentPage) -> None:
+    page.make("watch(box('lit', 600, 300), { policy: 'highlight' })")
+    page.move((40, 40), (650, 330), 0.4)
+    assert page.value("signals.lit.aborted") is False
+    page.away()
+    page.move((650, 330), (40, 600), 0.4)
+    assert page.value("signals.lit.aborted") is True
+    assert page.said()[-1] == "lit ended"
+
+
+def test_stopping_ends_a_highlight(page: IntentPage) -> None:
+    page.make("watch(box('lit', 600, 300), { policy: 'highlight' })")
+    page.move((40, 40), (650, 330), 0.4)
+    page.make("stops.lit()")
+    assert page.said()[-1] == "lit ended"
+    assert page.value("signals.lit.aborted") is True
+
+
+def test_a_highlight_ends_when_its_element_goes(page: IntentPage) -> None:
+    page.make("watch(box('lit', 700, 300), { policy: 'highlight' })")
+    page.move((40, 40), (600, 300), 0.4)  # short of it
+    assert page.said() == ["lit predicted"]
+    page.make("lit.remove()")
+    page.wait("said().at(-1) === 'lit ended'")
+
+
+def test_every_target_on_the_way_has_fired_when_the_pointer_is_in_it(page: IntentPage) -> None:
+    page.make("for (let i = 0; i < 8; i += 1) watch(box(`b${i}`, 100 + 100 * i, 300, 90, 60))")
+    page.move((50, 330), (950, 330), 0.6)
+    assert {one.split()[0] for one in page.said()} == {f"b{i}" for i in range(8)}
+    assert len(page.said()) == 8

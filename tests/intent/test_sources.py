@@ -1,0 +1,90 @@
+"""Predictions come from the page or from a service: the calls are the same."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+
+import pytest
+
+from tests.intent.page import IntentPage
+from tests.server import browser
+from tests.server.listener import Listener, soon
+from tests.server.page_browser import Visitor
+
+pytestmark = browser.needed
+
+COMPARE = """
+Promise.all(["intent/small-source", "prediction/build"].map((name) => import(`/pointpred/${name}.js`)))
+  .then(async ([{ open }, { build }]) => {
+    const [small, whole] = await Promise.all([open("NAME"), build("NAME")]), different = [];
+    let claims = 0;
+    for (let i = 0; i < 400; i += 1) {
+      const u = (i % 100) / 100, way = u * u * u * (10 - 15 * u + 6 * u * u);
+      const t = i / 125 + (i >= 200 ? 1 : 0), pressed = i % 100 === 99 ? 1 : 0;
+      const row = [t, 100 + 700 * way, 50 + 300 * way * way, NaN, NaN, pressed];
+      const [one, other] = [small.add(row), whole.advance(row)];
+      claims += one !== null && one[1] === one[1];
+      if (String(one) !== String(other)) different.push([i, one, other]);
+    }
+    return [claims, different.length];
+  })"""
+
+
+@pytest.mark.parametrize("name", ["minimum-jerk", "switched-direction", "switched", "linear", "hold"])
+def test_the_small_source_predicts_what_build_does(page: IntentPage, name: str) -> None:
+    claims, different = page.value(COMPARE.replace("NAME", name))
+    assert claims > 100
+    assert different == 0
+
+
+@pytest.mark.parametrize("name", ["kinematic-adaptive", "kinematic", "minimum-jerk"])
+def test_a_predictor_is_loaded_when_it_is_needed(page: IntentPage, name: str) -> None:
+    loaded = "performance.getEntriesByType('resource').map(({ name }) => name.split('/').at(-1))"
+    assert "kinematic.f32" not in page.value(loaded)
+    page.make(f"watch(box('goal', 600, 500), {{ predictor: '{name}' }})")
+    needed = "kinematic.f32" if name.startswith("kinematic") else "minimum_jerk.js"
+    page.wait(f"{loaded}.includes('{needed}')")
+    page.away()
+    page.move((40, 40), (650, 530), 0.5)
+    assert page.said() == ["goal predicted"]
+    assert ("kinematic.f32" in page.value(loaded)) is name.startswith("kinematic")
+
+
+@pytest.fixture
+def served(visitor: Visitor) -> Iterator[tuple[IntentPage, Listener]]:
+    with Listener() as listener:
+        yield IntentPage(visitor, listener.url, package="/web"), listener
+
+
+def test_a_service_predicts_and_the_calls_are_the_same(served: tuple[IntentPage, Listener]) -> None:
+    page, listener = served
+    options = json.dumps({"service": listener.url, "predictor": "minimum-jerk"})
+    page.make(
+        f"watch(box('goal', 600, 500), {options}); watch(box('other', 100, 500), {options});"
+        f"watch(box('lit', 800, 100), {{ ...{options}, policy: 'highlight' }})"
+    )
+    soon(lambda: len(listener.messages("hello")) == 1, "one connection for all of them")
+    page.away()
+    page.move((40, 40), (650, 530), 0.5)
+    page.away()
+    page.move((650, 530), (850, 130), 0.5)
+    page.wait("heard.length >= 2")
+    assert len(listener.events()) > 20
+    assert page.said()[0] == "goal predicted"
+    assert any(one.startswith("lit") for one in page.said())
+    page.value("for (const stop of Object.values(stops)) stop()")
+    soon(lambda: len(listener.messages("bye")) == 1, "the last to stop closes the connection")
+
+
+def test_without_the_service_entries_still_fire(served: tuple[IntentPage, Listener]) -> None:
+    page, listener = served
+    page.make(
+        "watch(box('goal', 600, 500),"
+        f" {{ service: '{listener.url}', predictor: 'minimum-jerk', threshold: 1 }})"
+    )
+    soon(lambda: len(listener.messages("hello")) == 1, "the connection")
+    listener.stop()
+    page.away()
+    page.move((40, 40), (650, 530), 0.5)
+    assert page.said() == ["goal entered"]
