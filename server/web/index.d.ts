@@ -19,7 +19,11 @@ export interface IntentOptions {
    * `"highlight"`: fires for the one that is likeliest, and for the one that the pointer is in; ends when that is over.
    */
   policy?: "prefetch" | "highlight";
-  /** The share in (0, 1) from which it fires early: what a firing costs over what a miss costs. 0.5 by default. */
+  /**
+   * In [0, 1], 0.5 by default: higher fires later, and less often in vain; what a firing costs over what a miss costs. For a prefetch
+   * the probability that the pointer goes through the element is compared with it, of several on one element the lowest; for a
+   * highlight its share. 1: only when the pointer goes into it.
+   */
   threshold?: number;
   /** Whether it fires only once; true by default for prefetch. Otherwise once in each movement. */
   once?: boolean;

@@ -8,7 +8,7 @@ import pytest
 
 from benchmarks.page_size import WEB, reached, sizes
 
-SMALL, LEARNED = 15_000, 90_000
+SMALL, LEARNED = 16_500, 90_000
 
 
 def test_nothing_is_loaded_that_the_predictor_does_not_need() -> None:

@@ -1,11 +1,25 @@
-// Which targets are worth loading ahead.
+// Which elements are worth loading ahead, by the law of `pointpred/targets/prefetch.py`.
 
-import { X, X0, Y, Y0 } from "../laws/targets/cursor.js";
-import { early } from "../laws/targets/decision.js";
+import { ARMED, ENTERED, FITTED, PREDICTED, step } from "../laws/targets/prefetch.js";
 
-const LEAST_WAY_PX = 3; // nearer to the movement's start nothing is predicted
+const SETTINGS = Float64Array.from(FITTED);
+const NEVER = 1; // the threshold of an element that nothing is loaded for
 
-/** Whether a target of this share is fired now. @param {Float64Array} memory of the cursor @param {Float64Array} row of the table @param {number} share @param {number} threshold */
-export function fires(memory, row, share, threshold) {
-  return share >= threshold && Math.hypot(memory[X] - memory[X0], memory[Y] - memory[Y0]) >= LEAST_WAY_PX && early(memory, row, NaN, 0);
+/** Knows of each element whether it has fired in this movement. */
+export class PrefetchPolicy {
+  #states = new WeakMap(); // by entry
+
+  /**
+   * The elements that fire now; called once a frame.
+   * @param {Float64Array} memory of the cursor, `STATES` of the law @param {import("./entries.js").Entry[]} entries that are looked at
+   * @param {Float64Array[]} table their rows @param {Float64Array} shares theirs, and that of none of them
+   * @returns {import("./entries.js").Entry[]}
+   */
+  fire(memory, entries, table, shares) {
+    const thresholds = Float64Array.from(entries, ({ prefetchFrom }) => Math.min(prefetchFrom, NEVER));
+    const states = Float64Array.from(entries, (entry) => this.#states.get(entry) ?? ARMED);
+    const count = step(memory, [table, thresholds, new Float64Array(entries.length), states], shares, SETTINGS);
+    entries.forEach((entry, i) => this.#states.set(entry, states[i]));
+    return count === 0 ? [] : entries.filter((_, i) => states[i] === PREDICTED || states[i] === ENTERED);
+  }
 }

@@ -1,13 +1,16 @@
 // How likely the cursor is heading for each element in view, by the laws of `pointpred/targets`.
 
 import { ENTERED, INSIDE, KEEP, OUTSIDE, enter, innermost } from "../laws/targets/choice_law.js";
-import { KNOWN, STATES, T, T0, X, Y, follow, usable } from "../laws/targets/cursor.js";
+import { KNOWN, T, T0, X, Y, follow, usable } from "../laws/targets/cursor.js";
 import { NOBODY, decide, likeliest } from "../laws/targets/decision.js";
 import { CENTRE_X, CENTRE_Y, HEIGHT, LOG_WEIGHT, WIDTH } from "../laws/targets/rectangles.js";
-import { FITTED, FITTED_NONE, normalise, scores } from "../laws/targets/posterior.js";
-import { fires } from "./prefetch.js";
+import { FITTED_NONE, FITTED_PAGES, normalise, scores } from "../laws/targets/posterior.js";
+import { ELSEWHERE, STATES } from "../laws/targets/prefetch.js";
+import { PrefetchPolicy } from "./prefetch.js";
 
 const LEAST_LEAD_S = 0, LEAST_WAY_PX = 3; // the defaults of the chooser in Python
+/** A highlight shall end when the movement goes to nothing that is registered, as many do: the prior odds of that, over those that a prefetch counts with. */
+const MORE_ELSEWHERE = Math.log((FITTED_NONE / (1 - FITTED_NONE)) / (ELSEWHERE / (1 - ELSEWHERE)));
 const REMAINING_S = 6; // in the row of a prediction
 const IN_TURN = 64; // of many elements, so many unlikely ones are scored at a time; the others keep their score until it is their turn
 const LIKELY = 1e-3; // an element of this share is scored each time
@@ -19,7 +22,7 @@ export class Shares {
   /** The newest row of a prediction. */ answer = NOTHING;
   /** Counts movements. */ movement = 0;
   #memory = new Float64Array(STATES); #table = []; #inside = new Float64Array(0); #shares = Float64Array.of(1); #standing = NOBODY;
-  #prefetchFrom = new Float64Array(0); #scores = Float64Array.of(0); #scoredIn = -1; #turn = 0;
+  #prefetch = new PrefetchPolicy(); #looked = null; #scores = Float64Array.of(0); #lit = Float64Array.of(1); #scoredIn = -1; #turn = 0;
 
   /** When the newest event was, s, and where, px. @returns {{t: number, x: number, y: number}} */
   get cursor() {
@@ -35,8 +38,8 @@ export class Shares {
     this.#inside = Float64Array.from(entries, (entry) => inside.get(entry) ?? OUTSIDE);
     this.#shares = new Float64Array(entries.length + 1);
     this.#shares[entries.length] = 1;
-    this.#prefetchFrom = Float64Array.from(entries, (entry) => entry.prefetchFrom);
     this.#scores = new Float64Array(entries.length + 1);
+    this.#lit = new Float64Array(entries.length + 1);
     this.#scoredIn = -1;
     this.#standing = standing ? entries.indexOf(standing) : NOBODY; // -1 where it is gone
     const total = entries.reduce((sum, { isHidden, weight }) => sum + (isHidden ? 0 : weight), 0);
@@ -80,44 +83,53 @@ export class Shares {
   /** Computes the shares. @param {number[]|null} answer the row of the newest prediction, null for none */
   weigh(answer) {
     this.answer = answer ?? NOTHING;
-    if (this.#table.length <= 2 * IN_TURN || this.#scoredIn !== this.movement) this.#score(this.#table, this.#scores);
-    else this.#scoreSome();
+    const isWhole = this.#table.length <= 2 * IN_TURN || this.#scoredIn !== this.movement;
+    this.#looked = isWhole ? null : this.#inTurn();
+    if (isWhole) this.#score(this.#table, this.#scores);
+    else this.#scoreSome(this.#looked);
     this.#scoredIn = this.movement;
     this.#shares.set(this.#scores);
     normalise(this.#shares);
+    this.#lit.set(this.#scores);
+    this.#lit[this.#table.length] += MORE_ELSEWHERE;
+    normalise(this.#lit);
   }
 
   /** Writes the logarithms of the shares of some rows, up to a constant, and behind them that of none of them. */
   #score(rows, out) {
-    // Many movements on a page go to nothing that is registered: as many as in the recordings that the coefficients were fitted to.
-    scores(this.#memory, rows, this.answer, FITTED, FITTED_NONE, out);
+    scores(this.#memory, rows, this.answer, FITTED_PAGES, ELSEWHERE, out);
   }
 
-  /** Scores the likely elements, and some of the others in turn. */
-  #scoreSome() {
+  /** The places of the likely elements, and of some of the others in turn. */
+  #inTurn() {
     const count = this.#table.length, places = [];
     for (let i = 0; i < count; i += 1)
       if (this.#shares[i] >= LIKELY || (i - this.#turn + count) % count < IN_TURN) places.push(i);
     this.#turn = (this.#turn + IN_TURN) % count;
+    return places;
+  }
+
+  /** Scores some elements; the others keep their scores. */
+  #scoreSome(places) {
     const some = new Float64Array(places.length + 1);
     this.#score(places.map((i) => this.#table[i]), some);
     places.forEach((place, k) => { this.#scores[place] = some[k]; });
-    this.#scores[count] = some[places.length];
+    this.#scores[this.#table.length] = some[places.length];
   }
 
-  /** The elements whose prefetch is worth its cost now. @returns {import("./entries.js").Entry[]} */
+  /** The elements whose prefetch is worth its cost now, of those that were scored. @returns {import("./entries.js").Entry[]} */
   worthPrefetching() {
-    const worth = [];
-    for (let i = 0; i < this.entries.length; i += 1)
-      if (fires(this.#memory, this.#table[i], this.#shares[i], this.#prefetchFrom[i])) worth.push(this.entries[i]);
-    return worth;
+    const places = this.#looked, none = this.#table.length;
+    if (places === null) return this.#prefetch.fire(this.#memory, this.entries, this.#table, this.#shares);
+    const shares = Float64Array.from([...places, none], (place) => this.#shares[place]);
+    return this.#prefetch.fire(this.#memory, places.map((place) => this.entries[place]), places.map((place) => this.#table[place]), shares);
   }
 
   /** The element to highlight because the movement heads for it, if there is one. @returns {import("./entries.js").Entry|undefined} */
   headedFor() {
-    const best = likeliest(this.#shares, this.#table.length);
+    const best = likeliest(this.#lit, this.#table.length);
     const ask = this.entries[best]?.highlightFrom ?? 1, keep = KEEP * (this.entries[this.#standing]?.highlightFrom ?? ask);
-    this.#standing = decide(this.#memory, this.#table, this.#shares, this.#standing, this.answer[REMAINING_S], [ask, keep, LEAST_LEAD_S, LEAST_WAY_PX]);
+    this.#standing = decide(this.#memory, this.#table, this.#lit, this.#standing, this.answer[REMAINING_S], [ask, keep, LEAST_LEAD_S, LEAST_WAY_PX]);
     return this.entries[this.#standing];
   }
 

@@ -136,7 +136,7 @@ export class Tracker {
   #firePrefetch(entry, reason, { p = this.share(entry.element), t = this.#shares.cursor.t, press = 0, into = "", isSeen = true }) {
     const visit = this.#visit + this.#shares.movement;
     for (const one of entry.registrations)
-      if (one.follows("prefetch") && one.mayFire(t, visit) && accepts(one.options, reason, { p, press, into }) && (isSeen || !entry.isCovered))
+      if (one.follows("prefetch") && one.mayFire(t, visit) && accepts(one.options, reason, { press, into }) && (isSeen || !entry.isCovered))
         one.fire(this.#cause(reason, p, t), visit);
   }
 
@@ -235,8 +235,7 @@ export class Tracker {
 }
 
 /** Whether a registration fires for a reason. */
-function accepts({ touch, scroll, keyboard, threshold }, reason, { p, press, into }) {
-  if (reason === "predicted") return p >= threshold;
+function accepts({ touch, scroll, keyboard }, reason, { press, into }) {
   if (reason === "touch") return touch === "start";
   if (reason === "viewport") return touch === "viewport";
   if (reason === "scroll") return scroll === into;
