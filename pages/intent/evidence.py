@@ -19,8 +19,10 @@ from pointpred.targets.evidence import FEATURES, Law, features, unclaimed
 
 CLAIMING, SILENT = "kinematic-adaptive", "minimum-jerk"
 """The predictors that it is fitted with: one that claims a law and one that does not."""
-MOMENTS, FIRST_S = 8, 0.01
-"""Of each movement, drawn evenly between the first so long after its start and the entry."""
+MOMENTS, LATEST_S, EARLIEST_S = 8, 0.06, 0.42
+"""Of each movement, drawn evenly from so long before the entry: when a firing is of use and may be right."""
+FIRST_S = 0.01
+"""None is nearer to the movement's start."""
 MOST_MOVEMENTS = 330
 """Of each layout and each group of sets."""
 
@@ -62,9 +64,8 @@ def _moments(
     """Features of all candidates at moments of one movement before it enters its target."""
     events, answers, last = movement.events, movement.answers[predictor], movement.entry
     t = events[:, 0]
-    first = t[0] + FIRST_S
-    drawn = generator.uniform(first, max(first + 1e-3, t[last]), MOMENTS)
-    wanted = set(np.searchsorted(t[: last + 1], drawn).tolist())
+    drawn = t[last] - generator.uniform(LATEST_S, EARLIEST_S, MOMENTS)
+    wanted = set(np.searchsorted(t[: last + 1], np.maximum(drawn, t[0] + FIRST_S)).tolist())
     memory, parts = np.zeros(cursor.STATES), []
     for i in range(last):
         cursor.follow(memory, t[i], events[i, 1], events[i, 2], 0.0)

@@ -106,7 +106,7 @@ def pages(prepared: Prepared, parts: Sequence[FloatArray]) -> Iterator[tuple[str
     own = {name: laid for name, laid in layouts(prepared).items() if not name.startswith("grid")}
     for name, laid in own.items():
         for one in laid:
-            yield name.split(" of ")[0].removesuffix(" targets"), one.trial, one.table, one.right
+            yield name.removesuffix(" targets"), one.trial, one.table, one.right
     chosen = evenly(prepared, parts)
     for name, layout in LAYOUTS.items():
         generator = np.random.default_rng([7, len(name)])

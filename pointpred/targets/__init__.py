@@ -2,6 +2,7 @@
 
 from pointpred.targets.chooser import Choice, Chooser
 from pointpred.targets.ledger import Ledger, Movement
+from pointpred.targets.prefetcher import Prefetcher
 from pointpred.targets.rectangles import MOST_TARGETS, Target, around
 
-__all__ = ["MOST_TARGETS", "Choice", "Chooser", "Ledger", "Movement", "Target", "around"]
+__all__ = ["MOST_TARGETS", "Choice", "Chooser", "Ledger", "Movement", "Prefetcher", "Target", "around"]

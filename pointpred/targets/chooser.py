@@ -8,13 +8,12 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.errors import EventError, EventOrderError
 from pointpred.events import PointerEvent, Prediction
 from pointpred.parameter import Parameter, check
 from pointpred.rows import REFUSED, Row, prediction_row
 from pointpred.targets import cursor, decision, posterior
 from pointpred.targets.choice_law import ENTERED, INSIDE, OUTSIDE, RELEASED, Model, Targets, step, walk
-from pointpred.targets.inputs import refuse, usable
+from pointpred.targets.inputs import accepted, refuse, usable
 from pointpred.targets.ledger import Ledger, Movement
 from pointpred.targets.rectangles import Target, table
 
@@ -176,18 +175,12 @@ class Chooser:
         At most four choices. Raises EventError for an event that is not finite, EventOrderError for one
         before the last.
         """
-        t, x, y = float(event.t), float(event.x), float(event.y)
-        if not cursor.usable(t, x, y):
-            raise EventError(f"an event needs finite numbers within bounds, received {event!r}")
         memory = self._memory
-        if memory[cursor.KNOWN] == 1.0 and t < memory[cursor.T]:
-            raise EventOrderError(f"t must not run backwards: {t!r} after {memory[cursor.T]!r}")
+        row = accepted(memory, event)
+        t, _, _, pressed = row
         self._answer = prediction_row(prediction)
-        pressed = float(event.buttons & 1)
         released = memory[cursor.PRESSED] > pressed
-        chosen, over, entered = step(
-            memory, (t, x, y, pressed), self._answer, self._targets, self._model, self._standing
-        )
+        chosen, over, entered = step(memory, row, self._answer, self._targets, self._model, self._standing)
         if chosen == self._standing and over == self._over and not entered:
             return ()
         return self._note(t, chosen, over, entered, released)

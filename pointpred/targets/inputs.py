@@ -6,10 +6,20 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import EventError, EventOrderError, ParameterError
-from pointpred.events import LARGEST
+from pointpred.events import LARGEST, PointerEvent
 from pointpred.targets import cursor
 from pointpred.targets.choice_law import unusable
 from pointpred.targets.posterior import COEFFICIENTS
+
+
+def accepted(memory: FloatArray, event: PointerEvent) -> tuple[float, float, float, float]:
+    """The event as (t, x, y, pressed); raises EventError or EventOrderError for one that cannot be used."""
+    t, x, y = float(event.t), float(event.x), float(event.y)
+    if not cursor.usable(t, x, y):
+        raise EventError(f"an event needs finite numbers within bounds, received {event!r}")
+    if memory[cursor.KNOWN] == 1.0 and t < memory[cursor.T]:
+        raise EventOrderError(f"t must not run backwards: {t!r} after {memory[cursor.T]!r}")
+    return t, x, y, float(event.buttons & 1)
 
 
 def refuse(memory: FloatArray, events: FloatArray) -> None:

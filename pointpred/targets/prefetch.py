@@ -23,8 +23,8 @@ call, by prediction or because the cursor is in it."""
 BEGAN, COUNT, STATES = cursor.STATES, cursor.STATES + 1, cursor.STATES + 2
 """Places in the memory behind those of the cursor: when the movement began, s, and its firings."""
 
-PATHS = 8
-"""The cursor is taken to go straight to one of so many targets, the likeliest ones."""
+PATHS, NEGLIGIBLE = 8, 1e-3
+"""The cursor is taken to go straight to one of so many likeliest targets, each of at least this share."""
 LEAST_WAY_PX = 3.0
 """Nothing is predicted nearer to where the movement started."""
 REFERENCE_S, SHORTEST_S, LONGEST_S = 0.25, 0.005, 5.0
@@ -38,7 +38,7 @@ THRESHOLD, ELSEWHERE = 0.5, 0.02
 """Unless set otherwise: the threshold of a target, and the share of movements that go to none of them."""
 BASE, END, SPENT, NEAR, FAR, AGE, PASSED, SURE, LATE_S, LATE, SETTINGS = range(11)
 """Places of the settings."""
-FITTED = (1.909, 0.862, 0.06, 0.226, 0.128, 0.215, 0.786, 3.899, 0.085, 0.496)
+FITTED = (1.72, 0.665, 0.0555, 0.336, 0.227, 0.26, 0.687, 3.18, 0.103, 0.477)
 """Settings by ``python -m pages.intent.fit``, for shares by ``posterior.FITTED_PAGES``."""
 
 Targets = tuple[FloatArray, FloatArray, FloatArray, FloatArray]
@@ -80,7 +80,7 @@ def visit(x: float, y: float, table: FloatArray, shares: FloatArray, out: FloatA
         total = shares[i]
         for place in range(PATHS):
             end = int(ends[place])
-            if end == decision.NOBODY or end == i:
+            if end == decision.NOBODY or end == i or shares[end] < NEGLIGIBLE:
                 continue
             to_x, to_y = table[end, CENTRE_X] - x, table[end, CENTRE_Y] - y
             if contact(x, y, to_x, to_y, table[i]) <= 1.0:

@@ -9,7 +9,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pointpred.targets import Target, around, cursor, prefetch
+from pointpred import PointerEvent, Prediction
+from pointpred.errors import EventError, EventOrderError, ParameterError
+from pointpred.targets import Prefetcher, Target, around, cursor, prefetch
 from pointpred.targets.prefetch import ARMED, ENTERED, FIRED, PREDICTED, RESTING
 from pointpred.targets.rectangles import table
 
@@ -161,3 +163,54 @@ def test_plain_python_agrees_with_the_compiled_law() -> None:
             step(page.memory, page.targets, shares, SETTINGS)
         assert one.fired.tolist() == other.fired.tolist()
         assert one.visits == pytest.approx(other.visits, rel=1e-12)
+
+
+def straight(prefetcher: Prefetcher, until: int, y: float = 0.0) -> list[object]:
+    """What fires on a straight way from x = 0 to 200 px in 40 events, the endpoint known."""
+    fired: list[object] = []
+    for i in range(until):
+        event = PointerEvent(i / 100, 5.0 * i, y)
+        known = Prediction(event.t, 200.0, 0.0, (25.0, 0.0, 25.0), "ballistic", None)
+        fired += prefetcher.update(known, event)
+    return fired
+
+
+def test_the_prefetcher_names_what_fires_once() -> None:
+    prefetcher = Prefetcher([NEAR, ASIDE])
+    assert straight(prefetcher, 41) == ["near"]
+    assert prefetcher.visits[0] > prefetcher.visits[1]
+
+
+def test_at_a_threshold_of_1_targets_fire_at_entry_only() -> None:
+    prefetcher = Prefetcher([NEAR, ASIDE], threshold=1.0)
+    assert straight(prefetcher, 36) == []
+    assert prefetcher.update(None, PointerEvent(0.36, 180.0, 0.0)) == ("near",)
+
+
+def test_a_target_that_stays_on_the_page_does_not_fire_again_and_a_new_one_does() -> None:
+    prefetcher = Prefetcher([NEAR])
+    assert straight(prefetcher, 41) == ["near"]
+    prefetcher.replace([around("new", 200.0, 0.0, 30.0), NEAR])
+    assert prefetcher.update(None, PointerEvent(0.41, 201.0, 0.0)) == ("new",)
+
+
+def test_after_a_reset_the_same_movement_fires_the_same() -> None:
+    prefetcher = Prefetcher([NEAR, ASIDE])
+    assert straight(prefetcher, 20) == straight_again(prefetcher, 20) == ["near"]
+
+
+def straight_again(prefetcher: Prefetcher, until: int) -> list[object]:
+    prefetcher.reset()
+    return straight(prefetcher, until)
+
+
+def test_refused_events_change_nothing() -> None:
+    prefetcher = Prefetcher([NEAR])
+    straight(prefetcher, 5)
+    with pytest.raises(EventError, match="finite"):
+        prefetcher.update(None, PointerEvent(1.0, float("nan"), 0.0))
+    with pytest.raises(EventOrderError, match="backwards"):
+        prefetcher.update(None, PointerEvent(0.0, 200.0, 0.0))
+    with pytest.raises(ParameterError, match="threshold"):
+        Prefetcher(threshold=1.5)
+    assert prefetcher.update(None, PointerEvent(0.2, 200.0, 0.0)) in ((), ("near",))

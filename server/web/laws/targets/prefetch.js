@@ -12,6 +12,7 @@ export const BEGAN = 15;
 export const COUNT = 16;
 export const STATES = 17;
 export const PATHS = 8;
+export const NEGLIGIBLE = 0.001;
 export const LEAST_WAY_PX = 3;
 export const REFERENCE_S = 0.25;
 export const SHORTEST_S = 0.005;
@@ -31,7 +32,7 @@ export const PASSED = 6;
 export const SURE = 7;
 export const LATE_S = 8;
 export const LATE = 9;
-export const FITTED = [1.909, 0.862, 0.06, 0.226, 0.128, 0.215, 0.786, 3.899, 0.085, 0.496];
+export const FITTED = [1.72, 0.665, 0.0555, 0.336, 0.227, 0.26, 0.687, 3.18, 0.103, 0.477];
 export function contact(x, y, dx, dy, row) {
   let enters = 0;
   let leaves = Infinity;
@@ -62,7 +63,7 @@ export function visit(x, y, table, shares, out) {
     let total = shares[i];
     for (let place = 0; place < PATHS; place++) {
       const end = Math.trunc(ends[place]);
-      if (end === $decision.NOBODY || end === i) {
+      if (end === $decision.NOBODY || end === i || shares[end] < NEGLIGIBLE) {
         continue;
       }
       const to_x = table[end][$rectangles.CENTRE_X] - x;
