@@ -58,3 +58,8 @@ def test_it_is_imported_by_its_names_without_a_page(tmp_path: Path) -> None:
     )
     told = subprocess.run(["node", str(script)], capture_output=True, text=True, check=False)
     assert told.stdout.strip() == "true true function function", told.stderr
+
+
+def test_the_licence_goes_with_it() -> None:
+    for name in ("LICENSE", "NOTICE"):
+        assert (WEB / name).read_text() == (ROOT / name).read_text()
