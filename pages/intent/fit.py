@@ -128,13 +128,6 @@ def searched(worth: Callable[[FloatArray], float], start: FloatArray, spread: Fl
     return best
 
 
-def fitted(chosen: Sequence[Movement]) -> Fitted:
-    """Evidence and settings fitted to these movements."""
-    evidence = coefficients(chosen, GROUPS)
-    shares = [shares_of(one, CLAIMING, evidence, FRAME_S) for one in chosen]
-    return Fitted(evidence.tolist(), settings(chosen, shares))
-
-
 def write_evidence(values: Sequence[float], file: Path) -> None:
     """Put the coefficients into the package."""
     half, features = posterior.SET, posterior.FEATURES
@@ -150,17 +143,26 @@ def write_evidence(values: Sequence[float], file: Path) -> None:
     file.write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
+def fit(everything: Sequence[Movement]) -> Fits:
+    """The fits to these movements; settings are fitted to shares by evidence that does not know the group."""
+    groups = sorted(set(GROUPS.values()))
+    apart = [coefficients([one for one in everything if GROUPS[one.set] != k], GROUPS) for k in groups]
+    shares = [shares_of(one, CLAIMING, apart[GROUPS[one.set]], FRAME_S) for one in everything]
+
+    def without(group: int | None) -> list[float]:
+        chosen = [i for i, one in enumerate(everything) if GROUPS[one.set] != group]
+        return settings([everything[i] for i in chosen], [shares[i] for i in chosen])
+
+    whole = Fitted(coefficients(everything, GROUPS).tolist(), without(None))
+    return Fits(whole, [Fitted(apart[k].tolist(), without(k)) for k in groups])
+
+
 def main() -> None:
     """Fit without each group and to all."""
-    everything = recorded((CLAIMING, SILENT))
-    without = [
-        fitted([one for one in everything if GROUPS[one.set] != group])
-        for group in sorted(set(GROUPS.values()))
-    ]
-    whole = fitted(everything)
-    write(Fits(whole, without), PAGES / "intent" / "fits.json")
-    write_evidence(whole.evidence, ROOT / "pointpred" / "targets" / "coefficients.py")
-    print("settings:", ", ".join(f"{value:.4g}" for value in whole.settings))
+    done = fit(recorded((CLAIMING, SILENT)))
+    write(done, PAGES / "intent" / "fits.json")
+    write_evidence(done.whole.evidence, ROOT / "pointpred" / "targets" / "coefficients.py")
+    print("settings:", ", ".join(f"{value:.4g}" for value in done.whole.settings))
 
 
 if __name__ == "__main__":

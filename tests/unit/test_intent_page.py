@@ -1,0 +1,56 @@
+"""The measurement of the prefetch policy: ForesightJS's rule, frames, and the scores of movements."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pages.intent import foresight
+from pages.intent.movements import Movement
+from pages.intent.scores import by_policy, by_rule, score
+from pointpred.columns import FloatArray
+from pointpred.targets import around, prefetch
+from pointpred.targets.rectangles import table
+
+TARGETS = table([around("start", 0.0, 0.0, 20.0), around("right", 300.0, 0.0, 40.0)])
+
+
+def straight() -> FloatArray:
+    """1000 px/s along x at 100 Hz, up to the middle of the target."""
+    events = np.zeros((31, 6))
+    events[:, 0], events[:, 1] = 5.0 + np.arange(31) / 100, 10.0 * np.arange(31)
+    return events
+
+
+def test_the_rule_fires_when_a_line_of_120_ms_reaches_the_border() -> None:
+    fired_at = np.empty(2)
+    foresight.fire(straight(), TARGETS, 0.0, fired_at)
+    assert fired_at[0] == 5.0  # the cursor is in it at the first event
+    assert fired_at[1] == pytest.approx(5.16)  # 160 + 120 px reach the border at 280 px
+
+
+def test_of_a_frame_the_last_event_is_seen_when_the_frame_ends() -> None:
+    events = straight()
+    ends = [foresight.frame_end(events, i, 0.025) for i in range(6)]
+    assert ends == pytest.approx([np.inf, np.inf, 5.025, np.inf, np.inf, 5.05])
+    fired_at = np.empty(2)
+    foresight.fire(events, TARGETS, 0.025, fired_at)
+    assert fired_at[1] == pytest.approx(5.175)
+
+
+def test_a_score_counts_firings_with_and_without_where_the_movement_starts() -> None:
+    events = straight()
+    movement = Movement("two", "set", "user", TARGETS, 1, events, {})
+    one = score([movement], [by_rule(movement, 0.0)])
+    assert (one.firings, one.elsewhere, one.before) == (2.0, 1.0, 1.0)
+    assert one.lead_s == pytest.approx(0.12)
+    late = score([movement, movement], [by_rule(movement, 0.0), np.array([np.inf, 5.28])])
+    assert (late.before, late.lead_all_s) == (0.5, pytest.approx(0.06))
+
+
+def test_by_the_policy_nothing_fires_where_the_movement_starts() -> None:
+    movement = Movement("two", "set", "user", TARGETS, 1, straight(), {})
+    shares = np.tile([0.0, 0.97, 0.03], (31, 1))
+    fired_at = by_policy(movement, shares, np.array(prefetch.FITTED), 0.0)
+    assert fired_at[0] == np.inf
+    assert fired_at[1] < 5.1
