@@ -12,7 +12,7 @@ from pointpred.columns import FloatArray
 from pointpred.targets import around, prefetch
 from pointpred.targets.rectangles import table
 
-TARGETS = table([around("start", 0.0, 0.0, 20.0), around("right", 300.0, 0.0, 40.0)])
+TARGETS = table([around("start", 0.0, 0.0, 20.0), around("right", 299.0, 0.0, 40.0)])
 
 
 def straight() -> FloatArray:
@@ -26,7 +26,7 @@ def test_the_rule_fires_when_a_line_of_120_ms_reaches_the_border() -> None:
     fired_at = np.empty(2)
     foresight.fire(straight(), TARGETS, 0.0, fired_at)
     assert fired_at[0] == 5.0  # the cursor is in it at the first event
-    assert fired_at[1] == pytest.approx(5.16)  # 160 + 120 px reach the border at 280 px
+    assert fired_at[1] == pytest.approx(5.16)  # 160 + 120 px reach beyond the border at 279 px
 
 
 def test_of_a_frame_the_last_event_is_seen_when_the_frame_ends() -> None:
