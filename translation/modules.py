@@ -47,8 +47,9 @@ def texts() -> dict[str, bytes]:
         path_of(name): text_of(name, wanted, [one for one in all_stages if one.__module__ == name]).encode()
         for name in modules
     }
+    files["descriptions.js"] = stages.descriptions_text().encode()
     files["registry.js"] = stages.registry_text(pointpred.__version__, path_of).encode()
-    files["kinematic.f32"] = planes(coefficient_file.read(coefficient_file.OWN))
+    files[stages.COEFFICIENTS] = planes(coefficient_file.read(coefficient_file.OWN))
     here = Path(__file__).parent
     return files | {name: (here / name).read_bytes() for name in HAND_WRITTEN}
 
@@ -112,7 +113,7 @@ def text_of(name: str, wanted: Iterable[Name], classes: list[type[CompiledStage]
 def constant(value: object) -> str:
     """A number, a tuple of numbers, or a flat array."""
     if isinstance(value, np.ndarray):
-        return f"new Float64Array({number(tuple(value.tolist())).text})"
+        return f"/* @__PURE__ */ new Float64Array({number(tuple(value.tolist())).text})"
     return number(value).text
 
 

@@ -15,6 +15,8 @@ from translation.expressions import number
 from translation.names import qualified, renamed
 from translation.source import Name, is_law
 
+COEFFICIENTS = "kinematic.f32"
+"""The file of coefficients in the folder of laws."""
 LAWS = ("step", "conclude", "fill", "settle", "sizes", "fault")
 """What a class may name as its laws."""
 
@@ -66,13 +68,14 @@ def registry_text(version: str, path_of: Any) -> str:
         "export const PREDICTORS = {",
     ]
     for entry in REGISTRY.values():
-        coefficients = '"kinematic.f32"' if hasattr(entry.predictor, "coefficients") else "null"
-        lines.append(
-            f"  {json.dumps(entry.name)}: {{ title: {json.dumps(entry.title)}, "
-            f"reference: {json.dumps(entry.reference)}, "
-            f"differentiator: {json.dumps(entry.differentiator)}, preset: {_object(entry.preset)}, "
-            f"coefficients: {coefficients}, load: {_load(entry.predictor, path_of)} }},"
-        )
+        preset = {"preset": entry.preset} if entry.preset else {}
+        numbers = {"coefficients": COEFFICIENTS} if hasattr(entry.predictor, "coefficients") else {}
+        parts = [
+            f"{key}: {_value(value)}"
+            for key, value in {"differentiator": entry.differentiator, **preset, **numbers}.items()
+        ]
+        parts.append(f"load: {_load(entry.predictor, path_of)}")
+        lines.append(f"  {json.dumps(entry.name)}: {{ {', '.join(parts)} }},")
     lines += ["};", "export const DIFFERENTIATORS = {"]
     lines += [
         f"  {json.dumps(name)}: {{ load: {_load(stage, path_of)} }},"
@@ -81,8 +84,31 @@ def registry_text(version: str, path_of: Any) -> str:
     return "\n".join([*lines, "};"]) + "\n"
 
 
+def descriptions_text() -> str:
+    """The module that says in words what names and parameters are, for pages that show it."""
+    predictors = {
+        entry.name: {
+            "title": entry.title,
+            "reference": entry.reference,
+            "meanings": _meanings(entry.predictor),
+        }
+        for entry in REGISTRY.values()
+    }
+    differentiators = {name: {"meanings": _meanings(stage)} for name, stage in DIFFERENTIATORS.items()}
+    return (
+        "// Written by `make page` from the registry: change that and run it again.\n"
+        f"export const PREDICTORS = {json.dumps(predictors, indent=2)};\n"
+        f"export const DIFFERENTIATORS = {json.dumps(differentiators, indent=2)};\n"
+    )
+
+
+def _meanings(stage: type[CompiledStage]) -> dict[str, str]:
+    """What each parameter of a class does."""
+    return {one.name: one.meaning for one in stage.parameters}
+
+
 def _load(stage: type[CompiledStage], path_of: Any) -> str:
-    return f'async () => (await import("./{path_of(stage.__module__)}")).{stage.__name__}'
+    return f'() => import("./{path_of(stage.__module__)}").then((one) => one.{stage.__name__})'
 
 
 def _required(stage: type[CompiledStage]) -> dict[str, Any]:
@@ -94,13 +120,8 @@ def _parameter(one: Parameter) -> str:
     absent = {} if one.absent is None else {"absent": one.absent}
     whole = {"whole": True} if one.whole else {}
     given = {} if one.default is REQUIRED else {"default": one.default}
-    return _object(
-        {"name": one.name, "unit": one.unit, "low": one.low, "high": one.high}
-        | given
-        | whole
-        | absent
-        | {"meaning": one.meaning}
-    )
+    bounds = {"name": one.name, **({"unit": one.unit} if one.unit else {}), "low": one.low, "high": one.high}
+    return _object(bounds | given | whole | absent)
 
 
 def _slot(slot: Any) -> str:
@@ -119,6 +140,8 @@ def _object(values: dict[str, Any]) -> str:
 def _value(value: Any) -> str:
     if isinstance(value, bool | int | float):
         return number(value).text
+    if isinstance(value, dict):
+        return _object(value)
     return json.dumps(value)
 
 

@@ -24,7 +24,7 @@ export async function build(name, options = {}) {
   const entry = entryOf(PREDICTORS, "predictor", name);
   const { cpi = null, dpi = 96, person = "", differentiator: chosen = entry.differentiator, ...given } = options;
   const source = entryOf(DIFFERENTIATORS, "differentiator", chosen);
-  const loading = entry.coefficients === null ? undefined : coefficientsOf(entry.coefficients);
+  const loading = entry.coefficients && coefficientsOf(entry.coefficients);
   const [predictorKind, differentiatorKind, coefficients] = await Promise.all([entry.load(), source.load(), loading]);
   refuseUnknown(name, given, [...predictorKind.parameters, ...differentiatorKind.parameters]);
   const values = { ...GAINS, ...entry.preset, ...withoutUndefined(given), cpi, dpi };

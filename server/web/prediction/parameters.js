@@ -4,7 +4,7 @@ import { ParameterError } from "./errors.js";
 import { general, nearest, quoted } from "./words.js";
 
 /**
- * @typedef {{name: string, unit: string, low: number, high: number, default: number|null, meaning: string, whole: boolean,
+ * @typedef {{name: string, unit?: string, low: number, high: number, default: number|null, whole: boolean,
  *   absent: number|null}} Parameter bounds are closed; absent: what stands for null, null where a number is needed
  */
 

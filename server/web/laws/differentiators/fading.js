@@ -87,10 +87,10 @@ export const FadingMemoryDifferentiator = {
   settings: 5, learned: 0, states: 27,
   at: 5,
   parameters: [
-    { name: "cpi", unit: "counts per inch", low: 1, high: 1000000, default: null, absent: 0, meaning: "resolution of the device; None: counts are not used" },
-    { name: "dpi", unit: "px per inch", low: 1, high: 100000, default: 96, meaning: "resolution of the screen, used where counts are not" },
-    { name: "gap_s", unit: "s", low: 0.001, high: 1000, default: 0.1, meaning: "a longer gap between events means that the device was still" },
-    { name: "pause_s", unit: "s", low: 0.001, high: 1000, default: 0.3, meaning: "the first event after a longer pause starts a movement" },
-    { name: "memory_s", unit: "s", low: 0.001, high: 1, default: 0.01, meaning: "time in which the weight of a sample falls to 1/e" },
+    { name: "cpi", unit: "counts per inch", low: 1, high: 1000000, default: null, absent: 0 },
+    { name: "dpi", unit: "px per inch", low: 1, high: 100000, default: 96 },
+    { name: "gap_s", unit: "s", low: 0.001, high: 1000, default: 0.1 },
+    { name: "pause_s", unit: "s", low: 0.001, high: 1000, default: 0.3 },
+    { name: "memory_s", unit: "s", low: 0.001, high: 1, default: 0.01 },
   ],
 };

@@ -52,11 +52,11 @@ export const KalmanDifferentiator = {
   settings: 6, learned: 0, states: 24,
   at: 6,
   parameters: [
-    { name: "cpi", unit: "counts per inch", low: 1, high: 1000000, default: null, absent: 0, meaning: "resolution of the device; None: counts are not used" },
-    { name: "dpi", unit: "px per inch", low: 1, high: 100000, default: 96, meaning: "resolution of the screen, used where counts are not" },
-    { name: "gap_s", unit: "s", low: 0.001, high: 1000, default: 0.1, meaning: "a longer gap between events means that the device was still" },
-    { name: "pause_s", unit: "s", low: 0.001, high: 1000, default: 0.3, meaning: "the first event after a longer pause starts a movement" },
-    { name: "jerk_density", unit: "m^2/s^5", low: 0.001, high: 1000000000, default: 30, meaning: "spectral density of the jerk" },
-    { name: "noise_m", unit: "m", low: 1e-08, high: 0.1, default: 0.0001, meaning: "standard deviation of a measured position" },
+    { name: "cpi", unit: "counts per inch", low: 1, high: 1000000, default: null, absent: 0 },
+    { name: "dpi", unit: "px per inch", low: 1, high: 100000, default: 96 },
+    { name: "gap_s", unit: "s", low: 0.001, high: 1000, default: 0.1 },
+    { name: "pause_s", unit: "s", low: 0.001, high: 1000, default: 0.3 },
+    { name: "jerk_density", unit: "m^2/s^5", low: 0.001, high: 1000000000, default: 30 },
+    { name: "noise_m", unit: "m", low: 1e-08, high: 0.1, default: 0.0001 },
   ],
 };

@@ -57,11 +57,11 @@ export const ReducedOrderDifferentiator = {
   settings: 7, learned: 0, states: 16,
   at: 7,
   parameters: [
-    { name: "cpi", unit: "counts per inch", low: 1, high: 1000000, default: null, absent: 0, meaning: "resolution of the device; None: counts are not used" },
-    { name: "dpi", unit: "px per inch", low: 1, high: 100000, default: 96, meaning: "resolution of the screen, used where counts are not" },
-    { name: "gap_s", unit: "s", low: 0.001, high: 1000, default: 0.1, meaning: "a longer gap between events means that the device was still" },
-    { name: "pause_s", unit: "s", low: 0.001, high: 1000, default: 0.3, meaning: "the first event after a longer pause starts a movement" },
-    { name: "bandwidth", unit: "rad/s", low: 1, high: 10000, default: 60, meaning: "distance of the observer's poles from the origin" },
-    { name: "damping", unit: "", low: 0.1, high: 1, default: 0.5, meaning: "cosine of their angle from the negative real axis" },
+    { name: "cpi", unit: "counts per inch", low: 1, high: 1000000, default: null, absent: 0 },
+    { name: "dpi", unit: "px per inch", low: 1, high: 100000, default: 96 },
+    { name: "gap_s", unit: "s", low: 0.001, high: 1000, default: 0.1 },
+    { name: "pause_s", unit: "s", low: 0.001, high: 1000, default: 0.3 },
+    { name: "bandwidth", unit: "rad/s", low: 1, high: 10000, default: 60 },
+    { name: "damping", low: 0.1, high: 1, default: 0.5 },
   ],
 };

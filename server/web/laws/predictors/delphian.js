@@ -52,8 +52,8 @@ export const DelphianPredictor = {
   fill: $stage.copy_values,
   settings: 3, learned: 0, states: 14,
   parameters: [
-    { name: "slope_px_s_m", unit: "px s/m", low: 0, high: 100000, default: 56, meaning: "distance left at the peak for each m/s of its speed" },
-    { name: "offset_px", unit: "px", low: -10000, high: 10000, default: 111, meaning: "distance left at a peak without speed" },
-    { name: "fall", unit: "", low: 0, high: 0.9, default: 0.05, meaning: "share by which the speed must fall for a peak to be known" },
+    { name: "slope_px_s_m", unit: "px s/m", low: 0, high: 100000, default: 56 },
+    { name: "offset_px", unit: "px", low: -10000, high: 10000, default: 111 },
+    { name: "fall", low: 0, high: 0.9, default: 0.05 },
   ],
 };

@@ -73,9 +73,9 @@ export const KalmanPredictor = {
   fill: $stage.copy_values,
   settings: 4, learned: 0, states: 21,
   parameters: [
-    { name: "horizon_s", unit: "s", low: 0, high: 1, default: 0.025, meaning: "how far ahead the filter's state is carried" },
-    { name: "cursor_jerk_density", unit: "px^2/s^5", low: 1, high: 1e+18, default: 10000000000, meaning: "spectral density of the cursor's jerk" },
-    { name: "cursor_noise_px", unit: "px", low: 0.001, high: 1000, default: 1, meaning: "standard deviation of a cursor position" },
-    { name: "gap_s", unit: "s", low: 0.001, high: 1000, default: 0.1, meaning: "a longer gap between events means that the device was still" },
+    { name: "horizon_s", unit: "s", low: 0, high: 1, default: 0.025 },
+    { name: "cursor_jerk_density", unit: "px^2/s^5", low: 1, high: 1e+18, default: 10000000000 },
+    { name: "cursor_noise_px", unit: "px", low: 0.001, high: 1000, default: 1 },
+    { name: "gap_s", unit: "s", low: 0.001, high: 1000, default: 0.1 },
   ],
 };

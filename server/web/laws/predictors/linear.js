@@ -68,7 +68,7 @@ export const LinearPredictor = {
   fill: $stage.copy_values,
   settings: 2, learned: 0, states: 34,
   parameters: [
-    { name: "horizon_s", unit: "s", low: 0, high: 1, default: 0.12, meaning: "how far ahead the velocity is carried on" },
-    { name: "window_s", unit: "s", low: 0.001, high: 1, default: 0.12, meaning: "over how long the velocity is averaged" },
+    { name: "horizon_s", unit: "s", low: 0, high: 1, default: 0.12 },
+    { name: "window_s", unit: "s", low: 0.001, high: 1, default: 0.12 },
   ],
 };

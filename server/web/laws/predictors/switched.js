@@ -63,9 +63,9 @@ export const SwitchedPredictor = {
   fill: $stage.copy_values,
   settings: 4, learned: 0, states: 1413,
   parameters: [
-    { name: "threshold", unit: "share of peak speed", low: 0, high: 10, default: 0.2, meaning: "below it an axis is corrective; above 1: always" },
-    { name: "bound", unit: "share of displacement", low: 0, high: 10, default: 0.1, meaning: "largest step of the corrective estimate" },
-    { name: "delay_s", unit: "s", low: 0.001, high: 1, default: 0.1, meaning: "delay between the copies of the regression" },
-    { name: "gamma", unit: "1/s", low: 0, high: 1000000000, default: 10000, meaning: "rate of the regression at full excitation" },
+    { name: "threshold", unit: "share of peak speed", low: 0, high: 10, default: 0.2 },
+    { name: "bound", unit: "share of displacement", low: 0, high: 10, default: 0.1 },
+    { name: "delay_s", unit: "s", low: 0.001, high: 1, default: 0.1 },
+    { name: "gamma", unit: "1/s", low: 0, high: 1000000000, default: 10000 },
   ],
 };

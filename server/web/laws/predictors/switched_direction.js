@@ -85,11 +85,11 @@ export const SwitchedDirectionPredictor = {
   fill: $stage.copy_values,
   settings: 6, learned: 0, states: 23,
   parameters: [
-    { name: "rise", unit: "share of peak speed", low: 0, high: 10, default: 0.6, meaning: "a rise out of a valley by more is a sub-movement" },
-    { name: "typical_s", unit: "s", low: 0.0001, high: 10, default: 0.045, meaning: "time constant of a typical approach at its peak" },
-    { name: "own", unit: "", low: 0, high: 1, default: 0.4, meaning: "share of the sub-movement's own time in its time constant" },
-    { name: "turn", unit: "", low: 0, high: 1, default: 0.6, meaning: "power of speed over peak speed that says how much the peak counts" },
-    { name: "watched", unit: "", low: 0, high: 10, default: 0.65, meaning: "weight of the rate seen since the peak" },
-    { name: "stopping", unit: "", low: 0, high: 1000000, default: 0.5, meaning: "way left at most, in speed^2 / deceleration" },
+    { name: "rise", unit: "share of peak speed", low: 0, high: 10, default: 0.6 },
+    { name: "typical_s", unit: "s", low: 0.0001, high: 10, default: 0.045 },
+    { name: "own", low: 0, high: 1, default: 0.4 },
+    { name: "turn", low: 0, high: 1, default: 0.6 },
+    { name: "watched", low: 0, high: 10, default: 0.65 },
+    { name: "stopping", low: 0, high: 1000000, default: 0.5 },
   ],
 };

@@ -125,8 +125,8 @@ export const AdaptiveKinematicPredictor = {
     { name: "radii of the levels", count: 10, low: -6, high: 6 },
   ],
   parameters: [
-    { name: "adapt", unit: "", low: 0, high: 1, default: 1, whole: true, meaning: "1: learn from each finished movement; 0: exactly `kinematic`" },
-    { name: "distances", unit: "", low: 0, high: 1, default: 1, whole: true, meaning: "1: ask the last distances; 0: only bias, widths, tempo and the clock" },
-    { name: "shortest_px", unit: "px", low: 0, high: 1000000, default: 10, meaning: "straight distance of the shortest movement that teaches" },
+    { name: "adapt", low: 0, high: 1, default: 1, whole: true },
+    { name: "distances", low: 0, high: 1, default: 1, whole: true },
+    { name: "shortest_px", unit: "px", low: 0, high: 1000000, default: 10 },
   ],
 };

@@ -88,8 +88,8 @@ export const KinematicEndpointPredictor = {
   fill: $stage.copy_values,
   settings: 3, learned: 0, states: 56,
   parameters: [
-    { name: "degree", unit: "", low: 2, high: 4, default: 4, whole: true, meaning: "degree of the polynomial of speed over distance" },
-    { name: "reach", unit: "", low: 0.001, high: 1000000, default: 10, meaning: "farthest zero ahead, as a multiple of the distance travelled" },
-    { name: "change_most", unit: "", low: 1e-06, high: 1, default: null, absent: 0, meaning: "relative change between samples of an accepted prediction" },
+    { name: "degree", low: 2, high: 4, default: 4, whole: true },
+    { name: "reach", low: 0.001, high: 1000000, default: 10 },
+    { name: "change_most", low: 1e-06, high: 1, default: null, absent: 0 },
   ],
 };

@@ -76,8 +76,8 @@ export const TemplatePredictor = {
   sizes: $matching.sizes,
   settings: 26, learned: 4034, states: 1696,
   parameters: [
-    { name: "templates", unit: "", low: 0, high: 1000, default: 64, whole: true, meaning: "movements of the session that are remembered" },
-    { name: "longest_s", unit: "s", low: 0.2, high: 30, default: 3, meaning: "longest movement that becomes a template" },
-    { name: "shortest_px", unit: "px", low: 0, high: 1000000, default: 10, meaning: "straight distance of the shortest" },
+    { name: "templates", low: 0, high: 1000, default: 64, whole: true },
+    { name: "longest_s", unit: "s", low: 0.2, high: 30, default: 3 },
+    { name: "shortest_px", unit: "px", low: 0, high: 1000000, default: 10 },
   ],
 };
