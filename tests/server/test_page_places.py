@@ -82,6 +82,7 @@ def test_both_places_are_compared_on_the_same_movements_when_asked(visitor: Visi
     visitor.wait(f"Number({SHOWN}.dataset.events) > 50")
     assert visitor.text("#live-compare-status") == "The predictions are equal."
     assert visitor.value(f"Number({SHOWN}.dataset.px)") < 1e-6
+    assert len(sockets(visitor)) == 1, "one of both is the service"
     delays = [float(visitor.text(f"#live-compared [data-of={place}]")) for place in ("page", "service")]
     assert all(0.0 <= delay < 1000.0 for delay in delays)
     visitor.choose("#live-predictor-0", "switched")
@@ -167,3 +168,16 @@ def test_parameters_are_described_as_by_the_service(visitor: Visitor, url: str) 
         "return predictors.filter((one, i) => text(one) !== text(own[i])).map((one, i) => text(one)); })"
     )
     assert differing == []
+
+
+def test_every_module_of_the_first_prediction_is_announced_in_the_page(visitor: Visitor, url: str) -> None:
+    """A module that is not waits until the one that imports it is there."""
+    visitor.open(f"{url}#live")
+    says(visitor, "live", HERE)
+    visitor.wait("document.querySelector('#live-scene').dataset.shows === 'demo'")
+    announced = visitor.value(
+        "[...document.querySelectorAll('link[rel=modulepreload]')].map(({ href }) => href)"
+    )
+    loaded = {address for address in visitor.asked() if address.endswith(".js")}
+    assert len(loaded) > 100
+    assert loaded == set(announced)
