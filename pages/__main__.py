@@ -42,14 +42,14 @@ def several(**parts: str) -> Context:
     return lambda: {name: data.read(PAGES / f"{where}.json", data.Tables) for name, where in parts.items()}
 
 
-COSTS = ("events", "service", "devices", "first_start")
+COSTS = ("events", "service", "devices", "first_start", "opening")
 PAGES_MADE: dict[str, tuple[str, Context]] = {
     "docs/evidence/results.md": ("results", results.context),
     "docs/evidence/kinematic.md": ("kinematic", kinematic.context),
     "docs/evidence/ktm.md": ("ktm", ktm.context),
     "docs/evidence/costs.md": (
         "costs",
-        several(**{part: f"costs/{part}" for part in ("events", "service", "devices", "first_start")}),
+        several(**{part: f"costs/{part}" for part in COSTS}),
     ),
     "docs/evidence/targets.md": (
         "targets",
