@@ -149,10 +149,10 @@ class Photographer:
         way = np.hypot(rows[:, 1] - rows[-1, 1], rows[:, 2] - rows[-1, 2])
         for (t, x, y), left in zip(rows.tolist(), way, strict=True):
             time.sleep(max(0.0, began + t - time.perf_counter()))
-            self.hand.tell("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
+            self.hand.send("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
             if started is not None and left < 0.55 * way[0]:
                 started.set()
-        self.hand.settle()
+        self.hand.wait_for_results()
 
     def live(self, width: int, theme: str) -> None:
         """The live view before anybody moves, in the middle of a movement, and after it."""
