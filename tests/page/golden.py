@@ -12,7 +12,7 @@ from pointpred.differentiators import DIFFERENTIATORS
 from pointpred.pipeline import Pipeline
 from pointpred.registry import GAINS
 from pointpred.rows import row_at
-from pointpred.targets import around, choice_law, cursor, decision, posterior
+from pointpred.targets import around, choice_law, decision, posterior, prefetch
 from pointpred.targets.rectangles import table
 from tests.page.movements import movements
 
@@ -111,18 +111,25 @@ def targets() -> dict[str, Any]:
     pipeline = build("kinematic-adaptive")
     answers = np.array([pipeline.advance(tuple(row)) for row in events.tolist()])
     places = np.random.default_rng(4).uniform(0.0, 1000.0, (30, 2))
+    places[:6] = events[events[:, 5] == 1.0][:6, 1:3]  # where movements end, and the next ones start
     rectangles = table([around(str(k), x, y, 40.0 + k) for k, (x, y) in enumerate(places.tolist())])
     settings = np.array([0.4, 0.02, 0.0, 3.0])
     inside, shares = np.zeros(30), np.zeros(31)
-    memory, standing = np.zeros(cursor.STATES), decision.NOBODY
-    decisions, all_shares = [], []
-    for row, answer in zip(events, range(len(events)), strict=True):
+    memory, standing = np.zeros(prefetch.STATES), decision.NOBODY
+    prefetched = rectangles, np.full(30, 0.4), np.zeros(30), np.zeros(30)
+    decisions, all_shares, fired = [], [], []
+    for i, row in enumerate(events):
         event = float(row[0]), float(row[1]), float(row[2]), float(int(row[5]) & 1)
         known = (rectangles, inside, shares), (posterior.FITTED, settings)
-        made = choice_law.step(memory, event, row_at(answers, answer), *known, standing)
+        made = choice_law.step(memory, event, row_at(answers, i), *known, standing)
         standing = made[0]
         decisions.append(list(made))
         all_shares.append(shares.tolist())
+        prefetch.step(memory, prefetched, shares, prefetch.FITTED)
+        fired.append(prefetched[-1].tolist())
+    assert {prefetch.PREDICTED, prefetch.ENTERED, prefetch.RESTING} <= {
+        state for one in fired for state in one
+    }
     return {
         "table": rectangles.tolist(),
         "settings": settings.tolist(),
@@ -130,6 +137,7 @@ def targets() -> dict[str, Any]:
         "answers": answers.tolist(),
         "shares": all_shares,
         "decisions": decisions,
+        "fired": fired,
     }
 
 
