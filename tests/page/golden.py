@@ -116,7 +116,8 @@ def targets() -> dict[str, Any]:
     settings = np.array([0.4, 0.02, 0.0, 3.0])
     inside, shares = np.zeros(30), np.zeros(31)
     memory, standing = np.zeros(prefetch.STATES), decision.NOBODY
-    prefetched = rectangles, np.full(30, 0.4), np.zeros(30), np.zeros(30)
+    thresholds = np.where(np.arange(30) % 2, 0.4, 0.9999)
+    prefetched = rectangles, thresholds, np.zeros(30), np.zeros(30)
     decisions, all_shares, fired = [], [], []
     for i, row in enumerate(events):
         event = float(row[0]), float(row[1]), float(row[2]), float(int(row[5]) & 1)
@@ -125,11 +126,10 @@ def targets() -> dict[str, Any]:
         standing = made[0]
         decisions.append(list(made))
         all_shares.append(shares.tolist())
-        prefetch.step(memory, prefetched, shares, prefetch.FITTED)
+        prefetch.step(memory, prefetched, shares, np.array(prefetch.FITTED))
         fired.append(prefetched[-1].tolist())
-    assert {prefetch.PREDICTED, prefetch.ENTERED, prefetch.RESTING} <= {
-        state for one in fired for state in one
-    }
+    states = {state for one in fired for state in one}
+    assert {prefetch.PREDICTED, prefetch.ENTERED, prefetch.RESTING} <= states
     return {
         "table": rectangles.tolist(),
         "settings": settings.tolist(),
@@ -137,6 +137,7 @@ def targets() -> dict[str, Any]:
         "answers": answers.tolist(),
         "shares": all_shares,
         "decisions": decisions,
+        "thresholds": thresholds.tolist(),
         "fired": fired,
     }
 

@@ -68,7 +68,7 @@ export async function compare(laws, stream, coefficients) {
 /**
  * The same for targets: the furthest that a share is from Python's, and the events at which a decision differs.
  * @param {string} laws @param {{table: number[][], settings: number[], events: (number|null)[][], answers: (number|null)[][],
- *   shares: number[][], decisions: number[][], fired: number[][]}} given
+ *   shares: number[][], decisions: number[][], thresholds: number[], fired: number[][]}} given
  */
 export async function compareTargets(laws, given) {
   const { step } = await import(`${laws}/targets/choice_law.js`);
@@ -77,7 +77,7 @@ export async function compareTargets(laws, given) {
   const table = given.table.map((row) => Float64Array.from(row)), count = table.length;
   const targets = [table, new Float64Array(count), new Float64Array(count + 1)], model = [FITTED, Float64Array.from(given.settings)];
   const memory = new Float64Array(prefetch.STATES), unequal = [];
-  const prefetched = [table, new Float64Array(count).fill(0.4), new Float64Array(count), new Float64Array(count)];
+  const prefetched = [table, Float64Array.from(given.thresholds), new Float64Array(count), new Float64Array(count)];
   let standing = -1, worst = 0;
   given.events.forEach((event, i) => {
     const decision = step(memory, [event[0], event[1], event[2], event[5] & 1], numbers(given.answers[i]), targets, model, standing);
