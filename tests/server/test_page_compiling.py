@@ -67,6 +67,11 @@ def test_the_page_says_what_is_compiled_and_what_can_be_used(visitor: Visitor, u
     assert [label for label in labels if "not compiled yet" not in label] == [RECOMMENDED]
     visitor.choose("#view-live select", RECOMMENDED)
     visitor.wait(f"{STATE.format('live')} === 'ready'")
+    visitor.choose("#place", "page")
+    visitor.wait(f"{LINE} === 'Predicted in this page.'")
+    assert sorted(visitor.value(LABELS)) == sorted(REGISTRY), "nothing is compiled in the page"
+    visitor.choose("#place", "service")
+    visitor.wait(f"{STATE.format('live')} === 'ready'")
     visitor.value(f"window.compiling = {json.dumps(OTHER)}, 0")
     visitor.wait(f"{STATE.format('live')} === 'compiling'")
     visitor.value(f"window.compiling = {json.dumps(DONE)}, 0")

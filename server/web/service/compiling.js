@@ -6,7 +6,7 @@ import { inPage, onPlace } from "./place.js";
 const INTERVAL_MS = 1000;
 
 /** @type {{done: number, of: number, next: string|null, ready: string[], recommended: string}|null} */ let progress = null;
-let polling = false;
+let polling = false, wanted = false; // whether it is requested, and whether to go on
 const listeners = new Set();
 
 /**
@@ -27,13 +27,15 @@ export function onCompiling(listener) {
 
 /** Requests the progress, and again until everything is compiled or the page predicts. */
 export async function pollCompiling() {
+  wanted = true;
   if (polling) return;
   polling = true;
-  do {
+  while (wanted) {
     const answer = await read("/v1/compiling").catch(() => null);
-    set(answer?.next && !inPage() ? answer : null);
-    if (progress !== null) await new Promise((resolve) => setTimeout(resolve, INTERVAL_MS));
-  } while (progress !== null);
+    wanted = Boolean(answer?.next) && !inPage();
+    set(wanted ? answer : null);
+    if (wanted) await new Promise((resolve) => setTimeout(resolve, INTERVAL_MS));
+  }
   polling = false;
 }
 
