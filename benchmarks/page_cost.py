@@ -5,8 +5,9 @@ The mouse moves in both for some seconds at the given rate, in turn. The share o
 the page's own process worked (``ProcessTime`` of ``Performance.getMetrics``, all its threads) and the
 time that its main thread was in a task (``TaskDuration``, which also counts what other processes took
 from it meanwhile); ``more`` is the process's share beyond that of the page without registrations.
-Through DevTools the browser hands a move to the page at once, not once a frame as with a real mouse:
-there are several dispatches a frame, so both pages cost more than they do there.
+A browser hands the moves of a real mouse to the page once a frame, coalesced into one event. So does a
+script in both pages, unless ``--devtools`` is given: through DevTools the browser hands over each move at
+once, in several dispatches a frame, and both pages cost more than with a mouse.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ import statistics
 import tempfile
 import threading
 import time
+from collections.abc import Callable
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
@@ -77,13 +79,45 @@ def drive(page: Page, seconds: float, rate_hz: float) -> int:
     return sent
 
 
+COALESCED = """new Promise((done) => {
+  const [seconds, rate, width, height] = [SECONDS, RATE, WIDTH, HEIGHT], began = performance.now();
+  const at = (k) => ({ pointerType: 'mouse', isPrimary: true, bubbles: true,
+    clientX: width * (0.5 + 0.45 * Math.sin(6 * k / rate)),
+    clientY: height * (0.5 + 0.45 * Math.sin(4 * k / rate + 1)) });
+  let sent = 0;
+  const frame = () => {
+    const now = (performance.now() - began) / 1000, due = Math.floor(Math.min(now, seconds) * rate);
+    const moves = [];
+    for (; sent < due; sent += 1) moves.push(new PointerEvent('pointermove', at(sent)));
+    const event = new PointerEvent('pointermove', { ...at(sent - 1), coalescedEvents: moves });
+    if (moves.length) document.body.dispatchEvent(event);
+    if (now < seconds) requestAnimationFrame(frame);
+    else done(sent);
+  };
+  requestAnimationFrame(frame);
+})"""
+"""Moves of a mouse at a rate, handed over once a frame."""
+
+
+def drive_coalesced(page: Page, seconds: float, rate_hz: float) -> int:
+    """As ``drive``, by the page itself."""
+    values = {"SECONDS": seconds, "RATE": rate_hz, "WIDTH": SIZE[0], "HEIGHT": SIZE[1]}
+    script = COALESCED
+    for word, value in values.items():
+        script = script.replace(word, str(value))
+    return int(page.evaluate(script))
+
+
+Drive = Callable[[Page, float, float], int]
+
+
 def busy(page: Page) -> tuple[float, float]:
     """Seconds that the page's process, and its main thread, have worked so far."""
     metrics = {one["name"]: one["value"] for one in page.call("Performance.getMetrics")["metrics"]}
     return metrics["ProcessTime"], metrics["TaskDuration"]
 
 
-def share(page: Page, seconds: float, rate_hz: float) -> tuple[float, float, float]:
+def share(page: Page, drive: Drive, seconds: float, rate_hz: float) -> tuple[float, float, float]:
     """Share of a core of the process and of its main thread, and moves a second that were sent."""
     before, began = busy(page), time.perf_counter()
     sent = drive(page, seconds, rate_hz)
@@ -107,7 +141,9 @@ def main() -> None:
     parser.add_argument("--rate", type=float, default=1000.0, help="moves a second")
     parser.add_argument("--predictor", action="append", help="may be repeated")
     parser.add_argument("--policy", choices=("prefetch", "highlight"), default="prefetch")
+    parser.add_argument("--devtools", action="store_true", help="each move at once, through DevTools")
     options = parser.parse_args()
+    move: Drive = drive if options.devtools else drive_coalesced
     step = math.floor(math.sqrt(SIZE[0] * SIZE[1] / options.in_view))
     elements = (
         ELEMENTS.replace("COUNT", str(options.elements))
@@ -136,8 +172,8 @@ def main() -> None:
                     page.evaluate(LISTEN)
                 elif name is not None:
                     page.evaluate(REGISTER.replace("PREDICTOR", name).replace("POLICY", options.policy))
-                drive(page, 2.0, options.rate)  # what is compiled at first
-                measured[name].append(share(page, options.seconds, options.rate))
+                move(page, 3.0, options.rate)  # what is compiled at first
+                measured[name].append(share(page, move, options.seconds, options.rate))
         for name, shares in measured.items():
             process, thread, rate = (statistics.median(column) for column in zip(*shares, strict=True))
             more = process - statistics.median(one[0] for one in measured[None])

@@ -8,7 +8,7 @@ import { Entry } from "./entries.js";
 import { ledger } from "./ledger.js";
 import { Shares } from "./shares.js";
 
-const A_FRAME = 32; // elements measured in a frame without a scroll, besides the likely ones
+const A_FRAME = 8; // elements measured in a frame without a scroll, besides the likely ones
 const LIKELY = 0.02; // an element of this share is measured in each frame
 const REST_MS = 100; // a pointer without events for this long is at rest
 const MOST_PRESSES = 20; // of Tab
