@@ -1,0 +1,76 @@
+"""The guide for people who build pages: its first page works as printed, its examples name what exists."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from threading import Thread
+
+import pytest
+
+from tests.intent.conftest import WEB
+from tests.server import browser
+from tests.server.page_browser import Visitor
+
+GUIDE = (Path(__file__).parents[2] / "docs" / "guide" / "in-page.md").read_text("utf-8")
+LIT = "document.querySelector('.card.next')?.textContent ?? ''"
+
+
+def blocks(language: str) -> list[str]:
+    """The examples of a language, without the indentation of a list."""
+    found = re.findall(rf"^( *)```{language}\n(.*?)^ *```$", GUIDE, re.MULTILINE | re.DOTALL)
+    return ["".join(line.removeprefix(indent) for line in text.splitlines(True)) for indent, text in found]
+
+
+class Quiet(SimpleHTTPRequestHandler):
+    """Serves a folder without a word."""
+
+    def log_message(self, format: str, *args: object) -> None:
+        """Requests are not printed."""
+
+
+@pytest.fixture
+def address(tmp_path: Path) -> Iterator[str]:
+    """The folder that the first steps of the guide make, on a static host."""
+    (tmp_path / "pointpred").symlink_to(WEB)
+    (tmp_path / "index.html").write_text(blocks("html")[0], "utf-8")
+    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(tmp_path)))
+    thread = Thread(target=server.serve_forever)
+    thread.start()
+    yield f"http://127.0.0.1:{server.server_port}/"
+    server.shutdown()
+    thread.join()
+    server.server_close()
+
+
+@browser.needed
+def test_cards_light_up_before_the_pointer_is_there(visitor: Visitor, address: str) -> None:
+    visitor.open(address)
+    visitor.wait("document.querySelectorAll('.card').length === 4")
+    visitor.value("""window.lit = []; new MutationObserver((changes) => {
+      for (const { target } of changes) if (target.classList.contains("next"))
+        lit.push([target.textContent, target.matches(":hover")]);
+    }).observe(document.body, { subtree: true, attributeFilter: ["class"] })""")
+    box = visitor.value(
+        "(({ x, y, width, height }) => [x + width / 2, y + height / 2])"
+        "(document.querySelectorAll('.card')[2].getBoundingClientRect())"
+    )
+    for _ in range(3):
+        visitor.reach((60.0, 600.0), (box[0], box[1]), 0.6)
+        visitor.wait(f"{LIT} === 'Three'")
+        visitor.reach((box[0], box[1]), (60.0, 600.0), 0.6)
+    lit = visitor.value("lit")
+    assert ["Three", False] in lit, lit
+
+
+def test_what_the_examples_import_exists() -> None:
+    for text in [*blocks("js"), *blocks("jsx"), *blocks("html")]:
+        for names, address in re.findall(r'import \{([^}]*)\} from "([^"]+)"', text):
+            path = address.replace("./pointpred/", "").replace("pointpred/", "intent/")
+            path = path if path.endswith(".js") else f"{path}.js"
+            module = (WEB / path).read_text("utf-8")
+            for name in (one.strip() for one in names.split(",")):
+                assert re.search(rf"\b{name}\b", module), f"{address} has no {name}"
