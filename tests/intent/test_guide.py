@@ -15,14 +15,16 @@ from tests.intent.conftest import WEB
 from tests.server import browser
 from tests.server.page_browser import Visitor
 
-GUIDE = (Path(__file__).parents[2] / "docs" / "guide" / "in-page.md").read_text("utf-8")
+ROOT = Path(__file__).parents[2]
+GUIDE = (ROOT / "docs" / "guide" / "in-page.md").read_text("utf-8")
+README = (ROOT / "README.md").read_text("utf-8")
 LIT = "document.querySelector('.card.next')?.textContent ?? ''"
 
 
-def blocks(language: str) -> list[str]:
+def blocks(language: str, text: str = GUIDE) -> list[str]:
     """The examples of a language, without the indentation of a list."""
-    found = re.findall(rf"^( *)```{language}\n(.*?)^ *```$", GUIDE, re.MULTILINE | re.DOTALL)
-    return ["".join(line.removeprefix(indent) for line in text.splitlines(True)) for indent, text in found]
+    found = re.findall(rf"^( *)```{language}\n(.*?)^ *```$", text, re.MULTILINE | re.DOTALL)
+    return ["".join(line.removeprefix(indent) for line in block.splitlines(True)) for indent, block in found]
 
 
 class Quiet(SimpleHTTPRequestHandler):
@@ -36,11 +38,11 @@ class Quiet(SimpleHTTPRequestHandler):
 def address(tmp_path: Path) -> Iterator[str]:
     """The folder that the first steps of the guide make, on a static host."""
     (tmp_path / "pointpred").symlink_to(WEB)
-    (tmp_path / "index.html").write_text(blocks("html")[0], "utf-8")
+    (tmp_path / "cards.html").write_text(blocks("html")[0], "utf-8")
     server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(tmp_path)))
     thread = Thread(target=server.serve_forever)
     thread.start()
-    yield f"http://127.0.0.1:{server.server_port}/"
+    yield f"http://127.0.0.1:{server.server_port}/cards.html"
     server.shutdown()
     thread.join()
     server.server_close()
@@ -74,3 +76,9 @@ def test_what_the_examples_import_exists() -> None:
             module = (WEB / path).read_text("utf-8")
             for name in (one.strip() for one in names.split(",")):
                 assert re.search(rf"\b{name}\b", module), f"{address} has no {name}"
+
+
+def test_the_readme_shows_the_same_page_and_commands() -> None:
+    assert blocks("html", README)[0] == blocks("html")[0]
+    for command in blocks("sh"):
+        assert command in README
