@@ -15,8 +15,8 @@ from pointpred.sources import write
 
 MOVEMENTS = 12
 """Movements of the embedded sample that go with the page."""
-LEFT_OUT = ("index.html", "package.json", "example.*")
-"""The page without its links, and what is for developers."""
+LEFT_OUT = ("index.html", "package.json", "README.md", "*.d.ts", "intent", "example.*")
+"""The page without its links, and what is for pages of other people."""
 
 
 def write_demo(folder: Path) -> None:

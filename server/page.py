@@ -11,8 +11,10 @@ from pointpred.registry import RECOMMENDED, REGISTRY
 from pointpred.server.http_responses import SECURITY_HEADERS
 
 WEB = Path(__file__).with_name("web")
-FIRST = ("page.js", "prediction/session.js")
-"""What the page and its first prediction import; the rest follows from the imports."""
+FIRST = ("live/start.js", "prediction/session.js")
+"""The live view and what it predicts with; what they import follows."""
+REST = "page.js"
+"""Every view."""
 REGISTRY_MODULE = "laws/registry.js"
 IMPORT = re.compile(r'^(?:import|export) [^;"]*?"(\.[^"]+)"', re.MULTILINE)
 LOADED = re.compile(r'"([\w-]+)": \{[^\n]*?import\("(\.[^"]+)"\)')
@@ -46,17 +48,19 @@ def _links() -> tuple[str, ...]:
 
 
 def _modules() -> list[str]:
-    """The modules that the page needs for its first prediction, by their paths in the folder."""
+    """The modules that the page needs, those of its first prediction first, by their paths in the folder."""
     loaded = dict(LOADED.findall((WEB / REGISTRY_MODULE).read_text(encoding="utf-8")))
     stages = (RECOMMENDED, REGISTRY[RECOMMENDED].differentiator)
-    waiting = [*FIRST, *(_beside(REGISTRY_MODULE, loaded[name]) for name in stages)]
+    roots = [*FIRST, *(_beside(REGISTRY_MODULE, loaded[name]) for name in stages), REST]
     found: dict[str, None] = {}
-    while waiting:
-        path = waiting.pop(0)
-        if path not in found:
-            found[path] = None
-            addresses = IMPORT.findall((WEB / path).read_text(encoding="utf-8"))
-            waiting += [_beside(path, address) for address in addresses]
+    for root in roots:
+        waiting = [root]
+        while waiting:
+            path = waiting.pop(0)
+            if path not in found:
+                found[path] = None
+                addresses = IMPORT.findall((WEB / path).read_text(encoding="utf-8"))
+                waiting += [_beside(path, address) for address in addresses]
     return list(found)
 
 

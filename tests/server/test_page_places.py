@@ -181,3 +181,16 @@ def test_every_module_of_the_first_prediction_is_announced_in_the_page(visitor: 
     loaded = {address for address in visitor.asked() if address.endswith(".js")}
     assert len(loaded) > 100
     assert loaded == set(announced)
+
+
+def test_live_predicts_before_the_other_views_are_there(visitor: Visitor, url: str) -> None:
+    visitor.page.call("Network.setCacheDisabled", cacheDisabled=True)
+    visitor.page.call("Fetch.enable", patterns=[{"urlPattern": "*/web/circle/view.js"}])
+    visitor.page.go("about:blank")
+    visitor.page.send("Page.navigate", url=url)
+    visitor.wait("document.querySelector('#live-scene')?.dataset.shows === 'demo'")
+    says(visitor, "live", HERE)
+    assert visitor.value("document.title") != "pointpred: live", "the tabs wait for the other views"
+    visitor.page.call("Fetch.disable")
+    visitor.wait("document.title === 'pointpred: live'")
+    visitor.page.call("Network.setCacheDisabled", cacheDisabled=False)
