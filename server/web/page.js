@@ -6,7 +6,7 @@ import * as circle from "./circle/view.js";
 import * as device from "./device/view.js";
 import * as live from "./live/view.js";
 import { part } from "./page/elements.js";
-import { explainTerms } from "./page/glossary.js";
+import "./page/glossary.js";
 import { makeTabs } from "./page/tabs.js";
 import { refuseFiles } from "./replay/drop.js";
 import * as replay from "./replay/view.js";
@@ -57,8 +57,6 @@ async function open(name) {
 }
 
 const closeView = (view) => VIEWS[view].forEach((name) => PARTS[name].close());
-
-explainTerms();
 
 makeTabs(part("tabs"), (view, before) => {
   current = view;

@@ -35,7 +35,7 @@ function entry(texts) {
 }
 
 /** Fills each `details` that names terms in `data-terms`. */
-export function explainTerms() {
+function explainTerms() {
   for (const details of document.querySelectorAll("details[data-terms]")) {
     const summary = document.createElement("summary");
     summary.textContent = "What these terms mean";
@@ -49,3 +49,5 @@ export function explainTerms() {
 export function explainPredictors(details, predictors) {
   details.querySelector("dl").append(...predictors.map(({ name, title }) => entry([name, title])));
 }
+
+explainTerms();
