@@ -93,6 +93,12 @@ def test_what_a_stage_refuses_leaves_both_as_they_were(fails: bool) -> None:
     ]  # fmt: skip
 
 
+def test_what_a_stage_of_the_small_source_refuses_leaves_both_as_they_were() -> None:
+    good, late, early = [0.0, 0.0], [0.0, 1.0], [0.0, 2.0]
+    found = node.run("refuse_small.mjs", {"rows": [good, late, good, early, good]})
+    assert found == [[1, 1], None, [2, 2], None, [3, 3]]
+
+
 def test_a_person_goes_from_python_to_the_page_and_back() -> None:
     name, first, second = "kinematic-adaptive", movements(7).tolist(), movements(8).tolist()
     taught = build(name)

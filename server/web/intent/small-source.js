@@ -5,26 +5,31 @@ import { DIFFERENTIATORS, GAINS, PREDICTORS } from "../laws/registry.js";
 
 /** @param {string} predictor a name of the registry @returns {Promise<object>} as `Source` uses it */
 export async function open(predictor) {
-  const { differentiator, preset, load } = PREDICTORS[predictor], values = { ...GAINS, ...preset, cpi: null, dpi: 96 };
-  const kinds = await Promise.all([DIFFERENTIATORS[differentiator].load(), load()]);
-  const [differentiate, predict] = kinds.map((kind) => lawOf(kind, values));
+  const { differentiator: law, preset, load } = PREDICTORS[predictor], values = { ...GAINS, ...preset, cpi: null, dpi: 96 };
+  const kinds = await Promise.all([DIFFERENTIATORS[law].load(), load()]);
+  const [differentiator, predictor] = kinds.map((kind) => stageOf(kind, values)), before = differentiator.memory.slice();
   return {
     add(row) {
-      const motion = differentiate(row), answer = motion[0] === motion[0] ? predict(motion) : motion; // a refused row is not a number
-      return answer[0] === answer[0] ? answer : null;
+      before.set(differentiator.memory);
+      const motion = differentiator.step(row), answer = isRefused(motion) ? motion : predictor.step(motion);
+      if (!isRefused(answer)) return answer;
+      differentiator.memory.set(before); // it has moved on where the predictor refuses its motion
+      return null;
     },
     flush: () => false,
     close() {},
   };
 }
 
-/** The law of a stage with a memory of its own. */
-function lawOf(kind, values) {
-  const { parameters, step } = kind;
+/** Whether a stage refuses a row: its answer does not begin with a number. @param {number[]} answer */
+const isRefused = ([first]) => first !== first;
+
+/** A law and a memory of its own. */
+function stageOf({ parameters, step, fill, settle, ...kind }, values) {
   const settings = Float64Array.from(parameters, ({ name, default: usual, absent }) => values[name] ?? usual ?? absent);
   const [first, learned, states] = kind.sizes?.(settings) ?? [kind.settings, kind.learned, kind.states];
   const memory = new Float64Array(first + learned + states);
-  kind.fill(settings, memory);
-  kind.settle?.(memory);
-  return (row) => step(memory, row);
+  fill(settings, memory);
+  settle?.(memory);
+  return { memory, step: (row) => step(memory, row) };
 }

@@ -1,0 +1,19 @@
+// The small source with stages that count their rows: the predictor refuses rows whose second number is 1, the differentiator 2.
+// Gives for each row what both have counted, null where it is refused.
+
+import { open } from "../../server/web/intent/small-source.js";
+import { DIFFERENTIATORS, PREDICTORS } from "../../server/web/laws/registry.js";
+import { answer, given } from "./given.mjs";
+
+const counting = (wrong) => ({
+  parameters: [], settings: 0, learned: 0, states: 1, fill() {},
+  step(memory, row) {
+    if (row[1] === wrong) return [NaN];
+    memory[0] += 1;
+    return [...row, memory[0]];
+  },
+});
+DIFFERENTIATORS.counting = { load: async () => counting(2) };
+PREDICTORS.counting = { differentiator: "counting", load: async () => counting(1) };
+const { rows } = await given(), source = await open("counting");
+answer(rows.map((row) => source.add(row)?.slice(2) ?? null));
