@@ -2,7 +2,8 @@
 
 /** @typedef {{name: string, differentiator: string, settings: object, rows: (number|null)[][], known: number[], answers: (number|null)[][]}} Stream */
 
-const PLACES = [1, 2], LEFT = 6, PHASE = 7;
+const PHASE = 7;
+const KINDS = { place: [1, 2], scale: [3, 4, 5], left: [6], tail: [8, 9] }; // numbers of a prediction that share a unit
 
 /** A stage: its laws and its memory. */
 class Stage {
@@ -26,10 +27,18 @@ class Stage {
 }
 
 const numbers = (row) => row.map((value) => (value === null ? NaN : value));
+const isMissing = Number.isNaN;
+
+/** How far two numbers are apart, over a size; infinite where only one of them is missing. */
+function apart(one, other, size) {
+  if (isMissing(one) || isMissing(other)) return isMissing(one) && isMissing(other) ? 0 : Infinity;
+  return one === other ? 0 : Math.abs(one - other) / size;
+}
 
 /**
- * The furthest that the endpoints of a stream are from Python's, as a share of how far the movement or the prediction goes; the
- * same for the time left and for the scale of the region; and the events at which a phase or a refusal differs.
+ * The furthest that the endpoints of a stream are from Python's, as a share of how far the movement or the prediction goes; of the
+ * region its scale, as a share of its size; the time left, and the tail and the spread, as shares of themselves where they exceed 1;
+ * and the events at which a phase or a refusal differs. Infinite where a number is missing on one side only.
  * @param {string} laws the folder of the laws @param {Stream} stream @param {Float64Array} coefficients
  */
 export async function compare(laws, stream, coefficients) {
@@ -38,7 +47,7 @@ export async function compare(laws, stream, coefficients) {
   const differentiator = new Stage(await DIFFERENTIATORS[stream.differentiator].load(), stream.settings);
   const predictor = new Stage(await entry.load(), stream.settings, entry.coefficients ? coefficients : undefined);
   predictor.memory.set(stream.known, predictor.settings);
-  const worst = { place: 0, left: 0, scale: 0 }, unequal = [];
+  const worst = { place: 0, scale: 0, left: 0, tail: 0 }, unequal = [];
   let start = null;
   stream.rows.forEach((row, i) => {
     if (row.length === 0) { // a reset
@@ -55,12 +64,12 @@ export async function compare(laws, stream, coefficients) {
     if ((answer[0] === answer[0]) !== Boolean(expected)) return unequal.push(i);
     if (!expected) return;
     start ??= event;
-    if (answer[PHASE] !== expected[PHASE] || (answer[1] === answer[1]) !== (expected[1] === expected[1])) return unequal.push(i);
-    const far = Math.max(1, ...PLACES.map((k) => Math.abs(event[k] - start[k])), ...PLACES.map((k) => Math.abs(expected[k] - event[k]) || 0));
-    for (const k of PLACES) worst.place = Math.max(worst.place, Math.abs(answer[k] - expected[k]) / far || 0);
-    worst.left = Math.max(worst.left, Math.abs(answer[LEFT] - expected[LEFT]) / Math.max(1, expected[LEFT]) || 0);
-    for (const k of [3, 4, 5])
-      worst.scale = Math.max(worst.scale, Math.abs(answer[k] - expected[k]) / (Math.abs(expected[3]) + Math.abs(expected[5])) || 0);
+    if (Number(answer[PHASE]) !== expected[PHASE]) return unequal.push(i);
+    const far = Math.max(1, ...KINDS.place.map((k) => Math.abs(event[k] - start[k])), ...KINDS.place.map((k) => Math.abs(expected[k] - event[k]) || 0));
+    const sizes = { place: () => far, scale: () => Math.abs(expected[3]) + Math.abs(expected[5]), left: (k) => Math.max(1, expected[k]),
+      tail: (k) => Math.max(1, expected[k]) };
+    for (const [kind, places] of Object.entries(KINDS))
+      for (const k of places) worst[kind] = Math.max(worst[kind], apart(Number(answer[k]), expected[k], sizes[kind](k)));
   });
   return { name: stream.name, differentiator: stream.differentiator, ...worst, unequal };
 }
