@@ -76,7 +76,7 @@ def coefficients(predictor: str) -> list[Path]:
 
 
 def bundled(entry: str, files: list[Path], folder: Path) -> int | None:
-    """Bytes of one minified file; None where esbuild cannot be had."""
+    """Bytes of one minified file; None without esbuild. Raises RuntimeError for what esbuild refuses."""
     if shutil.which("npm") is None:
         return None
     module = folder / "node_modules" / "esbuild" / "lib" / "main.js"
@@ -85,10 +85,11 @@ def bundled(entry: str, files: list[Path], folder: Path) -> int | None:
         if subprocess.run(command, capture_output=True).returncode:
             return None
     script = Path(__file__).with_name("page_bundle.mjs")
-    told = subprocess.run(
-        ["node", str(script), str(module), str(WEB / entry), *map(str, files)], capture_output=True, text=True
-    )
-    return int(told.stdout) if told.returncode == 0 else None
+    command = ["node", str(script), str(module), str(WEB / entry), *map(str, files)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode:
+        raise RuntimeError(f"esbuild cannot bundle {entry}: {done.stderr[-500:]}")
+    return int(done.stdout)
 
 
 def sizes(entry: str, predictor: str, folder: Path) -> tuple[int, int, int | None]:
@@ -109,8 +110,8 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         for name in names:
             count, plain, one = sizes(options.entry, name, Path(folder))
-            told = "-" if one is None else f"{one / 1000:.1f}"
-            print(f"{name:20}{count:7}{plain / 1000:9.1f}{told:>9}")
+            size = "-" if one is None else f"{one / 1000:.1f}"
+            print(f"{name:20}{count:7}{plain / 1000:9.1f}{size:>9}")
 
 
 if __name__ == "__main__":

@@ -55,6 +55,10 @@ class Expressions:
         self.arithmetic: set[str] = set()
         self.types = Types(reader, function)
         self.locals = Locals(function)
+        arguments = function.args.args
+        self._floats = {
+            one.arg for one in arguments if one.annotation and ast.unparse(one.annotation) == "float"
+        }
 
     def error(self, node: ast.AST, what: str) -> UntranslatableError:
         """The error for a construct, with its file, line and law."""
@@ -81,11 +85,11 @@ class Expressions:
             case ast.BoolOp():
                 binds = AND if isinstance(node.op, ast.And) else OR
                 word = " && " if binds == AND else " || "
-                return Text(word.join(self.text(one).within(binds + 1) for one in node.values), binds)
+                return Text(word.join(self.condition(one).within(binds + 1) for one in node.values), binds)
             case ast.Compare():
                 return self._compare(node)
             case ast.IfExp():
-                test, body, orelse = (self.text(one) for one in (node.test, node.body, node.orelse))
+                test, body, orelse = self.condition(node.test), self.text(node.body), self.text(node.orelse)
                 return Text(
                     f"{test.within(CHOICE + 1)} ? {body.within(CHOICE + 1)} : {orelse.within(CHOICE)}", CHOICE
                 )
@@ -100,6 +104,12 @@ class Expressions:
         if isinstance(node, ast.Starred):
             return f"...{self.text(node.value).within(COMMA + 1)}"
         return self.text(node).within(COMMA + 1)
+
+    def condition(self, node: ast.expr) -> Text:
+        """An expression as a condition; a float is refused, because NaN is true in Python and false here."""
+        if isinstance(node, ast.Name) and node.id in self._floats:
+            raise self.error(node, f"the float {node.id} as a condition: write what it is compared with")
+        return self.text(node)
 
     def _name(self, node: ast.Name) -> Text:
         if node.id in self.locals.names:
@@ -138,7 +148,8 @@ class Expressions:
         sign = {ast.Not: "!", ast.USub: "-", ast.Invert: "~"}.get(type(node.op))
         if sign is None:
             raise self.error(node, f"{type(node.op).__name__} in {ast.unparse(node)}")
-        return Text(f"{sign}{self.text(node.operand).within(UNARY + 1)}", UNARY)
+        operand = self.condition(node.operand) if sign == "!" else self.text(node.operand)
+        return Text(f"{sign}{operand.within(UNARY + 1)}", UNARY)
 
     def _binary(self, node: ast.BinOp) -> Text:
         left, right = self.text(node.left), self.text(node.right)

@@ -58,7 +58,7 @@ class Law:
                 yield from _indent(self._block(node.body))
                 yield "}"
             case ast.While():
-                yield f"while ({self._expressions.text(node.test).text}) {{"
+                yield f"while ({self._expressions.condition(node.test).text}) {{"
                 yield from _indent(self._block(node.body))
                 yield "}"
             case ast.Break():
@@ -69,7 +69,7 @@ class Law:
                 raise self._expressions.error(node, type(node).__name__)
 
     def _if(self, node: ast.If, word: str = "if") -> Iterator[str]:
-        yield f"{word} ({self._expressions.text(node.test).text}) {{"
+        yield f"{word} ({self._expressions.condition(node.test).text}) {{"
         yield from _indent(self._block(node.body))
         match node.orelse:
             case []:

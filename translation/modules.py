@@ -16,12 +16,9 @@ from pointpred.stage import CompiledStage
 from translation import stages
 from translation.expressions import is_constant, number
 from translation.javascript import Law
-from translation.names import alias, renamed
-from translation.roots import ROOTS
+from translation.names import alias, path_of, renamed
+from translation.roots import HAND_WRITTEN, roots
 from translation.source import Name, UntranslatableError, is_law, module
-
-HAND_WRITTEN = ("arithmetic.js", "coefficients.js")
-"""Files beside the translator that go into the folder as they are."""
 
 
 def write(folder: Path) -> None:
@@ -38,17 +35,16 @@ def write(folder: Path) -> None:
 
 def texts() -> dict[str, bytes]:
     """The content of every file by its path in the folder; raises UntranslatableError."""
-    named = [Name(where, word) for where, words in ROOTS.items() for word in words]
     all_stages = stages.stages()
     of_stages = [name for stage in all_stages for name in stages.laws_of(stage).values()]
-    wanted = reach([*named, *of_stages])
+    wanted = reach([*roots(), *of_stages])
     modules = sorted({one.module for one in wanted} | {stage.__module__ for stage in all_stages})
     files = {
         path_of(name): text_of(name, wanted, [one for one in all_stages if one.__module__ == name]).encode()
         for name in modules
     }
     files["descriptions.js"] = stages.descriptions_text().encode()
-    files["registry.js"] = stages.registry_text(pointpred.__version__, path_of).encode()
+    files["registry.js"] = stages.registry_text(pointpred.__version__).encode()
     files[stages.COEFFICIENTS] = planes(coefficient_file.read(coefficient_file.OWN))
     here = Path(__file__).parent
     return files | {name: (here / name).read_bytes() for name in HAND_WRITTEN}
@@ -76,11 +72,6 @@ def reach(roots: Iterable[Name]) -> set[Name]:
             ):
                 raise UntranslatableError(f"{name.module}.{name.name} is neither a law nor a constant")
     return known
-
-
-def path_of(name: str) -> str:
-    """Where the module in JavaScript lies, relative to the folder of laws."""
-    return name.removeprefix("pointpred.").replace(".", "/") + ".js"
 
 
 def relative(reader: str, target: str) -> str:

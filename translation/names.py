@@ -64,3 +64,8 @@ def shared_stems() -> frozenset[str]:
     package = Path(__file__).resolve().parent.parent / "pointpred"
     counts = Counter(path.stem for path in package.rglob("*.py"))
     return frozenset(stem for stem, count in counts.items() if count > 1)
+
+
+def path_of(name: str) -> str:
+    """Where the module in JavaScript lies, relative to the folder of laws."""
+    return name.removeprefix("pointpred.").replace(".", "/") + ".js"

@@ -1,58 +1,56 @@
-"""What the page's own code calls of the laws."""
+"""What the page's own code uses of the laws: read from its imports."""
 
 from __future__ import annotations
 
-ROOTS = {
-    "pointpred.differentiators.sampling": ("usable", "STARTED", "T"),
-    "pointpred.differentiators.homogeneous": ("chatter", "STEPS_M", "CHATTER_MOST_M_S", "SUBSTEPS_MOST"),
-    "pointpred.events": ("LARGEST", "LATEST_S"),
-    "pointpred.regions": ("ellipse", "as_normal"),
-    "pointpred.scoring.measures.endpoint": (
-        *("measure_trial", "FRACTIONS", "MEASURES", "TIME_AVERAGED", "BY_TIME", "BY_PATH"),
-        *("SINGLE_AXIS", "SOUND"),
-    ),
-    "pointpred.scoring.trials.cutting": (
-        *(
-            "cut",
-            "VERDICT",
-            "ROW",
-            "ONSET",
-            "STOP",
-            "ARRIVAL",
-            "CUTS",
-            "ONSET_PX",
-            "ARRIVAL_PX",
-            "ARRIVAL_SHARE",
-        ),
-        *("EMPTY", "ONE_SAMPLE", "UNUSABLE", "BACKWARD", "NEVER_LEFT", "ARRIVED", "INSTANT", "GOOD"),
-    ),
-    "pointpred.targets.rectangles": ("complete", "MOST_TARGETS", "SMALLEST_PX", "FIELDS"),
-    "pointpred.targets.choice_law": ("step", "OUTSIDE", "INSIDE", "ENTERED", "RELEASED"),
-    "pointpred.targets.decision": ("rank", "decide", "NOBODY"),
-    "pointpred.targets.posterior": (
-        *("scores", "normalise", "FITTED", "FITTED_PAGES"),
-        *("PRECISION", "ELSEWHERE", "LEAST_LEAD_S", "LEAST_WAY_PX"),
-    ),
-    "pointpred.targets.prefetch": (
-        *("step", "contact", "inside", "FITTED", "THRESHOLD", "ELSEWHERE", "STATES", "BEGAN", "COUNT"),
-        *("ARMED", "FIRED", "RESTING", "PREDICTED", "ENTERED"),
-    ),
-    "pointpred.targets.cursor": (
-        "usable",
-        "follow",
-        "KNOWN",
-        "T",
-        "X",
-        "Y",
-        "PRESSED",
-        "T0",
-        "X0",
-        "Y0",
-        "SPEED",
-        "STATES",
-    ),
-    "pointpred.transfer.assistance": ("guarded_step", "GUARDED", "END", "USUAL_GUARD"),
-    "pointpred.transfer.functions": ("CONSTANT", "SIGMOID", "SLOTS", "MACOS"),
-    "pointpred.transfer.pixels": ("lay_out", "SETTINGS", "USUAL_TIMES_S"),
-}
-"""What the page's own code calls by name, beside the laws of all predictors and differentiators."""
+import posixpath
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+from translation.source import Name
+
+WEB = Path(__file__).resolve().parent.parent / "server" / "web"
+LAWS = "laws/"
+OTHERS = ("laws/", "vendor/")
+"""Folders of modules that are not the page's own."""
+HAND_WRITTEN = ("arithmetic.js", "coefficients.js")
+"""Files beside the translator that go into the folder of laws as they are."""
+NAMED = re.compile(r'^(?:import|export) \{([^}]*)\} from "([^"]+)"', re.MULTILINE)
+WHOLE = re.compile(r'^import \* as (\w+) from "([^"]+)"', re.MULTILINE)
+LATER = {"pointpred.differentiators.homogeneous": ("chatter", "STEPS_M", "CHATTER_MOST_M_S", "SUBSTEPS_MOST")}
+"""Names of modules that the page loads by ``import()``, which does not say what it uses of them."""
+
+
+def roots() -> set[Name]:
+    """The laws and constants that the page's own modules import."""
+    wanted = {Name(module, word) for module, words in LATER.items() for word in words}
+    for path in WEB.rglob("*.js"):
+        name = path.relative_to(WEB).as_posix()
+        if not name.startswith(OTHERS):
+            wanted |= set(_imports(posixpath.dirname(name), path.read_text("utf-8")))
+    return wanted
+
+
+def _imports(folder: str, text: str) -> Iterator[Name]:
+    """What a module in a folder imports of the laws."""
+    for names, address in NAMED.findall(text):
+        for word in (one.split(" as ")[0].strip() for one in names.split(",")):
+            if (module := _module(folder, address)) and word:
+                yield Name(module, _plain(word))
+    for alias, address in WHOLE.findall(text):
+        if module := _module(folder, address):
+            code = re.sub(r'"[^"\n]*"', "", text)
+            yield from (Name(module, _plain(word)) for word in set(re.findall(rf"\b{alias}\.(\w+)", code)))
+
+
+def _module(folder: str, address: str) -> str:
+    """The Python module of an address; empty for one that is not made of laws."""
+    path = posixpath.normpath(posixpath.join(folder, address))
+    file = path.removeprefix(LAWS)
+    made = path.startswith(LAWS) and file not in (*HAND_WRITTEN, "registry.js", "descriptions.js")
+    return f"pointpred.{file.removesuffix('.js').replace('/', '.')}" if made else ""
+
+
+def _plain(word: str) -> str:
+    """A name as Python has it."""
+    return word.removesuffix("_")

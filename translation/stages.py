@@ -12,7 +12,7 @@ from pointpred.person import layout_name
 from pointpred.registry import GAINS, RECOMMENDED, REGISTRY
 from pointpred.stage import CompiledStage
 from translation.expressions import number
-from translation.names import qualified, renamed
+from translation.names import path_of, qualified, renamed
 from translation.source import Name, is_law
 
 COEFFICIENTS = "kinematic.f32"
@@ -58,7 +58,7 @@ def text_of(stage: type[CompiledStage]) -> str:
     return f"export const {stage.__name__} = {{\n" + "".join(f"  {part},\n" for part in parts) + "};"
 
 
-def registry_text(version: str, path_of: Any) -> str:
+def registry_text(version: str) -> str:
     """The module that names every predictor and loads what it needs."""
     lines = [
         "// Written by `make page` from the registry: change that and run it again.",
@@ -74,13 +74,10 @@ def registry_text(version: str, path_of: Any) -> str:
             f"{key}: {_value(value)}"
             for key, value in {"differentiator": entry.differentiator, **preset, **numbers}.items()
         ]
-        parts.append(f"load: {_load(entry.predictor, path_of)}")
+        parts.append(f"load: {_load(entry.predictor)}")
         lines.append(f"  {json.dumps(entry.name)}: {{ {', '.join(parts)} }},")
     lines += ["};", "export const DIFFERENTIATORS = {"]
-    lines += [
-        f"  {json.dumps(name)}: {{ load: {_load(stage, path_of)} }},"
-        for name, stage in DIFFERENTIATORS.items()
-    ]
+    lines += [f"  {json.dumps(name)}: {{ load: {_load(stage)} }}," for name, stage in DIFFERENTIATORS.items()]
     return "\n".join([*lines, "};"]) + "\n"
 
 
@@ -107,7 +104,7 @@ def _meanings(stage: type[CompiledStage]) -> dict[str, str]:
     return {one.name: one.meaning for one in stage.parameters}
 
 
-def _load(stage: type[CompiledStage], path_of: Any) -> str:
+def _load(stage: type[CompiledStage]) -> str:
     return f'() => import("./{path_of(stage.__module__)}").then((one) => one.{stage.__name__})'
 
 

@@ -154,9 +154,12 @@ def test_what_means_something_else_in_javascript(line: str, javascript: list[str
         ("for i in range(0, 6, 2): a = i", "range in steps of 2"),
         ("c = a < int(b) < 3", "a call in the middle of a < int(b) < 3"),
         ("c = unknown", "the name unknown"),
+        ("if f: c = a", "the float f as a condition: write what it is compared with"),
+        ("c = a if not f else b", "the float f as a condition: write what it is compared with"),
+        ("c = a > b and f", "the float f as a condition: write what it is compared with"),
     ],
 )
 def test_what_would_be_translated_wrongly_is_refused(line: str, reason: str) -> None:
     with pytest.raises(UntranslatableError, match="step") as error:
-        translated(f"@law\ndef step(a, b):\n    {line}\n    return a\n")
+        translated(f"@law\ndef step(a, b, f: float):\n    {line}\n    return a\n")
     assert str(error.value).endswith(f"step: {reason}")
