@@ -3,9 +3,9 @@
 
 import { DIFFERENTIATORS, GAINS, PREDICTORS } from "../laws/registry.js";
 
-/** @param {string} predictor a name of the registry @returns {Promise<object>} as `Source` uses it */
-export async function open(predictor) {
-  const { differentiator: law, preset, load } = PREDICTORS[predictor], values = { ...GAINS, ...preset, cpi: null, dpi: 96 };
+/** @param {string} name of the registry @returns {Promise<object>} as `Source` uses it */
+export async function open(name) {
+  const { differentiator: law, preset, load } = PREDICTORS[name], values = { ...GAINS, ...preset, cpi: null, dpi: 96 };
   const kinds = await Promise.all([DIFFERENTIATORS[law].load(), load()]);
   const [differentiator, predictor] = kinds.map((kind) => stageOf(kind, values)), before = differentiator.memory.slice();
   return {
