@@ -15,6 +15,8 @@ from pages.arguments import parse
 from pages.asyncapi import document as asyncapi
 from pages.commands import page as commands
 from pages.errors import page as errors
+from pages.intent import figure as intent_figure
+from pages.intent import page as intent
 from pages.kinematic import page as kinematic
 from pages.ktm import page as ktm
 from pages.markdown import filled
@@ -45,6 +47,7 @@ def several(**parts: str) -> Context:
 COSTS = ("events", "service", "devices", "first_start", "opening")
 PAGES_MADE: dict[str, tuple[str, Context]] = {
     "docs/evidence/results.md": ("results", results.context),
+    "docs/evidence/intent.md": ("intent", intent.context),
     "docs/evidence/kinematic.md": ("kinematic", kinematic.context),
     "docs/evidence/ktm.md": ("ktm", ktm.context),
     "docs/evidence/costs.md": (
@@ -109,6 +112,7 @@ def main() -> None:
         file.write_text(made(path), encoding="utf-8")
         print(f"wrote {path}")
     results.save_figures()
+    intent_figure.save()
     print(f"drew the results into {DOCS.relative_to(ROOT)}/figures")
 
 

@@ -15,6 +15,7 @@ import numpy as np
 
 from pages.arguments import parse
 from pages.data import Table, keep
+from pages.intent import speculation
 from pages.intent.fit import GROUPS, Fits, by_layout, fits, recorded
 from pages.intent.foresight import FRAME_S
 from pages.intent.movements import Movement
@@ -76,10 +77,22 @@ def compared(movements: Sequence[Movement], fitted: Fits) -> tuple[Table, Table]
     )
 
 
+def speculated(movements: Sequence[Movement]) -> Table:
+    """Chrome's own rules, a row a layout and an eagerness."""
+    layouts = sorted({one.layout for one in movements})
+    rows = [
+        (layout, eagerness, *speculation.hovered([one for one in movements if one.layout == layout], hover_s))
+        for layout in layouts
+        for eagerness, hover_s in speculation.HOVER_S.items()
+    ]
+    return Table.of(("layout", "eagerness", *speculation.HEADS), rows)
+
+
 def main() -> None:
     """Measure every set at hand."""
-    table, curve = compared(recorded(PREDICTORS), fits())
-    keep("intent", {"policy": table, "thresholds": curve})
+    everything = recorded(PREDICTORS)
+    table, curve = compared(everything, fits())
+    keep("intent", {"policy": table, "thresholds": curve, "speculation": speculated(everything)})
 
 
 if __name__ == "__main__":

@@ -43,15 +43,15 @@ def document(movement: Movement) -> dict[str, Any]:
     }
 
 
-def sampled(movements: Sequence[Movement]) -> list[Movement]:
-    """EACH movements of every layout, evenly from its sets and over each of them."""
+def sampled(movements: Sequence[Movement], each: int = EACH) -> list[Movement]:
+    """So many movements of every layout, evenly from its sets and over each of them."""
     chosen: list[Movement] = []
     for layout in dict.fromkeys(one.layout for one in movements):
         by_set: dict[str, list[Movement]] = {}
         for one in movements:
             if one.layout == layout:
                 by_set.setdefault(one.set, []).append(one)
-        most = -(-EACH // len(by_set))
+        most = -(-each // len(by_set))
         for own in by_set.values():
             places = np.linspace(0, len(own) - 1, min(most, len(own))).astype(int)
             chosen += [own[i] for i in places]

@@ -5,9 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from pages.data import Table
 from pages.intent import foresight
+from pages.intent.measure import HEADS, RULE
 from pages.intent.movements import Movement
+from pages.intent.page import beside
 from pages.intent.scores import by_policy, by_rule, score
+from pages.intent.speculation import by_hover
 from pointpred.columns import FloatArray
 from pointpred.targets import around, prefetch
 from pointpred.targets.rectangles import table
@@ -54,3 +58,17 @@ def test_by_the_policy_nothing_fires_where_the_movement_starts() -> None:
     fired_at = by_policy(movement, shares, np.array(prefetch.FITTED), 0.0)
     assert fired_at[0] == np.inf
     assert fired_at[1] < 5.1
+
+
+def test_a_hover_fires_after_its_time_or_at_the_press_and_not_where_the_pointer_only_passes() -> None:
+    movement = Movement("two", "set", "user", TARGETS, 1, straight(), {})  # in the targets for 20 and 20 ms
+    assert by_hover(movement, 0.01) == pytest.approx([5.01, 5.29])
+    assert by_hover(movement, 0.2) == pytest.approx([np.inf, 5.3])
+
+
+def test_what_is_asked_for_and_not_reached_is_named() -> None:
+    ours, theirs = ("9", "3.00", "2.00", "90.0", "199", "0"), ("9", "3.00", "2.00", "90.0", "100", "0")
+    worse, bare = ("9", "3.01", "2.00", "89.9", "200", "0"), ("9", "3.00", "2.00", "90.0", "100", "0")
+    rows = [("a", "ours", *ours), ("a", RULE, *theirs), ("b", "ours", *worse), ("b", RULE, *bare)]
+    table = Table.of(("layout", "rule", "movements", *HEADS), rows)
+    assert [row[-1] for row in beside(table, "ours").texts()] == ["lead", "firings, before"]
