@@ -38,11 +38,11 @@ def beside(whole: Table, ours: str, theirs: str = RULE) -> Table:
         rows.append(
             (
                 layout,
-                f"{count}",
+                f"{count:.0f}",
                 f"{firings:.2f} / {most:.2f}",
                 f"{away:.2f} / {most_away:.2f}",
                 f"{before:.1f} / {share:.1f}",
-                f"{lead} / {other:.0f}",
+                f"{lead:.0f} / {other:.0f}",
                 f"{float(lead) / other:.2f} x",
                 ", ".join(name for name, missed in short.items() if missed) or "nothing",
             )
