@@ -52,7 +52,7 @@ def restore(stage: CompiledStage, person: str) -> None:
         )
     known = unpacked(stage.slots, person)
     if objection := _bounds(stage.slots, known) or type(stage).doubt(known):
-        raise ParameterError(f"person holds what no movement teaches: {objection}", field="person")
+        raise ParameterError(f"person contains an impossible value: {objection}", field="person")
     stage.known[:] = known
 
 

@@ -52,7 +52,7 @@ class Locals:
         return sorted(name for name, statement in self._begins.items() if statement is None)
 
     def outlives_loop(self, loop: ast.For, name: str) -> bool:
-        """Whether the variable of a loop is used where no loop over it goes on."""
+        """Whether the variable of a loop is used outside its loop."""
         within = {
             id(node) for one in ast.walk(self._function) if _loops_over(one, name) for node in ast.walk(one)
         }

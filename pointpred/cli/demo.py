@@ -13,7 +13,9 @@ from pointpred.errors import ParameterError
 
 
 def demo(
-    out: Annotated[Path, typer.Option(metavar="FOLDER", help="Folder to write; it is made.")] = Path("demo"),
+    out: Annotated[
+        Path, typer.Option(metavar="FOLDER", help="Folder to write to; created if missing.")
+    ] = Path("demo"),
     force: Force = False,
 ) -> None:
     """Write the live page as files that any static host can serve, under any path.
@@ -32,7 +34,7 @@ def demo(
     if out.is_dir() and any(out.iterdir()) and not force:
         raise ParameterError(f"{out} holds files already; add --force to replace those of the same names")
     if out.exists() and not out.is_dir():
-        raise ParameterError(f"cannot write into {out}: it is no folder; name another one")
+        raise ParameterError(f"cannot write into {out}: it is not a folder; name another one")
     from pointpred.server.demo import write_demo
 
     out.mkdir(parents=True, exist_ok=True)

@@ -179,7 +179,7 @@ def folders() -> list[Finding]:
         elif not os.access(value, need | os.X_OK) or not Path(value).is_dir():
             verb = "read" if need == os.R_OK else "written"
             advice = f"set {variable} to a folder of yours, or unset it"
-            findings.append(Finding(name, "broken", f"{value} is no folder that can be {verb}", advice))
+            findings.append(Finding(name, "broken", f"{value} is not a folder that can be {verb}", advice))
         else:
             findings.append(Finding(name, "good", value))
     return findings

@@ -261,7 +261,7 @@ class Chooser:
         if over not in (before_over, decision.NOBODY):
             self.ledger.propose_entered()
             changed.append(self._choice(over, "propose", "entered"))
-        # A target whose reason alone has changed stays proposed: nobody is to begin with it again.
+        # A target whose reason alone has changed stays proposed, so no change is reported.
         stays = {one.id for one in changed if one.action == "retract"} & {
             one.id for one in changed if one.action == "propose"
         }

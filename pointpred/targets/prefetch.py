@@ -1,8 +1,8 @@
-"""Which targets are worth a prefetch: several at once, early where that is cheap, at entry at the latest.
+"""Which targets fire a prefetch: several at once, each early where its probability reaches the threshold.
 
-A firing is never withdrawn, so firing too often is its only cost, and it costs nothing extra to fire early
-what the cursor will go into anyway. A target is therefore judged by the probability that the cursor goes
-through it, more than by that of being the end.
+A target fires when the cursor enters it at the latest, and a firing is never withdrawn. Only a firing for a
+target that the cursor never enters costs something. So a target is judged by the probability that the cursor
+goes through it, more than by the probability that the movement ends there.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ SMALLEST, LEAST_VISITS = 1e-6, 0.05
 """Bounds on probabilities and on their sum in logarithms."""
 
 THRESHOLD, ELSEWHERE = 0.5, 0.02
-"""Unless set otherwise: the threshold of a target, and the share of movements that go to none of them."""
+"""Defaults: how likely a visit of a target must be, and the share of movements that go to none of them."""
 BASE, END, SPENT, NEAR, FAR, AGE, PASSED, SURE, LATE_S, LATE, SETTINGS = range(11)
 """Places of the settings."""
 FITTED = (1.72, 0.665, 0.0555, 0.336, 0.227, 0.26, 0.687, 3.18, 0.103, 0.477)
@@ -104,7 +104,7 @@ def begin(memory: FloatArray, table: FloatArray, fired: FloatArray) -> None:
 
 @law
 def urgency(memory: FloatArray, row: FloatArray, settings: FloatArray) -> float:
-    """How much sooner than in REFERENCE_S the cursor may be there: what is near cannot wait for evidence."""
+    """The term of the time to contact, against REFERENCE_S: a target that is near fires on less evidence."""
     left_s = cursor.until(memory, row[CENTRE_X], row[CENTRE_Y], row[WIDTH], row[HEIGHT])
     near = -log(min(max(left_s, SHORTEST_S), LONGEST_S) / REFERENCE_S)
     return float(settings[NEAR] * near - settings[FAR] * near * near)
@@ -128,11 +128,20 @@ def step(memory: FloatArray, targets: Targets, shares: FloatArray, settings: Flo
     movement, and is armed again where the next one begins, or if that starts in it, once the cursor has left
     it. A target of weight 0 never fires.
 
-    A target fires where the logarithm of the odds of a visit, with what else speaks for it, reaches that of
-    its threshold in (0, 1): how many targets lie on the way at all, how sure the likeliest is, the time to
-    contact, the time since the start, what was fired in this movement already, and that visits are not ends.
-    It also fires where the cursor's own line meets it within LATE_S s and a visit is as likely as LATE and
-    the threshold say.
+    A target fires where the sum of these terms reaches the logarithm of the odds of its threshold. The
+    threshold, in (0, 1), is how likely it must be that the cursor goes through the target; higher fires later
+    and less often.
+
+    - BASE, and the logarithm of the odds of a visit;
+    - plus PASSED times the logarithm of the expected number of targets visited, without those it is in;
+    - plus AGE times the time since the start, s, at most AGE_S;
+    - plus NEAR n - FAR n², where n is the logarithm of REFERENCE_S over the time to contact;
+    - plus END times the logarithm of the share over the probability of a visit, which is at most 0;
+    - minus SURE times the share of the likeliest target;
+    - minus SPENT times the firings of this movement so far.
+
+    It also fires where the cursor's own line meets it within LATE_S s and the probability of a visit is at
+    least LATE and the threshold.
     """
     table, thresholds, visits, fired = targets
     begin(memory, table, fired)

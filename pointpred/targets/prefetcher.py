@@ -1,4 +1,4 @@
-"""Predictions and events in, targets worth a prefetch out."""
+"""Predictions and events in, the targets to prefetch out."""
 
 from __future__ import annotations
 
@@ -18,11 +18,12 @@ SETTINGS: FloatArray = np.array(prefetch.FITTED)
 
 
 class Prefetcher:
-    """Fires targets that are worth a prefetch: several at once, early where that is cheap, never withdrawn.
+    """Fires prefetches: several targets at once, each early where its probability reaches the threshold.
 
-    Each target fires once a movement, when the cursor enters it at the latest. Parameters: ``threshold``, how
-    likely a visit must be, on a scale on which 0.5 fires about as often as a straight line of 120 ms does;
-    lower fires sooner and more often, 1 at entry only. ``elsewhere``: the share of movements that go to none
+    Each target fires once a movement, when the cursor enters it at the latest; a firing is never withdrawn.
+    Parameters: ``threshold`` in (0, 1), how likely it must be that the cursor goes through the target, on a
+    scale on which 0.5 fires about as often as a straight line of 120 ms does; higher fires later and less
+    often, 1 at entry only. ``elsewhere``: the share of movements that go to none
     of the targets, before anything is seen. Memory: 17 floats of the cursor and the movement, 9 a target.
     Raises ParameterError, and EventError or EventOrderError from ``update``; nothing is then changed.
 
@@ -38,7 +39,7 @@ class Prefetcher:
     """
 
     parameters = (
-        Parameter("threshold", "", 0.0, 1.0, "how likely a visit must be; 0.5 fires as often as a line"),
+        Parameter("threshold", "", 0.0, 1.0, "how likely it must be that the cursor goes through the target"),
         Parameter("elsewhere", "", 1e-6, 0.999999, "share of movements that go to none of the targets"),
     )
 

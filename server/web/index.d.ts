@@ -15,14 +15,14 @@ export interface Sides { top?: number; right?: number; bottom?: number; left?: n
 
 export interface IntentOptions {
   /**
-   * `"prefetch"` (default): fires for every element that is worth it, when the pointer enters it at the latest; nothing is withdrawn.
-   * `"highlight"`: fires for the one that is likeliest, and for the one that the pointer is in; ends when that is over.
+   * `"prefetch"` (default): fires early where the probability is high enough for the threshold, for several elements at once, and when
+   * the pointer enters an element at the latest; nothing is withdrawn.
+   * `"highlight"`: fires for the element that is likeliest, and for the one that the pointer is in; ends when that is over.
    */
   policy?: "prefetch" | "highlight";
   /**
-   * In [0, 1], 0.5 by default: higher fires later, and less often in vain; what a firing costs over what a miss costs. For a prefetch
-   * the probability that the pointer goes through the element is compared with it, of several on one element the lowest; for a
-   * highlight its share. 1: only when the pointer goes into it.
+   * How likely it must be that the pointer goes to the element (prefetch: through it), in (0, 1); 0.5 by default. Higher fires later
+   * and less often. If an element has several registrations, the lowest counts. 1 is accepted, too: a prefetch then fires at entry only.
    */
   threshold?: number;
   /** Whether it fires only once; true by default for prefetch. Otherwise once in each movement. */
@@ -31,7 +31,7 @@ export interface IntentOptions {
   again_s?: number;
   /** How far beyond its sides the element counts, px; 0 by default. */
   hitSlop?: number | Sides;
-  /** How likely the element is before anything moves, over the others, which have 1 by default. 0: never. */
+  /** Weight before the pointer moves; other elements have 1. 0 never fires. */
   priority?: number;
   /** Its name in the ledger; the element's id by default. */
   name?: string;
@@ -80,7 +80,7 @@ export interface Handle {
 /** Calls `callback` when the user is heading for an element. Returns what stops it. */
 export function onIntent(element: Element, callback: IntentCallback, options?: IntentOptions): () => void;
 
-/** Makes an element one that users may head for, without a call. */
+/** Registers an element without a callback, so that its neighbours are predicted by mistake less often. */
 export function register(element: Element, options?: IntentOptions): Handle;
 
 export interface PrefetchLinkOptions extends IntentOptions {
@@ -121,7 +121,7 @@ export interface LedgerEntry {
   lead_s: number | null;
 }
 
-/** What has fired so far, and what came of it. */
+/** What has fired so far: hits, unused firings and lead times. */
 export function ledger(): LedgerSummary;
 
 /** Calls `listener` with each entry of the ledger from now on. Returns what stops it. */

@@ -1,4 +1,4 @@
-"""A page opened by a browser that is only told its address: what it posts back is what came of it."""
+"""Opens a page in a browser and returns what the page posts."""
 
 from __future__ import annotations
 

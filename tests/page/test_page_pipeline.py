@@ -188,4 +188,4 @@ def test_a_person_with_impossible_numbers_is_refused() -> None:
         known[place] = value
         error, found = wrong("kinematic-adaptive", person=packed(slots, known))
         assert (found["code"], found["field"]) == (error.code, "person")
-        assert found["message"].startswith("person holds what no movement teaches")
+        assert found["message"].startswith("person contains an impossible value")

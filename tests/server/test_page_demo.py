@@ -110,7 +110,7 @@ def test_the_sample_and_its_file_are_replayed_and_other_formats_refused(
         "const input = document.querySelector('#replay-file'); input.files = files.files;"
         "input.dispatchEvent(new Event('change')); })"
     )
-    visitor.wait("document.querySelector('#replay-source').textContent.includes('It is sent nowhere.')")
+    visitor.wait("document.querySelector('#replay-source').textContent.includes('It stays in this page.')")
     visitor.wait(f"{readout}.includes('px off')")
     assert visitor.text("#replay-readout") == as_sample
     assert visitor.value("document.querySelector('#replay-result').hidden")

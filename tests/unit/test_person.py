@@ -168,7 +168,7 @@ def test_every_number_is_bounded(wrong: float) -> None:
     for at in range(len(known())):
         values = known()
         values[at] = wrong
-        with pytest.raises(ParameterError, match="person holds"):
+        with pytest.raises(ParameterError, match="person contains"):
             build(NAME, person=persons.packed(SLOTS, values))
 
 

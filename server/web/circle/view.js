@@ -21,7 +21,7 @@ const SHOWN_MS = 500; // a prediction is drawn for this long
 const READY = ["open", "idle"]; // states of a connection in which a run can start: the next event opens an idle one
 const DOWN = "Start is disabled: the service does not answer. Is it still running? The page tries again by itself.";
 const UNLOADED = "Start is disabled: the predictor could not be loaded. The page tries again by itself.";
-const CANCELLED = { view: "The run was cancelled because another view was opened.", place: "The run was cancelled because predictions are now made elsewhere." };
+const CANCELLED = { view: "The run was cancelled because another view was opened.", place: "The run was cancelled because you changed where predictions are made." };
 
 const [canvas, form, startButton, stopButton] = ["circle-scene", "circle-form", "circle-start", "circle-stop"].map(part);
 const [runStatus, progress, ledgerLine] = ["circle-status", "circle-progress", "circle-ledger"].map(part);

@@ -16,7 +16,7 @@ export class Entry {
     this.element = element;
   }
 
-  /** Adopts what its registrations say together: the largest weight and slop, the lowest thresholds. */
+  /** Takes the largest weight and slop of its registrations, and for each policy the lowest threshold. */
   update() {
     const options = [...this.registrations].map((one) => one.options);
     const lowest = (policy) => Math.min(...[...this.registrations].filter((one) => one.follows(policy)).map((one) => one.options.threshold));

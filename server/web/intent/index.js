@@ -11,7 +11,7 @@ export { onIntent, register } from "./register.js";
 export { prefetchLink } from "./prefetch-link.js";
 import { ledger as theLedger } from "./ledger.js";
 
-/** What has fired so far, and what came of it. @returns {import("../index.d.ts").LedgerSummary} */
+/** What has fired so far: hits, unused firings and lead times. @returns {import("../index.d.ts").LedgerSummary} */
 export const ledger = () => theLedger.summary();
 
 /** Calls `listener` with each entry of the ledger from now on. @param {(entry: import("../index.d.ts").LedgerEntry) => void} listener @returns {() => void} stops it */

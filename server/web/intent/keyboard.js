@@ -6,7 +6,7 @@ const SEEN = { visibilityProperty: true, contentVisibilityAuto: false };
 
 /**
  * The elements that presses of Tab reach from one, in their order: first those with a positive tabindex, then the others as
- * they stand in the document. Elements in shadow trees and the members of a radio group but the first are not told apart.
+ * they stand in the document. Shadow trees are not searched. Every radio button counts, although Tab reaches one of a group.
  * @param {Element|null} from the focused one @param {boolean} backwards with Shift @param {number} most presses
  * @returns {Element[]}
  */

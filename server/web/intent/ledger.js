@@ -1,4 +1,4 @@
-// What was fired, and what came of it: hits, waste, and how early.
+// What has fired so far: hits, unused firings and lead times.
 
 const MOST_LEADS = 1000; // the newest leads, of which the median is taken
 const MOST_NAMES = 500; // names beyond are counted in the totals only

@@ -1,9 +1,9 @@
-// Which elements are worth loading ahead, by the law of `pointpred/targets/prefetch.py`.
+// Which elements a prefetch fires for, by the law of `pointpred/targets/prefetch.py`.
 
 import { ARMED, ENTERED, FITTED, PREDICTED, step } from "../laws/targets/prefetch.js";
 
 const SETTINGS = Float64Array.from(FITTED);
-const NEVER = 1; // the threshold of an element that nothing is loaded for
+const NEVER = 1; // the highest threshold: fires at entry only
 
 /** Knows of each element whether it has fired in this movement. */
 export class PrefetchPolicy {

@@ -6,7 +6,7 @@ import { onIntent } from "./register.js";
 /**
  * Calls `callback` when the user is heading for the element that gets the returned ref.
  * @param {import("../index.d.ts").IntentCallback} callback may change in each render
- * @param {import("../index.d.ts").IntentOptions} [options] others begin anew
+ * @param {import("../index.d.ts").IntentOptions} [options] changed options register the element again
  * @returns {(element: Element|null) => void} a ref
  */
 export function useIntent(callback, options = {}) {

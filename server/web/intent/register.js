@@ -19,7 +19,7 @@ export function onIntent(element, callback, options) {
 }
 
 /**
- * Makes an element one that users may head for, without a call: others are then predicted less often by mistake.
+ * Registers an element without a callback, so that its neighbours are predicted by mistake less often.
  * @param {Element} element @param {import("../index.d.ts").IntentOptions} [options]
  * @returns {import("../index.d.ts").Handle}
  */

@@ -9,7 +9,7 @@ import { ELSEWHERE, STATES } from "../laws/targets/prefetch.js";
 import { PrefetchPolicy } from "./prefetch.js";
 
 const LEAST_LEAD_S = 0, LEAST_WAY_PX = 3; // the defaults of the chooser in Python
-/** A highlight shall end when the movement goes to nothing that is registered, as many do: the prior odds of that, over those that a prefetch counts with. */
+/** Highlights use higher prior odds that the movement is for no registered element. This is the logarithm of that factor. */
 const MORE_ELSEWHERE = Math.log((FITTED_NONE / (1 - FITTED_NONE)) / (ELSEWHERE / (1 - ELSEWHERE)));
 const REMAINING_S = 6; // in the row of a prediction
 const IN_TURN = 64; // of many elements, so many unlikely ones are scored at a time; the others keep their score until it is their turn
@@ -117,7 +117,7 @@ export class Shares {
     this.#scores[this.#table.length] = some[places.length];
   }
 
-  /** The elements whose prefetch is worth its cost now, of those that were scored. @returns {import("./entries.js").Entry[]} */
+  /** The elements that a prefetch fires for now, of those that were scored. @returns {import("./entries.js").Entry[]} */
   worthPrefetching() {
     const places = this.#looked, none = this.#table.length;
     if (places === null) return this.#prefetch.fire(this.#memory, this.entries, this.#table, this.#shares);

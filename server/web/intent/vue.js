@@ -17,7 +17,7 @@ function unmounted(element) {
   registered.delete(element);
 }
 
-/** A new callback is called from then on; other options begin anew. */
+/** A new callback is called from then on. Changed options register the element again. */
 function updated(element, binding) {
   const { callback, ...options } = parts(binding.value), one = registered.get(element);
   if (JSON.stringify(options) === one.key) one.callback = callback;

@@ -173,7 +173,7 @@ export class Chooser {
       this.ledger.proposeEntered();
       change(over, "propose", "entered");
     }
-    // A target whose reason alone has changed stays proposed: nobody is to begin with it again.
+    // A target whose reason alone has changed stays proposed, so no change is reported.
     const actions = (id) => new Set(changed.filter((one) => one.id === id).map(({ action }) => action));
     return changed.filter(({ id }) => actions(id).size < 2);
   }

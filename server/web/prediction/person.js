@@ -37,7 +37,7 @@ export function packed({ layout }, known) {
 export function unpacked(learner, person) {
   const known = numbers(learner, person);
   const wrong = outside(learner.slots, known) || faulty(learner, known);
-  if (wrong) throw refusal(`person holds what no movement teaches: ${wrong}`);
+  if (wrong) throw refusal(`person contains an impossible value: ${wrong}`);
   return known;
 }
 

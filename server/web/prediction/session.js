@@ -6,7 +6,7 @@ import { checked, ProtocolError } from "./messages.js";
 import { PredictionStream } from "./stream.js";
 
 const VERSION = 1;
-/** What a session may do: nobody else waits for it, so most of it is without bounds. @type {import("../pointpred.js").Limits} */
+/** The limits of a session. The page serves one session, so most of them are off. @type {import("../pointpred.js").Limits} */
 const LIMITS = Object.freeze({ max_frame_bytes: Infinity, max_events_per_frame: Infinity, max_events_per_s: Infinity,
   max_targets: MOST_TARGETS, max_sessions: 1, idle_s: Infinity });
 
@@ -85,7 +85,7 @@ export class PageSession {
     return { type: "welcome", version: VERSION, session: "page", predictor: this.#stream.hello.predictor, limits: LIMITS };
   }
 
-  /** Sends why something was not used; what is nobody's mistake but ours, or a file that cannot be fetched, ends the session. */
+  /** Sends why something was not used. An internal error, or a file that cannot be fetched, ends the session. */
   #refuse(error) {
     if (error instanceof ProtocolError) return this.#send(error.answer);
     if (error instanceof EventError)

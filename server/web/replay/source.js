@@ -13,7 +13,7 @@ import { predictionsAlong } from "./predictions.js";
  */
 
 /** Where a recording that the person opens is sent. */
-const WHERE = hasService ? "It is sent to this service only." : "It is sent nowhere.";
+const WHERE = hasService ? "It is sent to this service only." : "It stays in this page.";
 
 /** The columns of a region's numbers as one region, or null, for each event. */
 const regionsOf = (events, region) => Array.from({ length: events }, (_, i) => {
