@@ -104,7 +104,7 @@ def begin(memory: FloatArray, table: FloatArray, fired: FloatArray) -> None:
 
 @law
 def urgency(memory: FloatArray, row: FloatArray, settings: FloatArray) -> float:
-    """The term of the time to contact, against REFERENCE_S: a target that is near fires on less evidence."""
+    """The term of the time to contact: a parabola in its logarithm, 0 at REFERENCE_S."""
     left_s = cursor.until(memory, row[CENTRE_X], row[CENTRE_Y], row[WIDTH], row[HEIGHT])
     near = -log(min(max(left_s, SHORTEST_S), LONGEST_S) / REFERENCE_S)
     return float(settings[NEAR] * near - settings[FAR] * near * near)
