@@ -71,6 +71,8 @@ export type IntentCallback = (firing: Firing) => unknown;
 /** A registered element. */
 export interface Handle {
   readonly element: Element;
+  /** Resolves when the predictor is loaded, or its service has answered; rejects if the predictor cannot be loaded. Before, elements fire at entry only. */
+  readonly ready: Promise<void>;
   /** The probability that the movement is for this element, 0 while it is not in view. */
   readonly share: number;
   /** Stops it. */

@@ -6,8 +6,12 @@ from typing import Any
 
 from tests.server.page_browser import Visitor
 
-START = """import("/pointpred/intent/index.js").then((module) => {
-  Object.assign(window, module);
+START = """Promise.all(["index", "register", "keyboard", "scroll"]
+  .map((name) => import(`/pointpred/intent/${name}.js`))).then(([module, { trackers }]) => {
+  Object.assign(window, module, { trackers });
+  window.ready = () => Promise.all([...trackers.values()].map(({ ready }) => ready));
+  window.measured = (id) => [...trackers.values()].flatMap(({ view }) => view.elements)
+    .find(({ element }) => element.id === id);
   window.heard = [];
   window.stops = {};
   window.box = (id, left, top, width = 100, height = 60, tag = "button") => {
@@ -48,8 +52,8 @@ class IntentPage:
         self.settle()
 
     def settle(self) -> None:
-        """Wait until observers have reported and every element has been measured."""
-        self.value("frames(3)")
+        """Wait until predictors are loaded, observers have reported and every element has been measured."""
+        self.value("ready().then(() => frames(3))")
 
     def said(self) -> list[str]:
         """What was called, in order: ``"id reason"`` and ``"id ended"``."""
@@ -62,8 +66,11 @@ class IntentPage:
         return answer
 
     def move(self, start: tuple[float, float], end: tuple[float, float], seconds: float = 0.5) -> None:
-        """Move the mouse as a hand does; the page has seen it all afterwards."""
-        self.visitor.reach(start, end, seconds)
+        """Move the mouse as a hand does; the page has seen it all afterwards.
+
+        The page draws frames meanwhile, however slow it is: the events have the times that were planned.
+        """
+        self.visitor.reach(start, end, seconds, paced=True)
         self.settle()
 
     def away(self) -> None:

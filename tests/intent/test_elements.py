@@ -4,17 +4,15 @@ from __future__ import annotations
 
 from tests.intent.page import IntentPage
 from tests.server import browser
+from tests.server.page_browser import until
 
 pytestmark = browser.needed
-
-LONG = "new Promise((done) => setTimeout(done, 900))"
-"""A while in which the page measures its elements although nothing else happens."""
 
 
 def test_a_moved_element_fires_where_it_is_now(page: IntentPage) -> None:
     page.make("watch(box('goal', 100, 500), { threshold: 1 })")
     page.make("goal.style.left = '700px'")
-    page.value(LONG)
+    page.wait("measured('goal').row[0] === 750")  # although nothing else happens
     page.move((40, 40), (150, 530), 0.3)
     assert page.said() == []
     page.away()
@@ -25,9 +23,10 @@ def test_a_moved_element_fires_where_it_is_now(page: IntentPage) -> None:
 def test_an_element_that_moves_all_the_time_is_followed(page: IntentPage) -> None:
     page.make(
         "watch(box('goal', 600, 500), { threshold: 1 });"
-        "goal.animate([{ transform: 'none' }, { transform: 'translateY(-300px)' }], { "
-        "duration: 400, fill: 'forwards' })"
+        "window.rise = (px) => { goal.style.transform = `translateY(${-px}px)`; "
+        "if (px < 300) requestAnimationFrame(() => rise(px + 15)); }"
     )
+    page.value("rise(0)")  # 20 frames, of the 30 of the movement
     page.move((40, 40), (650, 230), 0.6)
     assert page.said() == ["goal entered"]
 
@@ -67,7 +66,7 @@ def test_hidden_elements_do_not_count(page: IntentPage) -> None:
     page.move((40, 40), (590, 490), 0.4)
     assert page.said() == []
     page.make("clear.style.opacity = '1'")
-    page.value(LONG)
+    page.wait("!measured('clear').isHidden")
     page.move((590, 490), (40, 40), 0.4)
     page.away()
     page.move((40, 40), (590, 490), 0.4)
@@ -97,8 +96,9 @@ def test_elements_that_nobody_holds_are_given_back(page: IntentPage) -> None:
         "(window.references ??= []).push(new WeakRef(one)); }"
         "document.body.replaceChildren()"
     )
-    page.value(LONG)
-    page.visitor.page.call("HeapProfiler.collectGarbage")
-    page.value(LONG)
-    page.visitor.page.call("HeapProfiler.collectGarbage")
-    assert page.value("references.filter((one) => one.deref()).length") <= 1
+
+    def remaining() -> int:
+        page.visitor.page.call("HeapProfiler.collectGarbage")
+        return int(page.value("references.filter((one) => one.deref()).length"))
+
+    until(lambda: remaining() <= 1, "the elements to be collected")

@@ -25,7 +25,7 @@ export { flushSync } from "react-dom";
 export { Intent, useIntent } from "pointpred/react";
 export { createApp, h, ref, withDirectives } from "vue/dist/vue.esm-bundler.js";
 export { vIntent } from "pointpred/vue";
-export { ledger } from "pointpred";
+export { ledger, register } from "pointpred";
 """
 """What a bundler makes of the package as its users name it."""
 
@@ -60,6 +60,15 @@ def bundle(tmp_path_factory: pytest.TempPathFactory) -> Path:
     for room in ("client", "intent", "laws", "prediction"):  # for what the tests themselves load
         (folder / "out" / room).symlink_to(WEB / room)
     return folder / "out"
+
+
+READY = """(async () => {
+  const probe = app.register(document.createElement("i"), { predictor: "minimum-jerk" });
+  await probe.ready;
+  probe.stop();
+  await frames(3);
+})()"""
+"""Waits for the predictor that the package in the bundle loads."""
 
 
 @pytest.fixture
@@ -102,6 +111,7 @@ app.flushSync(() => window.root.render(createElement(App)));"""
 def test_react_calls_the_newest_function_and_cleans_up(app: IntentPage) -> None:
     app.make(REACT)
     app.make("set({ word: 'second' })")
+    app.value(READY)
     app.move((40, 40), (650, 530), 0.5)
     assert app.said()[0] == "card second"
     app.make("set({ shown: false })")
@@ -133,6 +143,7 @@ window.vue.mount('#root');"""
 def test_vue_calls_the_newest_function_and_cleans_up(app: IntentPage) -> None:
     app.make(VUE)
     app.make("word.value = 'second'")
+    app.value(READY)
     app.move((40, 40), (650, 530), 0.5)
     assert app.said()[0] == "card second"
     app.make("shown.value = false")
@@ -143,6 +154,7 @@ def test_vue_calls_the_newest_function_and_cleans_up(app: IntentPage) -> None:
 def test_other_options_begin_anew(app: IntentPage) -> None:
     app.make(VUE)
     app.make("policy.value = 'prefetch'")
+    app.value(READY)
     app.move((40, 40), (650, 530), 0.4)
     app.away()
     app.move((650, 530), (40, 40), 0.4)

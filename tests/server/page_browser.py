@@ -170,12 +170,13 @@ class Visitor:
         left, top, width, height = self.value(f"(({{x, y, width, height}}) => [x, y, width, height])({box})")
         return left, top, width, height
 
-    def mouse(self, kind: str, x: float, y: float) -> None:
+    def mouse(self, kind: str, x: float, y: float, **more: float) -> None:
         """Move, press or release the mouse without waiting for the page, as a hand does."""
         pressed = kind in ("mousePressed", "mouseReleased")
         about = {"button": "left" if pressed else "none", "clickCount": int(pressed)}
         self.page.send(
-            "Input.dispatchMouseEvent", type=kind, x=x, y=y, buttons=int(kind == "mousePressed"), **about
+            "Input.dispatchMouseEvent",
+            **{"type": kind, "x": x, "y": y, "buttons": int(kind == "mousePressed"), **about, **more},
         )
 
     def click(self, x: float, y: float) -> None:
@@ -185,16 +186,29 @@ class Visitor:
         self.page.wait_for_results()
 
     def reach(
-        self, start: tuple[float, float], end: tuple[float, float], seconds: float, rate_hz: float = 200.0
+        self,
+        start: tuple[float, float],
+        end: tuple[float, float],
+        seconds: float,
+        rate_hz: float = 200.0,
+        paced: bool = False,
     ) -> None:
-        """Move in a straight line at the speed of least jerk."""
+        """Move in a straight line at the speed of least jerk.
+
+        ``paced``: wait for a frame of the page every 20 ms of the movement, and give the events the
+        times that were planned, so that a slow machine sees the same movement.
+        """
         began, count = time.perf_counter(), round(seconds * rate_hz)
+        epoch, a_frame = time.time(), round(0.02 * rate_hz)
         for i in range(1, count + 1):
             u = i / count
             share = 10 * u**3 - 15 * u**4 + 6 * u**5
             place = [a + share * (b - a) for a, b in zip(start, end, strict=True)]
             time.sleep(max(0.0, began + i / rate_hz - time.perf_counter()))
-            self.mouse("mouseMoved", place[0], place[1])
+            planned = {"timestamp": epoch + i / rate_hz} if paced else {}
+            self.mouse("mouseMoved", place[0], place[1], **planned)
+            if paced and i % a_frame == 0:
+                self.value("new Promise((done) => requestAnimationFrame(() => done()))")
         self.page.wait_for_results()
 
     def press(self, key: str) -> None:

@@ -35,8 +35,8 @@ function begin(element, callback, given) {
   tracker.add(registration);
   return {
     element,
+    ready: tracker.ready,
     stop: () => tracker.remove(registration),
-    rearm: () => registration.rearm(),
     get share() {
       return tracker.share(element);
     },

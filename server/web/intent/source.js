@@ -4,6 +4,7 @@ const SMALL = ["minimum-jerk", "switched-direction", "switched", "linear", "hold
 
 /** A predictor, which is loaded when it is first needed. Until then it predicts nothing. */
 export class Source {
+  /** Settles when predictions can come: the predictor is loaded, or the service has answered. @type {Promise<void>} */ ready;
   #loaded = null; #closed = false;
 
   /**
@@ -11,15 +12,17 @@ export class Source {
    * @param {(row: number[]) => void} onAnswer a prediction has come that `add` did not return, as a row
    */
   constructor(predictor, service, onAnswer) {
-    this.#load(predictor, service, onAnswer).catch(reportError);
+    this.ready = this.#load(predictor, service, onAnswer);
+    this.ready.catch(reportError);
   }
 
   async #load(predictor, service, onAnswer) {
     const { open } = await (service !== undefined ? import("./service-source.js")
       : SMALL.includes(predictor) ? import("./small-source.js") : import("./page-source.js"));
     const loaded = await open(predictor, service, onAnswer);
-    if (this.#closed) loaded.close();
-    else this.#loaded = loaded;
+    if (this.#closed) return loaded.close();
+    this.#loaded = loaded;
+    return loaded.ready;
   }
 
   /** Uses one event. @param {number[]} row t, x, y, dx, dy, buttons @returns {number[]|null} the row of the prediction made at it, if there is one now */

@@ -73,6 +73,11 @@ export class Tracker {
     return place < 0 ? 0 : this.#shares.share(place);
   }
 
+  /** Settles when predictions can come. @returns {Promise<void>} */
+  get ready() {
+    return this.#source.ready;
+  }
+
   /** What a picture of it needs. */
   get view() {
     const { entries, cursor, answer } = this.#shares;
