@@ -14,11 +14,6 @@ export class Registration {
     this.name = options.name || element.id;
   }
 
-  /** Whether it only makes the element a target. */
-  get isSilent() {
-    return this.#callback === null;
-  }
-
   /** @param {"prefetch"|"highlight"} policy */
   follows(policy) {
     return this.#callback !== null && this.options.policy === policy;
@@ -57,11 +52,6 @@ export class Registration {
     this.firing = null;
     ledger.withdraw(this, firing, t);
     this.#finish();
-  }
-
-  /** It may fire again at once. */
-  rearm() {
-    [this.#firedAt, this.#firedIn, this.#withheld] = [-Infinity, -1, false];
   }
 
   /** Nothing is called any more. */
