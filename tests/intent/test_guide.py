@@ -11,6 +11,7 @@ from threading import Thread
 
 import pytest
 
+from tests.architecture.test_web import exports
 from tests.intent.conftest import WEB
 from tests.server import browser
 from tests.server.page_browser import Visitor
@@ -75,7 +76,7 @@ def test_what_the_examples_import_exists() -> None:
             path = path if path.endswith(".js") else f"{path}.js"
             module = (WEB / path).read_text("utf-8")
             for name in (one.strip() for one in names.split(",")):
-                assert re.search(rf"\b{name}\b", module), f"{address} has no {name}"
+                assert name in exports(module), f"{address} has no {name}"
 
 
 def test_the_readme_shows_the_same_page_and_commands() -> None:
