@@ -68,6 +68,7 @@ import { ServiceChoices } from "./client/service-choices.js";
 import { Settings } from "./client/settings.js";
 import { RetryingSocket } from "./client/socket.js";
 import { Targets } from "./client/targets.js";
+import { RECOMMENDED } from "./laws/registry.js";
 
 export { regionOf } from "./client/regions.js";
 
@@ -103,7 +104,7 @@ export class Connection {
   /** Use `connect`. @param {string|URL|undefined} url @param {Options} options */
   constructor(url, options) {
     const given = withoutUndefined(options);
-    this.#options = { predictor: "kinematic-adaptive", reply: "frame", encoding: given.page ? "json" : "binary", element: window, pointer: true,
+    this.#options = { predictor: RECOMMENDED, reply: "frame", encoding: given.page ? "json" : "binary", element: window, pointer: true,
       coordinates: "client", targets: [], queue: 8192, ...given };
     this.#url = url;
     this.#queue = new EventQueue(this.#options.queue);

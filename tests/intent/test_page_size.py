@@ -11,11 +11,15 @@ from benchmarks.page_size import WEB, reached, sizes
 SMALL, LEARNED = 15_000, 90_000
 """Bytes that `onIntent` may take with a small predictor, and with the learned one and its coefficients."""
 
+SHARED = {"prediction/row.js", "prediction/median.js"}
+"""What the lean page shares with the whole pipeline."""
+
 
 def test_nothing_is_loaded_that_the_predictor_does_not_need() -> None:
     names = {path.relative_to(WEB).as_posix() for path in reached("intent/index.js", "minimum-jerk")}
     assert "laws/predictors/minimum_jerk.js" in names
-    assert not any("kinematic" in name or name.startswith("prediction/") for name in names)
+    assert not any("kinematic" in name for name in names)
+    assert {name for name in names if name.startswith("prediction/")} <= SHARED
     assert not any("overlay" in name or name == "pointpred.js" for name in names)
 
 

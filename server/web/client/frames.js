@@ -1,11 +1,12 @@
 // Encodes events and targets as messages within the service's limits, and decodes packed predictions.
 
+import { PHASES } from "../prediction/row.js";
+
 const EVENT_BYTES = 30;
 const PREDICTION_BYTES = 65;
 const NO_COUNTS = -32768;
 const GRID = 64; // steps per px: the browser's layout has no finer ones
 const BYTES = new TextEncoder();
-const PHASES = /** @type {const} */ (["still", "ballistic", "corrective"]);
 
 /**
  * Splits events into messages that the limits allow, each with its number of events and the time of the last one.

@@ -1,5 +1,8 @@
 // What has fired so far: hits, unused firings and lead times.
 
+import { median } from "../prediction/median.js";
+import { claimed } from "../prediction/row.js";
+
 const MOST_LEADS = 1000; // the newest leads, of which the median is taken
 const MOST_NAMES = 500; // names beyond are counted in the totals only
 
@@ -81,9 +84,8 @@ class Ledger {
 
 /** The least, the median and the largest, and how many; null where there is none. */
 function quantiles(values) {
-  const sorted = [...values].sort((one, other) => one - other), { length } = sorted;
-  const at = (share) => (length ? sorted[Math.min(length - 1, Math.floor(share * length))] : null);
-  return { count: length, least: at(0), median: at(0.5), most: at(1) };
+  const { length } = values, of = (measure) => (length ? measure(...values) : null);
+  return { count: length, least: of(Math.min), median: claimed(median(values)), most: of(Math.max) };
 }
 
 export const ledger = new Ledger();

@@ -1,9 +1,12 @@
 // What may be said of an element that is registered: its defaults, and the errors that name the bounds.
 
+import { RECOMMENDED } from "../laws/registry.js";
+import { THRESHOLD } from "../laws/targets/prefetch.js";
+
 const CHOICES = { policy: ["prefetch", "highlight"], touch: ["start", "viewport", "none"], scroll: ["pointer", "view", "none"],
   saveData: ["respect", "ignore"] };
 const NUMBERS = { priority: [0, 1e6], threshold: [0, 1], again_s: [0, Infinity], keyboard: [0, 20] };
-const DEFAULTS = { policy: "prefetch", predictor: "kinematic-adaptive", service: undefined, name: "", hitSlop: 0, priority: 1, threshold: 0.5,
+const DEFAULTS = { policy: "prefetch", predictor: RECOMMENDED, service: undefined, name: "", hitSlop: 0, priority: 1, threshold: THRESHOLD,
   once: undefined, again_s: Infinity, keyboard: 2, touch: "start", scroll: "pointer", saveData: "respect" };
 const SIDES = ["top", "right", "bottom", "left"];
 

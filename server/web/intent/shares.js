@@ -6,20 +6,19 @@ import { NOBODY, decide, likeliest } from "../laws/targets/decision.js";
 import { CENTRE_X, CENTRE_Y, HEIGHT, LOG_WEIGHT, WIDTH } from "../laws/targets/rectangles.js";
 import { FITTED_NONE, FITTED_PAGES, normalise, scores } from "../laws/targets/posterior.js";
 import { ELSEWHERE, STATES } from "../laws/targets/prefetch.js";
+import { REMAINING_S, UNPREDICTED } from "../prediction/row.js";
 import { PrefetchPolicy } from "./prefetch.js";
 
 const LEAST_LEAD_S = 0, LEAST_WAY_PX = 3; // the defaults of the chooser in Python
 /** Highlights use higher prior odds that the movement is for no registered element. This is the logarithm of that factor. */
 const MORE_ELSEWHERE = Math.log((FITTED_NONE / (1 - FITTED_NONE)) / (ELSEWHERE / (1 - ELSEWHERE)));
-const REMAINING_S = 6; // in the row of a prediction
 const IN_TURN = 64; // of many elements, so many unlikely ones are scored at a time; the others keep their score until it is their turn
 const LIKELY = 1e-3; // an element of this share is scored each time
-const NOTHING = new Array(10).fill(NaN);
 
 /** The cursor, the table of the elements in view, and their shares. */
 export class Shares {
   /** In the order of the table. @type {import("./entries.js").Entry[]} */ entries = [];
-  /** The newest row of a prediction. */ answer = NOTHING;
+  /** The newest row of a prediction. */ answer = UNPREDICTED;
   /** Counts movements. */ movement = 0;
   #memory = new Float64Array(STATES); #table = []; #inside = new Float64Array(0); #shares = Float64Array.of(1); #standing = NOBODY;
   #prefetch = new PrefetchPolicy(); #looked = null; #scores = Float64Array.of(0); #lit = Float64Array.of(1); #scoredIn = -1; #turn = 0;
@@ -82,7 +81,7 @@ export class Shares {
 
   /** Computes the shares. @param {number[]|null} answer the row of the newest prediction, null for none */
   weigh(answer) {
-    this.answer = answer ?? NOTHING;
+    this.answer = answer ?? UNPREDICTED;
     const isWhole = this.#table.length <= 2 * IN_TURN || this.#scoredIn !== this.movement;
     this.#looked = isWhole ? null : this.#inTurn();
     if (isWhole) this.#score(this.#table, this.#scores);

@@ -4,6 +4,7 @@ import { Elements } from "../client/elements.js";
 import { closest, PageChoices } from "../client/page-choices.js";
 import { PointerStream } from "../client/pointer-stream.js";
 import { Proposals } from "../client/proposals.js";
+import { REMAINING_S, claimed } from "../prediction/row.js";
 import { Entry } from "./entries.js";
 import { ledger } from "./ledger.js";
 import { Shares } from "./shares.js";
@@ -12,7 +13,7 @@ const A_FRAME = 8; // elements measured in a frame without a scroll, besides the
 const LIKELY = 0.02; // an element of this share is measured in each frame
 const REST_MS = 100; // a pointer without events for this long is at rest
 const MOST_PRESSES = 20; // of Tab
-const BUTTONS = 5, REMAINING_S = 6; // places in the row of an event, and of a prediction
+const BUTTONS = 5; // the place in the row of an event
 
 /** Registered elements that share a predictor. */
 export class Tracker {
@@ -146,8 +147,7 @@ export class Tracker {
   }
 
   #cause(reason, p, t) {
-    const remaining_s = this.#shares.answer[REMAINING_S];
-    return { reason, p, t, remaining_s: reason === "predicted" && remaining_s === remaining_s ? remaining_s : null };
+    return { reason, p, t, remaining_s: reason === "predicted" ? claimed(this.#shares.answer[REMAINING_S]) : null };
   }
 
   /** The page itself chooses an element: by focus, by touch, or because the pointer is over it. */

@@ -1,5 +1,7 @@
 // Numbers: as they are written in the page, and their averages.
 
+export { median } from "../prediction/median.js";
+
 const NONE = "–";
 
 /** A number with a number of decimals and a unit; a dash if there is no number. */
@@ -16,14 +18,6 @@ export const percent = (share, decimals = 0) => number(share === null ? null : 1
 
 /** The arithmetic mean; NaN of no values. */
 export const mean = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
-
-/** The median; the mean of the two middle values if their number is even; NaN of no values. */
-export function median(values) {
-  const sorted = [...values].sort((a, b) => a - b);
-  const half = sorted.length >> 1;
-  if (sorted.length === 0) return NaN;
-  return sorted.length % 2 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
-}
 
 /** The smallest and the largest value; spreading a long array as arguments would fail. */
 export function bounds(values) {

@@ -7,6 +7,7 @@ import * as posterior from "../laws/targets/posterior.js";
 import { EventError } from "./errors.js";
 import { Ledger } from "./ledger.js";
 import { check } from "./parameters.js";
+import { UNPREDICTED } from "./row.js";
 import { tableOf } from "./targets.js";
 
 /**
@@ -28,7 +29,6 @@ const PARAMETERS = [
 /** Bounds of the share of proposals that shall be right. */
 export const PRECISION = PARAMETERS[0];
 const NOTHING = Object.freeze(/** @type {Choice[]} */ ([]));
-const UNPREDICTED = new Array(10).fill(NaN);
 
 /**
  * Proposes the rectangle that the cursor is heading for, once that is likely enough, and the one that the cursor is in if

@@ -1,5 +1,8 @@
 // The outcome of each proposal: hit, wasted or retracted, and its lead time; as `pointpred/targets/ledger.py`.
 
+import { median } from "./median.js";
+import { claimed } from "./row.js";
+
 const LATEST = 1000; // movements of which the lead is remembered, and targets of one movement
 
 /**
@@ -77,7 +80,8 @@ export class Ledger {
     const { movements, proposed, right, hits, wasted, retracted, entered } = this;
     return { movements, proposed, right, hit: hits, wasted, retracted, entered, precision: over(right, proposed),
       coverage: over(hits, movements), proposals_a_movement: over(proposed, movements),
-      median_lead_entry_s: median(this.#leads.map(([entry]) => entry)), median_lead_click_s: median(this.#leads.map(([, click]) => click)) };
+      median_lead_entry_s: claimed(median(this.#leads.map(([entry]) => entry))),
+      median_lead_click_s: claimed(median(this.#leads.map(([, click]) => click))) };
   }
 
   #since(id) {
@@ -95,10 +99,4 @@ export class Ledger {
 function remember(noted, id, value) {
   noted.set(id, value);
   if (noted.size > LATEST) noted.delete(noted.keys().next().value);
-}
-
-function median(values) {
-  if (values.length === 0) return null;
-  const sorted = [...values].sort((one, other) => one - other), middle = sorted.length >> 1;
-  return sorted.length % 2 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
 }

@@ -3,9 +3,8 @@
 import { T as LAST_T, STARTED } from "../laws/differentiators/sampling.js";
 import { LARGEST, LATEST_S } from "../laws/events.js";
 import { EventError } from "./errors.js";
+import { PHASES, claimed } from "./row.js";
 import { general, quoted } from "./words.js";
-
-const PHASES = /** @type {const} */ (["still", "ballistic", "corrective"]);
 
 /**
  * @typedef {import("./stage.js").Row} Row
@@ -43,8 +42,6 @@ export class Prediction {
     return { sxx, sxy, syy, tail: this.tail };
   }
 }
-
-const claimed = (value) => (value === value ? value : null);
 
 /** The prediction of a row; null where it claims no endpoint. @param {Row} row @returns {Prediction|null} */
 const predictionOf = (row) => (row[1] === row[1] ? new Prediction(row) : null);

@@ -2,6 +2,7 @@
 
 import { BY_PATH, BY_TIME, FRACTIONS, MEASURES, measure_trial as measure, SINGLE_AXIS, SOUND, TIME_AVERAGED } from "../laws/scoring/measures/endpoint.js";
 import * as cutting from "../laws/scoring/trials/cutting.js";
+import { UNPREDICTED } from "./row.js";
 import { MOST_EVENTS } from "./trial.js";
 import { general } from "./words.js";
 
@@ -32,7 +33,7 @@ export async function scoreOf({ rows, count }, pipeline) {
   const reason = REASONS.get(cut[cutting.VERDICT]);
   if (reason !== undefined) return unscored(count, withEvent(reason, cut, rows));
   const onset = cut[cutting.ONSET], part = rows.slice(onset, cut[cutting.STOP]), arrival = cut[cutting.ARRIVAL] - onset;
-  const none = part.map(() => new Array(10).fill(NaN)); // where nothing is predicted, the cursor's position is scored
+  const none = part.map(() => UNPREDICTED); // where nothing is predicted, the cursor's position is scored
   const hold = measured(part, none, arrival);
   const own = measured(part, (await answersTo(part, pipeline)) ?? none, arrival) ?? hold;
   const [error, floor] = [own[TIME_AVERAGED], hold[TIME_AVERAGED]];

@@ -3,10 +3,10 @@
 import { build } from "./build.js";
 import { ParameterError } from "./errors.js";
 import { checkRows, ProtocolError } from "./messages.js";
+import { PHASES, claimed, regionIn } from "./row.js";
 import { TargetTracker } from "./target-tracker.js";
 import { TrialBuffer } from "./trial.js";
 
-const PHASES = /** @type {const} */ (["still", "ballistic", "corrective"]);
 /** What `build` takes besides parameters, and where in a hello it belongs. */
 const ELSEWHERE = { cpi: "device.cpi", dpi: "screen.dpi", name: "predictor", person: "person" };
 
@@ -158,11 +158,11 @@ export class PredictionStream {
 }
 
 /** A row of predictions as the message that the service would send. */
-function messageOf([t, x, y, sxx, sxy, syy, remaining, phase, tail], targets) {
-  const predicted = x === x;
+function messageOf(row, targets) {
+  const [t, x, y, , , , remaining, phase] = row, predicted = x === x;
   const message = { type: "prediction", t, x: predicted ? x : null, y: predicted ? y : null,
-    region: predicted && sxx === sxx ? { sxx, sxy, syy, tail: tail === tail ? tail : null } : null,
-    phase: predicted ? PHASES[phase] : null, remaining_s: predicted && remaining === remaining ? remaining : null };
+    region: predicted ? regionIn(row) : null,
+    phase: predicted ? PHASES[phase] : null, remaining_s: predicted ? claimed(remaining) : null };
   if (targets !== undefined) message.targets = targets;
   return message;
 }

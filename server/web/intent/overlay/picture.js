@@ -1,6 +1,7 @@
 // The rectangles, the shares and the prediction, drawn over the page.
 
 import { regionOf } from "../../client/regions.js";
+import { regionIn } from "../../prediction/row.js";
 
 const LEVELS = [0.5, 0.9]; // of the regions
 const SHOWN = 0.01; // shares from here on are written
@@ -58,9 +59,10 @@ export class Picture {
     context.fillText(text, left + 4, above + 12);
   }
 
-  #drawPrediction(cursor, [, x, y, sxx, sxy, syy, , , tail], colour) {
+  #drawPrediction(cursor, answer, colour) {
+    const [, x, y] = answer;
     if (!(x === x && cursor.t > 0)) return;
-    const context = this.#context, region = sxx === sxx ? { sxx, sxy, syy, tail: tail === tail ? tail : null } : null;
+    const context = this.#context, region = regionIn(answer);
     context.strokeStyle = context.fillStyle = colour;
     context.lineWidth = 1.5;
     context.beginPath();

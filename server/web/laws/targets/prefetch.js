@@ -20,6 +20,7 @@ export const LONGEST_S = 5;
 export const AGE_S = 1;
 export const SMALLEST = 1e-06;
 export const LEAST_VISITS = 0.05;
+export const THRESHOLD = 0.5;
 export const ELSEWHERE = 0.02;
 export const BASE = 0;
 export const END = 1;
