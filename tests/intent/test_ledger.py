@@ -68,3 +68,20 @@ def test_memory_is_bounded(page: IntentPage) -> None:
     assert told["lead_s"]["count"] == 1000
     assert told["lead_s"]["least"] == pytest.approx(2.0)
     assert told["lead_s"]["median"] == pytest.approx(2.4995)
+
+
+def test_a_listener_that_throws_keeps_no_callback_from_being_called(page: IntentPage) -> None:
+    page.make("onLedger(() => { throw new Error('of the listener'); }); watch(box('goal', 600, 500))")
+    page.move((40, 40), (650, 530), 0.5)
+    assert len(page.said()) == 1
+
+
+def test_the_end_of_a_highlight_leaves_the_prefetch_of_the_same_element(page: IntentPage) -> None:
+    page.make("""const goal = box('goal', 600, 500);
+      onIntent(goal, ({ signal }) => { window.prefetched = signal; }, { predictor: 'minimum-jerk' });
+      watch(goal, { policy: 'highlight' })""")
+    page.move((40, 40), (650, 530), 0.5)
+    page.move((650, 530), (40, 40), 0.5)
+    page.wait("said().includes('goal ended')")
+    assert page.value("prefetched.aborted") is False
+    assert page.ledger()["withdrawn"] == 1

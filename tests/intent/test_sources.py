@@ -8,6 +8,7 @@ from collections.abc import Iterator
 import pytest
 
 from pointpred import PointerEvent, build
+from pointpred.errors import SourceError
 from tests.intent.page import IntentPage
 from tests.server import browser
 from tests.server.listener import Listener, soon
@@ -54,10 +55,8 @@ def test_a_predictor_is_loaded_when_it_is_needed(page: IntentPage, name: str) ->
 def test_a_handle_says_when_its_predictor_is_loaded(page: IntentPage) -> None:
     resolved = "performance.getEntriesByType('resource').some(({ name }) => name.endsWith('kinematic.f32'))"
     assert page.value(f"register(box('goal', 600, 500)).ready.then(() => {resolved})") is True
-    unknown = (
-        "register(box('other', 100, 500), { predictor: 'linnear' }).ready.catch(({ message }) => message)"
-    )
-    assert "linnear" in page.value(unknown)
+    with pytest.raises(SourceError, match="predictor must be one of hold, linear,"):
+        page.value("register(box('other', 100, 500), { predictor: 'linnear' })")
 
 
 @pytest.fixture

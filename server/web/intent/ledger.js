@@ -2,6 +2,7 @@
 
 import { median } from "../prediction/median.js";
 import { claimed } from "../prediction/row.js";
+import { attempt } from "./attempt.js";
 
 const MOST_LEADS = 1000; // the newest leads, of which the median is taken
 const MOST_NAMES = 500; // names beyond are counted in the totals only
@@ -78,7 +79,7 @@ class Ledger {
   }
 
   #tell(kind, { element, name, options: { policy } }, { reason, p, t, lead_s = null }) {
-    for (const listener of this.#listeners) listener({ kind, element, name, policy, reason, p, t, lead_s });
+    for (const listener of this.#listeners) attempt(() => listener({ kind, element, name, policy, reason, p, t, lead_s }));
   }
 }
 

@@ -1,9 +1,10 @@
 // What may be said of an element that is registered: its defaults, and the errors that name the bounds.
 
-import { RECOMMENDED } from "../laws/registry.js";
+import { PREDICTORS, RECOMMENDED } from "../laws/registry.js";
 import { THRESHOLD } from "../laws/targets/prefetch.js";
 
-const CHOICES = { policy: ["prefetch", "highlight"], touch: ["start", "viewport", "none"], scroll: ["pointer", "view", "none"],
+const CHOICES = { predictor: Object.keys(PREDICTORS), policy: ["prefetch", "highlight"], touch: ["start", "viewport", "none"],
+  scroll: ["pointer", "view", "none"],
   saveData: ["respect", "ignore"] };
 const NUMBERS = { priority: [0, 1e6], threshold: [0, 1], again_s: [0, Infinity], keyboard: [0, 20] };
 const DEFAULTS = { policy: "prefetch", predictor: RECOMMENDED, service: undefined, name: "", hitSlop: 0, priority: 1, threshold: THRESHOLD,

@@ -3,7 +3,14 @@
 import { onIntent } from "./register.js";
 
 const loaded = new Set(); // addresses, so that each is loaded once
-const SPECULATES = globalThis.HTMLScriptElement?.supports?.("speculationrules") ?? false;
+let speculates = globalThis.HTMLScriptElement?.supports?.("speculationrules") ?? false;
+
+// A page whose Content Security Policy refuses inline scripts refuses the rules: links take over.
+globalThis.document?.addEventListener("securitypolicyviolation", ({ effectiveDirective, blockedURI }) => {
+  if (!speculates || blockedURI !== "inline" || !effectiveDirective.startsWith("script-src") || loaded.size === 0) return;
+  speculates = false;
+  for (const address of loaded) addLink(address);
+});
 
 /**
  * Prefetches or prerenders the pages of links that the user is heading for: by Speculation Rules where the browser has them,
@@ -36,10 +43,13 @@ function load(url, action) {
   const address = url.replace(/#.*/, "");
   if (loaded.has(address)) return;
   loaded.add(address);
-  const element = document.createElement(SPECULATES ? "script" : "link");
-  if (SPECULATES) {
-    element.type = "speculationrules";
-    element.textContent = JSON.stringify({ [action]: [{ source: "list", urls: [address], eagerness: "immediate" }] });
-  } else Object.assign(element, { rel: "prefetch", href: address });
-  document.head.append(element);
+  if (!speculates) return addLink(address);
+  const rules = document.createElement("script");
+  rules.type = "speculationrules";
+  rules.textContent = JSON.stringify({ [action]: [{ source: "list", urls: [address], eagerness: "immediate" }] });
+  document.head.append(rules);
+}
+
+function addLink(address) {
+  document.head.append(Object.assign(document.createElement("link"), { rel: "prefetch", href: address }));
 }

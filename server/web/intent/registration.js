@@ -1,5 +1,6 @@
 // One registration of an element: whether it may fire now, and what it has begun by firing.
 
+import { attempt } from "./attempt.js";
 import { ledger } from "./ledger.js";
 import { isReduced } from "./reduced-data.js";
 
@@ -66,15 +67,5 @@ export class Registration {
     const cleanup = this.#cleanup;
     this.#cleanup = null;
     if (cleanup) attempt(cleanup);
-  }
-}
-
-/** What the page's own function returns; its error is logged, and keeps nothing else from being called. */
-function attempt(call) {
-  try {
-    return call();
-  } catch (error) {
-    reportError(error);
-    return undefined;
   }
 }

@@ -9,9 +9,12 @@ import { ELSEWHERE, STATES } from "../laws/targets/prefetch.js";
 import { REMAINING_S, UNPREDICTED } from "../prediction/row.js";
 import { PrefetchPolicy } from "./prefetch.js";
 
+const logit = (p) => Math.log(p / (1 - p));
 const LEAST_LEAD_S = 0, LEAST_WAY_PX = 3; // the defaults of the chooser in Python
 /** Highlights use higher prior odds that the movement is for no registered element. This is the logarithm of that factor. */
-const MORE_ELSEWHERE = Math.log((FITTED_NONE / (1 - FITTED_NONE)) / (ELSEWHERE / (1 - ELSEWHERE)));
+const MORE_ELSEWHERE = logit(FITTED_NONE) - logit(ELSEWHERE);
+const USUAL_ELEMENTS = 8; // of so many registered elements it is assumed that nearly every movement is for one of them
+const MOST_ELSEWHERE = 0.7; // and that this share is for something else where hardly any are registered
 const IN_TURN = 64; // of many elements, so many unlikely ones are scored at a time; the others keep their score until it is their turn
 const LIKELY = 1e-3; // an element of this share is scored each time
 
@@ -22,6 +25,7 @@ export class Shares {
   /** Counts movements. */ movement = 0;
   #memory = new Float64Array(STATES); #table = []; #inside = new Float64Array(0); #shares = Float64Array.of(1); #standing = NOBODY;
   #prefetch = new PrefetchPolicy(); #looked = null; #scores = Float64Array.of(0); #lit = Float64Array.of(1); #scoredIn = -1; #turn = 0;
+  /** How much likelier than with many elements it is that a movement is for none of them: a logarithm. */ #unknown = 0;
 
   /** When the newest event was, s, and where, px. @returns {{t: number, x: number, y: number}} */
   get cursor() {
@@ -41,6 +45,8 @@ export class Shares {
     this.#lit = new Float64Array(entries.length + 1);
     this.#scoredIn = -1;
     this.#standing = standing ? entries.indexOf(standing) : NOBODY; // -1 where it is gone
+    const elsewhere = Math.max(ELSEWHERE, MOST_ELSEWHERE * (1 - entries.filter(({ isHidden }) => !isHidden).length / USUAL_ELEMENTS));
+    this.#unknown = logit(elsewhere) - logit(ELSEWHERE);
     const total = entries.reduce((sum, { isHidden, weight }) => sum + (isHidden ? 0 : weight), 0);
     for (const { row, isHidden, weight } of entries) row[LOG_WEIGHT] = isHidden ? -Infinity : Math.log(weight / total);
   }
@@ -88,6 +94,7 @@ export class Shares {
     else this.#scoreSome(this.#looked);
     this.#scoredIn = this.movement;
     this.#shares.set(this.#scores);
+    this.#shares[this.#table.length] += this.#unknown;
     normalise(this.#shares);
     this.#lit.set(this.#scores);
     this.#lit[this.#table.length] += MORE_ELSEWHERE;

@@ -133,6 +133,7 @@ export class Tracker {
 
   #highlight({ id: entry, action, reason, p, t }) {
     for (const one of entry.registrations) {
+      if (one.options.policy !== "highlight") continue;
       if (action === "retract") one.withdraw(t ?? performance.now() / 1000);
       else if (one.follows("highlight") && one.mayFire(t, this.#visit)) one.fire(this.#cause(reason, p, t), this.#visit);
     }
