@@ -16,13 +16,13 @@ const targets = Array.from({ length: 100 }, (_, i) => ({ id: i, x: 80 * (i % 10)
 
 /** The median of some repetitions, us an event. @param {() => (row: number[]) => void} make */
 function cost(make) {
-  const found = [];
+  const costs = [];
   for (let k = 0; k < REPEATS; k++) {
     const use = make(), began = performance.now();
     for (const row of rows) use(row);
-    found.push((1000 * (performance.now() - began)) / rows.length);
+    costs.push((1000 * (performance.now() - began)) / rows.length);
   }
-  return found.sort((one, other) => one - other)[REPEATS >> 1];
+  return costs.sort((one, other) => one - other)[REPEATS >> 1];
 }
 
 for (const name of Object.keys(PREDICTORS)) {

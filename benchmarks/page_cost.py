@@ -22,6 +22,7 @@ from collections.abc import Callable
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+from typing import NamedTuple
 
 from pointpred.replaying import Page
 from tests.server import browser
@@ -132,7 +133,17 @@ LISTEN = """addEventListener('pointermove', (event) => {
 """What hearing every event costs, whatever is done with them."""
 
 
-def main() -> None:
+class Costs(NamedTuple):
+    """What a page costs: shares of a core, and moves a second."""
+
+    process: float
+    thread: float
+    more: float
+    rate: float
+
+
+def options_of(arguments: list[str] | None = None) -> argparse.Namespace:
+    """The options of the command line."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--elements", type=int, default=1000)
     parser.add_argument("--in-view", type=int, default=1000, help="how many of them fit into the window")
@@ -142,7 +153,11 @@ def main() -> None:
     parser.add_argument("--predictor", action="append", help="may be repeated")
     parser.add_argument("--policy", choices=("prefetch", "highlight"), default="prefetch")
     parser.add_argument("--devtools", action="store_true", help="each move at once, through DevTools")
-    options = parser.parse_args()
+    return parser.parse_args(arguments)
+
+
+def costs(options: argparse.Namespace) -> dict[str, Costs]:
+    """The medians of all rounds, by what is registered in the page."""
     move: Drive = drive if options.devtools else drive_coalesced
     step = math.floor(math.sqrt(SIZE[0] * SIZE[1] / options.in_view))
     elements = (
@@ -152,8 +167,6 @@ def main() -> None:
     )
     server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Host, directory=str(WEB)))
     threading.Thread(target=server.serve_forever, daemon=True).start()
-    print(f"{options.elements} elements, {options.in_view} in view; share of a core")
-    print(f"{'':24}{'process':>9}{'thread':>9}{'more':>9}{'moves/s':>9}")
     with (
         tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile,
         browser.running(Path(profile)) as devtools,
@@ -174,11 +187,22 @@ def main() -> None:
                     page.evaluate(REGISTER.replace("PREDICTOR", name).replace("POLICY", options.policy))
                 move(page, 3.0, options.rate)  # what is compiled at first
                 measured[name].append(share(page, move, options.seconds, options.rate))
-        for name, shares in measured.items():
-            process, thread, rate = (statistics.median(column) for column in zip(*shares, strict=True))
-            more = process - statistics.median(one[0] for one in measured[None])
-            print(f"{name or 'nothing registered':24}{process:9.3f}{thread:9.3f}{more:9.3f}{rate:9.0f}")
     server.shutdown()
+    server.server_close()
+    base = statistics.median(one[0] for one in measured[None])
+    medians = {}
+    for name, shares in measured.items():
+        process, thread, rate = (statistics.median(column) for column in zip(*shares, strict=True))
+        medians[name or "nothing registered"] = Costs(process, thread, process - base, rate)
+    return medians
+
+
+def main() -> None:
+    options = options_of()
+    print(f"{options.elements} elements, {options.in_view} in view; share of a core")
+    print(f"{'':24}{'process':>9}{'thread':>9}{'more':>9}{'moves/s':>9}")
+    for name, one in costs(options).items():
+        print(f"{name:24}{one.process:9.3f}{one.thread:9.3f}{one.more:9.3f}{one.rate:9.0f}")
 
 
 if __name__ == "__main__":
