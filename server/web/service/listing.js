@@ -1,6 +1,7 @@
 // The predictors that can be chosen, and what can be set of each.
 
-import { PREDICTORS, RECOMMENDED } from "../laws/registry.js";
+import { PREDICTORS } from "../laws/descriptions.js";
+import { RECOMMENDED } from "../laws/registry.js";
 import { describe } from "../prediction/description.js";
 import { read } from "./http.js";
 import { inPage } from "./place.js";
