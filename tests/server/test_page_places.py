@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pointpred import build, run
+from pointpred import RECOMMENDED, REGISTRY, build, run
 from pointpred.datasets import sample
 from pointpred.recording import Recording
 from pointpred.sources import write
@@ -168,6 +168,14 @@ def test_parameters_are_described_as_by_the_service(visitor: Visitor, url: str) 
         "return predictors.filter((one, i) => text(one) !== text(own[i])).map((one, i) => text(one)); })"
     )
     assert differing == []
+
+
+def test_the_list_of_the_page_is_that_of_the_service(visitor: Visitor, url: str) -> None:
+    visitor.open(url)
+    own = visitor.value("import('/web/service/listing.js').then(({ predictors }) => predictors())")
+    assert own["recommended"] == RECOMMENDED
+    listed = [(entry.name, entry.title) for entry in REGISTRY.values()]
+    assert [(one["name"], one["title"]) for one in own["predictors"]] == listed
 
 
 def test_every_module_of_the_first_prediction_is_announced_in_the_page(visitor: Visitor, url: str) -> None:
