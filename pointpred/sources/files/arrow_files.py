@@ -28,9 +28,14 @@ def in_memory(file: BinaryIO) -> Any:
     return buffer.slice(0, size)
 
 
+AT_ONCE = 1024 * 1024
+"""Bytes that are read at a time."""
+
+
 def _fill(file: BinaryIO, free: memoryview) -> int:
     """Read until the memory is full or the file ends; returns the number of bytes read."""
     size = 0
-    while size < len(free) and (count := file.readinto(free[size:])):  # type: ignore[attr-defined]
-        size += count
+    while part := file.read(min(AT_ONCE, len(free) - size)):
+        free[size : size + len(part)] = part
+        size += len(part)
     return size
