@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Self
+from functools import cached_property
+from typing import Any, Self
 
 from pointpred.columns import BoolArray, EventColumns, FloatArray, PredictionColumns
 from pointpred.compiled import law
-from pointpred.differentiators import Differentiator
+from pointpred.differentiators import Differentiator, HomogeneousDifferentiator
 from pointpred.differentiators.differentiator import checked_event_row
 from pointpred.errors import EventError
 from pointpred.events import PointerEvent, Prediction
+from pointpred.joint import joint_of, joint_sharing
 from pointpred.person import person_of
 from pointpred.predictors import Predictor
-from pointpred.rows import REFUSED, Row, TenFloats, prediction_of
+from pointpred.rows import Row, TenFloats, prediction_of
 
 
 @law
@@ -28,10 +30,8 @@ def has_refusal(rows: FloatArray) -> bool:
 class Pipeline:
     """A ``Stage[PointerEvent, Prediction | None]``: the differentiator's motion feeds the predictor.
 
-    ``advance`` takes one row and ``advance_all`` a table; ``update`` and ``run`` do the same for records and
-    columns. Where an event is refused, nothing has changed. Where a law raises an exception, ``advance_all``
-    restores both stages, but ``advance`` only the differentiator: a predictor that refuses a motion has not
-    changed, so its memory is not copied for each event.
+    ``advance`` takes one row, through both laws in one compiled call, and ``advance_all`` a table; ``update``
+    and ``run`` do the same for records and columns. Where an event is refused, nothing has changed.
     """
 
     def __init__(self, name: str, differentiator: Differentiator, predictor: Predictor) -> None:
@@ -55,16 +55,20 @@ class Pipeline:
 
         ``None`` where the event is refused; nothing has changed then, and ``update`` says why.
         """
-        memory = self.differentiator.remembered()  # it has moved on when the predictor refuses its motion
-        answer: TenFloats = REFUSED
-        try:
-            motion = self.differentiator.advance(row)
-            if motion[0] == motion[0]:
-                answer = self.predictor.advance(motion)
-        finally:
-            if answer[0] != answer[0]:
-                self.differentiator.recall(memory)
+        first, second = self.differentiator, self.predictor
+        answer = self.joint(first._memory, second._memory, row, *second.shared)
         return answer if answer[0] == answer[0] else None
+
+    @cached_property
+    def joint(self) -> Callable[..., TenFloats]:
+        """Both laws as one; not made before an event comes, because a predictor for tables only has none."""
+        join = joint_sharing if self.predictor.shared else joint_of
+        usual = isinstance(self.differentiator, HomogeneousDifferentiator)
+        return join(type(self.differentiator).step, type(self.predictor).step, usual)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Everything but the compiled law, which is made again."""
+        return {name: value for name, value in self.__dict__.items() if name != "joint"}
 
     def advance_all(self, begin: BoolArray, table: FloatArray) -> FloatArray | None:
         """``advance`` over a table, resetting before each row marked ``begin``.

@@ -171,6 +171,8 @@ class CompiledStage:
     learned: int = 0
     conclude: ClassVar[Callable[..., None]] = staticmethod(lambda memory: None)
     slots: ClassVar[tuple[Slot, ...]] = ()
+    shared: tuple[FloatArray, ...] = ()
+    """An array that the law reads besides its memory and many stages share, or none."""
     doubt: ClassVar[Callable[..., str]] = staticmethod(lambda known: "")
     """What is wrong with learned floats that are each within their bounds, in words; empty for nothing."""
 
@@ -246,5 +248,5 @@ class CompiledStage:
     def walk(self, begin: BoolArray, rows: FloatArray) -> FloatArray:
         """Run the law over rows, resetting before each row marked ``begin``; continues from the memory."""
         out = np.full((len(rows), self.width), np.nan)
-        type(self).loop(self._memory, self._first, begin, rows, out)
+        type(self).loop(self._memory, self._first, begin, rows, out, *self.shared)
         return out

@@ -130,8 +130,11 @@ def checked_event_row(event: PointerEvent) -> SixFloats:
     """The row of an event that a user made; raises EventError where a field is no number."""
     try:
         t, x, y, dx, dy, buttons = event.t, event.x, event.y, event.dx, event.dy, event.buttons
-        if dx is None is dy and float is type(t) is type(x) is type(y) and type(buttons) is int:
-            return t, x, y, nan, nan, float(buttons)  # most events, in half the time
+        if float is type(t) is type(x) is type(y) and int is type(buttons):  # most events, in half the time
+            if dx is None is dy:
+                return t, x, y, nan, nan, float(buttons)
+            if float is type(dx) is type(dy) and dx == dx and dy == dy:
+                return t, x, y, dx, dy, float(buttons)
         kinds = {type(t), type(x), type(y), type(dx), type(dy), type(buttons)}
         if (kinds <= PLAIN or _numbers(event)) and dx == dx and dy == dy:
             return event_row(event)

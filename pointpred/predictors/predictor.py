@@ -45,7 +45,7 @@ class Predictor(CompiledStage):
 
     def advance(self, row: Row) -> TenFloats:
         """``update`` in rows; t is NaN where the motion is refused, and nothing has changed then."""
-        return type(self).step(self._memory, row)
+        return type(self).step(self._memory, row, *self.shared)
 
     def run(self, motions: MotionColumns, begin: BoolArray) -> PredictionColumns:
         """Consume a table of motions; when a row is refused the error names it and nothing is consumed."""

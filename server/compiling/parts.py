@@ -81,7 +81,7 @@ def parts() -> list[Part]:
 
 def _predictor(name: str, after: tuple[str, ...] = ()) -> Part:
     kind = REGISTRY[name].predictor
-    return Part(name, partial(predict, name), (kind.step, kind.loop), after)
+    return Part(name, partial(predict, name), (build(name).joint, kind.loop), after)
 
 
 def _pieces() -> Iterable[Part]:
@@ -92,7 +92,7 @@ def _pieces() -> Iterable[Part]:
     return (
         Part(of_anybody, lambda: beneath().advance(MOTION), (beneath.step,)),
         Part(of_a_person, _adapt, (adaptation.conclude, adaptation.adapt)),
-        Part(together, partial(_follow, whole), (whole.step, whole.loop), (of_anybody, of_a_person)),
+        Part(together, partial(_follow, whole), (whole.loop,), (of_anybody, of_a_person)),
         Part(
             motions, _move, (HomogeneousDifferentiator.step, HomogeneousDifferentiator.loop, unpack_records)
         ),
@@ -110,7 +110,6 @@ def _adapt() -> None:
 
 
 def _follow(kind: Callable[[], Predictor]) -> None:
-    kind().advance(MOTION)
     kind().walk(np.zeros(1, np.bool_), np.array([MOTION]))
 
 
@@ -132,6 +131,7 @@ def predict(name: str, differentiator: str | None = None) -> None:
     columns = EventColumns.of_events(_events())
     run(pipeline.fresh(), columns)
     pipeline.fresh().advance_all(columns.begin, columns.table)
+    pipeline.fresh().predictor.advance(MOTION)  # behind another differentiator the two laws are not one
 
 
 def choose() -> None:

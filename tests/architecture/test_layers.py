@@ -24,7 +24,7 @@ GROUND = {
     "person",
 }
 MATHS = GROUND | {"regression", "differentiators", "transfer"}
-PIPELINE = MATHS | {"predictors", "pipeline", "registry"}
+PIPELINE = MATHS | {"predictors", "joint", "pipeline", "registry"}
 MAY_IMPORT = {
     "errors": set(),
     "extras": {"errors"},
@@ -44,7 +44,8 @@ MAY_IMPORT = {
     "observers": MATHS,
     "camera": MATHS | {"observers"},
     "predictors": MATHS,
-    "pipeline": MATHS | {"predictors"},
+    "joint": {"compiled", "columns", "rows"},
+    "pipeline": MATHS | {"predictors", "joint"},
     "registry": MATHS | {"predictors", "pipeline"},
     "simulation": PIPELINE,
     "targets": GROUND,

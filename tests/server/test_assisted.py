@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 from pointpred import PointerEvent, Prediction, build
-from pointpred.errors import EventError
-from pointpred.predictors import Predictor
+from pointpred.pipeline import Pipeline
 from pointpred.transfer import ConstantGain, GuardedTransfer, PixelTransfer, SigmoidGain
 from tests.unit.talking import PREDICTION, Talk, events, hello, packed
 
@@ -180,14 +179,12 @@ def test_a_frame_that_the_pipeline_refuses_changes_nothing(
     talk, other = Talk(greet=asking()), Talk(greet=asking())
     for one in (talk, other):
         one.say(events(*rows[:first]))
-    predictor = Predictor.advance
+    advance = Pipeline.advance
 
-    def fails(self: Predictor, row: tuple[float, ...]) -> tuple[float, ...]:
-        if row[0] == rows[55][0]:
-            raise EventError("motion must be finite")
-        return predictor(self, row)
+    def refuses(self: Pipeline, row: tuple[float, ...]) -> tuple[float, ...] | None:
+        return None if row[0] == rows[55][0] else advance(self, row)
 
-    monkeypatch.setattr(Predictor, "advance", fails)
+    monkeypatch.setattr(Pipeline, "advance", refuses)
     error = talk.error(events(*part))
     assert (error["code"], error["path"]) == ("bad_field", "$.events")
     monkeypatch.undo()
@@ -216,14 +213,14 @@ def test_a_frame_in_which_a_law_fails_changes_nothing(count: int, monkeypatch: p
     talk, other = Talk(greet=asking()), Talk(greet=asking())
     for one in (talk, other):
         one.say(events(*rows[: 56 - count]))
-    predictor = Predictor.advance
+    advance = Pipeline.advance
 
-    def fails(self: Predictor, row: tuple[float, ...]) -> tuple[float, ...]:
+    def fails(self: Pipeline, row: tuple[float, ...]) -> tuple[float, ...] | None:
         if row[0] == rows[55][0]:
             raise RuntimeError("the law fails")
-        return predictor(self, row)
+        return advance(self, row)
 
-    monkeypatch.setattr(Predictor, "advance", fails)
+    monkeypatch.setattr(Pipeline, "advance", fails)
     with pytest.raises(RuntimeError):
         talk.say(events(*rows[56 - count : 56]))
     monkeypatch.undo()

@@ -197,5 +197,5 @@ def test_memory_does_not_grow_and_coefficients_are_shared() -> None:
     session(pipeline, [reach(float(px)) for px in range(100, 900, 20)])
     assert len(pickle.dumps(pipeline)) == size
     own, other = AdaptiveKinematicPredictor(), KinematicPredictor()
-    assert own.__dict__["_coefficients"] is other.__dict__["_coefficients"]
+    assert own.shared[0] is other.shared[0]
     assert own.__dict__["_memory"].shape == (1146,)  # as its docstring says

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from pointpred.columns import BoolArray, FloatArray
+from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.parameter import option
 from pointpred.predictors import movement
@@ -111,19 +111,9 @@ class KinematicPredictor(Predictor):
         """Check the values and read the coefficients: those of the package for ``None``."""
         super().declare(**values)
         source = coefficient_file.OWN if self.coefficients is None else self.coefficients
-        self._coefficients = coefficient_file.read(source)
+        self.shared = (coefficient_file.read(source),)
         self._source = Path(source)
         self._sets = coefficient_file.sets(source)  # the file may be gone when it is asked for
-
-    def advance(self, row: Row) -> TenFloats:
-        """``update`` in rows; t is NaN where the motion is refused, and nothing has changed then."""
-        return type(self).step(self._memory, row, self._coefficients)
-
-    def walk(self, begin: BoolArray, rows: FloatArray) -> FloatArray:
-        """Run the law over rows, resetting before each row marked ``begin``; continues from the memory."""
-        out = np.empty((len(rows), self.width))
-        type(self).loop(self._memory, self._first, begin, rows, out, self._coefficients)
-        return out
 
     def saw(self, name: str) -> bool:
         """Whether the coefficients were fitted to people of the set of this name."""
@@ -131,8 +121,8 @@ class KinematicPredictor(Predictor):
 
     def __getstate__(self) -> dict[str, Any]:
         """Where the coefficients stand, not the coefficients."""
-        return {name: value for name, value in self.__dict__.items() if name != "_coefficients"}
+        return {name: value for name, value in self.__dict__.items() if name != "shared"}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)
-        self._coefficients = coefficient_file.read(self._source)
+        self.shared = (coefficient_file.read(self._source),)

@@ -1,0 +1,43 @@
+"""Both laws of a pipeline in one call: what one of them refuses changes neither."""
+
+from __future__ import annotations
+
+import pickle
+
+import pytest
+
+from pointpred import build
+from pointpred.columns import FloatArray
+from pointpred.compiled import law
+from pointpred.differentiators import DIFFERENTIATORS
+from pointpred.pipeline import Pipeline
+from pointpred.predictors import Predictor
+from pointpred.rows import REFUSED, MotionRow, Row, TenFloats, endpoint
+
+
+@law
+def fussy(memory: FloatArray, motion: Row) -> TenFloats:
+    """Refuses every motion of the right half plane."""
+    m = MotionRow(*motion)
+    if m.x > 0.0:
+        return REFUSED
+    memory[0] += 1.0
+    return endpoint(m.t, m.x, m.y, 0.0)
+
+
+class Fussy(Predictor):
+    """Its law refuses what every differentiator accepts."""
+
+    step = staticmethod(fussy)
+    states = 1
+
+
+@pytest.mark.parametrize("differentiator", DIFFERENTIATORS)
+def test_a_motion_that_the_predictor_refuses_leaves_the_differentiator_as_it_was(differentiator: str) -> None:
+    nan = float("nan")
+    pipeline = Pipeline("fussy", build("hold", differentiator=differentiator).differentiator, Fussy())
+    for i in range(5):
+        assert pipeline.advance((0.01 * i, -10.0 + i, 0.0, nan, nan, 0.0)) is not None
+    before = pickle.dumps(pipeline)
+    assert pipeline.advance((0.05, 3.0, 0.0, nan, nan, 0.0)) is None
+    assert pickle.dumps(pipeline) == before
