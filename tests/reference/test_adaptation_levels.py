@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from scipy import stats
 
 from pointpred.columns import FloatArray
+from pointpred.predictors.adaptation import moments
 from pointpred.predictors.adaptation import region_widening as levels
 
 AT = levels.LEARNED
@@ -130,12 +131,12 @@ def test_a_movement_is_judged_by_what_was_stated_at_each_share(rate: float, dura
     for now in t.tolist():
         cursor = min((now - 3.0) / duration, 1.0)
         levels.record(memory, AT, now, cursor, 0.0, (now - 3.0, 0.0, 1.0, 0.0, 1.0, 9.0))
-    kept = int(memory[AT + levels.COUNT])
+    kept = int(memory[AT + moments.COUNT])
     assert kept <= levels.MOST
-    rows = memory[AT + levels.FIRST : AT + levels.FIRST + kept * levels.MOMENT].reshape(kept, -1)
-    assert (np.diff(rows[:, levels.T]) > 0.0).all()
+    rows = memory[AT + moments.FIRST : AT + moments.FIRST + kept * levels.MOMENT].reshape(kept, -1)
+    assert (np.diff(rows[:, moments.T]) > 0.0).all()
     for share in SHARES:
-        near = np.abs(rows[:, levels.T] - 3.0 - share * duration).min()
+        near = np.abs(rows[:, moments.T] - 3.0 - share * duration).min()
         assert near <= max(1.01 / rate, 0.0072, 0.04 * duration)
 
 

@@ -14,7 +14,7 @@ from math import exp, log
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.events import ROUNDING_S
+from pointpred.predictors.adaptation import moments
 from pointpred.predictors.adaptation.stages import STAGES, interpolation
 from pointpred.stage import Slot, offsets
 
@@ -41,14 +41,11 @@ SLOTS = (
 )
 """What is known of a person's levels, in the order of the layout."""
 
-# The movement, relative to its place: how many moments there are, their distance in time, the cursor at the
-# last; then of each moment its time and the law that was stated: endpoint, scale matrix, tail.
-T, X, Y, SXX, SXY, SYY, TAIL, MOMENT = range(8)
+# A moment of the movement (``moments``): its time and the law that was stated: endpoint, scale matrix, tail.
+_, X, Y, SXX, SXY, SYY, TAIL, MOMENT = range(8)
 MOST = 48
 """Moments that are remembered."""
-COUNT, APART, CURSOR_X, CURSOR_Y, FIRST, STATES = offsets(1, 1, 1, 1, MOMENT * MOST)
-APART_S = 0.0071
-"""Distance of the moments at first; when all places are taken every second is dropped and it doubles."""
+STATES = moments.FIRST + MOMENT * MOST
 LOWEST, HIGHEST = 1e-6, 40.0
 """Bounds on 2 / tail as a predictor states it: no exponential overflows."""
 
@@ -102,28 +99,10 @@ def record(
     cursor_y: float,
     stated: tuple[float, float, float, float, float, float],
 ) -> None:
-    """Remember the law stated at a moment: endpoint, scale matrix, tail. Of one time the last is remembered.
-
-    A cursor that stands makes no other moment drop out, however long it stands.
-    """
-    count = int(memory[at + COUNT])
-    last = at + FIRST + MOMENT * (count - 1)
-    if count == 0 or t != memory[last + T]:
-        if count == 0:
-            memory[at + APART] = APART_S
-        elif t - memory[last + T] < memory[at + APART]:
-            return
-        if count == MOST:
-            if cursor_x == memory[at + CURSOR_X] and cursor_y == memory[at + CURSOR_Y]:
-                return
-            count = MOST // 2
-            for k in range(1, count):
-                for i in range(MOMENT):
-                    memory[at + FIRST + MOMENT * k + i] = memory[at + FIRST + 2 * MOMENT * k + i]
-            memory[at + APART] *= 2.0
-        memory[at + COUNT] = count + 1.0
-        last = at + FIRST + MOMENT * count
-    memory[at + CURSOR_X], memory[at + CURSOR_Y], memory[last + T] = cursor_x, cursor_y, t
+    """Remember the law stated at a moment: endpoint, scale matrix, tail."""
+    last = moments.new_moment(memory, at, (t, cursor_x, cursor_y), MOMENT, MOST)
+    if last < 0:
+        return
     for i in range(len(stated)):
         memory[last + X + i] = stated[i]
 
@@ -154,20 +133,16 @@ def learn(
 
     A stage learns from the share of the true time that it stands for, whatever share was predicted there.
     """
-    count = int(memory[at + COUNT])
-    if count == 0:
+    if memory[at + moments.COUNT] == 0.0:
         return
     x, y = place_of_end
-    start, end = span
     memory[person + MOVEMENTS] = min(memory[person + MOVEMENTS] + 1.0, MOVEMENTS_MOST)
     step = max(STEP / (memory[person + MOVEMENTS] + STEP_OF), STEP_LEAST)
     k = 0
     for judged in range(1, JUDGED + 1):
         share = judged / (JUDGED + 1.0)
-        due = share * (end - start) + ROUNDING_S + 0.5 * memory[at + APART]
-        while k + 1 < count and memory[at + FIRST + MOMENT * (k + 1) + T] - start <= due:
-            k += 1
-        within = probability_within(memory, at + FIRST + MOMENT * k, x, y)
+        k = moments.moment_at(memory, at, k, span, share, MOMENT)
+        within = probability_within(memory, at + moments.FIRST + MOMENT * k, x, y)
         stage, part = interpolation(share)
         for which in range(len(LEVELS)):
             missed = LEVELS[which] - 1.0 if within <= LEVELS[which] else LEVELS[which]

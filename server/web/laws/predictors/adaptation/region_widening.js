@@ -1,6 +1,6 @@
 // Written by `make page` from region_widening.py: change that and run it again.
 import { larger, smaller, square } from "../../arithmetic.js";
-import * as $events from "../../events.js";
+import * as $adaptation_moments from "./moments.js";
 import * as $stages from "./stages.js";
 export const LEVELS = [0.5, 0.8];
 export const JUDGED = 9;
@@ -14,7 +14,6 @@ export const HALVINGS = 12;
 export const MOVEMENTS = 0;
 export const OFFSETS = 1;
 export const MOVEMENTS_MOST = 1000000;
-export const T = 0;
 export const X = 1;
 export const Y = 2;
 export const SXX = 3;
@@ -23,12 +22,6 @@ export const SYY = 5;
 export const TAIL = 6;
 export const MOMENT = 7;
 export const MOST = 48;
-export const COUNT = 0;
-export const APART = 1;
-export const CURSOR_X = 2;
-export const CURSOR_Y = 3;
-export const FIRST = 4;
-export const APART_S = 0.0071;
 export const LOWEST = 1e-06;
 export const HIGHEST = 40;
 export function squared_radius(level, heavy) {
@@ -65,33 +58,11 @@ export function widen(memory, at, share, tail) {
   return [Math.exp(0.5 * (near + far - Math.log(both))), 2 / heavy];
 }
 export function record(memory, at, t, cursor_x, cursor_y, stated) {
-  let count = Math.trunc(memory[at + COUNT]);
-  let last = at + FIRST + MOMENT * (count - 1);
-  if (count === 0 || t !== memory[last + T]) {
-    if (count === 0) {
-      memory[at + APART] = APART_S;
-    } else if (t - memory[last + T] < memory[at + APART]) {
-      return;
-    }
-    if (count === MOST) {
-      if (cursor_x === memory[at + CURSOR_X] && cursor_y === memory[at + CURSOR_Y]) {
-        return;
-      }
-      count = Math.floor(MOST / 2);
-      for (let k = 1, end_1 = count; k < end_1; k++) {
-        for (let i = 0; i < MOMENT; i++) {
-          memory[at + FIRST + MOMENT * k + i] = memory[at + FIRST + 2 * MOMENT * k + i];
-        }
-      }
-      memory[at + APART] *= 2;
-    }
-    memory[at + COUNT] = count + 1;
-    last = at + FIRST + MOMENT * count;
+  const last = $adaptation_moments.new_moment(memory, at, [t, cursor_x, cursor_y], MOMENT, MOST);
+  if (last < 0) {
+    return;
   }
-  memory[at + CURSOR_X] = cursor_x;
-  memory[at + CURSOR_Y] = cursor_y;
-  memory[last + T] = t;
-  for (let i = 0, end_2 = stated.length; i < end_2; i++) {
+  for (let i = 0, end_1 = stated.length; i < end_1; i++) {
     memory[last + X + i] = stated[i];
   }
 }
@@ -113,24 +84,18 @@ export function add(memory, slot, change) {
   memory[slot] = smaller(larger(memory[slot] + change, -FURTHEST), FURTHEST);
 }
 export function learn(memory, person, at, place_of_end, span) {
-  const count = Math.trunc(memory[at + COUNT]);
-  if (count === 0) {
+  if (memory[at + $adaptation_moments.COUNT] === 0) {
     return;
   }
   const x = place_of_end[0];
   const y = place_of_end[1];
-  const start = span[0];
-  const end = span[1];
   memory[person + MOVEMENTS] = smaller(memory[person + MOVEMENTS] + 1, MOVEMENTS_MOST);
   const step = larger(STEP / (memory[person + MOVEMENTS] + STEP_OF), STEP_LEAST);
   let k = 0;
   for (let judged = 1, end_1 = JUDGED + 1; judged < end_1; judged++) {
     const share = judged / (JUDGED + 1);
-    const due = share * (end - start) + $events.ROUNDING_S + 0.5 * memory[at + APART];
-    while (k + 1 < count && memory[at + FIRST + MOMENT * (k + 1) + T] - start <= due) {
-      k += 1;
-    }
-    const within = probability_within(memory, at + FIRST + MOMENT * k, x, y);
+    k = $adaptation_moments.moment_at(memory, at, k, span, share, MOMENT);
+    const within = probability_within(memory, at + $adaptation_moments.FIRST + MOMENT * k, x, y);
     const values_2 = $stages.interpolation(share);
     const stage = values_2[0];
     const part = values_2[1];
