@@ -15,7 +15,14 @@ def simulate(
     out: Out = Path("simulated_samples.parquet"),
     people: Annotated[int, typer.Option(help="How many people, from novices to experts.")] = 10,
     seed: Annotated[int, typer.Option(help="Seed; the same seed gives the same file.")] = 0,
-    trials: Annotated[int, typer.Option(help="Movements in each circle, at most 12.")] = 12,
+    trials: Annotated[
+        int | None,
+        typer.Option(help="Movements in each circle, at most 12 (12); with --desktop, of each person (120)."),
+    ] = None,
+    desktop: Annotated[
+        str | None,
+        typer.Option(help="Work on a desktop instead of circles: steady, moved, habits, menus or windows."),
+    ] = None,
     force: Force = False,
 ) -> None:
     """Write a recording of simulated people pointing at targets on a circle.
