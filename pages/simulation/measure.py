@@ -16,9 +16,9 @@ from pages import FIGURES
 from pages.arguments import parse
 from pages.data import Table, keep
 from pages.simulation import figures as simulation_figures
+from pages.simulation.frames import thinned
 from pages.simulation.shape import Shape, shapes
 from pointpred import build
-from pointpred.columns import EventColumns
 from pointpred.recording import Recording
 from pointpred.regression import DynamicRegressorExtension
 from pointpred.simulation import Aim, Setup, people, thesis_setup
@@ -37,17 +37,6 @@ NUMBERS: dict[str, Callable[[Shape], float]] = {
     "path / distance": lambda s: s.path_ratio,
     "peak speed x time / distance": lambda s: s.sharpness,
 }
-
-
-def thinned(recording: Recording, period_s: float) -> Recording:
-    """The same movements as a page would see them: the newest event every ``period_s``."""
-    parts = []
-    for trial in range(len(recording.trials)):
-        events = recording.rows(trial)
-        frames = np.arange(0.0, events.t[-1], period_s)
-        rows = np.searchsorted(events.t, frames, side="right") - 1
-        parts.append(EventColumns(events.table[np.unique([*rows, len(events) - 1])]))
-    return Recording.of(recording.name, parts, recording.trials, provenance=recording.provenance)
 
 
 def row(title: str, recording: Recording, chosen: Callable[[int], bool] = lambda _: True) -> tuple[str, ...]:

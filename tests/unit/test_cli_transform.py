@@ -1,5 +1,6 @@
 """``pointpred simulate`` and ``convert``: what they write, and that they replace nothing unasked."""
 
+import csv
 from pathlib import Path
 
 import pytest
@@ -53,3 +54,19 @@ def test_an_unknown_ending_is_refused_before_anything_is_simulated(command, tmp_
     left = command("simulate", "--people", "1000", "--out", tmp_path / "study.xlsx")
     assert left.code == 2
     assert "cannot write .xlsx, expected .parquet or .csv" in left.err
+
+
+def test_a_desktop_is_written_with_its_windows(command, tmp_path: Path) -> None:
+    out = tmp_path / "work_samples.csv"
+    left = command("simulate", "--desktop", "moved", "--people", "1", "--trials", "4", "--out", out)
+    assert (left.code, left.err.split(",")[0]) == (0, "4 trials")
+    rows = list(csv.DictReader((tmp_path / "work_trials.csv").open()))
+    assert [row["changed"] for row in rows] == ["0.0", "0.0", "1.0", "1.0"]
+    assert rows[0]["window_x"] != rows[2]["window_x"]
+    assert {row["window"] for row in rows} == {"window 0"}
+
+
+def test_an_unknown_desktop_is_refused(command, tmp_path: Path) -> None:
+    left = command("simulate", "--desktop", "tidy", "--out", tmp_path / "work.csv")
+    assert left.code == 2
+    assert "steady, moved, habits, menus, windows" in left.err
