@@ -1,0 +1,93 @@
+"""Predictors on simulated desktops, and how soon they recover: ``python -m pages.desktop.measure``.
+
+Every person is simulated. The package's own coefficients are used: they were fitted to recordings of real
+people and never to a simulated one.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from pages.arguments import parse
+from pages.desktop.tables import FLOOR, Measured, written
+from pages.simulation.frames import thinned
+from pointpred import Pipeline, build
+from pointpred.columns import FloatArray
+from pointpred.pipeline import run
+from pointpred.predictors import AdaptiveKinematicPredictor
+from pointpred.scoring import Prepared, prepare, resolution
+from pointpred.scoring.measures import endpoint
+from pointpred.scoring.measures.trial_measures import measure_trials
+from pointpred.simulation import people, simulate_desktop
+from pointpred.simulation.desktop import SCENARIOS
+
+PEOPLE, MOVEMENTS, SEED = 120, 120, 16
+PERIOD_S = 0.008
+"""Between events, as of a mouse at 125 Hz."""
+PLACES: dict[str, dict[str, Any]] = {
+    "`kinematic-adaptive`, without places": {"places": 0},
+    "with places": {"places": 1, "order": 0},
+    "with places and order": {"places": 1, "order": 1},
+}
+"""Ways to build the adaptive predictor."""
+
+
+def pipelines(settings: dict[str, Any]) -> dict[str, Pipeline]:
+    """No prediction, the learned predictor, and the ways of adapting it."""
+    known = {one.name for one in AdaptiveKinematicPredictor.parameters}
+    ways = {
+        title: {name: value for name, value in way.items() if name in known}
+        for title, way in PLACES.items()
+        if known.issuperset(way) or way == {"places": 0}
+    }
+    return {
+        FLOOR: build("hold", **settings),
+        "`kinematic`": build("kinematic", **settings),
+        **{title: build("kinematic-adaptive", **settings, **way) for title, way in ways.items()},
+    }
+
+
+def errors_of(prepared: Prepared, pattern: Pipeline) -> FloatArray:
+    """The time-averaged error of each movement, px: one pipeline for each person, in order of recording."""
+    errors, mine = np.empty(len(prepared.trials)), dict[str, Pipeline]()
+    for k, scored in enumerate(prepared.trials):
+        pipeline = mine.setdefault(scored.trial.user, pattern.fresh())
+        events = prepared.rows(k)
+        measures, _ = measure_trials(prepared, k, k + 1, events, run(pipeline, events), 1.0)
+        errors[k] = measures.errors[0, endpoint.TIME_AVERAGED]
+    return errors
+
+
+def repeated(prepared: Prepared) -> float:
+    """The share of ends within 40 px of an earlier end of the same person."""
+    earlier: dict[str, list[FloatArray]] = {}
+    near = []
+    for k, scored in enumerate(prepared.trials):
+        end = prepared.rows(k).table[-1, 1:3]
+        ends = earlier.setdefault(scored.trial.user, [])
+        near.append(any(np.hypot(*(end - one)) < 40.0 for one in ends))
+        ends.append(end)
+    return float(np.mean(near))
+
+
+def measure(scenario: str) -> Measured:
+    """One scenario with everybody."""
+    session = simulate_desktop(people(PEOPLE, SEED), scenario, seed=SEED, movements=MOVEMENTS)
+    recording = thinned(session.recording, PERIOD_S)
+    settings = {name: value for name, value in resolution(recording, None, None).items() if value is not None}
+    prepared = prepare(recording, **settings)
+    rows = {name: k for k, name in enumerate(dict.fromkeys(trial.user for trial in recording.trials))}
+    places = tuple(np.array([[rows[one.trial.user], int(one.trial.trial)] for one in prepared.trials]).T)
+    errors = {}
+    for title, pattern in pipelines(settings).items():
+        errors[title] = np.full((PEOPLE, MOVEMENTS), np.nan)
+        errors[title][places] = errors_of(prepared, pattern)
+        print(f"{scenario}: {title}", flush=True)
+    return Measured(scenario, session.change, errors, len(prepared.skipped), repeated(prepared))
+
+
+if __name__ == "__main__":
+    parse(__doc__)
+    written([measure(scenario) for scenario in SCENARIOS])
