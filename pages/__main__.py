@@ -61,8 +61,8 @@ PAGES_MADE: dict[str, tuple[str, Context]] = {
     **{
         f"docs/evidence/{name}.md": (name, measured(name))
         for name in (
-            *("adaptation", "assistance", "camera", "differentiators", "inputs", "regions"),
-            *("simulation", "switched", "thesis", "transfer"),
+            *("adaptation", "assistance", "camera", "desktop", "differentiators", "inputs"),
+            *("regions", "simulation", "switched", "thesis", "transfer"),
         )
     },
     "docs/reference/commands.md": ("commands", commands.context),

@@ -1,9 +1,10 @@
 """``pointpred simulate`` and ``convert``: what they write, and that they replace nothing unasked."""
 
-import csv
 from pathlib import Path
 
 import pytest
+
+from pointpred.sources import read
 
 DATA = Path(__file__).parents[1] / "data" / "sources"
 SHORT = ("--people", "1", "--trials", "1")
@@ -60,10 +61,10 @@ def test_a_desktop_is_written_with_its_windows(command, tmp_path: Path) -> None:
     out = tmp_path / "work_samples.csv"
     left = command("simulate", "--desktop", "moved", "--people", "1", "--trials", "4", "--out", out)
     assert (left.code, left.err.split(",")[0]) == (0, "4 trials")
-    rows = list(csv.DictReader((tmp_path / "work_trials.csv").open()))
-    assert [row["changed"] for row in rows] == ["0.0", "0.0", "1.0", "1.0"]
-    assert rows[0]["window_x"] != rows[2]["window_x"]
-    assert {row["window"] for row in rows} == {"window 0"}
+    known = [trial.condition for trial in read(out).trials]
+    assert [one["changed"] for one in known] == [0.0, 0.0, 1.0, 1.0]
+    assert known[0]["window_x"] != known[2]["window_x"]
+    assert {one["window"] for one in known} == {"window 0"}
 
 
 def test_an_unknown_desktop_is_refused(command, tmp_path: Path) -> None:

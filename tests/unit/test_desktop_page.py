@@ -1,0 +1,82 @@
+"""What docs/evidence/desktop.md counts: blocks of ten movements, and movements until recovery."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pages.desktop import measure, recovery, tables
+from pages.desktop.tables import FLOOR, Measured
+from pointpred import build
+from pointpred.columns import FloatArray
+from pointpred.scoring import prepare, replay
+from pointpred.simulation import people, simulate_desktop
+
+CHANGE = 30
+
+
+def session(bad: int, people: int = 5) -> FloatArray:
+    """Errors of 60 movements: 50 px, but 80 px in the first ``bad`` movements after the change."""
+    errors = np.full((people, 60), 50.0)
+    errors[:, CHANGE : CHANGE + bad] = 80.0
+    return errors
+
+
+FLOOR_ERRORS = np.full((5, 60), 100.0)
+CALM = recovery.shares(session(0), FLOOR_ERRORS)
+
+
+@pytest.mark.parametrize("bad", [1, 6, 20])
+def test_movements_until_the_next_ten_are_as_without_the_change(bad: int) -> None:
+    """A movement of 80 px among ten raises the share by 0.03, so all ten have to be good."""
+    changed = recovery.shares(session(bad), FLOOR_ERRORS)
+    assert recovery.movements_until(changed, CALM, CHANGE) == bad
+    assert recovery.interval(changed, CALM, CHANGE) == (bad, bad)
+
+
+def test_no_recovery_within_the_session_is_said() -> None:
+    changed = recovery.shares(session(30), FLOOR_ERRORS)
+    assert recovery.movements_until(changed, CALM, CHANGE) is None
+    assert recovery.interval(changed, CALM, CHANGE) == (None, None)
+
+
+def test_the_interval_covers_people_who_recover_at_different_times() -> None:
+    errors = np.concatenate([session(bad, 1) for bad in (0, 5, 10, 15, 20)])
+    changed = recovery.shares(errors, FLOOR_ERRORS)
+    assert recovery.movements_until(changed, CALM, CHANGE) == 10
+    low, high = recovery.interval(changed, CALM, CHANGE)
+    assert low is not None
+    assert high is not None
+    assert low < 10 < high
+
+
+def test_a_share_is_of_sums_and_leaves_out_what_was_not_scored() -> None:
+    errors, floor = session(0), FLOOR_ERRORS.copy()
+    errors[0, 3], floor[0, 3] = np.nan, np.nan
+    errors[1, 5], floor[1, 5] = 500.0, 900.0
+    shares = recovery.shares(errors, floor)
+    assert shares.shape == (5, 51)
+    assert shares[0, 0] == pytest.approx(0.5)
+    assert shares[1, 0] == pytest.approx((9 * 50 + 500) / (9 * 100 + 900))
+
+
+def test_errors_are_those_of_the_scorer() -> None:
+    recording = simulate_desktop(people(2), movements=6).recording
+    prepared, pattern = prepare(recording), build("kinematic-adaptive")
+    np.testing.assert_array_equal(
+        measure.errors_of(prepared, pattern), replay(prepared, pattern, threads=1).time_averaged
+    )
+
+
+def test_the_tables_state_before_after_and_the_movements_between() -> None:
+    name = "`kinematic`"
+    made = [
+        Measured(scenario, change, {FLOOR: FLOOR_ERRORS, name: session(bad)}, 0, 0.5)
+        for scenario, change, bad in (("steady", None, 0), ("moved", CHANGE, 20), ("habits", CHANGE, 30))
+    ]
+    moved, habits = tables.recoveries(made).texts()
+    assert moved == ["moved", name, "0.50", "0.80 (0.50)", "0.50 (0.50)", "20", "20 to 20"]
+    assert habits[-2:] == ["over 20", "over 20 to over 20"]
+    blocks = tables.by_block(made)
+    assert blocks.columns[2:] == ["1-10", "11-20", "21-30", "31-40", "41-50", "51-60"]
+    assert blocks.texts()[1][2:] == ["0.50", "0.50", "0.50", "0.80", "0.80", "0.50"]
