@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from pathlib import Path
 
+import msgspec
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -12,7 +13,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from pointpred.columns import BoolArray, FloatArray
-from pointpred.errors import ParameterError
+from pointpred.errors import DivergenceError, ParameterError
 from pointpred.scoring import score
 from pointpred.simulation import DesktopSession, people, simulate_desktop
 from pointpred.simulation.desktop import SCENARIOS
@@ -216,6 +217,19 @@ def test_sessions_are_scored_as_recordings_are(sessions: dict[str, DesktopSessio
     assert len(scored.skipped) <= 0.03 * len(recording.trials)
     hold, predicted = (errors.time_averaged.mean() for errors in scored.predictors)
     assert predicted < hold
+
+
+def test_nobody_leaves_the_screen_by_far(sessions: dict[str, DesktopSession]) -> None:
+    for session in sessions.values():
+        places = session.recording.events.table[:, 1:3]
+        assert places.min() > -400.0
+        assert (places.max(axis=0) < (2320.0, 1480.0)).all()
+
+
+def test_a_hand_that_runs_away_is_an_error_and_no_recording() -> None:
+    hasty = msgspec.structs.replace(PEOPLE[0], rate=90.0)
+    with pytest.raises(DivergenceError, match=PEOPLE[0].name):
+        simulate_desktop([hasty], movements=20)
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,7 @@ import msgspec
 import numpy as np
 
 from pointpred.columns import EventColumns, FloatArray
+from pointpred.errors import DivergenceError
 from pointpred.parameter import Parameter, check
 from pointpred.recording import Provenance, Recording, Trial
 from pointpred.simulation import movement, plan
@@ -16,9 +17,11 @@ from pointpred.simulation.desktop.scenario import named
 from pointpred.simulation.desktop.windows import SCREEN_PX
 from pointpred.simulation.desktop.worker import Step, Worker, aim_at, place_of
 from pointpred.simulation.person import Person
-from pointpred.transfer import SigmoidGain
+from pointpred.transfer import ConstantGain
 
-SETUP = plan.Setup(SigmoidGain())
+SETUP = plan.Setup(ConstantGain(4.0))
+FARTHEST_PX = 1e5
+"""A cursor farther from the screen's corner has run away."""
 BOUNDS = (
     Parameter("movements", "", 2, 100_000, "of each person", whole=True),
     Parameter("seed", "", 0, 2**32 - 1, "of the generators", whole=True),
@@ -79,7 +82,8 @@ def simulate_desktop(
 
     Parameters: ``movements`` in [2, 100000]; ``change`` in [1, movements - 1]; ``seed`` a whole number >= 0.
     The same seed gives the same session; a person's movements do not depend on the other people.
-    Raises ParameterError.
+    With a gain that grows with the speed, such as ``SigmoidGain``, the corrections of a movement in some
+    10,000 grow without end: DivergenceError names it. Raises ParameterError.
 
     >>> from pointpred.simulation import people
     >>> session = simulate_desktop(people(1), "moved", movements=4)
@@ -128,7 +132,13 @@ def _move(
     x, y = place_of(step, cursor)
     off_x, off_y, precision = aim_at(step.control, generator)
     aim = plan.Aim(x + off_x - cursor[0], y + off_y - cursor[1], precision)
-    return movement.move(person, setup, aim, generator).events(cursor, idle_reports=idle_reports)
+    events = movement.move(person, setup, aim, generator).events(cursor, idle_reports=idle_reports)
+    if np.abs(events.table[:, 1:3]).max() > FARTHEST_PX:
+        raise DivergenceError(
+            f"{person.name} overshoots {step.control.name!r} more with every correction, until the cursor is "
+            f"over {FARTHEST_PX:g} px away; take a setup with ConstantGain, or another seed"
+        )
+    return events
 
 
 def _label(
