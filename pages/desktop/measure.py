@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from pages.arguments import parse
+from pages.desktop.repeats import repeated
 from pages.desktop.tables import FLOOR, Measured, written
 from pages.simulation.frames import thinned
 from pointpred import Pipeline, build
@@ -60,18 +61,6 @@ def errors_of(prepared: Prepared, pattern: Pipeline) -> FloatArray:
     return errors
 
 
-def repeated(prepared: Prepared) -> float:
-    """The share of ends within 40 px of an earlier end of the same person."""
-    earlier: dict[str, list[FloatArray]] = {}
-    near = []
-    for k, scored in enumerate(prepared.trials):
-        end = prepared.rows(k).table[-1, 1:3]
-        ends = earlier.setdefault(scored.trial.user, [])
-        near.append(any(np.hypot(*(end - one)) < 40.0 for one in ends))
-        ends.append(end)
-    return float(np.mean(near))
-
-
 def measure(scenario: str) -> Measured:
     """One scenario with everybody."""
     session = simulate_desktop(people(PEOPLE, SEED), scenario, seed=SEED, movements=MOVEMENTS)
@@ -80,12 +69,18 @@ def measure(scenario: str) -> Measured:
     prepared = prepare(recording, **settings)
     rows = {name: k for k, name in enumerate(dict.fromkeys(trial.user for trial in recording.trials))}
     places = tuple(np.array([[rows[one.trial.user], int(one.trial.trial)] for one in prepared.trials]).T)
+
+    def by_person(values: FloatArray) -> FloatArray:
+        table = np.full((PEOPLE, MOVEMENTS), np.nan)
+        table[places] = values
+        return table
+
     errors = {}
     for title, pattern in pipelines(settings).items():
-        errors[title] = np.full((PEOPLE, MOVEMENTS), np.nan)
-        errors[title][places] = errors_of(prepared, pattern)
+        errors[title] = by_person(errors_of(prepared, pattern))
         print(f"{scenario}: {title}", flush=True)
-    return Measured(scenario, session.change, errors, len(prepared.skipped), repeated(prepared))
+    near = {where: by_person(values) for where, values in repeated(prepared).items()}
+    return Measured(scenario, session.change, errors, len(prepared.skipped), near)
 
 
 if __name__ == "__main__":

@@ -30,8 +30,8 @@ class Measured(msgspec.Struct, frozen=True):
     change: int | None
     errors: dict[str, FloatArray]
     skipped: int
-    repeated: float
-    """Share of the ends within 40 px of an earlier end of the person, on the screen."""
+    repeated: dict[str, FloatArray]
+    """``repeats.repeated``, (people, movements), NaN where none was scored."""
 
     def shares(self, name: str) -> FloatArray:
         """``recovery.shares`` of a predictor."""
@@ -43,28 +43,43 @@ class Measured(msgspec.Struct, frozen=True):
         return [name for name in self.errors if name != FLOOR]
 
 
+def blocks(movements: int) -> dict[str, slice]:
+    """The blocks of ten movements by what a column is called."""
+    starts = range(0, movements - BLOCK + 1, BLOCK)
+    return {f"{start + 1}-{start + BLOCK}": slice(start, start + BLOCK) for start in starts}
+
+
 def by_block(measured: Sequence[Measured]) -> Table:
     """Median over people of the error over that of ``hold``, in blocks of ten movements."""
-    movements = measured[0].errors[FLOOR].shape[1]
-    starts = range(0, movements - BLOCK + 1, BLOCK)
+    columns = blocks(measured[0].errors[FLOOR].shape[1])
     rows = []
     for one in measured:
         for name in one.predictors:
             medians = np.median(one.shares(name), axis=0)
-            rows.append((one.scenario, name, *(f"{medians[start]:.2f}" for start in starts)))
-    return Table.of(("scenario", "predictor", *(f"{start + 1}-{start + BLOCK}" for start in starts)), rows)
+            rows.append((one.scenario, name, *(f"{medians[part.start]:.2f}" for part in columns.values())))
+    return Table.of(("scenario", "predictor", *columns), rows)
+
+
+def repeats(measured: Sequence[Measured]) -> Table:
+    """The share of ends near an earlier end of the person, in blocks of ten movements."""
+    columns = blocks(next(iter(measured[0].repeated.values())).shape[1])
+    rows = []
+    for one in measured:
+        for where, near in one.repeated.items():
+            cells = (f"{100 * float(np.nanmean(near[:, part])):.0f}" for part in columns.values())
+            rows.append((one.scenario, where, *cells, f"{100 * float(np.nanmean(near)):.0f}"))
+    return Table.of(("scenario", "where", *columns, "all"), rows)
 
 
 def whole(measured: Sequence[Measured]) -> Table:
-    """What each scenario holds, and the error over all its movements, beside that of ``hold``."""
+    """The error over all movements of each scenario, beside that of ``hold``."""
     rows = []
     for one in measured:
         floor = float(np.nansum(one.errors[FLOOR]))
         cells = [f"{float(np.nansum(one.errors[name])) / floor:.3f}" for name in one.predictors]
         hold = f"{float(np.nanmean(one.errors[FLOOR])):.0f} px"
-        rows.append((one.scenario, f"{100 * one.repeated:.0f} %", str(one.skipped), hold, *cells))
-    header = ("scenario", "ends near an earlier one", "not scored", FLOOR, *measured[0].predictors)
-    return Table.of(header, rows)
+        rows.append((one.scenario, str(one.skipped), hold, *cells))
+    return Table.of(("scenario", "not scored", FLOOR, *measured[0].predictors), rows)
 
 
 def recoveries(measured: Sequence[Measured]) -> Table:
@@ -129,6 +144,11 @@ def _panel(axes: Axes, one: Measured, steady: Measured) -> None:
 def written(measured: Sequence[Measured]) -> None:
     """Keep the tables and draw the figure."""
     people, movements = measured[0].errors[FLOOR].shape
-    tables = {"whole": whole(measured), "by block": by_block(measured), "recovery": recoveries(measured)}
+    tables = {
+        "repeats": repeats(measured),
+        "whole": whole(measured),
+        "by block": by_block(measured),
+        "recovery": recoveries(measured),
+    }
     keep("desktop", tables, numbers={"people": people, "movements": movements})
     figure(measured)

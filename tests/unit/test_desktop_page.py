@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from msgspec import structs
 
 from pages.desktop import measure, recovery, tables
+from pages.desktop.repeats import SCREEN, WINDOW, repeated
 from pages.desktop.tables import FLOOR, Measured
 from pointpred import build
-from pointpred.columns import FloatArray
+from pointpred.columns import EventColumns, FloatArray
+from pointpred.recording import Recording, Trial
 from pointpred.scoring import prepare, replay
 from pointpred.simulation import people, simulate_desktop
 
@@ -68,10 +71,29 @@ def test_errors_are_those_of_the_scorer() -> None:
     )
 
 
+def test_ends_near_an_earlier_one_are_counted_on_the_screen_and_in_the_window() -> None:
+    """The second window stands 300 px to the right, the third movement returns to its first place in it."""
+    share = np.linspace(0.0, 1.0, 30) ** 2
+    ends = {"a": (100.0, 0.0), "b": (130.0, 0.0), "c": (400.0, 300.0), "d": (430.0, 500.0)}
+    parts = [
+        EventColumns.of(0.02 * np.arange(30), 1000.0 + (x - 1000.0) * share, 0.0 * share)
+        for x, _ in ends.values()
+    ]
+    trials = [
+        Trial("p", name, condition={"window": "w", "window_x": x, "window_y": 0.0})
+        for name, (_, x) in ends.items()
+    ]
+    near = repeated(prepare(Recording.of("four", parts, trials)))
+    assert near[SCREEN].tolist() == [0.0, 1.0, 0.0, 1.0]
+    assert near[WINDOW].tolist() == [0.0, 1.0, 1.0, 0.0]
+    others = [structs.replace(one, user=one.trial) for one in trials]
+    assert not repeated(prepare(Recording.of("four", parts, others)))[SCREEN].any()
+
+
 def test_the_tables_state_before_after_and_the_movements_between() -> None:
     name = "`kinematic`"
     made = [
-        Measured(scenario, change, {FLOOR: FLOOR_ERRORS, name: session(bad)}, 0, 0.5)
+        Measured(scenario, change, {FLOOR: FLOOR_ERRORS, name: session(bad)}, 0, {})
         for scenario, change, bad in (("steady", None, 0), ("moved", CHANGE, 20), ("habits", CHANGE, 30))
     ]
     moved, habits = tables.recoveries(made).texts()
