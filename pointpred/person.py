@@ -87,7 +87,7 @@ def unpacked(slots: tuple[Slot, ...], person: str) -> FloatArray:
         )
     whole = len(body) == 8 * count + 2 * DIGEST
     known = np.frombuffer(body[DIGEST:-DIGEST], "<f8").astype(np.float64) if whole else np.empty(0)
-    if not known.any() or packed(slots, known) != person:  # the digest is compared with all else
+    if packed(slots, known) != person or not known.any():  # the digest is compared with all else
         raise ParameterError(
             "person is damaged: it must be the whole string, as a pipeline wrote it", field="person"
         )

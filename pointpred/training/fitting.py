@@ -24,12 +24,12 @@ NEAR_SHARE = 0.05
 class Settings(msgspec.Struct, frozen=True):
     """How the network is fitted."""
 
-    hidden: tuple[int, int] = (128, 128)
-    passes: int = 8
+    hidden: tuple[int, int] = (64, 48)
+    passes: int = 24
     batch: int = 2048
     rate: float = 3e-3
     decay: float = 1e-4
-    noise: float = 0.1
+    noise: float = 0.05
     seed: int = 1
     law_share: float = 0.2
     time_share: float = 5.0

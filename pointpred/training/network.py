@@ -7,10 +7,11 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from pointpred.predictors.kinematic import network as net
+
 Floats = NDArray[np.float32]
 Layers = list[tuple[Floats, Floats]]
 """Weights (inputs, outputs) and offsets of each layer."""
-STEEPEST = 60.0
 
 
 def random_layers(sizes: tuple[int, ...], random: np.random.Generator) -> Layers:
@@ -24,13 +25,13 @@ def random_layers(sizes: tuple[int, ...], random: np.random.Generator) -> Layers
 
 
 def forward(layers: Layers, inputs: Floats) -> tuple[Floats, list[tuple[Floats, Floats, Floats]]]:
-    """Outputs, and what the gradient needs of each layer: its inputs, its sums, their logistic function."""
+    """Outputs, and what the gradient needs of each layer: its inputs, its sums, the shares that pass."""
     cache = []
     for weights, offset in layers[:-1]:
         sums = inputs @ weights + offset
-        logistic = 1.0 / (1.0 + np.exp(np.minimum(-sums, np.float32(STEEPEST))))
-        cache.append((inputs, sums, logistic))
-        inputs = sums * logistic
+        shares = np.clip(sums * np.float32(net.GATE_SLOPE) + np.float32(0.5), 0.0, 1.0)
+        cache.append((inputs, sums, shares))
+        inputs = sums * shares
     weights, offset = layers[-1]
     cache.append((inputs, inputs, inputs))
     return inputs @ weights + offset, cache
@@ -43,8 +44,8 @@ def backward(layers: Layers, cache: list[tuple[Floats, Floats, Floats]], slope: 
         inputs, _, _ = cache[place]
         gradient.append((inputs.T @ slope, slope.sum(axis=0)))
         if place > 0:
-            _, sums, logistic = cache[place - 1]
-            bent = logistic * (1.0 + sums * (1.0 - logistic))
+            _, sums, shares = cache[place - 1]
+            bent = shares + sums * np.float32(net.GATE_SLOPE) * ((shares > 0.0) & (shares < 1.0))
             slope = ((slope @ layers[place][0].T) * bent).astype(np.float32)
     return gradient[::-1]
 

@@ -139,7 +139,7 @@ def test_other_coefficients_say_other_things(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("changed", "message"),
     [
-        ({"version": np.int64(2)}, "is of version 2"),
+        ({"version": np.int64(1)}, "is of version 1"),
         ({"mean": None}, "mean"),
         ({"offset1": np.zeros(3)}, "offset1 must hold"),
         ({"scale": np.full(features.FEATURES, np.nan)}, "scale must hold"),
@@ -155,7 +155,7 @@ def test_a_file_that_does_not_fit_is_refused(
 def test_a_file_that_is_none_is_refused(tmp_path: Path) -> None:
     (tmp_path / "text.npz").write_text("no archive")
     for name in ("text.npz", "missing.npz"):
-        with pytest.raises(ParameterError, match="coefficients must be a file of version 1"):
+        with pytest.raises(ParameterError, match="coefficients must be a file of version 2"):
             KinematicPredictor(coefficients=tmp_path / name)
 
 

@@ -62,7 +62,7 @@ def test_the_network_of_the_file_is_what_training_goes_on_from() -> None:
 def test_training_on_own_movements_lowers_their_error(tmp_path: Path) -> None:
     """On movements that were held out: the shipped network has never seen such people."""
     result = trained(
-        tmp_path / "me.npz", mine(80, 4), settings=msgspec.structs.replace(TINY, passes=6), variants=1
+        tmp_path / "me.npz", mine(80, 4), settings=msgspec.structs.replace(TINY, passes=12), variants=1
     )
     (one,) = result.held_out
     assert (result.movements, result.people, result.parts) == (80, 4, "people")

@@ -21,7 +21,7 @@ from pointpred.errors import ParameterError
 from pointpred.files import beside
 from pointpred.predictors.kinematic import calibration, features, network
 
-VERSION = 1
+VERSION = 2
 """Of what the file holds and of what its numbers mean; a file of another version is refused."""
 OWN = Path(__file__).with_name("kinematic.npz")
 """The file that comes with the package."""
@@ -29,7 +29,7 @@ LARGEST_BYTES = 2 * 1024 * 1024
 LARGEST_INFLATED = 16 * 1024 * 1024
 """Bytes of all arrays of a file together."""
 MANTISSA_BITS = 9
-"""Bits behind the leading one that ``write`` keeps of a number: a browser then loads about 60 kB, packed."""
+"""Bits behind the leading one that ``write`` keeps of a number: a browser then loads about 16 kB, packed."""
 WIDEST = 1024
 """Units of a hidden layer."""
 LARGEST_SCALE, LARGEST_WEIGHT, LARGEST_LOG = 2e6, 1e4, 20.0

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from math import exp
-
 import numpy as np
 
 from pointpred.columns import FloatArray
@@ -40,6 +38,8 @@ HEAD_START_S = 0.05
 """Added to the time passed, of which the time left is a multiple."""
 EXTREME = 6.0
 """Inputs are cut at so many standard deviations from their mean."""
+GATE_SLOPE = 1.0 / 6.0
+"""A unit of a hidden layer lets through a share of its sum, which grows with the sum by this, from 0 to 1."""
 
 # The coefficients as one array: sizes of both hidden layers; mean and 1 / deviation of each input; weights
 # (row after row, an input each) and offsets of each layer; the rest is the calibration's.
@@ -81,9 +81,9 @@ def layer(coefficients: FloatArray, at: int, inputs: FloatArray, sums: FloatArra
 
 @law
 def activate(sums: FloatArray) -> None:
-    """Replace z by z / (1 + exp(-z)) in place."""
+    """Replace z by z times min(max(z / 6 + 1 / 2, 0), 1) in place."""
     for j in range(len(sums)):
-        sums[j] /= 1.0 + exp(min(-sums[j], 60.0))
+        sums[j] *= min(max(sums[j] * GATE_SLOPE + 0.5, 0.0), 1.0)
 
 
 @law

@@ -75,11 +75,12 @@ class KinematicPredictor(Predictor):
 
     Features are lengths over the px travelled, speeds over their peak, times, and the logarithm of how far
     and fast the hand moved; positions stand on a grid of 8 ms, so that rates leave no trace. In a mirror the
-    features across the direction change sign together and with them the answer. A network of two layers,
-    z / (1 + exp(-z)), gives the endpoint in reaches from the cursor along and across the direction from the
-    start, as a sum of a vector and shares of the last moments' ways; the widths and the tail of a bivariate
-    Student law around it; and the time left as a multiple of the time passed, with the standard deviation
-    of its logarithm. Widths, tail and spread are corrected by a table learned on people held out.
+    features across the direction change sign together and with them the answer. A network of two layers, z
+    min(max(z / 6 + 1 / 2, 0), 1), gives the endpoint in reaches from the cursor along and across the
+    direction from the start, as a sum of a vector and shares of the last moments' ways; the widths and the
+    tail of a bivariate Student law around it; and the time left as a multiple of the time passed, with the
+    standard deviation of its logarithm. Widths, tail and spread are corrected by a table learned on people
+    held out.
 
     ``scale`` is the scale matrix and ``tail`` the degrees of freedom. Before the cursor has moved the
     answer is its place, without a region. Always answers. A second motion of the same time replaces the

@@ -21,6 +21,7 @@ export const LEFT_LOGS = [-6, 4];
 export const SPREAD_LOGS = [-3, 1.5];
 export const HEAD_START_S = 0.05;
 export const EXTREME = 6;
+export const GATE_SLOPE = 0.16666666666666666;
 export const FIRST = 0;
 export const SECOND = 1;
 export const HEAD = 2;
@@ -60,7 +61,7 @@ export function layer(coefficients, at, inputs, sums) {
 }
 export function activate(sums) {
   for (let j = 0, end_1 = sums.length; j < end_1; j++) {
-    sums[j] /= 1 + Math.exp(smaller(-sums[j], 60));
+    sums[j] *= smaller(larger(sums[j] * GATE_SLOPE + 0.5, 0), 1);
   }
 }
 export function evaluate(coefficients, values, out) {
