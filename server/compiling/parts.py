@@ -16,6 +16,7 @@ from pointpred.events import PointerEvent
 from pointpred.pipeline import has_refusal, run
 from pointpred.predictors import Predictor
 from pointpred.predictors.adaptation import predictor as adaptation
+from pointpred.predictors.adaptation.time_left import Pace
 from pointpred.protocol.client_messages import Configure, Hello, Targets, TrialMark
 from pointpred.protocol.decoding import decode_client_message
 from pointpred.protocol.errors import ProtocolError
@@ -106,7 +107,7 @@ MOTION = (0.0, 5.0, 2.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 1.0)
 def _adapt() -> None:
     memory = np.zeros(adaptation.LENGTH)
     adaptation.conclude(memory)
-    adaptation.adapt(memory, (0.0, 5.0, 2.0, 1.0, 0.0, 1.0, 0.1, 1.0, 1.0, 1.0))
+    adaptation.adapt(memory, (0.0, 5.0, 2.0, 1.0, 0.0, 1.0, 0.1, 1.0, 1.0, 1.0), Pace(1.0, 0.0))
 
 
 def _follow(kind: Callable[[], Predictor]) -> None:

@@ -15,7 +15,7 @@ from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.predictors import AdaptiveKinematicPredictor
 from pointpred.predictors.adaptation import correction as law
-from pointpred.predictors.adaptation import distances
+from pointpred.predictors.adaptation import distances, time_left
 from pointpred.predictors.adaptation import durations as clock
 from pointpred.stage import Slot
 
@@ -35,8 +35,12 @@ def number(slot: Slot) -> st.SearchStrategy[float]:
 
 
 def consistent(numbers: Sequence[float]) -> FloatArray:
-    """The numbers, changed as little as ``doubt`` asks for: what is held fits, and belief sums to 1."""
+    """The numbers, changed as ``doubt`` asks: what is held fits, belief sums to 1, products are of terms."""
     known = np.array(numbers)
+    root = np.zeros((time_left.TERMS, time_left.TERMS))
+    lower, products = np.tril_indices(time_left.TERMS), known[law.TIME_LEFT : law.TIME_LEFT + time_left.SUMS]
+    root[lower] = products / time_left.MOST_PRODUCT
+    products[:] = (root @ root.T * time_left.MOST_PRODUCT / time_left.TERMS)[lower]
     far, long = known[law.DISTANCES : law.DURATIONS], known[law.DURATIONS : law.REGIONS]
     far[distances.DISTANCES : distances.BELIEF] = np.maximum(
         far[distances.DISTANCES : distances.BELIEF], distances.SHORTEST_PX

@@ -17,6 +17,7 @@ from pointpred.datasets import sample
 from pointpred.errors import ParameterError
 from pointpred.predictors import AdaptiveKinematicPredictor, KinematicPredictor
 from pointpred.predictors.adaptation import correction
+from pointpred.predictors.adaptation.time_left import Pace
 from pointpred.scoring import prepare
 from pointpred.scoring.replay import replay
 
@@ -164,7 +165,7 @@ def test_what_claims_too_little_is_passed_on() -> None:
     ):
         at = correction.LEARNED
         correction.follow(memory, at, (0.1, 4.0, 3.0), (0.0, 0.0, 0.0))
-        np.testing.assert_array_equal(correction.adapt(memory, 0, at, 1.0, answer), answer)
+        np.testing.assert_array_equal(correction.adapt(memory, 0, at, 1.0, answer, Pace(1.0, 0.0)), answer)
 
 
 def test_it_is_better_than_unadapted_on_simulated_people_and_no_worse_at_first() -> None:
@@ -198,4 +199,4 @@ def test_memory_does_not_grow_and_coefficients_are_shared() -> None:
     assert len(pickle.dumps(pipeline)) == size
     own, other = AdaptiveKinematicPredictor(), KinematicPredictor()
     assert own.shared[0] is other.shared[0]
-    assert own.__dict__["_memory"].shape == (1146,)  # as its docstring says
+    assert own.__dict__["_memory"].shape == (1517,)  # as its docstring says

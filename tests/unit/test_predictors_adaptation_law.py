@@ -7,15 +7,18 @@ import pytest
 
 from pointpred import EventColumns, build, run
 from pointpred.columns import FloatArray
-from pointpred.predictors.adaptation import correction, distances, stages
+from pointpred.predictors.adaptation import correction, distances, stages, time_left
 from pointpred.predictors.adaptation import durations as clock
 from pointpred.predictors.adaptation import predictor as adaptation
 from pointpred.predictors.adaptation.distances import Ahead
+from pointpred.predictors.adaptation.time_left import Estimates, Pace, Way
+from pointpred.predictors.adaptation.time_left_prior import PRIOR
 from pointpred.recording import Recording, Trial
 from pointpred.scoring import prepare
 
 AT = correction.LEARNED
 ALONG, WIDE, REACHED, LEFT = 60.0, 60.0, 200.0, 0.4
+PACE = Pace(0.7, 0.05)
 
 
 def person(durations: float, shift: float = 0.0) -> FloatArray:
@@ -39,7 +42,7 @@ def asked(memory: FloatArray, since: float, ask: float) -> tuple[float, float, f
     memory[AT + correction.STARTED] = 1.0
     memory[AT + correction.T], memory[AT + correction.X] = since, REACHED
     answer = (since, REACHED + ALONG, 0.0, WIDE**2, 0.0, 40.0**2, LEFT, 0.0, 8.0, 0.3)
-    _, x, y, sxx, _, _, left, *_ = correction.adapt(memory, 0, AT, ask, answer)
+    _, x, y, sxx, _, _, left, *_ = correction.adapt(memory, 0, AT, ask, answer, PACE)
     assert y == 0.0
     return x - REACHED, float(np.sqrt(sxx)), left
 
@@ -48,13 +51,17 @@ def asked(memory: FloatArray, since: float, ask: float) -> tuple[float, float, f
     ("since", "gone"), [(0.1, 0.2), (0.3, 0.6), (0.4, 0.8), (0.5, 0.5 / 0.52), (2.0, 2.0 / 2.02)]
 )
 def test_bias_and_distances_fade_out_by_the_clock(since: float, gone: float) -> None:
-    """From 0.2 and 0.5 of the time on, the width too; at least a twentieth of 0.4 s is left."""
+    """From 0.2 and 0.5 of the time on, the width too; the time left is the sum of its terms."""
     memory = person(0.5, shift=12.0)
     biased = ALONG + 12.0 * min((1.0 - gone) / 0.8, 1.0)
     along, wide, left = asked(memory, since, 0.0)
     assert along == pytest.approx(biased, rel=1e-12)
     assert wide == pytest.approx(WIDE, rel=1e-12)
-    assert left == pytest.approx(max(0.5 - since, 0.02), rel=1e-12)
+    way = Way(REACHED, biased)
+    mixed = max(0.5 - since, 0.02)
+    known = time_left.terms(Estimates(mixed, LEFT), way, PACE, since, 0.5)
+    assert known[0] == pytest.approx(2.0 * mixed, rel=1e-12)
+    assert left == pytest.approx(0.5 * float(np.dot(PRIOR[: time_left.TERMS], known)), rel=1e-9)
     ahead = Ahead(biased, WIDE, 40.0, 8.0)
     usual, narrow = distances.combine(memory, correction.DISTANCES, REACHED, ahead)
     assert usual > biased + 50.0

@@ -10,25 +10,44 @@ from math import floor, hypot, sqrt
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
-from pointpred.predictors.adaptation import distances, durations, region_widening, stages
+from pointpred.predictors.adaptation import (
+    arrival_intervals,
+    distances,
+    durations,
+    region_widening,
+    stages,
+    time_left,
+)
 from pointpred.predictors.adaptation.distances import Ahead
 from pointpred.predictors.adaptation.stages import Moment
+from pointpred.predictors.adaptation.time_left import Estimates, Pace, Way
+from pointpred.predictors.adaptation.time_left_prior import PRIOR
 from pointpred.rows import TenFloats
 from pointpred.stage import offsets
 
-# What is known of the person, relative to `person`: the stages, the distances, the durations, the regions.
-_, DISTANCES, DURATIONS, REGIONS, LEARNED = offsets(
-    stages.LEARNED, distances.LEARNED, durations.LEARNED, region_widening.LEARNED
+# What is known of the person, relative to `person`: the stages, the distances, the durations, the regions,
+# the time left, its intervals.
+_, DISTANCES, DURATIONS, REGIONS, TIME_LEFT, INTERVALS, LEARNED = offsets(
+    stages.LEARNED,
+    distances.LEARNED,
+    durations.LEARNED,
+    region_widening.LEARNED,
+    time_left.LEARNED,
+    arrival_intervals.LEARNED,
 )
-SLOTS = (*stages.SLOTS, *distances.SLOTS, *durations.SLOTS, *region_widening.SLOTS)
+SLOTS = (
+    *(*stages.SLOTS, *distances.SLOTS, *durations.SLOTS),
+    *(*region_widening.SLOTS, *time_left.SLOTS, *arrival_intervals.SLOTS),
+)
 
 TRACE_PLACES, APART_S = 96, 0.005
 """Places of the last way that are remembered, and how far apart in time at least; none while it stands."""
 # The movement, relative to `at`: whether there is one, its start, its last sample; how many places of the way
-# there were, samples of different times; the last places; a moment of each stage; the regions stated.
+# there were, samples of different times; the last places; a moment of each stage; the regions stated; the
+# time left stated.
 STARTED, T0, X0, Y0, T, X, Y, PLACES, SAMPLES = range(9)
-_, TRACE, MOMENTS, STATED, STATES = offsets(
-    SAMPLES + 1, 3 * TRACE_PLACES, stages.STATES, region_widening.STATES
+_, TRACE, MOMENTS, STATED, TIMED, STATES = offsets(
+    SAMPLES + 1, 3 * TRACE_PLACES, stages.STATES, region_widening.STATES, time_left.STATES
 )
 NEAR_PX, NEAR_SHARE = 8.0, 0.03
 """The movement has arrived when the cursor stays so near its end: px, share of the distance."""
@@ -53,7 +72,10 @@ def fault(learned: FloatArray) -> tuple[int, float]:
     wrong, value = distances.fault(learned[DISTANCES:DURATIONS])
     if wrong != distances.FINE:
         return wrong, value
-    return durations.fault(learned[DURATIONS:REGIONS])
+    wrong, value = durations.fault(learned[DURATIONS:REGIONS])
+    if wrong != durations.FINE:
+        return wrong, value
+    return time_left.fault(learned[TIME_LEFT:INTERVALS])
 
 
 def doubt(learned: FloatArray) -> str:
@@ -62,7 +84,11 @@ def doubt(learned: FloatArray) -> str:
     if wrong == UNEQUAL:
         other = learned[DURATIONS + durations.COUNT]
         return f"distances held must be as many as durations held, are {held:g} and {other:g}"
-    return distances.doubt(learned[DISTANCES:DURATIONS]) or durations.doubt(learned[DURATIONS:REGIONS])
+    return (
+        distances.doubt(learned[DISTANCES:DURATIONS])
+        or durations.doubt(learned[DURATIONS:REGIONS])
+        or time_left.doubt(learned[TIME_LEFT:INTERVALS])
+    )
 
 
 @law
@@ -95,6 +121,10 @@ def learn(memory: FloatArray, person: int, at: int, distance: float, end: float)
                 left = m.left * stages.tempo_factor(memory, stage)
                 durations.judge(memory, clock, m.t - start, left, end - m.t, duration)
             stages.learn(memory, stage, m, x, y, end)
+    if not_first:
+        timed = (person + TIME_LEFT, person + INTERVALS, at + TIMED)
+        median = memory[clock + durations.MEDIAN]
+        time_left.learn(memory, timed, (start, end), median, PRIOR)
     distances.remember(memory, person + DISTANCES, distance)
     durations.remember(memory, clock, duration)
     region_widening.learn(memory, person + REGIONS, at + STATED, (x, y), (start, end))
@@ -157,9 +187,12 @@ def fading(share: float, since: float) -> float:
 
 
 @law
-def adapt(memory: FloatArray, person: int, at: int, with_distances: float, answer: TenFloats) -> TenFloats:
+def adapt(
+    memory: FloatArray, person: int, at: int, with_distances: float, answer: TenFloats, pace: Pace
+) -> TenFloats:
     """The prediction as it is for this person; as it was where it claims too little or has no direction."""
-    t, px, py, sxx, sxy, syy, left, phase, tail, spread = answer
+    t, px, py, sxx, sxy, syy, predicted, phase, tail, spread = answer
+    left = predicted
     x, y = memory[at + X], memory[at + Y]
     away_x, away_y = x - memory[at + X0], y - memory[at + Y0]
     reached = hypot(away_x, away_y)
@@ -201,4 +234,15 @@ def adapt(memory: FloatArray, person: int, at: int, with_distances: float, answe
     sxy = (wide2 - broad2) * ux * uy + cross * (ux * ux - uy * uy)
     syy = wide2 * uy * uy + 2.0 * cross * ux * uy + broad2 * ux * ux
     region_widening.record(memory, at + STATED, now, x, y, (px, py, sxx, sxy, syy, tail))
+    way = Way(reached, hypot(px - x, py - y))
+    left, spread = time_left.stated(
+        memory,
+        (person + TIME_LEFT, person + INTERVALS, at + TIMED),
+        (now, x, y),
+        since,
+        memory[person + DURATIONS + durations.MEDIAN],
+        Estimates(left, predicted),
+        way,
+        pace,
+    )
     return t, px, py, sxx, sxy, syy, left, phase, tail, spread

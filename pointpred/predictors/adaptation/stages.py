@@ -89,11 +89,17 @@ STATES = STAGES * MOMENT
 
 
 @law
+def interpolation_among(share: float, count: int) -> tuple[int, float]:
+    """Of so many stages the one before a share of the time, and how far the share is from it to the next."""
+    spot = min(max(share * count - 0.5, 0.0), count - 1.0)
+    stage = min(floor(spot), count - 2)
+    return int(stage), spot - stage
+
+
+@law
 def interpolation(share: float) -> tuple[int, float]:
     """The stage before a share of the time, and how far the share is from it to the next."""
-    spot = min(max(share * STAGES - 0.5, 0.0), STAGES - 1.0)
-    stage = min(floor(spot), STAGES - 2)
-    return int(stage), spot - stage
+    return interpolation_among(share, STAGES)
 
 
 @law

@@ -4,10 +4,14 @@ import * as $distances from "./distances.js";
 import * as $durations from "./durations.js";
 import * as $region_widening from "./region_widening.js";
 import * as $stages from "./stages.js";
+import * as $adaptation_time_left from "./time_left.js";
+import * as $time_left_prior from "./time_left_prior.js";
 export const DISTANCES = 80;
 export const DURATIONS = 136;
 export const REGIONS = 157;
-export const LEARNED = 168;
+export const TIME_LEFT = 168;
+export const INTERVALS = 203;
+export const LEARNED = 207;
 export const TRACE_PLACES = 96;
 export const APART_S = 0.005;
 export const STARTED = 0;
@@ -22,7 +26,8 @@ export const SAMPLES = 8;
 export const TRACE = 9;
 export const MOMENTS = 297;
 export const STATED = 362;
-export const STATES = 702;
+export const TIMED = 702;
+export const STATES = 1034;
 export const NEAR_PX = 8;
 export const NEAR_SHARE = 0.03;
 export const SAMPLES_LEAST = 6;
@@ -37,12 +42,18 @@ export function fault(learned) {
     return [UNEQUAL, held];
   }
   const values_1 = $distances.fault(view(learned, DISTANCES, DURATIONS));
-  const wrong = values_1[0];
-  const value = values_1[1];
+  let wrong = values_1[0];
+  let value = values_1[1];
   if (wrong !== $distances.FINE) {
     return [wrong, value];
   }
-  return $durations.fault(view(learned, DURATIONS, REGIONS));
+  const values_2 = $durations.fault(view(learned, DURATIONS, REGIONS));
+  wrong = values_2[0];
+  value = values_2[1];
+  if (wrong !== $durations.FINE) {
+    return [wrong, value];
+  }
+  return $adaptation_time_left.fault(view(learned, TIME_LEFT, INTERVALS));
 }
 export function arrival(memory, at, near) {
   const places = Math.trunc(memory[at + PLACES]);
@@ -77,6 +88,11 @@ export function learn(memory, person, at, distance, end) {
       }
       $stages.learn(memory, stage, m, x, y, end);
     }
+  }
+  if (not_first) {
+    const timed = [person + TIME_LEFT, person + INTERVALS, at + TIMED];
+    const median = memory[clock + $durations.MEDIAN];
+    $adaptation_time_left.learn(memory, timed, [start, end], median, $time_left_prior.PRIOR);
   }
   $distances.remember(memory, person + DISTANCES, distance);
   $durations.remember(memory, clock, duration);
@@ -136,17 +152,18 @@ export function record(memory, at, share, moment) {
 export function fading(share, since) {
   return smaller((1 - share) / (1 - since), 1);
 }
-export function adapt(memory, person, at, with_distances, answer) {
+export function adapt(memory, person, at, with_distances, answer, pace) {
   const t = answer[0];
   let px = answer[1];
   let py = answer[2];
   let sxx = answer[3];
   let sxy = answer[4];
   let syy = answer[5];
-  let left = answer[6];
+  const predicted = answer[6];
   const phase = answer[7];
   let tail = answer[8];
-  const spread = answer[9];
+  let spread = answer[9];
+  let left = predicted;
   const x = memory[at + X];
   const y = memory[at + Y];
   const away_x = x - memory[at + X0];
@@ -209,5 +226,9 @@ export function adapt(memory, person, at, with_distances, answer) {
   sxy = (wide2 - broad2) * ux * uy + cross * (ux * ux - uy * uy);
   syy = wide2 * uy * uy + 2 * cross * ux * uy + broad2 * ux * ux;
   $region_widening.record(memory, at + STATED, now, x, y, [px, py, sxx, sxy, syy, tail]);
+  const way = [reached, hypot(px - x, py - y)];
+  const values_4 = $adaptation_time_left.stated(memory, [person + TIME_LEFT, person + INTERVALS, at + TIMED], [now, x, y], since, memory[person + DURATIONS + $durations.MEDIAN], [left, predicted], way, pace);
+  left = values_4[0];
+  spread = values_4[1];
   return [t, px, py, sxx, sxy, syy, left, phase, tail, spread];
 }

@@ -1,16 +1,18 @@
 // Written by `make page` from predictor.py: change that and run it again.
-import { view } from "../../arithmetic.js";
+import { hypot, view } from "../../arithmetic.js";
 import * as $correction from "./correction.js";
+import * as $observation from "../kinematic/observation.js";
 import * as $kinematic_predictor from "../kinematic/predictor.js";
+import * as $track from "../kinematic/track.js";
 import * as $predictors_movement from "../movement.js";
 import * as $stage from "../../stage.js";
 export const ADAPT = 0;
 export const DISTANCES = 1;
 export const SHORTEST_PX = 2;
 export const PERSON = 3;
-export const OBSERVATION = 171;
-export const MOVEMENT = 444;
-export const LENGTH = 1146;
+export const OBSERVATION = 210;
+export const MOVEMENT = 483;
+export const LENGTH = 1517;
 export function sizes(values) {
   const learned = values[ADAPT] === 1 ? $correction.LEARNED : 0;
   return [PERSON, learned, LENGTH - PERSON - learned];
@@ -20,8 +22,13 @@ export function conclude(memory) {
     $correction.conclude(memory, PERSON, MOVEMENT, memory[SHORTEST_PX]);
   }
 }
-export function adapt(memory, answer) {
-  return $correction.adapt(memory, PERSON, MOVEMENT, memory[DISTANCES], answer);
+export function adapt(memory, answer, pace) {
+  return $correction.adapt(memory, PERSON, MOVEMENT, memory[DISTANCES], answer, pace);
+}
+export function pace_of(own, m) {
+  const peak = own[$observation.TRACK + $track.PEAK];
+  const of_peak = peak > 0 ? hypot(m[3], m[4]) / peak : 0;
+  return [of_peak, m[0] - own[$predictors_movement.T0] - own[$observation.TRACK + $track.FAST_T]];
 }
 export function step(memory, motion, coefficients) {
   const m = motion;
@@ -35,7 +42,7 @@ export function step(memory, motion, coefficients) {
   }
   const start = [own[$predictors_movement.T0], own[$predictors_movement.X0], own[$predictors_movement.Y0]];
   $correction.follow(memory, MOVEMENT, [m[0], m[1], m[2]], start);
-  return adapt(memory, answer);
+  return adapt(memory, answer, pace_of(own, m));
 }
 export const AdaptiveKinematicPredictor = {
   step: step,
@@ -43,8 +50,8 @@ export const AdaptiveKinematicPredictor = {
   fill: $stage.copy_values,
   sizes: sizes,
   fault: $correction.fault,
-  settings: 3, learned: 168, states: 975,
-  layout: "22777835ce8c74ba",
+  settings: 3, learned: 207, states: 1307,
+  layout: "0abe8416c6a3af54",
   slots: [
     { name: "normal equations, diagonal", count: 1, low: 0, high: 1e+30 },
     { name: "normal equations, side", count: 1, low: -1e+30, high: 1e+30 },
@@ -123,6 +130,10 @@ export const AdaptiveKinematicPredictor = {
     { name: "clock's share", count: 1, low: 0, high: 1 },
     { name: "movements judged", count: 1, low: 0, high: 1000000, whole: true },
     { name: "radii of the levels", count: 10, low: -6, high: 6 },
+    { name: "sums of products", count: 28, low: -16015.999999999984, high: 16015.999999999984 },
+    { name: "sums of residuals", count: 7, low: -1000000000, high: 1000000000 },
+    { name: "movements with intervals", count: 1, low: 0, high: 1000000, whole: true },
+    { name: "spreads", count: 3, low: -3, high: 3 },
   ],
   parameters: [
     { name: "adapt", low: 0, high: 1, default: 1, whole: true },

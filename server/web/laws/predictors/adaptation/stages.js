@@ -31,10 +31,13 @@ export const PRESENT = 0;
 export const PARTS = 1;
 export const MOMENT = 13;
 export const T = 1;
-export function interpolation(share) {
-  const spot = smaller(larger(share * STAGES - 0.5, 0), STAGES - 1);
-  const stage = smaller(Math.floor(spot), STAGES - 2);
+export function interpolation_among(share, count) {
+  const spot = smaller(larger(share * count - 0.5, 0), count - 1);
+  const stage = smaller(Math.floor(spot), count - 2);
   return [Math.trunc(stage), spot - stage];
+}
+export function interpolation(share) {
+  return interpolation_among(share, STAGES);
 }
 export function belief(memory, at, paid) {
   return smaller(larger(memory[at + paid] / (memory[at + paid + 1] + DOUBT), 0), 1);
