@@ -19,6 +19,8 @@ from pointpred.scoring.results import PredictorErrors
 FIGURE = FIGURES / "adaptation.svg"
 FLOOR, PLAIN, WHOLE, PART = "hold", "kinematic", "kinematic-adaptive", "without the distances"
 STAGES = ((0, 5, "1-5"), (5, 10, "6-10"), (10, 20, "11-20"), (20, 10**9, "21+"))
+LATE, LATE_OF_FEW = 20, 12
+"""Movements after which a person is known."""
 EDGES = (0, 1, 2, 3, 5, 8, 12, 20, 48, 150, 10**9)
 
 
@@ -92,6 +94,30 @@ def claims(sets: Sequence[Measured]) -> Table:
     return Table.of(header, rows)
 
 
+def arrivals(sets: Sequence[Measured]) -> Table:
+    """The time left and its intervals, from a person's 21st movement on, the 13th where nobody makes so many."""
+    rows = []
+    for one in sets:
+        order = np.concatenate(one.order)
+        late = order >= (LATE if (order >= LATE).any() else LATE_OF_FEW)
+        cells: list[str] = []
+        for name in (PLAIN, WHOLE):
+            left = column(one, name, "time_left")[late]
+            error, clock = np.nanmean(left[:, [time_left.ERROR, time_left.CLOCK]], axis=0)
+            inside = np.nanmean(left[:, time_left.INSIDE :][:, :2], axis=0)
+            cells += [f"{error / clock:.2f}", " / ".join(f"{100 * share:.0f}" for share in inside)]
+        rows.append((one.name, str(int(late.sum())), *cells))
+    header = (
+        "set",
+        "movements",
+        "over the clock",
+        "intervals",
+        "adapted, over the clock",
+        "adapted, intervals",
+    )
+    return Table.of(header, rows)
+
+
 def templates(sets: Sequence[Measured]) -> Table:
     """The protocol of template matching."""
     rows = []
@@ -132,6 +158,11 @@ def written(sets: Sequence[Measured]) -> None:
     """Keep the tables and draw the figure."""
     keep(
         "adaptation",
-        {"by trial": by_trial(sets), "claims": claims(sets), "templates": templates(sets)},
+        {
+            "by trial": by_trial(sets),
+            "claims": claims(sets),
+            "arrivals": arrivals(sets),
+            "templates": templates(sets),
+        },
     )
     figure(sets)
