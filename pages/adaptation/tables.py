@@ -95,7 +95,7 @@ def claims(sets: Sequence[Measured]) -> Table:
 
 
 def arrivals(sets: Sequence[Measured]) -> Table:
-    """The time left and its intervals, from a person's 21st movement on, the 13th where nobody makes so many."""
+    """The time left and its intervals, from the 21st movement on, the 13th where nobody makes so many."""
     rows = []
     for one in sets:
         order = np.concatenate(one.order)
@@ -112,8 +112,8 @@ def arrivals(sets: Sequence[Measured]) -> Table:
         "movements",
         "over the clock",
         "intervals",
-        "adapted, over the clock",
-        "adapted, intervals",
+        "over the clock, adapted",
+        "adapted",
     )
     return Table.of(header, rows)
 
