@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cached_property
 from typing import Any, Self
 
 from pointpred.columns import BoolArray, EventColumns, FloatArray, PredictionColumns
@@ -38,6 +37,7 @@ class Pipeline:
         self.name = name
         self.differentiator = differentiator
         self.predictor = predictor
+        self._joint: Callable[..., TenFloats] | None = None
 
     def update(self, event: PointerEvent, /) -> Prediction | None:
         """Consume one event; ``None`` where nothing is justified now.
@@ -56,19 +56,20 @@ class Pipeline:
         ``None`` where the event is refused; nothing has changed then, and ``update`` says why.
         """
         first, second = self.differentiator, self.predictor
-        answer = self.joint(first._memory, second._memory, row, *second.shared)
+        joint = self._joint or self.joint()
+        answer = joint(first._memory, second._memory, row, *second.shared)
         return answer if answer[0] == answer[0] else None
 
-    @cached_property
     def joint(self) -> Callable[..., TenFloats]:
         """Both laws as one; not made before an event comes, because a predictor for tables only has none."""
         join = joint_sharing if self.predictor.shared else joint_of
         usual = isinstance(self.differentiator, HomogeneousDifferentiator)
-        return join(type(self.differentiator).step, type(self.predictor).step, usual)
+        self._joint = join(type(self.differentiator).step, type(self.predictor).step, usual)
+        return self._joint
 
     def __getstate__(self) -> dict[str, Any]:
         """Everything but the compiled law, which is made again."""
-        return {name: value for name, value in self.__dict__.items() if name != "joint"}
+        return {**self.__dict__, "_joint": None}
 
     def advance_all(self, begin: BoolArray, table: FloatArray) -> FloatArray | None:
         """``advance`` over a table, resetting before each row marked ``begin``.

@@ -82,7 +82,7 @@ def parts() -> list[Part]:
 
 def _predictor(name: str, after: tuple[str, ...] = ()) -> Part:
     kind = REGISTRY[name].predictor
-    return Part(name, partial(predict, name), (build(name).joint, kind.loop), after)
+    return Part(name, partial(predict, name), (build(name).joint(), kind.loop), after)
 
 
 def _pieces() -> Iterable[Part]:

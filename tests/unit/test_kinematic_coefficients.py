@@ -15,7 +15,7 @@ from pointpred import build
 from pointpred.errors import ParameterError
 from pointpred.predictors import KinematicPredictor
 from pointpred.predictors.kinematic import coefficient_file as coefficients
-from pointpred.predictors.kinematic import features
+from pointpred.predictors.kinematic import features, network
 
 
 def own() -> dict[str, Any]:
@@ -179,3 +179,11 @@ def test_what_is_written_is_single_precision_near_what_was_given(tmp_path: Path)
     behind = (1 << 23 - coefficients.MANTISSA_BITS) - 1
     assert not (flat.astype(np.float32).view(np.uint32) & behind).any()
     assert np.array_equal(coefficients.short(flat), flat)
+
+
+def test_the_first_weights_stand_where_a_line_of_the_cache_begins(tmp_path: Path) -> None:
+    for number in range(4):  # an allocation may happen to be right
+        flat = coefficients.read(wrong(tmp_path / f"{number}.npz"))
+        weights = flat[network.HEAD + 2 * features.FEATURES :]
+        assert weights[0] == np.float64(own()["weights0"][0, 0])
+        assert weights.ctypes.data % 64 == 0

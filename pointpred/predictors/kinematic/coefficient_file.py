@@ -30,6 +30,8 @@ LARGEST_INFLATED = 16 * 1024 * 1024
 """Bytes of all arrays of a file together."""
 MANTISSA_BITS = 9
 """Bits behind the leading one that ``write`` keeps of a number: a browser then loads about 16 kB, packed."""
+LINE = 8
+"""Numbers in a line of the processor's cache."""
 WIDEST = 1024
 """Units of a hidden layer."""
 LARGEST_SCALE, LARGEST_WEIGHT, LARGEST_LOG = 2e6, 1e4, 20.0
@@ -129,9 +131,21 @@ def _read(path: Path, changed_ns: int, size: int) -> FloatArray:
         raise ValueError(f"must be a plain file of at most {LARGEST_BYTES} bytes")
     with path.open("rb") as file:
         parts = _parts(_unpacked(file.read(LARGEST_BYTES)))
-    flat = np.concatenate([np.ravel(part) for part in parts]).astype(np.float64)
+    flat = _aligned(np.concatenate([np.ravel(part) for part in parts]).astype(np.float64))
     flat.flags.writeable = False
     return flat
+
+
+def _aligned(values: FloatArray) -> FloatArray:
+    """The same numbers, with the weights of the first layer at a multiple of 64 bytes.
+
+    Vectors of eight weights then lie in one line of the cache each: on two, a network takes a fifth longer.
+    """
+    spare = np.empty(len(values) + LINE)
+    first = spare.ctypes.data // spare.itemsize + network.HEAD + 2 * features.FEATURES
+    aligned = spare[-first % LINE :][: len(values)]
+    aligned[:] = values
+    return aligned
 
 
 def _unpacked(packed: bytes) -> dict[str, Any]:

@@ -36,21 +36,31 @@ export function layer(coefficients, at, inputs, sums) {
   for (let j = 0; j < width; j++) {
     sums[j] = coefficients[offset + j];
   }
-  for (let k = 0, end_1 = Math.floor(count / 4); k < end_1; k++) {
-    const p = 4 * k;
+  for (let k = 0, end_1 = Math.floor(count / 8); k < end_1; k++) {
+    const p = 8 * k;
+    const w = at + 8 * k * width;
     const a = inputs[p];
     const b = inputs[p + 1];
     const c = inputs[p + 2];
     const d = inputs[p + 3];
-    const wa = at + p * width;
-    const wb = at + (p + 1) * width;
-    const wc = at + (p + 2) * width;
-    const wd = at + (p + 3) * width;
+    const e = inputs[p + 4];
+    const f = inputs[p + 5];
+    const g = inputs[p + 6];
+    const h = inputs[p + 7];
+    const wa = w;
+    const wb = w + width;
+    const wc = w + 2 * width;
+    const wd = w + 3 * width;
+    const we = w + 4 * width;
+    const wf = w + 5 * width;
+    const wg = w + 6 * width;
+    const wh = w + 7 * width;
     for (let j = 0; j < width; j++) {
-      sums[j] = sums[j] + a * coefficients[wa + j] + b * coefficients[wb + j] + c * coefficients[wc + j] + d * coefficients[wd + j];
+      const four = sums[j] + a * coefficients[wa + j] + b * coefficients[wb + j] + c * coefficients[wc + j] + d * coefficients[wd + j];
+      sums[j] = four + e * coefficients[we + j] + f * coefficients[wf + j] + g * coefficients[wg + j] + h * coefficients[wh + j];
     }
   }
-  for (let i = count - remainder(count, 4); i < count; i++) {
+  for (let i = count - remainder(count, 8); i < count; i++) {
     const value = inputs[i];
     const weights = at + i * width;
     for (let j = 0; j < width; j++) {
