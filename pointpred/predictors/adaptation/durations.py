@@ -1,7 +1,8 @@
 """How long a person's movements took lately: a clock, and how much of the time left it gives.
 
 The clock knows the median of the last durations and nothing of the movement; the predictor knows the movement
-and nothing of the person. Five mixtures of both are judged by every finished movement; the best one answers.
+and nothing of the person. Five mixtures of both are judged by every finished movement; the best one is a term
+of the time left.
 """
 
 from __future__ import annotations
