@@ -63,8 +63,9 @@ class Pipeline:
     def joint(self) -> Callable[..., TenFloats]:
         """Both laws as one; not made before an event comes, because a predictor for tables only has none."""
         join = joint_sharing if self.predictor.shared else joint_of
-        usual = isinstance(self.differentiator, HomogeneousDifferentiator)
-        self._joint = join(type(self.differentiator).step, type(self.predictor).step, usual)
+        first, second = type(self.differentiator), type(self.predictor)
+        compiled = second.joint_compiled and issubclass(first, HomogeneousDifferentiator)
+        self._joint = join(first.step, second.step, compiled)
         return self._joint
 
     def __getstate__(self) -> dict[str, Any]:

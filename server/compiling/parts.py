@@ -82,7 +82,7 @@ def parts() -> list[Part]:
 
 def _predictor(name: str, after: tuple[str, ...] = ()) -> Part:
     kind = REGISTRY[name].predictor
-    return Part(name, partial(predict, name), (build(name).joint(), kind.loop), after)
+    return Part(name, partial(predict, name), (build(name).joint(), kind.step, kind.loop), after)
 
 
 def _pieces() -> Iterable[Part]:
@@ -93,7 +93,7 @@ def _pieces() -> Iterable[Part]:
     return (
         Part(of_anybody, lambda: beneath().advance(MOTION), (beneath.step,)),
         Part(of_a_person, _adapt, (adaptation.conclude, adaptation.adapt)),
-        Part(together, partial(_follow, whole), (whole.loop,), (of_anybody, of_a_person)),
+        Part(together, partial(_follow, whole), (whole.step, whole.loop), (of_anybody, of_a_person)),
         Part(
             motions, _move, (HomogeneousDifferentiator.step, HomogeneousDifferentiator.loop, unpack_records)
         ),
@@ -111,6 +111,7 @@ def _adapt() -> None:
 
 
 def _follow(kind: Callable[[], Predictor]) -> None:
+    kind().advance(MOTION)
     kind().walk(np.zeros(1, np.bool_), np.array([MOTION]))
 
 

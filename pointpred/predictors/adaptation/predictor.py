@@ -142,6 +142,7 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     )
     loop = staticmethod(loop_sharing(step, row_at, conclude))
     step = staticmethod(step)
+    joint_compiled = False
     conclude = staticmethod(conclude)
     slots = correction.SLOTS
     fault = staticmethod(correction.fault)
