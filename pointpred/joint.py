@@ -39,9 +39,9 @@ def joint_of(
 def joint_sharing(
     first: Callable[..., Any], second: Callable[..., Any], compiled: bool
 ) -> Callable[..., TenFloats]:
-    """``joint_of`` where ``second`` also takes an array that many stages share; see ``loop_sharing``."""
+    """``joint_of`` where ``second`` takes an array that many stages share, which comes first here."""
 
-    def joint(memory: FloatArray, other: FloatArray, row: Row, shared: FloatArray) -> TenFloats:
+    def joint(shared: FloatArray, memory: FloatArray, other: FloatArray, row: Row) -> TenFloats:
         kept = memory.copy()
         between = first(memory, row)
         answer = REFUSED

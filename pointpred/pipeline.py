@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any, Self
 
 from pointpred.columns import BoolArray, EventColumns, FloatArray, PredictionColumns
@@ -56,16 +57,21 @@ class Pipeline:
         ``None`` where the event is refused; nothing has changed then, and ``update`` says why.
         """
         first, second = self.differentiator, self.predictor
-        joint = self._joint or self.joint()
-        answer = joint(first._memory, second._memory, row, *second.shared)
+        joint = self._joint or self._bind()
+        answer = joint(first._memory, second._memory, row)
         return answer if answer[0] == answer[0] else None
 
     def joint(self) -> Callable[..., TenFloats]:
-        """Both laws as one; not made before an event comes, because a predictor for tables only has none."""
+        """Both laws as one."""
         join = joint_sharing if self.predictor.shared else joint_of
         first, second = type(self.differentiator), type(self.predictor)
         compiled = second.joint_compiled and issubclass(first, HomogeneousDifferentiator)
-        self._joint = join(first.step, second.step, compiled)
+        return join(first.step, second.step, compiled)
+
+    def _bind(self) -> Callable[..., TenFloats]:
+        """The joint law with what is shared; not before an event comes: one for tables only has no law."""
+        shared = self.predictor.shared
+        self._joint = partial(self.joint(), *shared) if shared else self.joint()
         return self._joint
 
     def __getstate__(self) -> dict[str, Any]:
