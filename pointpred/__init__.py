@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from pointpred.columns import EventColumns, MotionColumns, PredictionColumns, RegionColumns
-    from pointpred.events import Motion, PointerEvent, Prediction
+    from pointpred.events import Motion, Place, PointerEvent, Prediction
     from pointpred.pipeline import Pipeline, run
     from pointpred.regions import Region
     from pointpred.registry import RECOMMENDED, REGISTRY, build
@@ -22,6 +22,7 @@ __all__ = [
     "Motion",
     "MotionColumns",
     "Pipeline",
+    "Place",
     "PointerEvent",
     "Prediction",
     "PredictionColumns",

@@ -18,7 +18,7 @@ from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.stage import CompiledStage, Slot
 
-LARGEST = 4096
+LARGEST = 16384
 """Characters of a person, at most."""
 VERSION = "1."
 """Of the string; what the numbers mean is the layout's."""

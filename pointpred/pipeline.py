@@ -11,11 +11,12 @@ from pointpred.compiled import law
 from pointpred.differentiators import Differentiator, HomogeneousDifferentiator
 from pointpred.differentiators.differentiator import checked_event_row
 from pointpred.errors import EventError
-from pointpred.events import PointerEvent, Prediction
+from pointpred.events import Place, PointerEvent, Prediction
 from pointpred.joint import joint_of, joint_sharing
 from pointpred.person import person_of
 from pointpred.predictors import Predictor
 from pointpred.rows import Row, TenFloats, prediction_of
+from pointpred.scene import scene
 
 
 @law
@@ -120,10 +121,40 @@ class Pipeline:
     def person(self) -> str:
         """What finished movements taught of the person, for ``build(name, person=...)``: printable ASCII.
 
-        At most 4096 characters; "" while nobody is known, and always where nothing is learned or can be
+        At most 16384 characters; "" while nobody is known, and always where nothing is learned or can be
         saved (`ktm`). The movement that goes on is not in it: ``reset`` finishes it.
         """
         return person_of(self.predictor)
+
+    @property
+    def places(self) -> tuple[Place, ...]:
+        """Where movements of this person ended before, the likeliest destination first; at most 64.
+
+        Those of the window or page that ``enter`` named. Before a movement has begun ``p`` is ``before``,
+        for a movement from where the last one ended. Empty where the predictor learns no places.
+
+        >>> from pointpred import build
+        >>> build("kinematic-adaptive").places
+        ()
+        """
+        return self.predictor.known_places
+
+    def enter(self, key: str, x: float = 0.0, y: float = 0.0) -> None:
+        """The cursor moves in this window or page from now on; a movement that goes on is finished first.
+
+        Places are remembered for each ``key`` and relative to the origin (x, y) px, so that they move with
+        the window; "" is the key of a pipeline that was told nothing. Other windows' places are kept. Raises
+        ParameterError for a key that is no string and an origin that is no number within the bounds of
+        positions; nothing is then changed. Without effect on a predictor that learns no places.
+        """
+        entered = scene(key, x, y)
+        self.reset()
+        self.predictor.enter(entered)
+
+    def forget(self) -> None:
+        """Forget the person, the movement and the window."""
+        self.differentiator = self.differentiator.fresh()
+        self.predictor = self.predictor.fresh()
 
     def reset(self) -> None:
         """Forget every event: the next one starts a movement. What is known of the person stays."""

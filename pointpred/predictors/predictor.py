@@ -7,8 +7,9 @@ from typing import ClassVar
 
 from pointpred.columns import BoolArray, MotionColumns, PredictionColumns
 from pointpred.errors import EventError
-from pointpred.events import Motion, Prediction
+from pointpred.events import Motion, Place, Prediction
 from pointpred.rows import MotionRow, PredictionRow, Row, TenFloats, motion_row, prediction_of, row_at
+from pointpred.scene import Scene
 from pointpred.stage import CompiledStage, learn_nothing, loop_of
 
 
@@ -47,6 +48,14 @@ class Predictor(CompiledStage):
         if answer[0] != answer[0]:
             raise unusable_motion(row)
         return prediction_of(answer)
+
+    @property
+    def known_places(self) -> tuple[Place, ...]:
+        """Where movements of the person ended before, the likeliest destination first; most learn none."""
+        return ()
+
+    def enter(self, scene: Scene) -> None:
+        """The cursor is in this window or page from now on; without effect where no places are learned."""
 
     def advance(self, row: Row) -> TenFloats:
         """``update`` in rows; t is NaN where the motion is refused, and nothing has changed then."""

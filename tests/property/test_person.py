@@ -15,7 +15,7 @@ from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.predictors import AdaptiveKinematicPredictor
 from pointpred.predictors.adaptation import correction as law
-from pointpred.predictors.adaptation import distances, time_left
+from pointpred.predictors.adaptation import distances, places, time_left
 from pointpred.predictors.adaptation import durations as clock
 from pointpred.stage import Slot
 
@@ -58,6 +58,10 @@ def consistent(numbers: Sequence[float]) -> FloatArray:
             belief[:-1] *= (1.0 - belief[-1]) / others
         else:
             belief[:-1], belief[-1] = 0.0, 1.0
+    where = known[law.KNOWN : law.HABITS]
+    visits = where[places.PLACES : places.HISTORY].reshape(-1, places.WIDTH)[:, places.WEIGHT]
+    visits[:] = np.maximum(visits, places.LIGHTEST)
+    where[places.HISTORY :] = np.minimum(where[places.HISTORY :], where[places.COUNT] - 1.0)
     return known
 
 

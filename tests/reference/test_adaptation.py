@@ -32,7 +32,7 @@ def density(history: list[float], time: float, width: float, at: FloatArray) -> 
 
 def beliefs(history: list[float]) -> FloatArray:
     """Bayes' rule, movement after movement; a share of 0.05 starts anew; the last: nothing is known."""
-    first = np.array([0.2 / 6.0] * 6 + [0.8])
+    first = np.array([0.05 / 6.0] * 6 + [0.95])
     belief = first
     for count in range(2, len(history)):
         at = np.array(history[count : count + 1])
@@ -64,7 +64,7 @@ def test_the_answer_is_the_median_of_the_product(history: list[float], wide: flo
     """With a normal law the product is known: integrated over a fine grid it gives the same median."""
     reached = 120.0
     memory = remembered(history)
-    own, width = distances.combine(memory, 0, reached, Ahead(ahead, wide, 0.0, 1e9))
+    own, width, _ = distances.combine(memory, 0, reached, Ahead(ahead, wide, 0.0, 1e9))
     grid = np.linspace(ahead - 8.0 * wide, ahead + 8.0 * wide, 400_001)
     law = np.exp(-0.5 * ((grid - ahead) / wide) ** 2)
     belief, last = beliefs(history), np.array(history[::-1][:12])
@@ -84,8 +84,8 @@ def test_the_answer_is_the_median_of_the_product(history: list[float], wide: flo
 
 def test_nearer_where_the_direction_is_uncertain() -> None:
     memory = remembered([400.0] * 12)
-    sure, _ = distances.combine(memory, 0, 10.0, Ahead(300.0, 120.0, 0.0, 8.0))
-    unsure, _ = distances.combine(memory, 0, 10.0, Ahead(300.0, 120.0, 200.0, 8.0))
+    sure, _, _ = distances.combine(memory, 0, 10.0, Ahead(300.0, 120.0, 0.0, 8.0))
+    unsure, _, _ = distances.combine(memory, 0, 10.0, Ahead(300.0, 120.0, 200.0, 8.0))
     assert sure == pytest.approx(390.0, abs=3.0)
     assert unsure == pytest.approx(400.0 / np.sqrt(1.0 + 0.5 * 0.25) - 10.0, abs=3.0)
 

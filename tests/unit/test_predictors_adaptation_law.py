@@ -10,10 +10,12 @@ from pointpred.columns import FloatArray
 from pointpred.predictors.adaptation import correction, distances, stages, time_left
 from pointpred.predictors.adaptation import durations as clock
 from pointpred.predictors.adaptation import predictor as adaptation
+from pointpred.predictors.adaptation.correction import Parts
 from pointpred.predictors.adaptation.distances import Ahead
 from pointpred.predictors.adaptation.time_left import Estimates, Pace, Way
 from pointpred.predictors.adaptation.time_left_prior import PRIOR
 from pointpred.recording import Recording, Trial
+from pointpred.scene import SCREEN
 from pointpred.scoring import prepare
 
 AT = correction.LEARNED
@@ -42,7 +44,7 @@ def asked(memory: FloatArray, since: float, ask: float) -> tuple[float, float, f
     memory[AT + correction.STARTED] = 1.0
     memory[AT + correction.T], memory[AT + correction.X] = since, REACHED
     answer = (since, REACHED + ALONG, 0.0, WIDE**2, 0.0, 40.0**2, LEFT, 0.0, 8.0, 0.3)
-    _, x, y, sxx, _, _, left, *_ = correction.adapt(memory, 0, AT, ask, answer, PACE)
+    _, x, y, sxx, _, _, left, *_ = correction.adapt(memory, 0, AT, Parts(ask, 0.0, 0.0), SCREEN, answer, PACE)
     assert y == 0.0
     return x - REACHED, float(np.sqrt(sxx)), left
 
@@ -63,7 +65,7 @@ def test_bias_and_distances_fade_out_by_the_clock(since: float, gone: float) -> 
     assert known[0] == pytest.approx(2.0 * mixed, rel=1e-12)
     assert left == pytest.approx(0.5 * float(np.dot(PRIOR[: time_left.TERMS], known)), rel=1e-9)
     ahead = Ahead(biased, WIDE, 40.0, 8.0)
-    usual, narrow = distances.combine(memory, correction.DISTANCES, REACHED, ahead)
+    usual, narrow, _ = distances.combine(memory, correction.DISTANCES, REACHED, ahead)
     assert usual > biased + 50.0
     assert narrow < 0.8 * WIDE
     still = min((1.0 - gone) / 0.5, 1.0)

@@ -7,57 +7,68 @@ and the start of the movement.
 from __future__ import annotations
 
 from math import floor, hypot, sqrt
+from typing import NamedTuple
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
 from pointpred.predictors.adaptation import (
     arrival_intervals,
+    destination,
     distances,
     durations,
+    habits,
+    places,
     region_widening,
     stages,
     time_left,
 )
+from pointpred.predictors.adaptation.destination import Heading
 from pointpred.predictors.adaptation.distances import Ahead
 from pointpred.predictors.adaptation.stages import Moment
 from pointpred.predictors.adaptation.time_left import Estimates, Pace, Way
 from pointpred.predictors.adaptation.time_left_prior import PRIOR
 from pointpred.rows import TenFloats
+from pointpred.scene import Scene
 from pointpred.stage import offsets
 
 # What is known of the person, relative to `person`: the stages, the distances, the durations, the regions,
-# the time left, its intervals.
-_, DISTANCES, DURATIONS, REGIONS, TIME_LEFT, INTERVALS, LEARNED = offsets(
-    stages.LEARNED,
-    distances.LEARNED,
-    durations.LEARNED,
-    region_widening.LEARNED,
-    time_left.LEARNED,
-    arrival_intervals.LEARNED,
+# the time left, its intervals, the places, the habits.
+_, DISTANCES, DURATIONS, REGIONS, TIME_LEFT, INTERVALS, KNOWN, HABITS, LEARNED = offsets(
+    *(stages.LEARNED, distances.LEARNED, durations.LEARNED, region_widening.LEARNED),
+    *(time_left.LEARNED, arrival_intervals.LEARNED, places.LEARNED, habits.LEARNED),
 )
 SLOTS = (
-    *(*stages.SLOTS, *distances.SLOTS, *durations.SLOTS),
-    *(*region_widening.SLOTS, *time_left.SLOTS, *arrival_intervals.SLOTS),
+    *(*stages.SLOTS, *distances.SLOTS, *durations.SLOTS, *region_widening.SLOTS),
+    *(*time_left.SLOTS, *arrival_intervals.SLOTS, *places.SLOTS, *habits.SLOTS),
 )
 
 TRACE_PLACES, APART_S = 96, 0.005
 """Places of the last way that are remembered, and how far apart in time at least; none while it stands."""
 # The movement, relative to `at`: whether there is one, its start, its last sample; how many places of the way
 # there were, samples of different times; the last places; a moment of each stage; the regions stated; the
-# time left stated.
+# time left stated; where it may go.
 STARTED, T0, X0, Y0, T, X, Y, PLACES, SAMPLES = range(9)
-_, TRACE, MOMENTS, STATED, TIMED, STATES = offsets(
-    SAMPLES + 1, 3 * TRACE_PLACES, stages.STATES, region_widening.STATES, time_left.STATES
+_, TRACE, MOMENTS, STATED, TIMED, DESTINATION, STATES = offsets(
+    *(SAMPLES + 1, 3 * TRACE_PLACES, stages.STATES, region_widening.STATES),
+    *(time_left.STATES, destination.STATES),
 )
 NEAR_PX, NEAR_SHARE = 8.0, 0.03
 """The movement has arrived when the cursor stays so near its end: px, share of the distance."""
 
 SAMPLES_LEAST, LEAST_S = 6, 0.08
 """A movement of fewer samples of different times, or shorter, teaches nothing."""
-BIAS_FADE, FADE = 0.2, 0.5
-"""From these shares of the time on the bias and the last distances fade out: what is left is a correction."""
+BIAS_FADE, FADE, PLACES_FADE = 0.2, 0.5, 0.7
+"""From these shares of the time on the bias, the last distances and the places fade out."""
 EARLY = 0.1
 """A stage begins at this share of its length before its middle."""
+
+
+class Parts(NamedTuple):
+    """Which parts of the adaptation answer, 1 or 0 each."""
+
+    distances: float
+    places: float
+    order: float
 
 
 UNEQUAL = 21
@@ -75,7 +86,10 @@ def fault(learned: FloatArray) -> tuple[int, float]:
     wrong, value = durations.fault(learned[DURATIONS:REGIONS])
     if wrong != durations.FINE:
         return wrong, value
-    return time_left.fault(learned[TIME_LEFT:INTERVALS])
+    wrong, value = time_left.fault(learned[TIME_LEFT:INTERVALS])
+    if wrong != time_left.FINE:
+        return wrong, value
+    return places.fault(learned[KNOWN:HABITS])
 
 
 def doubt(learned: FloatArray) -> str:
@@ -88,6 +102,7 @@ def doubt(learned: FloatArray) -> str:
         distances.doubt(learned[DISTANCES:DURATIONS])
         or durations.doubt(learned[DURATIONS:REGIONS])
         or time_left.doubt(learned[TIME_LEFT:INTERVALS])
+        or places.doubt(learned[KNOWN:HABITS])
     )
 
 
@@ -102,6 +117,19 @@ def arrival(memory: FloatArray, at: int, near: float) -> float:
             return float(when)
         when = memory[place]
     return float(when)
+
+
+@law
+def learn_place(memory: FloatArray, person: int, at: int, parts: Parts, scene: Scene) -> None:
+    """Learn which place the movement went to; before its distance is taken in."""
+    x0, y0 = memory[at + X0] - scene.x, memory[at + Y0] - scene.y
+    x, y = memory[at + X] - scene.x, memory[at + Y] - scene.y
+    distance, usual = hypot(x - x0, y - y0), 1.0
+    if parts.distances == 1.0:
+        usual = distances.likelihood(memory, person + DISTANCES, distance)
+    where, habit, near = person + KNOWN, person + HABITS, places.NEAR_SHARE * distance
+    habits.learn(memory, where, habit, (scene.key, parts.order, near), (x0, y0, x, y), usual)
+    places.visit(memory, where, scene.key, (x, y), near)
 
 
 @law
@@ -131,12 +159,14 @@ def learn(memory: FloatArray, person: int, at: int, distance: float, end: float)
 
 
 @law
-def conclude(memory: FloatArray, person: int, at: int, shortest: float) -> None:
+def conclude(memory: FloatArray, person: int, at: int, shortest: float, parts: Parts, scene: Scene) -> None:
     """The movement has ended where the cursor is: learn from it, and forget it."""
     distance = hypot(memory[at + X] - memory[at + X0], memory[at + Y] - memory[at + Y0])
     end = arrival(memory, at, max(NEAR_PX, NEAR_SHARE * distance))
     whole = memory[at + STARTED] == 1.0 and memory[at + SAMPLES] >= SAMPLES_LEAST
     if whole and end - memory[at + T0] >= LEAST_S and distance >= max(shortest, distances.SHORTEST_PX):
+        if parts.places == 1.0:
+            learn_place(memory, person, at, parts, scene)
         learn(memory, person, at, distance, end)
     memory[at : at + STATES] = 0.0
 
@@ -187,8 +217,52 @@ def fading(share: float, since: float) -> float:
 
 
 @law
+def prepare(
+    memory: FloatArray, person: int, going: int, parts: Parts, scene: Scene, start: tuple[float, float]
+) -> None:
+    """Lay out how likely each place is for a movement from ``start``, px from the scene's origin."""
+    near = places.NEAR_SHARE * memory[person + DISTANCES + distances.DISTANCES]
+    known = person + KNOWN, person + HABITS
+    destination.prepare(memory, known, going, (scene.key, parts.order, near), start)
+
+
+@law
+def by_places(
+    memory: FloatArray,
+    person: int,
+    at: int,
+    parts: Parts,
+    scene: Scene,
+    laws: tuple[Heading, Heading],
+    weights: tuple[float, float],
+) -> Heading:
+    """The law of the endpoint by the places where the person was before.
+
+    ``laws``: without and with the last distances; ``weights``: how likely the first makes the last distances,
+    and the weight of the places.
+    """
+    own, elsewhere = laws
+    start = memory[at + X0] - scene.x, memory[at + Y0] - scene.y
+    where, going = person + KNOWN, at + DESTINATION
+    if memory[going + destination.READY] == 0.0:
+        prepare(memory, person, going, parts, scene, start)
+    if memory[going + destination.RETURNS] == 0.0:
+        return elsewhere
+    destination.weigh(memory, where, going, start, moved(own, -scene.x, -scene.y), weights)
+    combined = destination.combine(memory, where, going, start, moved(elsewhere, -scene.x, -scene.y))
+    return moved(combined, scene.x, scene.y)
+
+
+@law
+def moved(heading: Heading, dx: float, dy: float) -> Heading:
+    """A law whose centre is shifted."""
+    x, y, ux, uy, wide, broad, tail = heading
+    return Heading(x + dx, y + dy, ux, uy, wide, broad, tail)
+
+
+@law
 def adapt(
-    memory: FloatArray, person: int, at: int, with_distances: float, answer: TenFloats, pace: Pace
+    memory: FloatArray, person: int, at: int, parts: Parts, scene: Scene, answer: TenFloats, pace: Pace
 ) -> TenFloats:
     """The prediction as it is for this person; as it was where it claims too little or has no direction."""
     t, px, py, sxx, sxy, syy, predicted, phase, tail, spread = answer
@@ -216,20 +290,28 @@ def adapt(
     total = hypot(reached + along, across)
     shift, widen, broaden, slow = stages.correct(memory, person, share, total, along)
     left = durations.mix(memory, person + DURATIONS, since, left * slow)
-    new_wide, new_broad = wide * widen, broad * broaden
     share = since / (since + left)
-    new_along = along + shift * fading(share, BIAS_FADE)
-    if with_distances == 1.0:
-        ahead = Ahead(new_along, new_wide, new_broad, tail)
-        usual_along, usual_wide = distances.combine(memory, person + DISTANCES, reached, ahead)
+    own_along, own_wide, own_broad = along + shift * fading(share, BIAS_FADE), wide * widen, broad * broaden
+    usual, new_along, new_wide = 1.0, own_along, own_wide
+    if parts.distances == 1.0:
+        ahead = Ahead(own_along, own_wide, own_broad, tail)
+        usual_along, usual_wide, usual = distances.combine(memory, person + DISTANCES, reached, ahead)
         weight = fading(share, FADE)
         new_along += weight * (usual_along - new_along)
         new_wide *= (usual_wide / new_wide) ** weight
-    ratio, moved = new_wide / wide, new_along - along
-    cross = (sxy * (ux * ux - uy * uy) + (syy - sxx) * ux * uy) * ratio * broaden
+    px, py = x + new_along * ux - across * uy, y + new_along * uy + across * ux
+    new_broad = own_broad
+    if parts.places == 1.0:
+        own_x, own_y = x + own_along * ux - across * uy, y + own_along * uy + across * ux
+        own = Heading(own_x, own_y, ux, uy, own_wide, own_broad, tail)
+        elsewhere = Heading(px, py, ux, uy, new_wide, new_broad, tail)
+        weights = usual, fading(share, PLACES_FADE)
+        by = by_places(memory, person, at, parts, scene, (own, elsewhere), weights)
+        px, py, new_wide, new_broad = by.x, by.y, by.wide, by.broad
+    cross = sxy * (ux * ux - uy * uy) + (syy - sxx) * ux * uy
     factor, tail = region_widening.widen(memory, person + REGIONS, share, tail)
-    wide2, broad2, cross = factor * new_wide * new_wide, factor * new_broad * new_broad, factor * cross
-    px, py = px + moved * ux, py + moved * uy
+    cross *= factor * (new_wide / wide) * (new_broad / broad)
+    wide2, broad2 = factor * new_wide * new_wide, factor * new_broad * new_broad
     sxx = wide2 * ux * ux - 2.0 * cross * ux * uy + broad2 * uy * uy
     sxy = (wide2 - broad2) * ux * uy + cross * (ux * ux - uy * uy)
     syy = wide2 * uy * uy + 2.0 * cross * ux * uy + broad2 * ux * ux

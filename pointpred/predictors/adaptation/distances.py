@@ -28,7 +28,7 @@ AGES = (1.5, 12.0)
 LAWS = len(WIDTHS) * len(AGES)
 UNKNOWN_LOGS = 3.0
 """Where nothing is known the logarithm of the distance lies evenly in a range so wide: a factor of 20."""
-UNKNOWN_SHARE = 0.8
+UNKNOWN_SHARE = 0.95
 """Initial belief in "nothing is known"."""
 FORGET = 0.05
 """Share of the belief that returns to its initial values per movement."""
@@ -155,16 +155,32 @@ def remember(memory: FloatArray, at: int, distance: float) -> None:
 
 
 @law
-def combine(memory: FloatArray, at: int, reached: float, predicted: Ahead) -> tuple[float, float]:
+def likelihood(memory: FloatArray, at: int, distance: float) -> float:
+    """How likely the last distances had made a distance, over what it is where nothing is known."""
+    count = int(memory[at + COUNT])
+    if count < LEAST:
+        return 1.0
+    likely = memory[at + BELIEF + LAWS]
+    for j in range(count):
+        for w in range(len(WIDTHS)):
+            off = log(distance / memory[at + DISTANCES + j]) / WIDTHS[w]
+            near = exp(-0.5 * min(off * off, 1000.0)) / (WIDTHS[w] * sqrt(2.0 * np.pi))
+            likely += memory[at + WEIGHTS + j * len(WIDTHS) + w] * UNKNOWN_LOGS * near
+    return float(likely)
+
+
+@law
+def combine(memory: FloatArray, at: int, reached: float, predicted: Ahead) -> tuple[float, float, float]:
     """The way ahead and its width along, by the predicted law and the last distances: (px, px).
 
+    The third value is how likely the law makes the last distances, over what it is where nothing is known.
     ``reached``: px from the start to the cursor. The answer is the median of the product of the law with
     each kernel, a normal law each, and of the law alone where nothing is known.
     """
     ahead, wide, broad, tail = predicted
     count = int(memory[at + COUNT])
     if count < LEAST:
-        return ahead, wide
+        return ahead, wide, 1.0
     most = count * len(WIDTHS) + 1
     weight, shift, width = np.empty(most), np.empty(most), np.empty(most)
     total, low, high, parts = memory[at + BELIEF + LAWS], 0.0, 0.0, 1
@@ -195,4 +211,4 @@ def combine(memory: FloatArray, at: int, reached: float, predicted: Ahead) -> tu
     middle, around = 0.5 * (low + high), 0.0
     for k in range(parts):
         around += weight[k] * (width[k] ** 2 + (shift[k] - middle) ** 2)
-    return ahead + middle, min(sqrt(around / total), wide)
+    return ahead + middle, min(sqrt(around / total), wide), total

@@ -3,23 +3,28 @@
 from __future__ import annotations
 
 from math import hypot
-from typing import Any
+from typing import Any, Self
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
+from pointpred.events import Place
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
-from pointpred.predictors.adaptation import correction
+from pointpred.predictors.adaptation import correction, destination, places
+from pointpred.predictors.adaptation.correction import Parts
 from pointpred.predictors.adaptation.time_left import Pace
 from pointpred.predictors.kinematic import observation, track
 from pointpred.predictors.kinematic import predictor as kinematic
 from pointpred.predictors.kinematic.predictor import KinematicPredictor
 from pointpred.rows import MotionRow, Row, TenFloats, row_at
+from pointpred.scene import SCREEN, Scene
 from pointpred.stage import loop_sharing, offsets
 
-# The settings, what is known of the person, the movement of the learned predictor and that of the adaptation.
-ADAPT, DISTANCES, SHORTEST_PX, PERSON, OBSERVATION, MOVEMENT, LENGTH = offsets(
-    1, 1, 1, correction.LEARNED, observation.STATES, correction.STATES
+# The settings: the parameters, then the scene. What is known of the person, the movement of the learned
+# predictor and that of the adaptation.
+ADAPT, DISTANCES, SHORTEST_PX, PLACES, ORDER, KEY, ORIGIN_X, ORIGIN_Y = range(8)
+_, PERSON, OBSERVATION, MOVEMENT, LENGTH = offsets(
+    ORIGIN_Y + 1, correction.LEARNED, observation.STATES, correction.STATES
 )
 
 
@@ -31,16 +36,29 @@ def sizes(values: FloatArray) -> tuple[int, int, int]:
 
 
 @law
+def parts_of(memory: FloatArray) -> Parts:
+    """Which parts of the adaptation answer."""
+    return Parts(memory[DISTANCES], memory[PLACES], memory[ORDER])
+
+
+@law
+def scene_of(memory: FloatArray) -> Scene:
+    """What the cursor moves in."""
+    return Scene(memory[KEY], memory[ORIGIN_X], memory[ORIGIN_Y])
+
+
+@law
 def conclude(memory: FloatArray) -> None:
     """The movement has ended: learn from it."""
     if memory[ADAPT] == 1.0:
-        correction.conclude(memory, PERSON, MOVEMENT, memory[SHORTEST_PX])
+        parts, scene = parts_of(memory), scene_of(memory)
+        correction.conclude(memory, PERSON, MOVEMENT, memory[SHORTEST_PX], parts, scene)
 
 
 @law
 def adapt(memory: FloatArray, answer: TenFloats, pace: Pace) -> TenFloats:
     """The learned predictor's answer, corrected for the person."""
-    return correction.adapt(memory, PERSON, MOVEMENT, memory[DISTANCES], answer, pace)
+    return correction.adapt(memory, PERSON, MOVEMENT, parts_of(memory), scene_of(memory), answer, pace)
 
 
 @law
@@ -64,6 +82,18 @@ def step(memory: FloatArray, motion: Row, coefficients: FloatArray) -> TenFloats
     start = own[movement.T0], own[movement.X0], own[movement.Y0]
     correction.follow(memory, MOVEMENT, (m.t, m.x, m.y), start)
     return adapt(memory, answer, pace_of(own, m))
+
+
+def known_places(memory: FloatArray, known: int, going: int, scene: Scene) -> tuple[Place, ...]:
+    """The places of a scene, on the screen, the likeliest destination first."""
+    rows = []
+    for i in range(int(memory[known + places.COUNT])):
+        key, x, y, visits = memory[known + places.PLACES + places.WIDTH * i :][: places.WIDTH].tolist()
+        if key == scene.key:
+            before, now = (float(memory[going + part + i]) for part in (destination.BEFORE, destination.NOW))
+            before *= float(memory[going + destination.RETURNS])
+            rows.append(Place(x + scene.x, y + scene.y, now, before, visits))
+    return tuple(sorted(rows, key=lambda place: -place.p))
 
 
 class AdaptiveKinematicPredictor(KinematicPredictor):
@@ -140,6 +170,17 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     shortest_px: float = parameter(
         "px", 0.0, 1e6, "straight distance of the shortest movement that teaches", default=10.0
     )
+    places: int = parameter(
+        "", 0, 1, "1: remember where movements ended; 0: only how far they went", default=1, whole=True
+    )
+    order: int = parameter(
+        "",
+        0,
+        1,
+        "1: learn which place follows which; 0: only how often each is visited",
+        default=1,
+        whole=True,
+    )
     loop = staticmethod(loop_sharing(step, row_at, conclude))
     step = staticmethod(step)
     joint_compiled = False
@@ -149,7 +190,41 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     doubt = staticmethod(correction.doubt)
     sizes = staticmethod(sizes)
 
+    def settings(self) -> FloatArray:
+        """The numbers of the parameters, and the scene: no key, the origin at 0."""
+        return self.filled(PERSON)
+
     def declare(self, **values: Any) -> None:
         """Check the values; without adaptation nothing of the person is remembered."""
         super().declare(**values)
         _, self.learned, self.states = sizes(self.values())
+
+    def fresh(self) -> Self:
+        """Return a predictor with the same parameters, which knows neither a person nor a window."""
+        twin = super().fresh()
+        twin.enter(SCREEN)
+        return twin
+
+    def enter(self, scene: Scene) -> None:
+        """The cursor is in this window or page from now on."""
+        self._memory[KEY : ORIGIN_Y + 1] = scene
+        if self.adapt:
+            self._memory[MOVEMENT + correction.DESTINATION] = 0.0
+
+    @property
+    def known_places(self) -> tuple[Place, ...]:
+        """The places of the window that the cursor is in, the likeliest destination first."""
+        if not (self.adapt and self.places):
+            return ()
+        memory, scene = self._memory, scene_of(self._memory)
+        known, going = PERSON + correction.KNOWN, MOVEMENT + correction.DESTINATION
+        if memory[going + destination.READY] == 0.0:
+            memory = memory.copy()
+            last = known + places.PLACES + places.WIDTH * max(places.visited(memory, known, 0), 0)
+            start = float(memory[last + places.X]), float(memory[last + places.Y])
+            correction.prepare(memory, PERSON, going, parts_of(memory), scene, start)
+            before = memory[going + destination.BEFORE : going + destination.NOW]
+            memory[going + destination.NOW : going + destination.ELSEWHERE] = (
+                memory[going + destination.RETURNS] * before
+            )
+        return known_places(memory, known, going, scene)

@@ -66,7 +66,7 @@ const place = number(-LARGEST, LARGEST), extent = number(SMALLEST_PX, LARGEST);
 const target = fields({ id: text(1, 128), x: place, y: place, width: extent, height: extent, weight: number(0, LARGEST) },
   "id", "x", "y", "width", "height");
 const goal = fields({ x: place, y: place, width: positive }, "x", "y", "width");
-const person = text(0, 4096), reply = oneOf("frame", "event"), type = anything;
+const person = text(0, 16384), reply = oneOf("frame", "event"), type = anything;
 
 const MESSAGES = {
   hello: fields({ type, version: number(-LARGEST, LARGEST), predictor: text(0, LARGEST), parameters, device: orNull(device), screen: orNull(screen),

@@ -4,7 +4,7 @@ import { digest } from "./blake2b.js";
 import { ParameterError } from "./errors.js";
 import { general } from "./words.js";
 
-const LARGEST = 4096; // characters of a person, at most
+const LARGEST = 16384; // characters of a person, at most
 const VERSION = "1."; // of the string; what the numbers mean is the layout's
 const DIGEST = 8; // bytes of the layout's name, and of the digest of all before it
 

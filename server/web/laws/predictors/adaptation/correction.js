@@ -1,7 +1,10 @@
 // Written by `make page` from correction.py: change that and run it again.
 import { hypot, larger, remainder, smaller, view } from "../../arithmetic.js";
+import * as $destination from "./destination.js";
 import * as $distances from "./distances.js";
 import * as $durations from "./durations.js";
+import * as $adaptation_habits from "./habits.js";
+import * as $places from "./places.js";
 import * as $region_widening from "./region_widening.js";
 import * as $stages from "./stages.js";
 import * as $adaptation_time_left from "./time_left.js";
@@ -11,7 +14,9 @@ export const DURATIONS = 136;
 export const REGIONS = 157;
 export const TIME_LEFT = 168;
 export const INTERVALS = 203;
-export const LEARNED = 207;
+export const KNOWN = 207;
+export const HABITS = 593;
+export const LEARNED = 618;
 export const TRACE_PLACES = 96;
 export const APART_S = 0.005;
 export const STARTED = 0;
@@ -27,13 +32,15 @@ export const TRACE = 9;
 export const MOMENTS = 297;
 export const STATED = 362;
 export const TIMED = 702;
-export const STATES = 1034;
+export const DESTINATION = 1034;
+export const STATES = 1166;
 export const NEAR_PX = 8;
 export const NEAR_SHARE = 0.03;
 export const SAMPLES_LEAST = 6;
 export const LEAST_S = 0.08;
 export const BIAS_FADE = 0.2;
 export const FADE = 0.5;
+export const PLACES_FADE = 0.7;
 export const EARLY = 0.1;
 export const UNEQUAL = 21;
 export function fault(learned) {
@@ -53,7 +60,13 @@ export function fault(learned) {
   if (wrong !== $durations.FINE) {
     return [wrong, value];
   }
-  return $adaptation_time_left.fault(view(learned, TIME_LEFT, INTERVALS));
+  const values_3 = $adaptation_time_left.fault(view(learned, TIME_LEFT, INTERVALS));
+  wrong = values_3[0];
+  value = values_3[1];
+  if (wrong !== $adaptation_time_left.FINE) {
+    return [wrong, value];
+  }
+  return $places.fault(view(learned, KNOWN, HABITS));
 }
 export function arrival(memory, at, near) {
   const places = Math.trunc(memory[at + PLACES]);
@@ -66,6 +79,22 @@ export function arrival(memory, at, near) {
     when = memory[place];
   }
   return when;
+}
+export function learn_place(memory, person, at, parts, scene) {
+  const x0 = memory[at + X0] - scene[1];
+  const y0 = memory[at + Y0] - scene[2];
+  const x = memory[at + X] - scene[1];
+  const y = memory[at + Y] - scene[2];
+  const distance = hypot(x - x0, y - y0);
+  let usual = 1;
+  if (parts[0] === 1) {
+    usual = $distances.likelihood(memory, person + DISTANCES, distance);
+  }
+  const where = person + KNOWN;
+  const habit = person + HABITS;
+  const near = $places.NEAR_SHARE * distance;
+  $adaptation_habits.learn(memory, where, habit, [scene[0], parts[2], near], [x0, y0, x, y], usual);
+  $places.visit(memory, where, scene[0], [x, y], near);
 }
 export function learn(memory, person, at, distance, end) {
   const x = memory[at + X];
@@ -98,11 +127,14 @@ export function learn(memory, person, at, distance, end) {
   $durations.remember(memory, clock, duration);
   $region_widening.learn(memory, person + REGIONS, at + STATED, [x, y], [start, end]);
 }
-export function conclude(memory, person, at, shortest) {
+export function conclude(memory, person, at, shortest, parts, scene) {
   const distance = hypot(memory[at + X] - memory[at + X0], memory[at + Y] - memory[at + Y0]);
   const end = arrival(memory, at, larger(NEAR_PX, NEAR_SHARE * distance));
   const whole = memory[at + STARTED] === 1 && memory[at + SAMPLES] >= SAMPLES_LEAST;
   if (whole && end - memory[at + T0] >= LEAST_S && distance >= larger(shortest, $distances.SHORTEST_PX)) {
+    if (parts[1] === 1) {
+      learn_place(memory, person, at, parts, scene);
+    }
     learn(memory, person, at, distance, end);
   }
   memory.fill(0, at, at + STATES);
@@ -152,7 +184,38 @@ export function record(memory, at, share, moment) {
 export function fading(share, since) {
   return smaller((1 - share) / (1 - since), 1);
 }
-export function adapt(memory, person, at, with_distances, answer, pace) {
+export function prepare(memory, person, going, parts, scene, start) {
+  const near = $places.NEAR_SHARE * memory[person + DISTANCES + $distances.DISTANCES];
+  const known = [person + KNOWN, person + HABITS];
+  $destination.prepare(memory, known, going, [scene[0], parts[2], near], start);
+}
+export function by_places(memory, person, at, parts, scene, laws, weights) {
+  const own = laws[0];
+  const elsewhere = laws[1];
+  const start = [memory[at + X0] - scene[1], memory[at + Y0] - scene[2]];
+  const where = person + KNOWN;
+  const going = at + DESTINATION;
+  if (memory[going + $destination.READY] === 0) {
+    prepare(memory, person, going, parts, scene, start);
+  }
+  if (memory[going + $destination.RETURNS] === 0) {
+    return elsewhere;
+  }
+  $destination.weigh(memory, where, going, start, moved(own, -scene[1], -scene[2]), weights);
+  const combined = $destination.combine(memory, where, going, start, moved(elsewhere, -scene[1], -scene[2]));
+  return moved(combined, scene[1], scene[2]);
+}
+export function moved(heading, dx, dy) {
+  const x = heading[0];
+  const y = heading[1];
+  const ux = heading[2];
+  const uy = heading[3];
+  const wide = heading[4];
+  const broad = heading[5];
+  const tail = heading[6];
+  return [x + dx, y + dy, ux, uy, wide, broad, tail];
+}
+export function adapt(memory, person, at, parts, scene, answer, pace) {
   const t = answer[0];
   let px = answer[1];
   let py = answer[2];
@@ -198,30 +261,45 @@ export function adapt(memory, person, at, with_distances, answer, pace) {
   const broaden = values_1[2];
   const slow = values_1[3];
   left = $durations.mix(memory, person + DURATIONS, since, left * slow);
-  let new_wide = wide * widen;
-  const new_broad = broad * broaden;
   share = since / (since + left);
-  let new_along = along + shift * fading(share, BIAS_FADE);
-  if (with_distances === 1) {
-    const ahead = [new_along, new_wide, new_broad, tail];
+  const own_along = along + shift * fading(share, BIAS_FADE);
+  const own_wide = wide * widen;
+  const own_broad = broad * broaden;
+  let usual = 1;
+  let new_along = own_along;
+  let new_wide = own_wide;
+  if (parts[0] === 1) {
+    const ahead = [own_along, own_wide, own_broad, tail];
     const values_2 = $distances.combine(memory, person + DISTANCES, reached, ahead);
     const usual_along = values_2[0];
     const usual_wide = values_2[1];
+    usual = values_2[2];
     const weight = fading(share, FADE);
     new_along += weight * (usual_along - new_along);
     new_wide *= Math.pow(usual_wide / new_wide, weight);
   }
-  const ratio = new_wide / wide;
-  const moved = new_along - along;
-  let cross = (sxy * (ux * ux - uy * uy) + (syy - sxx) * ux * uy) * ratio * broaden;
+  px = x + new_along * ux - across * uy;
+  py = y + new_along * uy + across * ux;
+  let new_broad = own_broad;
+  if (parts[1] === 1) {
+    const own_x = x + own_along * ux - across * uy;
+    const own_y = y + own_along * uy + across * ux;
+    const own = [own_x, own_y, ux, uy, own_wide, own_broad, tail];
+    const elsewhere = [px, py, ux, uy, new_wide, new_broad, tail];
+    const weights = [usual, fading(share, PLACES_FADE)];
+    const by = by_places(memory, person, at, parts, scene, [own, elsewhere], weights);
+    px = by[0];
+    py = by[1];
+    new_wide = by[4];
+    new_broad = by[5];
+  }
+  let cross = sxy * (ux * ux - uy * uy) + (syy - sxx) * ux * uy;
   const values_3 = $region_widening.widen(memory, person + REGIONS, share, tail);
   const factor = values_3[0];
   tail = values_3[1];
+  cross *= factor * (new_wide / wide) * (new_broad / broad);
   wide2 = factor * new_wide * new_wide;
   broad2 = factor * new_broad * new_broad;
-  cross = factor * cross;
-  px = px + moved * ux;
-  py = py + moved * uy;
   sxx = wide2 * ux * ux - 2 * cross * ux * uy + broad2 * uy * uy;
   sxy = (wide2 - broad2) * ux * uy + cross * (ux * ux - uy * uy);
   syy = wide2 * uy * uy + 2 * cross * ux * uy + broad2 * ux * ux;

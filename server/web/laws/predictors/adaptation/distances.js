@@ -6,7 +6,7 @@ export const WIDTHS = [0.02, 0.08, 0.35];
 export const AGES = [1.5, 12];
 export const LAWS = 6;
 export const UNKNOWN_LOGS = 3;
-export const UNKNOWN_SHARE = 0.8;
+export const UNKNOWN_SHARE = 0.95;
 export const FORGET = 0.05;
 export const LEAST_LIKELY = 1e-12;
 export const ARC = 0.5;
@@ -19,7 +19,7 @@ export const BELIEF = 13;
 export const WEIGHTS = 20;
 export const ROUNDING = 1e-06;
 export const SHORTEST_PX = 1e-06;
-export const LEAST_UNKNOWN = 0.04000000000000001;
+export const LEAST_UNKNOWN = 0.0475;
 export const FINE = 0;
 export const TOO_SHORT = 1;
 export const TOO_SURE = 2;
@@ -99,6 +99,21 @@ export function remember(memory, at, distance) {
     }
   }
 }
+export function likelihood(memory, at, distance) {
+  const count = Math.trunc(memory[at + COUNT]);
+  if (count < LEAST) {
+    return 1;
+  }
+  let likely = memory[at + BELIEF + LAWS];
+  for (let j = 0; j < count; j++) {
+    for (let w = 0, end_1 = WIDTHS.length; w < end_1; w++) {
+      const off = Math.log(distance / memory[at + DISTANCES + j]) / WIDTHS[w];
+      const near = Math.exp(-0.5 * smaller(off * off, 1000)) / (WIDTHS[w] * Math.sqrt(2 * Math.PI));
+      likely += memory[at + WEIGHTS + j * WIDTHS.length + w] * UNKNOWN_LOGS * near;
+    }
+  }
+  return likely;
+}
 export function combine(memory, at, reached, predicted) {
   let middle;
   const ahead = predicted[0];
@@ -107,7 +122,7 @@ export function combine(memory, at, reached, predicted) {
   const tail = predicted[3];
   const count = Math.trunc(memory[at + COUNT]);
   if (count < LEAST) {
-    return [ahead, wide];
+    return [ahead, wide, 1];
   }
   const most = count * WIDTHS.length + 1;
   const weight = new Float64Array(most);
@@ -157,5 +172,5 @@ export function combine(memory, at, reached, predicted) {
   for (let k = 0, end_3 = parts; k < end_3; k++) {
     around += weight[k] * (square(width[k]) + square(shift[k] - middle));
   }
-  return [ahead + middle, smaller(Math.sqrt(around / total), wide)];
+  return [ahead + middle, smaller(Math.sqrt(around / total), wide), total];
 }

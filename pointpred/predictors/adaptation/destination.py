@@ -1,0 +1,201 @@
+"""How likely each known place is the destination of the movement, and the endpoint and region that follow.
+
+The law of the endpoint says how likely it makes each place; what the person did before says how likely the
+place was before the movement began. Both are taken over what they would be where nothing is known: there the
+logarithm of the distance lies evenly in ``distances.UNKNOWN_LOGS``, and the direction in a full turn.
+"""
+
+from __future__ import annotations
+
+from math import hypot, pi, sqrt
+from typing import NamedTuple
+
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.compiled import law
+from pointpred.predictors.adaptation import distances, habits, places
+from pointpred.stage import offsets
+
+LEAST_SHARE = 1e-4
+"""A place that was less likely before the movement is not looked at."""
+NEGLIGIBLE = 1e-3
+"""A place that is less likely does not move the endpoint."""
+STEPS = 6
+"""Of the geometric median; each step brings it much nearer."""
+
+# The movement, relative to `at`: whether the shares before it are laid out, the share of known places, how
+# far visits end from a place over its distance; the share of each place before the movement; now; that of
+# elsewhere now.
+READY, RETURNS, WIDTH = range(3)
+_, BEFORE, NOW, ELSEWHERE, STATES = offsets(3, places.CAPACITY, places.CAPACITY, 1)
+
+
+class Heading(NamedTuple):
+    """A Student law of the endpoint: centre in px, direction, widths along and across it in px, tail."""
+
+    x: float
+    y: float
+    ux: float
+    uy: float
+    wide: float
+    broad: float
+    tail: float
+
+
+@law
+def prepare(
+    memory: FloatArray,
+    known: tuple[int, int],
+    at: int,
+    scene: tuple[float, float, float],
+    start: tuple[float, float],
+) -> None:
+    """Lay out the share of each place before a movement from ``start``, px from the origin.
+
+    ``known``: where the places and the habits stand; ``scene``: the key, whether the order counts, how near
+    a place the start is in it.
+    """
+    place_memory, habit_memory = known
+    key, with_order, near = scene
+    out = np.zeros((habits.RULES, places.CAPACITY))
+    memory[at : at + STATES] = 0.0
+    memory[at + READY], memory[at + ELSEWHERE] = 1.0, 1.0
+    if not habits.shares(memory, place_memory, habit_memory, key, (start[0], start[1], near), out):
+        return
+    memory[at + RETURNS] = habits.returns(memory, habit_memory)
+    memory[at + WIDTH] = habits.usual_width(memory, habit_memory)
+    for rule in range(habits.RULES):
+        weight = habits.rule_weight(memory, habit_memory, rule, with_order)
+        for i in range(places.CAPACITY):
+            memory[at + BEFORE + i] += weight * out[rule, i]
+
+
+@law
+def likelihood(law_of_end: Heading, x: float, y: float, distance: float, spread: float) -> float:
+    """How likely a law makes a place, over what it is where nothing is known.
+
+    ``distance``: of the place from the start, ``spread``: of the visits around it, both px.
+    """
+    _, _, ux, uy, wide, broad, tail = law_of_end
+    dx, dy = x - law_of_end.x, y - law_of_end.y
+    along, across = dx * ux + dy * uy, dy * ux - dx * uy
+    wide2, broad2 = wide * wide + spread * spread, broad * broad + spread * spread
+    far2 = along * along / wide2 + across * across / broad2
+    density = (1.0 + far2 / tail) ** (-0.5 * (tail + 2.0)) / (2.0 * pi * sqrt(wide2 * broad2))
+    return float(density * 2.0 * pi * distance * distance * distances.UNKNOWN_LOGS)
+
+
+@law
+def weigh(
+    memory: FloatArray,
+    place_memory: int,
+    at: int,
+    start: tuple[float, float],
+    law_of_end: Heading,
+    elsewhere: tuple[float, float],
+) -> None:
+    """The share of each place now, and of elsewhere; positions in px from the origin.
+
+    ``elsewhere``: how likely the law makes the last distances, over where nothing is known, and the weight of
+    the places against it: 1, and less late in a movement.
+    """
+    x0, y0 = start
+    usual, weight = elsewhere
+    returns, count = memory[at + RETURNS], int(memory[place_memory + places.COUNT])
+    total = (1.0 - returns) * usual
+    for i in range(count):
+        before, share = memory[at + BEFORE + i], 0.0
+        if before > LEAST_SHARE:
+            place = place_memory + places.PLACES + places.WIDTH * i
+            x, y = memory[place + places.X], memory[place + places.Y]
+            distance = hypot(x - x0, y - y0)
+            spread = memory[at + WIDTH] * distance
+            share = returns * before * likelihood(law_of_end, x, y, distance, spread)
+        memory[at + NOW + i] = share
+        total += share
+    rest = 1.0
+    for i in range(count):
+        memory[at + NOW + i] *= weight / total
+        rest -= memory[at + NOW + i]
+    memory[at + ELSEWHERE] = max(rest, 0.0)
+
+
+@law
+def spread_of(memory: FloatArray, at: int, start: tuple[float, float], x: float, y: float) -> float:
+    """How far visits of a place end from it, px."""
+    return float(memory[at + WIDTH] * hypot(x - start[0], y - start[1]))
+
+
+@law
+def candidates(
+    memory: FloatArray,
+    place_memory: int,
+    at: int,
+    start: tuple[float, float],
+    elsewhere: Heading,
+    out: FloatArray,
+) -> int:
+    """Fill rows of share, position and squared width, px^2: elsewhere, then the places; returns how many."""
+    size2 = 0.5 * (elsewhere.wide * elsewhere.wide + elsewhere.broad * elsewhere.broad)
+    out[0, 0], out[0, 1], out[0, 2], out[0, 3] = memory[at + ELSEWHERE], elsewhere.x, elsewhere.y, size2
+    count = 1
+    for i in range(int(memory[place_memory + places.COUNT])):
+        if memory[at + NOW + i] > NEGLIGIBLE:
+            place = place_memory + places.PLACES + places.WIDTH * i
+            x, y = memory[place + places.X], memory[place + places.Y]
+            spread = spread_of(memory, at, start, x, y)
+            out[count, 0], out[count, 1], out[count, 2] = memory[at + NOW + i], x, y
+            out[count, 3] = spread * spread
+            count += 1
+    return count
+
+
+@law
+def geometric_median(rows: FloatArray, count: int) -> tuple[float, float]:
+    """The point with the least mean distance from where the movement may end (Weiszfeld), px.
+
+    Distances are softened by the width of each candidate.
+    """
+    x, y, total = 0.0, 0.0, 0.0
+    for k in range(count):
+        x += rows[k, 0] * rows[k, 1]
+        y += rows[k, 0] * rows[k, 2]
+        total += rows[k, 0]
+    x, y = x / total, y / total
+    for _ in range(STEPS):
+        sum_x, sum_y, sum_w = 0.0, 0.0, 0.0
+        for k in range(count):
+            dx, dy = rows[k, 1] - x, rows[k, 2] - y
+            w = rows[k, 0] / sqrt(dx * dx + dy * dy + rows[k, 3])
+            sum_x += w * rows[k, 1]
+            sum_y += w * rows[k, 2]
+            sum_w += w
+        x, y = sum_x / sum_w, sum_y / sum_w
+    return x, y
+
+
+@law
+def combine(
+    memory: FloatArray, place_memory: int, at: int, start: tuple[float, float], elsewhere: Heading
+) -> Heading:
+    """The law of the endpoint by the places and elsewhere: ``elsewhere`` moved and of another size.
+
+    Its centre is the geometric median; its widths are mean distances from it, along and across: a far place
+    that is hardly likely then makes the region little larger.
+    """
+    rows = np.empty((places.CAPACITY + 1, 4))
+    count = candidates(memory, place_memory, at, start, elsewhere, rows)
+    if count == 1:
+        return elsewhere
+    x, y = geometric_median(rows, count)
+    _, _, ux, uy, wide, broad, tail = elsewhere
+    new_wide, new_broad, total = 0.0, 0.0, 0.0
+    for k in range(count):
+        dx, dy, share = rows[k, 1] - x, rows[k, 2] - y, rows[k, 0]
+        along, across = dx * ux + dy * uy, dy * ux - dx * uy
+        wide2, broad2 = (wide * wide, broad * broad) if k == 0 else (rows[k, 3], rows[k, 3])
+        new_wide += share * sqrt(along * along + wide2)
+        new_broad += share * sqrt(across * across + broad2)
+        total += share
+    return Heading(x, y, ux, uy, new_wide / total, new_broad / total, tail)

@@ -1,0 +1,244 @@
+"""Which of the known places a person goes to next, before the movement shows it.
+
+Four rules answer: how often each place was visited, which were visited lately, how many movements ago a place
+was visited when the person returned to it, and where the person went from here. Each finished movement shares
+a visit among the rules by how likely each had made its end; the weights of the rules are these visits, with
+earlier ones forgotten. In the same way the person's share of movements to a new place is learned, and how far
+from a place the visits of it end.
+"""
+
+from __future__ import annotations
+
+from math import exp, hypot, log, pi
+
+import numpy as np
+
+from pointpred.columns import FloatArray
+from pointpred.compiled import law
+from pointpred.predictors.adaptation import distances, places
+from pointpred.stage import Slot, offsets
+
+OFTEN, LATELY, AFTER_SO_MANY, FROM_HERE, RULES = range(5)
+FIRST_RULES = (1.0, 0.15, 0.15, 0.15)
+"""Initial weights of the rules, up to a factor."""
+FIRST_RULES_OF = 8.0
+"""Visits that these count for."""
+KEEP = 0.95
+"""Forgetting factor of the visits per movement."""
+RETURNS, RETURNS_OF = 0.1, 1.5
+"""Initial share of movements to a known place, and the movements that it counts for."""
+WIDTHS = (0.02, 0.05, 0.1)
+"""Standard deviations of the ends around a place, as shares of the distance to it."""
+WIDTHS_OF = 3.0
+"""Visits that the first belief in each width, the same for all, counts for together."""
+LATE_AGE, LATE_ELSE = 3.0, 0.1
+"""After so many movements a visit weighs 1 / e for LATELY; what OFTEN says counts as so many visits there."""
+LAGS, LAG_KEEP = 16, 0.95
+"""Returns after up to so many movements are counted, and how each is forgotten with the next."""
+AGE = 60.0
+"""After so many movements what followed a place weighs 1 / e for FROM_HERE."""
+OFTEN_OF = 0.7
+"""For the last two rules what OFTEN says counts for so many visits."""
+LEAST_LOG = -200.0
+"""Logarithms of densities are cut here."""
+
+# Layout, relative to `at`: visits to known places and to new ones; of each rule; of each width; returns
+# after 1, 2 ... movements.
+KNOWN, NEW, RULE, NARROW, LAG, LEARNED = offsets(1, 1, RULES, len(WIDTHS), LAGS)
+MOST = 1.001 / (1.0 - KEEP)
+SLOTS = (
+    Slot("visits to known and to new places", 2, 0.0, MOST),
+    Slot("visits as each rule has them", RULES, 0.0, MOST),
+    Slot("visits as each width has them", len(WIDTHS), 0.0, MOST),
+    Slot("returns", LAGS, 0.0, MOST),
+)
+"""What is known of a person's habits, in the order of the layout."""
+
+
+@law
+def blend(out: FloatArray, rule: int, base: int, count: int, weight: float) -> None:
+    """Shares of a rule from its counts, with those of another rule for so many visits."""
+    total = weight
+    for i in range(count):
+        total += out[rule, i]
+    for i in range(count):
+        out[rule, i] = (out[rule, i] + weight * out[base, i]) / total
+
+
+@law
+def count_often(memory: FloatArray, at: int, key: float, out: FloatArray) -> float:
+    """The share of each place of a key by its visits; returns the sum of the visits."""
+    count, total = int(memory[at + places.COUNT]), 0.0
+    for i in range(count):
+        place = at + places.PLACES + places.WIDTH * i
+        if memory[place + places.KEY] == key:
+            out[OFTEN, i] = memory[place + places.WEIGHT]
+            total += out[OFTEN, i]
+    for i in range(count):
+        out[OFTEN, i] = out[OFTEN, i] / total if total > 0.0 else 0.0
+    return total
+
+
+@law
+def count_last(memory: FloatArray, at: int, habits: int, out: FloatArray) -> None:
+    """Recent visits, and returns after as many movements as each place was visited ago."""
+    for age in range(places.MOVEMENTS):
+        number = places.visited(memory, at, age)
+        if number >= 0 and out[OFTEN, number] > 0.0:
+            out[LATELY, number] += exp(-age / LATE_AGE)
+    for age in range(LAGS - 1, -1, -1):  # the most recent visit of a place is written last
+        number = places.visited(memory, at, age)
+        if number >= 0 and out[OFTEN, number] > 0.0:
+            out[AFTER_SO_MANY, number] = memory[habits + LAG + age]
+
+
+@law
+def count_following(memory: FloatArray, at: int, here: int, out: FloatArray) -> None:
+    """Where the person went from this place."""
+    for age in range(places.MOVEMENTS - 1):
+        after, before = places.visited(memory, at, age), places.visited(memory, at, age + 1)
+        if before == here and after >= 0 and out[OFTEN, after] > 0.0:
+            out[FROM_HERE, after] += exp(-age / AGE)
+
+
+@law
+def shares(
+    memory: FloatArray, at: int, habits: int, key: float, start: tuple[float, float, float], out: FloatArray
+) -> bool:
+    """The share of each place by each rule, a row each; whether there is any.
+
+    ``start``: of the movement in px from the origin, and how near a place it is in that place. ``out``:
+    zeros, RULES rows of ``places.CAPACITY``. Places of another key have no share.
+    """
+    if count_often(memory, at, key, out) == 0.0:
+        return False
+    count = int(memory[at + places.COUNT])
+    count_last(memory, at, habits, out)
+    blend(out, LATELY, OFTEN, count, LATE_ELSE)
+    blend(out, AFTER_SO_MANY, OFTEN, count, OFTEN_OF)
+    x, y, near = start
+    here = places.nearest(memory, at, key, (x, y), near)
+    if here >= 0:
+        count_following(memory, at, here, out)
+    blend(out, FROM_HERE, OFTEN, count, OFTEN_OF)
+    return True
+
+
+@law
+def rule_weight(memory: FloatArray, habits: int, rule: int, with_order: float) -> float:
+    """The weight of a rule among all; without order only of OFTEN and LATELY."""
+    most = RULES if with_order == 1.0 else AFTER_SO_MANY
+    if rule >= most:
+        return 0.0
+    total = 0.0
+    first = FIRST_RULES_OF / (FIRST_RULES[0] + FIRST_RULES[1] + FIRST_RULES[2] + FIRST_RULES[3])
+    for k in range(most):
+        total += memory[habits + RULE + k] + first * FIRST_RULES[k]
+    return float((memory[habits + RULE + rule] + first * FIRST_RULES[rule]) / total)
+
+
+@law
+def returns(memory: FloatArray, habits: int) -> float:
+    """The share of movements that go to a known place."""
+    known, new = memory[habits + KNOWN], memory[habits + NEW]
+    return float((known + RETURNS * RETURNS_OF) / (known + new + RETURNS_OF))
+
+
+@law
+def width_weight(memory: FloatArray, habits: int, width: int) -> float:
+    """The weight of a width among all."""
+    total = WIDTHS_OF
+    for k in range(len(WIDTHS)):
+        total += memory[habits + NARROW + k]
+    return float((memory[habits + NARROW + width] + WIDTHS_OF / len(WIDTHS)) / total)
+
+
+@law
+def usual_width(memory: FloatArray, habits: int) -> float:
+    """How far from a place its visits end, as a share of the distance to it: the geometric mean."""
+    log_width = 0.0
+    for k in range(len(WIDTHS)):
+        log_width += width_weight(memory, habits, k) * log(WIDTHS[k])
+    return exp(log_width)
+
+
+@law
+def share_visit(
+    memory: FloatArray, habits: int, likely: FloatArray, with_order: float, elsewhere: float
+) -> None:
+    """Share one visit among rules, widths and "a new place" by how likely each had made the end.
+
+    ``likely``: a row a rule, a column a width, over the density where nothing is known; ``elsewhere``: the
+    same of the movements to new places.
+    """
+    known = returns(memory, habits)
+    new = (1.0 - known) * elsewhere
+    total = new
+    for rule in range(RULES):
+        for width in range(len(WIDTHS)):
+            prior = (
+                known * rule_weight(memory, habits, rule, with_order) * width_weight(memory, habits, width)
+            )
+            likely[rule, width] *= prior
+            total += likely[rule, width]
+    for i in range(LEARNED - LAGS):
+        memory[habits + i] *= KEEP
+    memory[habits + NEW] += new / total
+    memory[habits + KNOWN] += 1.0 - new / total
+    for rule in range(RULES):
+        for width in range(len(WIDTHS)):
+            memory[habits + RULE + rule] += likely[rule, width] / total
+            memory[habits + NARROW + width] += likely[rule, width] / total
+
+
+@law
+def density_ratio(far2: float, distance: float, width: float) -> float:
+    """How likely a place ``distance`` px from the start makes an end, over what it is where nothing is known.
+
+    ``far2``: squared distance of the end from the place, px^2. Where nothing is known the logarithm of the
+    distance lies evenly in ``distances.UNKNOWN_LOGS``, the direction in a full turn.
+    """
+    if distance == 0.0:
+        return 0.0
+    spread = width * distance
+    near = exp(max(-0.5 * far2 / (spread * spread), LEAST_LOG)) / (2.0 * pi * spread * spread)
+    return near * 2.0 * pi * distance * distance * distances.UNKNOWN_LOGS
+
+
+@law
+def learn(
+    memory: FloatArray,
+    at: int,
+    habits: int,
+    scene: tuple[float, float, float],
+    movement: tuple[float, float, float, float],
+    elsewhere: float,
+) -> None:
+    """Learn from a movement, before its end is taken in as a visit.
+
+    ``scene``: the key, whether the order counts, how near a place the start is in it; ``movement``: start
+    and end, px from the origin.
+    ``elsewhere``: how likely the last distances had made its distance, over that where nothing is known.
+    """
+    key, with_order, near = scene
+    x0, y0, x, y = movement
+    out = np.zeros((RULES, places.CAPACITY))
+    if not shares(memory, at, habits, key, (x0, y0, near), out):
+        return
+    likely = np.zeros((RULES, len(WIDTHS)))
+    for i in range(int(memory[at + places.COUNT])):
+        place = at + places.PLACES + places.WIDTH * i
+        px, py = memory[place + places.X], memory[place + places.Y]
+        distance, far2 = hypot(px - x0, py - y0), (px - x) ** 2 + (py - y) ** 2
+        for width in range(len(WIDTHS)):
+            ratio = density_ratio(far2, distance, WIDTHS[width])
+            for rule in range(RULES):
+                likely[rule, width] += out[rule, i] * ratio
+    share_visit(memory, habits, likely, with_order, elsewhere)
+    number = places.nearest(memory, at, key, (x, y), places.NEAR_SHARE * hypot(x - x0, y - y0))
+    for age in range(LAGS):
+        if number >= 0 and places.visited(memory, at, age) == number:
+            for k in range(LAGS):
+                memory[habits + LAG + k] *= LAG_KEEP
+            memory[habits + LAG + age] += 1.0
+            return
