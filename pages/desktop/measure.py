@@ -29,8 +29,8 @@ PERIOD_S = 0.008
 """Between events, as of a mouse at 125 Hz."""
 PLACES: dict[str, dict[str, Any]] = {
     "`kinematic-adaptive`, without places": {"places": 0},
-    "with places": {"places": 1, "order": 0},
-    "with places and order": {"places": 1, "order": 1},
+    "with places": {"places": 1, "sequence": 0},
+    "with places and order": {"places": 1, "sequence": 1},
 }
 """Ways to build the adaptive predictor."""
 

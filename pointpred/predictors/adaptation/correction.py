@@ -68,7 +68,7 @@ class Parts(NamedTuple):
 
     distances: float
     places: float
-    order: float
+    sequence: float
 
 
 UNEQUAL = 21
@@ -128,7 +128,7 @@ def learn_place(memory: FloatArray, person: int, at: int, parts: Parts, scene: S
     if parts.distances == 1.0:
         usual = distances.likelihood(memory, person + DISTANCES, distance)
     where, habit, near = person + KNOWN, person + HABITS, places.NEAR_SHARE * distance
-    habits.learn(memory, where, habit, (scene.key, parts.order, near), (x0, y0, x, y), usual)
+    habits.learn(memory, where, habit, (scene.key, parts.sequence, near), (x0, y0, x, y), usual)
     places.visit(memory, where, scene.key, (x, y), near)
 
 
@@ -223,7 +223,7 @@ def prepare(
     """Lay out how likely each place is for a movement from ``start``, px from the scene's origin."""
     near = places.NEAR_SHARE * memory[person + DISTANCES + distances.DISTANCES]
     known = person + KNOWN, person + HABITS
-    destination.prepare(memory, known, going, (scene.key, parts.order, near), start)
+    destination.prepare(memory, known, going, (scene.key, parts.sequence, near), start)
 
 
 @law

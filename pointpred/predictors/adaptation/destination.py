@@ -21,7 +21,7 @@ LEAST_SHARE = 1e-4
 """A place that was less likely before the movement is not looked at."""
 NEGLIGIBLE = 1e-3
 """A place that is less likely does not move the endpoint."""
-STEPS = 6
+STEPS = 10
 """Of the geometric median; each step brings it much nearer."""
 
 # The movement, relative to `at`: whether the shares before it are laid out, the share of known places, how
@@ -53,11 +53,11 @@ def prepare(
 ) -> None:
     """Lay out the share of each place before a movement from ``start``, px from the origin.
 
-    ``known``: where the places and the habits stand; ``scene``: the key, whether the order counts, how near
-    a place the start is in it.
+    ``known``: where the places and the habits stand; ``scene``: the key, whether the sequence counts, how
+    near a place the start is in it.
     """
     place_memory, habit_memory = known
-    key, with_order, near = scene
+    key, with_sequence, near = scene
     out = np.zeros((habits.RULES, places.CAPACITY))
     memory[at : at + STATES] = 0.0
     memory[at + READY], memory[at + ELSEWHERE] = 1.0, 1.0
@@ -66,7 +66,7 @@ def prepare(
     memory[at + RETURNS] = habits.returns(memory, habit_memory)
     memory[at + WIDTH] = habits.usual_width(memory, habit_memory)
     for rule in range(habits.RULES):
-        weight = habits.rule_weight(memory, habit_memory, rule, with_order)
+        weight = habits.rule_weight(memory, habit_memory, rule, with_sequence)
         for i in range(places.CAPACITY):
             memory[at + BEFORE + i] += weight * out[rule, i]
 

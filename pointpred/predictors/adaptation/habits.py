@@ -9,7 +9,7 @@ from a place the visits of it end.
 
 from __future__ import annotations
 
-from math import exp, hypot, log, pi
+from math import exp, hypot, log
 
 import numpy as np
 
@@ -125,9 +125,9 @@ def shares(
 
 
 @law
-def rule_weight(memory: FloatArray, habits: int, rule: int, with_order: float) -> float:
-    """The weight of a rule among all; without order only of OFTEN and LATELY."""
-    most = RULES if with_order == 1.0 else AFTER_SO_MANY
+def rule_weight(memory: FloatArray, habits: int, rule: int, with_sequence: float) -> float:
+    """The weight of a rule among all; without the sequence only of OFTEN and LATELY."""
+    most = RULES if with_sequence == 1.0 else AFTER_SO_MANY
     if rule >= most:
         return 0.0
     total = 0.0
@@ -164,7 +164,7 @@ def usual_width(memory: FloatArray, habits: int) -> float:
 
 @law
 def share_visit(
-    memory: FloatArray, habits: int, likely: FloatArray, with_order: float, elsewhere: float
+    memory: FloatArray, habits: int, likely: FloatArray, with_sequence: float, elsewhere: float
 ) -> None:
     """Share one visit among rules, widths and "a new place" by how likely each had made the end.
 
@@ -177,7 +177,7 @@ def share_visit(
     for rule in range(RULES):
         for width in range(len(WIDTHS)):
             prior = (
-                known * rule_weight(memory, habits, rule, with_order) * width_weight(memory, habits, width)
+                known * rule_weight(memory, habits, rule, with_sequence) * width_weight(memory, habits, width)
             )
             likely[rule, width] *= prior
             total += likely[rule, width]
@@ -192,17 +192,18 @@ def share_visit(
 
 
 @law
-def density_ratio(far2: float, distance: float, width: float) -> float:
-    """How likely a place ``distance`` px from the start makes an end, over what it is where nothing is known.
+def density_ratio(far2: float, distance2: float, width: float) -> float:
+    """How likely a place makes an end, over what it is where nothing is known.
 
-    ``far2``: squared distance of the end from the place, px^2. Where nothing is known the logarithm of the
-    distance lies evenly in ``distances.UNKNOWN_LOGS``, the direction in a full turn.
+    ``far2``: squared distance of the end from the place, ``distance2``: of the place from the start, px^2.
+    Where nothing is known the logarithm of the distance r lies evenly in ``distances.UNKNOWN_LOGS`` = L, the
+    direction in a full turn: a density of 1 / (2 pi r^2 L), against the place's normal law of deviation
+    ``width`` r.
     """
-    if distance == 0.0:
+    if distance2 == 0.0:
         return 0.0
-    spread = width * distance
-    near = exp(max(-0.5 * far2 / (spread * spread), LEAST_LOG)) / (2.0 * pi * spread * spread)
-    return near * 2.0 * pi * distance * distance * distances.UNKNOWN_LOGS
+    width2 = width * width
+    return exp(max(-0.5 * far2 / distance2 / width2, LEAST_LOG)) * distances.UNKNOWN_LOGS / width2
 
 
 @law
@@ -216,11 +217,11 @@ def learn(
 ) -> None:
     """Learn from a movement, before its end is taken in as a visit.
 
-    ``scene``: the key, whether the order counts, how near a place the start is in it; ``movement``: start
+    ``scene``: the key, whether the sequence counts, how near a place the start is in it; ``movement``: start
     and end, px from the origin.
     ``elsewhere``: how likely the last distances had made its distance, over that where nothing is known.
     """
-    key, with_order, near = scene
+    key, with_sequence, near = scene
     x0, y0, x, y = movement
     out = np.zeros((RULES, places.CAPACITY))
     if not shares(memory, at, habits, key, (x0, y0, near), out):
@@ -229,12 +230,12 @@ def learn(
     for i in range(int(memory[at + places.COUNT])):
         place = at + places.PLACES + places.WIDTH * i
         px, py = memory[place + places.X], memory[place + places.Y]
-        distance, far2 = hypot(px - x0, py - y0), (px - x) ** 2 + (py - y) ** 2
+        distance2, far2 = (px - x0) ** 2 + (py - y0) ** 2, (px - x) ** 2 + (py - y) ** 2
         for width in range(len(WIDTHS)):
-            ratio = density_ratio(far2, distance, WIDTHS[width])
+            ratio = density_ratio(far2, distance2, WIDTHS[width])
             for rule in range(RULES):
                 likely[rule, width] += out[rule, i] * ratio
-    share_visit(memory, habits, likely, with_order, elsewhere)
+    share_visit(memory, habits, likely, with_sequence, elsewhere)
     number = places.nearest(memory, at, key, (x, y), places.NEAR_SHARE * hypot(x - x0, y - y0))
     for age in range(LAGS):
         if number >= 0 and places.visited(memory, at, age) == number:

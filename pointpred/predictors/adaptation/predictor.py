@@ -22,7 +22,7 @@ from pointpred.stage import loop_sharing, offsets
 
 # The settings: the parameters, then the scene. What is known of the person, the movement of the learned
 # predictor and that of the adaptation.
-ADAPT, DISTANCES, SHORTEST_PX, PLACES, ORDER, KEY, ORIGIN_X, ORIGIN_Y = range(8)
+ADAPT, DISTANCES, SHORTEST_PX, PLACES, SEQUENCE, KEY, ORIGIN_X, ORIGIN_Y = range(8)
 _, PERSON, OBSERVATION, MOVEMENT, LENGTH = offsets(
     ORIGIN_Y + 1, correction.LEARNED, observation.STATES, correction.STATES
 )
@@ -38,7 +38,7 @@ def sizes(values: FloatArray) -> tuple[int, int, int]:
 @law
 def parts_of(memory: FloatArray) -> Parts:
     """Which parts of the adaptation answer."""
-    return Parts(memory[DISTANCES], memory[PLACES], memory[ORDER])
+    return Parts(memory[DISTANCES], memory[PLACES], memory[SEQUENCE])
 
 
 @law
@@ -173,7 +173,7 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     places: int = parameter(
         "", 0, 1, "1: remember where movements ended; 0: only how far they went", default=1, whole=True
     )
-    order: int = parameter(
+    sequence: int = parameter(
         "",
         0,
         1,
