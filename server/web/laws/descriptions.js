@@ -127,7 +127,7 @@ export const PREDICTORS = {
       "distances": "1: ask the last distances; 0: only bias, widths, tempo and the clock",
       "shortest_px": "straight distance of the shortest movement that teaches",
       "places": "1: remember where movements ended; 0: only how far they went",
-      "order": "1: learn which place follows which; 0: only how often each is visited"
+      "sequence": "1: learn which place follows which; 0: only how often each is visited"
     }
   }
 };

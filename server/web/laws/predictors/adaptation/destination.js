@@ -5,7 +5,7 @@ import * as $adaptation_habits from "./habits.js";
 import * as $places from "./places.js";
 export const LEAST_SHARE = 0.0001;
 export const NEGLIGIBLE = 0.001;
-export const STEPS = 6;
+export const STEPS = 10;
 export const READY = 0;
 export const RETURNS = 1;
 export const WIDTH = 2;
@@ -17,7 +17,7 @@ export function prepare(memory, known, at, scene, start) {
   const place_memory = known[0];
   const habit_memory = known[1];
   const key = scene[0];
-  const with_order = scene[1];
+  const with_sequence = scene[1];
   const near = scene[2];
   const out = matrix($adaptation_habits.RULES, $places.CAPACITY);
   memory.fill(0, at, at + STATES);
@@ -29,7 +29,7 @@ export function prepare(memory, known, at, scene, start) {
   memory[at + RETURNS] = $adaptation_habits.returns(memory, habit_memory);
   memory[at + WIDTH] = $adaptation_habits.usual_width(memory, habit_memory);
   for (let rule = 0; rule < $adaptation_habits.RULES; rule++) {
-    const weight = $adaptation_habits.rule_weight(memory, habit_memory, rule, with_order);
+    const weight = $adaptation_habits.rule_weight(memory, habit_memory, rule, with_sequence);
     for (let i = 0; i < $places.CAPACITY; i++) {
       memory[at + BEFORE + i] += weight * out[rule][i];
     }

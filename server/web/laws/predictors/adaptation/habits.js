@@ -93,8 +93,8 @@ export function shares(memory, at, habits, key, start, out) {
   blend(out, FROM_HERE, OFTEN, count, OFTEN_OF);
   return true;
 }
-export function rule_weight(memory, habits, rule, with_order) {
-  const most = with_order === 1 ? RULES : AFTER_SO_MANY;
+export function rule_weight(memory, habits, rule, with_sequence) {
+  const most = with_sequence === 1 ? RULES : AFTER_SO_MANY;
   if (rule >= most) {
     return 0;
   }
@@ -124,13 +124,13 @@ export function usual_width(memory, habits) {
   }
   return Math.exp(log_width);
 }
-export function share_visit(memory, habits, likely, with_order, elsewhere) {
+export function share_visit(memory, habits, likely, with_sequence, elsewhere) {
   const known = returns(memory, habits);
   const new_ = (1 - known) * elsewhere;
   let total = new_;
   for (let rule = 0; rule < RULES; rule++) {
     for (let width = 0, end_1 = WIDTHS.length; width < end_1; width++) {
-      const prior = known * rule_weight(memory, habits, rule, with_order) * width_weight(memory, habits, width);
+      const prior = known * rule_weight(memory, habits, rule, with_sequence) * width_weight(memory, habits, width);
       likely[rule][width] *= prior;
       total += likely[rule][width];
     }
@@ -147,17 +147,16 @@ export function share_visit(memory, habits, likely, with_order, elsewhere) {
     }
   }
 }
-export function density_ratio(far2, distance, width) {
-  if (distance === 0) {
+export function density_ratio(far2, distance2, width) {
+  if (distance2 === 0) {
     return 0;
   }
-  const spread = width * distance;
-  const near = Math.exp(larger(-0.5 * far2 / (spread * spread), LEAST_LOG)) / (2 * Math.PI * spread * spread);
-  return near * 2 * Math.PI * distance * distance * $distances.UNKNOWN_LOGS;
+  const width2 = width * width;
+  return Math.exp(larger(-0.5 * far2 / distance2 / width2, LEAST_LOG)) * $distances.UNKNOWN_LOGS / width2;
 }
 export function learn(memory, at, habits, scene, movement, elsewhere) {
   const key = scene[0];
-  const with_order = scene[1];
+  const with_sequence = scene[1];
   const near = scene[2];
   const x0 = movement[0];
   const y0 = movement[1];
@@ -172,16 +171,16 @@ export function learn(memory, at, habits, scene, movement, elsewhere) {
     const place = at + $places.PLACES + $places.WIDTH * i;
     const px = memory[place + $places.X];
     const py = memory[place + $places.Y];
-    const distance = hypot(px - x0, py - y0);
+    const distance2 = square(px - x0) + square(py - y0);
     const far2 = square(px - x) + square(py - y);
     for (let width = 0, end_2 = WIDTHS.length; width < end_2; width++) {
-      const ratio = density_ratio(far2, distance, WIDTHS[width]);
+      const ratio = density_ratio(far2, distance2, WIDTHS[width]);
       for (let rule = 0; rule < RULES; rule++) {
         likely[rule][width] += out[rule][i] * ratio;
       }
     }
   }
-  share_visit(memory, habits, likely, with_order, elsewhere);
+  share_visit(memory, habits, likely, with_sequence, elsewhere);
   const number = $places.nearest(memory, at, key, [x, y], $places.NEAR_SHARE * hypot(x - x0, y - y0));
   for (let age = 0; age < LAGS; age++) {
     if (number >= 0 && $places.visited(memory, at, age) === number) {

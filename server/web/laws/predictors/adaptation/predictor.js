@@ -10,7 +10,7 @@ export const ADAPT = 0;
 export const DISTANCES = 1;
 export const SHORTEST_PX = 2;
 export const PLACES = 3;
-export const ORDER = 4;
+export const SEQUENCE = 4;
 export const KEY = 5;
 export const ORIGIN_X = 6;
 export const ORIGIN_Y = 7;
@@ -23,7 +23,7 @@ export function sizes(values) {
   return [PERSON, learned, LENGTH - PERSON - learned];
 }
 export function parts_of(memory) {
-  return [memory[DISTANCES], memory[PLACES], memory[ORDER]];
+  return [memory[DISTANCES], memory[PLACES], memory[SEQUENCE]];
 }
 export function scene_of(memory) {
   return [memory[KEY], memory[ORIGIN_X], memory[ORIGIN_Y]];
@@ -352,6 +352,6 @@ export const AdaptiveKinematicPredictor = {
     { name: "distances", low: 0, high: 1, default: 1, whole: true },
     { name: "shortest_px", unit: "px", low: 0, high: 1000000, default: 10 },
     { name: "places", low: 0, high: 1, default: 1, whole: true },
-    { name: "order", low: 0, high: 1, default: 1, whole: true },
+    { name: "sequence", low: 0, high: 1, default: 1, whole: true },
   ],
 };
