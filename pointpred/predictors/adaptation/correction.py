@@ -227,6 +227,13 @@ def prepare(
 
 
 @law
+def moved(heading: Heading, dx: float, dy: float) -> Heading:
+    """A law whose centre is shifted."""
+    x, y, ux, uy, wide, broad, tail = heading
+    return Heading(x + dx, y + dy, ux, uy, wide, broad, tail)
+
+
+@law
 def by_places(
     memory: FloatArray,
     person: int,
@@ -251,13 +258,6 @@ def by_places(
     destination.weigh(memory, where, going, start, moved(own, -scene.x, -scene.y), weights)
     combined = destination.combine(memory, where, going, start, moved(elsewhere, -scene.x, -scene.y))
     return moved(combined, scene.x, scene.y)
-
-
-@law
-def moved(heading: Heading, dx: float, dy: float) -> Heading:
-    """A law whose centre is shifted."""
-    x, y, ux, uy, wide, broad, tail = heading
-    return Heading(x + dx, y + dy, ux, uy, wide, broad, tail)
 
 
 @law

@@ -189,6 +189,16 @@ export function prepare(memory, person, going, parts, scene, start) {
   const known = [person + KNOWN, person + HABITS];
   $destination.prepare(memory, known, going, [scene[0], parts[2], near], start);
 }
+export function moved(heading, dx, dy) {
+  const x = heading[0];
+  const y = heading[1];
+  const ux = heading[2];
+  const uy = heading[3];
+  const wide = heading[4];
+  const broad = heading[5];
+  const tail = heading[6];
+  return [x + dx, y + dy, ux, uy, wide, broad, tail];
+}
 export function by_places(memory, person, at, parts, scene, laws, weights) {
   const own = laws[0];
   const elsewhere = laws[1];
@@ -204,16 +214,6 @@ export function by_places(memory, person, at, parts, scene, laws, weights) {
   $destination.weigh(memory, where, going, start, moved(own, -scene[1], -scene[2]), weights);
   const combined = $destination.combine(memory, where, going, start, moved(elsewhere, -scene[1], -scene[2]));
   return moved(combined, scene[1], scene[2]);
-}
-export function moved(heading, dx, dy) {
-  const x = heading[0];
-  const y = heading[1];
-  const ux = heading[2];
-  const uy = heading[3];
-  const wide = heading[4];
-  const broad = heading[5];
-  const tail = heading[6];
-  return [x + dx, y + dy, ux, uy, wide, broad, tail];
 }
 export function adapt(memory, person, at, parts, scene, answer, pace) {
   const t = answer[0];
