@@ -22,6 +22,7 @@ GROUND = {
     "parameter",
     "stage",
     "person",
+    "scene",
 }
 MATHS = GROUND | {"regression", "differentiators", "transfer"}
 PIPELINE = MATHS | {"predictors", "joint", "pipeline", "registry"}
@@ -36,6 +37,7 @@ MAY_IMPORT = {
     "columns": {"errors", "regions", "events", "rows"},
     "recording": {"errors", "events", "columns"},
     "parameter": {"errors"},
+    "scene": {"errors", "events"},
     "stage": {"errors", "compiled", "events", "columns", "parameter"},
     "person": {"errors", "columns", "stage"},
     "regression": GROUND,
