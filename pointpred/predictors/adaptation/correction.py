@@ -217,13 +217,38 @@ def fading(share: float, since: float) -> float:
 
 
 @law
-def prepare(
-    memory: FloatArray, person: int, going: int, parts: Parts, scene: Scene, start: tuple[float, float]
-) -> None:
-    """Lay out how likely each place is for a movement from ``start``, px from the scene's origin."""
-    near = places.NEAR_SHARE * memory[person + DISTANCES + distances.DISTANCES]
-    known = person + KNOWN, person + HABITS
-    destination.prepare(memory, known, going, (scene.key, parts.sequence, near), start)
+def seen(memory: FloatArray, at: int, answer: TenFloats) -> Heading:
+    """The law of an answer along and across the direction from the start to the cursor.
+
+    Its widths are 0 where the answer claims too little to be adapted, or the cursor is where it started.
+    """
+    _, px, py, sxx, sxy, syy, left, _, tail, _ = answer
+    away_x, away_y = memory[at + X] - memory[at + X0], memory[at + Y] - memory[at + Y0]
+    reached = hypot(away_x, away_y)
+    if not (reached > 0.0 and left > 0.0 and tail > 0.0 and sxx + syy > 0.0):
+        return Heading(px, py, 0.0, 0.0, 0.0, 0.0, tail)
+    ux, uy = away_x / reached, away_y / reached
+    wide2 = sxx * ux * ux + 2.0 * sxy * ux * uy + syy * uy * uy
+    broad2 = sxx * uy * uy - 2.0 * sxy * ux * uy + syy * ux * ux
+    if not (wide2 > 0.0 and broad2 > 0.0):
+        return Heading(px, py, 0.0, 0.0, 0.0, 0.0, tail)
+    return Heading(px, py, ux, uy, sqrt(wide2), sqrt(broad2), tail)
+
+
+@law
+def ahead_of(memory: FloatArray, at: int, heading: Heading) -> tuple[float, float]:
+    """The way from the cursor to the centre of a law, along and across its direction, px."""
+    dx, dy = heading.x - memory[at + X], heading.y - memory[at + Y]
+    return dx * heading.ux + dy * heading.uy, dy * heading.ux - dx * heading.uy
+
+
+@law
+def placed(memory: FloatArray, at: int, heading: Heading, along: float, wide: float) -> Heading:
+    """A law whose centre lies ``along`` px ahead of the cursor, of the width ``wide`` px along."""
+    _, across = ahead_of(memory, at, heading)
+    x, y, ux, uy, _, broad, tail = heading
+    x, y = memory[at + X] + along * ux - across * uy, memory[at + Y] + along * uy + across * ux
+    return Heading(x, y, ux, uy, wide, broad, tail)
 
 
 @law
@@ -231,6 +256,30 @@ def moved(heading: Heading, dx: float, dy: float) -> Heading:
     """A law whose centre is shifted."""
     x, y, ux, uy, wide, broad, tail = heading
     return Heading(x + dx, y + dy, ux, uy, wide, broad, tail)
+
+
+@law
+def by_distances(
+    memory: FloatArray, person: int, at: int, own: Heading, share: float
+) -> tuple[Heading, float]:
+    """The law of the endpoint by the last distances, and how likely ``own`` makes these."""
+    reached = hypot(memory[at + X] - memory[at + X0], memory[at + Y] - memory[at + Y0])
+    along, _ = ahead_of(memory, at, own)
+    ahead = Ahead(along, own.wide, own.broad, own.tail)
+    usual_along, usual_wide, usual = distances.combine(memory, person + DISTANCES, reached, ahead)
+    weight = fading(share, FADE)
+    along += weight * (usual_along - along)
+    return placed(memory, at, own, along, own.wide * (usual_wide / own.wide) ** weight), usual
+
+
+@law
+def prepare(
+    memory: FloatArray, person: int, going: int, parts: Parts, scene: Scene, start: tuple[float, float]
+) -> None:
+    """Lay out how likely each place is for a movement from ``start``, px from the scene's origin."""
+    near = places.NEAR_SHARE * memory[person + DISTANCES + distances.DISTANCES]
+    known = person + KNOWN, person + HABITS
+    destination.prepare(memory, known, going, (scene.key, parts.sequence, near), start)
 
 
 @law
@@ -261,62 +310,65 @@ def by_places(
 
 
 @law
+def adapted_end(
+    memory: FloatArray, person: int, at: int, parts: Parts, scene: Scene, own: Heading, share: float
+) -> Heading:
+    """The law of the endpoint by all parts that answer; ``own``: `kinematic`'s, corrected for the person."""
+    elsewhere, usual = own, 1.0
+    if parts.distances == 1.0:
+        elsewhere, usual = by_distances(memory, person, at, own, share)
+    if parts.places == 0.0:
+        return elsewhere
+    weights = usual, fading(share, PLACES_FADE)
+    return by_places(memory, person, at, parts, scene, (own, elsewhere), weights)
+
+
+@law
+def stated(
+    memory: FloatArray, person: int, at: int, end: Heading, share: float, shape: float
+) -> tuple[float, float, float, float, float, float]:
+    """The endpoint, scale matrix and tail of a law with levels as they hold for the person; remembers them.
+
+    ``shape``: covariance of the way along and across, over the product of the widths.
+    """
+    factor, tail = region_widening.widen(memory, person + REGIONS, share, end.tail)
+    wide2, broad2 = factor * end.wide * end.wide, factor * end.broad * end.broad
+    cross, ux, uy = factor * shape * end.wide * end.broad, end.ux, end.uy
+    sxx = wide2 * ux * ux - 2.0 * cross * ux * uy + broad2 * uy * uy
+    sxy = (wide2 - broad2) * ux * uy + cross * (ux * ux - uy * uy)
+    syy = wide2 * uy * uy + 2.0 * cross * ux * uy + broad2 * ux * ux
+    region = end.x, end.y, sxx, sxy, syy, tail
+    region_widening.record(memory, at + STATED, memory[at + T], memory[at + X], memory[at + Y], region)
+    return region
+
+
+@law
 def adapt(
     memory: FloatArray, person: int, at: int, parts: Parts, scene: Scene, answer: TenFloats, pace: Pace
 ) -> TenFloats:
     """The prediction as it is for this person; as it was where it claims too little or has no direction."""
-    t, px, py, sxx, sxy, syy, predicted, phase, tail, spread = answer
-    left = predicted
-    x, y = memory[at + X], memory[at + Y]
-    away_x, away_y = x - memory[at + X0], y - memory[at + Y0]
-    reached = hypot(away_x, away_y)
-    if not (reached > 0.0 and left > 0.0 and tail > 0.0 and sxx + syy > 0.0):
+    t, px, py, sxx, sxy, syy, predicted, phase, tail, _ = answer
+    heading = seen(memory, at, answer)
+    _, _, ux, uy, wide, broad, _ = heading
+    if wide == 0.0:
         return answer
-    ux, uy = away_x / reached, away_y / reached
-    wide2 = sxx * ux * ux + 2.0 * sxy * ux * uy + syy * uy * uy
-    broad2 = sxx * uy * uy - 2.0 * sxy * ux * uy + syy * ux * ux
-    if not (wide2 > 0.0 and broad2 > 0.0):
-        return answer
-    wide, broad = sqrt(wide2), sqrt(broad2)
-    along = (px - x) * ux + (py - y) * uy
-    across = (py - y) * ux - (px - x) * uy
-    now = memory[at + T]
-    since = now - memory[at + T0]
-    share = since / (since + left)
-    record(memory, at, share, Moment(now, x, y, ux, uy, along, across, wide, broad, tail, left, reached))
+    now, x, y = memory[at + T], memory[at + X], memory[at + Y]
+    reached, since = hypot(x - memory[at + X0], y - memory[at + Y0]), now - memory[at + T0]
+    along, across = ahead_of(memory, at, heading)
+    share = since / (since + predicted)
+    m = Moment(now, x, y, ux, uy, along, across, wide, broad, tail, predicted, reached)
+    record(memory, at, share, m)
     if memory[person + DISTANCES + distances.COUNT] == 0.0:
         region_widening.record(memory, at + STATED, now, x, y, (px, py, sxx, sxy, syy, tail))
         return answer
-    total = hypot(reached + along, across)
-    shift, widen, broaden, slow = stages.correct(memory, person, share, total, along)
-    left = durations.mix(memory, person + DURATIONS, since, left * slow)
+    shift, widen, broaden, slow = stages.correct(memory, person, share, hypot(reached + along, across), along)
+    left = durations.mix(memory, person + DURATIONS, since, predicted * slow)
     share = since / (since + left)
-    own_along, own_wide, own_broad = along + shift * fading(share, BIAS_FADE), wide * widen, broad * broaden
-    usual, new_along, new_wide = 1.0, own_along, own_wide
-    if parts.distances == 1.0:
-        ahead = Ahead(own_along, own_wide, own_broad, tail)
-        usual_along, usual_wide, usual = distances.combine(memory, person + DISTANCES, reached, ahead)
-        weight = fading(share, FADE)
-        new_along += weight * (usual_along - new_along)
-        new_wide *= (usual_wide / new_wide) ** weight
-    px, py = x + new_along * ux - across * uy, y + new_along * uy + across * ux
-    new_broad = own_broad
-    if parts.places == 1.0:
-        own_x, own_y = x + own_along * ux - across * uy, y + own_along * uy + across * ux
-        own = Heading(own_x, own_y, ux, uy, own_wide, own_broad, tail)
-        elsewhere = Heading(px, py, ux, uy, new_wide, new_broad, tail)
-        weights = usual, fading(share, PLACES_FADE)
-        by = by_places(memory, person, at, parts, scene, (own, elsewhere), weights)
-        px, py, new_wide, new_broad = by.x, by.y, by.wide, by.broad
-    cross = sxy * (ux * ux - uy * uy) + (syy - sxx) * ux * uy
-    factor, tail = region_widening.widen(memory, person + REGIONS, share, tail)
-    cross *= factor * (new_wide / wide) * (new_broad / broad)
-    wide2, broad2 = factor * new_wide * new_wide, factor * new_broad * new_broad
-    sxx = wide2 * ux * ux - 2.0 * cross * ux * uy + broad2 * uy * uy
-    sxy = (wide2 - broad2) * ux * uy + cross * (ux * ux - uy * uy)
-    syy = wide2 * uy * uy + 2.0 * cross * ux * uy + broad2 * ux * ux
-    region_widening.record(memory, at + STATED, now, x, y, (px, py, sxx, sxy, syy, tail))
-    way = Way(reached, hypot(px - x, py - y))
+    shape = (sxy * (ux * ux - uy * uy) + (syy - sxx) * ux * uy) / (wide * broad)
+    own = placed(memory, at, heading, along + shift * fading(share, BIAS_FADE), wide * widen)
+    own = Heading(own.x, own.y, ux, uy, own.wide, broad * broaden, tail)
+    end = adapted_end(memory, person, at, parts, scene, own, share)
+    px, py, sxx, sxy, syy, tail = stated(memory, person, at, end, share, shape)
     left, spread = time_left.stated(
         memory,
         (person + TIME_LEFT, person + INTERVALS, at + TIMED),
@@ -324,7 +376,7 @@ def adapt(
         since,
         memory[person + DURATIONS + durations.MEDIAN],
         Estimates(left, predicted),
-        way,
+        Way(reached, hypot(px - x, py - y)),
         pace,
     )
     return t, px, py, sxx, sxy, syy, left, phase, tail, spread

@@ -184,10 +184,46 @@ export function record(memory, at, share, moment) {
 export function fading(share, since) {
   return smaller((1 - share) / (1 - since), 1);
 }
-export function prepare(memory, person, going, parts, scene, start) {
-  const near = $places.NEAR_SHARE * memory[person + DISTANCES + $distances.DISTANCES];
-  const known = [person + KNOWN, person + HABITS];
-  $destination.prepare(memory, known, going, [scene[0], parts[2], near], start);
+export function seen(memory, at, answer) {
+  const px = answer[1];
+  const py = answer[2];
+  const sxx = answer[3];
+  const sxy = answer[4];
+  const syy = answer[5];
+  const left = answer[6];
+  const tail = answer[8];
+  const away_x = memory[at + X] - memory[at + X0];
+  const away_y = memory[at + Y] - memory[at + Y0];
+  const reached = hypot(away_x, away_y);
+  if (!(reached > 0 && left > 0 && tail > 0 && sxx + syy > 0)) {
+    return [px, py, 0, 0, 0, 0, tail];
+  }
+  const ux = away_x / reached;
+  const uy = away_y / reached;
+  const wide2 = sxx * ux * ux + 2 * sxy * ux * uy + syy * uy * uy;
+  const broad2 = sxx * uy * uy - 2 * sxy * ux * uy + syy * ux * ux;
+  if (!(wide2 > 0 && broad2 > 0)) {
+    return [px, py, 0, 0, 0, 0, tail];
+  }
+  return [px, py, ux, uy, Math.sqrt(wide2), Math.sqrt(broad2), tail];
+}
+export function ahead_of(memory, at, heading) {
+  const dx = heading[0] - memory[at + X];
+  const dy = heading[1] - memory[at + Y];
+  return [dx * heading[2] + dy * heading[3], dy * heading[2] - dx * heading[3]];
+}
+export function placed(memory, at, heading, along, wide) {
+  const values_1 = ahead_of(memory, at, heading);
+  const across = values_1[1];
+  let x = heading[0];
+  let y = heading[1];
+  const ux = heading[2];
+  const uy = heading[3];
+  const broad = heading[5];
+  const tail = heading[6];
+  x = memory[at + X] + along * ux - across * uy;
+  y = memory[at + Y] + along * uy + across * ux;
+  return [x, y, ux, uy, wide, broad, tail];
 }
 export function moved(heading, dx, dy) {
   const x = heading[0];
@@ -198,6 +234,24 @@ export function moved(heading, dx, dy) {
   const broad = heading[5];
   const tail = heading[6];
   return [x + dx, y + dy, ux, uy, wide, broad, tail];
+}
+export function by_distances(memory, person, at, own, share) {
+  const reached = hypot(memory[at + X] - memory[at + X0], memory[at + Y] - memory[at + Y0]);
+  const values_1 = ahead_of(memory, at, own);
+  let along = values_1[0];
+  const ahead = [along, own[4], own[5], own[6]];
+  const values_2 = $distances.combine(memory, person + DISTANCES, reached, ahead);
+  const usual_along = values_2[0];
+  const usual_wide = values_2[1];
+  const usual = values_2[2];
+  const weight = fading(share, FADE);
+  along += weight * (usual_along - along);
+  return [placed(memory, at, own, along, own[4] * Math.pow(usual_wide / own[4], weight)), usual];
+}
+export function prepare(memory, person, going, parts, scene, start) {
+  const near = $places.NEAR_SHARE * memory[person + DISTANCES + $distances.DISTANCES];
+  const known = [person + KNOWN, person + HABITS];
+  $destination.prepare(memory, known, going, [scene[0], parts[2], near], start);
 }
 export function by_places(memory, person, at, parts, scene, laws, weights) {
   const own = laws[0];
@@ -215,6 +269,36 @@ export function by_places(memory, person, at, parts, scene, laws, weights) {
   const combined = $destination.combine(memory, where, going, start, moved(elsewhere, -scene[1], -scene[2]));
   return moved(combined, scene[1], scene[2]);
 }
+export function adapted_end(memory, person, at, parts, scene, own, share) {
+  let elsewhere = own;
+  let usual = 1;
+  if (parts[0] === 1) {
+    const values_1 = by_distances(memory, person, at, own, share);
+    elsewhere = values_1[0];
+    usual = values_1[1];
+  }
+  if (parts[1] === 0) {
+    return elsewhere;
+  }
+  const weights = [usual, fading(share, PLACES_FADE)];
+  return by_places(memory, person, at, parts, scene, [own, elsewhere], weights);
+}
+export function stated(memory, person, at, end, share, shape) {
+  const values_1 = $region_widening.widen(memory, person + REGIONS, share, end[6]);
+  const factor = values_1[0];
+  const tail = values_1[1];
+  const wide2 = factor * end[4] * end[4];
+  const broad2 = factor * end[5] * end[5];
+  const cross = factor * shape * end[4] * end[5];
+  const ux = end[2];
+  const uy = end[3];
+  const sxx = wide2 * ux * ux - 2 * cross * ux * uy + broad2 * uy * uy;
+  const sxy = (wide2 - broad2) * ux * uy + cross * (ux * ux - uy * uy);
+  const syy = wide2 * uy * uy + 2 * cross * ux * uy + broad2 * ux * ux;
+  const region = [end[0], end[1], sxx, sxy, syy, tail];
+  $region_widening.record(memory, at + STATED, memory[at + T], memory[at + X], memory[at + Y], region);
+  return region;
+}
 export function adapt(memory, person, at, parts, scene, answer, pace) {
   const t = answer[0];
   let px = answer[1];
@@ -225,88 +309,49 @@ export function adapt(memory, person, at, parts, scene, answer, pace) {
   const predicted = answer[6];
   const phase = answer[7];
   let tail = answer[8];
-  let spread = answer[9];
-  let left = predicted;
+  const heading = seen(memory, at, answer);
+  const ux = heading[2];
+  const uy = heading[3];
+  const wide = heading[4];
+  const broad = heading[5];
+  if (wide === 0) {
+    return answer;
+  }
+  const now = memory[at + T];
   const x = memory[at + X];
   const y = memory[at + Y];
-  const away_x = x - memory[at + X0];
-  const away_y = y - memory[at + Y0];
-  const reached = hypot(away_x, away_y);
-  if (!(reached > 0 && left > 0 && tail > 0 && sxx + syy > 0)) {
-    return answer;
-  }
-  const ux = away_x / reached;
-  const uy = away_y / reached;
-  let wide2 = sxx * ux * ux + 2 * sxy * ux * uy + syy * uy * uy;
-  let broad2 = sxx * uy * uy - 2 * sxy * ux * uy + syy * ux * ux;
-  if (!(wide2 > 0 && broad2 > 0)) {
-    return answer;
-  }
-  const wide = Math.sqrt(wide2);
-  const broad = Math.sqrt(broad2);
-  const along = (px - x) * ux + (py - y) * uy;
-  const across = (py - y) * ux - (px - x) * uy;
-  const now = memory[at + T];
+  const reached = hypot(x - memory[at + X0], y - memory[at + Y0]);
   const since = now - memory[at + T0];
-  let share = since / (since + left);
-  record(memory, at, share, [now, x, y, ux, uy, along, across, wide, broad, tail, left, reached]);
+  const values_1 = ahead_of(memory, at, heading);
+  const along = values_1[0];
+  const across = values_1[1];
+  let share = since / (since + predicted);
+  const m = [now, x, y, ux, uy, along, across, wide, broad, tail, predicted, reached];
+  record(memory, at, share, m);
   if (memory[person + DISTANCES + $distances.COUNT] === 0) {
     $region_widening.record(memory, at + STATED, now, x, y, [px, py, sxx, sxy, syy, tail]);
     return answer;
   }
-  const total = hypot(reached + along, across);
-  const values_1 = $stages.correct(memory, person, share, total, along);
-  const shift = values_1[0];
-  const widen = values_1[1];
-  const broaden = values_1[2];
-  const slow = values_1[3];
-  left = $durations.mix(memory, person + DURATIONS, since, left * slow);
+  const values_2 = $stages.correct(memory, person, share, hypot(reached + along, across), along);
+  const shift = values_2[0];
+  const widen = values_2[1];
+  const broaden = values_2[2];
+  const slow = values_2[3];
+  let left = $durations.mix(memory, person + DURATIONS, since, predicted * slow);
   share = since / (since + left);
-  const own_along = along + shift * fading(share, BIAS_FADE);
-  const own_wide = wide * widen;
-  const own_broad = broad * broaden;
-  let usual = 1;
-  let new_along = own_along;
-  let new_wide = own_wide;
-  if (parts[0] === 1) {
-    const ahead = [own_along, own_wide, own_broad, tail];
-    const values_2 = $distances.combine(memory, person + DISTANCES, reached, ahead);
-    const usual_along = values_2[0];
-    const usual_wide = values_2[1];
-    usual = values_2[2];
-    const weight = fading(share, FADE);
-    new_along += weight * (usual_along - new_along);
-    new_wide *= Math.pow(usual_wide / new_wide, weight);
-  }
-  px = x + new_along * ux - across * uy;
-  py = y + new_along * uy + across * ux;
-  let new_broad = own_broad;
-  if (parts[1] === 1) {
-    const own_x = x + own_along * ux - across * uy;
-    const own_y = y + own_along * uy + across * ux;
-    const own = [own_x, own_y, ux, uy, own_wide, own_broad, tail];
-    const elsewhere = [px, py, ux, uy, new_wide, new_broad, tail];
-    const weights = [usual, fading(share, PLACES_FADE)];
-    const by = by_places(memory, person, at, parts, scene, [own, elsewhere], weights);
-    px = by[0];
-    py = by[1];
-    new_wide = by[4];
-    new_broad = by[5];
-  }
-  let cross = sxy * (ux * ux - uy * uy) + (syy - sxx) * ux * uy;
-  const values_3 = $region_widening.widen(memory, person + REGIONS, share, tail);
-  const factor = values_3[0];
-  tail = values_3[1];
-  cross *= factor * (new_wide / wide) * (new_broad / broad);
-  wide2 = factor * new_wide * new_wide;
-  broad2 = factor * new_broad * new_broad;
-  sxx = wide2 * ux * ux - 2 * cross * ux * uy + broad2 * uy * uy;
-  sxy = (wide2 - broad2) * ux * uy + cross * (ux * ux - uy * uy);
-  syy = wide2 * uy * uy + 2 * cross * ux * uy + broad2 * ux * ux;
-  $region_widening.record(memory, at + STATED, now, x, y, [px, py, sxx, sxy, syy, tail]);
-  const way = [reached, hypot(px - x, py - y)];
-  const values_4 = $adaptation_time_left.stated(memory, [person + TIME_LEFT, person + INTERVALS, at + TIMED], [now, x, y], since, memory[person + DURATIONS + $durations.MEDIAN], [left, predicted], way, pace);
+  const shape = (sxy * (ux * ux - uy * uy) + (syy - sxx) * ux * uy) / (wide * broad);
+  let own = placed(memory, at, heading, along + shift * fading(share, BIAS_FADE), wide * widen);
+  own = [own[0], own[1], ux, uy, own[4], broad * broaden, tail];
+  const end = adapted_end(memory, person, at, parts, scene, own, share);
+  const values_3 = stated(memory, person, at, end, share, shape);
+  px = values_3[0];
+  py = values_3[1];
+  sxx = values_3[2];
+  sxy = values_3[3];
+  syy = values_3[4];
+  tail = values_3[5];
+  const values_4 = $adaptation_time_left.stated(memory, [person + TIME_LEFT, person + INTERVALS, at + TIMED], [now, x, y], since, memory[person + DURATIONS + $durations.MEDIAN], [left, predicted], [reached, hypot(px - x, py - y)], pace);
   left = values_4[0];
-  spread = values_4[1];
+  const spread = values_4[1];
   return [t, px, py, sxx, sxy, syy, left, phase, tail, spread];
 }
