@@ -1,40 +1,56 @@
-"""What adaptation is worth on people whom no coefficient saw: ``python -m pages.adaptation.measure``.
+"""What adaptation is worth: ``python -m pages.adaptation.measure [FOLDER]``.
 
-Trains the learned predictor with each fifth of the people of POINTPRED_RECORDINGS left out in turn, lets it
-predict these with and without adaptation, every person's trials in order of recording. Takes minutes;
-POINTPRED_FOLDS names a folder that keeps coefficients.
+Lets the learned predictor, fitted to other people, predict the movements in POINTPRED_RECORDINGS without
+adaptation and with parts of it, every person's movements in order of recording. Takes minutes.
+FOLDER: coefficients as ``python -m pages.held_out FOLDER`` writes them; unless given, those of the cache.
 """
 
 from __future__ import annotations
 
-import os
+import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 
-from pages.adaptation.folds import coefficient_folder, coefficients, say
-from pages.adaptation.tables import FLOOR, PART, PLAIN, WHOLE, Measured, written
+from pages.adaptation.tables import FLOOR, ORDERED, PLACED, PLAIN, UNPLACED, Measured, written
 from pages.arguments import parse
+from pages.held_out import HeldOut, held_out, stored
 from pointpred import Pipeline, build
 from pointpred.columns import FloatArray
 from pointpred.predictors import AdaptiveKinematicPredictor, KinematicPredictor
 from pointpred.recording import Recording
+from pointpred.scoring import Prepared, prepare, resolution
 from pointpred.scoring import ktm_protocol as protocol
-from pointpred.scoring import prepare, resolution
 from pointpred.scoring.replay import replay
+from pointpred.training import data
+
+NEAR_PX, LAST = 40.0, 64
+"""An end repeats where one of so many earlier ones of the person lies so near."""
+
+
+def parts(recording: Recording, coefficients: HeldOut) -> Iterator[tuple[Recording, Path]]:
+    """The recording of each fold of its people, and the coefficients that were fitted to none of them."""
+    folds = np.array([coefficients.fold_of[f"{recording.name} {one.user}"] for one in recording.trials])
+    for fold in np.unique(folds).tolist():
+        rows = np.flatnonzero(folds == fold).tolist()
+        trials = [recording.trials[k] for k in rows]
+        yield (
+            Recording.of(recording.name, [recording.rows(k) for k in rows], trials),
+            coefficients.folds[fold],
+        )
 
 
 def pipelines(recording: Recording, path: Path) -> list[Pipeline]:
-    """No prediction, the learned predictor, and both ways of adapting it."""
-    settings = resolution(recording, None, None)
-    floor = build(FLOOR, **settings)
+    """No prediction, the learned predictor, and it with more and more parts of the adaptation."""
+    floor = build(FLOOR, **resolution(recording, None, None))
     predictors = {
         PLAIN: KinematicPredictor(coefficients=path),
-        WHOLE: AdaptiveKinematicPredictor(coefficients=path),
-        PART: AdaptiveKinematicPredictor(distances=0, coefficients=path),
+        UNPLACED: AdaptiveKinematicPredictor(places=0, coefficients=path),
+        PLACED: AdaptiveKinematicPredictor(sequence=0, coefficients=path),
+        ORDERED: AdaptiveKinematicPredictor(coefficients=path),
     }
-    joined = [Pipeline(name, floor.differentiator.fresh(), one) for name, one in predictors.items()]
-    return [floor, *joined]
+    return [floor, *(Pipeline(name, floor.differentiator.fresh(), one) for name, one in predictors.items())]
 
 
 def numbered(users: list[str]) -> FloatArray:
@@ -47,28 +63,43 @@ def numbered(users: list[str]) -> FloatArray:
     return np.array(order, dtype=np.float64)
 
 
-def measure(where: Path) -> list[Measured]:
+def repeated(prepared: Prepared) -> FloatArray:
+    """For each trial whether it ends near an earlier end of its user; NaN for the first of a user."""
+    earlier: dict[str, list[FloatArray]] = {}
+    result = []
+    for k, scored in enumerate(prepared.trials):
+        rows = prepared.rows(k)
+        end, ends = np.array([rows.x[-1], rows.y[-1]]), earlier.setdefault(scored.trial.user, [])
+        away = np.linalg.norm(np.array(ends[-LAST:]) - end, axis=1) if ends else np.array([np.nan])
+        result.append(np.nan if np.isnan(away).any() else float(away.min() <= NEAR_PX))
+        ends.append(end)
+    return np.array(result)
+
+
+def measure(coefficients: HeldOut) -> list[Measured]:
     """Every set, its people predicted by coefficients that knew none of them."""
     results: dict[str, Measured] = {}
-    for part, path in coefficients(where):
-        one = results.setdefault(part.name, Measured(part.name, [], {}, {True: {}, False: {}}))
-        settings = {k: v for k, v in resolution(part, None, None).items() if v is not None}
-        prepared = prepare(part, **settings)
-        one.order.append(numbered([scored.trial.user for scored in prepared.trials]))
-        for pipeline in pipelines(part, path):
-            one.errors.setdefault(pipeline.name, []).append(replay(prepared, pipeline, threads=1))
-        for monotone, reads in one.template.items():
-            selection = protocol.select(prepared, only_monotone=monotone, share=1.0)
-            if selection.tested:
-                matched = protocol.with_library(selection)
-                reads.setdefault(matched.name, []).append(matched.errors)
-                for pipeline in pipelines(part, path):
-                    errors = protocol.without_library(selection, pipeline).errors
-                    reads.setdefault(pipeline.name, []).append(errors)
-        say(f"{part.name}: {len(prepared.trials)} trials with {path.name}")
+    for recording in data.read_sets(data.folder()):
+        for part, path in parts(recording, coefficients):
+            one = results.setdefault(part.name, Measured(part.name, [], [], {}, {True: {}, False: {}}))
+            settings = {k: v for k, v in resolution(part, None, None).items() if v is not None}
+            prepared = prepare(part, **settings)
+            one.order.append(numbered([scored.trial.user for scored in prepared.trials]))
+            one.repeated.append(repeated(prepared))
+            for pipeline in pipelines(part, path):
+                one.errors.setdefault(pipeline.name, []).append(replay(prepared, pipeline, threads=1))
+            for monotone, reads in one.template.items():
+                selection = protocol.select(prepared, only_monotone=monotone, share=1.0)
+                if selection.tested:
+                    matched = protocol.with_library(selection)
+                    reads.setdefault(matched.name, []).append(matched.errors)
+                    for pipeline in pipelines(part, path):
+                        errors = protocol.without_library(selection, pipeline).errors
+                        reads.setdefault(pipeline.name, []).append(errors)
+            print(f"{part.name}: {len(prepared.trials)} trials with {path.name}", file=sys.stderr, flush=True)
     return list(results.values())
 
 
 if __name__ == "__main__":
-    parse(__doc__)
-    written(measure(coefficient_folder(os.environ.get("POINTPRED_FOLDS"))))
+    named = parse(__doc__, metavar="FOLDER", most=1)
+    written(measure(stored(Path(named[0])) if named else held_out(data.folder())))

@@ -14,10 +14,12 @@ from pages.thinning import save
 from pointpred.columns import FloatArray
 from pointpred.report.figures.style import GREY, MARKERS, PALETTE, canvas, legend_outside, picture
 from pointpred.scoring.measures import regions, time_left
-from pointpred.scoring.results import PredictorErrors
+from pointpred.scoring.results import TIME_FRACTIONS, PredictorErrors
 
 FIGURE = FIGURES / "adaptation.svg"
-FLOOR, PLAIN, WHOLE, PART = "hold", "kinematic", "kinematic-adaptive", "without the distances"
+FLOOR, PLAIN, ORDERED = "hold", "kinematic", "kinematic-adaptive"
+UNPLACED, PLACED = "without places", "places, without their order"
+ALL = (PLAIN, UNPLACED, PLACED, ORDERED)
 STAGES = ((0, 5, "1-5"), (5, 10, "6-10"), (10, 20, "11-20"), (20, 10**9, "21+"))
 LATE, LATE_OF_FEW = 20, 12
 """Movements after which a person is known."""
@@ -25,10 +27,11 @@ EDGES = (0, 1, 2, 3, 5, 8, 12, 20, 48, 150, 10**9)
 
 
 class Measured(msgspec.Struct):
-    """A set: errors of each predictor, a row a trial, the number of each trial in its user's order."""
+    """A set, a row a trial: its number in its user's order, whether its end repeats, errors by predictor."""
 
     name: str
     order: list[FloatArray]
+    repeated: list[FloatArray]
     errors: dict[str, list[PredictorErrors]]
     template: dict[bool, dict[str, list[FloatArray]]]
     """In the protocol of template matching, clean or all: errors at each share of the way."""
@@ -59,11 +62,28 @@ def by_trial(sets: Sequence[Measured]) -> Table:
     rows = []
     for one in sets:
         users = int((np.concatenate(one.order) == 0).sum())
-        for name in (PLAIN, WHOLE, PART):
+        for name in ALL:
             cells = [number(ratio(one, name, FLOOR, low, high)) for low, high, _ in STAGES]
-            label = f"`{name}`" if name != PART else name
-            rows.append((one.name, str(users), label, *cells, number(ratio(one, name, FLOOR))))
-    return Table.of(("set", "people", "predictor", *(label for _, _, label in STAGES), "all"), rows)
+            near = f"{100 * np.nanmean(np.concatenate(one.repeated)):.0f} %"
+            rows.append((one.name, str(users), near, label(name), *cells, number(ratio(one, name, FLOOR))))
+    header = ("set", "people", "ends that repeat", "predictor", *(words for _, _, words in STAGES), "all")
+    return Table.of(header, rows)
+
+
+def label(name: str) -> str:
+    """A predictor's name as tables show it."""
+    return name if name in (UNPLACED, PLACED) else f"`{name}`"
+
+
+def by_time(sets: Sequence[Measured]) -> Table:
+    """Error over `hold` at shares of the time."""
+    rows = []
+    for one in sets:
+        floor = column(one, FLOOR, "by_time").mean(axis=0)
+        for name in ALL:
+            shares = column(one, name, "by_time").mean(axis=0) / floor
+            rows.append((one.name, label(name), *(f"{share:.2f}" for share in shares)))
+    return Table.of(("set", "predictor", *(f"{100 * share:.0f} %" for share in TIME_FRACTIONS)), rows)
 
 
 def claims(sets: Sequence[Measured]) -> Table:
@@ -71,14 +91,14 @@ def claims(sets: Sequence[Measured]) -> Table:
     rows = []
     for one in sets:
         cells: list[str] = []
-        for name in (PLAIN, WHOLE):
+        for name in (PLAIN, ORDERED):
             inside = np.nanmean(column(one, name, "calibration"), axis=0)[regions.INSIDE :][:3]
             cells.append(" / ".join(f"{100 * share:.0f}" for share in inside))
-        for name in (PLAIN, WHOLE):
+        for name in (PLAIN, ORDERED):
             left = np.nanmean(column(one, name, "time_left"), axis=0)
             error, clock = left[time_left.ERROR], left[time_left.CLOCK]
             cells.append(f"{1000 * error:.0f} ({error / clock:.2f})")
-        for name in (PLAIN, WHOLE):
+        for name in (PLAIN, ORDERED):
             left = np.nanmean(column(one, name, "time_left"), axis=0)[time_left.INSIDE :][:2]
             cells.append(" / ".join(f"{100 * share:.0f}" for share in left))
         rows.append((one.name, *cells))
@@ -101,7 +121,7 @@ def arrivals(sets: Sequence[Measured]) -> Table:
         order = np.concatenate(one.order)
         late = order >= (LATE if (order >= LATE).any() else LATE_OF_FEW)
         cells: list[str] = []
-        for name in (PLAIN, WHOLE):
+        for name in (PLAIN, ORDERED):
             left = column(one, name, "time_left")[late]
             error, clock = np.nanmean(left[:, [time_left.ERROR, time_left.CLOCK]], axis=0)
             inside = np.nanmean(left[:, time_left.INSIDE :][:, :2], axis=0)
@@ -127,8 +147,8 @@ def templates(sets: Sequence[Measured]) -> Table:
                 errors = np.concatenate(parts)
                 means = [f"{mean:.0f}" for mean in errors.mean(axis=0)]
                 rule = "never nearer" if monotone else "all"
-                label = f"`{name}`" if name in (PLAIN, WHOLE, FLOOR) else name
-                rows.append((one.name, rule, str(len(errors)), label, *means))
+                known = label(name) if name in (*ALL, FLOOR) else name
+                rows.append((one.name, rule, str(len(errors)), known, *means))
     return Table.of(("set", "trials", "number", "predictor", "50 %", "75 %", "90 %"), rows)
 
 
@@ -142,7 +162,7 @@ def figure(sets: Sequence[Measured]) -> None:
                 rows = (order >= low) & (order < high)
                 if rows.any():
                     xs.append(float(order[rows].mean()) + 1.0)
-                    ys.append(ratio(one, WHOLE, PLAIN, low, high))
+                    ys.append(ratio(one, ORDERED, PLAIN, low, high))
             colour, marker = PALETTE[place % len(PALETTE)], MARKERS[place % len(MARKERS)]
             dash = "solid" if place < len(PALETTE) else "dotted"
             axes.plot(xs, ys, color=colour, marker=marker, linestyle=dash, markersize=4, label=one.name)
@@ -160,6 +180,7 @@ def written(sets: Sequence[Measured]) -> None:
         "adaptation",
         {
             "by trial": by_trial(sets),
+            "by time": by_time(sets),
             "claims": claims(sets),
             "arrivals": arrivals(sets),
             "templates": templates(sets),

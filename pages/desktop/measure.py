@@ -17,7 +17,6 @@ from pages.simulation.frames import thinned
 from pointpred import Pipeline, build
 from pointpred.columns import FloatArray
 from pointpred.pipeline import run
-from pointpred.predictors import AdaptiveKinematicPredictor
 from pointpred.scoring import Prepared, prepare, resolution
 from pointpred.scoring.measures import endpoint
 from pointpred.scoring.measures.trial_measures import measure_trials
@@ -27,34 +26,34 @@ from pointpred.simulation.desktop import SCENARIOS
 PEOPLE, MOVEMENTS, SEED = 120, 120, 16
 PERIOD_S = 0.008
 """Between events, as of a mouse at 125 Hz."""
-PLACES: dict[str, dict[str, Any]] = {
-    "`kinematic-adaptive`, without places": {"places": 0},
-    "with places": {"places": 1, "sequence": 0},
-    "with places and order": {"places": 1, "sequence": 1},
-}
-"""Ways to build the adaptive predictor."""
+ADAPTIVE = "kinematic-adaptive"
+NAMED = f"`{ADAPTIVE}`, told the window"
+"""It learns places in each window, and they move with it."""
 
 
 def pipelines(settings: dict[str, Any]) -> dict[str, Pipeline]:
     """No prediction, the learned predictor, and the ways of adapting it."""
-    known = {one.name for one in AdaptiveKinematicPredictor.parameters}
-    ways = {
-        title: {name: value for name, value in way.items() if name in known}
-        for title, way in PLACES.items()
-        if known.issuperset(way) or way == {"places": 0}
-    }
     return {
         FLOOR: build("hold", **settings),
         "`kinematic`": build("kinematic", **settings),
-        **{title: build("kinematic-adaptive", **settings, **way) for title, way in ways.items()},
+        "without places": build(ADAPTIVE, places=0, **settings),
+        "places, without their order": build(ADAPTIVE, sequence=0, **settings),
+        f"`{ADAPTIVE}`": build(ADAPTIVE, **settings),
+        NAMED: build(ADAPTIVE, **settings),
     }
 
 
-def errors_of(prepared: Prepared, pattern: Pipeline) -> FloatArray:
-    """The time-averaged error of each movement, px: one pipeline for each person, in order of recording."""
+def errors_of(prepared: Prepared, pattern: Pipeline, *, named: bool = False) -> FloatArray:
+    """The time-averaged error of each movement, px: one pipeline for each person, in order of recording.
+
+    ``named``: the pipeline is told the window before each movement.
+    """
     errors, mine = np.empty(len(prepared.trials)), dict[str, Pipeline]()
     for k, scored in enumerate(prepared.trials):
         pipeline = mine.setdefault(scored.trial.user, pattern.fresh())
+        if named:
+            of = scored.trial.condition
+            pipeline.enter(str(of["window"]), float(of["window_x"]), float(of["window_y"]))
         events = prepared.rows(k)
         measures, _ = measure_trials(prepared, k, k + 1, events, run(pipeline, events), 1.0)
         errors[k] = measures.errors[0, endpoint.TIME_AVERAGED]
@@ -77,7 +76,7 @@ def measure(scenario: str) -> Measured:
 
     errors = {}
     for title, pattern in pipelines(settings).items():
-        errors[title] = by_person(errors_of(prepared, pattern))
+        errors[title] = by_person(errors_of(prepared, pattern, named=title == NAMED))
         print(f"{scenario}: {title}", flush=True)
     near = {where: by_person(values) for where, values in repeated(prepared).items()}
     return Measured(scenario, session.change, errors, len(prepared.skipped), near)

@@ -71,6 +71,21 @@ def test_errors_are_those_of_the_scorer() -> None:
     )
 
 
+def test_who_is_told_the_window_expects_the_places_where_it_now_stands() -> None:
+    """Six movements to one place of a window; then the window stands 250 px to the right."""
+    share, parts, trials = np.linspace(0.0, 1.0, 40), [], []
+    share = 10 * share**3 - 15 * share**4 + 6 * share**5
+    for k in range(8):
+        x = 0.0 if k < 7 else 250.0
+        parts.append(EventColumns.of(0.015 * np.arange(40), x + 600.0 * share, 900.0 - 700.0 * share))
+        trials.append(Trial("p", str(k), condition={"window": "w", "window_x": x, "window_y": 0.0}))
+    prepared = prepare(Recording.of("moved", parts, trials))
+    pattern = build("kinematic-adaptive", distances=0)
+    by_window, by_screen = (measure.errors_of(prepared, pattern, named=named) for named in (True, False))
+    assert by_window[-1] < 0.8 * by_screen[-1]
+    np.testing.assert_array_equal(by_window[:-1], by_screen[:-1])
+
+
 def test_ends_near_an_earlier_one_are_counted_on_the_screen_and_in_the_window() -> None:
     """The second window stands 300 px to the right, the third movement returns to its first place in it."""
     share = np.linspace(0.0, 1.0, 30) ** 2
