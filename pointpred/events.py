@@ -119,7 +119,10 @@ class Place(NamedTuple):
 
     ``p``: how likely it is now, ``before``: how likely it was before the movement showed anything; both
     beside the other places and beside everywhere else, so that they sum to less than 1. ``visits``: how many
-    movements ended there, earlier ones counting less; at most 33.4.
+    movements ended there, earlier ones counting less; at most 33.4. ``id``: from 0 to 63, the same as long as
+    the place is remembered, also in a saved person; a place that replaces a forgotten one takes its id.
+    ``spread`` px: the standard deviation of visits around the place, as this person's scatter grows with the
+    distance from where the movement starts.
     """
 
     x: float
@@ -127,6 +130,8 @@ class Place(NamedTuple):
     p: float
     before: float
     visits: float
+    id: int
+    spread: float
 
 
 Pair = tuple[PointerEvent, Prediction | None]

@@ -2,7 +2,18 @@
 
 from pointpred.targets.chooser import Choice, Chooser
 from pointpred.targets.ledger import Ledger, Movement
+from pointpred.targets.place_chooser import PlaceChooser
 from pointpred.targets.prefetcher import Prefetcher
 from pointpred.targets.rectangles import MOST_TARGETS, Target, around
 
-__all__ = ["MOST_TARGETS", "Choice", "Chooser", "Ledger", "Movement", "Prefetcher", "Target", "around"]
+__all__ = [
+    "MOST_TARGETS",
+    "Choice",
+    "Chooser",
+    "Ledger",
+    "Movement",
+    "PlaceChooser",
+    "Prefetcher",
+    "Target",
+    "around",
+]

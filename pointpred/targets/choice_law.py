@@ -59,6 +59,44 @@ def enter(table: FloatArray, inside: FloatArray, x: float, y: float, released: b
 
 
 @law
+def propose(
+    memory: FloatArray,
+    event: tuple[float, float, float, float],
+    released: bool,
+    remaining_s: float,
+    targets: Targets,
+    settings: FloatArray,
+    standing: int,
+) -> tuple[int, int, int]:
+    """What follows from the shares at an event that ``cursor.follow`` has taken in, as ``step``."""
+    _, x, y, _ = event
+    table, inside, shares = targets
+    if released:
+        standing = decision.NOBODY
+    count = enter(table, inside, x, y, released)
+    ask, least_s = settings[posterior.PRECISION], settings[posterior.LEAST_LEAD_S]
+    bounds = ask, KEEP * ask, least_s, settings[posterior.LEAST_WAY_PX]
+    chosen = decision.decide(memory, table, shares, standing, remaining_s, bounds)
+    over = innermost(table, inside)
+    return chosen, decision.NOBODY if over == chosen else over, count
+
+
+@law
+def step_with_shares(
+    memory: FloatArray,
+    event: tuple[float, float, float, float],
+    remaining_s: float,
+    targets: Targets,
+    settings: FloatArray,
+    standing: int,
+) -> tuple[int, int, int]:
+    """``step`` where the shares have been written by somebody who knows them."""
+    t, x, y, pressed = event
+    released = cursor.follow(memory, t, x, y, pressed)
+    return propose(memory, event, released, remaining_s, targets, settings, standing)
+
+
+@law
 def step(
     memory: FloatArray,
     event: tuple[float, float, float, float],
@@ -76,20 +114,13 @@ def step(
     stays in is not proposed again before the cursor has left it.
     """
     t, x, y, pressed = event
-    table, inside, shares = targets
+    table, _, shares = targets
     coefficients, settings = model
     p = PredictionRow(*answer)
     released = cursor.follow(memory, t, x, y, pressed)
-    if released:
-        standing = decision.NOBODY
     posterior.scores(memory, table, answer, coefficients, settings[posterior.ELSEWHERE], shares)
     posterior.normalise(shares)
-    count = enter(table, inside, x, y, released)
-    ask, least_s = settings[posterior.PRECISION], settings[posterior.LEAST_LEAD_S]
-    bounds = ask, KEEP * ask, least_s, settings[posterior.LEAST_WAY_PX]
-    chosen = decision.decide(memory, table, shares, standing, p.remaining_s, bounds)
-    over = innermost(table, inside)
-    return chosen, decision.NOBODY if over == chosen else over, count
+    return propose(memory, event, released, p.remaining_s, targets, settings, standing)
 
 
 @law

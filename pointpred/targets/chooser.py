@@ -12,7 +12,17 @@ from pointpred.events import PointerEvent, Prediction
 from pointpred.parameter import Parameter, check
 from pointpred.rows import REFUSED, Row, prediction_row
 from pointpred.targets import cursor, decision, posterior
-from pointpred.targets.choice_law import ENTERED, INSIDE, OUTSIDE, RELEASED, Model, Targets, step, walk
+from pointpred.targets.choice_law import (
+    ENTERED,
+    INSIDE,
+    OUTSIDE,
+    RELEASED,
+    Model,
+    Targets,
+    step,
+    step_with_shares,
+    walk,
+)
 from pointpred.targets.inputs import accepted, refuse, usable
 from pointpred.targets.ledger import Ledger, Movement
 from pointpred.targets.rectangles import Target, table
@@ -31,6 +41,8 @@ class Choice(NamedTuple):
     p: float
     action: Literal["propose", "retract"]
     reason: Reason | None = None
+    place: Target | None = None
+    """The rectangle, where nobody registered it: see ``PlaceChooser``."""
 
 
 class Chooser:
@@ -181,6 +193,30 @@ class Chooser:
         self._answer = prediction_row(prediction)
         released = memory[cursor.PRESSED] > pressed
         chosen, over, entered = step(memory, row, self._answer, self._targets, self._model, self._standing)
+        if chosen == self._standing and over == self._over and not entered:
+            return ()
+        return self._note(t, chosen, over, entered, released)
+
+    def check_event(self, event: PointerEvent) -> None:
+        """Raise EventError or EventOrderError for an event that ``update`` would refuse."""
+        accepted(self._memory, event)
+
+    def update_with_shares(
+        self, shares: FloatArray, remaining_s: float, event: PointerEvent
+    ) -> tuple[Choice, ...]:
+        """``update`` where something else says how likely each target is: the same decisions follow.
+
+        ``shares``: of each target in their order, and of none of them; they sum to 1. ``remaining_s``: the
+        time left that is predicted, NaN where none is.
+        """
+        memory = self._memory
+        row = accepted(memory, event)
+        t, _, _, pressed = row
+        self._shares[:] = shares
+        released = memory[cursor.PRESSED] > pressed
+        chosen, over, entered = step_with_shares(
+            memory, row, remaining_s, self._targets, self._settings, self._standing
+        )
         if chosen == self._standing and over == self._over and not entered:
             return ()
         return self._note(t, chosen, over, entered, released)

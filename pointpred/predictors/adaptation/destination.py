@@ -25,10 +25,10 @@ STEPS = 10
 """Of the geometric median; each step brings it much nearer."""
 
 # The movement, relative to `at`: whether the shares before it are laid out, the share of known places, how
-# far visits end from a place over its distance; the share of each place before the movement; now; that of
-# elsewhere now.
-READY, RETURNS, WIDTH = range(3)
-_, BEFORE, NOW, ELSEWHERE, STATES = offsets(3, places.CAPACITY, places.CAPACITY, 1)
+# far visits end from a place over its distance, how much the places count for the endpoint; the share of each
+# place before the movement; now; that of elsewhere now.
+READY, RETURNS, WIDTH, COUNTS = range(4)
+_, BEFORE, NOW, ELSEWHERE, STATES = offsets(4, places.CAPACITY, places.CAPACITY, 1)
 
 
 class Heading(NamedTuple):
@@ -97,11 +97,12 @@ def weigh(
 ) -> None:
     """The share of each place now, and of elsewhere; positions in px from the origin.
 
-    ``elsewhere``: how likely the law makes the last distances, over where nothing is known, and the weight of
-    the places against it: 1, and less late in a movement.
+    ``elsewhere``: how likely the law makes the last distances, over where nothing is known, and how much the
+    places count for the endpoint: 1, and less late in a movement.
     """
     x0, y0 = start
-    usual, weight = elsewhere
+    usual, counts = elsewhere
+    memory[at + COUNTS] = counts
     returns, count = memory[at + RETURNS], int(memory[place_memory + places.COUNT])
     total = (1.0 - returns) * usual
     for i in range(count):
@@ -116,7 +117,7 @@ def weigh(
         total += share
     rest = 1.0
     for i in range(count):
-        memory[at + NOW + i] *= weight / total
+        memory[at + NOW + i] /= total
         rest -= memory[at + NOW + i]
     memory[at + ELSEWHERE] = max(rest, 0.0)
 
@@ -138,14 +139,17 @@ def candidates(
 ) -> int:
     """Fill rows of share, position and squared width, px^2: elsewhere, then the places; returns how many."""
     size2 = 0.5 * (elsewhere.wide * elsewhere.wide + elsewhere.broad * elsewhere.broad)
-    out[0, 0], out[0, 1], out[0, 2], out[0, 3] = memory[at + ELSEWHERE], elsewhere.x, elsewhere.y, size2
+    counts = memory[at + COUNTS]
+    rest = 1.0 - counts * (1.0 - memory[at + ELSEWHERE])
+    out[0, 0], out[0, 1], out[0, 2], out[0, 3] = rest, elsewhere.x, elsewhere.y, size2
     count = 1
     for i in range(int(memory[place_memory + places.COUNT])):
-        if memory[at + NOW + i] > NEGLIGIBLE:
+        share = counts * memory[at + NOW + i]
+        if share > NEGLIGIBLE:
             place = place_memory + places.PLACES + places.WIDTH * i
             x, y = memory[place + places.X], memory[place + places.Y]
             spread = spread_of(memory, at, start, x, y)
-            out[count, 0], out[count, 1], out[count, 2] = memory[at + NOW + i], x, y
+            out[count, 0], out[count, 1], out[count, 2] = share, x, y
             out[count, 3] = spread * spread
             count += 1
     return count

@@ -5,12 +5,14 @@ from __future__ import annotations
 from math import hypot
 from typing import Any, Self
 
+import numpy as np
+
 from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
 from pointpred.events import Place
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
-from pointpred.predictors.adaptation import correction, destination, places
+from pointpred.predictors.adaptation import correction, destination, known_places, places
 from pointpred.predictors.adaptation.correction import Parts
 from pointpred.predictors.adaptation.time_left import Pace
 from pointpred.predictors.kinematic import observation, track
@@ -84,16 +86,21 @@ def step(memory: FloatArray, motion: Row, coefficients: FloatArray) -> TenFloats
     return adapt(memory, answer, pace_of(own, m))
 
 
-def known_places(memory: FloatArray, known: int, going: int, scene: Scene) -> tuple[Place, ...]:
-    """The places of a scene, on the screen, the likeliest destination first."""
-    rows = []
-    for i in range(int(memory[known + places.COUNT])):
-        key, x, y, visits = memory[known + places.PLACES + places.WIDTH * i :][: places.WIDTH].tolist()
-        if key == scene.key:
-            before, now = (float(memory[going + part + i]) for part in (destination.BEFORE, destination.NOW))
-            before *= float(memory[going + destination.RETURNS])
-            rows.append(Place(x + scene.x, y + scene.y, now, before, visits))
-    return tuple(sorted(rows, key=lambda place: -place.p))
+@law
+def enter_scene(memory: FloatArray, scene: Scene) -> None:
+    """The cursor is in this window or page from now on; the shares of its places are laid out anew."""
+    memory[KEY], memory[ORIGIN_X], memory[ORIGIN_Y] = scene.key, scene.x, scene.y
+    if memory[ADAPT] == 1.0:
+        memory[MOVEMENT + correction.DESTINATION + destination.READY] = 0.0
+
+
+@law
+def list_places(memory: FloatArray, out: FloatArray) -> int:
+    """Fill a row for each place of the window that the cursor is in; returns how many there are."""
+    if memory[ADAPT] == 0.0 or memory[PLACES] == 0.0:
+        return 0
+    parts, scene = parts_of(memory), scene_of(memory)
+    return int(known_places.list_places(memory, PERSON, MOVEMENT, parts, scene, out))
 
 
 class AdaptiveKinematicPredictor(KinematicPredictor):
@@ -145,7 +152,7 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
 
     Parameters: ``adapt`` 0 or 1 (0: bit for bit `kinematic`), ``distances``, ``places`` and ``sequence``
     (where people go from a place) 0 or 1, ``shortest_px``; ``coefficients`` as for `kinematic`.
-    Memory: 2065 floats. Costs 1 to 6 us an event more than ``kinematic``. Raises ParameterError,
+    Memory: 2066 floats. Costs 1 to 6 us an event more than ``kinematic``. Raises ParameterError,
     and EventError from ``update``.
 
     Reference: none; docs/guide/adaptation.md. Prior knowledge of repeated distances: Pasqual, Wobbrock 2014.
@@ -197,6 +204,8 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     fault = staticmethod(correction.fault)
     doubt = staticmethod(correction.doubt)
     sizes = staticmethod(sizes)
+    enter_scene = staticmethod(enter_scene)
+    list_places = staticmethod(list_places)
 
     def settings(self) -> FloatArray:
         """The numbers of the parameters, and the scene: no key, the origin at 0."""
@@ -215,24 +224,12 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
 
     def enter(self, scene: Scene) -> None:
         """The cursor is in this window or page from now on."""
-        self._memory[KEY : ORIGIN_Y + 1] = scene
-        if self.adapt:
-            self._memory[MOVEMENT + correction.DESTINATION] = 0.0
+        enter_scene(self._memory, scene)
 
     @property
     def known_places(self) -> tuple[Place, ...]:
         """The places of the window that the cursor is in, the likeliest destination first."""
-        if not (self.adapt and self.places):
-            return ()
-        memory, scene = self._memory, scene_of(self._memory)
-        known, going = PERSON + correction.KNOWN, MOVEMENT + correction.DESTINATION
-        if memory[going + destination.READY] == 0.0:
-            memory = memory.copy()
-            last = known + places.PLACES + places.WIDTH * max(places.visited(memory, known, 0), 0)
-            start = float(memory[last + places.X]), float(memory[last + places.Y])
-            correction.prepare(memory, PERSON, going, parts_of(memory), scene, start)
-            before = memory[going + destination.BEFORE : going + destination.NOW]
-            memory[going + destination.NOW : going + destination.ELSEWHERE] = (
-                memory[going + destination.RETURNS] * before
-            )
-        return known_places(memory, known, going, scene)
+        rows = np.empty((places.CAPACITY, known_places.FIELDS))
+        count = list_places(self._memory, rows)
+        listed = (Place(*row[:5], int(row[5]), row[6]) for row in rows[:count].tolist())
+        return tuple(sorted(listed, key=lambda place: -place.p))
