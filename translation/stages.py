@@ -17,7 +17,7 @@ from translation.source import Name, is_law
 
 COEFFICIENTS = "kinematic.f32"
 """The file of coefficients in the folder of laws."""
-LAWS = ("step", "conclude", "fill", "settle", "sizes", "fault")
+LAWS = ("step", "conclude", "fill", "settle", "sizes", "fault", "enter_scene", "list_places")
 """What a class may name as its laws."""
 
 

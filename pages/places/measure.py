@@ -73,9 +73,7 @@ def pipelines(recording: Recording, held: HeldOut, sequence: int) -> dict[str, P
         predictor = AdaptiveKinematicPredictor(coefficients=held.folds[fold], sequence=sequence)
         return Pipeline(own.name, own.differentiator.fresh(), predictor)
 
-    return {
-        who[len(start) :]: unseen(fold) for who, fold in held.fold_of.items() if who.startswith(start)
-    }
+    return {who[len(start) :]: unseen(fold) for who, fold in held.fold_of.items() if who.startswith(start)}
 
 
 def movements(recording: Recording, pipeline: Pipeline, user: str) -> Iterator[Moved]:
@@ -94,14 +92,6 @@ def movements(recording: Recording, pipeline: Pipeline, user: str) -> Iterator[M
         x, y = rows[-1, 1:3].tolist()
         yield Moved(seen, any(hypot(x - a, y - b) <= NEAR_PX for a, b in ends[-64:]))
         ends.append((x, y))
-
-
-def shares_of(places: Sequence[Place], order: Sequence[int]) -> FloatArray:
-    """The share of each place in the order of their numbers, and of elsewhere."""
-    by = {place.id: place.p for place in places}
-    shares = np.array([*(by[id] for id in order), 0.0])
-    shares[-1] = max(1.0 - float(shares.sum()), 0.0)
-    return shares
 
 
 class Watched(NamedTuple):
@@ -138,9 +128,8 @@ def outcome(movement: Watched, chooser: Chooser) -> Outcome:
             chooser.replace(laid)
             rectangles = {one.id: one for one in laid}
         path.append((event.t, event.x, event.y))
-        for choice in chooser.update_with_shares(shares, left, event):
-            if choice.id in rectangles:
-                changes.append((event.t, choice, rectangles[choice.id]))
+        made = chooser.update_with_shares(shares, left, event)
+        changes += [(event.t, one, rectangles[one.id]) for one in made]
     return account(np.array(path), changes, repeats=movement.repeats)
 
 
@@ -173,7 +162,9 @@ def off(place: Target, end: FloatArray) -> float:
 
 def outcomes(people: Sequence[Sequence[Watched]], dial: float) -> list[Outcome]:
     """Every movement of everybody at a dial."""
-    return [outcome(one, chooser) for person in people for chooser in [Chooser(precision=dial)] for one in person]
+    return [
+        outcome(one, chooser) for person in people for chooser in [Chooser(precision=dial)] for one in person
+    ]
 
 
 HEADS = (
@@ -222,7 +213,7 @@ def precise(rows: Sequence[Outcome]) -> bool:
 
 
 def measured(sets: Sequence[Recording], held: HeldOut) -> dict[str, Table]:
-    """Each set at each dial, and at the lowest one that is right often enough; with the sequence and without."""
+    """Each set at each dial, and at the lowest one that is right often enough; with and without order."""
     every, chosen = [], []
     for recording in sets:
         for sequence, words in ((1, "with order"), (0, "without order")):

@@ -109,7 +109,7 @@ class AsyncConnection(ClientSession):
         return None
 
     async def configure(self, **changes: Any) -> Welcome:
-        """Change ``predictor``, ``parameters``, ``reply``, ``precision``, ``assist``; the rest stays."""
+        """Change ``predictor``, ``parameters``, ``reply``, ``precision``, ``assist`` or ``places``."""
         welcome = await self._ask(self.configure_frame(**changes), Welcome)
         self.configured(**changes)
         return welcome
@@ -117,6 +117,18 @@ class AsyncConnection(ClientSession):
     async def person(self, known: str | None = None) -> str:
         """What is known of the person, or begin anew with ``known``: as ``Connection.person``."""
         return (await self._ask(self.person_frame(known), KnownPerson)).person
+
+    async def enter(self, key: str, x: float = 0.0, y: float = 0.0) -> None:
+        """The cursor moves in this window or page from now on, whose origin is at (x, y) px.
+
+        Places are remembered for each ``key``, relative to the origin. It finishes the movement. Raises
+        ParameterError where a value does not fit.
+        """
+        await self._send(self.enter_frame(key, x, y))
+
+    async def forget(self) -> str:
+        """Forget the person and the movement; returns what is then known: "". The window stays."""
+        return (await self._ask(self.forget_frame(), KnownPerson)).person
 
     async def reset(self) -> None:
         """Forget every event: the next one starts a movement."""

@@ -116,7 +116,7 @@ class Connection(ClientSession):
         return None
 
     def configure(self, **changes: Any) -> Welcome:
-        """Change ``predictor``, ``parameters``, ``reply``, ``precision``, ``assist``; the rest stays."""
+        """Change ``predictor``, ``parameters``, ``reply``, ``precision``, ``assist`` or ``places``."""
         welcome = self._ask(self.configure_frame(**changes), Welcome)
         self.configured(**changes)
         return welcome
@@ -128,6 +128,18 @@ class Connection(ClientSession):
         movement that still goes on is not in it: ``reset`` finishes it.
         """
         return self._ask(self.person_frame(known), KnownPerson).person
+
+    def enter(self, key: str, x: float = 0.0, y: float = 0.0) -> None:
+        """The cursor moves in this window or page from now on, whose origin is at (x, y) px.
+
+        Places are remembered for each ``key``, relative to the origin. It finishes the movement. Raises
+        ParameterError where a value does not fit.
+        """
+        self._send(self.enter_frame(key, x, y))
+
+    def forget(self) -> str:
+        """Forget the person and the movement; returns what is then known: "". The window stays."""
+        return self._ask(self.forget_frame(), KnownPerson).person
 
     def reset(self) -> None:
         """Forget every event: the next one starts a movement."""

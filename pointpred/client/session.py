@@ -26,6 +26,8 @@ from pointpred.protocol.client_messages import (
     ClientMessage,
     Configure,
     Encoding,
+    Enter,
+    Forget,
     Goal,
     Hello,
     Person,
@@ -183,6 +185,17 @@ class ClientSession:
         if replacement is not None:
             self._unanswered.restart()
         return frame
+
+    def enter_frame(self, key: str, x: float, y: float) -> Frame:
+        """Names the window that the cursor moves in, and finishes the movement."""
+        frame = self._text(_fit(Enter, {"type": "enter", "key": key, "x": x, "y": y}))
+        self._unanswered.restart()
+        return frame
+
+    def forget_frame(self) -> Frame:
+        """Forgets the person and every event."""
+        self._unanswered.restart()
+        return self._text(Forget())
 
     def reset_frame(self) -> Frame:
         """Forgets every event."""

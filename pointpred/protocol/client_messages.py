@@ -30,6 +30,8 @@ Buttons = Annotated[int, Meta(ge=0, le=65535)]
 Name = Annotated[str, Meta(min_length=1, max_length=128)]
 Knowledge = Annotated[str, Meta(max_length=LARGEST_PERSON)]
 """What is known of a person, as ``Pipeline.person`` gives it."""
+WindowKey = Annotated[str, Meta(max_length=1024, examples=["editor"])]
+"""The name of a window or page, in the client's own words."""
 Rho = Annotated[float, Meta(ge=0.0, le=1e4)]
 Gain = Annotated[float, Meta(ge=0.0, le=1e3)]
 
@@ -79,7 +81,8 @@ class ClientMessage(Struct, forbid_unknown_fields=True):
 class Hello(ClientMessage, tag="hello"):
     """First message of a session: which predictor, on what device and screen, and how to answer.
 
-    ``person``: what another session said that it knows of the person; "" knows nobody.
+    ``person``: what another session said that it knows of the person; "" knows nobody. ``places``: propose
+    places where the person went before, while there are no targets.
     """
 
     version: int
@@ -91,6 +94,7 @@ class Hello(ClientMessage, tag="hello"):
     encoding: Encoding = "json"
     assist: Assist | None = None
     person: Knowledge = ""
+    places: bool = False
 
 
 class Events(ClientMessage, tag="events"):
@@ -142,6 +146,22 @@ class Configure(ClientMessage, tag="configure"):
     reply: Reply | None = None
     precision: Share | None = None
     assist: Assist | None = None
+    places: bool | None = None
+
+
+class Enter(ClientMessage, tag="enter"):
+    """The cursor moves in this window or page from now on, whose origin is at ``x`` and ``y`` px.
+
+    Places are remembered for each ``key``, relative to the origin; "" is the screen. Finishes the movement.
+    """
+
+    key: WindowKey
+    x: Bounded = 0.0
+    y: Bounded = 0.0
+
+
+class Forget(ClientMessage, tag="forget"):
+    """Forget the person and the movement that goes on; the answer is ``person`` with ""."""
 
 
 class Reset(ClientMessage, tag="reset"):

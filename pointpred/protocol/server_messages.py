@@ -112,11 +112,20 @@ class Cursor(ServerMessage, tag="cursor"):
     added_px: float
 
 
+class PlaceSquare(Struct):
+    """A place where the person went before: the centre and side of the square of its visits, px."""
+
+    x: float
+    y: float
+    size: float
+
+
 class Choice(ServerMessage, tag="choice"):
     """A target is proposed, or no longer; ``p`` is its share at ``t``, the time of the event that decided.
 
     ``reason``: why it is proposed. *predicted*: the movement heads for it; *entered*: the cursor has gone
     into it, and it was not predicted before. At most one target of each reason is proposed at a time.
+    ``place``: where it is, for a place that nobody registered; absent for a target.
     """
 
     id: str
@@ -124,6 +133,7 @@ class Choice(ServerMessage, tag="choice"):
     action: Literal["propose", "retract"]
     t: float | None = None
     reason: Literal["predicted", "entered"] | None = None
+    place: PlaceSquare | UnsetType = UNSET
 
 
 class TargetsTaken(ServerMessage, tag="targets"):

@@ -2,7 +2,7 @@
 
 from pointpred.targets.chooser import Choice, Chooser
 from pointpred.targets.ledger import Ledger, Movement
-from pointpred.targets.place_chooser import PlaceChooser
+from pointpred.targets.place_chooser import PlaceChoice, PlaceChooser
 from pointpred.targets.prefetcher import Prefetcher
 from pointpred.targets.rectangles import MOST_TARGETS, Target, around
 
@@ -12,6 +12,7 @@ __all__ = [
     "Chooser",
     "Ledger",
     "Movement",
+    "PlaceChoice",
     "PlaceChooser",
     "Prefetcher",
     "Target",

@@ -41,8 +41,6 @@ class Choice(NamedTuple):
     p: float
     action: Literal["propose", "retract"]
     reason: Reason | None = None
-    place: Target | None = None
-    """The rectangle, where nobody registered it: see ``PlaceChooser``."""
 
 
 class Chooser:

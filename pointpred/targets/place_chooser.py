@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import nan
+from typing import Literal, NamedTuple
 
 import numpy as np
 
 from pointpred.events import Place, PointerEvent, Prediction
-from pointpred.targets.chooser import Choice, Chooser
+from pointpred.targets.chooser import Choice, Chooser, Reason
 from pointpred.targets.ledger import Ledger, Movement
 from pointpred.targets.rectangle_mass import EFFECTIVE
 from pointpred.targets.rectangles import Target, around
@@ -28,13 +29,23 @@ def rectangle_of(place: Place) -> Target:
     return around(place.id, place.x, place.y, max(EFFECTIVE * place.spread, LEAST_PX))
 
 
+class PlaceChoice(NamedTuple):
+    """A change of mind, as ``Choice``, about a place: ``id`` of the ``Place``, ``place``: its rectangle."""
+
+    id: int
+    p: float
+    action: Literal["propose", "retract"]
+    reason: Reason | None
+    place: Target
+
+
 class PlaceChooser:
     """Proposes the place that the cursor is heading for, of those where the person went before.
 
     As ``Chooser``, but nobody registers anything: the places and how likely each is come from
     ``Pipeline.places``, and the rest is *elsewhere*. A place is proposed and withdrawn by the rules for
     targets; its rectangle is a square of 4.133 standard deviations of its visits, at least 16 px, which
-    ``Choice.place`` carries, and ``Choice.id`` is ``Place.id``. A place is entered when the cursor is within
+    ``PlaceChoice.place`` carries. A place is entered when the cursor is within
     that square.
 
     Parameters: ``precision`` is the share that a place must have to be proposed, ``least_lead_s`` s and
@@ -94,7 +105,7 @@ class PlaceChooser:
 
     def update(
         self, places: Sequence[Place], prediction: Prediction | None, event: PointerEvent
-    ) -> tuple[Choice, ...]:
+    ) -> tuple[PlaceChoice, ...]:
         """Take an event, the prediction made at it and the places as they then are; returns what has changed.
 
         Where the places are others than before, a proposal of one that is gone is withdrawn first.
@@ -149,6 +160,10 @@ class PlaceChooser:
         return id if isinstance(id, int) else None
 
 
-def _with_places(choices: Sequence[Choice], rectangles: dict[int, Target]) -> tuple[Choice, ...]:
-    """Choices that carry their places."""
-    return tuple(one._replace(place=rectangles[one.id]) for one in choices if isinstance(one.id, int))
+def _with_places(choices: Sequence[Choice], rectangles: dict[int, Target]) -> tuple[PlaceChoice, ...]:
+    """Choices among rectangles whose ids are those of places."""
+    return tuple(
+        PlaceChoice(one.id, one.p, one.action, one.reason, rectangles[one.id])
+        for one in choices
+        if isinstance(one.id, int)
+    )

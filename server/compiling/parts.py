@@ -25,12 +25,12 @@ from pointpred.registry import RECOMMENDED, REGISTRY, build
 from pointpred.scoring.measures import endpoint
 from pointpred.server.sessions.pointing import PointingSession
 from pointpred.server.settings import Settings
-from pointpred.targets import Chooser, around, choice_law
+from pointpred.targets import Chooser, PlaceChooser, around, choice_law
 from pointpred.transfer import assistance
 
 Frame = dict[str, Any] | bytes
 
-TARGETS, ASSISTANCE, TRIALS = "targets", "assistance", "trials"
+TARGETS, ASSISTANCE, TRIALS, PLACES = "targets", "assistance", "trials", "places"
 PIECES = tuple(f"{RECOMMENDED}, {what}" for what in ("of anybody", "of a person", "whole", "motions"))
 """Pieces of the recommended predictor: two processes compile about half each."""
 FIRST = (*PIECES, RECOMMENDED)
@@ -64,6 +64,7 @@ def parts() -> list[Part]:
         *_pieces(),
         _predictor(RECOMMENDED, PIECES),
         Part(TARGETS, choose, (choice_law.step, choice_law.walk), FIRST),
+        Part(PLACES, propose_places, (choice_law.step_with_shares, adaptation.list_places), FIRST),
         Part(ASSISTANCE, assist, (assistance.guarded_step,), FIRST),
         Part(TRIALS, score_trial, (endpoint.measure,), FIRST),
         *(
@@ -146,6 +147,14 @@ def choose() -> None:
     chooser.follow(columns.table, run(pipeline.fresh(), columns).table)
 
 
+def propose_places() -> None:
+    """Decide among the places of a person, and name a window."""
+    pipeline, chooser = build(RECOMMENDED), PlaceChooser()
+    pipeline.enter("any")
+    for event in _events():
+        chooser.update(pipeline.places, pipeline.update(event), event)
+
+
 def _events() -> list[PointerEvent]:
     return [PointerEvent(0.01 * i, 5.0 * i, 2.0 * i, 4.0, 2.0) for i in range(4)]
 
@@ -195,7 +204,8 @@ def parts_for(frame: str | bytes) -> list[str]:
         names = [] if message.predictor is None else [message.predictor]
         if isinstance(chosen := message.parameters.get("differentiator"), str):
             names.append(differentiator_part(chosen))
-        return [*names, ASSISTANCE] if message.assist is not None else names
+        names += [ASSISTANCE] if message.assist is not None else []
+        return [*names, PLACES] if message.places else names
     if isinstance(message, Targets):
         return [TARGETS] if message.targets else []
     return [TRIALS] if isinstance(message, TrialMark) and message.action == "end" else []

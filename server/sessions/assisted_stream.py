@@ -70,7 +70,7 @@ class AssistedStream(PredictionStream):
 
     def feed_event(self, row: tuple[float, ...], outbox: Outbox) -> bool:
         """As ``PredictionStream.feed_event``: the one event of most frames, without a table."""
-        if self.place is None or self.observer or self._trial.running or self.tracker:
+        if self.place is None or self.observer or self._trial.running or self.tracker or self.hello.places:
             return False
         t, x, y, dx, dy, buttons = row
         if not (abs(x) <= LARGEST and abs(y) <= LARGEST):  # not used, but ``feed`` refuses them
@@ -124,9 +124,12 @@ class AssistedStream(PredictionStream):
                     raise EventError(f"t = {t!r} s with counts {dx!r}, {dy!r} cannot be used")
                 moved[i, 1:3], predictions[i] = place, answer
                 self._guide(answer)
+                if self._offers_places:
+                    self._seen.append(self.pipeline.places)
             complete = True
         finally:
             if not complete:
+                self._seen = []
                 for stage, memory in zip(stages, memories, strict=True):
                     stage.recall(memory)
                 self.place, self.added_px, self._guidance = before

@@ -14,7 +14,9 @@ from pointpred.protocol.client_messages import (
     Bye,
     ClientMessage,
     Configure,
+    Enter,
     Events,
+    Forget,
     Hello,
     Person,
     Reset,
@@ -200,6 +202,14 @@ class PointingSession(Session):
         """Send what is known of the person."""
         return KnownPerson(self._open_stream.person(message.person))
 
+    def handle_enter(self, message: Enter, now: float) -> None:
+        """Remember places for this window."""
+        self._open_stream.enter(message)
+
+    def handle_forget(self, message: Forget, now: float) -> KnownPerson:
+        """Forget the person."""
+        return KnownPerson(self._open_stream.forget())
+
     def handle_bye(self, message: Bye, now: float) -> None:
         """Close as the client asks."""
         self.end(1000, message.reason or "bye")
@@ -210,6 +220,8 @@ class PointingSession(Session):
         Targets: handle_targets,
         TrialMark: handle_trial,
         Configure: handle_configure,
+        Enter: handle_enter,
+        Forget: handle_forget,
         Reset: handle_reset,
         Person: handle_person,
         Bye: handle_bye,

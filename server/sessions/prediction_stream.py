@@ -11,9 +11,10 @@ import numpy as np
 from msgspec import structs
 
 from pointpred.columns import EventColumns, FloatArray, PredictionColumns
+from pointpred.events import Place
 from pointpred.person import portable, restore
-from pointpred.pipeline import run
-from pointpred.protocol.client_messages import Configure, Goal, Hello, Target
+from pointpred.pipeline import Pipeline, run
+from pointpred.protocol.client_messages import Configure, Enter, Goal, Hello, Target
 from pointpred.protocol.decoding import check_numbers
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.frames import Frame, prediction_frames, row_encoder
@@ -21,6 +22,7 @@ from pointpred.protocol.server_messages import ErrorMessage, Likely
 from pointpred.server.sessions.lifecycle import Work
 from pointpred.server.sessions.outbox import Outbox
 from pointpred.server.sessions.pipelines import NO_COEFFICIENTS, cpi_of, dpi_of, pipeline_of
+from pointpred.server.sessions.place_tracker import PlaceTracker
 from pointpred.server.sessions.target_tracker import Changes, TargetTracker
 from pointpred.server.sessions.trials import Scoring, TrialBuffer, with_outcome
 
@@ -65,6 +67,10 @@ class PredictionStream:
         """The share of proposals that shall be right, where the client has chosen it."""
         self.tracker: TargetTracker | None = None
         """Decides among the targets, where there are any."""
+        self.place_tracker: PlaceTracker | None = None
+        """Decides among the person's places, where the client asked for that and events came."""
+        self._window: Enter | None = None
+        self._seen: list[tuple[Place, ...]] = []  # the places after each event that is being taken in
         self.events = 0
         """Events taken in."""
         self.observer = observer
@@ -82,23 +88,44 @@ class PredictionStream:
         changed, where a number cannot be used.
         """
         error, used, count = None, table, len(table)
+        before = self._memories() if self._offers_places else ()
         predictions = self.pipeline.advance_all(NO_RESETS[:count], table)
         if predictions is None:  # the pipeline finds that something is wrong, the protocol says where
             check_numbers(table)
             error, used = self._in_order(table)
             predictions = run(self.pipeline, EventColumns(used)).table
+        if before:
+            self._see_places(used, before)
         if len(used):
             self._record(used, predictions)
             self._reply(used, predictions, outbox)
         return error, count - len(used)
 
+    @property
+    def _offers_places(self) -> bool:
+        """Whether places are proposed: the client asked for that, and there are no targets."""
+        return self.hello.places and self.tracker is None
+
+    def _memories(self) -> tuple[bytes, ...]:
+        return tuple(one.remembered() for one in (self.pipeline.differentiator, self.pipeline.predictor))
+
+    def _see_places(self, table: FloatArray, before: tuple[bytes, ...]) -> None:
+        """Take in events again that are known to be good, one by one, for the places after each."""
+        for stage, memory in zip(
+            (self.pipeline.differentiator, self.pipeline.predictor), before, strict=True
+        ):
+            stage.recall(memory)
+        for row in table.tolist():
+            self.pipeline.advance(tuple(row))
+            self._seen.append(self.pipeline.places)
+
     def feed_event(self, row: tuple[float, ...], outbox: Outbox) -> bool:
         """``feed`` for the one event of most frames, without a table: the same steps, the same answer.
 
-        False, and nothing changed, where the event is refused, somebody observes, a trial runs or there are
-        targets: then ``feed`` has to be called.
+        False, and nothing changed, where the event is refused, somebody observes, a trial runs, there are
+        targets or places are asked for: then ``feed`` has to be called.
         """
-        if self.observer or self._trial.running or self.tracker:
+        if self.observer or self._trial.running or self.tracker or self.hello.places:
             return False
         prediction = self.pipeline.advance(row)
         if prediction is None:
@@ -110,7 +137,11 @@ class PredictionStream:
 
     def _reply(self, events: FloatArray, predictions: FloatArray, outbox: Outbox) -> None:
         """Put the predictions into the outbox, after their choices; many targets make that ``work``."""
-        tracker = self.tracker
+        tracker, seen = self.tracker, self._seen
+        if self._offers_places:
+            self._seen = []
+            self.place_tracker = self.place_tracker or PlaceTracker(outbox, self.precision)
+            self.place_tracker.follow(events, predictions, seen)
         if tracker is None:
             outbox.predict(*self._frames(predictions))
             return
@@ -147,18 +178,24 @@ class PredictionStream:
             parameters={**parameters, **message.parameters},
             reply=message.reply or self.hello.reply,
             assist=message.assist or self.hello.assist,
+            places=self.hello.places if message.places is None else message.places,
         )
         if another or message.parameters:
-            pipeline = self._build(hello)
+            pipeline = self._in_window(self._build(hello))
             if pipeline.name == self.pipeline.name and portable(pipeline.predictor):
                 restore(pipeline.predictor, self.pipeline.person)
             self.pipeline = pipeline
             self._forget()
         self.hello = hello
+        if self.place_tracker and not hello.places:
+            self.place_tracker.reset()
+            self.place_tracker = None
         if message.precision is not None:
             self.precision = message.precision
             if self.tracker:
                 self.tracker.configure(message.precision)
+            if self.place_tracker:
+                self.place_tracker.configure(message.precision)
         if self.observer:
             self.observer.configure(hello)
 
@@ -167,6 +204,8 @@ class PredictionStream:
         tracker = self.tracker or TargetTracker(outbox, self.precision)
         tracker.replace(targets)
         self.tracker = tracker if targets else None
+        if self.place_tracker:
+            self.place_tracker.reset()
 
     def reset(self) -> None:
         """Forget every event: the next one starts a movement."""
@@ -179,9 +218,28 @@ class PredictionStream:
         Raises ProtocolError for what the predictor cannot use, nothing changed.
         """
         if replacement is not None:
-            self.pipeline = self._build(structs.replace(self.hello, person=replacement))
+            self.pipeline = self._in_window(self._build(structs.replace(self.hello, person=replacement)))
             self._forget()
         return self.pipeline.person
+
+    def enter(self, window: Enter) -> None:
+        """The cursor is in this window from now on; the next event starts a movement."""
+        self._window = window
+        self._in_window(self.pipeline)
+        self._forget()
+
+    def forget(self) -> str:
+        """Forget the person and the movement; returns what is then known of the person: ""."""
+        self.pipeline.forget()
+        self._in_window(self.pipeline)
+        self._forget()
+        return self.pipeline.person
+
+    def _in_window(self, pipeline: Pipeline) -> Pipeline:
+        """The pipeline, in the window that the client named last."""
+        if self._window is not None:
+            pipeline.enter(self._window.key, self._window.x, self._window.y)
+        return pipeline
 
     def start_trial(self, goal: Goal | None) -> None:
         """A movement starts at the next event; its events are kept until the trial ends."""
@@ -210,6 +268,8 @@ class PredictionStream:
         self._last_t = NEVER
         if self.tracker:
             self.tracker.reset()
+        if self.place_tracker:
+            self.place_tracker.reset()
 
     def _record(self, table: FloatArray, predictions: FloatArray) -> None:
         """Note events that were used: how many, the time of the last, for the trial and the observer."""

@@ -23,6 +23,11 @@ AT_ONCE = 4096
 """Events times targets that are processed while other sessions wait: about a millisecond."""
 
 
+def within_bounds(precision: float) -> float:
+    """A share between 0 and 1, within the bounds of choosers."""
+    return min(max(precision, PRECISION.low), PRECISION.high)
+
+
 class Changes(NamedTuple):
     """What events lead to: choices with their times, and the likeliest targets for each prediction sent."""
 
@@ -55,7 +60,7 @@ class TargetTracker:
 
     def configure(self, precision: float) -> None:
         """The share of proposals that shall be right, brought within the bounds of the chooser."""
-        self._chooser.configure(precision=min(max(precision, PRECISION.low), PRECISION.high))
+        self._chooser.configure(precision=within_bounds(precision))
 
     def replace(self, targets: Sequence[Target]) -> None:
         """Replace the targets; a proposal of one that is gone is retracted. Raises ProtocolError."""

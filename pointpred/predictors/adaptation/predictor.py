@@ -231,5 +231,8 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
         """The places of the window that the cursor is in, the likeliest destination first."""
         rows = np.empty((places.CAPACITY, known_places.FIELDS))
         count = list_places(self._memory, rows)
-        listed = (Place(*row[:5], int(row[5]), row[6]) for row in rows[:count].tolist())
+        listed = (
+            Place(x, y, p, before, visits, int(number), spread)
+            for x, y, p, before, visits, number, spread in rows[:count].tolist()
+        )
         return tuple(sorted(listed, key=lambda place: -place.p))

@@ -38,28 +38,35 @@ export function enter(table, inside, x, y, released) {
   }
   return count;
 }
+export function propose(memory, event, released, remaining_s, targets, settings, standing) {
+  const x = event[1];
+  const y = event[2];
+  const table = targets[0];
+  const inside = targets[1];
+  const shares = targets[2];
+  if (released) {
+    standing = $decision.NOBODY;
+  }
+  const count = enter(table, inside, x, y, released);
+  const ask = settings[$posterior.PRECISION];
+  const least_s = settings[$posterior.LEAST_LEAD_S];
+  const bounds = [ask, KEEP * ask, least_s, settings[$posterior.LEAST_WAY_PX]];
+  const chosen = $decision.decide(memory, table, shares, standing, remaining_s, bounds);
+  const over = innermost(table, inside);
+  return [chosen, over === chosen ? $decision.NOBODY : over, count];
+}
 export function step(memory, event, answer, targets, model, standing) {
   const t = event[0];
   const x = event[1];
   const y = event[2];
   const pressed = event[3];
   const table = targets[0];
-  const inside = targets[1];
   const shares = targets[2];
   const coefficients = model[0];
   const settings = model[1];
   const p = answer;
   const released = $cursor.follow(memory, t, x, y, pressed);
-  if (released) {
-    standing = $decision.NOBODY;
-  }
   $posterior.scores(memory, table, answer, coefficients, settings[$posterior.ELSEWHERE], shares);
   $posterior.normalise(shares);
-  const count = enter(table, inside, x, y, released);
-  const ask = settings[$posterior.PRECISION];
-  const least_s = settings[$posterior.LEAST_LEAD_S];
-  const bounds = [ask, KEEP * ask, least_s, settings[$posterior.LEAST_WAY_PX]];
-  const chosen = $decision.decide(memory, table, shares, standing, p[6], bounds);
-  const over = innermost(table, inside);
-  return [chosen, over === chosen ? $decision.NOBODY : over, count];
+  return propose(memory, event, released, p[6], targets, settings, standing);
 }

@@ -9,10 +9,11 @@ export const STEPS = 10;
 export const READY = 0;
 export const RETURNS = 1;
 export const WIDTH = 2;
-export const BEFORE = 3;
-export const NOW = 67;
-export const ELSEWHERE = 131;
-export const STATES = 132;
+export const COUNTS = 3;
+export const BEFORE = 4;
+export const NOW = 68;
+export const ELSEWHERE = 132;
+export const STATES = 133;
 export function prepare(memory, known, at, scene, start) {
   const place_memory = known[0];
   const habit_memory = known[1];
@@ -55,7 +56,8 @@ export function weigh(memory, place_memory, at, start, law_of_end, elsewhere) {
   const x0 = start[0];
   const y0 = start[1];
   const usual = elsewhere[0];
-  const weight = elsewhere[1];
+  const counts = elsewhere[1];
+  memory[at + COUNTS] = counts;
   const returns = memory[at + RETURNS];
   const count = Math.trunc(memory[place_memory + $places.COUNT]);
   let total = (1 - returns) * usual;
@@ -75,7 +77,7 @@ export function weigh(memory, place_memory, at, start, law_of_end, elsewhere) {
   }
   let rest = 1;
   for (let i = 0; i < count; i++) {
-    memory[at + NOW + i] *= weight / total;
+    memory[at + NOW + i] /= total;
     rest -= memory[at + NOW + i];
   }
   memory[at + ELSEWHERE] = larger(rest, 0);
@@ -85,18 +87,21 @@ export function spread_of(memory, at, start, x, y) {
 }
 export function candidates(memory, place_memory, at, start, elsewhere, out) {
   const size2 = 0.5 * (elsewhere[4] * elsewhere[4] + elsewhere[5] * elsewhere[5]);
-  out[0][0] = memory[at + ELSEWHERE];
+  const counts = memory[at + COUNTS];
+  const rest = 1 - counts * (1 - memory[at + ELSEWHERE]);
+  out[0][0] = rest;
   out[0][1] = elsewhere[0];
   out[0][2] = elsewhere[1];
   out[0][3] = size2;
   let count = 1;
   for (let i = 0, end_1 = Math.trunc(memory[place_memory + $places.COUNT]); i < end_1; i++) {
-    if (memory[at + NOW + i] > NEGLIGIBLE) {
+    const share = counts * memory[at + NOW + i];
+    if (share > NEGLIGIBLE) {
       const place = place_memory + $places.PLACES + $places.WIDTH * i;
       const x = memory[place + $places.X];
       const y = memory[place + $places.Y];
       const spread = spread_of(memory, at, start, x, y);
-      out[count][0] = memory[at + NOW + i];
+      out[count][0] = share;
       out[count][1] = x;
       out[count][2] = y;
       out[count][3] = spread * spread;

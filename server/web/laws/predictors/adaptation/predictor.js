@@ -1,6 +1,8 @@
 // Written by `make page` from predictor.py: change that and run it again.
 import { hypot, view } from "../../arithmetic.js";
 import * as $correction from "./correction.js";
+import * as $destination from "./destination.js";
+import * as $known_places from "./known_places.js";
 import * as $observation from "../kinematic/observation.js";
 import * as $kinematic_predictor from "../kinematic/predictor.js";
 import * as $track from "../kinematic/track.js";
@@ -17,7 +19,7 @@ export const ORIGIN_Y = 7;
 export const PERSON = 8;
 export const OBSERVATION = 626;
 export const MOVEMENT = 899;
-export const LENGTH = 2065;
+export const LENGTH = 2066;
 export function sizes(values) {
   const learned = values[ADAPT] === 1 ? $correction.LEARNED : 0;
   return [PERSON, learned, LENGTH - PERSON - learned];
@@ -57,13 +59,31 @@ export function step(memory, motion, coefficients) {
   $correction.follow(memory, MOVEMENT, [m[0], m[1], m[2]], start);
   return adapt(memory, answer, pace_of(own, m));
 }
+export function enter_scene(memory, scene) {
+  memory[KEY] = scene[0];
+  memory[ORIGIN_X] = scene[1];
+  memory[ORIGIN_Y] = scene[2];
+  if (memory[ADAPT] === 1) {
+    memory[MOVEMENT + $correction.DESTINATION + $destination.READY] = 0;
+  }
+}
+export function list_places(memory, out) {
+  if (memory[ADAPT] === 0 || memory[PLACES] === 0) {
+    return 0;
+  }
+  const parts = parts_of(memory);
+  const scene = scene_of(memory);
+  return Math.trunc($known_places.list_places(memory, PERSON, MOVEMENT, parts, scene, out));
+}
 export const AdaptiveKinematicPredictor = {
   step: step,
   conclude: conclude,
   fill: $stage.copy_values,
   sizes: sizes,
   fault: $correction.fault,
-  settings: 8, learned: 618, states: 1439,
+  enter_scene: enter_scene,
+  list_places: list_places,
+  settings: 8, learned: 618, states: 1440,
   layout: "2ef0fe71de7d1911",
   slots: [
     { name: "normal equations, diagonal", count: 1, low: 0, high: 1e+30 },
