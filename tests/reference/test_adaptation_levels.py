@@ -74,7 +74,7 @@ def test_unlearned_levels_of_such_people_are_wrong() -> None:
 
 @pytest.mark.parametrize(("times", "tail"), [(2.0, 3.0), (0.5, 1.5), (1.0, 8.0)])
 def test_the_radii_are_the_quantiles_of_the_errors(times: float, tail: float) -> None:
-    """In the long run, at each stage, to within a step: 13 % of a radius."""
+    """In the long run, at each stage, to within 18 % of a radius, which a step of a shrinking level is."""
     random = np.random.default_rng(2)
     far = [float((errors(random, tail, times) ** 2).sum()) for _ in range(20_000)]
     radii = []
@@ -84,7 +84,7 @@ def test_the_radii_are_the_quantiles_of_the_errors(times: float, tail: float) ->
         radii.append([np.log(2.0 * by * stats.f.ppf([0.5, 0.8], 2.0, own)) for by, own in stated])
     expected = np.log(np.quantile(far, [0.5, 0.8]))
     found: FloatArray = np.median(np.array(radii), axis=0)
-    np.testing.assert_allclose(found, np.broadcast_to(expected, found.shape), atol=0.25)
+    np.testing.assert_allclose(found, np.broadcast_to(expected, found.shape), atol=0.33)
 
 
 @given(
@@ -102,14 +102,19 @@ def test_whatever_was_learned_the_law_is_one(offsets: list[float], share: float,
 
 
 @pytest.mark.parametrize("tail", [0.8, 2.0, 9.0])
-@pytest.mark.parametrize(("half", "most"), [(0.0, 0.0), (-0.7, 0.4), (1.0, 1.3), (2.0, 2.2)])
+@pytest.mark.parametrize(("half", "most"), [(0.0, 0.0), (-0.7, 0.4), (1.0, 1.3), (2.0, 2.2), (-0.4, -1.1)])
 def test_the_law_has_the_radii_that_were_learned(tail: float, half: float, most: float) -> None:
-    """By scipy's F law; where no tail has such a ratio, both miss by the same factor."""
+    """By scipy's F law; where no tail has such a ratio, both miss by the same factor.
+
+    A growing radius is multiplied, a shrinking one is that of a lower level.
+    """
     memory = np.zeros(SIZE)
     memory[levels.MOVEMENTS] = 5.0
     memory[levels.OFFSETS : levels.LEARNED : 2], memory[levels.OFFSETS + 1 : levels.LEARNED : 2] = half, most
     factor, stated = levels.widen(memory, 0, 0.4, tail)
-    wanted = np.log(2.0 * stats.f.ppf([0.5, 0.8], 2.0, tail)) + np.array([half, most])
+    offsets = np.array([half, most])
+    lower = 1.0 - (1.0 - np.array([0.5, 0.8])) ** np.exp(np.minimum(offsets, 0.0))
+    wanted = np.log(2.0 * stats.f.ppf(lower, 2.0, tail)) + np.maximum(offsets, 0.0)
     own = np.log(2.0 * factor * stats.f.ppf([0.5, 0.8], 2.0, stated))
     bounds = [2.0 / levels.HEAVIEST, 2.0 / levels.LIGHTEST]
     ratios = [np.diff(np.log(stats.f.ppf([0.5, 0.8], 2.0, bound)))[0] for bound in bounds]

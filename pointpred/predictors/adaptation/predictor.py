@@ -145,10 +145,11 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     times the same of the last distances. The answer is the geometric median of the places and elsewhere, the
     widths are mean distances from it. Places fade out from 0.7 of the time on.
 
-    Levels: at five stages the squared radii of the regions of 50 and 80 % are multiplied by exp(d). After the
-    n-th movement, for each share 0.1 ... 0.9 of its true time, d grows by e p where its end lay outside the
-    region stated there, and falls by e (1 - p) where inside: e = max(6 / (n + 5), 0.2), p the level. The
-    Student law that has both radii (tail from 2/3 to 100) is stated.
+    Levels: at five stages the squared radii of the regions of 50 and 80 % are multiplied by exp(d) where
+    d > 0; otherwise they become those of the level 1 - (1 - p)^exp(d). After the n-th movement, for each
+    share 0.1 ... 0.9 of its true time, d grows by e p where its end lay outside the region stated there, and
+    falls by e (1 - p) where inside: e = max(6 / (n + 5), 0.2), p the level. The Student law that has both
+    radii (tail from 1/2 to 100) is stated.
 
     Parameters: ``adapt`` 0 or 1 (0: bit for bit `kinematic`), ``distances``, ``places`` and ``sequence``
     (where people go from a place) 0 or 1, ``shortest_px``; ``coefficients`` as for `kinematic`.

@@ -25,13 +25,12 @@ JUDGED = 9
 STEP, STEP_OF, STEP_LEAST = 6.0, 5.0, 0.2
 """The step after the n-th movement is STEP / (n + STEP_OF), and never less than STEP_LEAST."""
 FURTHEST = 6.0
-"""Bound on the logarithm of what a squared radius is multiplied by."""
-LIGHTEST, HEAVIEST = 0.02, 3.0
+"""Bound on an offset, the logarithm of what a squared radius or its normal radius is multiplied by."""
+LIGHTEST, HEAVIEST = 0.02, 4.0
 """Bounds on 2 / tail: below is as good as normal, above the region of 95 % is of no use."""
 HALVINGS = 12
 
-# What is learned, relative to its place: movements so far; at each stage, the logarithms of what the squared
-# radii of the levels are multiplied by.
+# What is learned, relative to its place: movements so far; at each stage, the offset of each level.
 MOVEMENTS, OFFSETS, LEARNED = offsets(1, STAGES * len(LEVELS))
 MOVEMENTS_MOST = 1e6
 """The count stops here: the step has long been at its least."""
@@ -60,8 +59,21 @@ def squared_radius(level: float, heavy: float) -> float:
 
 
 @law
+def corrected_radius(level: float, heavy: float, offset: float) -> float:
+    """``squared_radius`` of a level with its offset.
+
+    A region that held too few ends grows by the same factor, whatever the tail. One that held too many
+    becomes the region of a lower level, whose squared radius under a normal law is smaller by that factor:
+    with a heavy tail it shrinks much more. Otherwise the two radii would come nearer to each other than any
+    Student law has them.
+    """
+    lower = exp(min(offset, 0.0))
+    return float(exp(max(offset, 0.0)) * (exp(-heavy * log(1.0 - level) * lower) - 1.0))
+
+
+@law
 def offset(memory: FloatArray, at: int, share: float, which: int) -> float:
-    """Logarithm of what the squared radius of a level is multiplied by: on lines between the stages."""
+    """The offset of a level at a share of the time: on lines between the stages."""
     stage, part = interpolation(share)
     low = at + OFFSETS + len(LEVELS) * stage + which
     return float(memory[low] + part * (memory[low + len(LEVELS)] - memory[low]))
@@ -76,8 +88,8 @@ def widen(memory: FloatArray, at: int, share: float, tail: float) -> tuple[float
     if memory[at + MOVEMENTS] == 0.0:
         return 1.0, tail
     heavy_now = min(max(2.0 / tail, LOWEST), HIGHEST)
-    near = log(squared_radius(LEVELS[0], heavy_now) * 2.0 / heavy_now) + offset(memory, at, share, 0)
-    far = log(squared_radius(LEVELS[1], heavy_now) * 2.0 / heavy_now) + offset(memory, at, share, 1)
+    near = log(corrected_radius(LEVELS[0], heavy_now, offset(memory, at, share, 0)) * 2.0 / heavy_now)
+    far = log(corrected_radius(LEVELS[1], heavy_now, offset(memory, at, share, 1)) * 2.0 / heavy_now)
     ratio, low, high = exp(far - near), LIGHTEST, HEAVIEST
     for _ in range(HALVINGS):
         heavy = 0.5 * (low + high)
@@ -121,7 +133,7 @@ def probability_within(memory: FloatArray, moment: int, x: float, y: float) -> f
 
 @law
 def add(memory: FloatArray, slot: int, change: float) -> None:
-    """Change the logarithm of a squared radius, within its bounds."""
+    """Change an offset, within its bounds."""
     memory[slot] = min(max(memory[slot] + change, -FURTHEST), FURTHEST)
 
 

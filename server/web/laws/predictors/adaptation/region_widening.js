@@ -9,7 +9,7 @@ export const STEP_OF = 5;
 export const STEP_LEAST = 0.2;
 export const FURTHEST = 6;
 export const LIGHTEST = 0.02;
-export const HEAVIEST = 3;
+export const HEAVIEST = 4;
 export const HALVINGS = 12;
 export const MOVEMENTS = 0;
 export const OFFSETS = 1;
@@ -27,6 +27,10 @@ export const HIGHEST = 40;
 export function squared_radius(level, heavy) {
   return Math.exp(-heavy * Math.log(1 - level)) - 1;
 }
+export function corrected_radius(level, heavy, offset) {
+  const lower = Math.exp(smaller(offset, 0));
+  return Math.exp(larger(offset, 0)) * (Math.exp(-heavy * Math.log(1 - level) * lower) - 1);
+}
 export function offset(memory, at, share, which) {
   const values_1 = $stages.interpolation(share);
   const stage = values_1[0];
@@ -40,8 +44,8 @@ export function widen(memory, at, share, tail) {
     return [1, tail];
   }
   const heavy_now = smaller(larger(2 / tail, LOWEST), HIGHEST);
-  const near = Math.log(squared_radius(LEVELS[0], heavy_now) * 2 / heavy_now) + offset(memory, at, share, 0);
-  const far = Math.log(squared_radius(LEVELS[1], heavy_now) * 2 / heavy_now) + offset(memory, at, share, 1);
+  const near = Math.log(corrected_radius(LEVELS[0], heavy_now, offset(memory, at, share, 0)) * 2 / heavy_now);
+  const far = Math.log(corrected_radius(LEVELS[1], heavy_now, offset(memory, at, share, 1)) * 2 / heavy_now);
   const ratio = Math.exp(far - near);
   let low = LIGHTEST;
   let high = HEAVIEST;
