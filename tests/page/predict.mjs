@@ -1,4 +1,4 @@
-// A pipeline by its name: steps are rows of events, "reset", "fresh", and "person".
+// A pipeline by its name: steps are rows of events, "reset", "fresh", "forget", "person", "places" and {enter: [key, x, y]}.
 
 import { build } from "../../server/web/prediction/build.js";
 import { answer, attempt, given, numbers } from "./given.mjs";
@@ -10,6 +10,9 @@ answer(await attempt(async () => {
     if (step === "person") return pipeline.person;
     if (step === "reset") return pipeline.reset() ?? null;
     if (step === "fresh") return (pipeline = pipeline.fresh()) && null;
+    if (step === "forget") return pipeline.forget() ?? null;
+    if (step === "places") return pipeline.places;
+    if (step.enter) return pipeline.enter(...step.enter) ?? null;
     const answer = pipeline.advance(numbers(step));
     return answer && [...answer];
   });

@@ -30,6 +30,12 @@ def answers(pipeline: Pipeline, steps: list[Any]) -> list[Any]:
         elif step == "fresh":
             pipeline = pipeline.fresh()
             found.append(None)
+        elif step == "forget":
+            found.append(pipeline.forget())
+        elif step == "places":
+            found.append([place._asdict() for place in pipeline.places])
+        elif isinstance(step, dict):
+            found.append(pipeline.enter(*step["enter"]))
         else:
             found.append(pipeline.advance(tuple(step)))
     return found

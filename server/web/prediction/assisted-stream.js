@@ -72,10 +72,14 @@ export class AssistedStream extends PredictionStream {
         moved.push([t, ...place, dx, dy, buttons]);
         answers.push(answer);
         this.#guide(answer);
+        if (this.offersPlaces) this.see();
       }
       complete = true;
     } finally {
-      if (!complete) [this.#memory, this.#cursor, this.pipeline.remembered] = before;
+      if (!complete) {
+        [this.#memory, this.#cursor, this.pipeline.remembered] = before;
+        this.unsee();
+      }
     }
     return answers;
   }

@@ -1,6 +1,5 @@
-// The digest at the end of a person: BLAKE2b of 8 bytes (RFC 7693, without a key), on pairs of 32-bit words.
+// The digest of a person and of a window's name: BLAKE2b (RFC 7693, without a key), on pairs of 32-bit words.
 
-const SIZE = 8;
 const BLOCK = 128;
 /** The initial values, the lower half of each before its upper half. */
 const INITIAL = Uint32Array.of(
@@ -55,15 +54,15 @@ function compress(state, block, length, last) {
   for (let i = 0; i < 16; i++) state[i] ^= words[i] ^ words[i + 16];
 }
 
-/** The digest of 8 bytes of up to 4 GiB. @param {Uint8Array} bytes @returns {Uint8Array} */
-export function digest(bytes) {
+/** The digest of up to 4 GiB. @param {Uint8Array} bytes @param {number} [size] of the digest, bytes @returns {Uint8Array} */
+export function digest(bytes, size = 8) {
   const state = INITIAL.slice();
-  state[0] ^= 0x01010000 ^ SIZE;
+  state[0] ^= 0x01010000 ^ size;
   const blocks = Math.max(1, Math.ceil(bytes.length / BLOCK));
   for (let i = 0; i < blocks; i++) {
     const part = bytes.subarray(BLOCK * i, BLOCK * (i + 1)), block = new Uint32Array(BLOCK / 4);
     part.forEach((byte, k) => (block[k >> 2] |= byte << (8 * (k & 3))));
     compress(state, block, BLOCK * i + part.length, i === blocks - 1);
   }
-  return Uint8Array.from({ length: SIZE }, (_, k) => state[k >> 2] >>> (8 * (k & 3)));
+  return Uint8Array.from({ length: size }, (_, k) => state[k >> 2] >>> (8 * (k & 3)));
 }

@@ -117,14 +117,36 @@ export class Chooser {
    * @param {Row|null} answer of `Pipeline.advance` @param {Row} event t, x, y, dx, dy, buttons @returns {readonly Choice[]}
    */
   update(answer, event) {
-    const [t, x, y, , , buttons] = event, memory = this.#memory, now = this.#event;
+    this.checkEvent(event);
+    this.#answer = answer ?? UNPREDICTED;
+    return this.#take(event, (now) => law.step(this.#memory, now, this.#answer, this.#targets, this.#model, this.#standing));
+  }
+
+  /**
+   * `update` where something else says how likely each target is: the same decisions follow. Throws as `update` does.
+   * @param {ArrayLike<number>} shares of each target in their order, and of none of them; they sum to 1
+   * @param {number} remaining the time left that is predicted, s; NaN where none is @param {Row} event @returns {readonly Choice[]}
+   */
+  updateWithShares(shares, remaining, event) {
+    this.checkEvent(event);
+    this.#targets[2].set(shares);
+    return this.#take(event, (now) => law.step_with_shares(this.#memory, now, remaining, this.#targets, this.#settings, this.#standing));
+  }
+
+  /** Throws an EventError for an event that `update` would refuse. @param {Row} event */
+  checkEvent(event) {
+    const [t, x, y] = event, memory = this.#memory;
     if (!cursor.usable(t, x, y)) throw new EventError(`an event needs finite numbers within bounds, received ${event}`);
     if (memory[cursor.KNOWN] === 1 && t < memory[cursor.T])
       throw new EventError(`t must not run backwards: ${t} after ${memory[cursor.T]}`, { code: "time_backwards", field: "t", value: t });
-    this.#answer = answer ?? UNPREDICTED;
+  }
+
+  /** Runs a law on an event that was checked, and notes what has changed. */
+  #take([t, x, y, , , buttons], step) {
+    const now = this.#event;
     [now[0], now[1], now[2], now[3]] = [t, x, y, buttons & 1];
-    const released = memory[cursor.PRESSED] > now[3];
-    const [chosen, over, entered] = law.step(memory, now, this.#answer, this.#targets, this.#model, this.#standing);
+    const released = this.#memory[cursor.PRESSED] > now[3];
+    const [chosen, over, entered] = step(now);
     if (chosen === this.#standing && over === this.#over && entered === 0) return NOTHING;
     return this.#note(t, chosen, over, entered, released);
   }

@@ -34,6 +34,7 @@ const text = (least, most) => (value, path) => {
   if (typeof value !== "string" || value.length < least || value.length > most) refuse(`a text of ${least} to ${most} characters`, value, path);
 };
 const oneOf = (...words) => (value, path) => words.includes(value) || refuse(`one of ${words.join(", ")}`, value, path);
+const truth = (value, path) => typeof value === "boolean" || refuse("true or false", value, path);
 const orNull = (check) => (value, path) => value === null || check(value, path);
 const listOf = (check) => (value, path) => {
   if (!Array.isArray(value)) refuse("a list", value, path);
@@ -70,11 +71,13 @@ const person = text(0, 16384), reply = oneOf("frame", "event"), type = anything;
 
 const MESSAGES = {
   hello: fields({ type, version: number(-LARGEST, LARGEST), predictor: text(0, LARGEST), parameters, device: orNull(device), screen: orNull(screen),
-    reply, encoding: oneOf("json", "binary"), assist: orNull(assist), person }, "version"),
+    reply, encoding: oneOf("json", "binary"), assist: orNull(assist), person, places: truth }, "version"),
   events: fields({ type, events: listOf(anything) }, "events"),
   targets: fields({ type, targets: listOf(target) }, "targets"),
   trial: fields({ type, action: oneOf("start", "end"), target: orNull(goal) }, "action"),
-  configure: fields({ type, predictor: orNull(text(0, LARGEST)), parameters, reply: orNull(reply), precision: orNull(number(0, 1)), assist: orNull(assist) }),
+  configure: fields({ type, predictor: orNull(text(0, LARGEST)), parameters, reply: orNull(reply), precision: orNull(number(0, 1)), assist: orNull(assist), places: orNull(truth) }),
+  enter: fields({ type, key: text(0, 1024), x: place, y: place }, "key"),
+  forget: fields({ type }),
   reset: fields({ type }),
   person: fields({ type, person: orNull(person) }),
   bye: fields({ type, reason: text(0, LARGEST) }),
@@ -93,7 +96,7 @@ export function checked(message) {
     : kind === "configure" ? { ...message, assist: assistOf(message.assist) } : message;
 }
 
-const HELLO = { predictor: RECOMMENDED, parameters: {}, device: null, reply: "frame", encoding: "json", person: "" };
+const HELLO = { predictor: RECOMMENDED, parameters: {}, device: null, reply: "frame", encoding: "json", person: "", places: false };
 const assistOf = (given) => given && { strength: 0.5, rho: 8, function: "constant", gain: 4, ...given };
 const screenOf = (given) => ({ width_px: null, height_px: null, dpi: 96, ...given });
 

@@ -4,12 +4,20 @@ import { T as LAST_T, STARTED } from "../laws/differentiators/sampling.js";
 import { LARGEST, LATEST_S } from "../laws/events.js";
 import { EventError } from "./errors.js";
 import { PHASES, claimed } from "./row.js";
+import { SCREEN, sceneOf } from "./scene.js";
 import { general, quoted } from "./words.js";
 
 /**
  * @typedef {import("./stage.js").Row} Row
  * @typedef {{t: number, x: number, y: number, dx?: number|null, dy?: number|null, buttons?: number}} PointerEvent t s, x y px
  *   of the viewport, y down; dx dy: counts of the device, if there are any; buttons as in W3C pointer events
+ */
+
+/**
+ * @typedef {{x: number, y: number, p: number, before: number, visits: number, id: number, spread: number}} Place where movements
+ *   of the person ended before: x y px; p: how likely it is the destination now, before: how likely it was before the movement
+ *   showed anything; visits: how many, earlier ones counting less; id: the same as long as the place is remembered, and one that
+ *   replaces a forgotten place takes its id; spread: standard deviation of the visits, px
  */
 
 /** Where a movement will end, as seen at `t`. */
@@ -169,6 +177,33 @@ export class Pipeline {
     return this.#predictor.person;
   }
 
+  /**
+   * Where movements of this person ended before, the likeliest destination first; at most 64, those of the window that `enter`
+   * named. Before a movement has begun `p` is `before`, for a movement from where the last one ended. Empty where no places are learned.
+   * @returns {Place[]}
+   */
+  get places() {
+    const places = this.#predictor.places.map(([x, y, p, before, visits, id, spread]) => ({ x, y, p, before, visits, id, spread }));
+    return places.sort((one, other) => other.p - one.p);
+  }
+
+  /**
+   * The cursor moves in this window or page from now on; a movement that goes on is finished first. Places are remembered for
+   * each name and relative to the origin. Throws a ParameterError, nothing changed.
+   * @param {string} key "" is the screen @param {number} [x] of the origin, px @param {number} [y]
+   */
+  enter(key, x = 0, y = 0) {
+    const scene = sceneOf(key, x, y);
+    this.reset();
+    this.#predictor.enter(scene);
+  }
+
+  /** Forgets the person, the movement and the window. */
+  forget() {
+    [this.#differentiator, this.#predictor] = [this.#differentiator.fresh(), this.#predictor.fresh()];
+    this.#predictor.enter(SCREEN);
+  }
+
   /** Forgets every event: the next one starts a movement. What is known of the person stays. */
   reset() {
     this.#differentiator.reset();
@@ -177,7 +212,9 @@ export class Pipeline {
 
   /** A pipeline with the same parameters and no memory, which knows nobody. @returns {Pipeline} */
   fresh() {
-    return new Pipeline(this.name, this.#differentiator.fresh(), this.#predictor.fresh(), this.#samplingAt);
+    const pipeline = new Pipeline(this.name, this.#differentiator.fresh(), this.#predictor.fresh(), this.#samplingAt);
+    pipeline.#predictor.enter(SCREEN);
+    return pipeline;
   }
 
   /** Goes on with what is known of a person; for a pipeline without memory. Throws a ParameterError. @param {string} person */

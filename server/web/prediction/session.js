@@ -68,6 +68,8 @@ export class PageSession {
       return { type: "targets", count: targets.length };
     },
     trial: ({ action, target = null }) => (action === "start" ? this.#stream.startTrial(target) : this.#stream.endTrial(target)),
+    enter: ({ key, x = 0, y = 0 }) => this.#stream.enter([key, x, y]),
+    forget: () => ({ type: "person", person: this.#stream.forgetPerson() }),
     reset: () => this.#stream.reset(),
     person: async ({ person }) => ({ type: "person", person: await this.#stream.person(person) }),
   };

@@ -7,12 +7,16 @@ import { ParameterError } from "./errors.js";
  * @typedef {number[]} Row
  * @typedef {import("./parameters.js").Parameter} Parameter
  * @typedef {{parameters: Parameter[], step: (memory: Float64Array, row: Row, coefficients?: Float64Array) => Row,
- *   conclude?: (memory: Float64Array) => void, fill: (values: Float64Array, memory: Float64Array) => void,
+ *   conclude?: (memory: Float64Array) => void, enter_scene?: (memory: Float64Array, scene: number[]) => void,
+ *   list_places?: (memory: Float64Array, out: Float64Array[]) => number, fill: (values: Float64Array, memory: Float64Array) => void,
  *   settle?: (memory: Float64Array) => void,
  *   settings: number, learned: number, states: number, sizes?: (values: Float64Array) => [number, number, number],
  *   slots?: import("./person.js").Slot[], layout?: string, at?: number}} Kind what a generated module exports of a class:
  *   the memory holds `settings` floats, then `learned`, then `states`; `sizes`: these three where they follow from the values
  */
+
+/** Places that are remembered, and the numbers of each. */
+const CAPACITY = 64, FIELDS = 7;
 
 /** The memory of one law, and the law. */
 export class Stage {
@@ -70,6 +74,18 @@ export class Stage {
   reset() {
     this.#kind.conclude?.(this.#memory);
     this.#memory.fill(0, this.#first);
+  }
+
+  /** The cursor is in this window from now on; without effect where no places are learned. @param {number[]} scene */
+  enter(scene) {
+    this.#kind.enter_scene?.(this.#memory, scene);
+  }
+
+  /** The places of the window that the cursor is in, as rows; most stages learn none. @returns {Float64Array[]} */
+  get places() {
+    if (this.#kind.list_places === undefined) return [];
+    const rows = Array.from({ length: CAPACITY }, () => new Float64Array(FIELDS));
+    return rows.slice(0, this.#kind.list_places(this.#memory, rows));
   }
 
   /** A stage with the same parameters, which remembers nothing. @returns {Stage} */

@@ -4,6 +4,7 @@ import { build } from "./build.js";
 import { ParameterError } from "./errors.js";
 import { checkRows, ProtocolError } from "./messages.js";
 import { PHASES, claimed, regionIn } from "./row.js";
+import { PlaceTracker } from "./place-tracker.js";
 import { TargetTracker } from "./target-tracker.js";
 import { TrialBuffer } from "./trial.js";
 
@@ -13,7 +14,8 @@ const ELSEWHERE = { cpi: "device.cpi", dpi: "screen.dpi", name: "predictor", per
 /** A pipeline as a client asked for it, the targets it decides among, and the trial that is marked. */
 export class PredictionStream {
   /** The settings in force. */ hello;
-  #send; #pipeline; #tracker = null; #precision = null; #lastTime = -Infinity; #trial = new TrialBuffer();
+  #send; #pipeline; #tracker = null; #precision = null; #lastTime = -Infinity; #trial = new TrialBuffer(); #placeTracker = null; #window = null;
+  /** The places after each event that is being taken in, where they are proposed. */ #seen = [];
 
   /**
    * Use `open`.
@@ -52,17 +54,42 @@ export class PredictionStream {
 
   /** The predictions for events; null, and nothing changed, where one is refused. @param {number[][]} rows */
   take(rows) {
-    return this.#pipeline.advanceAll(rows);
+    const before = this.offersPlaces ? this.#pipeline.remembered : null, answers = this.#pipeline.advanceAll(rows);
+    if (before === null || answers === null) return answers;
+    this.#pipeline.remembered = before; // once more, one by one, for the places after each
+    for (const row of rows) {
+      this.#pipeline.advance(row);
+      this.see();
+    }
+    return answers;
+  }
+
+  /** Whether places are proposed: the client asked for that, and there are no targets. */
+  get offersPlaces() {
+    return this.hello.places && this.#tracker === null;
+  }
+
+  /** Notes the places after an event; a list that is begun anew where events are refused. */
+  see() {
+    this.#seen.push(this.#pipeline.places);
+  }
+
+  /** Forgets the places of events that are refused. */
+  unsee() {
+    this.#seen = [];
   }
 
   /** Records the events that were used, decides among the targets, and sends the predictions. */
   reply(rows, answers) {
     const each = this.hello.reply === "event", last = rows.length - 1, listed = this.#tracker !== null && this.hello.encoding === "json";
     this.#lastTime = rows[last][0];
-    const likely = [];
+    const likely = [], seen = this.#seen;
+    this.#seen = [];
+    if (this.offersPlaces) this.#placeTracker ??= new PlaceTracker(this.#send, this.#precision);
     for (let i = 0; i <= last; i++) {
       this.#trial.add(rows[i]);
       this.#tracker?.follow(rows[i], answers[i]);
+      if (this.offersPlaces) this.#placeTracker.follow(rows[i], answers[i], seen[i]);
       if (listed && (each || i === last)) likely.push(this.#tracker.likeliest);
     }
     this.beforePredictions(this.#lastTime);
@@ -81,16 +108,21 @@ export class PredictionStream {
     this.checkAssist(message);
     const another = message.predictor != null, { hello } = this;
     const changed = { ...hello, predictor: message.predictor ?? hello.predictor, reply: message.reply ?? hello.reply,
-      parameters: { ...(another ? {} : hello.parameters), ...message.parameters }, assist: message.assist ?? hello.assist };
+      parameters: { ...(another ? {} : hello.parameters), ...message.parameters }, assist: message.assist ?? hello.assist,
+      places: message.places ?? hello.places };
     if (another || Object.keys(message.parameters ?? {}).length) {
-      const pipeline = await pipelineOf(changed);
+      const pipeline = this.#inWindow(await pipelineOf(changed));
       if (pipeline.name === this.#pipeline.name && pipeline.portable) pipeline.restore(this.#pipeline.person);
       this.#pipeline = pipeline;
       this.forget();
     }
     this.hello = changed;
+    if (!changed.places) {
+      this.#placeTracker?.reset();
+      this.#placeTracker = null;
+    }
     this.#precision = message.precision ?? this.#precision;
-    if (message.precision != null) this.#tracker?.configure(message.precision);
+    if (message.precision != null) for (const one of [this.#tracker, this.#placeTracker]) one?.configure(message.precision);
   }
 
   /** Throws a ProtocolError where assistance is changed that was never asked for. */
@@ -103,6 +135,7 @@ export class PredictionStream {
     const tracker = this.#tracker ?? new TargetTracker(this.#send, this.#precision);
     tracker.replace(targets);
     this.#tracker = targets.length ? tracker : null;
+    this.#placeTracker?.reset();
   }
 
   /** Forgets every event: the next one starts a movement. */
@@ -114,10 +147,31 @@ export class PredictionStream {
   /** What is known of the person; with a replacement the session begins anew, knowing that. @param {string} [replacement] @returns {Promise<string>} */
   async person(replacement) {
     if (replacement != null) {
-      this.#pipeline = await pipelineOf({ ...this.hello, person: replacement });
+      this.#pipeline = this.#inWindow(await pipelineOf({ ...this.hello, person: replacement }));
       this.forget();
     }
     return this.#pipeline.person;
+  }
+
+  /** The cursor is in this window from now on; the next event starts a movement. @param {[string, number, number]} window its name and origin */
+  enter(window) {
+    this.#window = window;
+    this.#inWindow(this.#pipeline);
+    this.forget();
+  }
+
+  /** Forgets the person and the movement; the window stays. @returns {string} what is then known of the person: "" */
+  forgetPerson() {
+    this.#pipeline.forget();
+    this.#inWindow(this.#pipeline);
+    this.forget();
+    return this.#pipeline.person;
+  }
+
+  /** The pipeline, in the window that the client named last. */
+  #inWindow(pipeline) {
+    if (this.#window !== null) pipeline.enter(...this.#window);
+    return pipeline;
   }
 
   /** A movement starts at the next event. @param {object|null} goal */
@@ -138,6 +192,7 @@ export class PredictionStream {
   forget() {
     this.#lastTime = -Infinity;
     this.#tracker?.reset();
+    this.#placeTracker?.reset();
   }
 
   /** The events that do not run backwards, and the error for those that do, null for none. @param {number[][]} rows */

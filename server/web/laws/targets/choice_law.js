@@ -55,6 +55,14 @@ export function propose(memory, event, released, remaining_s, targets, settings,
   const over = innermost(table, inside);
   return [chosen, over === chosen ? $decision.NOBODY : over, count];
 }
+export function step_with_shares(memory, event, remaining_s, targets, settings, standing) {
+  const t = event[0];
+  const x = event[1];
+  const y = event[2];
+  const pressed = event[3];
+  const released = $cursor.follow(memory, t, x, y, pressed);
+  return propose(memory, event, released, remaining_s, targets, settings, standing);
+}
 export function step(memory, event, answer, targets, model, standing) {
   const t = event[0];
   const x = event[1];

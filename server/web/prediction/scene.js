@@ -1,0 +1,27 @@
+// The window or page that the cursor moves in, as laws know it; as `pointpred/scene.py`.
+
+import { LARGEST } from "../laws/events.js";
+import { digest } from "./blake2b.js";
+import { ParameterError } from "./errors.js";
+import { general, quoted } from "./words.js";
+
+const DIGEST_BYTES = 6; // of a name: a number holds so long a whole number exactly
+
+/** Where nobody named a window. */
+export const SCREEN = Object.freeze([0, 0, 0]);
+
+/**
+ * The window of a name with its origin at (x, y) px; "" is the screen. Throws a ParameterError for a name that is no text and
+ * an origin that is no number or lies beyond the bounds of positions.
+ * @param {string} key @param {number} x @param {number} y @returns {[number, number, number]}
+ */
+export function sceneOf(key, x, y) {
+  if (typeof key !== "string") throw new ParameterError(`key must be a string, received ${quoted(key)}`, { field: "key", value: key });
+  for (const [field, value] of [["x", x], ["y", y]])
+    if (typeof value !== "number" || !(Math.abs(value) <= LARGEST)) {
+      const message = `${field} of the origin must be a number in [${general(-LARGEST)}, ${general(LARGEST)}] px, received ${quoted(value)}`;
+      throw new ParameterError(message, { field, value });
+    }
+  const bytes = key === "" ? [] : digest(new TextEncoder().encode(key), DIGEST_BYTES);
+  return [bytes.reduce((number, byte) => 256 * number + byte, 0), x, y];
+}

@@ -1,0 +1,195 @@
+"""Places in the page: where they are, how likely, which is proposed, in which window; as in Python."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+
+from pointpred import Place, build
+from pointpred.errors import ParameterError, PointpredError
+from pointpred.rows import event_of, prediction_of
+from pointpred.targets import PlaceChoice, PlaceChooser
+from tests.page import node
+from tests.page.test_page_chooser import assert_alike as assert_close
+from tests.page.test_page_pipeline import answers
+from tests.page.test_page_session import SCREEN, both, frames_of
+from tests.page.test_page_session import assert_alike as assert_same_session
+from tests.unit.talking import hello
+
+pytestmark = node.needed
+
+NAME = "kinematic-adaptive"
+CORNERS = ((300.0, 300.0), (900.0, 300.0), (620.0, 700.0))
+
+
+def rounds(seed: int, count: int, *, start_s: float = 0.0) -> list[list[list[float | None]]]:
+    """Movements from corner to corner of a triangle, with some scatter, as rows of events."""
+    random, made = np.random.default_rng(seed), []
+    for number in range(count):
+        begin, end = (np.array(CORNERS[k % 3]) for k in (number, number + 1))
+        end = end + random.normal(0.0, 4.0, 2)
+        rows: list[list[float | None]] = []
+        for i in range(66):
+            s = min(i / 55, 1.0)
+            x, y = begin + (end - begin) * (10 * s**3 - 15 * s**4 + 6 * s**5)
+            rows.append([start_s + 2.0 * number + i / 100, float(x), float(y), None, None, 0])
+        made.append(rows)
+    return made
+
+
+def steps_of(movements: list[list[list[float | None]]]) -> list[Any]:
+    """Steps for a pipeline: the places at some events, and after each movement."""
+    steps: list[Any] = []
+    for rows in movements:
+        for i, row in enumerate(rows):
+            steps.append([np.nan if value is None else value for value in row])
+            steps += ["places"] if i % 9 == 0 else []
+        steps += ["reset", "places"]
+    return steps
+
+
+def test_places_are_those_of_python_in_each_window() -> None:
+    first, second, third = rounds(1, 9), rounds(2, 4, start_s=100.0), rounds(3, 2, start_s=200.0)
+    steps = [
+        "places",
+        *steps_of(first),
+        {"enter": ["Müller & Söhne", 120.0, -40.5]},
+        "places",
+        *steps_of(second),
+        {"enter": ["", 0.0, 0.0]},
+        "places",
+        *steps_of(third),
+        {"enter": ["Müller & Söhne", 0.0, 0.0]},
+        "places",
+        "forget",
+        "places",
+        *steps_of(third),
+        "person",
+    ]
+    found = node.run("predict.mjs", {"name": NAME, "options": {}, "steps": steps})
+    expected = answers(build(NAME), steps)
+    listed = [one for one, step in zip(expected, steps, strict=True) if step == "places"]
+    assert max(map(len, listed)) == 3
+    assert max(place["p"] for one in listed for place in one) > 0.8
+    for step, one, other in zip(steps, found, expected, strict=True):
+        if step == "places":
+            order = [sorted(side, key=lambda place: place["id"]) for side in (one, other)]
+            assert_close(*order)
+
+
+@pytest.mark.parametrize("window", [[3], ["", "1"], ["key", 0.0, 1e10], ["key", True]])
+def test_a_wrong_window_is_refused_as_in_python(window: list[Any]) -> None:
+    with pytest.raises(ParameterError) as refused:
+        build(NAME).enter(*window)
+    found = node.run("predict.mjs", {"name": NAME, "options": {}, "steps": [{"enter": window}]})
+    assert (found["error"], found["field"]) == ("ParameterError", refused.value.field)
+
+
+def in_python(settings: dict[str, float], steps: list[list[Any]]) -> list[Any]:
+    """What ``choose_places.mjs`` does, in Python."""
+    chooser = PlaceChooser(**settings)
+
+    def shown(one: PlaceChoice) -> dict[str, Any]:
+        size = one.place.width
+        square = {"x": one.place.x + size / 2.0, "y": one.place.y + size / 2.0, "size": size}
+        return {**one._asdict(), "place": square}
+
+    def update(places: list[dict[str, Any]], row: Any, event: list[float]) -> list[dict[str, Any]]:
+        prediction = None if row is None else prediction_of(row)
+        listed = [Place(**place) for place in places]
+        return [shown(one) for one in chooser.update(listed, prediction, event_of(event))]
+
+    calls: dict[str, Any] = {
+        "update": update,
+        "configure": lambda more: chooser.configure(**more),
+        "finish": lambda: msgspec.to_builtins(chooser.finish()),
+        "reset": chooser.reset,
+        "proposed": lambda: [chooser.standing, chooser.entered],
+        "summary": lambda: chooser.ledger.summary(),
+    }
+    made = []
+    for name, *given in steps:
+        try:
+            made.append(calls[name](*given))
+        except PointpredError as error:
+            made.append({"error": error.code, "field": error.field})
+    return made
+
+
+def test_the_chooser_proposes_the_places_of_python() -> None:
+    pipeline, steps = build(NAME), list[list[Any]]()
+    for number, rows in enumerate(rounds(4, 12)):
+        for row in rows:
+            event = [np.nan if value is None else value for value in row]
+            answer = pipeline.advance(tuple(event))
+            steps.append(["update", [one._asdict() for one in pipeline.places], answer, event])
+        pipeline.reset()
+        steps += [["proposed"], ["finish"], ["reset"]]
+        steps += [["configure", {"precision": 0.3}]] if number == 6 else []
+    steps += [["update", [], None, [0.0, 1.0, 1.0, np.nan, np.nan, 0.0]], ["summary"]]
+    steps += [["configure", {"precision": 2.0}]]
+    found = node.run("choose_places.mjs", {"settings": {"precision": 0.6}, "steps": steps})
+    expected = in_python({"precision": 0.6}, steps)
+    reasons = {
+        one["reason"] for made in expected if isinstance(made, list) for one in made if isinstance(one, dict)
+    }
+    assert reasons == {"predicted", "entered", None}
+    assert_close(found, expected)
+
+
+@pytest.mark.parametrize(("size", "reply"), [(1, "frame"), (7, "event")])
+def test_a_session_with_places_is_answered_alike(size: int, reply: str) -> None:
+    learned, later = rounds(5, 8), rounds(6, 6, start_s=100.0)
+    target = {"id": "far", "x": 0.0, "y": 1500.0, "width": 20.0, "height": 20.0}
+
+    def moved(rows: list[Any]) -> list[Any]:
+        return [*frames_of(rows, size), {"type": "reset"}]
+
+    frames = [
+        hello(NAME, places=True, reply=reply, screen=SCREEN),
+        *(frame for rows in learned for frame in moved(rows)),
+        *frames_of(later[0][:30], size),
+        {"type": "targets", "targets": [target]},
+        *frames_of(later[0][30:], size),
+        {"type": "targets", "targets": []},
+        *moved(later[1]),
+        {"type": "configure", "precision": 0.9},
+        *moved(later[2]),
+        {"type": "configure", "parameters": {"sequence": 0}},
+        *frames_of(later[3][:30], size),
+        {"type": "configure", "places": False},
+        *frames_of(later[3][30:], size),
+        {"type": "configure", "places": True},
+        {"type": "enter", "key": "editor", "x": 100.0},
+        *moved(later[4]),
+        {"type": "enter", "key": ""},
+        *frames_of(later[5][:30], size),
+        {"type": "forget"},
+        *frames_of(later[5][30:], size),
+        {"type": "enter", "key": 7},
+        {"type": "enter", "key": "k", "x": 1e10},
+        {"type": "forget", "all": True},
+        {"type": "configure", "places": 1},
+    ]
+    found, expected = both(frames)
+    heard = [one for said in expected for one in said]
+    assert {one["reason"] for one in heard if one["type"] == "choice"} == {"predicted", "entered", None}
+    assert sum(one["type"] == "choice" and "place" in one for one in heard) > 8
+    assert [one["person"] for one in heard if one["type"] == "person"] == [""]
+    assert_same_session(found, expected)
+
+
+def test_an_assisted_session_with_places_is_answered_alike() -> None:
+    frames: list[Any] = [
+        hello(NAME, places=True, assist={"strength": 0.3}, device={"cpi": 1000.0}, screen=SCREEN)
+    ]
+    for number in range(9):
+        counts = [(4 if number % 2 == 0 else -4) if 0 < i < 40 else 0 for i in range(60)]
+        rows = [[2.0 * number + i / 100, 300.0, 300.0, dx, 1, 0] for i, dx in enumerate(counts)]
+        frames += [*frames_of(rows, 3), {"type": "reset"}]
+    found, expected = both(frames)
+    assert any(one["type"] == "choice" for said in expected for one in said)
+    assert_same_session(found, expected)
