@@ -95,6 +95,45 @@ export interface PrefetchLinkOptions extends IntentOptions {
 /** Loads the pages of links that the user is heading for. Returns what stops it. */
 export function prefetchLink(links: Element | string, options?: PrefetchLinkOptions): () => void;
 
+export interface PlaceOptions {
+  /** The share that a place must have to be proposed; 0.5 by default. */
+  precision?: number;
+  /** The name of the page, whose places these are; the path of its address by default. */
+  page?: string;
+  /** What was learned of the person before, as `person` of an earlier handle. */
+  person?: string;
+  /** Keep what is learned in `localStorage` under this name, also for the next visit; nothing is stored by default. */
+  store?: string;
+}
+
+/** A place that the user is heading for, where movements ended before. */
+export interface PlaceFiring {
+  /** The same number as long as the place is remembered. */
+  id: number;
+  /** The centre of the square that visits of the place scatter in, and its side, px of the viewport. */
+  place: { x: number; y: number; size: number };
+  reason: "predicted" | "entered";
+  p: number;
+  t: number;
+  remaining_s: number | null;
+  /** Is aborted when the place is no longer proposed. */
+  signal: AbortSignal;
+}
+
+export interface PlaceHandle {
+  /** Resolves when the predictor is loaded. */
+  readonly ready: Promise<void>;
+  /** What finished movements have taught of the person. */
+  readonly person: string;
+  /** Forgets the person, here and in what was stored. */
+  forget(): void;
+  /** Stops it; what was learned is stored where a name was given. */
+  stop(): void;
+}
+
+/** Calls `callback` when the user is heading for a place where movements ended before: nothing is registered. It may return a function, which is called when that is over. */
+export function onPlace(callback: (firing: PlaceFiring) => unknown, options?: PlaceOptions): PlaceHandle;
+
 export interface Counts {
   fired: number;
   /** Firings whose element was activated afterwards. */
@@ -147,12 +186,21 @@ export interface PredictionInPage {
   remaining_spread: number | null;
 }
 
+/** x y px; p: how likely it is the destination now, before: before the movement showed anything; spread: standard deviation of visits, px. */
+export interface Place { x: number; y: number; p: number; before: number; visits: number; id: number; spread: number }
+
 /** Consumes events one by one. */
 export interface Pipeline {
   readonly name: string;
   /** What finished movements taught of the person. */
   readonly person: string;
+  /** Where movements of the person ended before, the likeliest destination first. */
+  readonly places: Place[];
   update(event: PointerSample): PredictionInPage | null;
+  /** The cursor is in this window from now on, with its origin at x and y, px. */
+  enter(key: string, x?: number, y?: number): void;
+  /** Forgets the person. */
+  forget(): void;
   reset(): void;
   fresh(): Pipeline;
 }
@@ -177,6 +225,8 @@ export interface Connection {
   trial(action: "start" | "end", target?: Element | { x: number; y: number; width: number }): void;
   configure(changes: Record<string, unknown>): void;
   person(known?: string): Promise<string>;
+  enter(key: string, x?: number, y?: number): void;
+  forget(): Promise<string>;
   reset(): void;
   close(): void;
 }

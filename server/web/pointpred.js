@@ -24,7 +24,8 @@
  * @typedef {{type: "cursor", t: number, x: number, y: number, added_px: number}} Cursor where the service has moved the
  *   cursor, px, and how far assistance has moved it since the session began
  * @typedef {{type: "choice", id: string, p: number, action: "propose"|"retract", t: number|null,
- *   reason: "predicted"|"entered"|"focus"|"touch"|null, element?: Element}} Choice reason: why it is proposed: the movement heads for it, the
+ *   reason: "predicted"|"entered"|"focus"|"touch"|null, element?: Element, place?: {x: number, y: number, size: number}}} Choice place:
+ *   the centre and side of a place that nobody registered, px; reason: why it is proposed: the movement heads for it, the
  *   pointer has entered it, it has the keyboard focus, or a finger touches it; null where it is retracted
  * @typedef {{type: "error", code: string, message: string, path: string|null, field?: string|null, recoverable: boolean}} ErrorMessage
  * @typedef {{type: "welcome", version: number, session: string, predictor: string, limits: Limits}} Welcome
@@ -46,6 +47,7 @@
  * @property {{strength?: number, rho?: number, function?: "constant"|"sigmoid", gain?: number}} [assist] the service moves
  *   the cursor by the counts of events, assisted towards the predicted endpoint; needs `device.cpi` and counts
  * @property {string} [person] what an earlier session has learned about the person; nothing unless given
+ * @property {boolean} [places] true: places where the person went before are proposed, while there are no targets
  * @property {string} [token] if the service asks for one
  * @property {boolean} [page] true: predictions are made in the page, without a service; their modules are loaded when it is opened,
  *   and predictions hold the likeliest targets unless `encoding` is "binary"
@@ -96,7 +98,7 @@ export class Connection {
   /** Events sent to the service. */ sent = 0;
   #url; #options; #settings; #socket; #listeners = new Map(NAMES.map((name) => [name, new Set()]));
   #queue; #unanswered = []; #sentAt = 0; #errorCode = ""; #warned = false;
-  #sentTargets = NO_TARGETS; #targetCount = 0; #omitted = 0; #probabilities = []; #pointer = null; #targets; #person;
+  #sentTargets = NO_TARGETS; #targetCount = 0; #omitted = 0; #probabilities = []; #pointer = null; #targets; #person; #window = null;
   #newestTime = -Infinity; #eventAt = -Infinity; #paused = false; #scrolled = false; // s, ms; whether choices wait for an event
   #pageChoices; #serviceChoices; #proposals = new Proposals((choice) => this.#emit("choice", this.#withElement(choice)));
   #stop = new AbortController(); #timer;
@@ -108,10 +110,10 @@ export class Connection {
       coordinates: "client", targets: [], queue: 8192, ...given };
     this.#url = url;
     this.#queue = new EventQueue(this.#options.queue);
-    const { predictor, parameters = {}, device, reply, encoding, assist } = this.#options;
+    const { predictor, parameters = {}, device, reply, encoding, assist, places } = this.#options;
     const screen = { width_px: window.screen?.width || undefined, height_px: window.screen?.height || undefined,
       ...this.#options.screen };
-    this.#settings = new Settings({ type: "hello", version: 1, predictor, parameters, device, screen, reply, encoding, assist });
+    this.#settings = new Settings({ type: "hello", version: 1, predictor, parameters, device, screen, reply, encoding, assist, places });
     this.#person = new Person(this.#options.person ?? "", predictor, {
       send: (message) => this.#transmit(JSON.stringify(message)),
       onChange: (person) => this.#emit("person", { type: "person", person }) });
@@ -210,7 +212,7 @@ export class Connection {
    * Changes options; another predictor or other parameters start without memory. Answered by `welcome`.
    * Another token is used when the connection is next opened.
    * @param {{token?: string, predictor?: string, parameters?: Object<string, number|string|boolean>, reply?: "frame"|"event",
-   *   precision?: number, assist?: Options["assist"]}} changes
+   *   precision?: number, assist?: Options["assist"], places?: boolean}} changes
    */
   configure({ token = this.#options.token, ...changes }) {
     this.#pointer?.flush();
@@ -236,6 +238,27 @@ export class Connection {
     }
     if (person !== undefined) this.#person.store(person, this.#settings.predictor);
     return this.#person.description;
+  }
+
+  /**
+   * The pointer moves in this window or page from now on: places are remembered for each name, relative to the origin, so that
+   * they move with it. Finishes the movement.
+   * @param {string} key "" is what it is without a name @param {number} [x] of the origin, px @param {number} [y]
+   */
+  enter(key, x = 0, y = 0) {
+    const message = { type: "enter", key, x, y };
+    this.#unanswered = [];
+    if (this.#canSend) this.#window = message;
+    this.#sendMessage(message);
+  }
+
+  /** Forgets the person, in the session and in this client. @returns {Promise<string>} "", when that is done */
+  async forget() {
+    this.#pointer?.flush();
+    this.#unanswered = [];
+    if (this.#canSend) return this.#person.forget();
+    this.#person.store("", this.#settings.predictor);
+    return "";
   }
 
   /** Forgets every event: the next one starts a movement. */
@@ -343,6 +366,7 @@ export class Connection {
     this.#socket.beginSession();
     for (const changes of this.#settings.takePending()) this.#request(changes);
     this.#person.beginSession();
+    if (this.#window !== null) this.#transmit(JSON.stringify(this.#window));
     this.#sentTargets = NO_TARGETS;
     this.#sendTargets();
     if (this.state === "closed") return; // by a listener of an error
@@ -350,7 +374,10 @@ export class Connection {
       if (rows) {
         this.#serviceChoices.setPast(rows.at(-1)[0]);
         this.#sendRows(rows);
-      } else this.#transmit(JSON.stringify(message));
+      } else {
+        if (message.type === "enter") this.#window = message;
+        this.#transmit(JSON.stringify(message));
+      }
     }
     this.#pageChoices.detectsEntry = false;
     this.#setState("open");
@@ -362,7 +389,7 @@ export class Connection {
     if (this.state === "connecting" && (code === "unknown_predictor" || code === "bad_field")) {
       this.#errorCode = "hello";
       this.#abandonSocket();
-    } else if (code === "unknown_predictor" || /^\$\.(predictor|parameters|reply|precision|assist)/.test(path ?? "")) {
+    } else if (code === "unknown_predictor" || /^\$\.(predictor|parameters|reply|precision|assist|places)/.test(path ?? "")) {
       this.#settings.reject();
     }
   }

@@ -20,7 +20,7 @@ LATER = re.compile(r'\{ ([^}]+) \} = await import\("[^"]+"\)|await import\("[^"]
 EXPORT = re.compile(r"^export (?:async )?(?:function\*?|class|const|let) (\w+)", re.MULTILINE)
 PUBLIC = {
     *("Connection", "connect", "regionOf", "build"),
-    *("onIntent", "register", "prefetchLink", "ledger", "onLedger", "showOverlay"),
+    *("onIntent", "onPlace", "register", "prefetchLink", "ledger", "onLedger", "showOverlay"),
     *("useIntent", "Intent", "vIntent"),
 }
 

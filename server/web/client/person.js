@@ -29,9 +29,18 @@ export class Person {
 
   /** Requests the newest string, or sets it. @param {string} [person] to set @returns {Promise<string>} */
   request(person) {
+    return this.#ask(person, person === undefined ? { type: "person" } : { type: "person", person });
+  }
+
+  /** Has the person forgotten. @returns {Promise<string>} "" */
+  forget() {
+    return this.#ask("", { type: "forget" });
+  }
+
+  #ask(person, message) {
     this.#requestedAt = performance.now();
     const answer = new Promise((resolve, reject) => this.#requests.push({ person, resolve, reject }));
-    this.#send(person === undefined ? { type: "person" } : { type: "person", person });
+    this.#send(message);
     return answer;
   }
 

@@ -52,10 +52,11 @@ export class Settings {
   }
 
   /** Puts a change into the next hello. */
-  apply({ predictor, parameters, reply, precision, assist }) {
+  apply({ predictor, parameters, reply, precision, assist, places }) {
     const former = predictor ? {} : this.#hello.parameters;
     this.#hello = { ...this.#hello, predictor: predictor ?? this.#hello.predictor,
-      parameters: { ...former, ...parameters }, reply: reply ?? this.#hello.reply, assist: assist ?? this.#hello.assist };
+      parameters: { ...former, ...parameters }, reply: reply ?? this.#hello.reply, assist: assist ?? this.#hello.assist,
+      places: places ?? this.#hello.places };
     this.#precision = precision ?? this.#precision;
   }
 }

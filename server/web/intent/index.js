@@ -8,6 +8,7 @@
  */
 
 export { onIntent, register } from "./register.js";
+export { onPlace } from "./places.js";
 export { prefetchLink } from "./prefetch-link.js";
 import { ledger as theLedger } from "./ledger.js";
 

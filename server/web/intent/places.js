@@ -1,0 +1,131 @@
+// Proposals without registered elements: the places of a page where movements of the user ended before.
+
+import { PointerStream } from "../client/pointer-stream.js";
+import { RECOMMENDED } from "../laws/registry.js";
+import { REMAINING_S, claimed } from "../prediction/row.js";
+import { attempt } from "./attempt.js";
+
+const DEFAULTS = { precision: 0.5, page: undefined, person: "", store: undefined };
+const TEXTS = ["page", "person", "store"];
+
+/**
+ * Calls `callback` when the user is heading for a place where movements ended before. Throws a TypeError for options that
+ * cannot be used.
+ * @param {(firing: import("../index.d.ts").PlaceFiring) => unknown} callback @param {import("../index.d.ts").PlaceOptions} [options]
+ * @returns {import("../index.d.ts").PlaceHandle}
+ */
+export function onPlace(callback, options) {
+  if (typeof callback !== "function") throw new TypeError(`onPlace needs a function to call, received ${callback}`);
+  return new Places(callback, optionsOf(options));
+}
+
+/** @param {import("../index.d.ts").PlaceOptions} given */
+function optionsOf(given = {}) {
+  for (const name of Object.keys(given))
+    if (!Object.hasOwn(DEFAULTS, name)) throw new TypeError(`unknown option ${name}; known: ${Object.keys(DEFAULTS).join(", ")}`);
+  const options = { ...DEFAULTS, page: location.pathname, ...Object.fromEntries(Object.entries(given).filter(([, value]) => value !== undefined)) };
+  for (const name of TEXTS)
+    if (options[name] !== undefined && typeof options[name] !== "string") throw new TypeError(`${name} must be a text, received ${options[name]}`);
+  const { precision } = options;
+  if (!(typeof precision === "number" && precision >= 0.01 && precision <= 0.999))
+    throw new RangeError(`precision must be a number in [0.01, 0.999], received ${precision}`);
+  return options;
+}
+
+/** Follows the pointer, and proposes places of the page; scrolling moves them. */
+class Places {
+  /** Settles when the predictor is loaded. @type {Promise<void>} */ ready;
+  #callback; #options; #pipeline = null; #chooser = null; #firings = new Map(); #stop = new AbortController();
+
+  constructor(callback, options) {
+    [this.#callback, this.#options] = [callback, options];
+    this.ready = this.#load();
+    this.ready.catch(reportError);
+    const { signal } = this.#stop;
+    new PointerStream(window, { raw: false, accepts: ({ pointerType }) => pointerType !== "touch", onRows: (rows) => this.#follow(rows), signal });
+    window.addEventListener("scroll", () => this.#enter(), { signal, passive: true });
+    window.addEventListener("pagehide", () => this.#save(), { signal });
+  }
+
+  /** What finished movements have taught of the person. @returns {string} */
+  get person() {
+    return this.#pipeline?.person ?? this.#options.person;
+  }
+
+  /** Forgets the person, here and in what was stored. */
+  forget() {
+    this.#options.person = "";
+    if (this.#options.store !== undefined) localStorage.removeItem(this.#options.store);
+    if (this.#pipeline === null) return;
+    this.#pipeline.forget();
+    this.#enter();
+  }
+
+  /** Stops it. */
+  stop() {
+    this.#withdraw();
+    this.#save();
+    this.#stop.abort();
+  }
+
+  async #load() {
+    const [{ build }, { PlaceChooser }] = await Promise.all([import("../prediction/build.js"), import("../prediction/place-chooser.js")]);
+    this.#chooser = new PlaceChooser({ precision: this.#options.precision });
+    this.#pipeline = await this.#known(build);
+    this.#enter();
+  }
+
+  /** A pipeline that knows the person; one that knows nobody where the string is of another version. */
+  async #known(build) {
+    const { store } = this.#options;
+    const person = () => this.#options.person || (store !== undefined && localStorage.getItem(store)) || "";
+    const given = person();
+    const pipeline = await build(RECOMMENDED, { person: given }).catch(() => build(RECOMMENDED));
+    return person() === given ? pipeline : build(RECOMMENDED); // forgotten meanwhile
+  }
+
+  /** The places of the page are where it has been scrolled to; the movement is over. */
+  #enter() {
+    if (this.#pipeline === null) return;
+    this.#withdraw();
+    this.#pipeline.enter(this.#options.page, -window.scrollX, -window.scrollY);
+  }
+
+  /** @param {number[][]} rows t, x, y, dx, dy, buttons */
+  #follow(rows) {
+    if (this.#pipeline === null) return;
+    for (const [t, x, y, , , buttons] of rows) {
+      const row = [t, x, y, NaN, NaN, buttons], answer = this.#pipeline.advance(row);
+      if (answer !== null) for (const choice of this.#chooser.update(this.#pipeline.places, answer, row)) this.#turn(choice, answer, t);
+    }
+  }
+
+  #turn({ action, id, place, reason, p }, answer, t) {
+    if (action === "retract") return this.#end(id);
+    const end = new AbortController();
+    const firing = { id, place, reason, p, t, remaining_s: reason === "predicted" ? claimed(answer[REMAINING_S]) : null, signal: end.signal };
+    const cleanup = attempt(() => this.#callback(firing));
+    this.#firings.set(id, { end, cleanup: typeof cleanup === "function" ? cleanup : null });
+  }
+
+  #end(id) {
+    const { end, cleanup } = this.#firings.get(id) ?? {};
+    this.#firings.delete(id);
+    end?.abort();
+    if (cleanup) attempt(cleanup);
+  }
+
+  /** Nothing is proposed any more. */
+  #withdraw() {
+    for (const id of [...this.#firings.keys()]) this.#end(id);
+    this.#chooser?.reset();
+  }
+
+  /** Finishes the movement, and keeps what it has taught. */
+  #save() {
+    if (this.#pipeline === null || this.#options.store === undefined) return;
+    this.#withdraw();
+    this.#pipeline.reset();
+    if (this.#pipeline.person) localStorage.setItem(this.#options.store, this.#pipeline.person);
+  }
+}
