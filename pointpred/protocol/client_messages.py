@@ -82,7 +82,7 @@ class Hello(ClientMessage, tag="hello"):
     """First message of a session: which predictor, on what device and screen, and how to answer.
 
     ``person``: what another session said that it knows of the person; "" knows nobody. ``places``: propose
-    places where the person went before, while there are no targets.
+    places where the person went before, while there are no targets; targets that they went to weigh more.
     """
 
     version: int

@@ -8,10 +8,10 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from pointpred.columns import FloatArray
-from pointpred.events import PointerEvent, Prediction
+from pointpred.events import Place, PointerEvent, Prediction
 from pointpred.parameter import Parameter, check
 from pointpred.rows import REFUSED, Row, prediction_row
-from pointpred.targets import cursor, decision, posterior
+from pointpred.targets import cursor, decision, expectation, posterior
 from pointpred.targets.choice_law import (
     ENTERED,
     INSIDE,
@@ -23,9 +23,10 @@ from pointpred.targets.choice_law import (
     step_with_shares,
     walk,
 )
+from pointpred.targets.expectation import expect
 from pointpred.targets.inputs import accepted, refuse, usable
 from pointpred.targets.ledger import Ledger, Movement
-from pointpred.targets.rectangles import Target, table
+from pointpred.targets.rectangles import LOG_WEIGHT, Target, table
 
 Reason = Literal["predicted", "entered"]
 
@@ -96,6 +97,7 @@ class Chooser:
         self._standing = self._over = decision.NOBODY
         self._inside = np.zeros(0)
         self._ids: tuple[Hashable, ...] = ()
+        self._known = np.zeros((0, expectation.FIELDS))
         self.ledger = Ledger()
         self.replace(targets)
 
@@ -123,6 +125,9 @@ class Chooser:
         rows, standing, over = table(targets), self.standing, self.entered
         where = {self._ids[i]: INSIDE if value == ENTERED else value for i, value in enumerate(self._inside)}
         self._table, self._ids = rows, tuple(target.id for target in targets)
+        self._own = rows[:, LOG_WEIGHT].copy()
+        if len(self._known):
+            expect(self._table, self._own, self._known)
         self._shares = np.zeros(len(rows) + 1)
         self._shares[-1] = 1.0
         self._inside = np.array([where.get(id, OUTSIDE) for id in self._ids])
@@ -134,6 +139,17 @@ class Chooser:
             for id, place in ((standing, self._standing), (over, self._over))
             if id is not None and place == decision.NOBODY
         )
+
+    def expect(self, places: Sequence[Place]) -> None:
+        """Take the person's past into account, from ``Pipeline.places``, best at a movement's first events.
+
+        Of n targets, one of weight w in which places lie, or so near that visits of them end in it, gets
+        the weight w (1 + n b), b the sum of their ``before``; also targets that are registered later. An
+        empty list, as at first, leaves the weights as they are given.
+        """
+        known = [(place.x, place.y, place.before, place.spread) for place in places]
+        self._known = np.array(known, dtype=np.float64).reshape(-1, expectation.FIELDS)
+        expect(self._table, self._own, self._known)
 
     def _place(self, id: Hashable | None) -> int:
         return self._ids.index(id) if id is not None and id in self._ids else decision.NOBODY

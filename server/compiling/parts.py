@@ -12,7 +12,7 @@ import numpy as np
 from pointpred.columns import EventColumns
 from pointpred.compiled import awaits_compiling
 from pointpred.differentiators import DIFFERENTIATORS, HomogeneousDifferentiator
-from pointpred.events import PointerEvent
+from pointpred.events import Place, PointerEvent
 from pointpred.pipeline import has_refusal, run
 from pointpred.predictors import Predictor
 from pointpred.predictors.adaptation import predictor as adaptation
@@ -142,6 +142,7 @@ def choose() -> None:
     pipeline, chooser = build("hold"), Chooser([around("any", 200.0, 80.0, 20.0)])
     for event in _events():
         chooser.update(pipeline.update(event), event)
+    chooser.expect([Place(200.0, 80.0, 0.1, 0.1, 1.0, 0, 10.0)])
     columns = EventColumns.of_events(_events())
     chooser.reset()
     chooser.follow(columns.table, run(pipeline.fresh(), columns).table)

@@ -142,6 +142,8 @@ class PredictionStream:
             self._seen = []
             self.place_tracker = self.place_tracker or PlaceTracker(outbox, self.precision)
             self.place_tracker.follow(events, predictions, seen)
+        if tracker is not None and self.hello.places:
+            tracker.expect(self.pipeline.places)
         if tracker is None:
             outbox.predict(*self._frames(predictions))
             return
@@ -187,9 +189,8 @@ class PredictionStream:
             self.pipeline = pipeline
             self._forget()
         self.hello = hello
-        if self.place_tracker and not hello.places:
-            self.place_tracker.reset()
-            self.place_tracker = None
+        if not hello.places:
+            self._leave_places()
         if message.precision is not None:
             self.precision = message.precision
             if self.tracker:
@@ -198,6 +199,13 @@ class PredictionStream:
                 self.place_tracker.configure(message.precision)
         if self.observer:
             self.observer.configure(hello)
+
+    def _leave_places(self) -> None:
+        if self.place_tracker:
+            self.place_tracker.reset()
+            self.place_tracker = None
+        if self.tracker:
+            self.tracker.expect(())
 
     def replace_targets(self, targets: list[Target], outbox: Outbox) -> None:
         """Replace the set of targets; raises ProtocolError, nothing changed."""

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
+from pointpred.events import Place
 from pointpred.protocol.client_messages import Goal, Target
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.server_messages import Choice, Likely
@@ -73,6 +74,10 @@ class TargetTracker:
             ) from None
         self._targets = targets
         self.announce([(self._last_t, change) for change in changes])
+
+    def expect(self, places: Sequence[Place]) -> None:
+        """Take into account where the person went before."""
+        self._chooser.expect(places)
 
     def reset(self) -> None:
         """Forget every event; what is proposed is retracted."""

@@ -7,6 +7,7 @@ const { targets, settings, steps } = await given();
 const chooser = new Chooser(targets, settings);
 const calls = {
   update: (row, event) => chooser.update(row && numbers(row), numbers(event)),
+  expect: (places) => chooser.expect(places) ?? null,
   replace: (list) => chooser.replace(list),
   configure: (more) => chooser.configure(more) ?? null,
   finish: (id) => chooser.finish(id),

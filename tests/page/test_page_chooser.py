@@ -8,7 +8,7 @@ import msgspec
 import numpy as np
 import pytest
 
-from pointpred import build
+from pointpred import Place, build
 from pointpred.errors import PointpredError
 from pointpred.rows import event_of, prediction_of
 from pointpred.targets import Chooser, Target
@@ -39,6 +39,7 @@ def in_python(listed: list[dict[str, Any]], settings: dict[str, float], steps: l
     calls: dict[str, Any] = {
         "update": update,
         "replace": lambda given: [one._asdict() for one in chooser.replace([Target(**one) for one in given])],
+        "expect": lambda places: chooser.expect([Place(**one) for one in places]),
         "configure": lambda more: chooser.configure(**more),
         "finish": lambda id: msgspec.to_builtins(chooser.finish(id)),
         "reset": chooser.reset,
@@ -173,3 +174,28 @@ def test_settings_have_the_bounds_and_defaults_of_python() -> None:
         for value, wrong in ((bound.low, False), (bound.high, False), (bound.high * 1.01 + 1e-9, True)):
             given = {"targets": [], "settings": {}, "steps": [["configure", {bound.name: value}]]}
             assert isinstance(node.run("choose.mjs", given)[0], dict) == wrong
+
+
+def test_targets_that_the_person_went_to_weigh_more() -> None:
+    listed, updates, _ = scene("switched")
+    middle = listed[-2]["x"] + 20.0, listed[-2]["y"] + 20.0
+    places = [
+        {"x": x, "y": y, "p": 0.1, "before": before, "visits": 3.0, "id": id, "spread": 15.0}
+        for id, (x, y, before) in enumerate([(*middle, 0.3), (-900.0, -900.0, 0.2), (140.0, 20.0, 0.25)])
+    ]
+    steps = [
+        ["expect", places],
+        *updates[:40],
+        ["shares"],
+        ["replace", listed[::2]],
+        *updates[40:60],
+        ["shares"],
+        ["expect", []],
+        *updates[60:80],
+        ["shares"],
+    ]
+    found = node.run("choose.mjs", {"targets": listed, "settings": {}, "steps": steps})
+    expected = in_python(listed, {}, steps)
+    plain = in_python(listed, {}, steps[1:])
+    assert expected[41] != pytest.approx(plain[40])
+    assert_alike(found, expected)

@@ -143,7 +143,8 @@ def test_the_chooser_proposes_the_places_of_python() -> None:
 @pytest.mark.parametrize(("size", "reply"), [(1, "frame"), (7, "event")])
 def test_a_session_with_places_is_answered_alike(size: int, reply: str) -> None:
     learned, later = rounds(5, 8), rounds(6, 6, start_s=100.0)
-    target = {"id": "far", "x": 0.0, "y": 1500.0, "width": 20.0, "height": 20.0}
+    target = {"id": "near", "x": 600.0, "y": 680.0, "width": 40.0, "height": 40.0}
+    other = {"id": "other", "x": 100.0, "y": 900.0, "width": 300.0, "height": 300.0}
 
     def moved(rows: list[Any]) -> list[Any]:
         return [*frames_of(rows, size), {"type": "reset"}]
@@ -152,7 +153,7 @@ def test_a_session_with_places_is_answered_alike(size: int, reply: str) -> None:
         hello(NAME, places=True, reply=reply, screen=SCREEN),
         *(frame for rows in learned for frame in moved(rows)),
         *frames_of(later[0][:30], size),
-        {"type": "targets", "targets": [target]},
+        {"type": "targets", "targets": [target, other]},
         *frames_of(later[0][30:], size),
         {"type": "targets", "targets": []},
         *moved(later[1]),

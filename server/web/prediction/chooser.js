@@ -4,6 +4,8 @@ import * as law from "../laws/targets/choice_law.js";
 import * as cursor from "../laws/targets/cursor.js";
 import { NOBODY, rank } from "../laws/targets/decision.js";
 import * as posterior from "../laws/targets/posterior.js";
+import { expect } from "../laws/targets/expectation.js";
+import { LOG_WEIGHT } from "../laws/targets/rectangles.js";
 import { EventError } from "./errors.js";
 import { Ledger } from "./ledger.js";
 import { check } from "./parameters.js";
@@ -38,7 +40,7 @@ export class Chooser {
   /** What became of the proposals. */ ledger = new Ledger();
   #settings = Float64Array.from(PARAMETERS, (one) => one.default); #memory = new Float64Array(cursor.STATES);
   #answer = UNPREDICTED; #standing = NOBODY; #over = NOBODY; #ids = []; #targets = [[], new Float64Array(0), Float64Array.of(1)];
-  #model = [posterior.FITTED, this.#settings]; #event = [0, 0, 0, 0];
+  #model = [posterior.FITTED, this.#settings]; #event = [0, 0, 0, 0]; #own = new Float64Array(0); #known = [];
 
   /** @param {Target[]} [targets] @param {Settings} [settings] throws a ParameterError */
   constructor(targets = [], settings = {}) {
@@ -60,6 +62,8 @@ export class Chooser {
   replace(targets) {
     const table = tableOf(targets), { standing, entered } = this, before = this.#targets[1];
     const where = new Map(this.#ids.map((id, i) => [id, before[i] === law.ENTERED ? law.INSIDE : before[i]]));
+    this.#own = Float64Array.from(table, (row) => row[LOG_WEIGHT]);
+    if (this.#known.length) expect(table, this.#own, this.#known);
     this.#ids = targets.map(({ id }) => id);
     const shares = new Float64Array(table.length + 1);
     shares[table.length] = 1;
@@ -74,6 +78,16 @@ export class Chooser {
     [this.#standing, this.#over] = [place(standing, this.#standing), place(entered, this.#over)];
     if (stood && this.#standing === NOBODY) this.ledger.retract(standing);
     return gone;
+  }
+
+  /**
+   * Takes the person's past into account, best at the first events of each movement: targets in which places lie, or so near
+   * that visits of them end there, weigh more; also those that come later. An empty list leaves the weights as they are given.
+   * @param {import("./pipeline.js").Place[]} places of `Pipeline.places`
+   */
+  expect(places) {
+    this.#known = places.map(({ x, y, before, spread }) => Float64Array.of(x, y, before, spread));
+    expect(this.#targets[0], this.#own, this.#known);
   }
 
   /** The target that is predicted now; null: none. @returns {unknown} */

@@ -85,6 +85,7 @@ export class PredictionStream {
     this.#lastTime = rows[last][0];
     const likely = [], seen = this.#seen;
     this.#seen = [];
+    if (this.hello.places) this.#tracker?.expect(this.#pipeline.places);
     if (this.offersPlaces) this.#placeTracker ??= new PlaceTracker(this.#send, this.#precision);
     for (let i = 0; i <= last; i++) {
       this.#trial.add(rows[i]);
@@ -120,6 +121,7 @@ export class PredictionStream {
     if (!changed.places) {
       this.#placeTracker?.reset();
       this.#placeTracker = null;
+      this.#tracker?.expect([]);
     }
     this.#precision = message.precision ?? this.#precision;
     if (message.precision != null) for (const one of [this.#tracker, this.#placeTracker]) one?.configure(message.precision);

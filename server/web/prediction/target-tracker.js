@@ -32,6 +32,11 @@ export class TargetTracker {
     this.#announce(this.#lastTime, changes);
   }
 
+  /** Takes into account where the person went before. @param {import("./pipeline.js").Place[]} places */
+  expect(places) {
+    this.#chooser.expect(places);
+  }
+
   /** Forgets every event; what is proposed is retracted. */
   reset() {
     const proposed = [this.#chooser.standing, this.#chooser.entered].filter((id) => id !== null);
