@@ -21,7 +21,13 @@ WEB = Path(__file__).resolve().parents[1] / "server" / "web"
 STATIC = re.compile(r'^(?:import|export)\b[^;"]*?from "(\.[^"]+)"', re.MULTILINE)
 LATER = re.compile(r'import\("(\.[^"]+)"\)')
 COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
-ON_DEMAND = ("intent/overlay/", "intent/keyboard.js", "intent/scroll.js", "intent/service-source.js")
+ON_DEMAND = (
+    "intent/overlay/",
+    "intent/keyboard.js",
+    "intent/scroll.js",
+    "intent/service-source.js",
+    "intent/place-source.js",
+)
 """What a page loads only when somebody asks for it."""
 ESBUILD = "esbuild@0.25.12"
 

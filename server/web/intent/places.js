@@ -69,7 +69,7 @@ class Places {
   }
 
   async #load() {
-    const [{ build }, { PlaceChooser }] = await Promise.all([import("../prediction/build.js"), import("../prediction/place-chooser.js")]);
+    const { PlaceChooser, build } = await import("./place-source.js");
     this.#chooser = new PlaceChooser({ precision: this.#options.precision });
     this.#pipeline = await this.#known(build);
     this.#enter();

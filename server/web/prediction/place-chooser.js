@@ -14,7 +14,7 @@ import { REMAINING_S } from "./row.js";
 const LEAST_PX = 16;
 
 /** The square around a place that its visits scatter in: as wide as a target of that scatter. @param {Place} place @returns {Square} */
-export const squareOf = ({ x, y, spread }) => ({ x, y, size: Math.max(EFFECTIVE * spread, LEAST_PX) });
+const squareOf = ({ x, y, spread }) => ({ x, y, size: Math.max(EFFECTIVE * spread, LEAST_PX) });
 
 /** Proposes the place that the cursor is heading for, of those where the person went before, by the rules for targets. */
 export class PlaceChooser {
