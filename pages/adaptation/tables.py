@@ -75,6 +75,12 @@ def label(name: str) -> str:
     return name if name in (UNPLACED, PLACED) else f"`{name}`"
 
 
+def set_out(sets: Sequence[Measured]) -> Table:
+    """Error over `hold` with coefficients fitted to the other sets."""
+    rows = [(one.name, *(number(ratio(one, name, FLOOR)) for name in ALL)) for one in sets]
+    return Table.of(("set", *(label(name) for name in ALL)), rows)
+
+
 def by_time(sets: Sequence[Measured]) -> Table:
     """Error over `hold` at shares of the time."""
     rows = []
@@ -174,13 +180,14 @@ def figure(sets: Sequence[Measured]) -> None:
     save(image.svg, FIGURE)
 
 
-def written(sets: Sequence[Measured]) -> None:
+def written(sets: Sequence[Measured], without_set: Sequence[Measured]) -> None:
     """Keep the tables and draw the figure."""
     keep(
         "adaptation",
         {
             "by trial": by_trial(sets),
             "by time": by_time(sets),
+            "sets left out": set_out(without_set),
             "claims": claims(sets),
             "arrivals": arrivals(sets),
             "templates": templates(sets),
