@@ -32,7 +32,7 @@ def density(history: list[float], time: float, width: float, at: FloatArray) -> 
 
 def beliefs(history: list[float]) -> FloatArray:
     """Bayes' rule, movement after movement; a share of 0.05 starts anew; the last: nothing is known."""
-    first = np.array([0.05 / 6.0] * 6 + [0.95])
+    first = np.array([0.02 / 6.0] * 6 + [0.98])
     belief = first
     for count in range(2, len(history)):
         at = np.array(history[count : count + 1])

@@ -28,7 +28,7 @@ AGES = (1.5, 12.0)
 LAWS = len(WIDTHS) * len(AGES)
 UNKNOWN_LOGS = 3.0
 """Where nothing is known the logarithm of the distance lies evenly in a range so wide: a factor of 20."""
-UNKNOWN_SHARE = 0.95
+UNKNOWN_SHARE = 0.98
 """Initial belief in "nothing is known"."""
 FORGET = 0.05
 """Share of the belief that returns to its initial values per movement."""

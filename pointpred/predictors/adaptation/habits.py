@@ -25,7 +25,7 @@ FIRST_RULES_OF = 8.0
 """Visits that these count for."""
 KEEP = 0.95
 """Forgetting factor of the visits per movement."""
-RETURNS, RETURNS_OF = 0.1, 1.5
+RETURNS, RETURNS_OF = 0.05, 1.0
 """Initial share of movements to a known place, and the movements that it counts for."""
 WIDTHS = (0.02, 0.05, 0.1)
 """Standard deviations of the ends around a place, as shares of the distance to it."""

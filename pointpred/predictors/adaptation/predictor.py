@@ -132,7 +132,7 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     max(12 / (n + 5), 0.15) / 12 times 2/3 p (p = 0.5) or 4/3 p (p = 0.8), and 1 - p in place of p.
 
     Distances: the Student law along, times a density of the last 12 distances, kernels of 2, 8 and 35 %,
-    weights exp(-age / 1.5) and exp(-age / 12). Each of the six, and "nothing is known" (0.95 at first), is
+    weights exp(-age / 1.5) and exp(-age / 12). Each of the six, and "nothing is known" (0.98 at first), is
     believed by how likely it had made the distances that came; 5 % flows back. The median of the product
     answers. Bias and distances, with the width they ask for, fade out from 0.2 and 0.5 of the time on, as
     the mixture has it.
@@ -140,7 +140,7 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     Places: up to 64 ends, merged within 3 % of the distance, visits forgotten by 0.97. Before a movement a
     place has the share w: by how often it was visited and how lately, how many movements ago people return
     to a place, and where they went from here; each rule weighs by the ends that it made likely. With q, the
-    learned share of returns (0.1 at first), a place at distance r becomes q w f 2 pi r^2 L, where f is the
+    learned share of returns (0.05 at first), a place at distance r becomes q w f 2 pi r^2 L, where f is the
     Student law at the place, widened by the learned scatter of its visits, and L = 3; elsewhere is 1 - q
     times the same of the last distances. The answer is the geometric median of the places and elsewhere, the
     widths are mean distances from it. Places fade out from 0.7 of the time on.
