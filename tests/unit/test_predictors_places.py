@@ -74,7 +74,7 @@ def test_the_places_say_where_and_how_likely() -> None:
     events = way((0.0, 0.0), (400.0, 0.0))
     run(pipeline, events.rows(0, 20))
     now = pipeline.places
-    assert now[0].p > 0.7 > now[0].before > 0.3
+    assert now[0].p > 0.9 > now[0].before > 0.3
     assert sum(one.p for one in now) < 1.0
 
 
@@ -92,7 +92,7 @@ def test_the_sequence_tells_what_follows_what() -> None:
         if sequence:
             assert (round(first.x), round(first.y)) == (200, 350)
     assert beliefs[1] > 0.7
-    assert beliefs[0] < 0.5
+    assert beliefs[0] < 0.6
 
 
 def test_places_belong_to_a_window_and_move_with_it() -> None:
@@ -190,6 +190,20 @@ def test_habits_are_shares_of_one_for_each_rule() -> None:
     for with_sequence in (0.0, 1.0):
         weights = [habits.rule_weight(memory, habit, k, with_sequence) for k in range(habits.RULES)]
         assert sum(weights) == pytest.approx(1.0, rel=1e-12)
+
+
+def test_nearer_places_are_likelier_and_the_place_at_the_start_is_no_destination() -> None:
+    memory = np.zeros(places.LEARNED + habits.LEARNED + destination.STATES)
+    habit, going = places.LEARNED, places.LEARNED + habits.LEARNED
+    for x in (0.0, 200.0, 400.0):
+        places.visit(memory, 0, 0.0, (x, 0.0), 5.0)
+    memory[places.PLACES + places.WEIGHT : places.HISTORY : places.WIDTH] = 1.0
+    memory[places.HISTORY :] = places.NOWHERE  # so that only how often counts
+    destination.prepare(memory, (0, habit), going, (0.0, 0.0, 6.0), (3.0, 0.0))
+    at_start, near, far = memory[going + destination.BEFORE :][:3]
+    assert at_start == 0.0
+    assert near / far == pytest.approx((397.0 / 197.0) ** destination.NEARNESS, rel=1e-12)
+    assert near + far == pytest.approx(1.0, rel=1e-12)
 
 
 def test_a_rule_that_predicts_gains_weight_and_one_that_does_not_loses_it() -> None:

@@ -17,6 +17,10 @@ from pointpred.compiled import law
 from pointpred.predictors.adaptation import distances, habits, places
 from pointpred.stage import offsets
 
+NEARNESS = 1.25
+"""A place r px from the start counts by 1 / r to this power: of two places the nearer is likelier."""
+NEAREST = 2.5
+"""Below so many times the size of a place all distances count the same."""
 LEAST_SHARE = 1e-4
 """A place that was less likely before the movement is not looked at."""
 NEGLIGIBLE = 1e-3
@@ -41,6 +45,26 @@ class Heading(NamedTuple):
     wide: float
     broad: float
     tail: float
+
+
+@law
+def favour_near(
+    memory: FloatArray, place_memory: int, at: int, start: tuple[float, float], near: float
+) -> None:
+    """Shift the shares before the movement towards the places near its start; their sum stays.
+
+    ``near``: how near a place the start is in it, px; that place is no destination.
+    """
+    before, after = 0.0, 0.0
+    for i in range(int(memory[place_memory + places.COUNT])):
+        place = place_memory + places.PLACES + places.WIDTH * i
+        distance = hypot(memory[place + places.X] - start[0], memory[place + places.Y] - start[1])
+        before += memory[at + BEFORE + i]
+        nearest = NEAREST * near
+        memory[at + BEFORE + i] *= max(distance, nearest) ** -NEARNESS if distance > near else 0.0
+        after += memory[at + BEFORE + i]
+    for i in range(int(memory[place_memory + places.COUNT])):
+        memory[at + BEFORE + i] *= before / after if after > 0.0 else 0.0
 
 
 @law
@@ -69,6 +93,7 @@ def prepare(
         weight = habits.rule_weight(memory, habit_memory, rule, with_sequence)
         for i in range(places.CAPACITY):
             memory[at + BEFORE + i] += weight * out[rule, i]
+    favour_near(memory, place_memory, at, start, near)
 
 
 @law

@@ -3,6 +3,8 @@ import { hypot, larger, matrix } from "../../arithmetic.js";
 import * as $distances from "./distances.js";
 import * as $adaptation_habits from "./habits.js";
 import * as $places from "./places.js";
+export const NEARNESS = 1.25;
+export const NEAREST = 2.5;
 export const LEAST_SHARE = 0.0001;
 export const NEGLIGIBLE = 0.001;
 export const STEPS = 10;
@@ -14,6 +16,21 @@ export const BEFORE = 4;
 export const NOW = 68;
 export const ELSEWHERE = 132;
 export const STATES = 133;
+export function favour_near(memory, place_memory, at, start, near) {
+  let before = 0;
+  let after = 0;
+  for (let i = 0, end_1 = Math.trunc(memory[place_memory + $places.COUNT]); i < end_1; i++) {
+    const place = place_memory + $places.PLACES + $places.WIDTH * i;
+    const distance = hypot(memory[place + $places.X] - start[0], memory[place + $places.Y] - start[1]);
+    before += memory[at + BEFORE + i];
+    const nearest = NEAREST * near;
+    memory[at + BEFORE + i] *= distance > near ? Math.pow(larger(distance, nearest), -NEARNESS) : 0;
+    after += memory[at + BEFORE + i];
+  }
+  for (let i = 0, end_2 = Math.trunc(memory[place_memory + $places.COUNT]); i < end_2; i++) {
+    memory[at + BEFORE + i] *= after > 0 ? before / after : 0;
+  }
+}
 export function prepare(memory, known, at, scene, start) {
   const place_memory = known[0];
   const habit_memory = known[1];
@@ -35,6 +52,7 @@ export function prepare(memory, known, at, scene, start) {
       memory[at + BEFORE + i] += weight * out[rule][i];
     }
   }
+  favour_near(memory, place_memory, at, start, near);
 }
 export function likelihood(law_of_end, x, y, distance, spread) {
   const ux = law_of_end[2];
