@@ -62,7 +62,7 @@ PAGES_MADE: dict[str, tuple[str, Context]] = {
         f"docs/evidence/{name}.md": (name, measured(name))
         for name in (
             *("adaptation", "assistance", "camera", "desktop", "differentiators", "inputs"),
-            *("regions", "simulation", "switched", "thesis", "transfer"),
+            *("places", "regions", "simulation", "switched", "thesis", "transfer"),
         )
     },
     "docs/reference/commands.md": ("commands", commands.context),

@@ -3,7 +3,7 @@
 Replays every person's movements in the order of recording through the recommended predictor, with
 coefficients that do not know the person, and lets ``PlaceChooser``'s rules decide among the places that the
 person has visited so far. Targets of the recordings are not used. Recordings come from the folder named by
-POINTPRED_RECORDINGS. Takes some ten minutes.
+POINTPRED_RECORDINGS. Takes half an hour.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ import numpy as np
 from pages.arguments import parse
 from pages.data import Table, keep
 from pages.held_out import HeldOut, held_out
-from pointpred import RECOMMENDED, Pipeline, Place, PointerEvent, build
+from pages.places import expected
+from pages.places.people import pipelines
+from pointpred import Pipeline, Place, PointerEvent
 from pointpred.columns import FloatArray
-from pointpred.predictors import AdaptiveKinematicPredictor
 from pointpred.recording import Recording
-from pointpred.scoring import resolution
 from pointpred.sources import read
 from pointpred.targets import Choice, Chooser, Target
 from pointpred.targets.place_chooser import rectangle_of
@@ -62,18 +62,6 @@ class Outcome(NamedTuple):
     """From a right proposal that stood at the first entry into its square to this entry; NaN for none."""
     lead_end_s: float
     repeats: bool
-
-
-def pipelines(recording: Recording, held: HeldOut, sequence: int) -> dict[str, Pipeline]:
-    """For each user a pipeline whose coefficients have not seen them."""
-    start, settings = f"{recording.name} ", resolution(recording, None, None)
-    own = build(RECOMMENDED, **settings)
-
-    def unseen(fold: int) -> Pipeline:
-        predictor = AdaptiveKinematicPredictor(coefficients=held.folds[fold], sequence=sequence)
-        return Pipeline(own.name, own.differentiator.fresh(), predictor)
-
-    return {who[len(start) :]: unseen(fold) for who, fold in held.fold_of.items() if who.startswith(start)}
 
 
 def movements(recording: Recording, pipeline: Pipeline, user: str) -> Iterator[Moved]:
@@ -234,7 +222,8 @@ def main() -> None:
     """Measure every set at hand."""
     where = folder()
     sets = [read(path) for path in sorted(where.glob("*_samples.parquet"))]
-    keep("places", measured(sets, held_out(where)))
+    held = held_out(where)
+    keep("places", {**measured(sets, held), "expected": expected.measured(sets, held)})
 
 
 if __name__ == "__main__":

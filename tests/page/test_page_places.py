@@ -67,7 +67,8 @@ def test_places_are_those_of_python_in_each_window() -> None:
         "forget",
         "places",
         *steps_of(third),
-        "person",
+        {"enter": ["", 0.0, 0.0]},
+        "places",
     ]
     found = node.run("predict.mjs", {"name": NAME, "options": {}, "steps": steps})
     expected = answers(build(NAME), steps)
@@ -78,6 +79,16 @@ def test_places_are_those_of_python_in_each_window() -> None:
         if step == "places":
             order = [sorted(side, key=lambda place: place["id"]) for side in (one, other)]
             assert_close(*order)
+
+
+def test_a_window_has_the_same_number_in_the_page() -> None:
+    """A person who was taught in the page is at home in the windows of Python."""
+    steps = [{"enter": ["Müller & Söhne", 120.0, -40.5]}, *steps_of(rounds(7, 4)), "person"]
+    found = node.run("predict.mjs", {"name": NAME, "options": {}, "steps": steps})
+    again = build(NAME, person=found[-1])
+    assert again.places == ()
+    again.enter("Müller & Söhne", 120.0, -40.5)
+    assert [place._asdict() for place in again.places] == [pytest.approx(place) for place in found[-2]]
 
 
 @pytest.mark.parametrize("window", [[3], ["", "1"], ["key", 0.0, 1e10], ["key", True]])
