@@ -13,6 +13,7 @@ from pointpred.differentiators.differentiator import checked_event_row
 from pointpred.errors import EventError
 from pointpred.events import Place, PointerEvent, Prediction
 from pointpred.joint import joint_of, joint_sharing
+from pointpred.mixtures.mixture import Mixture
 from pointpred.person import person_of
 from pointpred.predictors import Predictor
 from pointpred.rows import Row, TenFloats, prediction_of
@@ -138,6 +139,19 @@ class Pipeline:
         ()
         """
         return self.predictor.known_places
+
+    @property
+    def mixture(self) -> Mixture | None:
+        """What the last prediction knows beyond one law: the places where it may end, and elsewhere.
+
+        ``None`` where nothing is justified now, and always where the predictor learns no places. It is put
+        together when asked for; predictions themselves claim one law.
+
+        >>> from pointpred import build
+        >>> build("kinematic-adaptive").mixture is None
+        True
+        """
+        return self.predictor.mixture
 
     def enter(self, key: str, x: float = 0.0, y: float = 0.0) -> None:
         """The cursor moves in this window or page from now on; a movement that goes on is finished first.

@@ -8,6 +8,7 @@ from typing import ClassVar
 from pointpred.columns import BoolArray, MotionColumns, PredictionColumns
 from pointpred.errors import EventError
 from pointpred.events import Motion, Place, Prediction
+from pointpred.mixtures.mixture import Mixture
 from pointpred.rows import MotionRow, PredictionRow, Row, TenFloats, motion_row, prediction_of, row_at
 from pointpred.scene import Scene
 from pointpred.stage import CompiledStage, learn_nothing, loop_of
@@ -53,6 +54,11 @@ class Predictor(CompiledStage):
     def known_places(self) -> tuple[Place, ...]:
         """Where movements of the person ended before, the likeliest destination first; most learn none."""
         return ()
+
+    @property
+    def mixture(self) -> Mixture | None:
+        """What is known of the endpoint beyond one law; most predictors know one law only."""
+        return None
 
     def enter(self, scene: Scene) -> None:
         """The cursor is in this window or page from now on; without effect where no places are learned."""

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from scipy import stats
 
 from pointpred.columns import FloatArray
+from pointpred.predictors.adaptation import levels as tracker
 from pointpred.predictors.adaptation import moments
 from pointpred.predictors.adaptation import region_widening as levels
 
@@ -88,13 +89,13 @@ def test_the_radii_are_the_quantiles_of_the_errors(times: float, tail: float) ->
 
 
 @given(
-    offsets=st.lists(st.floats(-levels.FURTHEST, levels.FURTHEST), min_size=10, max_size=10),
+    offsets=st.lists(st.floats(-tracker.FURTHEST, tracker.FURTHEST), min_size=10, max_size=10),
     share=st.floats(0.0, 1.0),
     tail=st.floats(1e-9, 1e12),
 )
 def test_whatever_was_learned_the_law_is_one(offsets: list[float], share: float, tail: float) -> None:
     memory = np.zeros(SIZE)
-    memory[levels.MOVEMENTS], memory[levels.OFFSETS : levels.LEARNED] = 7.0, offsets
+    memory[levels.MOVEMENTS], memory[levels.OFFSETS : levels.MIXED] = 7.0, offsets
     factor, stated = levels.widen(memory, 0, share, tail)
     assert np.isfinite([factor, stated]).all()
     assert factor > 0.0
@@ -110,7 +111,7 @@ def test_the_law_has_the_radii_that_were_learned(tail: float, half: float, most:
     """
     memory = np.zeros(SIZE)
     memory[levels.MOVEMENTS] = 5.0
-    memory[levels.OFFSETS : levels.LEARNED : 2], memory[levels.OFFSETS + 1 : levels.LEARNED : 2] = half, most
+    memory[levels.OFFSETS : levels.MIXED : 2], memory[levels.OFFSETS + 1 : levels.MIXED : 2] = half, most
     factor, stated = levels.widen(memory, 0, 0.4, tail)
     offsets = np.array([half, most])
     lower = 1.0 - (1.0 - np.array([0.5, 0.8])) ** np.exp(np.minimum(offsets, 0.0))
@@ -162,7 +163,7 @@ def test_a_stage_learns_from_the_true_share_and_no_other() -> None:
         far = 0.0 if k >= 35 else 1e6
         levels.record(memory, AT, 0.01 * k, float(k), 0.0, (far, 0.0, 1.0, 0.0, 1.0, 9.0))
     levels.learn(memory, 0, AT, (0.0, 0.0), (0.0, 1.0))
-    offsets = memory[levels.OFFSETS : levels.LEARNED].reshape(-1, 2)
+    offsets = memory[levels.OFFSETS : levels.MIXED].reshape(-1, 2)
     assert (offsets[:2] > 0.3).all()
     assert (offsets[2:] < 0.0).all()
     assert memory[levels.MOVEMENTS] == 1.0

@@ -17,6 +17,7 @@ from pointpred.predictors.adaptation import (
     distances,
     durations,
     habits,
+    mixed_region,
     places,
     region_widening,
     stages,
@@ -27,7 +28,7 @@ from pointpred.predictors.adaptation.distances import Ahead
 from pointpred.predictors.adaptation.stages import Moment
 from pointpred.predictors.adaptation.time_left import Estimates, Pace, Way
 from pointpred.predictors.adaptation.time_left_prior import PRIOR
-from pointpred.rows import TenFloats
+from pointpred.rows import SixFloats, TenFloats
 from pointpred.scene import Scene
 from pointpred.stage import offsets
 
@@ -46,11 +47,11 @@ TRACE_PLACES, APART_S = 96, 0.005
 """Places of the last way that are remembered, and how far apart in time at least; none while it stands."""
 # The movement, relative to `at`: whether there is one, its start, its last sample; how many places of the way
 # there were, samples of different times; the last places; a moment of each stage; the regions stated; the
-# time left stated; where it may go.
+# time left stated; where it may go; the mixture that is claimed now.
 STARTED, T0, X0, Y0, T, X, Y, PLACES, SAMPLES = range(9)
-_, TRACE, MOMENTS, STATED, TIMED, DESTINATION, STATES = offsets(
+_, TRACE, MOMENTS, STATED, TIMED, DESTINATION, NOW, STATES = offsets(
     *(SAMPLES + 1, 3 * TRACE_PLACES, stages.STATES, region_widening.STATES),
-    *(time_left.STATES, destination.STATES),
+    *(time_left.STATES, destination.STATES, mixed_region.STATES),
 )
 NEAR_PX, NEAR_SHARE = 8.0, 0.03
 """The movement has arrived when the cursor stays so near its end: px, share of the distance."""
@@ -312,34 +313,58 @@ def by_places(
 @law
 def adapted_end(
     memory: FloatArray, person: int, at: int, parts: Parts, scene: Scene, own: Heading, share: float
-) -> Heading:
-    """The law of the endpoint by all parts that answer; ``own``: `kinematic`'s, corrected for the person."""
+) -> tuple[Heading, Heading]:
+    """The law of the endpoint by all parts that answer, and that of elsewhere, without the places.
+
+    ``own``: `kinematic`'s, corrected for the person.
+    """
     elsewhere, usual = own, 1.0
     if parts.distances == 1.0:
         elsewhere, usual = by_distances(memory, person, at, own, share)
     if parts.places == 0.0:
-        return elsewhere
+        return elsewhere, elsewhere
     weights = usual, fading(share, PLACES_FADE)
-    return by_places(memory, person, at, parts, scene, (own, elsewhere), weights)
+    return by_places(memory, person, at, parts, scene, (own, elsewhere), weights), elsewhere
 
 
 @law
-def stated(
-    memory: FloatArray, person: int, at: int, end: Heading, share: float, shape: float
-) -> tuple[float, float, float, float, float, float]:
-    """The endpoint, scale matrix and tail of a law with levels as they hold for the person; remembers them.
+def scaled(end: Heading, shape: float, factor: float, tail: float) -> SixFloats:
+    """The endpoint, the scale matrix times a factor, and a tail.
 
     ``shape``: covariance of the way along and across, over the product of the widths.
     """
-    factor, tail = region_widening.widen(memory, person + REGIONS, share, end.tail)
     wide2, broad2 = factor * end.wide * end.wide, factor * end.broad * end.broad
     cross, ux, uy = factor * shape * end.wide * end.broad, end.ux, end.uy
     sxx = wide2 * ux * ux - 2.0 * cross * ux * uy + broad2 * uy * uy
     sxy = (wide2 - broad2) * ux * uy + cross * (ux * ux - uy * uy)
     syy = wide2 * uy * uy + 2.0 * cross * ux * uy + broad2 * ux * ux
-    region = end.x, end.y, sxx, sxy, syy, tail
-    region_widening.record(memory, at + STATED, memory[at + T], memory[at + X], memory[at + Y], region)
-    return region
+    return end.x, end.y, sxx, sxy, syy, tail
+
+
+@law
+def write_mixture(memory: FloatArray, person: int, at: int, scene: Scene, to: int) -> None:
+    """Write the mixture of places and elsewhere as it is claimed now."""
+    known = person + REGIONS + region_widening.MIXED, person + KNOWN, at + DESTINATION
+    start = memory[at + X0] - scene.x, memory[at + Y0] - scene.y
+    mixed_region.write(memory, known, at + NOW, to, (scene.x, scene.y), start)
+
+
+@law
+def state(
+    memory: FloatArray,
+    person: int,
+    at: int,
+    scene: Scene,
+    share: float,
+    laws: tuple[SixFloats, SixFloats],
+) -> None:
+    """Remember what is stated at a share of the time: the single law, and that of elsewhere."""
+    region, elsewhere = laws
+    mixed_region.claim(memory, at + NOW, share, elsewhere)
+    now, x, y = memory[at + T], memory[at + X], memory[at + Y]
+    to = region_widening.record(memory, at + STATED, now, x, y, region)
+    if to >= 0:
+        write_mixture(memory, person, at, scene, to)
 
 
 @law
@@ -350,6 +375,7 @@ def adapt(
     t, px, py, sxx, sxy, syy, predicted, phase, tail, _ = answer
     heading = seen(memory, at, answer)
     _, _, ux, uy, wide, broad, _ = heading
+    memory[at + NOW + mixed_region.CLAIMED] = 0.0
     if wide == 0.0:
         return answer
     now, x, y = memory[at + T], memory[at + X], memory[at + Y]
@@ -359,7 +385,8 @@ def adapt(
     m = Moment(now, x, y, ux, uy, along, across, wide, broad, tail, predicted, reached)
     record(memory, at, share, m)
     if memory[person + DISTANCES + distances.COUNT] == 0.0:
-        region_widening.record(memory, at + STATED, now, x, y, (px, py, sxx, sxy, syy, tail))
+        first = px, py, sxx, sxy, syy, tail
+        state(memory, person, at, scene, share, (first, first))
         return answer
     shift, widen, broaden, slow = stages.correct(memory, person, share, hypot(reached + along, across), along)
     left = durations.mix(memory, person + DURATIONS, since, predicted * slow)
@@ -367,8 +394,11 @@ def adapt(
     shape = (sxy * (ux * ux - uy * uy) + (syy - sxx) * ux * uy) / (wide * broad)
     own = placed(memory, at, heading, along + shift * fading(share, BIAS_FADE), wide * widen)
     own = Heading(own.x, own.y, ux, uy, own.wide, broad * broaden, tail)
-    end = adapted_end(memory, person, at, parts, scene, own, share)
-    px, py, sxx, sxy, syy, tail = stated(memory, person, at, end, share, shape)
+    end, elsewhere = adapted_end(memory, person, at, parts, scene, own, share)
+    factor, tail = region_widening.widen(memory, person + REGIONS, share, tail)
+    region = scaled(end, shape, factor, tail)
+    state(memory, person, at, scene, share, (region, scaled(elsewhere, shape, factor, tail)))
+    px, py, sxx, sxy, syy, _ = region
     left, spread = time_left.stated(
         memory,
         (person + TIME_LEFT, person + INTERVALS, at + TIMED),

@@ -10,9 +10,11 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.compiled import law, layout
 from pointpred.events import Place
+from pointpred.mixtures import density
+from pointpred.mixtures.mixture import Mixture, Part
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
-from pointpred.predictors.adaptation import correction, destination, known_places, places
+from pointpred.predictors.adaptation import correction, destination, known_places, mixed_region, places
 from pointpred.predictors.adaptation.correction import Parts
 from pointpred.predictors.adaptation.time_left import Pace
 from pointpred.predictors.kinematic import observation, track
@@ -103,6 +105,22 @@ def list_places(memory: FloatArray, out: FloatArray) -> int:
     return int(known_places.list_places(memory, PERSON, MOVEMENT, parts, scene, out))
 
 
+@law
+def write_mixture(memory: FloatArray) -> int:
+    """Write the mixture of places and elsewhere into the memory; returns where it stands, -1 for nowhere."""
+    now = MOVEMENT + correction.NOW
+    if memory[ADAPT] == 0.0 or memory[PLACES] == 0.0 or memory[now + mixed_region.CLAIMED] == 0.0:
+        return -1
+    correction.write_mixture(memory, PERSON, MOVEMENT, scene_of(memory), now + mixed_region.ASKED)
+    return now + mixed_region.ASKED
+
+
+def part_of(row: list[float]) -> Part:
+    """A part of a mixture from its row."""
+    share, x, y, sxx, sxy, syy, tail = row
+    return Part(share, x, y, (sxx, sxy, syy), tail or None)
+
+
 class AdaptiveKinematicPredictor(KinematicPredictor):
     """``kinematic`` that gets to know its person while they move.
 
@@ -150,11 +168,12 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     d > 0; otherwise they become those of the level 1 - (1 - p)^exp(d). After the n-th movement, for each
     share 0.1 ... 0.9 of its true time, d grows by e p where its end lay outside the region stated there, and
     falls by e (1 - p) where inside: e = max(6 / (n + 5), 0.2), p the level. The Student law that has both
-    radii (tail from 1/2 to 100) is stated.
+    radii (tail from 1/2 to 100) is stated. The regions of the mixture of elsewhere and the four likeliest
+    places (``mixture``), the smallest that hold a share of it, are corrected in the same way.
 
     Parameters: ``adapt`` 0 or 1 (0: bit for bit `kinematic`), ``distances``, ``places`` and ``sequence``
     (where people go from a place) 0 or 1, ``shortest_px``; ``coefficients`` as for `kinematic`.
-    Memory: 2066 floats. Costs 1 to 6 us an event more than ``kinematic``. Raises ParameterError,
+    Memory: 3946 floats. Costs 1 to 6 us an event more than ``kinematic``. Raises ParameterError,
     and EventError from ``update``.
 
     Reference: none; docs/guide/adaptation.md. Prior knowledge of repeated distances: Pasqual, Wobbrock 2014.
@@ -238,3 +257,15 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
             for x, y, p, before, visits, number, spread in rows[:count].tolist()
         )
         return tuple(sorted(listed, key=lambda place: -place.p))
+
+    @property
+    def mixture(self) -> Mixture | None:
+        """The law of the endpoint as places and elsewhere have it; ``None`` where no law is claimed."""
+        memory = self._memory.copy()
+        at = write_mixture(memory)
+        if at < 0:
+            return None
+        rows = memory[at + mixed_region.PARTS : at + mixed_region.OFFSETS].reshape(-1, density.WIDTH)
+        parts = [part_of(row) for row in rows[: int(memory[at + mixed_region.COUNT])].tolist()]
+        near, far = memory[at + mixed_region.OFFSETS : at + mixed_region.MIXTURE].tolist()
+        return Mixture(tuple(parts), (near, far))

@@ -2,10 +2,8 @@
 
 Each finished movement is judged at nine shares of its time, as a scorer judges: did its end lie inside the
 region of 50 % that was stated there, and inside that of 80 %? The radius of a region that held too few ends
-grows and that of one that held too many shrinks (online conformal prediction, a quantile tracker for each
-level and stage). The Student law that has both radii is what is stated next.
-
-Reference: Gibbs, Candes 2021, "Adaptive conformal inference under distribution shift".
+grows and that of one that held too many shrinks (``levels``). The Student law that has both radii is what is
+stated next. The regions of the mixture (``mixed_region``) are judged at the same moments.
 """
 
 from __future__ import annotations
@@ -14,69 +12,35 @@ from math import exp, log
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.predictors.adaptation import moments
-from pointpred.predictors.adaptation.stages import STAGES, interpolation
+from pointpred.mixtures.levels import LEVELS, corrected_radius, heaviness, squared_radius
+from pointpred.predictors.adaptation import levels, mixed_region, moments
 from pointpred.stage import Slot, offsets
 
-LEVELS = (0.5, 0.8)
-"""The levels of the regions whose coverage is adapted."""
 JUDGED = 9
 """A movement is judged at 10, 20 ... 90 % of its time."""
-STEP, STEP_OF, STEP_LEAST = 6.0, 5.0, 0.2
-"""The step after the n-th movement is STEP / (n + STEP_OF), and never less than STEP_LEAST."""
-FURTHEST = 6.0
-"""Bound on an offset, the logarithm of what a squared radius or its normal radius is multiplied by."""
 LIGHTEST, HEAVIEST = 0.02, 4.0
 """Bounds on 2 / tail: below is as good as normal, above the region of 95 % is of no use."""
 HALVINGS = 12
 
-# What is learned, relative to its place: movements so far; at each stage, the offset of each level.
-MOVEMENTS, OFFSETS, LEARNED = offsets(1, STAGES * len(LEVELS))
+# What is learned, relative to its place: movements so far; at each stage, the offset of each level, of the
+# single law and of the mixture.
+MOVEMENTS, OFFSETS, MIXED, LEARNED = offsets(1, levels.OFFSETS, mixed_region.LEARNED)
 MOVEMENTS_MOST = 1e6
 """The count stops here: the step has long been at its least."""
 SLOTS = (
     Slot("movements judged", 1, 0.0, MOVEMENTS_MOST, whole=True),
-    Slot("radii of the levels", STAGES * len(LEVELS), -FURTHEST, FURTHEST),
+    levels.SLOT,
+    *mixed_region.SLOTS,
 )
 """What is known of a person's levels, in the order of the layout."""
 
-# A moment of the movement (``moments``): its time and the law that was stated: endpoint, scale matrix, tail.
-_, X, Y, SXX, SXY, SYY, TAIL, MOMENT = range(8)
+# A moment of the movement (``moments``): its time and the law that was stated: endpoint, scale matrix, tail;
+# the mixture that was stated.
+_, X, Y, SXX, SXY, SYY, TAIL, MIXTURE = range(8)
+MOMENT = MIXTURE + mixed_region.MIXTURE
 MOST = 48
 """Moments that are remembered."""
 STATES = moments.FIRST + MOMENT * MOST
-LOWEST, HIGHEST = 1e-6, 40.0
-"""Bounds on 2 / tail as a predictor states it: no exponential overflows."""
-
-
-@law
-def squared_radius(level: float, heavy: float) -> float:
-    """Squared radius of a level's region over the tail; ``heavy``: 2 / tail.
-
-    The Student law of ``pointpred.regions.reach`` in the form that is compiled here.
-    """
-    return float(exp(-heavy * log(1.0 - level)) - 1.0)
-
-
-@law
-def corrected_radius(level: float, heavy: float, offset: float) -> float:
-    """``squared_radius`` of a level with its offset.
-
-    A region that held too few ends grows by the same factor, whatever the tail. One that held too many
-    becomes the region of a lower level, whose squared radius under a normal law is smaller by that factor:
-    with a heavy tail it shrinks much more. Otherwise the two radii would come nearer to each other than any
-    Student law has them.
-    """
-    lower = exp(min(offset, 0.0))
-    return float(exp(max(offset, 0.0)) * (exp(-heavy * log(1.0 - level) * lower) - 1.0))
-
-
-@law
-def offset(memory: FloatArray, at: int, share: float, which: int) -> float:
-    """The offset of a level at a share of the time: on lines between the stages."""
-    stage, part = interpolation(share)
-    low = at + OFFSETS + len(LEVELS) * stage + which
-    return float(memory[low] + part * (memory[low + len(LEVELS)] - memory[low]))
 
 
 @law
@@ -87,9 +51,10 @@ def widen(memory: FloatArray, at: int, share: float, tail: float) -> tuple[float
     """
     if memory[at + MOVEMENTS] == 0.0:
         return 1.0, tail
-    heavy_now = min(max(2.0 / tail, LOWEST), HIGHEST)
-    near = log(corrected_radius(LEVELS[0], heavy_now, offset(memory, at, share, 0)) * 2.0 / heavy_now)
-    far = log(corrected_radius(LEVELS[1], heavy_now, offset(memory, at, share, 1)) * 2.0 / heavy_now)
+    heavy_now, own = heaviness(tail), at + OFFSETS
+    first, second = levels.offset(memory, own, share, 0), levels.offset(memory, own, share, 1)
+    near = log(corrected_radius(LEVELS[0], heavy_now, first) * 2.0 / heavy_now)
+    far = log(corrected_radius(LEVELS[1], heavy_now, second) * 2.0 / heavy_now)
     ratio, low, high = exp(far - near), LIGHTEST, HEAVIEST
     for _ in range(HALVINGS):
         heavy = 0.5 * (low + high)
@@ -110,13 +75,17 @@ def record(
     cursor_x: float,
     cursor_y: float,
     stated: tuple[float, float, float, float, float, float],
-) -> None:
-    """Remember the law stated at a moment: endpoint, scale matrix, tail."""
+) -> int:
+    """Remember the law stated at a moment: endpoint, scale matrix, tail.
+
+    Returns where the mixture stated there is to be written; -1 for nowhere.
+    """
     last = moments.new_moment(memory, at, (t, cursor_x, cursor_y), MOMENT, MOST)
     if last < 0:
-        return
+        return -1
     for i in range(len(stated)):
         memory[last + X + i] = stated[i]
+    return last + MIXTURE
 
 
 @law
@@ -132,12 +101,6 @@ def probability_within(memory: FloatArray, moment: int, x: float, y: float) -> f
 
 
 @law
-def add(memory: FloatArray, slot: int, change: float) -> None:
-    """Change an offset, within its bounds."""
-    memory[slot] = min(max(memory[slot] + change, -FURTHEST), FURTHEST)
-
-
-@law
 def learn(
     memory: FloatArray, person: int, at: int, place_of_end: tuple[float, float], span: tuple[float, float]
 ) -> None:
@@ -149,15 +112,13 @@ def learn(
         return
     x, y = place_of_end
     memory[person + MOVEMENTS] = min(memory[person + MOVEMENTS] + 1.0, MOVEMENTS_MOST)
-    step = max(STEP / (memory[person + MOVEMENTS] + STEP_OF), STEP_LEAST)
+    step = levels.step_after(memory[person + MOVEMENTS])
     k = 0
     for judged in range(1, JUDGED + 1):
         share = judged / (JUDGED + 1.0)
         k = moments.moment_at(memory, at, k, span, share, MOMENT)
-        within = probability_within(memory, at + moments.FIRST + MOMENT * k, x, y)
-        stage, part = interpolation(share)
+        moment = at + moments.FIRST + MOMENT * k
+        within = probability_within(memory, moment, x, y)
         for which in range(len(LEVELS)):
-            missed = LEVELS[which] - 1.0 if within <= LEVELS[which] else LEVELS[which]
-            low = person + OFFSETS + len(LEVELS) * stage + which
-            add(memory, low, step * (1.0 - part) * missed)
-            add(memory, low + len(LEVELS), step * part * missed)
+            levels.learn(memory, person + OFFSETS, share, which, within <= LEVELS[which], step)
+        mixed_region.judge(memory, person + MIXED, moment + MIXTURE, place_of_end, share, step)

@@ -4,6 +4,7 @@ import * as $destination from "./destination.js";
 import * as $distances from "./distances.js";
 import * as $durations from "./durations.js";
 import * as $adaptation_habits from "./habits.js";
+import * as $mixed_region from "./mixed_region.js";
 import * as $places from "./places.js";
 import * as $region_widening from "./region_widening.js";
 import * as $stages from "./stages.js";
@@ -12,11 +13,11 @@ import * as $time_left_prior from "./time_left_prior.js";
 export const DISTANCES = 80;
 export const DURATIONS = 136;
 export const REGIONS = 157;
-export const TIME_LEFT = 168;
-export const INTERVALS = 203;
-export const KNOWN = 207;
-export const HABITS = 593;
-export const LEARNED = 618;
+export const TIME_LEFT = 178;
+export const INTERVALS = 213;
+export const KNOWN = 217;
+export const HABITS = 603;
+export const LEARNED = 628;
 export const TRACE_PLACES = 96;
 export const APART_S = 0.005;
 export const STARTED = 0;
@@ -31,9 +32,10 @@ export const SAMPLES = 8;
 export const TRACE = 9;
 export const MOMENTS = 297;
 export const STATED = 362;
-export const TIMED = 702;
-export const DESTINATION = 1034;
-export const STATES = 1167;
+export const TIMED = 2526;
+export const DESTINATION = 2858;
+export const NOW = 2991;
+export const STATES = 3037;
 export const NEAR_PX = 8;
 export const NEAR_SHARE = 0.03;
 export const SAMPLES_LEAST = 6;
@@ -278,15 +280,12 @@ export function adapted_end(memory, person, at, parts, scene, own, share) {
     usual = values_1[1];
   }
   if (parts[1] === 0) {
-    return elsewhere;
+    return [elsewhere, elsewhere];
   }
   const weights = [usual, fading(share, PLACES_FADE)];
-  return by_places(memory, person, at, parts, scene, [own, elsewhere], weights);
+  return [by_places(memory, person, at, parts, scene, [own, elsewhere], weights), elsewhere];
 }
-export function stated(memory, person, at, end, share, shape) {
-  const values_1 = $region_widening.widen(memory, person + REGIONS, share, end[6]);
-  const factor = values_1[0];
-  const tail = values_1[1];
+export function scaled(end, shape, factor, tail) {
   const wide2 = factor * end[4] * end[4];
   const broad2 = factor * end[5] * end[5];
   const cross = factor * shape * end[4] * end[5];
@@ -295,9 +294,24 @@ export function stated(memory, person, at, end, share, shape) {
   const sxx = wide2 * ux * ux - 2 * cross * ux * uy + broad2 * uy * uy;
   const sxy = (wide2 - broad2) * ux * uy + cross * (ux * ux - uy * uy);
   const syy = wide2 * uy * uy + 2 * cross * ux * uy + broad2 * ux * ux;
-  const region = [end[0], end[1], sxx, sxy, syy, tail];
-  $region_widening.record(memory, at + STATED, memory[at + T], memory[at + X], memory[at + Y], region);
-  return region;
+  return [end[0], end[1], sxx, sxy, syy, tail];
+}
+export function write_mixture(memory, person, at, scene, to) {
+  const known = [person + REGIONS + $region_widening.MIXED, person + KNOWN, at + DESTINATION];
+  const start = [memory[at + X0] - scene[1], memory[at + Y0] - scene[2]];
+  $mixed_region.write(memory, known, at + NOW, to, [scene[1], scene[2]], start);
+}
+export function state(memory, person, at, scene, share, laws) {
+  const region = laws[0];
+  const elsewhere = laws[1];
+  $mixed_region.claim(memory, at + NOW, share, elsewhere);
+  const now = memory[at + T];
+  const x = memory[at + X];
+  const y = memory[at + Y];
+  const to = $region_widening.record(memory, at + STATED, now, x, y, region);
+  if (to >= 0) {
+    write_mixture(memory, person, at, scene, to);
+  }
 }
 export function adapt(memory, person, at, parts, scene, answer, pace) {
   const t = answer[0];
@@ -314,6 +328,7 @@ export function adapt(memory, person, at, parts, scene, answer, pace) {
   const uy = heading[3];
   const wide = heading[4];
   const broad = heading[5];
+  memory[at + NOW + $mixed_region.CLAIMED] = 0;
   if (wide === 0) {
     return answer;
   }
@@ -329,7 +344,8 @@ export function adapt(memory, person, at, parts, scene, answer, pace) {
   const m = [now, x, y, ux, uy, along, across, wide, broad, tail, predicted, reached];
   record(memory, at, share, m);
   if (memory[person + DISTANCES + $distances.COUNT] === 0) {
-    $region_widening.record(memory, at + STATED, now, x, y, [px, py, sxx, sxy, syy, tail]);
+    const first = [px, py, sxx, sxy, syy, tail];
+    state(memory, person, at, scene, share, [first, first]);
     return answer;
   }
   const values_2 = $stages.correct(memory, person, share, hypot(reached + along, across), along);
@@ -342,16 +358,21 @@ export function adapt(memory, person, at, parts, scene, answer, pace) {
   const shape = (sxy * (ux * ux - uy * uy) + (syy - sxx) * ux * uy) / (wide * broad);
   let own = placed(memory, at, heading, along + shift * fading(share, BIAS_FADE), wide * widen);
   own = [own[0], own[1], ux, uy, own[4], broad * broaden, tail];
-  const end = adapted_end(memory, person, at, parts, scene, own, share);
-  const values_3 = stated(memory, person, at, end, share, shape);
-  px = values_3[0];
-  py = values_3[1];
-  sxx = values_3[2];
-  sxy = values_3[3];
-  syy = values_3[4];
-  tail = values_3[5];
-  const values_4 = $adaptation_time_left.stated(memory, [person + TIME_LEFT, person + INTERVALS, at + TIMED], [now, x, y], since, memory[person + DURATIONS + $durations.MEDIAN], [left, predicted], [reached, hypot(px - x, py - y)], pace);
-  left = values_4[0];
-  const spread = values_4[1];
+  const values_3 = adapted_end(memory, person, at, parts, scene, own, share);
+  const end = values_3[0];
+  const elsewhere = values_3[1];
+  const values_4 = $region_widening.widen(memory, person + REGIONS, share, tail);
+  const factor = values_4[0];
+  tail = values_4[1];
+  const region = scaled(end, shape, factor, tail);
+  state(memory, person, at, scene, share, [region, scaled(elsewhere, shape, factor, tail)]);
+  px = region[0];
+  py = region[1];
+  sxx = region[2];
+  sxy = region[3];
+  syy = region[4];
+  const values_5 = $adaptation_time_left.stated(memory, [person + TIME_LEFT, person + INTERVALS, at + TIMED], [now, x, y], since, memory[person + DURATIONS + $durations.MEDIAN], [left, predicted], [reached, hypot(px - x, py - y)], pace);
+  left = values_5[0];
+  const spread = values_5[1];
   return [t, px, py, sxx, sxy, syy, left, phase, tail, spread];
 }

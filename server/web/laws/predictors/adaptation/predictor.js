@@ -17,9 +17,9 @@ export const KEY = 5;
 export const ORIGIN_X = 6;
 export const ORIGIN_Y = 7;
 export const PERSON = 8;
-export const OBSERVATION = 626;
-export const MOVEMENT = 899;
-export const LENGTH = 2066;
+export const OBSERVATION = 636;
+export const MOVEMENT = 909;
+export const LENGTH = 3946;
 export function sizes(values) {
   const learned = values[ADAPT] === 1 ? $correction.LEARNED : 0;
   return [PERSON, learned, LENGTH - PERSON - learned];
@@ -83,8 +83,8 @@ export const AdaptiveKinematicPredictor = {
   fault: $correction.fault,
   enter_scene: enter_scene,
   list_places: list_places,
-  settings: 8, learned: 618, states: 1440,
-  layout: "2ef0fe71de7d1911",
+  settings: 8, learned: 628, states: 3310,
+  layout: "4302f8b2f3d9b851",
   slots: [
     { name: "normal equations, diagonal", count: 1, low: 0, high: 1e+30 },
     { name: "normal equations, side", count: 1, low: -1e+30, high: 1e+30 },
@@ -162,6 +162,7 @@ export const AdaptiveKinematicPredictor = {
     { name: "movements", count: 1, low: 0, high: 33.36666666666663 },
     { name: "clock's share", count: 1, low: 0, high: 1 },
     { name: "movements judged", count: 1, low: 0, high: 1000000, whole: true },
+    { name: "radii of the levels", count: 10, low: -6, high: 6 },
     { name: "radii of the levels", count: 10, low: -6, high: 6 },
     { name: "sums of products", count: 28, low: -16015.999999999984, high: 16015.999999999984 },
     { name: "sums of residuals", count: 7, low: -1000000000, high: 1000000000 },

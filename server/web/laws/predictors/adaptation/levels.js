@@ -1,0 +1,30 @@
+// Written by `make page` from levels.py: change that and run it again.
+import { larger, smaller } from "../../arithmetic.js";
+import * as $mixtures_levels from "../../mixtures/levels.js";
+import * as $stages from "./stages.js";
+export const STEP = 6;
+export const STEP_OF = 5;
+export const STEP_LEAST = 0.2;
+export const FURTHEST = 6;
+export function offset(memory, at, share, which) {
+  const values_1 = $stages.interpolation(share);
+  const stage = values_1[0];
+  const part = values_1[1];
+  const low = at + $mixtures_levels.LEVELS.length * stage + which;
+  return memory[low] + part * (memory[low + $mixtures_levels.LEVELS.length] - memory[low]);
+}
+export function step_after(movements) {
+  return larger(STEP / (movements + STEP_OF), STEP_LEAST);
+}
+export function add(memory, slot, change) {
+  memory[slot] = smaller(larger(memory[slot] + change, -FURTHEST), FURTHEST);
+}
+export function learn(memory, at, share, which, inside, step) {
+  const values_1 = $stages.interpolation(share);
+  const stage = values_1[0];
+  const part = values_1[1];
+  const missed = inside ? $mixtures_levels.LEVELS[which] - 1 : $mixtures_levels.LEVELS[which];
+  const low = at + $mixtures_levels.LEVELS.length * stage + which;
+  add(memory, low, step * (1 - part) * missed);
+  add(memory, low + $mixtures_levels.LEVELS.length, step * part * missed);
+}
