@@ -12,7 +12,7 @@ from scipy import stats
 
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.mixtures import density, levels
+from pointpred.mixtures import contours, density, levels
 from pointpred.mixtures.mixture import LevelSet, Mixture, Part
 from pointpred.regions import reach, region_of
 
@@ -167,3 +167,15 @@ def test_a_level_that_is_none_is_refused(level: object) -> None:
 def test_a_region_is_a_record() -> None:
     assert isinstance(MIXTURE.region(0.5), LevelSet)
     assert MIXTURE.region(0.5).area < MIXTURE.region(0.8).area
+
+
+@pytest.mark.parametrize(("middle", "right"), [(1.0, True), (-1.0, False)])
+def test_of_four_crossings_of_a_cell_those_are_joined_that_the_middle_says(
+    middle: float, right: bool
+) -> None:
+    """Two opposite corners are denser: the contour from below goes on to the right, or else to the left."""
+    heights = np.array([[1.0, -1.0], [-1.0, 1.0]])
+    following = np.empty(8)
+    contours.follow_cells(heights, np.full((2, 2), middle), 2, 2, following)
+    below, right_side, left_side = (contours.edge_of(side, 0, 0, 2, 2) for side in (0, 1, 3))
+    assert following[below] == (right_side if right else left_side)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pointpred import EventColumns, Pipeline, build, run
+from pointpred import EventColumns, Pipeline, PointerEvent, build, run
 from pointpred.predictors.adaptation import correction, levels, mixed_region, region_widening
 from pointpred.predictors.adaptation import predictor as adaptive
 
@@ -83,6 +83,11 @@ def test_there_is_none_where_nothing_is_claimed() -> None:
         assert pipeline.mixture is None
     pipeline = build(NAME)
     session(pipeline, 3)
+    assert pipeline.mixture is None
+    out = way((0.0, 0.0), ENDS[0]).rows(0, 25)
+    run(pipeline, out)
+    assert pipeline.mixture is not None
+    pipeline.update(PointerEvent(float(out.t[-1]) + 0.01, 0.0, 0.0))  # back where it began: no direction
     assert pipeline.mixture is None
 
 
