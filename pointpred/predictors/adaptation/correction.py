@@ -253,13 +253,6 @@ def placed(memory: FloatArray, at: int, heading: Heading, along: float, wide: fl
 
 
 @law
-def moved(heading: Heading, dx: float, dy: float) -> Heading:
-    """A law whose centre is shifted."""
-    x, y, ux, uy, wide, broad, tail = heading
-    return Heading(x + dx, y + dy, ux, uy, wide, broad, tail)
-
-
-@law
 def by_distances(
     memory: FloatArray, person: int, at: int, own: Heading, share: float
 ) -> tuple[Heading, float]:
@@ -305,9 +298,11 @@ def by_places(
         prepare(memory, person, going, parts, scene, start)
     if memory[going + destination.RETURNS] == 0.0:
         return elsewhere
-    destination.weigh(memory, where, going, start, moved(own, -scene.x, -scene.y), weights)
-    combined = destination.combine(memory, where, going, start, moved(elsewhere, -scene.x, -scene.y))
-    return moved(combined, scene.x, scene.y)
+    destination.weigh(memory, where, going, start, destination.moved(own, -scene.x, -scene.y), weights)
+    combined = destination.combine(
+        memory, where, going, start, destination.moved(elsewhere, -scene.x, -scene.y)
+    )
+    return destination.moved(combined, scene.x, scene.y)
 
 
 @law
@@ -325,20 +320,6 @@ def adapted_end(
         return elsewhere, elsewhere
     weights = usual, fading(share, PLACES_FADE)
     return by_places(memory, person, at, parts, scene, (own, elsewhere), weights), elsewhere
-
-
-@law
-def scaled(end: Heading, shape: float, factor: float, tail: float) -> SixFloats:
-    """The endpoint, the scale matrix times a factor, and a tail.
-
-    ``shape``: covariance of the way along and across, over the product of the widths.
-    """
-    wide2, broad2 = factor * end.wide * end.wide, factor * end.broad * end.broad
-    cross, ux, uy = factor * shape * end.wide * end.broad, end.ux, end.uy
-    sxx = wide2 * ux * ux - 2.0 * cross * ux * uy + broad2 * uy * uy
-    sxy = (wide2 - broad2) * ux * uy + cross * (ux * ux - uy * uy)
-    syy = wide2 * uy * uy + 2.0 * cross * ux * uy + broad2 * ux * ux
-    return end.x, end.y, sxx, sxy, syy, tail
 
 
 @law
@@ -396,8 +377,8 @@ def adapt(
     own = Heading(own.x, own.y, ux, uy, own.wide, broad * broaden, tail)
     end, elsewhere = adapted_end(memory, person, at, parts, scene, own, share)
     factor, tail = region_widening.widen(memory, person + REGIONS, share, tail)
-    region = scaled(end, shape, factor, tail)
-    state(memory, person, at, scene, share, (region, scaled(elsewhere, shape, factor, tail)))
+    region = destination.scaled(end, shape, factor, tail)
+    state(memory, person, at, scene, share, (region, destination.scaled(elsewhere, shape, factor, tail)))
     px, py, sxx, sxy, syy, _ = region
     left, spread = time_left.stated(
         memory,

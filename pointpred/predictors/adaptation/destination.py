@@ -15,6 +15,7 @@ import numpy as np
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.predictors.adaptation import distances, habits, places
+from pointpred.rows import SixFloats
 from pointpred.stage import offsets
 
 NEARNESS = 1.25
@@ -65,6 +66,27 @@ def favour_near(
         after += memory[at + BEFORE + i]
     for i in range(int(memory[place_memory + places.COUNT])):
         memory[at + BEFORE + i] *= before / after if after > 0.0 else 0.0
+
+
+@law
+def moved(heading: Heading, dx: float, dy: float) -> Heading:
+    """A law whose centre is shifted."""
+    x, y, ux, uy, wide, broad, tail = heading
+    return Heading(x + dx, y + dy, ux, uy, wide, broad, tail)
+
+
+@law
+def scaled(end: Heading, shape: float, factor: float, tail: float) -> SixFloats:
+    """The endpoint, the scale matrix times a factor, and a tail.
+
+    ``shape``: covariance of the way along and across, over the product of the widths.
+    """
+    wide2, broad2 = factor * end.wide * end.wide, factor * end.broad * end.broad
+    cross, ux, uy = factor * shape * end.wide * end.broad, end.ux, end.uy
+    sxx = wide2 * ux * ux - 2.0 * cross * ux * uy + broad2 * uy * uy
+    sxy = (wide2 - broad2) * ux * uy + cross * (ux * ux - uy * uy)
+    syy = wide2 * uy * uy + 2.0 * cross * ux * uy + broad2 * ux * ux
+    return end.x, end.y, sxx, sxy, syy, tail
 
 
 @law

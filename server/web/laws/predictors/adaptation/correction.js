@@ -227,16 +227,6 @@ export function placed(memory, at, heading, along, wide) {
   y = memory[at + Y] + along * uy + across * ux;
   return [x, y, ux, uy, wide, broad, tail];
 }
-export function moved(heading, dx, dy) {
-  const x = heading[0];
-  const y = heading[1];
-  const ux = heading[2];
-  const uy = heading[3];
-  const wide = heading[4];
-  const broad = heading[5];
-  const tail = heading[6];
-  return [x + dx, y + dy, ux, uy, wide, broad, tail];
-}
 export function by_distances(memory, person, at, own, share) {
   const reached = hypot(memory[at + X] - memory[at + X0], memory[at + Y] - memory[at + Y0]);
   const values_1 = ahead_of(memory, at, own);
@@ -267,9 +257,9 @@ export function by_places(memory, person, at, parts, scene, laws, weights) {
   if (memory[going + $destination.RETURNS] === 0) {
     return elsewhere;
   }
-  $destination.weigh(memory, where, going, start, moved(own, -scene[1], -scene[2]), weights);
-  const combined = $destination.combine(memory, where, going, start, moved(elsewhere, -scene[1], -scene[2]));
-  return moved(combined, scene[1], scene[2]);
+  $destination.weigh(memory, where, going, start, $destination.moved(own, -scene[1], -scene[2]), weights);
+  const combined = $destination.combine(memory, where, going, start, $destination.moved(elsewhere, -scene[1], -scene[2]));
+  return $destination.moved(combined, scene[1], scene[2]);
 }
 export function adapted_end(memory, person, at, parts, scene, own, share) {
   let elsewhere = own;
@@ -284,17 +274,6 @@ export function adapted_end(memory, person, at, parts, scene, own, share) {
   }
   const weights = [usual, fading(share, PLACES_FADE)];
   return [by_places(memory, person, at, parts, scene, [own, elsewhere], weights), elsewhere];
-}
-export function scaled(end, shape, factor, tail) {
-  const wide2 = factor * end[4] * end[4];
-  const broad2 = factor * end[5] * end[5];
-  const cross = factor * shape * end[4] * end[5];
-  const ux = end[2];
-  const uy = end[3];
-  const sxx = wide2 * ux * ux - 2 * cross * ux * uy + broad2 * uy * uy;
-  const sxy = (wide2 - broad2) * ux * uy + cross * (ux * ux - uy * uy);
-  const syy = wide2 * uy * uy + 2 * cross * ux * uy + broad2 * ux * ux;
-  return [end[0], end[1], sxx, sxy, syy, tail];
 }
 export function write_mixture(memory, person, at, scene, to) {
   const known = [person + REGIONS + $region_widening.MIXED, person + KNOWN, at + DESTINATION];
@@ -364,8 +343,8 @@ export function adapt(memory, person, at, parts, scene, answer, pace) {
   const values_4 = $region_widening.widen(memory, person + REGIONS, share, tail);
   const factor = values_4[0];
   tail = values_4[1];
-  const region = scaled(end, shape, factor, tail);
-  state(memory, person, at, scene, share, [region, scaled(elsewhere, shape, factor, tail)]);
+  const region = $destination.scaled(end, shape, factor, tail);
+  state(memory, person, at, scene, share, [region, $destination.scaled(elsewhere, shape, factor, tail)]);
   px = region[0];
   py = region[1];
   sxx = region[2];

@@ -31,6 +31,27 @@ export function favour_near(memory, place_memory, at, start, near) {
     memory[at + BEFORE + i] *= after > 0 ? before / after : 0;
   }
 }
+export function moved(heading, dx, dy) {
+  const x = heading[0];
+  const y = heading[1];
+  const ux = heading[2];
+  const uy = heading[3];
+  const wide = heading[4];
+  const broad = heading[5];
+  const tail = heading[6];
+  return [x + dx, y + dy, ux, uy, wide, broad, tail];
+}
+export function scaled(end, shape, factor, tail) {
+  const wide2 = factor * end[4] * end[4];
+  const broad2 = factor * end[5] * end[5];
+  const cross = factor * shape * end[4] * end[5];
+  const ux = end[2];
+  const uy = end[3];
+  const sxx = wide2 * ux * ux - 2 * cross * ux * uy + broad2 * uy * uy;
+  const sxy = (wide2 - broad2) * ux * uy + cross * (ux * ux - uy * uy);
+  const syy = wide2 * uy * uy + 2 * cross * ux * uy + broad2 * ux * ux;
+  return [end[0], end[1], sxx, sxy, syy, tail];
+}
 export function prepare(memory, known, at, scene, start) {
   const place_memory = known[0];
   const habit_memory = known[1];
