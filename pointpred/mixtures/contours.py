@@ -172,9 +172,10 @@ def outlines(parts: FloatArray, count: int, threshold: float, points: FloatArray
         while following[edge] >= 0.0 and total < len(points) and polygons < len(ends):
             upright = edge >= columns * rows
             place = edge - columns * rows if upright else edge
-            j, i = place // columns, place % columns
-            j1, i1 = (j + 1, i) if upright else (j, i + 1)
-            one, other = (xs[i], ys[j], heights[j, i]), (xs[i1], ys[j1], heights[j1, i1])
+            row, column = place // columns, place % columns
+            below, beside = (row + 1, column) if upright else (row, column + 1)
+            one = xs[column], ys[row], heights[row, column]
+            other = xs[beside], ys[below], heights[below, beside]
             points[total, 0], points[total, 1] = crossing(parts, count, threshold, one, other)
             total += 1
             after = int(following[edge])
