@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 from tests.page.movements import movements
+from tests.page.test_page_places import rounds
 from tests.server import browser
 from tests.server.listener import soon
 from tests.server.page_browser import Visitor
@@ -131,3 +132,30 @@ def test_modules_that_cannot_be_loaded_are_tried_again(one: Visitor, url: str) -
     soon(lambda: states(one) == ["open", "waiting"], "the page cannot fetch its coefficients")
     one.page.call("Network.setBlockedURLs", urls=[])
     soon(lambda: states(one) == ["open", "open"], "the page has tried again")
+
+
+def test_places_windows_and_forgetting_in_the_page(one: Visitor, url: str) -> None:
+    open_both(one, url, places=True, predictor="kinematic-adaptive")
+    for rows in rounds(9, 9):
+        send(one, [[*row[:3], 0.0, 0.0, 0.0] for row in rows], 11)
+        both(one, "connection.reset()")
+    service, page = heard(one, "choice", "id, action, reason, p, t, place")
+    assert page
+    assert {one[2] for one in page} == {"predicted", "entered", None}
+    for here, there in zip(page, service, strict=True):
+        assert here[:3] == there[:3]
+        assert here[3:5] == pytest.approx(there[3:5], abs=1e-6)
+        assert here[5] == pytest.approx(there[5], abs=1e-5)
+    both(one, "connection.enter('editor', 10)")
+    one.value("talks.forEach(({ heard }) => heard.splice(0)) ?? null")
+    send(one, [[*row[:3], 0.0, 0.0, 0.0] for row in rounds(10, 1, start_s=100.0)[0]], 11)
+    assert heard(one, "choice", "id") == [[], []]
+    both(one, "connection.enter('')")
+    send(one, [[*row[:3], 0.0, 0.0, 0.0] for row in rounds(11, 1, start_s=200.0)[0]], 11)
+    service, page = heard(one, "choice", "id, action, reason")
+    assert page == service != []
+    assert one.value("Promise.all(talks.map(({ connection }) => connection.forget()))") == ["", ""]
+    assert one.value("Promise.all(talks.map(({ connection }) => connection.person()))") == ["", ""]
+    both(one, "connection.configure({ places: 'yes' })")
+    soon(lambda: [len(a) for a in heard(one, "error", "code")] == [1, 1], "both refuse")
+    assert heard(one, "error", "code, path") == [[["bad_field", "$.places"]]] * 2
