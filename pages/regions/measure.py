@@ -15,19 +15,20 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pages.arguments import parse
 from pages.held_out import HeldOut, held_out, stored
 from pages.regions.played import KnownService, hello_of, in_session, over_socket, served
-from pages.regions.tables import LEVELS, MIDDLE, SHARES, Drawn, written
-from pointpred import PredictionColumns
+from pages.regions.tables import ADAPTIVE, LEVELS, MIDDLE, MIXTURE, SHARES, Drawn, written
+from pointpred import Pipeline, PredictionColumns, run
 from pointpred.columns import FloatArray
 from pointpred.recording import Recording
 from pointpred.scoring import Prepared, prepare, resolution
 from pointpred.scoring.measures.moments import moments
 from pointpred.training import data
 
-NAMES = ("kinematic", "kinematic-adaptive")
+NAMES = ("kinematic", ADAPTIVE)
 
 
 def drawn(name: str, coefficients: HeldOut, recording: Recording, service: KnownService, url: str) -> Drawn:
@@ -48,6 +49,42 @@ def drawn(name: str, coefficients: HeldOut, recording: Recording, service: Known
     return Drawn(recording.name, name, np.array(who), np.array(order), inside, size, way)
 
 
+def mixed(coefficients: HeldOut, recording: Recording) -> Drawn:
+    """The regions of the mixture along the movements of a set: not on the wire, so without a session."""
+    prepared, pipelines = prepare(recording), coefficients.of_people(ADAPTIVE, recording)
+    who, order, columns = [], [], []
+    for user, trials in turns(prepared):
+        pipeline = pipelines[user].fresh()
+        who += [user] * len(trials)
+        order += range(len(trials))
+        columns += [read_mixture(prepared, k, pipeline) for k in trials]
+    inside, size, way = (np.array(column) for column in zip(*columns, strict=True))
+    return Drawn(recording.name, MIXTURE, np.array(who), np.array(order), inside, size, way)
+
+
+def read_mixture(prepared: Prepared, k: int, pipeline: Pipeline) -> tuple[FloatArray, FloatArray, float]:
+    """One movement: what ``read`` says, of the mixture; the size is that of a disc of the same area."""
+    events, rows, at = prepared.rows(k), rows_of_shares(prepared, k), 0
+    end = float(events.x[-1]), float(events.y[-1])
+    inside = np.full((len(SHARES), len(LEVELS)), np.nan)
+    sizes = np.full(len(LEVELS), np.nan)
+    for share, row in enumerate(rows.tolist()):
+        if row >= at:
+            run(pipeline, events.rows(at, row + 1))
+            at = row + 1
+        mixture = pipeline.mixture
+        for which, level in enumerate(LEVELS):
+            if mixture is not None:
+                region = mixture.region(level)
+                inside[share, which] = region.contains(*end)
+                if share == MIDDLE:
+                    sizes[which] = np.sqrt(region.area / np.pi)
+    if at < len(events):
+        run(pipeline, events.rows(at, len(events)))
+    here = events.table[rows[MIDDLE], 1:3]
+    return inside, sizes, float(np.hypot(end[0] - here[0], end[1] - here[1]))
+
+
 def turns(prepared: Prepared) -> Iterator[tuple[str, list[int]]]:
     """The movements of each person, in the order of recording."""
     users = [one.trial.user for one in prepared.trials]
@@ -64,16 +101,21 @@ def same(answers: list[PredictionColumns], others: list[PredictionColumns]) -> N
 
 def read(prepared: Prepared, k: int, answers: PredictionColumns) -> tuple[FloatArray, FloatArray, float]:
     """One movement: whether each ellipse holds the endpoint, their sizes half-way, and the way then left."""
-    events = prepared.rows(k)
-    rows = np.empty(len(SHARES), np.int64)
-    arrival = int(prepared.arrivals[k] - prepared.offsets[k])
-    moments(events.table, 0, arrival, len(events) - 1, np.array(SHARES), rows)
+    events, rows = prepared.rows(k), rows_of_shares(prepared, k)
     end, then = (events.x[-1], events.y[-1]), PredictionColumns(answers.table[rows])
     regions = [then.region(level).table for level in LEVELS]
     inside = np.stack([holds(one, *end) for one in regions], axis=-1)
     sizes = np.array([np.sqrt(one[MIDDLE, 2] * one[MIDDLE, 3]) for one in regions])
     here = events.table[rows[MIDDLE], 1:3]
     return inside, sizes, float(np.hypot(end[0] - here[0], end[1] - here[1]))
+
+
+def rows_of_shares(prepared: Prepared, k: int) -> NDArray[np.int64]:
+    """The row of a movement at each of SHARES of its time."""
+    events, rows = prepared.rows(k), np.empty(len(SHARES), np.int64)
+    arrival = int(prepared.arrivals[k] - prepared.offsets[k])
+    moments(events.table, 0, arrival, len(events) - 1, np.array(SHARES), rows)
+    return rows
 
 
 def holds(regions: FloatArray, x: float, y: float) -> FloatArray:
@@ -93,6 +135,7 @@ def main(coefficients: HeldOut, recordings: list[Recording]) -> None:
             for name in NAMES:
                 results.append(drawn(name, coefficients, recording, service, url))
                 print(f"{recording.name} {name}: {len(results[-1].order)}", file=sys.stderr, flush=True)
+            results.append(mixed(coefficients, recording))
     written(results)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -24,6 +25,8 @@ from pointpred.server.settings import Settings
 
 SETTINGS = Settings(max_events_per_s=10**8)
 WARM_S = 600.0
+PAUSE_S = 0.004
+"""Before each movement over a socket: a service takes only so many messages a second."""
 
 
 class Known(PointingSession):
@@ -44,9 +47,9 @@ class KnownService(Service):
 
     pipeline: Pipeline
 
-    def open(self, now: float) -> PointingSession:
+    def open_session(self, now: float) -> PointingSession:
         """A session with the pipeline."""
-        session = super().open(now)
+        session = super().open_session(now)
         session.__class__ = Known
         assert isinstance(session, Known)
         session.pipeline = self.pipeline
@@ -99,6 +102,7 @@ def over_socket(url: str, hello: Hello, movements: list[EventColumns]) -> Iterat
         url, predictor=hello.predictor, reply="event", encoding=hello.encoding, timeout_s=WARM_S, **settings
     ) as connection:
         for events in movements:
+            time.sleep(PAUSE_S)
             connection.reset()
             connection.send(events)
             yield connection.columns()

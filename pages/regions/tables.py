@@ -13,8 +13,9 @@ from pointpred.columns import BoolArray, FloatArray
 
 LEVELS, SHARES = (0.5, 0.8), (0.3, 0.5, 0.7)
 """The ellipses that are drawn, and when: shares of the time from onset to arrival."""
-LEARNT = 20
-"""Movements of a person after which an adaptive predictor is judged once more."""
+LEARNT, LEARNT_OF_FEW = 20, 12
+"""Movements of a person after which an adaptive predictor is judged once more; where nobody makes so many."""
+ADAPTIVE, MIXTURE = "kinematic-adaptive", "mixture"
 MIDDLE = SHARES.index(0.5)
 EVERY = "all"
 
@@ -59,9 +60,15 @@ def coverage(sets: Sequence[Drawn]) -> Table:
 
 def parts(one: Drawn) -> list[tuple[str, BoolArray]]:
     """All movements, and those after the person's first ones where there are any."""
-    later = one.order >= LEARNT
+    learnt = learnt_of(one)
     every = ("all", np.ones(len(one.order), np.bool_))
-    return [every, (f"after {LEARNT}", later)] if later.any() else [every]
+    later = one.order >= learnt
+    return [every, (f"after {learnt}", later)] if later.any() else [every]
+
+
+def learnt_of(one: Drawn) -> int:
+    """Movements after which the people of a set are known."""
+    return LEARNT if (one.order >= LEARNT).any() else LEARNT_OF_FEW
 
 
 def share(inside: FloatArray) -> str:
@@ -79,6 +86,29 @@ def sizes(sets: Sequence[Drawn]) -> Table:
     return Table.of(("set", *names, "from the cursor to the endpoint, px"), rows)
 
 
+def areas(single: Sequence[Drawn], mixture: Sequence[Drawn]) -> Table:
+    """The region of the mixture over the ellipse at half of the time, of people who are known."""
+    rows = []
+    for one, other in zip(single, mixture, strict=True):
+        later = one.order >= learnt_of(one)
+        logs = 2.0 * np.log(other.size[later] / one.size[later])
+        means = [f"{np.exp(np.nanmean(logs[:, k])):.2f}" for k in range(len(LEVELS))]
+        medians = [
+            f"{np.pi * np.nanmedian(which.size[later, k]) ** 2:.0f}" for k in (0, 1) for which in (one, other)
+        ]
+        rows.append((one.set, str(int(later.sum())), *means, *medians))
+    return Table.of(
+        (
+            "set",
+            "number",
+            "50 %: mixture over ellipse",
+            "80 %: mixture over ellipse",
+            *("50 % ellipse, px^2", "mixture, px^2", "80 % ellipse, px^2", "mixture, px^2"),
+        ),
+        rows,
+    )
+
+
 def _mean(values: FloatArray, text: Callable[[float], str]) -> str:
     there = values[~np.isnan(values)]
     return text(float(there.mean())) if len(there) else "-"
@@ -91,4 +121,6 @@ def written(results: Sequence[Drawn]) -> None:
         mine = [one for one in results if one.predictor == name]
         tables[f"coverage {name}"] = coverage(mine)
         tables[f"sizes {name}"] = sizes(mine)
+    one, other = ([result for result in results if result.predictor == name] for name in (ADAPTIVE, MIXTURE))
+    tables["areas"] = areas(one, other)
     keep("regions", tables)

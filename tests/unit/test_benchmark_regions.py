@@ -111,3 +111,22 @@ def test_tables_count_each_movement_once_and_leave_out_the_first(tmp_path: Path)
     ]
     sizes = regions_page.sizes([one("small", 10, 0.0), one("large", 30, 1.0)]).texts()[-1]
     assert sizes == ["all", "300", "300", "7"]
+
+
+def test_the_mixture_is_read_at_the_same_moments(held: HeldOut) -> None:
+    """Worked out anew, the last movement of a person: the events before half of the time, then the region."""
+    mixed, prepared = regions.mixed(held, recording()), prepare(recording())
+    pipeline = held.of_people("kinematic-adaptive", recording())["u0"].fresh()
+    mine = [k for k, one in enumerate(prepared.trials) if one.trial.user == "u0"]
+    for k in mine[:-1]:
+        run(pipeline, prepared.rows(k))
+    events = prepared.rows(mine[-1])
+    t, arrival = events.t - events.t[0], int(prepared.arrivals[mine[-1]] - prepared.offsets[mine[-1]])
+    run(pipeline, events.rows(0, int((t <= 0.5 * t[arrival]).sum())))
+    assert pipeline.mixture is not None
+    last = mixed.people.tolist().index("u1") - 1
+    for which, level in enumerate(LEVELS):
+        region = pipeline.mixture.region(level)
+        inside = region.contains(float(events.x[-1]), float(events.y[-1]))
+        assert mixed.inside[last, SHARES.index(0.5), which] == inside
+        assert mixed.size[last, which] == pytest.approx(np.sqrt(region.area / np.pi))
