@@ -154,16 +154,14 @@ class Pipeline:
         return self.predictor.mixture
 
     def enter(self, key: str, x: float = 0.0, y: float = 0.0) -> None:
-        """The cursor moves in this window or page from now on; a movement that goes on is finished first.
+        """The next movement is in this window or page; one that goes on stays in the window it began in.
 
         Places are remembered for each ``key`` and relative to the origin (x, y) px, so that they move with
         the window; "" is the key of a pipeline that was told nothing. Other windows' places are kept. Raises
         ParameterError for a key that is no string and an origin that is no number within the bounds of
         positions; nothing is then changed. Without effect on a predictor that learns no places.
         """
-        entered = scene(key, x, y)
-        self.reset()
-        self.predictor.enter(entered)
+        self.predictor.enter(scene(key, x, y))
 
     def forget(self) -> None:
         """Forget the person, the movement and the window."""

@@ -218,7 +218,7 @@ def fading(share: float, since: float) -> float:
 
 
 @law
-def seen(memory: FloatArray, at: int, answer: TenFloats) -> Heading:
+def heading_of(memory: FloatArray, at: int, answer: TenFloats) -> Heading:
     """The law of an answer along and across the direction from the start to the cursor.
 
     Its widths are 0 where the answer claims too little to be adapted, or the cursor is where it started.
@@ -244,7 +244,7 @@ def ahead_of(memory: FloatArray, at: int, heading: Heading) -> tuple[float, floa
 
 
 @law
-def placed(memory: FloatArray, at: int, heading: Heading, along: float, wide: float) -> Heading:
+def with_centre_ahead(memory: FloatArray, at: int, heading: Heading, along: float, wide: float) -> Heading:
     """A law whose centre lies ``along`` px ahead of the cursor, of the width ``wide`` px along."""
     _, across = ahead_of(memory, at, heading)
     x, y, ux, uy, _, broad, tail = heading
@@ -263,7 +263,7 @@ def by_distances(
     usual_along, usual_wide, usual = distances.combine(memory, person + DISTANCES, reached, ahead)
     weight = fading(share, FADE)
     along += weight * (usual_along - along)
-    return placed(memory, at, own, along, own.wide * (usual_wide / own.wide) ** weight), usual
+    return with_centre_ahead(memory, at, own, along, own.wide * (usual_wide / own.wide) ** weight), usual
 
 
 @law
@@ -354,7 +354,7 @@ def adapt(
 ) -> TenFloats:
     """The prediction as it is for this person; as it was where it claims too little or has no direction."""
     t, px, py, sxx, sxy, syy, predicted, phase, tail, _ = answer
-    heading = seen(memory, at, answer)
+    heading = heading_of(memory, at, answer)
     _, _, ux, uy, wide, broad, _ = heading
     memory[at + NOW + mixed_region.CLAIMED] = 0.0
     if wide == 0.0:
@@ -373,7 +373,7 @@ def adapt(
     left = durations.mix(memory, person + DURATIONS, since, predicted * slow)
     share = since / (since + left)
     shape = (sxy * (ux * ux - uy * uy) + (syy - sxx) * ux * uy) / (wide * broad)
-    own = placed(memory, at, heading, along + shift * fading(share, BIAS_FADE), wide * widen)
+    own = with_centre_ahead(memory, at, heading, along + shift * fading(share, BIAS_FADE), wide * widen)
     own = Heading(own.x, own.y, ux, uy, own.wide, broad * broaden, tail)
     end, elsewhere = adapted_end(memory, person, at, parts, scene, own, share)
     factor, tail = region_widening.widen(memory, person + REGIONS, share, tail)

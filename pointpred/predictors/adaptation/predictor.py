@@ -24,11 +24,11 @@ from pointpred.rows import MotionRow, Row, TenFloats, row_at
 from pointpred.scene import SCREEN, Scene
 from pointpred.stage import loop_sharing, offsets
 
-# The settings: the parameters, then the scene. What is known of the person, the movement of the learned
-# predictor and that of the adaptation.
+# The settings: the parameters, then the scene of this movement and that of the next. What is known of the
+# person, the movement of the learned predictor and that of the adaptation.
 ADAPT, DISTANCES, SHORTEST_PX, PLACES, SEQUENCE, KEY, ORIGIN_X, ORIGIN_Y = range(8)
-_, PERSON, OBSERVATION, MOVEMENT, LENGTH = offsets(
-    ORIGIN_Y + 1, correction.LEARNED, observation.STATES, correction.STATES
+_, NEXT, PERSON, OBSERVATION, MOVEMENT, LENGTH = offsets(
+    ORIGIN_Y + 1, len(SCREEN), correction.LEARNED, observation.STATES, correction.STATES
 )
 
 
@@ -53,10 +53,11 @@ def scene_of(memory: FloatArray) -> Scene:
 
 @law
 def conclude(memory: FloatArray) -> None:
-    """The movement has ended: learn from it."""
+    """The movement has ended: learn from it. The next one is in the window that was entered last."""
     if memory[ADAPT] == 1.0:
         parts, scene = parts_of(memory), scene_of(memory)
         correction.conclude(memory, PERSON, MOVEMENT, memory[SHORTEST_PX], parts, scene)
+        memory[KEY], memory[ORIGIN_X], memory[ORIGIN_Y] = memory[NEXT], memory[NEXT + 1], memory[NEXT + 2]
 
 
 @law
@@ -90,10 +91,10 @@ def step(memory: FloatArray, motion: Row, coefficients: FloatArray) -> TenFloats
 
 @law
 def enter_scene(memory: FloatArray, scene: Scene) -> None:
-    """The cursor is in this window or page from now on; the shares of its places are laid out anew."""
-    memory[KEY], memory[ORIGIN_X], memory[ORIGIN_Y] = scene.key, scene.x, scene.y
-    if memory[ADAPT] == 1.0:
-        memory[MOVEMENT + correction.DESTINATION + destination.READY] = 0.0
+    """The next movement is in this window or page; at once where none goes on."""
+    memory[NEXT], memory[NEXT + 1], memory[NEXT + 2] = scene.key, scene.x, scene.y
+    if memory[ADAPT] == 0.0 or memory[MOVEMENT + correction.STARTED] == 0.0:
+        memory[KEY], memory[ORIGIN_X], memory[ORIGIN_Y] = scene.key, scene.x, scene.y
 
 
 @law
