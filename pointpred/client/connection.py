@@ -130,10 +130,10 @@ class Connection(ClientSession):
         return self._ask(self.person_frame(known), KnownPerson).person
 
     def enter(self, key: str, x: float = 0.0, y: float = 0.0) -> None:
-        """The cursor moves in this window or page from now on, whose origin is at (x, y) px.
+        """The next movement is in this window or page, whose origin is at (x, y) px.
 
-        Places are remembered for each ``key``, relative to the origin. It finishes the movement. Raises
-        ParameterError where a value does not fit.
+        Places are remembered for each ``key``, relative to the origin. Raises ParameterError where a value
+        does not fit.
         """
         self._send(self.enter_frame(key, x, y))
 

@@ -187,7 +187,7 @@ class ClientSession:
         return frame
 
     def enter_frame(self, key: str, x: float, y: float) -> Frame:
-        """Names the window that the cursor moves in, and finishes the movement."""
+        """Names the window of the next movement."""
         frame = self._text(_fit(Enter, {"type": "enter", "key": key, "x": x, "y": y}))
         self._unanswered.restart()
         return frame

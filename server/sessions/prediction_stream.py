@@ -231,10 +231,9 @@ class PredictionStream:
         return self.pipeline.person
 
     def enter(self, window: Enter) -> None:
-        """The cursor is in this window from now on; the next event starts a movement."""
+        """The next movement is in this window."""
         self._window = window
         self._in_window(self.pipeline)
-        self._forget()
 
     def forget(self) -> str:
         """Forget the person and the movement; returns what is then known of the person: ""."""

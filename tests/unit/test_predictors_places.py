@@ -112,7 +112,45 @@ def test_places_belong_to_a_window_and_move_with_it() -> None:
     assert hypot(moved.x - 800, moved.y - 200) < hypot(unknown.x - 800, unknown.y - 200)
 
 
-@pytest.mark.parametrize(("key", "x", "field"), [(3, 0.0, "key"), ("a", float("nan"), "x"), ("a", 2e9, "x")])
+def test_a_movement_into_another_window_goes_on_and_ends_where_it_stops() -> None:
+    """Entered on the way, the window is that of the next movement; nothing is learned of the border."""
+    crossing, other = build(NAME), build(NAME)
+    for pipeline in (crossing, other):
+        pipeline.enter("left", 0.0, 0.0)
+    events = way((100.0, 100.0), (900.0, 400.0))
+    answers = run(crossing, events.rows(0, 30)).table
+    crossing.enter("right", 500.0, 0.0)
+    answers = np.vstack([answers, run(crossing, events.rows(30, len(events))).table])
+    np.testing.assert_array_equal(answers, run(other, events).table)
+    crossing.reset()
+    other.reset()
+    assert crossing.places == ()
+    assert [(round(one.x), round(one.y)) for one in other.places] == [(900, 400)]
+    crossing.enter("left", 0.0, 0.0)
+    assert crossing.places == other.places
+
+
+def test_before_a_movement_it_starts_where_the_last_one_in_this_window_ended() -> None:
+    pipeline = build(NAME)
+    pipeline.enter("a", 0.0, 0.0)
+    for k in range(6):
+        ends = ((400.0, 0.0), (0.0, 0.0))
+        move(pipeline, ends[(k + 1) % 2], ends[k % 2])
+    here = {(round(one.x), round(one.y)): one.before for one in pipeline.places}
+    pipeline.enter("b", 0.0, 0.0)
+    move(pipeline, (0.0, 0.0), (390.0, 10.0))
+    pipeline.enter("a", 0.0, 0.0)
+    there = {(round(one.x), round(one.y)): one.before for one in pipeline.places}
+    assert here[0, 0] == there[0, 0] == 0.0  # the last movement of this window ended there
+    run(pipeline, way((401.0, 0.0), (0.0, 0.0)).rows(0, 1))
+    begun = {(round(one.x), round(one.y)): one.before for one in pipeline.places}
+    assert begun[400, 0] == 0.0 < begun[0, 0]
+
+
+@pytest.mark.parametrize(
+    ("key", "x", "field"),
+    [("\ud800", 0.0, "key"), (3, 0.0, "key"), ("a", float("nan"), "x"), ("a", 2e9, "x")],
+)
 def test_a_window_that_cannot_be_is_refused_and_nothing_changes(key: str, x: float, field: str) -> None:
     pipeline = build(NAME)
     run(pipeline, way((0.0, 0.0), (300.0, 0.0)))

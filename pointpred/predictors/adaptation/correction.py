@@ -298,11 +298,11 @@ def by_places(
         prepare(memory, person, going, parts, scene, start)
     if memory[going + destination.RETURNS] == 0.0:
         return elsewhere
-    destination.weigh(memory, where, going, start, destination.moved(own, -scene.x, -scene.y), weights)
+    destination.weigh(memory, where, going, start, destination.shift_law(own, -scene.x, -scene.y), weights)
     combined = destination.combine(
-        memory, where, going, start, destination.moved(elsewhere, -scene.x, -scene.y)
+        memory, where, going, start, destination.shift_law(elsewhere, -scene.x, -scene.y)
     )
-    return destination.moved(combined, scene.x, scene.y)
+    return destination.shift_law(combined, scene.x, scene.y)
 
 
 @law

@@ -69,7 +69,7 @@ def favour_near(
 
 
 @law
-def moved(heading: Heading, dx: float, dy: float) -> Heading:
+def shift_law(heading: Heading, dx: float, dy: float) -> Heading:
     """A law whose centre is shifted."""
     x, y, ux, uy, wide, broad, tail = heading
     return Heading(x + dx, y + dy, ux, uy, wide, broad, tail)

@@ -14,7 +14,7 @@ from pointpred.mixtures import density
 from pointpred.mixtures.mixture import Mixture, Part
 from pointpred.parameter import parameter
 from pointpred.predictors import movement
-from pointpred.predictors.adaptation import correction, destination, known_places, mixed_region, places
+from pointpred.predictors.adaptation import correction, known_places, mixed_region, places
 from pointpred.predictors.adaptation.correction import Parts
 from pointpred.predictors.adaptation.time_left import Pace
 from pointpred.predictors.kinematic import observation, track
@@ -174,7 +174,7 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
 
     Parameters: ``adapt`` 0 or 1 (0: bit for bit `kinematic`), ``distances``, ``places`` and ``sequence``
     (where people go from a place) 0 or 1, ``shortest_px``; ``coefficients`` as for `kinematic`.
-    Memory: 3946 floats. Costs 1 to 6 us an event more than ``kinematic``. Raises ParameterError,
+    Memory: 3949 floats. Costs 1 to 6 us an event more than ``kinematic``. Raises ParameterError,
     and EventError from ``update``.
 
     Reference: none; docs/guide/adaptation.md. Prior knowledge of repeated distances: Pasqual, Wobbrock 2014.

@@ -188,14 +188,12 @@ export class Pipeline {
   }
 
   /**
-   * The cursor moves in this window or page from now on; a movement that goes on is finished first. Places are remembered for
+   * The next movement is in this window or page; one that goes on stays in the window it began in. Places are remembered for
    * each name and relative to the origin. Throws a ParameterError, nothing changed.
    * @param {string} key "" is the screen @param {number} [x] of the origin, px @param {number} [y]
    */
   enter(key, x = 0, y = 0) {
-    const scene = sceneOf(key, x, y);
-    this.reset();
-    this.#predictor.enter(scene);
+    this.#predictor.enter(sceneOf(key, x, y));
   }
 
   /** Forgets the person, the movement and the window. */

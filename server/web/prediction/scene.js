@@ -11,12 +11,14 @@ const DIGEST_BYTES = 6; // of a name: a number holds so long a whole number exac
 export const SCREEN = Object.freeze([0, 0, 0]);
 
 /**
- * The window of a name with its origin at (x, y) px; "" is the screen. Throws a ParameterError for a name that is no text and
- * an origin that is no number or lies beyond the bounds of positions.
+ * The window of a name with its origin at (x, y) px; "" is the screen. Throws a ParameterError for a name that is no text of
+ * whole characters and an origin that is no number or lies beyond the bounds of positions.
  * @param {string} key @param {number} x @param {number} y @returns {[number, number, number]}
  */
 export function sceneOf(key, x, y) {
   if (typeof key !== "string") throw new ParameterError(`key must be a string, received ${quoted(key)}`, { field: "key", value: key });
+  if (/\p{Surrogate}/u.test(key))
+    throw new ParameterError(`key must hold whole Unicode characters, received ${quoted(key)}`, { field: "key", value: key });
   for (const [field, value] of [["x", x], ["y", y]])
     if (typeof value !== "number" || !(Math.abs(value) <= LARGEST)) {
       const message = `${field} of the origin must be a number in [${general(-LARGEST)}, ${general(LARGEST)}] px, received ${quoted(value)}`;

@@ -155,11 +155,10 @@ export class PredictionStream {
     return this.#pipeline.person;
   }
 
-  /** The cursor is in this window from now on; the next event starts a movement. @param {[string, number, number]} window its name and origin */
+  /** The next movement is in this window. @param {[string, number, number]} window its name and origin */
   enter(window) {
     this.#window = window;
     this.#inWindow(this.#pipeline);
-    this.forget();
   }
 
   /** Forgets the person and the movement; the window stays. @returns {string} what is then known of the person: "" */

@@ -186,7 +186,7 @@ export function record(memory, at, share, moment) {
 export function fading(share, since) {
   return smaller((1 - share) / (1 - since), 1);
 }
-export function seen(memory, at, answer) {
+export function heading_of(memory, at, answer) {
   const px = answer[1];
   const py = answer[2];
   const sxx = answer[3];
@@ -214,7 +214,7 @@ export function ahead_of(memory, at, heading) {
   const dy = heading[1] - memory[at + Y];
   return [dx * heading[2] + dy * heading[3], dy * heading[2] - dx * heading[3]];
 }
-export function placed(memory, at, heading, along, wide) {
+export function with_centre_ahead(memory, at, heading, along, wide) {
   const values_1 = ahead_of(memory, at, heading);
   const across = values_1[1];
   let x = heading[0];
@@ -238,7 +238,7 @@ export function by_distances(memory, person, at, own, share) {
   const usual = values_2[2];
   const weight = fading(share, FADE);
   along += weight * (usual_along - along);
-  return [placed(memory, at, own, along, own[4] * Math.pow(usual_wide / own[4], weight)), usual];
+  return [with_centre_ahead(memory, at, own, along, own[4] * Math.pow(usual_wide / own[4], weight)), usual];
 }
 export function prepare(memory, person, going, parts, scene, start) {
   const near = $places.NEAR_SHARE * memory[person + DISTANCES + $distances.DISTANCES];
@@ -257,9 +257,9 @@ export function by_places(memory, person, at, parts, scene, laws, weights) {
   if (memory[going + $destination.RETURNS] === 0) {
     return elsewhere;
   }
-  $destination.weigh(memory, where, going, start, $destination.moved(own, -scene[1], -scene[2]), weights);
-  const combined = $destination.combine(memory, where, going, start, $destination.moved(elsewhere, -scene[1], -scene[2]));
-  return $destination.moved(combined, scene[1], scene[2]);
+  $destination.weigh(memory, where, going, start, $destination.shift_law(own, -scene[1], -scene[2]), weights);
+  const combined = $destination.combine(memory, where, going, start, $destination.shift_law(elsewhere, -scene[1], -scene[2]));
+  return $destination.shift_law(combined, scene[1], scene[2]);
 }
 export function adapted_end(memory, person, at, parts, scene, own, share) {
   let elsewhere = own;
@@ -302,7 +302,7 @@ export function adapt(memory, person, at, parts, scene, answer, pace) {
   const predicted = answer[6];
   const phase = answer[7];
   let tail = answer[8];
-  const heading = seen(memory, at, answer);
+  const heading = heading_of(memory, at, answer);
   const ux = heading[2];
   const uy = heading[3];
   const wide = heading[4];
@@ -335,7 +335,7 @@ export function adapt(memory, person, at, parts, scene, answer, pace) {
   let left = $durations.mix(memory, person + DURATIONS, since, predicted * slow);
   share = since / (since + left);
   const shape = (sxy * (ux * ux - uy * uy) + (syy - sxx) * ux * uy) / (wide * broad);
-  let own = placed(memory, at, heading, along + shift * fading(share, BIAS_FADE), wide * widen);
+  let own = with_centre_ahead(memory, at, heading, along + shift * fading(share, BIAS_FADE), wide * widen);
   own = [own[0], own[1], ux, uy, own[4], broad * broaden, tail];
   const values_3 = adapted_end(memory, person, at, parts, scene, own, share);
   const end = values_3[0];

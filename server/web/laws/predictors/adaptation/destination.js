@@ -31,7 +31,7 @@ export function favour_near(memory, place_memory, at, start, near) {
     memory[at + BEFORE + i] *= after > 0 ? before / after : 0;
   }
 }
-export function moved(heading, dx, dy) {
+export function shift_law(heading, dx, dy) {
   const x = heading[0];
   const y = heading[1];
   const ux = heading[2];

@@ -10,14 +10,25 @@ export const BEFORE = 3;
 export const VISITS = 4;
 export const NUMBER = 5;
 export const SPREAD = 6;
+export function last_end(memory, known, key) {
+  for (let age = 0; age < $places.MOVEMENTS; age++) {
+    const number = $places.visited(memory, known, age);
+    const place = known + $places.PLACES + $places.WIDTH * larger(number, 0);
+    if (number >= 0 && memory[place + $places.KEY] === key) {
+      return [memory[place + $places.X], memory[place + $places.Y]];
+    }
+  }
+  return [0, 0];
+}
 export function list_places(memory, person, at, parts, scene, out) {
   const known = person + $correction.KNOWN;
   const going = at + $correction.DESTINATION;
   const waits = memory[going + $destination.READY] === 0;
   let start = [memory[at + $correction.X0] - scene[1], memory[at + $correction.Y0] - scene[2]];
   if (waits) {
-    const last = known + $places.PLACES + $places.WIDTH * larger($places.visited(memory, known, 0), 0);
-    start = [memory[last + $places.X], memory[last + $places.Y]];
+    if (memory[at + $correction.STARTED] === 0) {
+      start = last_end(memory, known, scene[0]);
+    }
     $correction.prepare(memory, person, going, parts, scene, start);
   }
   let count = 0;

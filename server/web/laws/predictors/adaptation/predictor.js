@@ -1,7 +1,6 @@
 // Written by `make page` from predictor.py: change that and run it again.
 import { hypot, view } from "../../arithmetic.js";
 import * as $correction from "./correction.js";
-import * as $destination from "./destination.js";
 import * as $known_places from "./known_places.js";
 import * as $observation from "../kinematic/observation.js";
 import * as $kinematic_predictor from "../kinematic/predictor.js";
@@ -16,10 +15,11 @@ export const SEQUENCE = 4;
 export const KEY = 5;
 export const ORIGIN_X = 6;
 export const ORIGIN_Y = 7;
-export const PERSON = 8;
-export const OBSERVATION = 636;
-export const MOVEMENT = 909;
-export const LENGTH = 3946;
+export const NEXT = 8;
+export const PERSON = 11;
+export const OBSERVATION = 639;
+export const MOVEMENT = 912;
+export const LENGTH = 3949;
 export function sizes(values) {
   const learned = values[ADAPT] === 1 ? $correction.LEARNED : 0;
   return [PERSON, learned, LENGTH - PERSON - learned];
@@ -35,6 +35,12 @@ export function conclude(memory) {
     const parts = parts_of(memory);
     const scene = scene_of(memory);
     $correction.conclude(memory, PERSON, MOVEMENT, memory[SHORTEST_PX], parts, scene);
+    const value_1 = memory[NEXT];
+    const value_2 = memory[NEXT + 1];
+    const value_3 = memory[NEXT + 2];
+    memory[KEY] = value_1;
+    memory[ORIGIN_X] = value_2;
+    memory[ORIGIN_Y] = value_3;
   }
 }
 export function adapt(memory, answer, pace) {
@@ -60,11 +66,13 @@ export function step(memory, motion, coefficients) {
   return adapt(memory, answer, pace_of(own, m));
 }
 export function enter_scene(memory, scene) {
-  memory[KEY] = scene[0];
-  memory[ORIGIN_X] = scene[1];
-  memory[ORIGIN_Y] = scene[2];
-  if (memory[ADAPT] === 1) {
-    memory[MOVEMENT + $correction.DESTINATION + $destination.READY] = 0;
+  memory[NEXT] = scene[0];
+  memory[NEXT + 1] = scene[1];
+  memory[NEXT + 2] = scene[2];
+  if (memory[ADAPT] === 0 || memory[MOVEMENT + $correction.STARTED] === 0) {
+    memory[KEY] = scene[0];
+    memory[ORIGIN_X] = scene[1];
+    memory[ORIGIN_Y] = scene[2];
   }
 }
 export function list_places(memory, out) {
@@ -83,7 +91,7 @@ export const AdaptiveKinematicPredictor = {
   fault: $correction.fault,
   enter_scene: enter_scene,
   list_places: list_places,
-  settings: 8, learned: 628, states: 3310,
+  settings: 11, learned: 628, states: 3310,
   layout: "4302f8b2f3d9b851",
   slots: [
     { name: "normal equations, diagonal", count: 1, low: 0, high: 1e+30 },
