@@ -29,8 +29,8 @@ SCREEN = Scene(0.0, 0.0, 0.0)
 def scene(key: str, x: float, y: float) -> Scene:
     """The window of this name with its origin at (x, y) px; "" is the screen.
 
-    Raises ParameterError for a key that is no string of whole Unicode characters, and for an origin that is no
-    number or lies beyond the bounds of positions.
+    Raises ParameterError for a key that is no string of whole Unicode characters, and for an origin that is
+    no number or lies beyond the bounds of positions.
     """
     if not isinstance(key, str):
         raise ParameterError(f"key must be a string, received {key!r}", field="key", value=key)
