@@ -35,7 +35,7 @@ NEAR_PX, NEAR_SHARE = 20.0, 0.03
 sense within this share of the movement's distance of the place's centre: there visits are merged."""
 
 
-class Seen(NamedTuple):
+class Moment(NamedTuple):
     """What is known at an event: the places, and the time left that is predicted."""
 
     event: PointerEvent
@@ -43,10 +43,10 @@ class Seen(NamedTuple):
     remaining_s: float
 
 
-class Moved(NamedTuple):
+class Movement(NamedTuple):
     """One movement: its events, whether its end lies near an earlier one."""
 
-    seen: list[Seen]
+    moments: list[Moment]
     repeats: bool
 
 
@@ -64,57 +64,62 @@ class Outcome(NamedTuple):
     repeats: bool
 
 
-def movements(recording: Recording, pipeline: Pipeline, user: str) -> Iterator[Moved]:
+def movements(recording: Recording, pipeline: Pipeline, user: str) -> Iterator[Movement]:
     """The movements of a person in their order, as somebody sees them who knows the earlier ones."""
     ends: list[tuple[float, float]] = []
     for k, trial in enumerate(recording.trials):
         rows = recording.rows(k).table
         if trial.user != user or not len(rows):
             continue
-        seen = []
+        moments = []
         for row in map(tuple, rows.tolist()):
             answer = pipeline.advance(row)
             left = nan if answer is None else answer[6]
-            seen.append(Seen(PointerEvent(row[0], row[1], row[2]), pipeline.places, left))
+            moments.append(Moment(PointerEvent(row[0], row[1], row[2]), pipeline.places, left))
         pipeline.reset()
         x, y = rows[-1, 1:3].tolist()
-        yield Moved(seen, any(hypot(x - a, y - b) <= NEAR_PX for a, b in ends[-64:]))
+        yield Movement(moments, any(hypot(x - a, y - b) <= NEAR_PX for a, b in ends[-64:]))
         ends.append((x, y))
 
 
-class Watched(NamedTuple):
+class Steps(NamedTuple):
     """A movement ready to be decided at any dial: rectangles where they change, shares, the end."""
 
     steps: list[tuple[list[Target] | None, FloatArray, float, PointerEvent]]
     repeats: bool
 
 
-def watched(moved: Moved) -> Watched:
+def steps_of(movement: Movement) -> Steps:
     """The rectangles and shares at each event, as ``PlaceChooser`` lays them out."""
     before: list[Target] | None = None
     steps: list[tuple[list[Target] | None, FloatArray, float, PointerEvent]] = []
-    for event, places, left in moved.seen:
+    for event, places, left in movement.moments:
         ordered = sorted(places, key=lambda place: place.id)
-        laid = [rectangle_of(place) for place in ordered]
+        rectangles_now = [rectangle_of(place) for place in ordered]
         steps.append(
-            (laid if laid != before else None, np.array([*(p.p for p in ordered), 0.0]), left, event)
+            (
+                rectangles_now if rectangles_now != before else None,
+                np.array([*(p.p for p in ordered), 0.0]),
+                left,
+                event,
+            )
         )
         shares = steps[-1][1]
         shares[-1] = max(1.0 - float(shares.sum()), 0.0)
-        before = laid
-    return Watched(steps, moved.repeats)
+        before = rectangles_now
+    return Steps(steps, movement.repeats)
 
 
-def outcome(movement: Watched, chooser: Chooser) -> Outcome:
+def outcome(movement: Steps, chooser: Chooser) -> Outcome:
     """What the chooser proposes in a movement, and what becomes of it."""
     chooser.reset()
     changes: list[tuple[float, Choice, Target]] = []
     rectangles: dict[object, Target] = {}
     path = []
-    for laid, shares, left, event in movement.steps:
-        if laid is not None:
-            chooser.replace(laid)
-            rectangles = {one.id: one for one in laid}
+    for rectangles_now, shares, left, event in movement.steps:
+        if rectangles_now is not None:
+            chooser.replace(rectangles_now)
+            rectangles = {one.id: one for one in rectangles_now}
         path.append((event.t, event.x, event.y))
         made = chooser.update_with_shares(shares, left, event)
         changes += [(event.t, one, rectangles[one.id]) for one in made]
@@ -148,7 +153,7 @@ def off(place: Target, end: FloatArray) -> float:
     return hypot(end[1] - place.x - place.width / 2.0, end[2] - place.y - place.height / 2.0)
 
 
-def outcomes(people: Sequence[Sequence[Watched]], dial: float) -> list[Outcome]:
+def outcomes(people: Sequence[Sequence[Steps]], dial: float) -> list[Outcome]:
     """Every movement of everybody at a dial."""
     return [
         outcome(one, chooser) for person in people for chooser in [Chooser(precision=dial)] for one in person
@@ -206,7 +211,7 @@ def measured(sets: Sequence[Recording], held: HeldOut) -> dict[str, Table]:
     for recording in sets:
         for sequence, words in ((1, "with order"), (0, "without order")):
             people = [
-                [watched(one) for one in movements(recording, pipeline.fresh(), user)]
+                [steps_of(one) for one in movements(recording, pipeline.fresh(), user)]
                 for user, pipeline in pipelines(recording, held, sequence).items()
             ]
             rows = {dial: outcomes(people, dial) for dial in DIALS}
