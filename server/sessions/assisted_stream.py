@@ -63,9 +63,10 @@ class AssistedStream(PredictionStream):
             raise ProtocolError("bad_field", sentence, path, field="dx")
         error, used = self._in_order(table)
         if len(used):
+            before = self._memories() if self.hello.places else ()
             used, predictions = self._moved(used)
             self._record(used, predictions)
-            self._reply(used, predictions, outbox)
+            self._reply(used, predictions, outbox, before)
         return error, len(table) - len(used)
 
     def feed_event(self, row: tuple[float, ...], outbox: Outbox) -> bool:
@@ -124,12 +125,9 @@ class AssistedStream(PredictionStream):
                     raise EventError(f"t = {t!r} s with counts {dx!r}, {dy!r} cannot be used")
                 moved[i, 1:3], predictions[i] = place, answer
                 self._guide(answer)
-                if self._offers_places:
-                    self._seen.append(self.pipeline.places)
             complete = True
         finally:
             if not complete:
-                self._seen = []
                 for stage, memory in zip(stages, memories, strict=True):
                     stage.recall(memory)
                 self.place, self.added_px, self._guidance = before

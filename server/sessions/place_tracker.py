@@ -12,6 +12,14 @@ from pointpred.server.sessions.outbox import Outbox
 from pointpred.server.sessions.target_tracker import within_bounds
 from pointpred.targets import PlaceChoice, PlaceChooser
 
+AT_ONCE = 160
+"""Events times places that are processed while other sessions wait: about a millisecond."""
+
+
+def places_take_long(events: int, places: int) -> bool:
+    """Whether reading so many places after so many events would keep other sessions waiting."""
+    return events * places > AT_ONCE
+
 
 class PlaceTracker:
     """Decides among the places of a person; what it proposes and retracts goes into the outbox."""
@@ -28,21 +36,34 @@ class PlaceTracker:
         """The share of proposals that shall be right, brought within the bounds of the chooser."""
         self._chooser.configure(precision=within_bounds(precision))
 
-    def follow(self, events: FloatArray, predictions: FloatArray, seen: Sequence[tuple[Place, ...]]) -> None:
-        """Decide after events, their predictions, and the places as they were after each."""
-        for row, answer, places in zip(events.tolist(), predictions.tolist(), seen, strict=True):
-            self._last_t = row[0]
-            for choice in self._chooser.update(places, prediction_of(tuple(answer)), event_of(tuple(row))):
-                self._announce(choice)
+    def follow(
+        self, events: FloatArray, predictions: FloatArray, seen: Sequence[tuple[Place, ...]]
+    ) -> list[tuple[float, PlaceChoice]]:
+        """Decide after events, their predictions, and the places as they were after each.
+
+        Returns the choices with their times, to be announced; any thread may run it.
+        """
+        choices = [
+            (row[0], choice)
+            for row, answer, places in zip(events.tolist(), predictions.tolist(), seen, strict=True)
+            for choice in self._chooser.update(places, prediction_of(tuple(answer)), event_of(tuple(row)))
+        ]
+        self._last_t = float(events[-1, 0])
+        return choices
+
+    def announce(self, choices: Sequence[tuple[float | None, PlaceChoice]]) -> None:
+        """Send choices to the client."""
+        for t, choice in choices:
+            self._announce(t, choice)
 
     def reset(self) -> None:
         """Forget every event; what is proposed is retracted."""
         for choice in list(self._proposed.values()):
-            self._announce(choice._replace(p=0.0, action="retract", reason=None))
+            self._announce(self._last_t, choice._replace(p=0.0, action="retract", reason=None))
         self._chooser.reset()
         self._last_t = None
 
-    def _announce(self, choice: PlaceChoice) -> None:
+    def _announce(self, t: float | None, choice: PlaceChoice) -> None:
         if choice.action == "propose":
             self._proposed[choice.id] = choice
         else:
@@ -50,5 +71,5 @@ class PlaceTracker:
         square = choice.place
         place = PlaceSquare(square.x + square.width / 2.0, square.y + square.height / 2.0, square.width)
         self._outbox.add_choice(
-            Choice(f"place {choice.id}", choice.p, choice.action, self._last_t, choice.reason, place)
+            Choice(f"place {choice.id}", choice.p, choice.action, t, choice.reason, place)
         )

@@ -74,6 +74,7 @@ class PointingSession(Session):
         self.stream: PredictionStream | None = None
         self._observe = observe
         self._coefficients = coefficients
+        self._targets = 0  # how many are registered
 
     @property
     def events(self) -> int:
@@ -160,6 +161,7 @@ class PointingSession(Session):
         stream = open_stream(message, self._coefficients)
         stream.observer = self._observe(self.name, message) if self._observe else None
         self.stream = stream
+        self._weigh_events()
         self.move(Trigger.HELLO)
         self.last_received = max(now, self.last_received)
         return self._welcome()
@@ -177,7 +179,8 @@ class PointingSession(Session):
         """Replace the set of targets."""
         self._quota.check_targets(message.targets)
         self._open_stream.replace_targets(message.targets, self.outbox)
-        self._quota.weigh_events(len(message.targets))
+        self._targets = len(message.targets)
+        self._weigh_events()
         return TargetsTaken(len(message.targets))
 
     def handle_trial(self, message: TrialMark, now: float) -> None:
@@ -192,6 +195,7 @@ class PointingSession(Session):
     def handle_configure(self, message: Configure, now: float) -> Welcome:
         """Change the predictor, its parameters or the kind of reply."""
         self._open_stream.configure(message)
+        self._weigh_events()
         return self._welcome()
 
     def handle_reset(self, message: Reset, now: float) -> None:
@@ -241,6 +245,10 @@ class PointingSession(Session):
             self.move(Trigger.EVENTS)
         if error is not None:
             self.refuse(error, dropped)
+
+    def _weigh_events(self) -> None:
+        """What an event counts, with the targets and the settings in force."""
+        self._quota.weigh_events(self._targets, places=self._open_stream.hello.places)
 
     def _welcome(self) -> Welcome:
         return Welcome(VERSION, self.name, self._open_stream.hello.predictor, self.limits)

@@ -22,9 +22,10 @@ from pointpred.protocol.server_messages import ErrorMessage, Likely
 from pointpred.server.sessions.lifecycle import Work
 from pointpred.server.sessions.outbox import Outbox
 from pointpred.server.sessions.pipelines import NO_COEFFICIENTS, cpi_of, dpi_of, pipeline_of
-from pointpred.server.sessions.place_tracker import PlaceTracker
+from pointpred.server.sessions.place_tracker import PlaceTracker, places_take_long
 from pointpred.server.sessions.target_tracker import Changes, TargetTracker
 from pointpred.server.sessions.trials import Scoring, TrialBuffer, with_outcome
+from pointpred.targets import PlaceChoice
 
 NEVER = float("-inf")
 NO_RESETS = np.zeros(100_000, np.bool_)
@@ -70,7 +71,6 @@ class PredictionStream:
         self.place_tracker: PlaceTracker | None = None
         """Decides among the person's places, where the client asked for that and events came."""
         self._window: Enter | None = None
-        self._seen: list[tuple[Place, ...]] = []  # the places after each event that is being taken in
         self.events = 0
         """Events taken in."""
         self.observer = observer
@@ -88,36 +88,31 @@ class PredictionStream:
         changed, where a number cannot be used.
         """
         error, used, count = None, table, len(table)
-        before = self._memories() if self._offers_places else ()
+        before = self._memories() if self.hello.places else ()
         predictions = self.pipeline.advance_all(NO_RESETS[:count], table)
         if predictions is None:  # the pipeline finds that something is wrong, the protocol says where
             check_numbers(table)
             error, used = self._in_order(table)
             predictions = run(self.pipeline, EventColumns(used)).table
-        if before:
-            self._see_places(used, before)
         if len(used):
             self._record(used, predictions)
-            self._reply(used, predictions, outbox)
+            self._reply(used, predictions, outbox, before)
         return error, count - len(used)
-
-    @property
-    def _offers_places(self) -> bool:
-        """Whether places are proposed: the client asked for that, and there are no targets."""
-        return self.hello.places and self.tracker is None
 
     def _memories(self) -> tuple[bytes, ...]:
         return tuple(one.remembered() for one in (self.pipeline.differentiator, self.pipeline.predictor))
 
-    def _see_places(self, table: FloatArray, before: tuple[bytes, ...]) -> None:
+    def _places_after(self, table: FloatArray, before: tuple[bytes, ...]) -> list[tuple[Place, ...]]:
         """Take in events again that are known to be good, one by one, for the places after each."""
         for stage, memory in zip(
             (self.pipeline.differentiator, self.pipeline.predictor), before, strict=True
         ):
             stage.recall(memory)
+        seen = []
         for row in table.tolist():
             self.pipeline.advance(tuple(row))
-            self._seen.append(self.pipeline.places)
+            seen.append(self.pipeline.places)
+        return seen
 
     def feed_event(self, row: tuple[float, ...], outbox: Outbox) -> bool:
         """``feed`` for the one event of most frames, without a table: the same steps, the same answer.
@@ -135,28 +130,64 @@ class PredictionStream:
         outbox.predict([self._encode_row(prediction)], 1)
         return True
 
-    def _reply(self, events: FloatArray, predictions: FloatArray, outbox: Outbox) -> None:
-        """Put the predictions into the outbox, after their choices; many targets make that ``work``."""
-        tracker, seen = self.tracker, self._seen
-        if self._offers_places:
-            self._seen = []
-            self.place_tracker = self.place_tracker or PlaceTracker(outbox, self.precision)
-            self.place_tracker.follow(events, predictions, seen)
-        if tracker is not None and self.hello.places:
-            tracker.expect(self.pipeline.places)
-        if tracker is None:
+    def _reply(
+        self, events: FloatArray, predictions: FloatArray, outbox: Outbox, before: tuple[bytes, ...]
+    ) -> None:
+        """Put the predictions into the outbox, after their choices; what takes long becomes ``work``.
+
+        ``before``: the pipeline's memories before the events, where the client asked for places.
+        """
+        follow = (
+            self._follow_places(events, predictions, outbox, before)
+            if self.tracker is None
+            else self._follow_targets(self.tracker, events, predictions, outbox, before)
+        )
+        if follow is None:
             outbox.predict(*self._frames(predictions))
-            return
-        follow = partial(tracker.follow, events, predictions, each=self.hello.reply == "event")
+        elif self._takes_long(len(events)):
+            self.work = follow
+        else:
+            follow()()
+
+    def _takes_long(self, events: int) -> bool:
+        """Whether deciding after so many events would keep other sessions waiting."""
+        reads_places = self.hello.places and places_take_long(events, len(self.pipeline.places))
+        return reads_places or (self.tracker is not None and self.tracker.takes_long(events))
+
+    def _follow_places(
+        self, events: FloatArray, predictions: FloatArray, outbox: Outbox, before: tuple[bytes, ...]
+    ) -> Work | None:
+        """How to decide among places, in any thread; ``None`` where the client did not ask for them."""
+        if not self.hello.places:
+            return None
+        tracker = self.place_tracker = self.place_tracker or PlaceTracker(outbox, self.precision)
+
+        def send(choices: list[tuple[float, PlaceChoice]]) -> None:
+            tracker.announce(choices)
+            outbox.predict(*self._frames(predictions))
+
+        return lambda: partial(send, tracker.follow(events, predictions, self._places_after(events, before)))
+
+    def _follow_targets(
+        self,
+        tracker: TargetTracker,
+        events: FloatArray,
+        predictions: FloatArray,
+        outbox: Outbox,
+        before: tuple[bytes, ...],
+    ) -> Work:
+        """How to decide among targets; any thread may run it."""
+        each, places = self.hello.reply == "event", self.hello.places
 
         def send(changes: Changes) -> None:
             tracker.announce(changes.choices)
             outbox.predict(*self._frames(predictions, changes.likely))
 
-        if tracker.takes_long(len(events)):
-            self.work = lambda: partial(send, follow())
-        else:
-            send(follow())
+        def follow() -> Changes:
+            seen = self._places_after(events, before) if places else None
+            return tracker.follow(events, predictions, seen, each=each)
+
+        return lambda: partial(send, follow())
 
     def _frames(
         self, predictions: FloatArray, likely: list[list[Likely]] | None = None

@@ -13,6 +13,8 @@ BYTES_A_MESSAGE = 4096
 """A frame that cannot be used counts once more for each so many bytes: finding what is wrong takes time."""
 TARGETS_AN_EVENT = 64
 """An event counts once more for each so many targets: each target is looked at."""
+EVENTS_FOR_PLACES = 7
+"""An event counts so many times more where the client asked for places: they are read after it."""
 
 
 class Quota:
@@ -42,7 +44,7 @@ class Quota:
             raise ProtocolError("too_large", sentence, "$.events", close=1009)
         if not self.events.take((count or 1) * self._weight, now):
             sentence = f"at most {self.limits.max_events_per_s // self._weight} events a second"
-            sentence += " with so many targets" if self._weight > 1 else ""
+            sentence += " with so many targets, or with places" if self._weight > 1 else ""
             raise ProtocolError("too_fast", sentence, close=1008)
 
     def take_message(self, now: float, count: int = 1) -> None:
@@ -67,6 +69,6 @@ class Quota:
                 raise ProtocolError("bad_field", sentence, path, field="id", value=target.id)
             ids.add(target.id)
 
-    def weigh_events(self, targets: int) -> None:
-        """From now on, each event counts as ``targets`` targets make it cost."""
-        self._weight = 1 + targets // TARGETS_AN_EVENT
+    def weigh_events(self, targets: int, *, places: bool) -> None:
+        """From now on, each event counts as ``targets`` targets, and places, make it cost."""
+        self._weight = 1 + targets // TARGETS_AN_EVENT + (EVENTS_FOR_PLACES if places else 0)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Hashable, Iterator, Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 from pointpred.columns import FloatArray
@@ -90,13 +91,28 @@ class TargetTracker:
         """Whether so many events would keep other sessions waiting."""
         return events * len(self._targets) > AT_ONCE
 
-    def follow(self, table: FloatArray, predictions: FloatArray, *, each: bool) -> Changes:
+    def follow(
+        self,
+        table: FloatArray,
+        predictions: FloatArray,
+        seen: Sequence[Sequence[Place]] | None = None,
+        *,
+        each: bool,
+    ) -> Changes:
         """Decide after events and their predictions; any thread may run it.
 
-        ``each``: the likeliest targets after each event, otherwise after the last.
+        ``seen``: the person's places after each event, where they count; at the event where they change, the
+        weights change. ``each``: the likeliest targets after each event, otherwise after the last.
         """
-        last = len(table) if each else 1
-        changes, likely = self._chooser.follow(table, predictions, most=LIKELIEST, last=last)
+        changes: list[tuple[float, Change]] = []
+        likely: list[list[tuple[Hashable, float]]] = []
+        for places, part in _parts(seen, len(table)):
+            if places is not None:
+                self.expect(places)
+            last = part.stop - part.start if each else int(part.stop == len(table))
+            made, named = self._chooser.follow(table[part], predictions[part], most=LIKELIEST, last=last)
+            changes += made
+            likely += named
         self._last_t = float(table[-1, 0])
         return Changes(changes, [[Likely(str(id), p) for id, p in one] for one in likely])
 
@@ -124,3 +140,20 @@ class TargetTracker:
             if distance(one)[0] <= one.width / 2 and distance(one)[1] <= one.height / 2
         ]
         return min(around, key=lambda one: sum(distance(one))).id if around else None
+
+
+def _parts(
+    seen: Sequence[Sequence[Place]] | None, count: int
+) -> Iterator[tuple[Sequence[Place] | None, slice]]:
+    """Runs of events, each begun where what is known before a movement changes, and their places.
+
+    The places are in the order of their numbers, so that sums of shares do not depend on the likeliest now.
+    """
+    if seen is None:
+        yield None, slice(0, count)
+        return
+    ordered = [sorted(places, key=lambda place: place.id) for places in seen]
+    known = [[(place.x, place.y, place.before, place.spread) for place in places] for places in ordered]
+    starts = [i for i in range(count) if i == 0 or known[i] != known[i - 1]]
+    for start, stop in pairwise([*starts, count]):
+        yield ordered[start], slice(start, stop)

@@ -14,7 +14,7 @@ from pointpred.rows import event_of, prediction_of
 from pointpred.targets import PlaceChoice, PlaceChooser
 from tests.page import node
 from tests.page.test_page_chooser import assert_alike as assert_close
-from tests.page.test_page_pipeline import answers
+from tests.page.test_page_pipeline import answers, assert_equal
 from tests.page.test_page_session import SCREEN, both, frames_of
 from tests.page.test_page_session import assert_alike as assert_same_session
 from tests.unit.talking import hello
@@ -51,6 +51,11 @@ def steps_of(movements: list[list[list[float | None]]]) -> list[Any]:
     return steps
 
 
+def listing(answer: Any) -> bool:
+    """Whether this lists places."""
+    return isinstance(answer, list | tuple) and all(isinstance(one, dict) for one in answer)
+
+
 def test_places_are_those_of_python_in_each_window() -> None:
     first, second, third = rounds(1, 9), rounds(2, 4, start_s=100.0), rounds(3, 2, start_s=200.0)
     steps = [
@@ -69,6 +74,7 @@ def test_places_are_those_of_python_in_each_window() -> None:
         *steps_of(third),
         {"enter": ["", 0.0, 0.0]},
         "places",
+        "person",
     ]
     found = node.run("predict.mjs", {"name": NAME, "options": {}, "steps": steps})
     expected = answers(build(NAME), steps)
@@ -79,6 +85,9 @@ def test_places_are_those_of_python_in_each_window() -> None:
         if step == "places":
             order = [sorted(side, key=lambda place: place["id"]) for side in (one, other)]
             assert_close(*order)
+    assert_equal(*([one for one in side[:-1] if not listing(one)] for side in (found, expected)))
+    taught = [build(NAME, person=side[-1]).predictor.known for side in (found, expected)]
+    assert np.allclose(*taught, rtol=1e-9, atol=1e-9)
 
 
 def test_a_window_has_the_same_number_in_the_page() -> None:
@@ -149,6 +158,29 @@ def test_the_chooser_proposes_the_places_of_python() -> None:
     }
     assert reasons == {"predicted", "entered", None}
     assert_close(found, expected)
+
+
+def test_targets_weigh_alike_however_events_are_framed() -> None:
+    """Frames span movements that start elsewhere than where the last one ended."""
+    learned, later = rounds(8, 8), [row for rows in rounds(9, 7, start_s=100.0)[::2] for row in rows]
+    listed = [
+        {"id": str(i), "x": x - 10.0, "y": y - 10.0 + 20.0 * (i % 2), "width": 20.0, "height": 20.0}
+        for i, (x, y) in enumerate([*CORNERS, *CORNERS])
+    ]
+    heard: list[list[Any]] = []
+    for size in (1, 7, 100):
+        frames = [
+            hello(NAME, places=True, reply="event", screen=SCREEN),
+            *(one for rows in learned for one in [*frames_of(rows, 20), {"type": "reset"}]),
+            {"type": "targets", "targets": listed},
+            *frames_of(later, size),
+        ]
+        found, expected = both(frames)
+        assert_same_session(found, expected)
+        said = [one for answers in found for one in answers]
+        heard.append([[one for one in said if one["type"] == kind] for kind in ("choice", "prediction")])
+    assert heard[0] == heard[1] == heard[2]
+    assert len(heard[0][0]) > 4
 
 
 @pytest.mark.parametrize(("size", "reply"), [(1, "frame"), (7, "event")])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
 import pytest
@@ -64,6 +65,57 @@ def test_a_place_is_proposed_before_the_cursor_is_there(encoding: str, size: int
 def test_frames_of_many_events_bring_the_choices_of_single_ones() -> None:
     alone, together = (choices(move(somebody(places=True), way(8), size=size)) for size in (1, 20))
     assert alone == together != []
+
+
+@pytest.mark.parametrize("size", [7, 100])
+def test_targets_weigh_alike_however_events_are_framed(size: int) -> None:
+    """Frames that span two movements, which start elsewhere than where the last one ended."""
+    rows = [row for number in range(8, 14) for row in way(number, end=0.5 + 0.1 * (number % 3))]
+    targets = [
+        {"id": "there", "x": 390.0, "y": -10.0, "width": 20.0, "height": 20.0},
+        {"id": "near", "x": 385.0, "y": 30.0, "width": 30.0, "height": 30.0},
+        {"id": "here", "x": -10.0, "y": -10.0, "width": 20.0, "height": 20.0},
+    ]
+
+    def answers(size: int) -> tuple[list[Any], list[Any]]:
+        talk = somebody(places=True, reply="event")
+        talk.say({"type": "targets", "targets": targets})
+        said = move(talk, rows, size=size)
+        return choices(said), [one for one in said if one["type"] == "prediction"]
+
+    alone, framed = answers(1), answers(size)
+    assert alone == framed
+    assert len(alone[0]) > 4
+
+
+@pytest.mark.parametrize("targets", [0, 1])
+def test_a_long_frame_with_places_is_work_for_another_thread(targets: int) -> None:
+    talk, other = somebody(places=True), somebody(places=True)
+    listed = [{"id": "there", "x": 390.0, "y": -10.0, "width": 20.0, "height": 20.0}][:targets]
+    for one in (talk, other):
+        one.say({"type": "targets", "targets": listed})
+    rows = [row for number in range(8, 14) for row in way(number)]
+    talk.session.receive(json.dumps(events(*rows[:1])), 0.0)
+    other.session.receive(json.dumps(events(*rows[:1])), 0.0)
+    assert talk.session.work is None
+    talk.session.receive(json.dumps(events(*rows[1:])), 0.0)
+    assert talk.session.work is not None
+    talk.session.finish(talk.session.work())
+    assert choices(talk.hear()) == choices(other.hear() + move(other, rows[1:])) != []
+
+
+def test_an_event_counts_more_with_places() -> None:
+    limits = {"max_events_per_s": 80}
+    for places, most in ((False, 80), (True, 10)):
+        talk = Talk(greet=hello(NAME, places=places), **limits)
+        talk.say(events(*[(i / 1000, 0.0, 0.0, None, None, 0) for i in range(most)]))
+        assert talk.closed is None
+        talk.say(events((1.0, 0.0, 0.0, None, None, 0)))
+        assert talk.closed == 1008
+    talk = Talk(greet=hello(NAME), **limits)
+    talk.say({"type": "configure", "places": True})
+    talk.say(events(*[(i / 1000, 0.0, 0.0, None, None, 0) for i in range(11)]))
+    assert talk.closed == 1008
 
 
 def test_who_did_not_ask_is_told_nothing() -> None:

@@ -72,7 +72,7 @@ export class AssistedStream extends PredictionStream {
         moved.push([t, ...place, dx, dy, buttons]);
         answers.push(answer);
         this.#guide(answer);
-        if (this.offersPlaces) this.see();
+        if (this.hello.places) this.see();
       }
       complete = true;
     } finally {

@@ -15,7 +15,7 @@ const ELSEWHERE = { cpi: "device.cpi", dpi: "screen.dpi", name: "predictor", per
 export class PredictionStream {
   /** The settings in force. */ hello;
   #send; #pipeline; #tracker = null; #precision = null; #lastTime = -Infinity; #trial = new TrialBuffer(); #placeTracker = null; #window = null;
-  /** The places after each event that is being taken in, where they are proposed. */ #seen = [];
+  /** The places after each event that is being taken in, where the client asked for them. */ #seen = [];
 
   /**
    * Use `open`.
@@ -54,7 +54,7 @@ export class PredictionStream {
 
   /** The predictions for events; null, and nothing changed, where one is refused. @param {number[][]} rows */
   take(rows) {
-    const before = this.offersPlaces ? this.#pipeline.remembered : null, answers = this.#pipeline.advanceAll(rows);
+    const before = this.hello.places ? this.#pipeline.remembered : null, answers = this.#pipeline.advanceAll(rows);
     if (before === null || answers === null) return answers;
     this.#pipeline.remembered = before; // once more, one by one, for the places after each
     for (const row of rows) {
@@ -85,10 +85,10 @@ export class PredictionStream {
     this.#lastTime = rows[last][0];
     const likely = [], seen = this.#seen;
     this.#seen = [];
-    if (this.hello.places) this.#tracker?.expect(this.#pipeline.places);
     if (this.offersPlaces) this.#placeTracker ??= new PlaceTracker(this.#send, this.#precision);
     for (let i = 0; i <= last; i++) {
       this.#trial.add(rows[i]);
+      if (this.hello.places) this.#tracker?.expect(seen[i]);
       this.#tracker?.follow(rows[i], answers[i]);
       if (this.offersPlaces) this.#placeTracker.follow(rows[i], answers[i], seen[i]);
       if (listed && (each || i === last)) likely.push(this.#tracker.likeliest);

@@ -6,7 +6,7 @@ import { ProtocolError } from "./messages.js";
 
 /** Decides among the targets of a session; what it proposes and retracts is sent. */
 export class TargetTracker {
-  #send; #chooser = new Chooser(); #targets = []; #lastTime = null;
+  #send; #chooser = new Chooser(); #targets = []; #lastTime = null; #known = [];
 
   /** @param {(message: object) => void} send @param {number|null} precision share of proposals that shall be right, null: the chooser's own */
   constructor(send, precision) {
@@ -32,9 +32,16 @@ export class TargetTracker {
     this.#announce(this.#lastTime, changes);
   }
 
-  /** Takes into account where the person went before. @param {import("./pipeline.js").Place[]} places */
+  /**
+   * Takes into account where the person went before, where that has changed. The order is that of the places' numbers, so that
+   * sums of shares do not depend on the likeliest now.
+   * @param {import("./pipeline.js").Place[]} places
+   */
   expect(places) {
-    this.#chooser.expect(places);
+    const known = [...places].sort((one, other) => one.id - other.id), former = this.#known;
+    this.#known = known;
+    if (known.length === former.length && known.every((place, i) => isKnown(place, former[i]))) return;
+    this.#chooser.expect(known);
   }
 
   /** Forgets every event; what is proposed is retracted. */
@@ -78,3 +85,6 @@ export class TargetTracker {
     return nearest;
   }
 }
+
+/** Whether a place is as it was before the movement. */
+const isKnown = (one, other) => one.x === other.x && one.y === other.y && one.before === other.before && one.spread === other.spread;
