@@ -24,7 +24,7 @@ from pointpred.targets.choice_law import (
     walk,
 )
 from pointpred.targets.expectation import expect
-from pointpred.targets.inputs import accepted, refuse, usable
+from pointpred.targets.inputs import accepted, check_places, refuse, usable
 from pointpred.targets.ledger import Ledger, Movement
 from pointpred.targets.rectangles import LOG_WEIGHT, Target, table
 
@@ -145,8 +145,10 @@ class Chooser:
 
         Of n targets, one of weight w in which places lie, or so near that visits of them end in it, gets
         the weight w (1 + n b), b the sum of their ``before``; also targets that are registered later. An
-        empty list, as at first, leaves the weights as they are given.
+        empty list, as at first, leaves the weights as they are given. Raises ParameterError for places that
+        are not usable; nothing is then changed.
         """
+        check_places(places)
         known = [(place.x, place.y, place.before, place.spread) for place in places]
         self._known = np.array(known, dtype=np.float64).reshape(-1, expectation.FIELDS)
         expect(self._table, self._own, self._known)

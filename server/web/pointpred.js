@@ -252,11 +252,12 @@ export class Connection {
     this.#sendMessage(message);
   }
 
-  /** Forgets the person, in the session and in this client. @returns {Promise<string>} "", when that is done */
+  /** Forgets the person, in the session and in this client, and events that wait for a connection. @returns {Promise<string>} "", when that is done */
   async forget() {
     this.#pointer?.flush();
     this.#unanswered = [];
     if (this.#canSend) return this.#person.forget();
+    this.#queue.dropEvents();
     this.#person.store("", this.#settings.predictor);
     return "";
   }
@@ -370,7 +371,7 @@ export class Connection {
     this.#sentTargets = NO_TARGETS;
     this.#sendTargets();
     if (this.state === "closed") return; // by a listener of an error
-    for (const { rows, message } of this.#queue.drain(welcome.limits, this.#targetCount)) {
+    for (const { rows, message } of this.#queue.drain(welcome.limits, this.#targetCount, this.#settings.places)) {
       if (rows) {
         this.#serviceChoices.setPast(rows.at(-1)[0]);
         this.#sendRows(rows);

@@ -73,6 +73,37 @@ def test_what_is_stored_is_known_at_the_next_visit_and_can_be_forgotten(page: In
     assert page.value("localStorage.getItem('me')") is None
 
 
+def test_a_person_forgotten_in_another_tab_is_forgotten_here(page: IntentPage) -> None:
+    page.value("localStorage.clear()")
+    follow(page, "{ precision: 0.4, store: 'me' }")
+    back_and_forth(page, 4)
+    page.value("{ dispatchEvent(new Event('pagehide')) }")
+    assert page.value("localStorage.getItem('me')") == page.value("followed.person") != ""
+    page.value("{ window.tab = document.body.appendChild(document.createElement('iframe')) }")
+    page.value("{ tab.contentWindow.localStorage.setItem('other', '1') }")
+    page.value("{ tab.contentWindow.localStorage.removeItem('other') }")
+    page.value("frames(3)")
+    assert page.value("followed.person") != ""
+    page.value("{ tab.contentWindow.localStorage.removeItem('me') }")
+    page.wait("followed.person === ''")
+    page.value("{ dispatchEvent(new Event('pagehide')); followed.stop() }")
+    assert page.value("localStorage.getItem('me')") is None
+
+
+def test_it_stops_where_nothing_can_be_stored(page: IntentPage) -> None:
+    page.value("localStorage.clear()")
+    follow(page, "{ precision: 0.4, store: 'me' }")
+    back_and_forth(page, 8)
+    page.value(
+        "{ Storage.prototype.setItem = () => { throw new DOMException('full', 'QuotaExceededError') } }"
+    )
+    page.value("{ addEventListener('error', (event) => event.preventDefault()) }")
+    page.value("followed.stop()")
+    page.value("{ heard.length = 0 }")
+    back_and_forth(page, 2)
+    assert page.value("heard.length") == 0
+
+
 def test_without_a_name_nothing_is_stored(page: IntentPage) -> None:
     page.value("localStorage.clear()")
     follow(page)

@@ -151,6 +151,9 @@ def test_the_chooser_proposes_the_places_of_python() -> None:
         steps += [["configure", {"precision": 0.3}]] if number == 6 else []
     steps += [["update", [], None, [0.0, 1.0, 1.0, np.nan, np.nan, 0.0]], ["summary"]]
     steps += [["configure", {"precision": 2.0}]]
+    listed, event = [one._asdict() for one in pipeline.places], [1.0, 1.0, 1.0, np.nan, np.nan, 0.0]
+    wrong = [[listed[0], *listed], *([{**listed[0], **one}] for one in ({"p": 1.5}, {"before": -0.5}))]
+    steps += [["update", one, None, event] for one in [*wrong, []]]
     found = node.run("choose_places.mjs", {"settings": {"precision": 0.6}, "steps": steps})
     expected = in_python({"precision": 0.6}, steps)
     reasons = {

@@ -159,3 +159,14 @@ def test_places_windows_and_forgetting_in_the_page(one: Visitor, url: str) -> No
     both(one, "connection.configure({ places: 'yes' })")
     soon(lambda: [len(a) for a in heard(one, "error", "code")] == [1, 1], "both refuse")
     assert heard(one, "error", "code, path") == [[["bad_field", "$.places"]]] * 2
+
+
+def test_events_that_wait_are_forgotten_with_the_person(one: Visitor, url: str) -> None:
+    one.open(f"{url}/web/example.html")
+    one.value("""import("/web/pointpred.js").then(async ({ connect }) => {
+      const connection = window.late = connect(undefined, { page: true, pointer: false });
+      connection.send([[0, 1, 1, null, null, 0], [0.01, 2, 2, null, null, 0]]);
+      await connection.forget();
+    })""")
+    soon(lambda: one.value("late.state") == "open", "the connection is open")
+    assert one.value("[late.sent, late.dropped]") == [0, 2]

@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
+from itertools import count
+from math import nan
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from pointpred import Place, PointerEvent
+from pointpred.errors import ParameterError
 from pointpred.targets import Chooser, Target
 from pointpred.targets.rectangles import LOG_WEIGHT
 
 A, B, C = (Target(id, x, 0.0, 40.0, 40.0) for id, x in (("a", 0.0), ("b", 100.0), ("c", 200.0)))
 PAST = st.tuples(*[st.floats(-200.0, 400.0)] * 2, st.floats(0.0, 0.2), st.floats(0.0, 80.0))
 """x, y, share before the movement and scatter of a place."""
+NUMBERS = count()
 
 
 def at(x: float, y: float, before: float, spread: float = 10.0) -> Place:
-    return Place(x, y, 0.0, before, 1.0, 0, spread)
+    return Place(x, y, 0.0, before, 1.0, next(NUMBERS), spread)
 
 
 def weights(chooser: Chooser) -> list[float]:
@@ -107,3 +112,27 @@ def test_shares_sum_to_one(rows: list[tuple[float, float, float, float]]) -> Non
     chooser.expect([at(*row) for row in rows])
     assert sum(weights(chooser)) == pytest.approx(1.0)
     assert min(weights(chooser)) >= 1.0 / (3.0 * (1.0 + sum(before for _, _, before, _ in rows))) - 1e-12
+
+
+@pytest.mark.parametrize(
+    ("wrong", "field"),
+    [
+        ({"id": 4}, "id"),
+        ({"p": nan}, "p"),
+        ({"p": 1.1}, "p"),
+        ({"before": nan}, "before"),
+        ({"before": -0.1}, "before"),
+        ({"x": nan}, "x"),
+        ({"spread": -1.0}, "spread"),
+    ],
+)
+def test_places_that_are_not_usable_are_refused(wrong: dict[str, float], field: str) -> None:
+    good = Place(120.0, 20.0, 0.1, 0.2, 1.0, 4, 10.0)
+    chooser = Chooser([A, B, C])
+    chooser.expect([good])
+    before = weights(chooser)
+    with pytest.raises(ParameterError) as refused:
+        chooser.expect([good, good._replace(**{"id": 5, **wrong})])
+    assert refused.value.field == field
+    chooser.replace([A, B, C])
+    assert weights(chooser) == before

@@ -19,6 +19,11 @@ export class Settings {
     return this.#hello.predictor;
   }
 
+  /** Whether places are asked for. */
+  get places() {
+    return this.#hello.places === true;
+  }
+
   /** @returns {"binary"|"json"} */
   get encoding() {
     return this.#hello.encoding;

@@ -45,6 +45,7 @@ class Places {
     new PointerStream(window, { raw: false, accepts: ({ pointerType }) => pointerType !== "touch", onRows: (rows) => this.#follow(rows), signal });
     window.addEventListener("scroll", () => this.#enter(), { signal, passive: true });
     window.addEventListener("pagehide", () => this.#save(), { signal });
+    window.addEventListener("storage", (event) => this.#follows(event) && this.#forget(), { signal });
   }
 
   /** What finished movements have taught of the person. @returns {string} */
@@ -54,18 +55,28 @@ class Places {
 
   /** Forgets the person, here and in what was stored. */
   forget() {
-    this.#options.person = "";
     if (this.#options.store !== undefined) localStorage.removeItem(this.#options.store);
-    if (this.#pipeline === null) return;
-    this.#pipeline.forget();
-    this.#enter();
+    this.#forget();
   }
 
   /** Stops it. */
   stop() {
-    this.#withdraw();
-    this.#save();
     this.#stop.abort();
+    this.#withdraw();
+    attempt(() => this.#save());
+  }
+
+  /** Whether another page has removed the person from the store: its user wants to be forgotten. @param {StorageEvent} event */
+  #follows({ storageArea, key, newValue }) {
+    const { store } = this.#options;
+    return store !== undefined && storageArea === localStorage && (key === null || (key === store && newValue === null));
+  }
+
+  #forget() {
+    this.#options.person = "";
+    if (this.#pipeline === null) return;
+    this.#pipeline.forget();
+    this.#enter();
   }
 
   async #load() {

@@ -10,7 +10,7 @@ import { EventError } from "./errors.js";
 import { Ledger } from "./ledger.js";
 import { check } from "./parameters.js";
 import { UNPREDICTED } from "./row.js";
-import { tableOf } from "./targets.js";
+import { checkPlaces, tableOf } from "./targets.js";
 
 /**
  * @typedef {import("./stage.js").Row} Row
@@ -83,9 +83,11 @@ export class Chooser {
   /**
    * Takes the person's past into account, best at the first events of each movement: targets in which places lie, or so near
    * that visits of them end there, weigh more; also those that come later. An empty list leaves the weights as they are given.
+   * Throws a ParameterError, nothing changed, for places that are not usable.
    * @param {import("./pipeline.js").Place[]} places of `Pipeline.places`
    */
   expect(places) {
+    checkPlaces(places);
     this.#known = places.map(({ x, y, before, spread }) => Float64Array.of(x, y, before, spread));
     expect(this.#targets[0], this.#own, this.#known);
   }

@@ -3,6 +3,7 @@
 import { EFFECTIVE } from "../laws/targets/rectangle_mass.js";
 import { Chooser } from "./chooser.js";
 import { REMAINING_S } from "./row.js";
+import { checkPlaces } from "./targets.js";
 
 /**
  * @typedef {import("./pipeline.js").Place} Place
@@ -47,15 +48,17 @@ export class PlaceChooser {
 
   /**
    * Takes in an event, the prediction made at it and the places as they then are; returns what has changed. Where the places
-   * are others than before, a proposal of one that is gone is withdrawn first. Throws an EventError, nothing changed.
+   * are others than before, a proposal of one that is gone is withdrawn first. Throws an EventError,
+   * or a ParameterError for places that are not usable, nothing changed.
    * @param {Place[]} places @param {number[]|null} answer row of the prediction @param {number[]} event t, x, y, dx, dy, buttons
    * @returns {PlaceChoice[]}
    */
   update(places, answer, event) {
+    checkPlaces(places);
     this.#chooser.checkEvent(event);
-    this.#cursor = [event[1], event[2]];
     const before = this.#squares, ordered = [...places].sort((one, other) => one.id - other.id);
     const gone = this.#replace(ordered);
+    this.#cursor = [event[1], event[2]];
     const shares = ordered.map(({ p }) => p), known = shares.reduce((sum, p) => sum + p, 0);
     const changed = this.#chooser.updateWithShares([...shares, Math.max(1 - known, 0)], answer?.[REMAINING_S] ?? NaN, event);
     return [...withPlaces(gone, before), ...withPlaces(changed, this.#squares)];
