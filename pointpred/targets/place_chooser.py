@@ -51,8 +51,8 @@ class PlaceChooser:
 
     Parameters: ``precision`` is the share that a place must have to be proposed, ``least_lead_s`` s and
     ``least_way_px`` px as for ``Chooser``. Memory: that of a chooser of at most 64 targets. Costs some
-    0.26 ms an event with 64 places. Raises ParameterError, and EventError or EventOrderError from ``update``;
-    nothing is then changed.
+    0.05 ms an event with 64 places, and some 0.2 ms where they have changed since the last. Raises
+    ParameterError, and EventError or EventOrderError from ``update``; nothing is then changed.
 
     >>> from pointpred import build
     >>> chooser, pipeline = PlaceChooser(precision=0.6), build("kinematic-adaptive")

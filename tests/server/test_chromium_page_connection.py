@@ -170,3 +170,17 @@ def test_events_that_wait_are_forgotten_with_the_person(one: Visitor, url: str) 
     })""")
     soon(lambda: one.value("late.state") == "open", "the connection is open")
     assert one.value("[late.sent, late.dropped]") == [0, 2]
+
+
+@pytest.mark.parametrize(("places", "most"), [("false", 60), ("true", 7)])
+def test_no_more_waiting_events_are_sent_than_the_service_takes(
+    one: Visitor, url: str, places: str, most: int
+) -> None:
+    """Three quarters of 80 a second; with places each counts 8 times."""
+    one.open(f"{url}/web/example.html")
+    sent = one.value(f"""import("/web/client/event-queue.js").then(({{ EventQueue }}) => {{
+      const queue = new EventQueue(100);
+      queue.add(Array.from({{ length: 90 }}, (_, i) => [i, 1, 1, null, null, 0]));
+      return queue.drain({{ max_events_per_s: 80 }}, 0, {places}).flatMap(({{ rows }}) => rows).length;
+    }})""")
+    assert sent == most
