@@ -17,6 +17,8 @@ from translation.source import Name, is_law
 
 COEFFICIENTS = "kinematic.f32"
 """The file of coefficients in the folder of laws."""
+LONGEST_GROUP = 16
+"""Slots of a group that comes again and again, such as those of a place, at most."""
 LAWS = ("step", "conclude", "fill", "settle", "sizes", "fault", "enter_scene", "list_places")
 """What a class may name as its laws."""
 
@@ -53,7 +55,7 @@ def text_of(stage: type[CompiledStage]) -> str:
         parts.append(f"at: {at}")
     if stage.slots:
         parts.append(f"layout: {json.dumps(layout_name(stage.slots).hex())}")
-        parts.append(f"slots: [\n{_lines(_slot(slot) for slot in stage.slots)}\n  ]")
+        parts.append(f"slots: [\n{_lines(_shortened([_slot(slot) for slot in stage.slots]))}\n  ]")
     parts.append(f"parameters: [\n{_lines(_parameter(one) for one in stage.parameters)}\n  ]")
     return f"export const {stage.__name__} = {{\n" + "".join(f"  {part},\n" for part in parts) + "};"
 
@@ -97,6 +99,30 @@ def descriptions_text() -> str:
         f"export const PREDICTORS = {json.dumps(predictors, indent=2)};\n"
         f"export const DIFFERENTIATORS = {json.dumps(differentiators, indent=2)};\n"
     )
+
+
+def _shortened(entries: list[str]) -> Iterator[str]:
+    """Entries of a list, a group of up to LONGEST_GROUP that comes again and again as one entry."""
+    at = 0
+    while at < len(entries):
+        size, times = max(
+            ((size, _times(entries, at, size)) for size in range(1, LONGEST_GROUP + 1)),
+            key=lambda one: (one[1] > 1) * one[0] * one[1],
+        )
+        group = entries[at : at + size]
+        if times > 1:
+            yield f"...Array.from({{ length: {times} }}, () => [{', '.join(group)}]).flat()"
+        else:
+            yield from group[:1]
+        at += size * times if times > 1 else 1
+
+
+def _times(entries: list[str], at: int, size: int) -> int:
+    """How often the group of this size stands there, one right after the other."""
+    times, group = 1, entries[at : at + size]
+    while entries[at + times * size : at + (times + 1) * size] == group:
+        times += 1
+    return times
 
 
 def _meanings(stage: type[CompiledStage]) -> dict[str, str]:

@@ -61,7 +61,7 @@ class Predictor(CompiledStage):
         return None
 
     def enter(self, scene: Scene) -> None:
-        """The cursor is in this window or page from now on; without effect where no places are learned."""
+        """The next movement is in this window or page; without effect where no places are learned."""
 
     def advance(self, row: Row) -> TenFloats:
         """``update`` in rows; t is NaN where the motion is refused, and nothing has changed then."""

@@ -150,7 +150,7 @@ class Configure(ClientMessage, tag="configure"):
 
 
 class Enter(ClientMessage, tag="enter"):
-    """The cursor moves in this window or page from now on, whose origin is at ``x`` and ``y`` px.
+    """The next movement is in this window or page, whose origin is at ``x`` and ``y`` px.
 
     Places are remembered for each ``key``, relative to the origin; "" is the screen. Finishes the movement.
     """

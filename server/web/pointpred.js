@@ -241,7 +241,7 @@ export class Connection {
   }
 
   /**
-   * The pointer moves in this window or page from now on: places are remembered for each name, relative to the origin, so that
+   * The next movement is in this window or page: places are remembered for each name, relative to the origin, so that
    * they move with it. Finishes the movement.
    * @param {string} key "" is what it is without a name @param {number} [x] of the origin, px @param {number} [y]
    */

@@ -245,7 +245,7 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
         return twin
 
     def enter(self, scene: Scene) -> None:
-        """The cursor is in this window or page from now on."""
+        """The next movement is in this window or page; at once where none goes on."""
         enter_scene(self._memory, scene)
 
     @property
