@@ -17,7 +17,7 @@ SERVANTS = {"benchmarks/devices_live", "benchmarks/service_load", "benchmarks/se
 """Started by other benchmarks, never by hand."""
 RUN = {
     path.relative_to(ROOT).with_suffix("").as_posix(): path.read_text(encoding="utf-8")
-    for path in [*(ROOT / "benchmarks").glob("*.py"), *(ROOT / "pages").rglob("*.py")]
+    for path in [*(ROOT / "benchmarks").rglob("*.py"), *(ROOT / "pages").rglob("*.py")]
     if 'if __name__ == "__main__":' in path.read_text(encoding="utf-8")
 }
 
