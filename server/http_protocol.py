@@ -1,26 +1,60 @@
-"""uvicorn's HTTP protocol, which closes a connection whose request header is too slow or too long."""
+"""uvicorn's HTTP protocol, with bounds on what a client may send around the requests of the application."""
 
 from __future__ import annotations
 
 import asyncio
+import logging
+from collections.abc import Callable
+from http import HTTPStatus
 
+from httptools import HttpParserError, HttpParserUpgrade
 from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol
+
+from pointpred.protocol.server_messages import Code
+from pointpred.server.request_refusal import Refusal
+from pointpred.server.upgrade import check_upgrade, upgrade_request
+from pointpred.server.websocket_protocol import BoundedWebSocketProtocol
+
+log = logging.getLogger("pointpred.service")
 
 HEADER_S = 10.0
 """So long a header may take: from the connection, or from the first byte of a further request."""
 HEADER_BYTES = 2**16
-"""No browser sends a longer one."""
+"""No browser sends a longer one: names, values and the path together."""
+HEADER_LINES = 256
+"""Headers of one request."""
+PIPELINED = 16
+"""Further requests that wait for the first one's response; no browser sends one."""
+BODY_BYTES = 2**24
+"""Bytes of a body that are thrown away after the response, until the connection idles for too long."""
+LINGER_S = 2.0
+"""So long a client whose request is refused may take to read why ..."""
+LINGER_BYTES = 2**20
+"""... and so much may it still send. Closing at once would reset the connection, and lose the response."""
+
+TOO_LONG = Refusal(
+    HTTPStatus.REQUEST_HEADER_FIELDS_TOO_LARGE,
+    "too_large",
+    f"the header of a request holds at most {HEADER_BYTES} bytes in {HEADER_LINES} lines",
+)
+NO_HTTP = Refusal(HTTPStatus.BAD_REQUEST, "bad_field", "expected an HTTP request")
+TOO_MANY = Refusal(
+    HTTPStatus.TOO_MANY_REQUESTS, "too_many", f"at most {PIPELINED} requests may wait for their responses"
+)
 
 
 class BoundedHttpProtocol(HttpToolsProtocol):
     """A connection that is closed where the client begins a request and does not go on.
 
-    Bodies and pauses between requests are bounded elsewhere. The bound on bytes is checked after each read,
-    so that a header may be longer by as much as is read at once.
+    The body of a request is bounded by what reads it; what of it is left after the response is bounded here.
     """
 
     _header_timer: asyncio.TimerHandle | None = None  # runs while a header is incomplete
-    _header_bytes = 0
+    _header_bytes = 0  # received while a header is incomplete
+    _in_body = False
+    _refused = False  # nothing more is parsed
+    _linger_timer: asyncio.TimerHandle | None = None  # runs while a client may read why it was refused
+    _unread = 0  # bytes that were thrown away
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         """The first header is expected."""
@@ -28,34 +62,128 @@ class BoundedHttpProtocol(HttpToolsProtocol):
         self._expect_header()
 
     def connection_lost(self, exc: Exception | None) -> None:
-        """No header is expected any more."""
-        self._stop_timer()
+        """Nothing is expected any more."""
+        self._stop_header_timer()
+        if self._linger_timer is not None:
+            self._linger_timer.cancel()
         super().connection_lost(exc)
 
     def data_received(self, data: bytes) -> None:
-        """Parse received data, and bound the length of a header."""
-        super().data_received(data)
+        """Parse received data, and bound the length of a header that is not complete."""
+        if self._refused:
+            self._throw_away(len(data), LINGER_BYTES)
+            return
+        try:
+            self.parser.feed_data(data)
+        except HttpParserUpgrade:
+            if self._should_upgrade():
+                self.handle_websocket_upgrade()
+        except HttpParserError:
+            self._refuse(NO_HTTP)
         if self._header_timer is not None:
             self._header_bytes += len(data)
             if self._header_bytes > HEADER_BYTES:
-                self.transport.abort()
+                self._refuse(TOO_LONG)
+
+    def handle_websocket_upgrade(self) -> None:
+        """Hand the connection to a WebSocket, with the request that has been parsed."""
+        url, fields = self.url, self.headers
+        refusal = check_upgrade(self.parser.get_method(), self.parser.get_http_version(), url, fields)
+        if refusal is not None:
+            self._refuse(refusal)
+        if self._refused:
+            return
+        self.connections.discard(self)
+        protocol = BoundedWebSocketProtocol(self.config, self.server_state, self.app_state)
+        protocol.connection_made(self.transport)
+        self.transport.set_protocol(protocol)
+        if not protocol.open(upgrade_request(url, fields)):
+            self.on_refusal("bad_field")
+
+    def on_refusal(self, code: Code) -> None:
+        """A request was refused before the application saw it."""
 
     def on_message_begin(self) -> None:
         """A request begins."""
         super().on_message_begin()
+        self._in_body, self._unread = False, 0
+        self._unset_keepalive_if_required()
         if self._header_timer is None:
             self._expect_header()
 
     def on_headers_complete(self) -> None:
-        """Its header is complete."""
-        self._stop_timer()
-        super().on_headers_complete()
+        """Its header is complete; a request that is refused does not reach the application."""
+        self._stop_header_timer()
+        self._unset_keepalive_if_required()
+        length = len(self.url) + sum(len(name) + len(value) + 4 for name, value in self.headers)
+        if length > HEADER_BYTES or len(self.headers) > HEADER_LINES:
+            self._refuse(TOO_LONG)
+        elif len(self.pipeline) >= PIPELINED:
+            self._refuse(TOO_MANY)
+        if not self._refused:
+            super().on_headers_complete()
+            self._in_body = True
+
+    def on_body(self, body: bytes) -> None:
+        """A part of a body, thrown away where the response has been sent already."""
+        if self._refused:
+            return
+        super().on_body(body)
+        if self.cycle is not None and self.cycle.response_complete:
+            self._throw_away(len(body), BODY_BYTES)
+
+    def on_message_complete(self) -> None:
+        """The request is complete."""
+        self._in_body = False
+        if not self._refused:
+            super().on_message_complete()
 
     def _expect_header(self) -> None:
         self._header_bytes = 0
         self._header_timer = self.loop.call_later(HEADER_S, self.transport.close)
 
-    def _stop_timer(self) -> None:
+    def _stop_header_timer(self) -> None:
         if self._header_timer is not None:
             self._header_timer.cancel()
             self._header_timer = None
+
+    def _throw_away(self, count: int, most: int) -> None:
+        self._unread += count
+        if self._unread > most:
+            self.transport.abort()
+
+    def _refuse(self, refusal: Refusal) -> None:
+        """Say why, and close; the responses to earlier requests are sent before."""
+        if self._refused:
+            return
+        self._refused, self._unread = True, 0
+        self._stop_header_timer()
+        log.info("a request was refused: %s", refusal.message, extra={"code": refusal.code})
+        self.on_refusal(refusal.code)
+        cycle = self.cycle
+        if cycle is not None and not cycle.response_complete:
+            cycle.keep_alive = False  # the connection closes after the response
+            if not self._in_body:
+                return
+            cycle.disconnected = True  # the rest of its body does not come
+            cycle.message_event.set()
+            if cycle.response_started:
+                self.transport.close()
+                return
+        self.transport.write(refusal.response())
+        if self.transport.can_write_eof():
+            self.transport.write_eof()
+        self._linger_timer = self.loop.call_later(LINGER_S, self.transport.abort)
+
+
+def counting(count: Callable[[Code], None]) -> type[BoundedHttpProtocol]:
+    """The protocol, with ``count`` called with the code of each request that is refused here."""
+
+    class CountingHttpProtocol(BoundedHttpProtocol):
+        """Counts what it refuses."""
+
+        def on_refusal(self, code: Code) -> None:
+            """Count it."""
+            count(code)
+
+    return CountingHttpProtocol

@@ -17,7 +17,7 @@ from pointpred.errors import SourceError
 from pointpred.server.access import WILDCARDS, HostRule
 from pointpred.server.app import create_app
 from pointpred.server.garbage import tune_collector
-from pointpred.server.http_protocol import BoundedHttpProtocol
+from pointpred.server.http_protocol import counting
 from pointpred.server.service import Service
 from pointpred.server.websocket_protocol import BoundedWebSocketProtocol
 
@@ -153,7 +153,7 @@ def make_server(hosts: HostRule, service: Service, announce: Callable[[], None])
         log_config=None,
         log_level="warning",
         access_log=False,
-        http=BoundedHttpProtocol,  # httptools, with bounds
+        http=counting(service.refuse_request),  # httptools, with bounds
         ws=BoundedWebSocketProtocol,  # websockets-sansio, with bounds
         ws_max_size=FRAME_BYTES,
         ws_per_message_deflate=False,
@@ -169,5 +169,8 @@ def serve(opened: socket.socket, hosts: HostRule, service: Service, announce: Ca
     """Answer on a listening socket until interrupted; ``announce`` is called when the page can be opened."""
     server = make_server(hosts, service, announce)
     tune_collector()
-    with opened:
-        server.run([opened])
+    try:
+        with opened:
+            server.run([opened])
+    finally:
+        service.shut_down()  # again where uvicorn has done so: whatever breaks there, recordings are written

@@ -8,6 +8,7 @@ import secrets
 from concurrent.futures import ThreadPoolExecutor
 
 from pointpred.protocol.client_messages import Hello
+from pointpred.protocol.server_messages import Code
 from pointpred.registry import RECOMMENDED
 from pointpred.server.access import RefusedOrigins
 from pointpred.server.compiling.compiler import Compiler
@@ -94,9 +95,13 @@ class Service:
         else:
             log.info("session closed", extra={**about, "code": code})
 
+    def refuse_request(self, code: Code) -> None:
+        """A request was refused before anything of it was heard."""
+        self.metrics.connections_refused.labels(code).inc()
+
     def refuse_origin(self, origin: str | None) -> None:
         """A page of another site was refused: counted, and logged once an origin."""
-        self.metrics.connections_refused.labels("unauthorized").inc()
+        self.refuse_request("unauthorized")
         self.origins.add(origin)
 
     def update_metrics(self) -> None:

@@ -8,14 +8,19 @@ from __future__ import annotations
 
 import asyncio
 from asyncio.transports import BaseTransport
+from http import HTTPStatus
 
 from uvicorn.protocols.websockets.websockets_sansio_impl import WebSocketsSansIOProtocol
 from websockets.frames import Frame, Opcode
+from websockets.http11 import Request
 from websockets.protocol import State
 
 from pointpred.protocol.server_messages import Code, ErrorMessage, encode
 from pointpred.protocol.token_bucket import TokenBucket
+from pointpred.server.upgrade import FrameReader
 
+UPGRADE_S = 10.0
+"""So long the application may take to accept or refuse a connection."""
 LINGER_S = 5.0
 """So long a client may take to read its last frames and close."""
 WAITING_BYTES = 2**15
@@ -36,6 +41,7 @@ class BoundedWebSocketProtocol(WebSocketsSansIOProtocol):
     session has ended.
     """
 
+    _upgrade_timer: asyncio.TimerHandle | None = None  # runs from the request on
     _abort_timer: asyncio.TimerHandle | None = None
     _ended = False  # whether the client has been told why it ends: nothing more is received
     _pong: bytes | None = None  # the newest answer to a ping that has to wait
@@ -51,8 +57,28 @@ class BoundedWebSocketProtocol(WebSocketsSansIOProtocol):
         self.transport.set_write_buffer_limits(high=WAITING_BYTES)
         self._control_frames = TokenBucket(CONTROL_FRAMES_PER_S, self.loop.time())
 
+    def open(self, request: Request) -> bool:
+        """Answer a request that has been parsed; False where its headers do not ask for a WebSocket."""
+        self.conn = FrameReader(max_size=self.config.ws_max_size, logger=self.logger)
+        self._upgrade_timer = self.loop.call_later(UPGRADE_S, self._end_upgrade)
+        self.handle_connect(request)
+        return self.response.status_code == HTTPStatus.SWITCHING_PROTOCOLS
+
+    def shutdown(self) -> None:
+        """The service stops; a connection that has already failed has nobody to tell."""
+        if self.handshake_complete or not self.conn.eof_sent:
+            super().shutdown()
+        else:
+            self.transport.abort()
+
+    def _end_upgrade(self) -> None:
+        if not self.handshake_complete:
+            self.transport.abort()
+
     def connection_lost(self, exc: Exception | None) -> None:
         """Nothing is left to abort."""
+        if self._upgrade_timer is not None:
+            self._upgrade_timer.cancel()
         if self._abort_timer is not None:
             self._abort_timer.cancel()
         super().connection_lost(exc)

@@ -1,0 +1,143 @@
+"""Requests that no browser sends, and long ones that a browser may: every one is answered, and ends."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import logging
+import socket as socket_module
+from pathlib import Path
+
+import pytest
+
+from pointpred.protocol.client_messages import Hello
+from tests.server.listener import soon
+from tests.server.running import running
+from tests.server.test_hostile_connections import half, refused
+
+UPGRADE = (
+    b"Host: 127.0.0.1\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+    b"Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n"
+)
+LINE = b"GET /v1/stream HTTP/1.1\r\n"
+TOKEN = "open sesame"
+
+
+def answer(opened: socket_module.socket) -> bytes:
+    """Everything until the service closes."""
+    heard = b""
+    while part := opened.recv(2**16):
+        heard += part
+    return heard
+
+
+@pytest.mark.parametrize(
+    ("request_bytes", "status"),
+    [
+        pytest.param(LINE + UPGRADE + b"Cookie: " + b"x" * 8300 + b"\r\n\r\n", 101, id="a cookie of 8.3 kB"),
+        pytest.param(LINE + UPGRADE + b"Cookie: " + b"x" * 60_000 + b"\r\n\r\n", 101, id="a cookie of 60 kB"),
+        pytest.param(LINE + UPGRADE + b"X-More: a\r\n" * 200 + b"\r\n", 101, id="200 headers"),
+        pytest.param(
+            b"GET /v1/stream?x=" + b"a" * 9000 + b" HTTP/1.1\r\n" + UPGRADE + b"\r\n", 101, id="a long path"
+        ),
+        pytest.param(LINE + UPGRADE + b"Cookie: " + b"x" * 100_000 + b"\r\n\r\n", 431, id="100 kB"),
+        pytest.param(LINE + UPGRADE + b"X-More: a\r\n" * 2000 + b"\r\n", 431, id="2,000 headers"),
+        pytest.param(LINE.replace(b"GET", b"POST") + UPGRADE + b"\r\n", 405, id="POST"),
+        pytest.param(LINE.replace(b"1.1", b"1.0") + UPGRADE + b"\r\n", 400, id="HTTP 1.0"),
+        pytest.param(LINE + UPGRADE + b"Content-Length: 5\r\n\r\nhello", 400, id="a body"),
+        pytest.param(LINE + UPGRADE.replace(b"dGhl", b"!!!!") + b"\r\n", 400, id="a key that is none"),
+        pytest.param(LINE + UPGRADE.replace(b"dGhl", b"A" * 9000) + b"\r\n", 400, id="a long key"),
+        pytest.param(b"GET /v1/str\xe9am HTTP/1.1\r\n" + UPGRADE + b"\r\n", 400, id="a path not ASCII"),
+    ],
+)
+def test_every_request_for_a_websocket_is_answered_and_counted(request_bytes: bytes, status: int) -> None:
+    with running() as here:
+        with half(here, request_bytes) as opened:
+            if status == 101:
+                assert opened.recv(4096).startswith(b"HTTP/1.1 101 ")
+            else:
+                heard = answer(opened)
+                assert heard.startswith(b"HTTP/1.1 %d " % status)
+                code = {431: "too_large", 405: "out_of_place"}.get(status)
+                counted = [refused(here, one) or 0.0 for one in ("too_large", "out_of_place", "bad_field")]
+                assert sum(counted) == 1.0
+                assert code is None or refused(here, code) == 1.0
+        soon(lambda: not here.server.server_state.connections, "it is closed")
+
+
+def test_a_long_header_is_refused_before_the_token_is_looked_at_and_says_so(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    caplog.set_level(logging.INFO, "pointpred")
+    long = LINE + UPGRADE + b"A: " + b"x" * 70_000 + b"\r\n\r\n"
+    with running(token=TOKEN) as here, half(here, long) as opened:
+        head, _, body = answer(opened).partition(b"\r\n\r\n")
+        assert b"Connection: close" in head
+        assert json.loads(body)["code"] == "too_large"
+        assert "65536 bytes" in json.loads(body)["message"]
+    assert [entry for entry in caplog.records if "a request was refused" in entry.message]
+
+
+def test_an_upgrade_that_the_application_does_not_answer_ends(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("pointpred.server.websocket_protocol.UPGRADE_S", 0.2)
+
+    async def silent(*arguments: object) -> None:
+        await asyncio.Event().wait()
+
+    monkeypatch.setattr("pointpred.server.endpoints.StreamEndpoint._admit", silent)
+    monkeypatch.setattr("pointpred.server.listening.STOP_S", 1)
+    with running() as here, half(here, LINE + UPGRADE + b"\r\n") as opened:
+        assert not answer_or_reset(opened)
+        soon(lambda: not here.server.server_state.connections, "it is closed")
+
+
+def answer_or_reset(opened: socket_module.socket) -> bytes:
+    try:
+        return answer(opened)
+    except ConnectionResetError:
+        return b""
+
+
+def test_a_body_that_nobody_asked_for_is_not_read_for_ever(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("pointpred.server.http_protocol.BODY_BYTES", 2**20)
+    head = b"GET /healthz HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 100000000\r\n\r\n"
+    with running() as here, half(here, head) as opened:
+        with pytest.raises((ConnectionResetError, BrokenPipeError)):
+            opened.sendall(b"x" * 90_000_000)
+        soon(lambda: not here.server.server_state.connections, "it is closed")
+
+
+@pytest.mark.parametrize("dribble", [b"x", b""])
+def test_a_client_that_sends_a_little_after_its_response_does_not_stay(dribble: bytes) -> None:
+    head = b"GET /healthz HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 9\r\n\r\n"
+    with running() as here:
+        here.server.config.timeout_keep_alive = 0.2
+        with half(here, head if dribble else head.replace(b"9", b"0")) as opened:
+            assert opened.recv(4096).startswith(b"HTTP/1.1 200")
+            opened.sendall(dribble or b"\r\n")
+            answer_or_reset(opened)
+        soon(lambda: not here.server.server_state.connections, "it is closed")
+
+
+def test_requests_without_waiting_for_responses_are_bounded() -> None:
+    one = b"GET /healthz HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"
+    with running() as here, half(here, one * 1000) as opened:
+        heard = answer(opened)
+        assert heard.count(b"HTTP/1.1 200") <= 17
+        assert refused(here, "too_many") == 1.0
+
+
+def test_a_few_requests_at_once_are_all_answered() -> None:
+    one = b"GET /healthz HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"
+    last = one.replace(b"\r\n\r\n", b"\r\nConnection: close\r\n\r\n")
+    with running() as here, half(here, one * 9 + last) as opened:
+        assert answer(opened).count(b"HTTP/1.1 200") == 10
+
+
+def test_the_service_stops_cleanly_beside_an_upgrade_that_was_refused(tmp_path: Path) -> None:
+    with running(record=tmp_path) as here:
+        opened = half(here, LINE.replace(b"GET", b"POST") + UPGRADE + b"\r\n")
+        assert opened.recv(4096).startswith(b"HTTP/1.1 405 ")
+    opened.close()
+    assert here.service.recorder is not None
+    assert here.service.recorder.open("late", Hello(1)) is None, "it was closed"
