@@ -149,8 +149,7 @@ def _compiling(request: Request) -> Response:
 async def _metrics(request: Request) -> Response:
     """Counters and histograms for Prometheus."""
     service: Service = request.app.state.service
-    service.update_metrics()  # on the event loop, where sessions come and go
-    return Response(service.metrics.text(), media_type=METRICS)
+    return Response(await service.metrics_text(), media_type=METRICS)  # on the loop: sessions come and go
 
 
 def _page() -> Response:

@@ -109,18 +109,20 @@ class _Cancellations(logging.Filter):
         return record.exc_info is None or not isinstance(record.exc_info[1], asyncio.CancelledError)
 
 
-class _Server(uvicorn.Server):
+class PointpredServer(uvicorn.Server):
     """uvicorn that announces when it has begun to answer, and stops the sessions when it is asked to stop."""
 
     announce: Callable[[], None]
     service: Service
 
     async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+        """Begin to answer, and announce it."""
         await super().startup(sockets)
         if self.started:
             self.announce()
 
     async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
+        """End the sessions, then everything else."""
         self.service.stop()
         until = time.monotonic() + CLOSE_S
         while self._has_websockets() and time.monotonic() < until:
@@ -146,9 +148,16 @@ class _Server(uvicorn.Server):
         return any(isinstance(one, BoundedWebSocketProtocol) for one in self.server_state.connections)
 
 
-def make_server(hosts: HostRule, service: Service, announce: Callable[[], None]) -> _Server:
+def make_server(hosts: HostRule, service: Service, announce: Callable[[], None]) -> PointpredServer:
     """The web server, ready to run on a listening socket."""
-    config = uvicorn.Config(
+    server = PointpredServer(web_config(hosts, service))
+    server.announce, server.service = announce, service
+    return server
+
+
+def web_config(hosts: HostRule, service: Service) -> uvicorn.Config:
+    """How uvicorn serves the application."""
+    return uvicorn.Config(
         create_app(hosts, service),
         log_config=None,
         log_level="warning",
@@ -160,9 +169,6 @@ def make_server(hosts: HostRule, service: Service, announce: Callable[[], None])
         server_header=False,
         timeout_graceful_shutdown=STOP_S,
     )
-    server = _Server(config)
-    server.announce, server.service = announce, service
-    return server
 
 
 def serve(opened: socket.socket, hosts: HostRule, service: Service, announce: Callable[[], None]) -> None:

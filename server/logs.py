@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 OWN = "pointpred"
-FIELDS = ("session", "code", "events", "error", "seconds")
+FIELDS = ("worker", "session", "code", "events", "error", "seconds")
 """What an entry may hold beside its message; nothing that a pointer did."""
 
 
@@ -68,13 +68,28 @@ def fields_of(record: logging.LogRecord) -> dict[str, Any]:
     return fields if error is None else {**fields, "error": place_of(error)}
 
 
-def set_up(style: Literal["json", "text"] | None = None) -> None:
+class _OfWorker(logging.Filter):
+    """Adds the number of this process's worker to each entry."""
+
+    def __init__(self, worker: int) -> None:
+        super().__init__()
+        self.worker = worker
+
+    def filter(self, record: logging.LogRecord) -> bool:
+        record.worker = self.worker
+        return True
+
+
+def set_up(style: Literal["json", "text"] | None = None, worker: int | None = None) -> None:
     """Send every entry of this process to stderr: ours from info on, others' from warning on.
 
-    Without a style it is text where stderr is a terminal, JSON elsewhere.
+    Without a style it is text where stderr is a terminal, JSON elsewhere. ``worker``: the number of this
+    process among several.
     """
     style = style or ("text" if sys.stderr.isatty() else "json")
     handler = logging.StreamHandler(sys.stderr)
     handler.setFormatter(JsonLines() if style == "json" else PlainLines())
+    if worker is not None:
+        handler.addFilter(_OfWorker(worker))
     logging.basicConfig(handlers=[handler], level=logging.WARNING, force=True)
     logging.getLogger(OWN).setLevel(logging.INFO)

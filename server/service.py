@@ -6,6 +6,7 @@ import asyncio
 import logging
 import secrets
 from concurrent.futures import ThreadPoolExecutor
+from typing import Protocol
 
 from pointpred.protocol.client_messages import Hello
 from pointpred.protocol.server_messages import Code
@@ -28,6 +29,23 @@ LOST = 1006
 """The close code under which a lost connection is counted: a tab was closed, a process ended."""
 
 
+class Peers(Protocol):
+    """The workers of a service that has several, this one included."""
+
+    ready: bool
+    """Whether every worker has been ready."""
+
+    @property
+    def sessions(self) -> int:
+        """Sessions of all workers."""
+
+    def count_sessions(self, own: int) -> None:
+        """How many sessions this worker has."""
+
+    async def metrics(self) -> bytes:
+        """The metrics of all workers, in the exposition format."""
+
+
 class Service:
     """Opens sessions, counts what they do, and stops them."""
 
@@ -47,17 +65,21 @@ class Service:
         """Scores the trials of sessions, one at a time."""
         self.live: LiveFeed | None = None
         """The attached device, where there is one."""
+        self.peers: Peers | None = None
+        """The other workers, where there are several."""
         self._open: dict[Session, tuple[Connection | None, SessionCounts]] = {}
 
     @property
     def ready(self) -> bool:
         """Whether the recommended predictor answers at once."""
-        return self.compiler.ready(RECOMMENDED) and not self.stopping
+        others = self.peers is None or self.peers.ready
+        return others and self.compiler.ready(RECOMMENDED) and not self.stopping
 
     @property
     def full(self) -> bool:
-        """Whether no further session is admitted."""
-        return len(self._open) >= self.settings.max_sessions
+        """Whether no further session is admitted: the bound is one for all workers."""
+        sessions = len(self._open) if self.peers is None else self.peers.sessions
+        return sessions >= self.settings.max_sessions
 
     def open_session(self, now: float) -> PointingSession:
         """A pointing session with a random name."""
@@ -74,8 +96,13 @@ class Service:
 
     def _add(self, session: Session) -> None:
         self._open[session] = (None, SessionCounts())
-        self.metrics.sessions.set(len(self._open))
+        self._count_sessions()
         log.info("session opened", extra={"session": session.name})
+
+    def _count_sessions(self) -> None:
+        self.metrics.sessions.set(len(self._open))
+        if self.peers is not None:
+            self.peers.count_sessions(len(self._open))
 
     def attach(self, session: Session, connection: Connection) -> None:
         """Remember the connection of a session: it is woken when the service stops."""
@@ -86,7 +113,7 @@ class Service:
         session.connection_lost()
         connection, counts = self._open.pop(session)
         self.metrics.update_session(session, _frames(connection), counts)
-        self.metrics.sessions.set(len(self._open))
+        self._count_sessions()
         code = session.close.code if session.close else LOST
         self.metrics.ended.labels(str(code)).inc()
         about = {"session": session.name, "events": counts.events}
@@ -103,6 +130,13 @@ class Service:
         """A page of another site was refused: counted, and logged once an origin."""
         self.refuse_request("unauthorized")
         self.origins.add(origin)
+
+    async def metrics_text(self) -> bytes:
+        """The metrics in the exposition format, those of all workers where there are several."""
+        if self.peers is not None:
+            return await self.peers.metrics()
+        self.update_metrics()
+        return self.metrics.text()
 
     def update_metrics(self) -> None:
         """Count what the open sessions and the recorder have done since the last update."""

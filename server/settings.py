@@ -62,6 +62,7 @@ class Settings(BaseSettings):
         le=65535,
         description="Port; 0 takes any free one. Not given: the first free from 8765.",
     )
+    workers: int = Field(default=1, ge=1, le=256, description="Processes that share the sessions.")
     allow_host: Words = Field(default=(), description="Other host names this service answers to.")
     allow_origin: Words = Field(default=(), description="Origins of other sites' pages that may connect.")
     token: str | None = Field(

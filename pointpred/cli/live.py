@@ -192,6 +192,11 @@ def _page(host: str | None, port: int | None) -> Callable[[LiveFeed], PageServic
     settings = settings_of(
         {name: value for name, value in (("host", host), ("port", port)) if value is not None}
     )
+    if settings.workers > 1:
+        raise ParameterError(
+            f"POINTPRED_WORKERS is {settings.workers}, but a device is served from the one process that "
+            "reads it; unset it, or set it to 1"
+        )
 
     def page(feed: LiveFeed) -> PageService:
         from pointpred.live.page import PageService

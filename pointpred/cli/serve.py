@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import socket as sockets
 from pathlib import Path
 from socket import socket
 from typing import TYPE_CHECKING, Annotated, Any
@@ -30,6 +31,9 @@ def serve(
             max=65535,
             help=f"Port to listen on; 0 takes any free one. Not given: the first free one from {PORT}.",
         ),
+    ] = None,
+    workers: Annotated[
+        int | None, typer.Option(help="Processes that share the sessions (1); not on Windows.")
     ] = None,
     allow_host: Annotated[
         list[str] | None, typer.Option(help="Another host name this service answers to; repeatable.")
@@ -81,26 +85,52 @@ def serve(
       pointpred serve --port 0 --record sessions
 
       pointpred serve --host 0.0.0.0 --allow-host lab.example
+
+      pointpred serve --workers 4
     """
     options = {name: value for name, value in locals().items() if value not in (None, [])}
-    from pointpred.server.access import HostRule
     from pointpred.server.listening import address
-    from pointpred.server.listening import serve as answer
     from pointpred.server.logs import set_up
-    from pointpred.server.service import Service
 
-    settings = settings_of(options)
+    settings = settings_of(options).guarded()
+    if settings.workers > 1 and not hasattr(sockets, "send_fds"):
+        raise ParameterError(
+            f"--workers {settings.workers}: this system cannot hand connections to other processes; "
+            "serve with --workers 1"
+        )
     set_up(settings.log_format)
     opened = open_port(settings)
     if settings.port is None and opened.getsockname()[1] != PORT:
         remarks().print(f"port {PORT} is in use; taking the next free one. --port N chooses another")
-    service = Service(settings)
-
-    starting = ServiceStart(service, address(settings.host, opened))
+    starting = ServiceStart(settings, address(settings.host, opened))
     try:
-        answer(opened, HostRule(settings.host, settings.allow_host), service, starting.announce)
+        if settings.workers == 1:
+            _serve_alone(opened, settings, starting)
+        else:
+            _serve_with_workers(opened, settings, starting)
     except KeyboardInterrupt:
         remarks().print("stopped")
+
+
+def _serve_alone(opened: socket, settings: Settings, starting: ServiceStart) -> None:
+    """Serve from this process."""
+    from pointpred.server.access import HostRule
+    from pointpred.server.listening import serve as answer
+    from pointpred.server.service import Service
+
+    service = Service(settings)
+    starting.watch(service.compiler)
+    answer(opened, HostRule(settings.host, settings.allow_host), service, starting.announce)
+
+
+def _serve_with_workers(opened: socket, settings: Settings, starting: ServiceStart) -> None:
+    """Serve from several processes, which this one starts and watches."""
+    from pointpred.server.recorder.recordings import prepare
+    from pointpred.server.workers.supervisor import Supervisor, supervise
+
+    if settings.record is not None:
+        prepare(settings.record)
+    supervise(Supervisor(opened, settings, starting.announce, starting.ready, starting.progress))
 
 
 def open_port(settings: Settings) -> socket:

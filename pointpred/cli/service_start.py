@@ -10,8 +10,7 @@ import typer
 from pointpred.console import plain
 
 if TYPE_CHECKING:
-    from pointpred.server.compiling.compiler import Progress
-    from pointpred.server.service import Service
+    from pointpred.server.compiling.compiler import Compiler, Progress
     from pointpred.server.settings import Settings
 
 CLEAR = "\r\x1b[2K"
@@ -25,34 +24,35 @@ class ServiceStart:
     terminal only; elsewhere it is in the log.
     """
 
-    def __init__(self, service: Service, address: str, screen: TextIO | None = None) -> None:
-        self.service = service
+    def __init__(self, settings: Settings, address: str, screen: TextIO | None = None) -> None:
+        self.settings = settings
         self.address = address
         self._screen = screen or sys.stderr
         self._watched = self._screen.isatty()
-        if self._watched:
-            service.compiler.on_progress = self.progress
-        service.compiler.on_ready = self.ready
-        self._say(f"Settings: {changed_settings(service.settings)}")
+        self._say(f"Settings: {changed_settings(settings)}")
+
+    def watch(self, compiler: Compiler) -> None:
+        """Print what a compiler does."""
+        compiler.on_progress, compiler.on_ready = self.progress, self.ready
 
     def announce(self) -> None:
         """The page can be opened."""
-        shown = self.service.settings
+        shown = self.settings
         token = f"?token={shown.token}" if shown.token and shown.show_token else ""
         self._screen.write(CLEAR if self._watched else "")
         self._screen.flush()
         typer.echo(self.address + token)
 
     def progress(self, progress: Progress) -> None:
-        """What is being compiled; nothing where it is only loaded."""
-        if self.service.compiler.compiled_any:
+        """What is being compiled."""
+        if self._watched:
             far = f"{progress.done} of {progress.of}, {progress.next}"
             self._screen.write(CLEAR + (plain(f"Compiling, only this once: {far}") if progress.next else ""))
             self._screen.flush()
 
     def ready(self) -> None:
         """The recommended predictor is compiled; the address is printed again, without a token."""
-        token = " with the token" if self.service.settings.token else ""
+        token = " with the token" if self.settings.token else ""
         self._say(f"Ready: open {self.address}{token} in a browser. Ctrl-C stops.")
 
     def _say(self, words: str) -> None:

@@ -16,6 +16,7 @@ from contextlib import suppress
 from msgspec import Struct
 
 from pointpred.registry import RECOMMENDED, REGISTRY
+from pointpred.server.compiling.alone import compiling_alone
 from pointpred.server.compiling.order import PartQueue
 from pointpred.server.compiling.parts import FIRST, Part, parts
 from pointpred.server.compiling.worker import LOW_PRIORITY, Worker
@@ -62,7 +63,7 @@ class Compiler:
         self.compiled_any = False
         """Whether something had to be compiled, rather than loaded."""
         self.on_progress: Callable[[Progress], None] = lambda progress: None
-        """Called by other threads when a part begins or is done."""
+        """Called by other threads when a part begins or is done; never where everything is only loaded."""
         self.on_ready: Callable[[], None] = lambda: None
         """Called by another thread when the recommended predictor is compiled."""
 
@@ -133,9 +134,8 @@ class Compiler:
         while (part := self._next()) is not None:
             try:
                 if part.awaits:
-                    self.compiled_any = True
-                    self._report()
-                    worker = self._compile(worker, part.name)
+                    with compiling_alone(part):
+                        worker = self._compile_missing(worker, part)
                 if not self.stopped:
                     with self._loading:
                         part.run()
@@ -145,6 +145,14 @@ class Compiler:
             self._finish(part)
         if worker is not None:
             worker.end()
+
+    def _compile_missing(self, worker: Worker | None, part: Part) -> Worker | None:
+        """Compile a part, unless another process has done so meanwhile; returns as ``_compile`` does."""
+        if self.stopped or not part.awaits:
+            return worker
+        self.compiled_any = True
+        self._report()
+        return self._compile(worker, part.name)
 
     def _compile(self, worker: Worker | None, name: str) -> Worker | None:
         """Have a worker compile a part; returns the worker, ``None`` where this thread has to compile."""
@@ -210,7 +218,8 @@ class Compiler:
             if self.compiled_any and progress.next is not None and progress.next not in self._logged:
                 self._logged.add(progress.next)
                 log.info("Compiling once: %d of %d, %s", progress.done, progress.of, progress.next)
-            self.on_progress(progress)
+            if self.compiled_any:
+                self.on_progress(progress)
 
     def _notify(self) -> None:
         """Wake the threads and the event loops that wait."""

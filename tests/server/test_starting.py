@@ -17,7 +17,6 @@ import pytest
 
 from pointpred.cli.service_start import ServiceStart, changed_settings
 from pointpred.registry import RECOMMENDED, REGISTRY
-from pointpred.server.service import Service
 from pointpred.server.settings import Settings
 from tests.server.compiler import FakeWorkers
 from tests.server.running import PATIENCE_S
@@ -114,9 +113,8 @@ class Terminal(io.StringIO):
 
 def test_what_is_compiled_is_one_line_that_goes_when_all_is_done() -> None:
     compiler, screen = FakeWorkers(), Terminal()
-    service = Service()
-    compiling = service.compiler = compiler.compiling([RECOMMENDED, "ktm"])
-    ServiceStart(service, "http://127.0.0.1:1/", screen)
+    compiling = compiler.compiling([RECOMMENDED, "ktm"])
+    ServiceStart(Settings(), "http://127.0.0.1:1/", screen).watch(compiling)
     compiler.allow()
     compiling.start()
     compiling.join()

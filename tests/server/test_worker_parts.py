@@ -1,0 +1,176 @@
+"""The parts of a service of several processes, each alone."""
+
+from __future__ import annotations
+
+import asyncio
+import socket
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import pytest
+from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram
+
+from pointpred.errors import SourceError
+from pointpred.server.compiling.alone import compiling_alone
+from pointpred.server.compiling.parts import Part
+from pointpred.server.listening import listen
+from pointpred.server.settings import Settings
+from pointpred.server.workers import restarts
+from pointpred.server.workers.dispatcher import Dispatcher
+from pointpred.server.workers.families import Family, ServiceFamilies, families_of, text_of
+from pointpred.server.workers.supervisor import Supervisor
+from tests.server.running import PATIENCE_S
+
+pytestmark = pytest.mark.skipif(not hasattr(socket, "send_fds"), reason="no descriptors are passed here")
+
+
+def families(events: int, sessions: int, delays: list[float]) -> list[Family]:
+    registry = CollectorRegistry()
+    Counter("events", "", registry=registry).inc(events)
+    Gauge("sessions", "", registry=registry).set(sessions)
+    Gauge("process_files", "", registry=registry).set(sessions)
+    histogram = Histogram("delay", "", buckets=(1.0,), registry=registry)
+    for delay in delays:
+        histogram.observe(delay)
+    return families_of(registry)
+
+
+def values(merged: list[Family]) -> dict[str, float]:
+    return {
+        name + "".join(labels.values()): value
+        for family in merged
+        for name, labels, value in family.rows
+        if "created" not in name
+    }
+
+
+def test_metrics_are_summed_and_counts_outlive_their_worker() -> None:
+    service = ServiceFamilies()
+    service.update("0", families(3, 2, [0.5, 2.0]))
+    service.update("1", families(4, 1, [0.5]))
+    expected = {"events_total": 7, "delay_count": 3, "delay_sum": 3.0, "delay_bucket1.0": 2}
+    both = {"sessions": 3, "process_files0": 2, "process_files1": 1}
+    assert expected | both | {"delay_bucket+Inf": 3} == values(service.merged())
+    service.end("1")
+    alone = {"sessions": 2, "process_files0": 2}
+    assert expected | alone | {"delay_bucket+Inf": 3} == values(service.merged())
+    service.update("1", families(10, 0, []))
+    assert values(service.merged())["events_total"] == 17
+    assert "events_total 17.0" in text_of(service.merged())
+
+
+class Worker:
+    """Takes connections while it has room."""
+
+    def __init__(self, load: int = 0, room: int = 1000) -> None:
+        self.load, self.room = load, room
+        self.taken = 0
+
+    def hand(self, connection: socket.socket) -> bool:
+        if self.taken >= self.room:
+            return False
+        self.taken += 1
+        self.load += 1
+        return True
+
+
+def dispatched(workers: list[Worker], clients: int, until_taken: int) -> None:
+    """Connect clients, and wait until so many connections have been taken."""
+
+    async def dispatch() -> None:
+        with listen("127.0.0.1", 0) as listening:
+            address = listening.getsockname()
+            dispatcher = Dispatcher(listening, lambda: workers)
+            dispatcher.start()
+            opened = [socket.create_connection(address) for _ in range(clients)]
+            async with asyncio.timeout(PATIENCE_S):
+                while sum(worker.taken for worker in workers) < until_taken:
+                    await asyncio.sleep(0.001)
+                    if len(workers) == 1 and workers[0].taken == workers[0].room:
+                        workers.append(Worker())
+            dispatcher.stop()
+            for one in opened:
+                one.close()
+
+    asyncio.run(dispatch())
+
+
+def test_the_worker_with_the_fewest_connections_gets_the_next() -> None:
+    workers = [Worker(load=6), Worker(load=2), Worker()]
+    dispatched(workers, 10, 10)
+    assert [worker.load for worker in workers] == [6, 6, 6]
+
+
+def test_a_full_worker_is_passed_over() -> None:
+    workers = [Worker(room=1), Worker(load=5)]
+    dispatched(workers, 8, 8)
+    assert [worker.taken for worker in workers] == [1, 7]
+
+
+def test_connections_wait_while_nobody_takes_them() -> None:
+    workers = [Worker(room=3)]
+    dispatched(workers, 8, 8)
+    assert [worker.taken for worker in workers] == [3, 5]
+
+
+def test_workers_that_end_at_once_are_not_started_for_ever(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "executable", "/bin/false")
+    monkeypatch.setattr(restarts, "FIRST_S", 0.001)
+    announced: list[bool] = []
+    opened = listen("127.0.0.1", 0)
+    supervisor = Supervisor(opened, Settings(workers=2), lambda: announced.append(True))
+    with pytest.raises(SourceError, match="every worker ends soon after its start"):
+        asyncio.run(supervisor.run())
+    assert not announced
+
+
+HOLDER = """
+import sys, numba, pathlib
+from types import SimpleNamespace
+from pointpred.server.compiling.alone import compiling_alone
+from pointpred.server.compiling.parts import Part
+law = SimpleNamespace(stats=SimpleNamespace(cache_path=sys.argv[1]))
+with compiling_alone(Part("any", lambda: None, (law,))):
+    print("held", flush=True)
+    sys.stdin.read()
+"""
+
+
+class Law:
+    """Something that is kept in a folder."""
+
+    def __init__(self, folder: Path) -> None:
+        self.stats = self
+        self.cache_path = str(folder)
+
+
+@pytest.mark.parametrize("how", ["ends", "is killed"])
+def test_one_process_compiles_a_part_and_others_wait(tmp_path: Path, how: str) -> None:
+    command = [sys.executable, "-c", HOLDER, str(tmp_path)]
+    holder = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+    assert holder.stdout is not None
+    assert holder.stdin is not None
+    assert holder.stdout.readline() == "held\n"
+    held = threading.Event()
+
+    def wait() -> None:
+        with compiling_alone(Part("any", lambda: None, (Law(tmp_path),))):
+            held.set()
+
+    thread = threading.Thread(target=wait)
+    thread.start()
+    assert not held.wait(0.2)
+    if how == "is killed":
+        holder.kill()
+    holder.communicate()
+    assert held.wait(PATIENCE_S)
+    thread.join()
+
+
+def test_a_part_without_a_folder_is_compiled_all_the_same(tmp_path: Path) -> None:
+    with compiling_alone(Part("any", lambda: None, (Law(tmp_path / "missing"),))):
+        pass
+    with compiling_alone(Part("any", lambda: None, ())):
+        pass

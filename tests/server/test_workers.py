@@ -1,0 +1,178 @@
+"""A service of several processes: one address, one token, sums of metrics, and crashes that stay apart."""
+
+from __future__ import annotations
+
+import os
+import signal
+import socket
+import time
+from collections.abc import Iterator
+from contextlib import ExitStack, suppress
+from pathlib import Path
+
+import numpy as np
+import pytest
+from websockets.exceptions import ConnectionClosed
+from websockets.sync.client import ClientConnection
+from websockets.sync.client import connect as dial
+
+from pointpred import build, run
+from pointpred.client import Connection, ServiceError, connect
+from pointpred.datasets import sample
+from pointpred.errors import SourceError
+from pointpred.server.recorder.recordings import listing
+from tests.server.listener import soon
+from tests.server.running import HELLO, PATIENCE_S
+from tests.server.serving_workers import Served, served
+
+pytestmark = pytest.mark.skipif(not hasattr(socket, "send_fds"), reason="no descriptors are passed here")
+
+CLIENTS = 20
+TOKEN = "open-sesame-9"
+
+
+@pytest.fixture(scope="module")
+def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
+    """Two workers that record into one folder."""
+    kept = tmp_path_factory.mktemp("kept")
+    with served("--workers", "2", "--token", TOKEN, "--max-sessions", "24", "--record", str(kept)) as one:
+        one.wait_until_ready()
+        yield one
+
+
+def opened(service: Served, stack: ExitStack, count: int) -> list[Connection]:
+    return [
+        stack.enter_context(
+            connect(service.address, token=TOKEN, timeout_s=PATIENCE_S, predictor="switched", reply="event")
+        )
+        for _ in range(count)
+    ]
+
+
+def sessions(service: Served) -> list[float]:
+    metrics = service.metrics(TOKEN)
+    return [metrics["pointpred_worker_sessions", str(number)] for number in range(2)]
+
+
+def test_sessions_are_spread_evenly_and_answered_as_by_one_process(service: Served) -> None:
+    events = sample().rows(0)
+    expected = run(build("switched"), events)
+    with ExitStack() as stack:
+        clients = opened(service, stack, CLIENTS)
+        assert sessions(service) == [CLIENTS / 2, CLIENTS / 2]
+        for client in clients:
+            client.send(events)
+        for client in clients:
+            np.testing.assert_array_equal(client.columns().table, expected.table)
+        metrics = service.metrics(TOKEN)
+    assert metrics["pointpred_events_total", ""] == CLIENTS * len(events)
+    assert metrics["pointpred_sessions", ""] == CLIENTS
+    assert metrics["pointpred_workers", ""] == 2
+    for who in ("0", "1", "supervisor"):
+        assert metrics["process_resident_memory_bytes", who] > 2**20
+    soon(lambda: sessions(service) == [0, 0], "every session is counted as ended")
+
+
+def test_the_bound_on_sessions_is_one_for_all_workers(service: Served) -> None:
+    with ExitStack() as stack:
+        opened(service, stack, 24)
+        with pytest.raises(ServiceError, match="24 sessions are open"):
+            opened(service, stack, 1)
+    soon(lambda: sessions(service) == [0, 0], "every session is counted as ended")
+
+
+def test_the_token_is_asked_for_by_every_worker(service: Served) -> None:
+    for _ in range(4):
+        with pytest.raises(ServiceError, match="token"):
+            connect(service.address, token="another-one", timeout_s=PATIENCE_S)
+
+
+def test_a_crash_ends_the_sessions_of_one_worker_only(service: Served) -> None:
+    events = sample().rows(1)
+    first, _ = service.children()
+    with ExitStack() as stack:
+        clients = opened(service, stack, 4)
+        for client in clients:
+            client.send(events)
+            client.columns()
+        before = service.metrics(TOKEN)
+        os.kill(first, signal.SIGKILL)
+        survivors = 0
+        for client in clients:
+            with suppress(SourceError):  # its connection was lost
+                client.reset()
+                client.send(events)
+                assert len(client.columns()) == len(events)
+                survivors += 1
+        assert survivors == 2
+        soon(lambda: len(service.children()) == 2, "another worker starts")
+        soon(lambda: any("ended by SIGKILL" in message for message in service.messages()), "it is logged")
+        after = service.metrics(TOKEN)
+        assert after["pointpred_worker_restarts_total", "crash"] == 1
+        for name in ("pointpred_events_total", "pointpred_event_to_prediction_seconds_count"):
+            assert after[name, ""] >= before[name, ""], "counts of an ended worker are kept"
+        service.wait_until_ready()  # it stays ready while others answer
+    soon(lambda: sum(sessions(service)) == 0, "its sessions are not counted any more")
+
+
+def test_a_worker_that_hangs_is_given_no_session(service: Served) -> None:
+    soon(lambda: len(service.children()) == 2, "both run")
+    held, _ = service.children()
+    soon(lambda: all(("process_open_fds", n) in service.metrics(TOKEN) for n in "01"), "both answer")
+    os.kill(held, signal.SIGSTOP)
+    try:
+        time.sleep(5.0)  # longer than the supervisor believes that it answers
+        with ExitStack() as stack:
+            for client in opened(service, stack, 6):
+                client.send(sample().rows(2))
+                assert len(client.columns())
+    finally:
+        os.kill(held, signal.SIGCONT)
+
+
+def test_names_of_recordings_are_unique_over_workers(service: Served) -> None:
+    folder = Path(service.process.args[-1])  # type: ignore[index, arg-type]
+    soon(lambda: len(listing(folder, counted=False)) >= CLIENTS, "recorded")
+    names = [one.name for one in listing(folder, counted=False)]
+    assert len(names) == len(set(names))
+
+
+def test_sigterm_sends_bye_to_the_sessions_of_all_workers(service: Served) -> None:
+    url = f"ws://127.0.0.1:{service.port}/v1/stream?token={TOKEN}"
+    with ExitStack() as stack:
+        sockets: list[ClientConnection] = []
+        for _ in range(6):
+            sockets.append(stack.enter_context(dial(url, subprotocols=["pointpred.v1"])))  # type: ignore[list-item]
+            sockets[-1].send(HELLO)
+            assert '"welcome"' in sockets[-1].recv(PATIENCE_S)
+        children = service.children()
+        service.process.send_signal(signal.SIGTERM)
+        for one in sockets:
+            assert '"bye"' in one.recv(PATIENCE_S)
+            with pytest.raises(ConnectionClosed) as closed:
+                one.recv(PATIENCE_S)
+            assert closed.value.rcvd is not None
+            assert closed.value.rcvd.code == 1001
+    assert service.process.wait(PATIENCE_S) == -signal.SIGTERM
+    assert not any(Path(f"/proc/{pid}").exists() for pid in children)
+
+
+def test_a_made_up_token_is_one_for_all_and_interrupting_is_clean() -> None:
+    with served("--workers", "2", "--host", "0.0.0.0") as service:
+        token = service.announced.partition("?token=")[2]
+        assert len(token) > 20
+        for _ in range(4):
+            assert service.metrics(token)["pointpred_workers", ""] == 2
+        assert service.stop(signal.SIGINT) == 0
+        assert service.process.stdout is not None
+        assert service.process.stdout.read() == "", "the address is announced once"
+        assert "stopped" in service.messages()
+        assert not any("Traceback" in message for message in service.messages())
+
+
+def test_workers_end_with_a_supervisor_that_was_killed() -> None:
+    with served("--workers", "2") as service:
+        children = service.children()
+        assert len(children) == 2
+        service.stop(signal.SIGKILL)
+        soon(lambda: not any(Path(f"/proc/{pid}").exists() for pid in children), "they end as well", 60.0)
