@@ -12,7 +12,7 @@ from pointpred.scoring.summary.document import (
     TimeLeft,
     Unread,
 )
-from pointpred.scoring.summary.summarise import FLOOR, SERIES, document, summarise
+from pointpred.scoring.summary.summarise import FLOOR, SERIES, document, summarise, summarise_parts
 
 __all__ = [
     "FLOOR",
@@ -29,4 +29,5 @@ __all__ = [
     "Unread",
     "document",
     "summarise",
+    "summarise_parts",
 ]

@@ -63,7 +63,14 @@ def ratio_intervals(
     if units < 2:
         nothing = np.full(width, np.nan)
         return Intervals(nothing, nothing.copy(), resampled, units)
-    sums = _sums(np.hstack([above, below]), unit)
+    totals = drawn_totals(_sums(np.hstack([above, below]), unit), seed, draws)
+    floor = np.tile(totals[:, width:], width // below.shape[1])
+    return Intervals(*ratio_bounds(totals[:, :width], floor, level), resampled, units)
+
+
+def drawn_totals(sums: FloatArray, seed: int = 0, draws: int = DRAWS) -> FloatArray:
+    """The totals of each draw, (draws, columns): as many rows of ``sums`` as there are, with replacement."""
+    units = len(sums)
     generator = np.random.default_rng(seed)
     totals = np.empty((draws, sums.shape[1]))
     block = max(1, BLOCK // units)
@@ -72,11 +79,15 @@ def ratio_intervals(
         sample = generator.integers(0, units, (size, units)) + units * np.arange(size)[:, None]
         counts = np.bincount(sample.ravel(), minlength=size * units).reshape(size, units)
         totals[first : first + size] = counts @ sums
-    floor = np.tile(totals[:, width:], width // below.shape[1])
-    ratios = np.full((draws, width), np.nan)
-    np.divide(totals[:, :width], floor, out=ratios, where=floor > 0.0)
+    return totals
+
+
+def ratio_bounds(above: FloatArray, below: FloatArray, level: float = LEVEL) -> tuple[FloatArray, FloatArray]:
+    """Quantiles of the ratios of drawn totals, column by column; NaN where a denominator is 0."""
+    ratios = np.full(above.shape, np.nan)
+    np.divide(above, below, out=ratios, where=below > 0.0)
     low, high = np.quantile(ratios, [(1.0 - level) / 2.0, (1.0 + level) / 2.0], axis=0)
-    return Intervals(low, high, resampled, units)
+    return low, high
 
 
 def _sums(values: FloatArray, unit: NDArray[np.intp]) -> FloatArray:

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import NamedTuple
 
-import numpy as np
+import msgspec
 
-from pointpred.columns import BoolArray, FloatArray
-from pointpred.scoring.measures import regions, time_left
+from pointpred.columns import FloatArray
+from pointpred.scoring.measures import regions
 from pointpred.scoring.measures.moments import DECILES
 from pointpred.scoring.results import TIME_FRACTIONS, PredictorErrors
-from pointpred.scoring.summary.bootstrap import ratio_intervals
+from pointpred.scoring.summary import sums
 from pointpred.scoring.summary.document import (
     Calibration,
     Hits,
@@ -25,6 +24,24 @@ from pointpred.scoring.summary.document import (
 )
 
 Claims = tuple[Calibration | None, TimeLeft | None, Hits | None]
+RATIOS = (
+    (sums.INSIDE, sums.INSIDE_MADE, sums.CELLS),
+    (sums.LEFT_INSIDE, sums.LEFT_MADE, sums.CELLS),
+    (sums.HITS, sums.HITS_MADE, sums.TIMES),
+    (sums.LEFT, sums.CLOCK, 1),
+)
+"""Columns that are divided by columns, and how many; each ratio has an interval."""
+
+
+class Totals(msgspec.Struct, frozen=True):
+    """The sums of one predictor over the trials of a group."""
+
+    trials: int
+    sums: FloatArray
+    """(WIDTH,)"""
+    low: FloatArray
+    high: FloatArray
+    """(WIDTH,): bounds of the ratios of RATIOS, at the places of what is divided"""
 
 
 class Ratio(NamedTuple):
@@ -33,48 +50,29 @@ class Ratio(NamedTuple):
     share: Number
     interval: Interval
     trials: int
-    """Rows that count."""
+    """Trials with such a claim."""
 
 
-def claims(
-    errors: PredictorErrors, mask: BoolArray, users: Sequence[str], *, seed: int, draws: int
-) -> Claims:
-    """What became of the claims in the trials of ``mask``, whose people are ``users``.
-
-    ``seed`` and ``draws``: of the bootstrap behind each interval.
-    """
-
-    def shares(values: FloatArray | None, below: FloatArray | None = None) -> list[Ratio] | None:
-        if values is None or not mask.any():
-            return None
-        flat = values[mask].reshape(int(mask.sum()), -1)
-        counted = (
-            np.isfinite(flat).astype(np.float64) if below is None else below[mask].reshape(len(flat), -1)
-        )
-        return _ratios(np.nan_to_num(flat, nan=0.0), counted, users, seed, draws)
-
-    inside = shares(errors.inside_by_time)
-    times = shares(errors.time_inside_by_time)
-    targets = shares(errors.hits)
-    left = errors.time_left
-    clock = None if left is None else shares(left[:, time_left.ERROR], left[:, time_left.CLOCK])
+def claims(errors: PredictorErrors, totals: Totals) -> Claims:
+    """What became of the claims in a group of trials; ``errors`` says which there are in the set."""
+    if not totals.trials:
+        return None, None, None
+    inside, times, hits, (clock,) = (_ratios(totals, *columns) for columns in RATIOS)
     return (
-        None if errors.calibration is None else _calibration(errors.calibration[mask], inside),
-        None if left is None or clock is None else _time_left(left[mask], clock[0], times),
-        None if targets is None or not targets[0].trials else _hits(targets),
+        None if errors.calibration is None else _calibration(errors, totals, inside),
+        None if errors.time_left is None else _time_left(errors, totals, clock, times),
+        None if errors.hits is None or not hits[0].trials else _hits(hits),
     )
 
 
-def _ratios(above: FloatArray, below: FloatArray, users: Sequence[str], seed: int, draws: int) -> list[Ratio]:
-    """Sum over sum of each column, with its interval over people."""
-    bounds = ratio_intervals(above, below, users, seed=seed, draws=draws)
+def _ratios(totals: Totals, above: int, below: int, count: int) -> list[Ratio]:
     return [
         Ratio(
-            number(top / under) if under > 0.0 else None,
-            interval(bounds.low[i], bounds.high[i]),
-            int((below[:, i] > 0.0).sum()),
+            number(totals.sums[above + i] / totals.sums[below + i]) if totals.sums[below + i] > 0.0 else None,
+            interval(totals.low[above + i], totals.high[above + i]),
+            int(totals.sums[below + i]),
         )
-        for i, (top, under) in enumerate(zip(above.sum(axis=0), below.sum(axis=0), strict=True))
+        for i in range(count)
     ]
 
 
@@ -84,8 +82,7 @@ def _levels(values: FloatArray) -> dict[float, Number]:
 
 def _by_time(cells: list[Ratio]) -> dict[float, InsideAtTime]:
     """At each decile of the time the share of each level inside; ``cells`` has a row a decile and level."""
-    count = len(regions.LEVELS)
-    rows = (cells[count * k : count * (k + 1)] for k in range(len(DECILES)))
+    rows = (cells[sums.LEVELS * k : sums.LEVELS * (k + 1)] for k in range(len(DECILES)))
     return {
         share: InsideAtTime(
             row[0].trials,
@@ -96,31 +93,31 @@ def _by_time(cells: list[Ratio]) -> dict[float, InsideAtTime]:
     }
 
 
-def _calibration(rows: FloatArray, cells: list[Ratio] | None) -> Calibration | None:
+def _calibration(errors: PredictorErrors, totals: Totals, cells: list[Ratio]) -> Calibration | None:
     """Means over the trials in which any region was claimed."""
-    claimed = rows[:, regions.CLAIMED]
-    if not (claimed > 0.0).any():
+    claimed = totals.sums[sums.REGIONS]
+    if not claimed:
         return None
-    means = rows[claimed > 0.0].mean(axis=0)
+    means = totals.sums[sums.REGION : sums.TIMED] / claimed
     return Calibration(
-        number(claimed.mean()),
-        _levels(means[regions.INSIDE : regions.RANKED]),
-        number(means[regions.RANKED]),
-        None if cells is None else _by_time(cells),
+        number(totals.sums[sums.CLAIMED] / totals.trials),
+        _levels(means[: sums.LEVELS]),
+        number(means[sums.LEVELS]),
+        None if errors.inside_by_time is None else _by_time(cells),
     )
 
 
-def _time_left(rows: FloatArray, clock: Ratio, cells: list[Ratio] | None) -> TimeLeft:
+def _time_left(errors: PredictorErrors, totals: Totals, clock: Ratio, cells: list[Ratio]) -> TimeLeft:
     """The error beside the clock's; shares inside where any intervals were claimed."""
-    spread = rows[rows[:, time_left.SPREAD] > 0.0]
+    spread = totals.sums[sums.SPREADS]
     return TimeLeft(
-        number(rows[:, time_left.CLAIMED].mean()),
-        number(rows[:, time_left.ERROR].mean()),
-        number(rows[:, time_left.CLOCK].mean()),
+        number(totals.sums[sums.TIMED] / totals.trials),
+        number(totals.sums[sums.LEFT] / totals.trials),
+        number(totals.sums[sums.CLOCK] / totals.trials),
         clock.share,
         clock.interval,
-        _levels(spread[:, time_left.INSIDE :].mean(axis=0)) if len(spread) else None,
-        _by_time(cells) if cells is not None and len(spread) else None,
+        _levels(totals.sums[sums.SPREAD :] / spread) if spread else None,
+        _by_time(cells) if errors.time_inside_by_time is not None and spread else None,
     )
 
 

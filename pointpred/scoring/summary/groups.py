@@ -7,9 +7,7 @@ import numpy as np
 
 from pointpred.columns import BoolArray
 from pointpred.scoring.results import SetScore
-
-EXPERIENCE = ("experience", "skill", "group")
-"""Conditions that may say who is experienced and who is a novice."""
+from pointpred.scoring.summary.trial_columns import EXPERIENCE, LABELS, TrialColumns, trial_columns
 
 DIVIDED = "highest speed peak less than 5 times the next"
 WHOLE = "highest speed peak at least 5 times the next"
@@ -28,37 +26,38 @@ class Group(msgspec.Struct, frozen=True):
 
 
 def groups_of(score: SetScore) -> tuple[Group, ...]:
+    """The groups of a set that is in memory; see ``groups``."""
+    return groups(trial_columns([score]))
+
+
+def groups(trials: TrialColumns) -> tuple[Group, ...]:
     """All trials; those with and without sub-movements; clean ones; experienced people and novices.
 
     A group without a trial is not listed; one with every trial is.
     """
-    submovements = np.array([trial.submovements for trial in score.trials], dtype=np.bool_)
-    clean = np.array([trial.clean for trial in score.trials], dtype=np.bool_)
-    own = any(trial.trial.clean is not None for trial in score.trials)
-    groups = [
-        Group("all trials", np.ones(len(score.trials), dtype=np.bool_)),
-        Group("with sub-movements", submovements, DIVIDED),
-        Group("without sub-movements", ~submovements, WHOLE),
-        Group("clean trials", clean, CLEAN_OWN if own else CLEAN_RULE),
-        *_people(score, submovements),
+    listed = [
+        Group("all trials", np.ones(len(trials.person), dtype=np.bool_)),
+        Group("with sub-movements", trials.submovements, DIVIDED),
+        Group("without sub-movements", ~trials.submovements, WHOLE),
+        Group("clean trials", trials.clean, CLEAN_OWN if trials.judged else CLEAN_RULE),
+        *_people(trials),
     ]
-    return tuple(group for group in groups if group.mask.any())
+    return tuple(group for group in listed if group.mask.any())
 
 
-def _people(score: SetScore, submovements: BoolArray) -> list[Group]:
+def _people(trials: TrialColumns) -> list[Group]:
     """Experienced people and novices: by the recording's conditions, otherwise by their sub-movements."""
-    for name in EXPERIENCE:
-        labels = [str(trial.trial.condition.get(name, "")).lower() for trial in score.trials]
-        if "novice" in labels and "experienced" in labels:
+    for name, labels in zip(EXPERIENCE, trials.labels, strict=True):
+        masks = [labels == place for place in range(len(LABELS))]
+        if all(mask.any() for mask in masks):
             return [
-                Group(f"{label} people", np.array([one == label for one in labels]), f"condition {name!r}")
-                for label in ("experienced", "novice")
+                Group(f"{label} people", mask, f"condition {name!r}")
+                for label, mask in zip(LABELS, masks, strict=True)
             ]
-    users, index = np.unique([trial.trial.user for trial in score.trials], return_inverse=True)
-    if len(users) < 2:
+    if len(trials.people) < 2:
         return []
-    share = np.bincount(index, weights=submovements) / np.bincount(index)
-    few = (share <= np.median(share))[index]
+    share = np.bincount(trials.person, weights=trials.submovements) / np.bincount(trials.person)
+    few = (share <= np.median(share))[trials.person]
     if few.all():
         return []
     return [Group("experienced people", few, BY_SHARE), Group("novice people", ~few, BY_SHARE)]

@@ -6,19 +6,13 @@ from collections.abc import Iterable
 from math import nan
 
 import numpy as np
-from numpy.typing import NDArray
 
-from pointpred.columns import BoolArray, FloatArray
+from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
-from pointpred.scoring.results import (
-    AXIS_FRACTIONS,
-    PATH_FRACTIONS,
-    TIME_FRACTIONS,
-    PredictorErrors,
-    SetScore,
-)
-from pointpred.scoring.summary.bootstrap import DRAWS, LEVEL, ratio_intervals
-from pointpred.scoring.summary.claims import claims
+from pointpred.scoring.results import AXIS_FRACTIONS, PATH_FRACTIONS, TIME_FRACTIONS, SetScore
+from pointpred.scoring.summary import sums
+from pointpred.scoring.summary.bootstrap import DRAWS, LEVEL, drawn_totals, ratio_bounds
+from pointpred.scoring.summary.claims import RATIOS, Totals, claims
 from pointpred.scoring.summary.document import (
     VERSION,
     Document,
@@ -33,16 +27,14 @@ from pointpred.scoring.summary.document import (
     interval,
     number,
 )
-from pointpred.scoring.summary.groups import Group, groups_of
+from pointpred.scoring.summary.groups import Group, groups
+from pointpred.scoring.summary.sums import WITH_INTERVAL, Parts, Sums, rows_of, sums_of
+from pointpred.scoring.summary.trial_columns import TrialColumns, trial_columns
 
 FLOOR = "hold"
 """No prediction: every other error is judged beside its error."""
 
 SERIES = {"by_time": TIME_FRACTIONS, "by_path": PATH_FRACTIONS, "single_axis": AXIS_FRACTIONS}
-WITH_INTERVAL = 1 + len(TIME_FRACTIONS) + len(PATH_FRACTIONS)
-"""Measures that have an interval: all but the single-axis ones, which the analysis of variance covers."""
-
-Users = NDArray[np.str_]
 
 
 def document(scores: Iterable[SetScore], unread: Iterable[Unread] = ()) -> Document:
@@ -56,30 +48,46 @@ def summarise(score: SetScore, *, draws: int = DRAWS) -> SetSummary:
     ``draws``: of the bootstrap behind each interval. Raises ParameterError when the set was scored without
     ``hold``.
     """
-    floor = next((errors for errors in score.predictors if errors.name == FLOOR), None)
-    if floor is None:
+    return summarise_parts(score, lambda: [score], draws=draws)
+
+
+def summarise_parts(about: SetScore, parts: Parts, *, draws: int = DRAWS) -> SetSummary:
+    """``summarise`` of a set whose trials come in parts: the same numbers, whatever the parts are.
+
+    ``about`` says everything of the set but what has a row a trial; of its predictors' arrays only
+    matters which there are. ``parts`` is called several times. Memory: one part, and 1.4 kB for each person,
+    group and predictor; where a group has one person, also 1.4 kB for each of its trials.
+    """
+    names = [errors.name for errors in about.predictors]
+    if FLOOR not in names:
         raise ParameterError(f"a summary needs the predictor {FLOOR!r} among those scored", field="score")
-    everything, *groups = groups_of(score) or (Group("all trials", np.ones(0, dtype=np.bool_)),)
-    users = np.array([trial.trial.user for trial in score.trials], dtype=str)
-    whole = _measures(score, floor, users, everything, draws)
-    parts = {_key(group): _measures(score, floor, users, group, draws) for group in groups}
-    people = len(np.unique(users))
+    trials = trial_columns(parts())
+    everything, *others = groups(trials) or (Group("all trials", np.ones(0, dtype=np.bool_)),)
+    summed = sums_of(parts, trials, (everything, *others), len(names))
+    floor = names.index(FLOOR)
+    whole, *rest = (
+        _measures(about, parts, group, summed, place, floor, draws)
+        for place, group in enumerate((everything, *others))
+    )
+    count = len(trials.person)
     return SetSummary(
-        name=score.name,
-        simulated=score.simulated,
-        unit=score.unit,
-        trials=len(score.trials),
-        users=people,
-        events=sum(trial.events for trial in score.trials),
-        skipped=score.skipped,
-        notes=score.notes,
-        interval=Resampling(LEVEL, "users" if people > 1 else "trials", draws, score.seed),
-        groups={_key(one): GroupSummary(one.label, one.basis, int(one.mask.sum())) for one in groups},
+        name=about.name,
+        simulated=about.simulated,
+        unit=about.unit,
+        trials=count,
+        users=len(trials.people),
+        events=trials.events,
+        skipped=about.skipped,
+        notes=about.notes,
+        interval=Resampling(LEVEL, "users" if len(trials.people) > 1 else "trials", draws, about.seed),
+        groups={_key(one): GroupSummary(one.label, one.basis, int(one.mask.sum())) for one in others},
         predictors=tuple(
             PredictorSummary(
                 name=errors.name,
                 seen=errors.seen,
-                coverage=number(errors.coverage.mean() if len(users) else nan),
+                coverage=number(
+                    summed.predictors[place][0, :, sums.COVERAGE].sum() / count if count else nan
+                ),
                 us_per_event=number(errors.us_per_event),
                 failed=errors.failed,
                 time_averaged=whole[place].time_averaged,
@@ -89,10 +97,10 @@ def summarise(score: SetScore, *, draws: int = DRAWS) -> SetSummary:
                 calibration=whole[place].calibration,
                 time_left=whole[place].time_left,
                 hits=whole[place].hits,
-                groups={key: part[place] for key, part in parts.items()},
-                by_user=_by_user(errors, floor, users),
+                groups={_key(one): part[place] for one, part in zip(others, rest, strict=True)},
+                by_user=_by_user(summed, trials, place, floor),
             )
-            for place, errors in enumerate(score.predictors)
+            for place, errors in enumerate(about.predictors)
         ),
     )
 
@@ -105,56 +113,76 @@ def _ratio(error: float, floor: float) -> float:
     return error / floor if floor > 0.0 else nan
 
 
-def _table(errors: PredictorErrors, mask: BoolArray) -> FloatArray:
-    """Every error of the chosen trials side by side: time-averaged, then SERIES."""
-    series = [getattr(errors, name)[mask] for name in SERIES]
-    return np.column_stack([errors.time_averaged[mask], *series])
-
-
 def _measures(
-    score: SetScore, floor: PredictorErrors, users: Users, group: Group, draws: int
+    about: SetScore, parts: Parts, group: Group, summed: Sums, place: int, floor: int, draws: int
 ) -> list[Measures]:
     """For each predictor the measures of one group of trials."""
-    tables = [_table(errors, group.mask) for errors in score.predictors]
-    below = _table(floor, group.mask)
-    who: list[str] = users[group.mask].tolist()
-    above = np.hstack([table[:, :WITH_INTERVAL] for table in tables])
-    bounds = ratio_intervals(above, below[:, :WITH_INTERVAL], who, seed=score.seed, draws=draws)
+    present = summed.trials[place] > 0
+    count = int(summed.trials[place].sum())
+    drawn_trials = int(present.sum()) == 1  # people cannot be drawn where there is one
+
+    def units(predictor: int) -> FloatArray:
+        """What is drawn: the sums of each person, or the trials of the only one."""
+        if drawn_trials:
+            return rows_of(parts, group.mask, predictor)
+        return summed.predictors[predictor][place, present]
+
+    below = units(floor)[:, :WITH_INTERVAL]
+    floor_px = _means(summed.predictors[floor][place], count)
     measures = []
-    for place, (errors, table) in enumerate(zip(score.predictors, tables, strict=True)):
-        reach = slice(place * WITH_INTERVAL, (place + 1) * WITH_INTERVAL)
-        cells = iter(_cells(table, below, bounds.low[reach], bounds.high[reach]))
-        claimed = claims(errors, group.mask, who, seed=score.seed, draws=draws)
+    for predictor, errors in enumerate(about.predictors):
+        totals = Totals(
+            count,
+            summed.predictors[predictor][place].sum(axis=0),
+            *_bounds(units(predictor), below, about.seed, draws),
+        )
+        px = _means(summed.predictors[predictor][place], count)
+        cells = iter(_cells(px, floor_px, totals))
         measures.append(
             Measures(
                 next(cells),
                 {share: next(cells) for share in TIME_FRACTIONS},
                 {share: next(cells) for share in PATH_FRACTIONS},
                 {share: next(cells) for share in AXIS_FRACTIONS},
-                *claimed,
+                *claims(errors, totals),
             )
         )
     return measures
 
 
-def _cells(table: FloatArray, below: FloatArray, low: FloatArray, high: FloatArray) -> list[Measure]:
-    """A measure for each column of ``table``; ``below`` holds the errors of ``hold`` on the same trials."""
-    nothing = np.full(table.shape[1], nan)
-    px = table.mean(axis=0) if len(table) else nothing
-    floor = below.mean(axis=0) if len(table) else nothing
+def _means(people: FloatArray, count: int) -> FloatArray:
+    """Mean errors of a predictor in px, from the sums of people."""
+    total: FloatArray = people[:, sums.ERRORS : sums.COVERAGE].sum(axis=0)
+    return total / count if count else np.full(total.shape, nan)
+
+
+def _bounds(units: FloatArray, below: FloatArray, seed: int, draws: int) -> tuple[FloatArray, FloatArray]:
+    """Bounds of each ratio of a predictor at the place of what is divided, NaN for the rest."""
+    low, high = np.full((2, sums.WIDTH), nan)
+    if len(units) < 2:
+        return low, high
+    above = np.concatenate([np.arange(WITH_INTERVAL), *(first + np.arange(n) for first, _, n in RATIOS)])
+    under = np.concatenate([first + np.arange(n) for _, first, n in RATIOS])
+    totals = drawn_totals(np.hstack([units[:, above], below, units[:, under]]), seed, draws)
+    low[above], high[above] = ratio_bounds(totals[:, : len(above)], totals[:, len(above) :])
+    return low, high
+
+
+def _cells(px: FloatArray, floor: FloatArray, totals: Totals) -> list[Measure]:
+    """A measure for each error; ``floor`` holds those of ``hold`` on the same trials."""
+    bounds = [interval(totals.low[i], totals.high[i]) for i in range(WITH_INTERVAL)]
     ratios = [_ratio(error, least) for error, least in zip(px, floor, strict=True)]
-    bounds = [interval(*pair) for pair in zip(low, high, strict=True)] + [None] * (len(px) - WITH_INTERVAL)
     return [
         Measure(number(error), number(ratio), number(1.0 - ratio), pair)
-        for error, ratio, pair in zip(px, ratios, bounds, strict=True)
+        for error, ratio, pair in zip(px, ratios, bounds + [None] * (len(px) - WITH_INTERVAL), strict=True)
     ]
 
 
-def _by_user(errors: PredictorErrors, floor: PredictorErrors, users: Users) -> dict[str, UserError]:
+def _by_user(summed: Sums, trials: TrialColumns, predictor: int, floor: int) -> dict[str, UserError]:
     """The time-averaged error of each person."""
-    people = {}
-    for user in np.unique(users).tolist():
-        mask = users == user
-        px, below = errors.time_averaged[mask].mean(), floor.time_averaged[mask].mean()
-        people[user] = UserError(int(mask.sum()), number(px), number(_ratio(px, below)))
-    return people
+    counts = summed.trials[0] if len(summed.trials) else np.zeros(0, dtype=np.int64)
+    own, below = (summed.predictors[one][0, :, sums.ERRORS] / counts for one in (predictor, floor))
+    return {
+        user: UserError(int(counts[k]), number(own[k]), number(_ratio(own[k], below[k])))
+        for k, user in enumerate(trials.people)
+    }
