@@ -19,6 +19,8 @@ EXTRAS = {
     "train": ("scipy",),
     "observers": ("clarabel", "cvxpy", "scipy", "sympy"),
     "camera": ("cv2",),
+    "cluster": ("dask", "distributed"),
+    "remote": ("fsspec",),
 }
 """What each extra brings, by the names that are imported."""
 

@@ -93,3 +93,15 @@ class Recording(msgspec.Struct, frozen=True):
     def rows(self, trial: int) -> EventColumns:
         """The events of one trial."""
         return self.events.rows(int(self.offsets[trial]), int(self.offsets[trial + 1]))
+
+    def part(self, first: int, stop: int) -> Recording:
+        """Trials ``first`` up to ``stop``, without copies; skips and notes stay with the whole."""
+        rows = slice(int(self.offsets[first]), int(self.offsets[stop]))
+        return msgspec.structs.replace(
+            self,
+            events=self.events[rows],
+            offsets=self.offsets[first : stop + 1] - self.offsets[first],
+            trials=self.trials[first:stop],
+            skipped=(),
+            notes=(),
+        )

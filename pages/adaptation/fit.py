@@ -120,7 +120,7 @@ def gather(recording: Recording, coefficients: HeldOut) -> Set:
         for k in (k for k, one in enumerate(prepared.trials) if one.trial.user == user):
             run(pipeline, prepared.rows(k))
             movements += movement(user, pipeline, prepared, k)
-    return Set(recording.name, movements, clock_s(prepared.trials))
+    return Set(recording.name, movements, clock_s([one.arrival_s for one in prepared.trials]))
 
 
 def movement(user: str, pipeline: Pipeline, prepared: Prepared, k: int) -> list[Movement]:

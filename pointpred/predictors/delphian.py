@@ -84,6 +84,7 @@ class DelphianPredictor(Predictor):
         "", 0.0, 0.9, "share by which the speed must fall for a peak to be known", default=0.05
     )
     step = staticmethod(step)
+    claims_time = False
     states = END - AT
 
 

@@ -34,4 +34,5 @@ class HoldPredictor(Predictor):
     """
 
     step = staticmethod(step)
+    claims_time = False
     states = movement.STATES

@@ -123,4 +123,5 @@ class KalmanPredictor(Predictor):
         "s", 1e-3, 1e3, "a longer gap between events means that the device was still", default=0.1
     )
     step = staticmethod(step)
+    claims_time = False
     states = END - AT

@@ -95,4 +95,5 @@ class LinearPredictor(Predictor):
     horizon_s: float = parameter("s", 0.0, 1.0, "how far ahead the velocity is carried on", default=0.12)
     window_s: float = parameter("s", 1e-3, 1.0, "over how long the velocity is averaged", default=0.12)
     step = staticmethod(step)
+    claims_time = False
     states = END - AT

@@ -29,6 +29,9 @@ class Predictor(CompiledStage):
     An event then costs 0.4 us less; not where that would take seconds of a first start.
     """
 
+    claims_time: ClassVar[bool] = True
+    """False where no prediction says the time left: scoring then needs no clock to compare with."""
+
     def __init_subclass__(cls) -> None:
         """Make the loop over a table of motions around the class's own law."""
         super().__init_subclass__()

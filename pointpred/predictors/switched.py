@@ -100,4 +100,5 @@ class SwitchedPredictor(Predictor):
     delay_s: float = parameter("s", 1e-3, 1.0, "delay between the copies of the regression", default=0.1)
     gamma: float = parameter("1/s", 0.0, 1e9, "rate of the regression at full excitation", default=1e4)
     step = staticmethod(step)
+    claims_time = False
     states = END - AT

@@ -130,4 +130,5 @@ class SwitchedDirectionPredictor(Predictor):
     watched: float = parameter("", 0.0, 10.0, "weight of the rate seen since the peak", default=0.65)
     stopping: float = parameter("", 0.0, 1e6, "way left at most, in speed^2 / deceleration", default=0.5)
     step = staticmethod(step)
+    claims_time = False
     states = END - AT

@@ -36,6 +36,17 @@ class _Chunk(msgspec.Struct, frozen=True):
     seconds: float
 
 
+class Measured(msgspec.Struct, frozen=True):
+    """What one pipeline came to in some trials, a row a trial."""
+
+    name: str
+    measures: TrialMeasures
+    failed: tuple[Skip, ...]
+    events: int
+    seconds: float
+    """Processor time within ``run``."""
+
+
 def replay(
     prepared: Prepared, pipeline: Pipeline, *, threads: int | None = None, progress: Progress | None = None
 ) -> PredictorErrors:
@@ -47,12 +58,28 @@ def replay(
     not finite) is scored as if it had never answered there, and stands in ``failed``. ``threads``: one for
     each processor unless given. The cost is the processor time of the threads within ``run``, not the wall's.
     """
+    clock = clock_s([trial.arrival_s for trial in prepared.trials])
+    measured = measure(prepared, pipeline, clock, threads=threads, progress=progress)
+    us_per_event = 1e6 * measured.seconds / measured.events if measured.events else float("nan")
+    claimed = measured.measures.claimed()
+    return measured.measures.predictor_errors(pipeline.name, us_per_event, measured.failed, claimed)
+
+
+def measure(
+    prepared: Prepared,
+    pipeline: Pipeline,
+    clock: float,
+    *,
+    threads: int | None = None,
+    progress: Progress | None = None,
+) -> Measured:
+    """``replay`` beside a clock of its own, s: where the trials are some of a set's, the set's clock."""
     with contextlib.suppress(Exception):  # what fails here fails again below, where it is reported
         run(pipeline.fresh(), prepared.events.rows(0, 1))  # machine code is loaded before time is taken
     whole = TrialMeasures.empty(len(prepared.trials))
     failed: list[Skip] = []
     events, seconds = 0, 0.0
-    work = partial(_replay_in_turn, prepared, pipeline, clock_s(prepared.trials))
+    work = partial(_replay_in_turn, prepared, pipeline, clock)
     for chunk in chain.from_iterable(each_in_threads(work, _turns(prepared, pipeline), threads)):
         whole.put(chunk.first, chunk.measures)
         failed.extend(chunk.failed)
@@ -60,8 +87,7 @@ def replay(
         seconds += chunk.seconds
         if progress is not None:
             progress(chunk.events)
-    us_per_event = 1e6 * seconds / events if events else float("nan")
-    return whole.predictor_errors(pipeline.name, us_per_event, tuple(failed))
+    return Measured(pipeline.name, whole, tuple(failed), events, seconds)
 
 
 def answers_to(prepared: Prepared, pipeline: Pipeline, trial: int) -> PredictionColumns:

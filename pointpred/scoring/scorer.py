@@ -9,10 +9,10 @@ import msgspec
 
 from pointpred.errors import ParameterError
 from pointpred.pipeline import Pipeline
-from pointpred.predictors import KinematicPredictor
 from pointpred.recording import Recording
 from pointpred.registry import build
-from pointpred.scoring.replay import replay
+from pointpred.scoring.measures.time_left import clock_s
+from pointpred.scoring.parts import outcome, score_part, set_without_trials, with_trials
 from pointpred.scoring.results import SetScore
 from pointpred.scoring.summary import FLOOR
 from pointpred.scoring.trials import prepare, resolution
@@ -21,21 +21,51 @@ from pointpred.scoring.worst import worst_trials
 Progress = Callable[[str, int, int], None]
 """Called with the set's name, the events replayed so far and all events to replay for it."""
 
-IN_COUNTS = "positions are counts of the device and not pixels: what is called px is counts"
 
-
-class _Run(msgspec.Struct, frozen=True):
+class Scoring(msgspec.Struct, frozen=True):
     """What every recording of a run is scored with."""
 
     patterns: dict[str, str | Pipeline]
-    """Names of the registry and pipelines, by name."""
-    parameters: Mapping[str, Mapping[str, Any]]
-    threads: int | None
-    progress: Progress | None
-    cpi: float | None
-    dpi: float | None
-    seed: int
-    worst: int
+    """Names of the registry and pipelines, by name; ``hold`` first."""
+    parameters: Mapping[str, Mapping[str, Any]] = {}
+    """Keyword arguments of ``build`` by name."""
+    cpi: float | None = None
+    dpi: float | None = None
+    seed: int = 0
+
+    def pipelines(self, recording: Recording) -> dict[str, Pipeline]:
+        """Fresh pipelines for a recording."""
+        return self._built(resolution(recording, self.cpi, self.dpi))
+
+    def check(self) -> None:
+        """Raise ParameterError for what is wrong whatever the recording."""
+        self._built({"cpi": self.cpi, "dpi": 96.0 if self.dpi is None else self.dpi})
+
+    def _built(self, settings: Mapping[str, Any]) -> dict[str, Pipeline]:
+        return {
+            name: build(p, **settings, **self.parameters.get(p, {})) if isinstance(p, str) else p
+            for name, p in self.patterns.items()
+        }
+
+
+def scoring_with(
+    predictors: Sequence[str | Pipeline],
+    *,
+    parameters: Mapping[str, Mapping[str, Any]] | None = None,
+    cpi: float | None = None,
+    dpi: float | None = None,
+    seed: int = 0,
+) -> Scoring:
+    """The settings of a run, checked; raises ParameterError as ``score`` does."""
+    names = [p.name if isinstance(p, Pipeline) else p for p in predictors]
+    for name in names:
+        if names.count(name) > 1:
+            message = f"each predictor at most once, received {name!r} {names.count(name)} times"
+            raise ParameterError(message, field="predictors", value=name)
+    patterns = {FLOOR: FLOOR} | dict(zip(names, predictors, strict=True))
+    scoring = Scoring(patterns, parameters or {}, cpi, dpi, seed)
+    scoring.check()
+    return scoring
 
 
 def score(
@@ -70,18 +100,11 @@ def score(
     >>> one.predictors[0].time_averaged.tolist()  # 0.05 s at 100 px, 0.05 s at 41 px
     [70.5]
     """
-    names = [p.name if isinstance(p, Pipeline) else p for p in predictors]
-    for name in names:
-        if names.count(name) > 1:
-            message = f"each predictor at most once, received {name!r} {names.count(name)} times"
-            raise ParameterError(message, field="predictors", value=name)
-    patterns = {FLOOR: FLOOR} | dict(zip(names, predictors, strict=True))
-    run = _Run(patterns, parameters or {}, threads, progress, cpi, dpi, seed, worst)
-    _pipelines(run, {"cpi": cpi, "dpi": 96.0 if dpi is None else dpi})  # a wrong name is no recording's fault
+    scoring = scoring_with(predictors, parameters=parameters, cpi=cpi, dpi=dpi, seed=seed)
     scores = []
     for recording in recordings:
         try:
-            scores.append(_score(recording, run))
+            scores.append(_score(recording, scoring, threads, progress, worst))
         except Exception as error:
             if failed is None:
                 raise
@@ -89,49 +112,24 @@ def score(
     return scores
 
 
-def _score(recording: Recording, run: _Run) -> SetScore:
-    """Score one recording."""
-    settings = resolution(recording, run.cpi, run.dpi)
-    pipelines = _pipelines(run, settings)
-    prepared = prepare(recording, **settings, threads=run.threads)
+def _score(
+    recording: Recording, scoring: Scoring, threads: int | None, progress: Progress | None, worst: int
+) -> SetScore:
+    """Score one recording, as the only part of its set."""
+    pipelines = scoring.pipelines(recording)
+    prepared = prepare(recording, cpi=scoring.cpi, dpi=scoring.dpi, threads=threads)
     total, events_done = len(prepared.events) * len(pipelines), 0
 
     def advance(events: int) -> None:
         nonlocal events_done
         events_done += events
-        if run.progress is not None:
-            run.progress(recording.name, events_done, total)
+        if progress is not None:
+            progress(recording.name, events_done, total)
 
-    counted = recording.provenance.unit == "counts"
-    scored = SetScore(
-        recording.name,
-        prepared.trials,
-        prepared.skipped,
-        tuple(
-            msgspec.structs.replace(
-                replay(prepared, pipeline, threads=run.threads, progress=advance),
-                seen=_fitted_to(recording.name, pipeline),
-            )
-            for pipeline in pipelines.values()
-        ),
-        simulated=recording.provenance.simulated,
-        seed=run.seed,
-        notes=(*recording.notes, IN_COUNTS) if counted else recording.notes,
-        unit="counts" if counted else "px",
-    )
-    if not run.worst:
+    clock = clock_s([trial.arrival_s for trial in prepared.trials])
+    whole = score_part(recording, prepared, pipelines, clock, threads=threads, progress=advance)
+    about = msgspec.structs.replace(recording, skipped=())
+    scored = with_trials(set_without_trials(about, pipelines, [outcome(whole)], scoring.seed), [whole])
+    if not worst:
         return scored
-    return msgspec.structs.replace(scored, worst=worst_trials(scored, prepared, pipelines, run.worst))
-
-
-def _pipelines(run: _Run, settings: Mapping[str, Any]) -> dict[str, Pipeline]:
-    return {
-        name: build(p, **settings, **run.parameters.get(p, {})) if isinstance(p, str) else p
-        for name, p in run.patterns.items()
-    }
-
-
-def _fitted_to(name: str, pipeline: Pipeline) -> bool:
-    """Whether a pipeline was fitted to a set of this name, whatever folder stands before it."""
-    predictor = pipeline.predictor
-    return isinstance(predictor, KinematicPredictor) and predictor.saw(name.rpartition("/")[2])
+    return msgspec.structs.replace(scored, worst=worst_trials(scored, prepared, pipelines, worst))

@@ -37,6 +37,7 @@ MAY_IMPORT = {
     "rows": {"compiled", "events"},
     "columns": {"errors", "regions", "events", "rows"},
     "mixtures": {"errors", "compiled", "regions", "columns"},
+    "executors": {"errors", "extras"},
     "recording": {"errors", "events", "columns"},
     "parameter": {"errors"},
     "scene": {"errors", "events"},

@@ -144,4 +144,5 @@ class KinematicEndpointPredictor(Predictor):
         "", 1e-6, 1.0, "relative change between samples of an accepted prediction", default=None, absent=0.0
     )
     step = staticmethod(step)
+    claims_time = False
     states = END - AT

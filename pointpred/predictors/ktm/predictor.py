@@ -132,6 +132,7 @@ class TemplatePredictor(Predictor):
     shortest_px: float = parameter("px", 0.0, 1e6, "straight distance of the shortest", default=10.0)
     library: FloatArray | None = option("templates that stay, as `templates_of` makes them", default=None)
     step = staticmethod(step)
+    claims_time = False
     conclude = staticmethod(conclude)
     fill = staticmethod(matching.fill)
     sizes = staticmethod(matching.sizes)

@@ -13,7 +13,6 @@ from pointpred.compiled import law
 from pointpred.scoring.measures.endpoint import WEIGHT_S
 from pointpred.scoring.measures.moments import moments
 from pointpred.scoring.measures.regions import LEVELS
-from pointpred.scoring.results import ScoredTrial
 
 DEVIATIONS = (0.6744897501960817, 1.2815515655446004, 1.959963984540054)
 """Deviations of a normal law within which its middle LEVELS lie."""
@@ -28,9 +27,9 @@ REMAINING, SPREADS = 6, 9
 SHORTEST_S = 1e-6
 
 
-def clock_s(trials: Sequence[ScoredTrial]) -> float:
+def clock_s(durations_s: Sequence[float] | FloatArray) -> float:
     """The median time from onset to arrival, which the clock uses; NaN without trials."""
-    return float(np.median([trial.arrival_s for trial in trials])) if trials else float("nan")
+    return float(np.median(durations_s)) if len(durations_s) else float("nan")
 
 
 @law

@@ -18,6 +18,24 @@ TIMES: FloatArray = np.array(TIME_FRACTIONS)
 INSIDE = (len(DECILES), len(regions.LEVELS))
 
 
+class Claimed(msgspec.Struct, frozen=True):
+    """Which claims a predictor makes in a set, and whether the set has targets."""
+
+    regions: bool
+    times: bool
+    intervals: bool
+    """Of the time left."""
+    targets: bool
+
+    def __or__(self, other: Claimed) -> Claimed:
+        return Claimed(
+            self.regions or other.regions,
+            self.times or other.times,
+            self.intervals or other.intervals,
+            self.targets or other.targets,
+        )
+
+
 class TrialMeasures(msgspec.Struct, frozen=True):
     """A row a trial in each array; the laws that fill them say what a row holds."""
 
@@ -47,11 +65,20 @@ class TrialMeasures(msgspec.Struct, frozen=True):
         for name in self.__struct_fields__:
             getattr(self, name)[first:stop] = getattr(part, name)
 
-    def predictor_errors(self, name: str, us_per_event: float, failed: tuple[Skip, ...]) -> PredictorErrors:
-        """The same as the errors of a predictor; ``None`` for what it never claimed."""
-        claimed = (self.regions[:, regions.CLAIMED] > 0.0).any()
-        timed = (self.left[:, time_left.CLAIMED] > 0.0).any()
-        spread = timed and (self.left[:, time_left.SPREAD] > 0.0).any()
+    def claimed(self) -> Claimed:
+        """Which claims there are in any of the trials."""
+        timed = bool((self.left[:, time_left.CLAIMED] > 0.0).any())
+        return Claimed(
+            regions=bool((self.regions[:, regions.CLAIMED] > 0.0).any()),
+            times=timed,
+            intervals=timed and bool((self.left[:, time_left.SPREAD] > 0.0).any()),
+            targets=bool(np.isfinite(self.hits).any()),
+        )
+
+    def predictor_errors(
+        self, name: str, us_per_event: float, failed: tuple[Skip, ...], claimed: Claimed
+    ) -> PredictorErrors:
+        """The same as the errors of a predictor; ``None`` for what is not claimed in the whole set."""
         return PredictorErrors(
             name,
             time_averaged=self.errors[:, endpoint.TIME_AVERAGED].copy(),
@@ -60,12 +87,12 @@ class TrialMeasures(msgspec.Struct, frozen=True):
             single_axis=self.errors[:, endpoint.SINGLE_AXIS :].copy(),
             coverage=self.errors[:, endpoint.COVERAGE].copy(),
             us_per_event=us_per_event,
-            calibration=self.regions if claimed else None,
+            calibration=self.regions if claimed.regions else None,
             failed=failed,
-            inside_by_time=self.inside if claimed else None,
-            time_left=self.left if timed else None,
-            time_inside_by_time=self.left_inside if spread else None,
-            hits=self.hits if np.isfinite(self.hits).any() else None,
+            inside_by_time=self.inside if claimed.regions else None,
+            time_left=self.left if claimed.times else None,
+            time_inside_by_time=self.left_inside if claimed.intervals else None,
+            hits=self.hits if claimed.targets else None,
         )
 
 

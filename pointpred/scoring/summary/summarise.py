@@ -125,7 +125,8 @@ def _measures(
         """What is drawn: the sums of each person, or the trials of the only one."""
         if drawn_trials:
             return rows_of(parts, group.mask, predictor)
-        return summed.predictors[predictor][place, present]
+        people: FloatArray = summed.predictors[predictor][place, present]
+        return people
 
     below = units(floor)[:, :WITH_INTERVAL]
     floor_px = _means(summed.predictors[floor][place], count)
@@ -153,7 +154,8 @@ def _measures(
 def _means(people: FloatArray, count: int) -> FloatArray:
     """Mean errors of a predictor in px, from the sums of people."""
     total: FloatArray = people[:, sums.ERRORS : sums.COVERAGE].sum(axis=0)
-    return total / count if count else np.full(total.shape, nan)
+    means: FloatArray = total / count if count else np.full(total.shape, nan)
+    return means
 
 
 def _bounds(units: FloatArray, below: FloatArray, seed: int, draws: int) -> tuple[FloatArray, FloatArray]:

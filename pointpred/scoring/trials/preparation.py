@@ -8,7 +8,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.columns import EventColumns
+from pointpred.columns import EventColumns, FloatArray
 from pointpred.recording import Recording, Skip
 from pointpred.scoring.results import ScoredTrial
 from pointpred.scoring.trials import cutting
@@ -69,15 +69,14 @@ def prepare(
     ``cpi`` and ``dpi`` (counts and px per inch) replace the recording's own values; they matter only
     to the speed that decides on sub-movements.
 
-    >>> from pointpred.columns import EventColumns
+    >>> from pointpred.columns import EventColumns, FloatArray
     >>> from pointpred.recording import Trial
     >>> path = EventColumns.of(t=[0.0, 0.1, 0.2, 0.3], x=[0, 1, 60, 100], y=[0, 0, 0, 0])
     >>> trial = prepare(Recording.of("one", [path], [Trial("ann", "1")])).trials[0]
     >>> trial.onset_s, trial.distance_px, round(trial.arrival_s, 9), trial.events
     (0.1, 99.0, 0.2, 3)
     """
-    cuts = np.empty((len(recording.trials), cutting.CUTS), dtype=np.int64)
-    cutting.cut(recording.events.table, recording.offsets, cuts)
+    cuts = _cuts(recording)
     good = np.flatnonzero(cuts[:, cutting.VERDICT] == cutting.GOOD)
     onset, stop = cuts[good, cutting.ONSET], cuts[good, cutting.STOP]
     offsets = np.concatenate([[0], np.cumsum(stop - onset)]).astype(np.int64)
@@ -105,6 +104,21 @@ def prepare(
     trials = tuple(ScoredTrial(recording.trials[k], *values) for k, *values in measured)
     skipped = (*recording.skipped, *_skips(recording, cuts))
     return Prepared(recording.name, events, offsets, arrivals, trials, skipped)
+
+
+def durations_s(recording: Recording) -> FloatArray:
+    """The times from onset to arrival of the trials that can be scored, s: what ``prepare`` finds of them."""
+    cuts, t = _cuts(recording), recording.events.t
+    good = cuts[cuts[:, cutting.VERDICT] == cutting.GOOD]
+    spans: FloatArray = t[good[:, cutting.ARRIVAL]] - t[good[:, cutting.ONSET]]
+    return spans
+
+
+def _cuts(recording: Recording) -> cutting.Cuts:
+    """Where each trial begins, ends and arrives, a row a trial."""
+    cuts = np.empty((len(recording.trials), cutting.CUTS), dtype=np.int64)
+    cutting.cut(recording.events.table, recording.offsets, cuts)
+    return cuts
 
 
 def resolution(recording: Recording, cpi: float | None, dpi: float | None) -> dict[str, Any]:

@@ -1,0 +1,89 @@
+"""A Dask cluster: one on this machine, or one that runs elsewhere."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from itertools import islice
+from typing import Any
+
+from pointpred.errors import ParameterError
+from pointpred.executors.executor import AHEAD, Answer, Item
+from pointpred.extras import require
+
+LOCAL = "local"
+"""In the place of a scheduler's address: a cluster of processes on this machine."""
+PATIENCE_S = 15.0
+"""How long a scheduler may take to answer."""
+
+
+class Cluster:
+    """The workers of a Dask cluster."""
+
+    def __init__(self, client: Any) -> None:
+        self._client = client
+        self.workers = sum(client.nthreads().values())
+
+    def each(self, function: Callable[[Item], Answer], items: Iterable[Item]) -> Iterator[tuple[int, Answer]]:
+        """As every executor."""
+        import distributed
+
+        finished: Any = distributed.as_completed
+        numbered = enumerate(items)
+        places: dict[Any, int] = {}
+        done = finished([], raise_errors=False)
+
+        def add(most: int) -> None:
+            for place, item in islice(numbered, most):
+                future = self._client.submit(function, item, pure=False)
+                places[future] = place
+                done.add(future)
+
+        try:
+            add(AHEAD * self.workers)
+            while places:
+                future = next(done)
+                place = places.pop(future)
+                add(1)
+                yield place, future.result()
+                del future  # the cluster forgets the answer
+        finally:
+            if places:
+                self._client.cancel(list(places))
+
+
+@contextmanager
+def cluster(address: str, workers: int) -> Iterator[Cluster]:
+    """The cluster whose scheduler has this address, or ``local``: one of ``workers`` processes, made here.
+
+    Raises MissingExtraError where Dask is not installed, ParameterError where no scheduler answers, or one
+    without workers.
+    """
+    require("cluster", "a Dask cluster")
+    import distributed
+
+    client_of: Any = distributed.Client
+    local_cluster: Any = distributed.LocalCluster
+    if address == LOCAL:
+        with (
+            local_cluster(
+                n_workers=workers, threads_per_worker=1, dashboard_address=None, memory_limit=0
+            ) as local,
+            client_of(local) as client,
+        ):
+            yield Cluster(client)
+        return
+    try:
+        client = client_of(address, timeout=PATIENCE_S)
+    except (OSError, ValueError, TypeError) as error:
+        message = (
+            f"no Dask scheduler answers at {address!r} within {PATIENCE_S:g} s: {error}; "
+            f"expected an address such as tcp://host:8786, or {LOCAL!r}"
+        )
+        raise ParameterError(message, field="cluster", value=address) from error
+    with client:
+        one = Cluster(client)
+        if not one.workers:
+            message = f"the Dask scheduler at {address!r} has no workers: start some with `dask worker`"
+            raise ParameterError(message, field="cluster", value=address)
+        yield one

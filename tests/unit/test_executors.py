@@ -1,0 +1,85 @@
+"""One function over many items: the same answers on threads, processes and a Dask cluster."""
+
+from __future__ import annotations
+
+import os
+import threading
+import time
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+
+from pointpred.errors import ParameterError
+from pointpred.executors import open_executor
+from pointpred.executors.executor import AHEAD
+
+WAYS: list[dict[str, Any]] = [{"threads": 1}, {"threads": 3}, {"processes": 2}, {"cluster": "local"}]
+
+
+def square(item: int) -> tuple[int, int]:
+    return item * item, os.getpid()
+
+
+def broken(item: int) -> int:
+    if item == 3:
+        raise ValueError(f"item {item}")
+    return item
+
+
+@pytest.mark.parametrize("way", WAYS, ids=str)
+def test_every_item_is_answered_once_at_its_place(way: dict[str, Any]) -> None:
+    with open_executor(**way) as executor:
+        answers = dict(executor.each(square, range(40)))
+        assert {place: square for place, (square, _) in answers.items()} == {k: k * k for k in range(40)}
+        elsewhere = {process for _, process in answers.values()} - {os.getpid()}
+        assert bool(elsewhere) == ("threads" not in way)
+        with pytest.raises(ValueError, match="item 3"):
+            dict(executor.each(broken, range(40)))
+        assert dict(executor.each(broken, [7])) == {0: 7}  # an error is not the executor's end
+
+
+def test_items_are_taken_as_workers_become_free() -> None:
+    taken = 0
+
+    def items() -> Iterator[int]:
+        nonlocal taken
+        for k in range(100):
+            taken += 1
+            yield k
+
+    with open_executor(threads=2) as executor:
+        for done, _ in enumerate(executor.each(lambda item: item, items()), 1):
+            assert taken <= done + 2 * AHEAD + 2
+
+
+def test_what_was_not_begun_is_given_up_when_the_caller_stops() -> None:
+    begun = []
+
+    def slow(item: int) -> int:
+        begun.append(item)
+        time.sleep(0.05)
+        return item
+
+    with open_executor(threads=2) as executor:
+        for _ in executor.each(slow, range(50)):
+            break
+    assert len(begun) <= 2 + 2 * AHEAD
+
+
+def test_one_thread_is_the_callers() -> None:
+    with open_executor(threads=1) as executor:
+        assert dict(executor.each(lambda _: threading.get_ident(), [0])) == {0: threading.get_ident()}
+
+
+@pytest.mark.parametrize(
+    ("wrong", "sentence"),
+    [
+        ({"threads": 2, "cluster": "local"}, "received threads and cluster"),
+        ({"processes": 0}, "processes must be at least 1, received 0"),
+        ({"cluster": "nowhere"}, "no Dask scheduler answers at 'nowhere'"),
+    ],
+)
+def test_settings_that_cannot_be_are_refused(wrong: dict[str, Any], sentence: str) -> None:
+    with pytest.raises(ParameterError, match=sentence), open_executor(**wrong):
+        pass
