@@ -139,6 +139,8 @@ def test_places_windows_and_forgetting_in_the_page(one: Visitor, url: str) -> No
     for rows in rounds(9, 9):
         send(one, [[*row[:3], 0.0, 0.0, 0.0] for row in rows], 11)
         both(one, "connection.reset()")
+    # The service answers the last reset a little later than the page.
+    soon(lambda: len({len(choices) for choices in heard(one, "choice", "id")}) == 1, "both heard all choices")
     service, page = heard(one, "choice", "id, action, reason, p, t, place")
     assert page
     assert {one[2] for one in page} == {"predicted", "entered", None}
