@@ -55,9 +55,10 @@ crossvalidate: $(READY)  ## score kinematic on people and sets held out
 sample: $(READY)  ## generate the embedded sample again (same bytes)
 	$(BIN)/python -m pointpred.datasets.generate
 
-fuzz: $(READY)  ## fuzz the HID decoder for ten minutes; new inputs are kept in tests/fuzz/corpus
+fuzz: $(READY)  ## fuzz every parser, FUZZ_SECONDS (240) each; the inputs that reach most are kept
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check 'atheris>=3.0'
-	$(BIN)/python -m tests.fuzz.run -max_total_time=600 -max_len=600 -artifact_prefix=tests/fuzz/ tests/fuzz/corpus
+	$(BIN)/python -m tests.fuzz.campaign $(FUZZ_TARGETS)
+	$(BIN)/python -m pages
 
 inputs: $(READY)  ## read the public recordings in FOLDER twice, and compare
 	$(BIN)/python -m pages.inputs.measure '$(FOLDER)'

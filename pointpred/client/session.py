@@ -18,7 +18,7 @@ from websockets.typing import Subprotocol
 from pointpred.client.unanswered import UnansweredFrames
 from pointpred.columns import EventColumns, PredictionColumns
 from pointpred.errors import EventError, ParameterError, PointpredError, SourceError
-from pointpred.events import PointerEvent
+from pointpred.events import PHASES, PointerEvent
 from pointpred.protocol.client_messages import (
     SUBPROTOCOL,
     VERSION,
@@ -39,7 +39,7 @@ from pointpred.protocol.client_messages import (
 )
 from pointpred.protocol.decoding import decode_server_message
 from pointpred.protocol.frames import Frame, event_frames, message_of, row_of_prediction
-from pointpred.protocol.records import NONE, unpack_predictions
+from pointpred.protocol.records import NONE, PREDICTION, unpack_predictions
 from pointpred.protocol.server_messages import (
     Choice,
     Cursor,
@@ -57,6 +57,8 @@ Row = Sequence[float | None]
 STREAM_PATH = "/v1/stream"
 QUEUE = 1024
 """Frames kept for a script that does not read; then the service keeps only its newest prediction."""
+PHASE = PredictionColumns.names.index("phase")
+OTHER_SERVICE = "does a service of this version of pointpred listen there?"
 KEPT_NOTICES = 100
 """The newest notices that are kept; ``noticed`` counts them all."""
 KEPT_CHOICES = 1000
@@ -209,13 +211,13 @@ class ClientSession:
     def receive(self, frame: Frame) -> msgspec.Struct | None:
         """Take in a frame: returns a message that somebody waits for, ``None`` for what is kept here.
 
-        Raises ServiceError for an error.
+        Raises ServiceError for an error, and SourceError for a frame that no service of this protocol sends.
         """
         if isinstance(frame, bytes):
-            for row in unpack_predictions(frame):
+            for row in _rows_of(frame):
                 self._add_prediction(row)
             return None
-        message = decode_server_message(frame)
+        message = _message_of(frame)
         if isinstance(message, PredictionMessage):
             self._add_prediction(row_of_prediction(message), message.targets)
             return None
@@ -254,6 +256,25 @@ class ClientSession:
             sentence = f"{kind}: a frame holds at most {most} bytes, received {len(text)}"
             raise ParameterError(sentence, field=str(kind), value=len(text))
         return text.decode()
+
+
+def _rows_of(frame: bytes) -> list[list[float]]:
+    """The predictions of a binary frame; raises SourceError."""
+    if not frame or len(frame) % PREDICTION.itemsize:
+        sentence = f"received a frame of {len(frame)} bytes, expected records of {PREDICTION.itemsize} bytes"
+        raise SourceError(f"{sentence}; {OTHER_SERVICE}")
+    rows = unpack_predictions(frame)
+    if unknown := [row[PHASE] for row in rows if row[PHASE] >= len(PHASES)]:
+        raise SourceError(f"received phase {unknown[0]:g}, expected 0 to {len(PHASES) - 1}; {OTHER_SERVICE}")
+    return rows
+
+
+def _message_of(frame: str) -> msgspec.Struct:
+    """The message of a text; raises SourceError."""
+    try:
+        return decode_server_message(frame)
+    except (msgspec.DecodeError, RecursionError) as error:
+        raise SourceError(f"received what is no message of a service: {error}; {OTHER_SERVICE}") from error
 
 
 def hello_message(

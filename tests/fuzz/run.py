@@ -1,32 +1,65 @@
-"""``make fuzz``: look for bytes that break the report-descriptor decoder, guided by its coverage.
+"""Look for bytes that break one parser, guided by its coverage: ``python -m tests.fuzz.run NAME [OPTIONS]``.
 
-Arguments are libFuzzer's: ``python -m tests.fuzz.run -max_total_time=600 tests/fuzz/corpus``. What reaches
-new code is kept in the corpus, which an ordinary test replays. atheris is no dependency of the project.
+NAME is a target of ``tests/fuzz/targets.py``, the options are libFuzzer's, as in ``-max_total_time=60``. It
+begins with the seeds and the corpus of the target; what reaches new code is kept in the first folder that is
+named. A breach ends it and leaves its input in a file. atheris is no dependency of the project.
 """
 
 from __future__ import annotations
 
 import sys
+import tempfile
+from collections.abc import Iterator
+from functools import partial
+from pathlib import Path
+from types import FunctionType
+from typing import Any
 
 import atheris
 
-DECODER = [
-    f"pointpred.hid.{module}" for module in ("report_descriptor", "descriptor_items", "report_decoder")
-]
+from tests.fuzz.targets import TARGETS, Target
 
-with atheris.instrument_imports(include=DECODER):
-    from tests.fuzz.report_descriptor import check
+CORPUS = Path(__file__).parent / "corpus"
 
 
-def one(data: bytes) -> None:
+def instrument(target: Target) -> None:
+    """Have the target's own code report its coverage; compiled laws cannot."""
+    for name, module in list(sys.modules.items()):
+        if module is not None and name.startswith(target.modules):
+            for function in functions_of(vars(module), name):
+                atheris.instrument_func(function)
+
+
+def functions_of(members: Any, module: str) -> Iterator[FunctionType]:
+    """The functions and methods that a module defines."""
+    for member in list(members.values()):
+        one = getattr(member, "__func__", None) or getattr(member, "fget", None) or member
+        if isinstance(one, FunctionType) and one.__module__ == module:
+            yield one
+        elif isinstance(one, type) and one.__module__ == module:
+            yield from functions_of(vars(one), module)
+
+
+def one(target: Target, data: bytes) -> None:
     """One input."""
-    check(data)
+    target.check(data)
 
 
 def main() -> None:
-    """Fuzz until the options say to stop; a breach ends it and leaves its input in a file."""
-    atheris.Setup(sys.argv, one)
-    atheris.Fuzz()
+    """Fuzz until the options say to stop."""
+    name, *options = sys.argv[1:]
+    target = TARGETS[name]
+    instrument(target)
+    with tempfile.TemporaryDirectory(prefix="seeds-") as folder:
+        for place, seed in enumerate(target.seeds()):
+            (Path(folder) / f"seed{place}").write_bytes(seed)
+        own = CORPUS / name
+        folders = [folder, *([str(own)] if own.is_dir() else [])]
+        sizes = (
+            [] if any(one.startswith("-max_len") for one in options) else [f"-max_len={target.most_bytes}"]
+        )
+        atheris.Setup([sys.argv[0], *sizes, *options, *folders], partial(one, target))
+        atheris.Fuzz()
 
 
 if __name__ == "__main__":

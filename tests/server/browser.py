@@ -32,10 +32,11 @@ needed = pytest.mark.skipif(BROWSER is None, reason="no chromium on this machine
 
 
 @contextmanager
-def running(profile: Path) -> Iterator[str]:
-    """A browser; yields the address of its DevTools."""
+def running(profile: Path, *further: str) -> Iterator[str]:
+    """A browser, with further flags; yields the address of its DevTools."""
     assert BROWSER is not None
-    command = [BROWSER, *QUIET, f"--user-data-dir={profile}", "--remote-debugging-port=0", "about:blank"]
+    flags = [*QUIET, *further, f"--user-data-dir={profile}", "--remote-debugging-port=0"]
+    command = [BROWSER, *flags, "about:blank"]
     with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
         assert process.stderr is not None
         try:

@@ -3,10 +3,6 @@
 from __future__ import annotations
 
 import socket
-import threading
-from collections.abc import Iterator
-from contextlib import contextmanager
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
 import pytest
@@ -15,35 +11,10 @@ from pointpred.replaying import Page
 from pointpred.server.page import WEB
 from tests.server import browser
 from tests.server.listener import soon
+from tests.server.pages_elsewhere import page_elsewhere
 from tests.server.running import PATIENCE_S, running
 
 pytestmark = browser.needed
-
-
-@contextmanager
-def page_elsewhere(**headers: str) -> Iterator[str]:
-    """A bare page on a port of its own, with these headers; yields its origin."""
-
-    class Bare(BaseHTTPRequestHandler):
-        def do_GET(self) -> None:
-            self.send_response(200)
-            for name, value in {"Content-Type": "text/html", **headers}.items():
-                self.send_header(name.replace("_", "-"), value)
-            self.end_headers()
-            self.wfile.write(b"<!doctype html><title>elsewhere</title>")
-
-        def log_message(self, *_: object) -> None:
-            """Say nothing of requests."""
-
-    server = ThreadingHTTPServer(("127.0.0.1", 0), Bare)
-    thread = threading.Thread(target=server.serve_forever)
-    thread.start()
-    try:
-        yield f"http://127.0.0.1:{server.server_port}"
-    finally:
-        server.shutdown()
-        server.server_close()
-        thread.join()
 
 
 ISOLATED = {

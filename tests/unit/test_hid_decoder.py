@@ -11,9 +11,9 @@ from hypothesis import strategies as st
 
 from pointpred.hid.report_descriptor import parse_descriptor
 from tests.devices.mice import ENCODERS, SYZBOT, Encode, Mouse
-from tests.fuzz.report_descriptor import check, joined
+from tests.fuzz.hid import check, joined
 
-CORPUS = Path(__file__).parents[1] / "fuzz" / "corpus"
+CORPUS = Path(__file__).parents[1] / "fuzz" / "corpus" / "hid"
 USAGES = {"x": "05010930", "y": "05010931", "wheel": "05010938", "pan": "050c0a3802"}
 NAMES = ("x", "y", "buttons", "mask", "wheel", "pan")
 

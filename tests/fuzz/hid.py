@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from pointpred.errors import RecordingError
 from pointpred.hid.report_descriptor import parse_descriptor
+from tests.devices.mice import ENCODERS
 from tests.fuzz import naive
 
 MOST_EXPANDED = 200_000
@@ -63,3 +64,12 @@ def _expanded(descriptor: bytes) -> int:
         usages += value + 1 if prefix == 0x28 else 1
         total += counts + usages if prefix == 0x80 else 0
     return total + usages
+
+
+def seeds() -> list[bytes]:
+    """The descriptors of the tests, each with reports that set every bit."""
+    return [
+        joined(mouse.descriptor, report)
+        for mouse, encode, most in ENCODERS
+        for report in encode(most, -most, 7, 1, 1)
+    ]

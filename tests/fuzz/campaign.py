@@ -1,0 +1,136 @@
+"""``make fuzz``: every parser in turn, for FUZZ_SECONDS each, by a fuzzer that their coverage guides.
+
+``python -m tests.fuzz.campaign [NAME ...]`` runs some of the targets. A corpus is afterwards as small as it
+can be while it reaches the same code, and at most 32 KiB, smallest inputs first. The numbers go into
+``pages/attacks/fuzz.json``. An input that breaks a parser is named and kept in ``tests/fuzz/broken``; the
+command then ends in an error.
+"""
+
+from __future__ import annotations
+
+import argparse
+import datetime
+import hashlib
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import msgspec
+
+from benchmarks.machine import machine
+from pages import PAGES
+from pages.data import read, write
+from tests.fuzz.targets import TARGETS
+
+CORPUS = Path(__file__).parent / "corpus"
+BROKEN = Path(__file__).parent / "broken"
+FILE = PAGES / "attacks" / "fuzz.json"
+KEPT_BYTES = 2**15
+"""Of a corpus; the repository holds them all."""
+TIMEOUT_S, MEMORY_MIB = 20, 2048
+"""An input that takes longer, or a process that takes more, is a breach."""
+REACHED = re.compile(r"cov: (\d+)")
+
+
+class Run(msgspec.Struct, frozen=True):
+    """What a fuzzer did with one target."""
+
+    seconds: int
+    executions: int
+    edges: int
+    slowest_s: int
+    """The slowest input, in whole seconds."""
+    most_mib: int
+    """Of the whole process, which holds the compiler as well."""
+    kept: int
+    """Inputs in the corpus afterwards."""
+    breaches: int
+    date: str
+    machine: str
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("names", nargs="*", metavar="NAME", help="targets; all where none is named")
+    parser.add_argument("--seconds", type=int, default=int(os.environ.get("FUZZ_SECONDS") or 240))
+    parser.add_argument("--out", type=Path, default=FILE, help="the numbers, instead of the page's JSON")
+    given = parser.parse_args()
+    unknown = sorted(set(given.names) - TARGETS.keys())
+    if unknown:
+        parser.error(f"unknown target {unknown[0]!r}; known: {', '.join(TARGETS)}")
+    breaches = 0
+    for name in given.names or TARGETS:
+        run = fuzz(name, given.seconds)
+        breaches += run.breaches
+        runs = read(given.out, dict[str, Run]) if given.out.exists() else {}
+        runs[name] = run
+        write({one: runs[one] for one in TARGETS if one in runs}, given.out)
+        print(
+            f"{name}: {run.executions} inputs in {run.seconds} s, {run.edges} edges, {run.breaches} breaches"
+        )
+    raise SystemExit(breaches > 0)
+
+
+def fuzz(name: str, seconds: int) -> Run:
+    """Fuzz one target, and make its corpus small."""
+    with tempfile.TemporaryDirectory(prefix="fuzz-") as folder:
+        reached, small = Path(folder) / "reached", Path(folder) / "small"
+        reached.mkdir()
+        small.mkdir()
+        artifacts = Path(folder) / "broken"
+        artifacts.mkdir()
+        limits = [f"-timeout={TIMEOUT_S}", f"-rss_limit_mb={MEMORY_MIB}", f"-artifact_prefix={artifacts}/"]
+        log = atheris(name, f"-max_total_time={seconds}", "-print_final_stats=1", *limits, str(reached))
+        broken = sorted(artifacts.iterdir())
+        for one in broken:
+            BROKEN.mkdir(exist_ok=True)
+            shutil.copy(one, BROKEN / f"{name}-{one.name}")
+            print(f"{name}: {BROKEN / f'{name}-{one.name}'}\n{log[-3000:]}", file=sys.stderr)
+        if not broken:
+            atheris(name, "-merge=1", str(small), str(reached))
+            keep(name, small)
+        return Run(
+            seconds,
+            _statistic(log, "number_of_executed_units"),
+            max((int(one) for one in REACHED.findall(log)), default=0),
+            _statistic(log, "slowest_unit_time_sec"),
+            _statistic(log, "peak_rss_mb"),
+            len(list((CORPUS / name).iterdir())) if (CORPUS / name).is_dir() else 0,
+            len(broken),
+            datetime.date.today().isoformat(),
+            machine(),
+        )
+
+
+def atheris(name: str, *options: str) -> str:
+    """Run the fuzzer in a process of its own; returns what it wrote."""
+    command = [sys.executable, "-m", "tests.fuzz.run", name, *options]
+    return subprocess.run(command, capture_output=True, text=True, errors="replace", check=False).stderr
+
+
+def keep(name: str, small: Path) -> None:
+    """Replace the corpus of a target by the smallest inputs of a folder."""
+    corpus = CORPUS / name
+    inputs = sorted((one.read_bytes() for one in small.iterdir()), key=len)
+    shutil.rmtree(corpus, ignore_errors=True)
+    corpus.mkdir(parents=True)
+    total = 0
+    for data in inputs:
+        total += len(data)
+        if total <= KEPT_BYTES:
+            (corpus / hashlib.sha1(data).hexdigest()[:16]).write_bytes(data)
+
+
+def _statistic(log: str, name: str) -> int:
+    found = re.search(rf"stat::{name}:\s+(\d+)", log)
+    return int(found[1]) if found else 0
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,86 @@
+"""Every parser of what others wrote: the corpora of the fuzzer again, and damaged seeds.
+
+``tests/fuzz/targets.py`` lists the parsers and what each promises. ``test_sources_fuzz.py`` damages more
+files of recordings.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tests.fuzz.targets import TARGETS
+
+CORPUS = Path(__file__).parents[1] / "fuzz" / "corpus"
+SPICE = (
+    b"\0",
+    b"\xff",
+    b"\n",
+    b'"',
+    b"[",
+    b"}",
+    b",",
+    b"-",
+    b"nan",
+    b"1e999",
+    b"9" * 25,
+    b"\xed\xa0\x80",
+    b"null",
+)
+
+edits = st.lists(
+    st.tuples(
+        st.sampled_from(["cut", "insert", "replace", "drop", "repeat"]),
+        st.floats(0, 1, exclude_max=True),
+        st.integers(1, 40),
+        st.one_of(st.sampled_from(SPICE), st.binary(max_size=4)),
+    ),
+    max_size=4,
+)
+
+
+@cache
+def seeds(name: str) -> list[bytes]:
+    return TARGETS[name].seeds()
+
+
+def damaged(data: bytes, changes: list[tuple[str, float, int, bytes]]) -> bytes:
+    for what, where, length, new in changes:
+        at = int(where * len(data))
+        before, after = data[:at], data[at:]
+        data = {
+            "cut": before,
+            "insert": before + new + after,
+            "replace": before + new + after[len(new) :],
+            "drop": before + after[length:],
+            "repeat": data[: at + length] + after,
+        }[what]
+    return data
+
+
+@pytest.mark.parametrize("name", TARGETS)
+def test_the_corpus_and_the_seeds_are_read_or_refused(name: str) -> None:
+    check = TARGETS[name].check
+    corpus = [file.read_bytes() for file in sorted((CORPUS / name).glob("*"))]
+    came = {check(data) for data in [*seeds(name), *corpus]}
+    assert came - {"refused", "another format"}, "some are read"
+
+
+@pytest.mark.parametrize("name", [name for name in TARGETS if not name.startswith("source-")])
+@settings(max_examples=40)
+@given(data=st.data())
+def test_damaged_seeds_and_any_bytes_are_read_or_refused(name: str, data: st.DataObject) -> None:
+    given_bytes = data.draw(
+        st.one_of(st.builds(damaged, st.sampled_from(seeds(name)), edits), st.binary(max_size=200))
+    )
+    TARGETS[name].check(given_bytes)
+
+
+def test_every_corpus_is_of_a_target_and_small() -> None:
+    for folder in CORPUS.iterdir():
+        assert folder.name in TARGETS
+        assert sum(file.stat().st_size for file in folder.iterdir()) <= 1 << 15
