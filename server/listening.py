@@ -122,7 +122,9 @@ class PointpredServer(uvicorn.Server):
             self.announce()
 
     async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
-        """End the sessions, then everything else."""
+        """End the sessions, then everything else; whoever connects meanwhile is refused."""
+        for listening in (*self.servers, *(sockets or ())):
+            listening.close()
         self.service.stop()
         until = time.monotonic() + CLOSE_S
         while self._has_websockets() and time.monotonic() < until:
@@ -167,6 +169,8 @@ def web_config(hosts: HostRule, service: Service) -> uvicorn.Config:
         ws_max_size=FRAME_BYTES,
         ws_per_message_deflate=False,
         server_header=False,
+        proxy_headers=bool(service.settings.trust_proxy),
+        forwarded_allow_ips=list(service.settings.trust_proxy),  # else uvicorn asks the environment
         timeout_graceful_shutdown=STOP_S,
     )
 

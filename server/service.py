@@ -28,6 +28,9 @@ log = logging.getLogger("pointpred.service")
 LOST = 1006
 """The close code under which a lost connection is counted: a tab was closed, a process ended."""
 
+STOPS = "the server stops"
+"""What sessions are told."""
+
 
 class Peers(Protocol):
     """The workers of a service that has several, this one included."""
@@ -107,6 +110,9 @@ class Service:
     def attach(self, session: Session, connection: Connection) -> None:
         """Remember the connection of a session: it is woken when the service stops."""
         self._open[session] = (connection, self._open[session][1])
+        if self.stopping:
+            session.stop(STOPS)
+            connection.wake()
 
     def close_session(self, session: Session) -> None:
         """The connection of a session has ended."""
@@ -151,7 +157,7 @@ class Service:
             self.live.start(asyncio.get_running_loop())
         self.compiler.start()
 
-    def stop(self, reason: str = "the server stops") -> None:
+    def stop(self, reason: str = STOPS) -> None:
         """Send bye to every session; new ones are refused."""
         self.stopping = True
         self.compiler.stop()

@@ -6,7 +6,7 @@ import json
 import re
 import secrets
 from collections.abc import Iterable
-from ipaddress import ip_address
+from ipaddress import ip_address, ip_network
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -65,10 +65,14 @@ class Settings(BaseSettings):
     workers: int = Field(default=1, ge=1, le=256, description="Processes that share the sessions.")
     allow_host: Words = Field(default=(), description="Other host names this service answers to.")
     allow_origin: Words = Field(default=(), description="Origins of other sites' pages that may connect.")
+    trust_proxy: Words = Field(
+        default=(),
+        description="Addresses of reverse proxies that say whom they ask for: 127.0.0.1, 10.0.0.0/8.",
+    )
     token: str | None = Field(
         default=None,
         min_length=8,
-        description="Secret that clients must send; generated when other machines can reach the port.",
+        description="Secret that clients must send; generated when other machines can reach the service.",
     )
     show_token: bool = Field(default=False, description="Print the token in full, once, at the start.")
     record: Path | None = Field(
@@ -113,6 +117,19 @@ class Settings(BaseSettings):
                 raise ValueError(f"an origin reads like https://lab.example:8000, received {origin!r}")
         return origins
 
+    @field_validator("trust_proxy")
+    @classmethod
+    def _proxies(cls, proxies: tuple[str, ...]) -> tuple[str, ...]:
+        """Addresses or networks: a name would have to be looked up for each connection."""
+        for proxy in proxies:
+            try:
+                ip_network(proxy)
+            except ValueError as error:
+                raise ValueError(
+                    f"a proxy is an address or a network such as 127.0.0.1 or 10.0.0.0/8: {error}"
+                ) from None
+        return proxies
+
     @field_validator("coefficients")
     @classmethod
     def _coefficients(cls, files: dict[str, Path]) -> dict[str, Path]:
@@ -131,8 +148,8 @@ class Settings(BaseSettings):
         return Limits(**{name: getattr(self, name) for name in names})
 
     def guarded(self) -> Settings:
-        """The same, with a token made up where others than this machine can reach the port."""
-        if self.token is not None or is_loopback(self.host):
+        """The same, with a token made up where other machines can reach it, directly or by a proxy."""
+        if self.token is not None or (is_loopback(self.host) and not self.trust_proxy):
             return self
         return self.model_copy(update={"token": secrets.token_urlsafe(24), "show_token": True})
 

@@ -42,6 +42,13 @@ def serve(
         list[str] | None,
         typer.Option(help="Origin of a page elsewhere that may connect, as https://lab.example; repeatable."),
     ] = None,
+    trust_proxy: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="ADDRESS",
+            help="Reverse proxy whose X-Forwarded-... headers are believed, as 127.0.0.1; repeatable.",
+        ),
+    ] = None,
     token: Annotated[
         str | None, typer.Option(help="Secret of at least 8 characters that clients must send.")
     ] = None,

@@ -71,11 +71,21 @@ def test_a_token_comes_after_the_word_bearer_in_any_case(shown: str, admitted: b
 
 
 @pytest.mark.parametrize(
-    ("proto", "scheme", "admitted"),
-    [(None, "http", True), (None, "https", False), ("https", "https", True), ("https", "http", False)],
+    ("proto", "scheme", "trusted", "admitted"),
+    [
+        (None, "http", True, True),
+        (None, "https", True, False),
+        ("https", "https", True, True),
+        ("https", "http", True, False),
+        ("https", "https", False, False),
+        ("https", "http", False, True),
+    ],
 )
-def test_a_page_is_our_own_by_scheme_and_host(proto: str | None, scheme: str, admitted: bool) -> None:
-    with running() as here:
+def test_a_page_is_our_own_by_scheme_and_host(
+    proto: str | None, scheme: str, trusted: bool, admitted: bool
+) -> None:
+    """The scheme is what a proxy says, where one is trusted."""
+    with running(token=TOKEN, trust_proxy=["127.0.0.1"] if trusted else []) as here:
         options = {"origin": f"{scheme}://127.0.0.1:{here.port}"}
         headers = {"X-Forwarded-Proto": proto} if proto else {}
         if admitted:

@@ -128,3 +128,14 @@ def test_a_token_is_made_up_and_shown_where_others_reach_the_port() -> None:
     assert made.show_token
     assert Settings(host="0.0.0.0").guarded().token != made.token
     assert not Settings(host="0.0.0.0", token="open-sesame-9").guarded().show_token
+
+
+@pytest.mark.parametrize("proxy", ["lab.example", "10.0.0.0/40", "127.0.0.1:80", "*"])
+def test_a_proxy_is_an_address_or_a_network(proxy: str) -> None:
+    with pytest.raises(ValidationError, match="a proxy is an address or a network"):
+        Settings(trust_proxy=[proxy])
+
+
+def test_a_service_behind_a_proxy_has_a_token() -> None:
+    assert Settings().guarded().token is None
+    assert Settings(trust_proxy=["127.0.0.1"]).guarded().token
