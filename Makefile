@@ -7,7 +7,7 @@ RUNS = .venv/.run
 READY = .venv/.ready
 INSTALL = -m pip install --quiet --disable-pip-version-check -c constraints.txt --editable
 
-.PHONY: run demo test check format bench page docs results train crossvalidate sample inputs fuzz fuzz-inputs clean help
+.PHONY: run demo test check format bench page docs results train crossvalidate sample inputs audit fuzz fuzz-inputs clean help
 
 help:  ## show these lines
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -59,6 +59,12 @@ fuzz: $(READY)  ## fuzz every parser, FUZZ_SECONDS (240) each; the inputs that r
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check 'atheris>=3.0'
 	$(BIN)/python -m tests.fuzz.campaign $(FUZZ_TARGETS)
 	$(BIN)/python -m pages
+
+audit: $(READY)  ## check the licences of all packages, and look for known weaknesses in their versions
+	$(BIN)/python -m pytest -q tests/architecture/test_licences.py
+	'$(PYTHON)' -m venv .venv/.audit
+	.venv/.audit/bin/python -m pip install --quiet --disable-pip-version-check 'pip-audit>=2.9'
+	.venv/.audit/bin/pip-audit --strict --no-deps --disable-pip --requirement constraints.txt
 
 inputs: $(READY)  ## read the public recordings in FOLDER twice, and compare
 	$(BIN)/python -m pages.inputs.measure '$(FOLDER)'

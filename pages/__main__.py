@@ -67,6 +67,7 @@ PAGES_MADE: dict[str, tuple[str, Context]] = {
     },
     "docs/reference/commands.md": ("commands", commands.context),
     "docs/reference/errors.md": ("errors", errors.context),
+    "docs/reference/licences.md": ("licences", measured("licences")),
     "docs/reference/predictors.md": ("predictors", predictors.context),
     "docs/reference/settings.md": ("settings", settings.context),
 }

@@ -219,6 +219,8 @@ class ClientSession:
             return None
         message = _message_of(frame)
         if isinstance(message, PredictionMessage):
+            if message.x is not None and message.phase is None:
+                raise SourceError(f"received a prediction without a phase; {OTHER_SERVICE}")
             self._add_prediction(row_of_prediction(message), message.targets)
             return None
         if isinstance(message, Choice):

@@ -118,9 +118,17 @@ def named_transfer(text: str) -> SavedTransfer:
         if len(numbers) not in wanted:
             raise ParameterError(f"{text!r} has {len(numbers)} numbers; expected {WAYS}")
         return SavedTransfer(ConstantGain(*numbers) if kind == "constant" else SigmoidGain(*numbers))
-    if not Path(text).is_file():
+    if not _is_file(text):
         raise ParameterError(f"{text!r} names no transfer function; expected {WAYS}")
     return load_transfer(Path(text))
+
+
+def _is_file(text: str) -> bool:
+    """Whether a text names a file; no file has the names that the system refuses, such as very long ones."""
+    try:
+        return Path(text).is_file()
+    except OSError:
+        return False
 
 
 def _function(file: _File) -> TransferFunction:

@@ -52,6 +52,7 @@ def main() -> None:
     instrument(target)
     with tempfile.TemporaryDirectory(prefix="seeds-") as folder:
         for place, seed in enumerate(target.seeds()):
+            target.check(seed)  # compiles what it needs: a first run takes longer than any input may
             (Path(folder) / f"seed{place}").write_bytes(seed)
         own = CORPUS / name
         folders = [folder, *([str(own)] if own.is_dir() else [])]

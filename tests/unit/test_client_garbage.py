@@ -16,12 +16,23 @@ from pointpred.protocol.records import PREDICTION
         "no JSON",
         '{"type":"unknown"}',
         '{"type":"prediction"}',
+        '{"type":"prediction","t":1,"x":2,"y":3,"region":null,"phase":null,"remaining_s":null}',
         "[" * 100_000,
         b"",
         b"\0" * (PREDICTION.itemsize + 1),
         bytes(56) + b"\xff" + bytes(8),
     ],
-    ids=["empty", "no JSON", "unknown", "a field missing", "deep", "no record", "half a record", "no phase"],
+    ids=[
+        "empty",
+        "no JSON",
+        "unknown",
+        "a field missing",
+        "phase missing",
+        "deep",
+        "no record",
+        "half a record",
+        "no phase",
+    ],
 )
 def test_what_is_no_message_is_a_source_error(frame: str | bytes) -> None:
     client = ClientSession(hello_message())
