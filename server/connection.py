@@ -4,237 +4,261 @@ from __future__ import annotations
 
 import asyncio
 from collections import deque
-from collections.abc import Awaitable, Callable, Coroutine, Generator, MutableMapping
+from collections.abc import Callable, Coroutine, Sequence
 from concurrent.futures import Executor
+from functools import partial
 from time import perf_counter
-from typing import Any
+from typing import Any, NamedTuple, Protocol
 
 from pointpred.protocol.frames import Frame
-from pointpred.server.sessions.lifecycle import SLOW, Session
+from pointpred.protocol.server_messages import Code
+from pointpred.server.sessions.lifecycle import SLOW, Close, Session, Work
 
-Message = MutableMapping[str, Any]
-Receive = Callable[[], Awaitable[Message]]
-Send = Callable[[Message], Coroutine[Any, Any, None]]
-
-FRAMES_AT_ONCE = 32
-"""Frames of one client received before others have their turn, however many have arrived."""
+FRAMES = "pointpred.frames"
+"""The ASGI extension under which an application finds the ``FrameSocket`` of its connection, as ``socket``."""
+FRAMES_AT_ONCE = 64
+"""So many frames of one client are taken in before others have their turn, however many have come."""
 TICK_S = 1.0
 """How often a session is told that time passes."""
 STUCK_S = 10.0
 """A session ends whose client has read nothing for so long although answers wait ..."""
 LINGER_S = 5.0
 """... and the client has so long to read why."""
+MOST_MESSAGES = 4096
+MOST_BYTES = 2**20
+"""What is read from a client while it waits for the compiler. Only by reading does the service notice that a
+client has left. A client that sends more than this is read again after the wait."""
+
+
+class Refusal(NamedTuple):
+    """Why the protocol below has ended a connection; the client has been told."""
+
+    code: Code
+    message: str
+    close: int
+
+
+class Receiver(Protocol):
+    """Takes what comes from a client; called by the event loop, nothing may raise."""
+
+    def receive(self, frames: Sequence[Frame]) -> None:
+        """Messages that came together."""
+
+    def flush(self) -> None:
+        """The client reads again."""
+
+    def disconnect(self, refusal: Refusal | None) -> None:
+        """Nothing more comes, and nothing can be sent."""
+
+
+class FrameSocket(Protocol):
+    """What a connection needs of the WebSocket below it; nothing waits."""
+
+    can_write: bool
+    """Whether little enough is unsent: otherwise answers wait in the session's outbox."""
+
+    def attach(self, receiver: Receiver) -> None:
+        """Give what comes from the client to a receiver from now on."""
+
+    def detach(self) -> None:
+        """Drop what comes from the client from now on."""
+
+    def write(self, frame: Frame) -> None:
+        """Send a message."""
+
+    def pause_frames(self) -> None:
+        """Read nothing more from the client."""
+
+    def resume_frames(self) -> None:
+        """Read again."""
 
 
 class Connection:
     """Runs a session over one accepted WebSocket.
 
-    The answers to a frame are sent as soon as the frames that arrived for other sessions at the same time
-    have been received: one kind of work after another costs less than taking turns. Every frame of a burst is
-    answered. Where sending would have to wait, because the client does not read, another task waits and
-    sends, and frames are received meanwhile: their answers wait in the session's outbox, where newer
-    predictions replace older ones. Another thread does the work of a session: its next frames wait for it,
-    other sessions do not. The last frames of a client that sends and leaves at once are received as well.
+    Frames go from the socket straight into the session, and its answers back, within one call of the event
+    loop. Every frame of a burst is answered. While the client does not read, its answers wait in the
+    session's outbox, where newer predictions replace older ones, and its frames are still taken in. Another
+    thread does the work of a session: its next frames wait for it, other sessions do not. The last frames of
+    a client that sends and leaves at once are taken in as well.
     """
 
     def __init__(
         self,
         session: Session,
-        receive: Receive,
-        send: Send,
+        socket: FrameSocket,
         observe_delay: Callable[[float], None],
         worker: Executor | None = None,
+        prepare: Callable[[Frame], Coroutine[Any, Any, None] | None] | None = None,
     ) -> None:
         """``observe_delay`` gets the seconds from the newest frame to its prediction handed to the socket.
 
-        ``worker`` does the work of sessions; the loop's own executor where none is given.
+        ``worker`` does the work of sessions; the loop's own executor where none is given. ``prepare``
+        returns what a frame has to wait for, ``None`` where there is nothing; a client that leaves meanwhile
+        cancels it. Limits count frames that waited by the time they came.
         """
         self.session = session
         self.frames = 0
         """Frames received."""
-        self._receive = receive
-        self._send = send
+        self._socket = socket
         self._observe_delay = observe_delay
         self._worker = worker
-        self._wake = asyncio.Event()
-        self._received_at = 0.0
-        self._flush_due = False  # whether the loop has been asked to call _flush_soon
-        self._failure: Exception | None = None
-        self._sending = False  # whether the sending task is at work
-        self._sent = 0  # frames that the sending task has sent
-        self._begun: deque[Awaitable[None] | Frame] = deque()  # what the sending task is to finish first
-        self._predicted_at: float | None = None  # when the frame arrived whose prediction is among these
+        self._prepare = prepare
         self._loop = asyncio.get_running_loop()
+        self._over: asyncio.Future[None] = self._loop.create_future()
+        self._waiting: deque[tuple[Frame, float]] = deque()  # frames that wait, and when they came
+        self._waiting_bytes = 0
+        self._working = False  # whether they wait for another thread,
+        self._preparation: asyncio.Task[None] | None = None  # for what the first of them needs,
+        self._turn: asyncio.Handle | None = None  # or for the turn of others
+        self._left = False  # whether the client has
+        self._unsent: deque[Frame] = deque()  # taken from the outbox
+        self._sent = 0
+        self._received_at = 0.0
+        self._predicted_at: float | None = None  # when the frame came whose prediction is among the unsent
 
-    async def run(self) -> None:
-        """Run until the session closes or the connection is lost; raises what broke."""
-        tasks = [
-            self._loop.create_task(part())
-            for part in (self._receive_frames, self._send_answers, self._watch_time)
-        ]
+    async def run(self) -> Close | None:
+        """Run until the session closes or the connection is lost; raises what broke.
+
+        Returns how the connection is to be closed; ``None`` where the client is not there to be told.
+        """
+        sent, stuck_s = 0, 0.0
+        self._socket.attach(self)
         try:
-            await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+            while stuck_s < STUCK_S + LINGER_S:
+                self._flush()
+                await asyncio.wait((self._over,), timeout=TICK_S)
+                if self._over.done():
+                    self._over.result()
+                    return None if self._left else self.session.close
+                stuck_s = stuck_s + TICK_S if self._sent == sent and not self._socket.can_write else 0.0
+                sent = self._sent
+                if stuck_s >= STUCK_S:
+                    self.session.fail("slow", SLOW, 1013)
+                self.session.tick(self._loop.time())
         finally:
-            self._flush_due = False
-            for task in tasks:
-                task.cancel()
-            ended = await asyncio.gather(*tasks, return_exceptions=True)
-        for result in ended:
-            if isinstance(result, Exception):
-                raise result
+            self._end()
+            self._socket.detach()
+        return None
 
-    def wake(self) -> None:
-        """Look whether there is something to send."""
-        self._wake.set()
+    def receive(self, frames: Sequence[Frame]) -> None:
+        """Take in messages that came together."""
+        if self._over.done():
+            return
+        self.frames += len(frames)
+        now = self._loop.time()
+        if len(frames) == 1 and not self._waiting and not self._working and self._prepare is None:
+            self._take(frames[0], now)  # most frames
+            return
+        self._waiting.extend((frame, now) for frame in frames)
+        self._waiting_bytes += sum(map(len, frames))
+        if len(self._waiting) > MOST_MESSAGES or self._waiting_bytes > MOST_BYTES:
+            self._socket.pause_frames()
+        self._take_waiting()
 
-    async def _receive_frames(self) -> None:
-        """Ends when the connection is lost."""
-        session, loop = self.session, self._loop
-        while True:
-            message = await self._receive()
-            if message["type"] == "websocket.disconnect":
-                if code := message.get("refused"):  # the protocol below has already sent the error
-                    session.fail(code, message["reason"], message["code"])
-                return
-            frame = message.get("bytes")
-            if self._flush_due:
-                self._flush()
-            # The loop's own clock counts milliseconds: enough for limits, not for a delay.
-            self._received_at = perf_counter()
-            self.frames += 1
-            buffered_at: float | None = message.get("received_at")
-            session.receive(
-                message["text"] if frame is None else frame,
-                loop.time() if buffered_at is None else buffered_at,
-            )
-            if session.work is not None:
-                session.finish(await loop.run_in_executor(self._worker, session.work))
-            if not self._sending:
-                self._flush_due = True
-                loop.call_soon(self._flush_soon)
-            if self.frames % FRAMES_AT_ONCE == 0:
-                await asyncio.sleep(0)
+    def flush(self) -> None:
+        """Send what can be sent now; the rest once the client reads again."""
+        try:
+            self._flush()
+        except Exception as error:
+            self._fail(error)
 
-    def _flush_soon(self) -> None:
-        """Called by the loop, which would only log an error: the sending task raises it."""
-        if self._flush_due:
-            try:
-                self._flush()
-            except Exception as error:
-                self._failure = error
-                self._wake.set()
+    def disconnect(self, refusal: Refusal | None) -> None:
+        """The client has left, or was refused by the protocol; what it sent before is still taken in."""
+        self._left = True
+        if refusal is not None:
+            self.session.fail(*refusal)
+        if self._preparation is not None or not self._waiting:
+            self._end()
 
     def _flush(self) -> None:
-        """Send what can be sent without waiting; the rest is for the sending task."""
-        self._flush_due = False
-        if self._sending:
-            return
-        session = self.session
-        predictions, frames = session.outbox.waiting, session.outbox.take()
-        for place, frame in enumerate(frames, 1):
-            try:
-                rest = begin(self._send(_message(frame)))
-            except OSError:
-                self._send = discard
-                break
-            if rest:
-                self._begun.extend((rest, *frames[place:]))
-                self._sending = True
-                self._predicted_at = self._received_at if predictions else None
-                break
-        else:
-            if predictions:
-                self._observe_delay(perf_counter() - self._received_at)
-        if self._begun or session.close is not None:
-            self._wake.set()
-
-    async def _send_answers(self) -> None:
-        """Ends when the session has closed and everything is sent."""
-        session, wake = self.session, self._wake
-        while True:
-            await wake.wait()
-            wake.clear()
-            if self._failure is not None:
-                raise self._failure
-            self._sending = True
-            try:
-                await self._send_waiting()
-            except OSError:
-                self._send = discard
-                self._begun.clear()
-            self._sending = False
-            if (close := session.close) is not None:
-                await self._send({"type": "websocket.close", "code": close.code, "reason": close.reason})
-                return
-
-    async def _send_waiting(self) -> None:
-        """Send what has begun and what is in the outbox, until there is nothing more."""
-        session = self.session
-        while self._begun or session.outbox:
-            while self._begun:
-                part = self._begun.popleft()
-                await (self._send(_message(part)) if isinstance(part, str | bytes) else part)
-                self._sent += 1
-            if self._predicted_at is not None:
+        session, socket, unsent = self.session, self._socket, self._unsent
+        outbox = session.outbox
+        while socket.can_write and (unsent or outbox):
+            if not unsent:
+                if outbox.waiting:
+                    self._predicted_at = self._received_at
+                unsent.extend(outbox.take())
+            socket.write(unsent.popleft())
+            self._sent += 1
+            if self._predicted_at is not None and not unsent:
                 self._observe_delay(perf_counter() - self._predicted_at)
                 self._predicted_at = None
-            received_at, predictions = self._received_at, session.outbox.waiting
-            for frame in session.outbox.take():
-                await self._send(_message(frame))
-                self._sent += 1
-            if predictions:
-                self._observe_delay(perf_counter() - received_at)
+        if session.close is not None and socket.can_write:
+            self._end()
 
-    async def _watch_time(self) -> None:
-        """Ends when the client has read nothing for too long; one that reads slowly goes on."""
-        sent, stuck_s = 0, 0.0
-        while stuck_s < STUCK_S + LINGER_S:
-            await asyncio.sleep(TICK_S)
-            stuck_s = stuck_s + TICK_S if self._sending and self._sent == sent else 0.0
-            sent = self._sent
-            if stuck_s >= STUCK_S:
-                self.session.fail("slow", SLOW, 1013)
-            self.session.tick(self._loop.time())
-            self._wake.set()
+    def _take(self, frame: Frame, now: float) -> None:
+        """Give a frame to the session, send its answers, and have its work done."""
+        # The loop's own clock counts milliseconds: enough for limits, not for a delay.
+        self._received_at = perf_counter()
+        session = self.session
+        try:
+            session.receive(frame, now)
+            if session.work is not None:
+                self._start_work(session.work)
+            self._flush()
+        except Exception as error:
+            self._fail(error)
 
-
-async def discard(message: Message) -> None:
-    """Send nothing: the client has left, and what it sent before is still received."""
-
-
-def _message(frame: Frame) -> Message:
-    return {"type": "websocket.send", "bytes" if isinstance(frame, bytes) else "text": frame}
-
-
-def begin(coroutine: Coroutine[Any, Any, None]) -> Awaitable[None] | None:
-    """Run a coroutine without a task until it ends or must wait; returns the rest to be awaited, or ``None``.
-
-    A coroutine that need not wait costs no more than a call.
-    """
-    try:
-        awaited = coroutine.send(None)
-    except StopIteration:
-        return None
-    return _Rest(coroutine, awaited)
-
-
-class _Rest:
-    """A coroutine that has begun and waits for something."""
-
-    def __init__(self, coroutine: Coroutine[Any, Any, None], awaited: Any) -> None:
-        self._coroutine = coroutine
-        self._awaited = awaited
-
-    def __await__(self) -> Generator[Any, Any, None]:
-        awaited = self._awaited
-        while True:
-            error: BaseException | None = None
-            value: Any = None
-            try:
-                value = yield awaited
-            except BaseException as thrown:  # a cancellation is the coroutine's to handle
-                error = thrown
-            try:
-                awaited = self._coroutine.send(value) if error is None else self._coroutine.throw(error)
-            except StopIteration:
+    def _take_waiting(self) -> None:
+        """Take in frames that wait, until one has to wait again or others have their turn."""
+        for _ in range(FRAMES_AT_ONCE):
+            if self._working or self._preparation or self._turn or self._over.done():
                 return
+            if not self._waiting:
+                if self._left:
+                    self._end()
+                self._socket.resume_frames()
+                return
+            frame, came = self._waiting.popleft()
+            self._waiting_bytes -= len(frame)
+            preparation = None if self._prepare is None else self._prepare(frame)
+            if preparation is None:
+                self._take(frame, came)
+            else:
+                self._preparation = self._loop.create_task(preparation)
+                self._preparation.add_done_callback(partial(self._take_prepared, frame, came))
+        if self._waiting:
+            self._turn = self._loop.call_soon(self._take_turn)
+
+    def _take_turn(self) -> None:
+        self._turn = None
+        self._take_waiting()
+
+    def _take_prepared(self, frame: Frame, came: float, preparation: asyncio.Task[None]) -> None:
+        """Take in a frame that has waited for what it needs, and then those behind it."""
+        self._preparation = None
+        if preparation.cancelled() or self._over.done():
+            return
+        if error := preparation.exception():
+            self._over.set_exception(error)
+            return
+        self._take(frame, came)
+        self._take_waiting()
+
+    def _start_work(self, work: Work) -> None:
+        self._working = True
+        self._socket.pause_frames()
+        self._loop.run_in_executor(self._worker, work).add_done_callback(self._finish_work)
+
+    def _finish_work(self, done: asyncio.Future[Callable[[], None]]) -> None:
+        """Use the result of the work, and take in the frames that waited for it."""
+        self._working = False
+        if done.cancelled() or self._over.done():
+            return
+        try:
+            self.session.finish(done.result())
+            self._flush()
+        except Exception as error:
+            self._fail(error)
+        self._take_waiting()
+
+    def _fail(self, error: Exception) -> None:
+        if not self._over.done():
+            self._over.set_exception(error)
+
+    def _end(self) -> None:
+        if not self._over.done():
+            self._over.set_result(None)
+        if self._preparation is not None:
+            self._preparation.cancel()

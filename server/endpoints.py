@@ -14,13 +14,13 @@ from typing import Any
 from uvicorn.protocols.utils import ClientDisconnected
 
 from pointpred.protocol.client_messages import SUBPROTOCOL
+from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import Code, ErrorMessage, encode
-from pointpred.server.access import Scope, admits_origin, has_token, header
+from pointpred.server.access import Receive, Scope, Send, admits_origin, has_token, header
 from pointpred.server.compiling.parts import parts_for
-from pointpred.server.connection import LINGER_S, Connection, Message, Receive, Send
+from pointpred.server.connection import FRAMES, LINGER_S, Connection, FrameSocket
 from pointpred.server.live_feed import LiveFeed
 from pointpred.server.logs import place_of
-from pointpred.server.receive_buffer import ReceiveBuffer
 from pointpred.server.service import Service
 from pointpred.server.sessions.lifecycle import FAILED, Session
 
@@ -48,7 +48,7 @@ class StreamEndpoint:
         try:
             await receive()  # websocket.connect
             if await self._admit(scope, send):
-                await self._serve(receive, send)
+                await self._serve(scope, send)
         except ClientDisconnected:
             pass  # it left before it had a session
 
@@ -74,16 +74,14 @@ class StreamEndpoint:
         self.service.metrics.connections_refused.labels(code).inc()
         await send_error(send, code, message, close)
 
-    async def _serve(self, receive: Receive, send: Send) -> None:
+    async def _serve(self, scope: Scope, send: Send) -> None:
         service = self.service
         session = service.open_session(asyncio.get_running_loop().time())
-        buffer = None if service.compiler.over else ReceiveBuffer(receive, partial(self._prepare, session))
         delay = service.metrics.delay.observe
+        prepare = None if service.compiler.over else partial(self._prepare, session)
         try:
-            await self._run(Connection(session, buffer or receive, send, delay, service.scorer), send)
+            await self._run(Connection(session, _socket(scope), delay, service.scorer, prepare), send)
         finally:
-            if buffer is not None:
-                buffer.close()
             service.close_session(session)
 
     async def _run(self, connection: Connection, send: Send) -> None:
@@ -91,7 +89,8 @@ class StreamEndpoint:
         session = connection.session
         try:
             self.service.attach(session, connection)
-            await connection.run()
+            if (close := await connection.run()) is not None:
+                await send({"type": "websocket.close", "code": close.code, "reason": close.reason})
         except ClientDisconnected:
             pass  # it went away while something was sent
         except Exception as error:
@@ -100,13 +99,10 @@ class StreamEndpoint:
             session.fail()
             await send_error(send, "internal", FAILED, 1011)
 
-    def _prepare(self, session: Session, message: Message) -> Coroutine[Any, Any, None] | None:
+    def _prepare(self, session: Session, frame: Frame) -> Coroutine[Any, Any, None] | None:
         """Compile what a message needs before the session gets it; its first event would wait for it."""
         compiler = self.service.compiler
-        if message["type"] != "websocket.receive" or compiler.over:
-            return None
-        frame = message.get("bytes")
-        names = compiler.missing(parts_for(message["text"] if frame is None else frame))
+        names = [] if compiler.over else compiler.missing(parts_for(frame))
         return self._wait(session, names) if names else None
 
     async def _wait(self, session: Session, names: list[str]) -> None:
@@ -128,7 +124,7 @@ class LiveEndpoint(StreamEndpoint):
                 self.service.metrics.connections_refused.labels("out_of_place").inc()
                 await _send_not_found(scope, send)
             elif await self._admit(scope, send) and (feed := self.service.live) is not None:
-                await self._show(feed, receive, send)
+                await self._show(feed, scope, send)
         except ClientDisconnected:
             pass  # it left before it saw anything
 
@@ -141,16 +137,22 @@ class LiveEndpoint(StreamEndpoint):
             and has_token(scope, settings.token)
         )
 
-    async def _show(self, feed: LiveFeed, receive: Receive, send: Send) -> None:
+    async def _show(self, feed: LiveFeed, scope: Scope, send: Send) -> None:
         service = self.service
         viewer = service.open_viewer(asyncio.get_running_loop().time())
-        connection = Connection(viewer, receive, send, lambda seconds: None)  # it sends nothing to predict
+        connection = Connection(viewer, _socket(scope), lambda seconds: None)  # it sends nothing to predict
         try:
-            feed.join(viewer, connection.wake)
+            feed.join(viewer, connection.flush)
             await self._run(connection, send)
         finally:
             feed.leave(viewer)
             service.close_session(viewer)
+
+
+def _socket(scope: Scope) -> FrameSocket:
+    """The WebSocket of a connection, below ASGI: ``make_server`` has uvicorn use our protocol."""
+    socket: FrameSocket = scope["extensions"][FRAMES]["socket"]
+    return socket
 
 
 async def send_error(send: Send, code: Code, message: str, close: int) -> None:

@@ -164,7 +164,7 @@ class Service:
         for session, (connection, _) in list(self._open.items()):
             session.stop(reason)
             if connection is not None:
-                connection.wake()
+                connection.flush()
 
     def shut_down(self) -> None:
         """Write what is recorded, and end the threads."""

@@ -1,12 +1,14 @@
 """uvicorn's WebSocket protocol, with bounds on what a client may do below the messages of a session.
 
 Sessions do not see frames that are too long, messages in too many fragments, floods of pings, and last frames
-that nobody reads: they are bounded here.
+that nobody reads: they are bounded here. A session that attaches itself gets its messages, and sends its
+answers, by plain calls instead of ASGI's ``receive`` and ``send``, which cost more than a prediction.
 """
 
 from __future__ import annotations
 
 import asyncio
+import socket
 from asyncio.transports import BaseTransport
 from http import HTTPStatus
 
@@ -15,9 +17,12 @@ from websockets.frames import Frame, Opcode
 from websockets.http11 import Request
 from websockets.protocol import State
 
+from pointpred.protocol.frames import Frame as Message
 from pointpred.protocol.server_messages import Code, ErrorMessage, encode
 from pointpred.protocol.token_bucket import TokenBucket
+from pointpred.server.connection import FRAMES, FRAMES_AT_ONCE, Receiver, Refusal
 from pointpred.server.upgrade import FrameReader
+from pointpred.server.websocket_frames import WHOLE_MESSAGES, frame_end, framed, whole_message
 
 UPGRADE_S = 10.0
 """So long the application may take to accept or refuse a connection."""
@@ -26,7 +31,11 @@ LINGER_S = 5.0
 WAITING_BYTES = 2**15
 """With more than this unsent, answers wait in the session's outbox, where newer predictions replace them."""
 READ_BYTES = 2**14
-"""Received data is parsed in pieces of this size: little is parsed after the end of a session."""
+"""Received data is parsed in pieces of this size: others have their turn in between, and little is parsed
+after the end of a session."""
+UNREAD_BYTES = 2**15
+"""What the kernel may hold unread of a session's events; it takes twice as much for its own records. A
+client whose events come faster than they are used has to wait with more."""
 FRAGMENTS_MOST = 64
 """Fragments of one message; our own clients send one."""
 CONTROL_FRAMES_PER_S = 100
@@ -45,11 +54,53 @@ class BoundedWebSocketProtocol(WebSocketsSansIOProtocol):
     _abort_timer: asyncio.TimerHandle | None = None
     _ended = False  # whether the client has been told why it ends: nothing more is received
     _pong: bytes | None = None  # the newest answer to a ping that has to wait
+    _receiver: Receiver | None = None
+    _detached = False  # whether there was a receiver, which takes nothing more
+    _held = False  # whether the receiver takes nothing for now
+    _unparsed = b""  # the beginning of a frame, or what waits for its turn
+    _turn: asyncio.Handle | None = None  # when that is parsed
+    _parser_bytes = 0  # so many more bytes belong to the parser: it has begun to read a frame
+    can_write = True
 
     async def run_asgi(self) -> None:
         """Run the session, then abort the connection where it does not close in time."""
+        self.scope["extensions"][FRAMES] = {"socket": self}
         await super().run_asgi()
         self._linger()
+
+    def attach(self, receiver: Receiver) -> None:
+        """Give messages to a receiver from now on; ASGI's ``receive`` gives none any more."""
+        self._receiver = receiver
+        kernel = self.transport.get_extra_info("socket")
+        kernel.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, UNREAD_BYTES)
+        while not self.queue.empty():
+            early = self.queue.get_nowait()
+            if early["type"] == "websocket.receive":
+                receiver.receive([early.get("text") or early.get("bytes") or b""])
+            elif early["type"] == "websocket.disconnect":
+                receiver.disconnect(None)
+        self._read_on()
+
+    def detach(self) -> None:
+        """Drop what comes from the client from now on; only its close frame has a meaning."""
+        self._receiver, self._detached = None, True
+        self.resume_frames()
+
+    def write(self, frame: Message) -> None:
+        """Send a message, unless the connection has ended."""
+        if self.conn.state is State.OPEN and not self.disconnected:
+            self.transport.write(framed(frame))
+
+    def pause_frames(self) -> None:
+        """Read nothing more from the client."""
+        self._held = True
+        self._pause_reading()
+
+    def resume_frames(self) -> None:
+        """Read again."""
+        if self._held:
+            self._held = False
+            self._begin_turn()
 
     def connection_made(self, transport: BaseTransport) -> None:
         """Begin, with a bound on unsent data."""
@@ -76,30 +127,133 @@ class BoundedWebSocketProtocol(WebSocketsSansIOProtocol):
             self.transport.abort()
 
     def connection_lost(self, exc: Exception | None) -> None:
-        """Nothing is left to abort."""
+        """What came before is still given on; nothing is left to abort."""
         if self._upgrade_timer is not None:
             self._upgrade_timer.cancel()
         if self._abort_timer is not None:
             self._abort_timer.cancel()
+        self._held, parsed = False, b""
+        while self._unparsed != parsed and not self._ended:
+            parsed = self._unparsed
+            self._take_turn()
+        self.can_write = True
         super().connection_lost(exc)
+        if self._receiver is not None:
+            self._receiver.disconnect(None)
 
     def data_received(self, data: bytes) -> None:
-        """Parse received data, no further than to the end of the session."""
-        if len(data) <= READ_BYTES:
-            if not self._ended:
-                super().data_received(data)
+        """Take in received data, no further than to the end of the session."""
+        if self._unparsed:
+            data = self._unparsed + data
+        if self._held or self._turn is not None:
+            self._unparsed = data
+        else:
+            self._parse(data)
+
+    def _parse(self, data: bytes) -> None:
+        """Give on the messages in received data; of much data the rest waits until others had their turn."""
+        messages: list[Message] = []
+        at, size = 0, len(data)
+        while at < size and not self._ended:
+            if at >= READ_BYTES or len(messages) >= FRAMES_AT_ONCE:
+                self._begin_turn()
+                break
+            end = at + self._parser_bytes if self._parser_bytes else frame_end(data, at)
+            if end == 0 or (size < end <= at + READ_BYTES and not self._parser_bytes):
+                break  # the rest of the frame has not come
+            message = None
+            if end <= size and not self._parser_bytes and self.conn.current_size is None:
+                message = whole_message(data, at, end)
+            if message is not None:
+                messages.append(message)
+                at = end
+                continue
+            self._deliver(messages)
+            messages, begin = [], at
+            at = self._end_of_others(data, at, end)
+            self._parser_bytes = max(end - size, 0)
+            super().data_received(data[begin:at])
+            if self.conn.close_rcvd is not None:
+                at = size
+        self._unparsed = b"" if self._ended or at >= size else data[at:]
+        self._deliver(messages)
+
+    def _end_of_others(self, data: bytes, begin: int, end: int) -> int:
+        """Where the frames end that the parser reads together, such as pings that came together."""
+        size = len(data)
+        if data[begin] in WHOLE_MESSAGES and self.conn.current_size is None:
+            return min(end, size)
+        while end < size and data[end] not in WHOLE_MESSAGES:
+            following = frame_end(data, end)
+            if not 0 < following <= min(size, begin + READ_BYTES):
+                break
+            end = following
+        return min(end, size)
+
+    def _deliver(self, messages: list[Message]) -> None:
+        if not messages or self.close_sent or self._ended or self._detached:
             return
-        for place in range(0, len(data), READ_BYTES):
-            if self._ended:
-                return
-            super().data_received(data[place : place + READ_BYTES])
+        if self._receiver is not None:
+            self._receiver.receive(messages)
+            return
+        for message in messages:  # an application that uses ASGI's ``receive``
+            kind = "text" if isinstance(message, str) else "bytes"
+            self.queue.put_nowait({"type": "websocket.receive", kind: message})  # type: ignore[arg-type]
+        self._pause_reading()
+
+    def send_receive_event_to_app(self) -> None:
+        """Give on a message that the parser has read."""
+        data, self.frames = b"".join(self.frames), []
+        if self.curr_msg_data_type == "bytes":
+            self._deliver([data])
+            return
+        try:
+            text = data.decode()
+        except UnicodeDecodeError as error:
+            self._refuse(None, f"a text must be UTF-8: {error.reason} at byte {error.start}", 1007)
+        else:
+            self._deliver([text])
+
+    def _begin_turn(self) -> None:
+        """Parse what is unparsed once others had their turn; nothing is read before."""
+        if self._turn is None:
+            self._turn = self.loop.call_soon(self._take_turn)
+            self._pause_reading()
+
+    def _take_turn(self) -> None:
+        if self._turn is not None:
+            self._turn.cancel()
+            self._turn = None
+        if not self._held:
+            data, self._unparsed = self._unparsed, b""
+            self._parse(data)
+            self._read_on()
+
+    def _pause_reading(self) -> None:
+        if not self.read_paused and not self.transport.is_closing():
+            self.read_paused = True
+            self.transport.pause_reading()
+
+    def _read_on(self) -> None:
+        """Read again where nothing is against it."""
+        if self.read_paused and not self._held and self._turn is None and not self.transport.is_closing():
+            self.read_paused = False
+            self.transport.resume_reading()
+
+    def pause_writing(self) -> None:
+        """The client does not read."""
+        super().pause_writing()
+        self.can_write = False
 
     def resume_writing(self) -> None:
-        """The client reads again: it gets the answer to its newest ping."""
+        """The client reads again: it gets the answer to its newest ping, and what waits."""
         super().resume_writing()
+        self.can_write = True
         if self._pong is not None and not self._ended:
             self.transport.write(self._pong)
         self._pong = None
+        if self._receiver is not None:
+            self._receiver.flush()
 
     def handle_cont(self, event: Frame) -> None:
         """A further fragment of a message."""
@@ -122,6 +276,12 @@ class BoundedWebSocketProtocol(WebSocketsSansIOProtocol):
         else:
             self._pong = pongs[-1] if pongs else self._pong
             self.transport.write(b"".join(others))
+
+    def handle_close(self, event: Frame) -> None:
+        """The client leaves, or answers our close frame."""
+        super().handle_close(event)
+        if self._receiver is not None:
+            self._receiver.disconnect(None)
 
     def handle_pong(self, event: Frame) -> None:
         """The answer to a ping of ours, or an unsolicited one."""
@@ -183,8 +343,9 @@ class BoundedWebSocketProtocol(WebSocketsSansIOProtocol):
         self._ended, self.disconnected = True, True
         self.frames, self._pong = [], None
         self.stop_keepalive()
-        message = {"type": "websocket.disconnect", "code": close, "reason": reason, "refused": refused}
-        self.queue.put_nowait(message)  # type: ignore[arg-type]
+        self.queue.put_nowait({"type": "websocket.disconnect", "code": close, "reason": reason})
+        if self._receiver is not None:
+            self._receiver.disconnect(None if refused is None else Refusal(refused, reason, close))
         self._linger()
 
     def _linger(self) -> None:

@@ -14,9 +14,11 @@ from uvicorn.protocols.utils import ClientDisconnected
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from pointpred.registry import RECOMMENDED
+from pointpred.server.connection import FRAMES
 from pointpred.server.endpoints import StreamEndpoint
 from pointpred.server.service import Service
 from tests.server.compiler import FakeWorkers
+from tests.server.fake_socket import FakeSocket
 from tests.server.listener import soon
 from tests.server.running import HELLO, PATIENCE_S, Running, running
 
@@ -107,19 +109,22 @@ def test_a_plain_request_of_the_stream_is_told_what_the_path_speaks() -> None:
 def test_leaving_while_the_service_stops_is_no_error() -> None:
     service, compiler = Service(), FakeWorkers()
     service.compiler = compiler.compiling([RECOMMENDED, "switched"])
-    frames = [{"type": "websocket.connect"}, {"type": "websocket.receive", "text": HELLO}]
+    socket = FakeSocket()
+
+    def come() -> None:
+        socket.there.receive([HELLO])
+        service.stop()
 
     async def receive() -> dict[str, str]:
-        if not frames:
-            service.stop()
-            await asyncio.Event().wait()
-        return frames.pop(0)
+        return {"type": "websocket.connect"}
 
     async def send(message: dict[str, object]) -> None:
         if message["type"] != "websocket.accept":
             raise ClientDisconnected
 
-    scope = {"type": "websocket", "headers": [], "query_string": b""}
+    socket.on_attach = come
+    extensions = {FRAMES: {"socket": socket}}
+    scope = {"type": "websocket", "headers": [], "query_string": b"", "extensions": extensions}
     service.compiler.start()
     asyncio.run(StreamEndpoint(service)(scope, receive, send))
     assert not service._open

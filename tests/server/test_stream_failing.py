@@ -11,18 +11,19 @@ from collections.abc import Callable
 from contextlib import suppress
 
 import pytest
-from uvicorn.protocols.utils import ClientDisconnected
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection
 
 import pointpred.server.connection
 import pointpred.server.websocket_protocol
+from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import Limits
 from pointpred.server import listening
 from pointpred.server.connection import Connection
 from pointpred.server.logs import JsonLines, PlainLines
 from pointpred.server.sessions.lifecycle import Close
 from pointpred.server.sessions.pointing import PointingSession
+from tests.server.fake_socket import FakeSocket
 from tests.server.hurried import HurriedLoop
 from tests.server.listener import soon
 from tests.server.running import HELLO, PATIENCE_S, Running, running
@@ -110,18 +111,28 @@ def test_a_slow_reader_goes_on_and_a_stuck_one_is_ended(
     monkeypatch.setattr(pointpred.server.connection, "LINGER_S", 0.3)
 
     async def talk() -> Close | None:
-        session = PointingSession("here", Limits(max_events_per_s=10**6), asyncio.get_running_loop().time())
+        loop = asyncio.get_running_loop()
+        session = PointingSession("here", Limits(max_events_per_s=10**6), loop.time())
         frames = iter([HELLO, *(event(float(t)) for t in range(100_000))])
 
-        async def receive() -> dict[str, str]:
-            await asyncio.sleep(0.002)
-            return {"type": "websocket.receive", "text": next(frames)}
+        def write(frame: Frame) -> None:
+            socket.can_write = False
+            loop.call_later(each_s, read)
 
-        async def send(message: object) -> None:
-            await asyncio.sleep(each_s)
+        def read() -> None:
+            socket.can_write = True
+            if socket.receiver is not None:
+                socket.there.flush()
 
+        def come() -> None:
+            if socket.receiver is not None:
+                socket.there.receive([next(frames)])
+                loop.call_later(0.002, come)
+
+        socket = FakeSocket(write)
+        socket.on_attach = come
         with suppress(TimeoutError):
-            await asyncio.wait_for(Connection(session, receive, send, lambda delay: None).run(), 2.0)
+            await asyncio.wait_for(Connection(session, socket, lambda delay: None).run(), 2.0)
         assert session.outbox.dropped_total > 0
         return session.close
 
@@ -141,16 +152,14 @@ def test_what_a_client_sent_before_it_left_is_taken_in() -> None:
 
     async def talk() -> None:
         session = Listening("here", Limits(), asyncio.get_running_loop().time())
-        frames = [HELLO, *(event(float(t)) for t in range(100))]
-        coming = iter([{"type": "websocket.receive", "text": text} for text in frames])
+        socket = FakeSocket()
 
-        async def receive() -> dict[str, str]:
-            return next(coming, {"type": "websocket.disconnect"})
+        def come() -> None:
+            socket.there.receive([HELLO, *(event(float(t)) for t in range(100))])
+            socket.there.disconnect(None)
 
-        async def send(message: object) -> None:
-            raise ClientDisconnected
-
-        await Connection(session, receive, send, lambda delay: None).run()
+        socket.on_attach = come
+        await Connection(session, socket, lambda delay: None).run()
 
     asyncio.run(talk())
     assert len(heard) == 101
