@@ -1,4 +1,7 @@
-"""Two laws as one: a differentiator's answer goes straight into the predictor, in one compiled call."""
+"""Two laws as one: a differentiator's answer goes straight into the predictor, in one compiled call.
+
+For one event, and for a table of events of which only the last is answered.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +11,7 @@ from typing import Any
 
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
-from pointpred.rows import REFUSED, Row, TenFloats
+from pointpred.rows import REFUSED, Row, TenFloats, event_at
 
 
 @cache
@@ -52,3 +55,44 @@ def joint_sharing(
         return answer
 
     return law(joint) if compiled else joint
+
+
+@cache
+def last_of(
+    first: Callable[..., Any], second: Callable[..., Any], follow: Callable[..., bool] | None
+) -> Callable[..., TenFloats]:
+    """``first`` and then ``second`` over a table of at least one event; the answer to the last of them.
+
+    ``follow`` takes a motion into the memory of ``second`` as that does, and says whether it was accepted;
+    without one, ``second`` is called for each. Where an event is refused, both memories are as they were.
+    """
+    follow_one = follow or _following(second)
+
+    def last(memory: FloatArray, other: FloatArray, rows: FloatArray, *shared: FloatArray) -> TenFloats:
+        kept, other_kept = memory.copy(), other.copy()
+        answer, count = REFUSED, 0
+        for i in range(len(rows) - 1):
+            between = first(memory, event_at(rows, i))
+            if between[0] != between[0] or not follow_one(other, between, *shared):
+                break
+            count += 1
+        if count == len(rows) - 1:
+            between = first(memory, event_at(rows, count))
+            if between[0] == between[0]:
+                answer = second(other, between, *shared)
+        if answer[0] != answer[0]:
+            memory[:] = kept
+            other[:] = other_kept
+        return answer
+
+    return law(last)
+
+
+def _following(step: Callable[..., Any]) -> Callable[..., bool]:
+    """A law that does what ``step`` does, and says only whether it accepts."""
+
+    def follow(memory: FloatArray, row: Row, *shared: FloatArray) -> bool:
+        t = step(memory, row, *shared)[0]
+        return bool(t == t)
+
+    return law(follow)

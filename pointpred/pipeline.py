@@ -6,17 +6,19 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any, Self
 
+import numpy as np
+
 from pointpred.columns import BoolArray, EventColumns, FloatArray, PredictionColumns
 from pointpred.compiled import law
 from pointpred.differentiators import Differentiator, HomogeneousDifferentiator
 from pointpred.differentiators.differentiator import checked_event_row
 from pointpred.errors import EventError
 from pointpred.events import Place, PointerEvent, Prediction
-from pointpred.joint import joint_of, joint_sharing
+from pointpred.joint import joint_of, joint_sharing, last_of
 from pointpred.mixtures.mixture import Mixture
 from pointpred.person import person_of
 from pointpred.predictors import Predictor
-from pointpred.rows import Row, TenFloats, prediction_of
+from pointpred.rows import REFUSED, Row, TenFloats, prediction_of
 from pointpred.scene import scene
 
 
@@ -41,6 +43,7 @@ class Pipeline:
         self.differentiator = differentiator
         self.predictor = predictor
         self._joint: Callable[..., TenFloats] | None = None
+        self._last: Callable[..., Row] | None = None
 
     def update(self, event: PointerEvent, /) -> Prediction | None:
         """Consume one event; ``None`` where nothing is justified now.
@@ -66,9 +69,7 @@ class Pipeline:
     def joint(self) -> Callable[..., TenFloats]:
         """Both laws as one."""
         join = joint_sharing if self.predictor.shared else joint_of
-        first, second = type(self.differentiator), type(self.predictor)
-        compiled = second.joint_compiled and issubclass(first, HomogeneousDifferentiator)
-        return join(first.step, second.step, compiled)
+        return join(type(self.differentiator).step, type(self.predictor).step, self._compiled)
 
     def _bind(self) -> Callable[..., TenFloats]:
         """The joint law with what is shared; not before an event comes: one for tables only has no law."""
@@ -76,9 +77,33 @@ class Pipeline:
         self._joint = partial(self.joint(), *shared) if shared else self.joint()
         return self._joint
 
+    @property
+    def _compiled(self) -> bool:
+        """Whether both laws are compiled as one."""
+        return self.predictor.joint_compiled and isinstance(self.differentiator, HomogeneousDifferentiator)
+
+    def advance_last(self, table: FloatArray) -> Row | None:
+        """``advance_all`` of at least one row where only the last answer is wanted, bit for bit the same."""
+        last = self._last or self._bind_last()
+        answer = last(self.differentiator._memory, self.predictor._memory, table, *self.predictor.shared)
+        return answer if answer[0] == answer[0] else None
+
+    def last(self) -> Callable[..., Row] | None:
+        """Both laws as one over a table; ``None`` where they are not compiled as one."""
+        second = type(self.predictor)
+        return last_of(type(self.differentiator).step, second.step, second.follow) if self._compiled else None
+
+    def _bind_last(self) -> Callable[..., Row]:
+        self._last = self.last() or self._walk_to_last
+        return self._last
+
+    def _walk_to_last(self, memory: FloatArray, other: FloatArray, table: FloatArray, *_: FloatArray) -> Row:
+        answers = self.advance_all(np.zeros(len(table), np.bool_), table)
+        return REFUSED if answers is None else tuple(answers[-1].tolist())
+
     def __getstate__(self) -> dict[str, Any]:
-        """Everything but the compiled law, which is made again."""
-        return {**self.__dict__, "_joint": None}
+        """Everything but the compiled laws, which are made again."""
+        return {**self.__dict__, "_joint": None, "_last": None}
 
     def advance_all(self, begin: BoolArray, table: FloatArray) -> FloatArray | None:
         """``advance`` over a table, resetting before each row marked ``begin``.

@@ -70,6 +70,13 @@ REFUSED: TenFloats = (nan, nan, nan, nan, nan, nan, nan, nan, nan, nan)
 
 
 @law
+def event_at(table: npt.NDArray[np.float64], i: int) -> SixFloats:
+    """A row of a table of events as a tuple."""
+    r = table[i]
+    return r[0], r[1], r[2], r[3], r[4], r[5]
+
+
+@law
 def row_at(table: npt.NDArray[np.float64], i: int) -> TenFloats:
     """A row of a table of motions or of predictions as a tuple."""
     r = table[i]

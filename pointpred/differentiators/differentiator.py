@@ -7,23 +7,15 @@ from math import nan
 from typing import Any, ClassVar
 
 from pointpred.columns import EventColumns, FloatArray, MotionColumns
-from pointpred.compiled import law
 from pointpred.differentiators import sampling
 from pointpred.errors import EventError, ParameterError
 from pointpred.events import CPI, DPI, Motion, PointerEvent
 from pointpred.parameter import parameter
-from pointpred.rows import MotionRow, Row, SixFloats, TenFloats, event_row, motion_of
+from pointpred.rows import MotionRow, Row, SixFloats, TenFloats, event_at, event_row, motion_of
 from pointpred.stage import CompiledStage, loop_of
 
 PLAIN = frozenset({float, int, type(None)})
 """Kinds of the fields of an event that need no second look."""
-
-
-@law
-def event_at(rows: FloatArray, i: int) -> SixFloats:
-    """A row of a table of events as a tuple."""
-    r = rows[i]
-    return r[0], r[1], r[2], r[3], r[4], r[5]
 
 
 def loop_over_events(step: Callable[..., Any]) -> Callable[..., None]:

@@ -23,6 +23,11 @@ class Predictor(CompiledStage):
 
     width = len(PredictionRow._fields)
     step: ClassVar[Callable[..., TenFloats]]
+    follow: ClassVar[Callable[..., bool] | None] = None
+    """The part of ``step`` that changes the memory, where a law has such a part: whether it accepts a motion.
+
+    Of a table of which only the last row is answered, the other rows are only followed.
+    """
     joint_compiled: ClassVar[bool] = True
     """Whether pipelines compile the step once more, together with that of the usual differentiator.
 

@@ -82,8 +82,9 @@ def parts() -> list[Part]:
 
 
 def _predictor(name: str, after: tuple[str, ...] = ()) -> Part:
-    kind = REGISTRY[name].predictor
-    return Part(name, partial(predict, name), (build(name).joint(), kind.step, kind.loop), after)
+    kind, pipeline = REGISTRY[name].predictor, build(name)
+    joint = filter(None, (pipeline.joint(), pipeline.last()))
+    return Part(name, partial(predict, name), (*joint, kind.step, kind.loop), after)
 
 
 def _pieces() -> Iterable[Part]:
@@ -134,6 +135,7 @@ def predict(name: str, differentiator: str | None = None) -> None:
     columns = EventColumns.of_events(_events())
     run(pipeline.fresh(), columns)
     pipeline.fresh().advance_all(columns.begin, columns.table)
+    pipeline.fresh().advance_last(columns.table)
     pipeline.fresh().predictor.advance(MOTION)  # behind another differentiator the two laws are not one
 
 

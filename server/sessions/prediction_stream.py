@@ -87,6 +87,8 @@ class PredictionStream:
         Returns the error for the dropped events, and how many they are. Raises ProtocolError, nothing
         changed, where a number cannot be used.
         """
+        if self.feed_to_last(table, outbox):
+            return None, 0
         error, used, count = None, table, len(table)
         before = self._memories() if self.hello.places else ()
         predictions = self.pipeline.advance_all(NO_RESETS[:count], table)
@@ -120,7 +122,7 @@ class PredictionStream:
         False, and nothing changed, where the event is refused, somebody observes, a trial runs, there are
         targets or places are asked for: then ``feed`` has to be called.
         """
-        if self.observer or self._trial.running or self.tracker or self.hello.places:
+        if self._trial.running or self._needs_every_prediction:
             return False
         prediction = self.pipeline.advance(row)
         if prediction is None:
@@ -129,6 +131,25 @@ class PredictionStream:
         self._last_t = row[0]
         outbox.predict([self._encode_row(prediction)], 1)
         return True
+
+    def feed_to_last(self, table: FloatArray, outbox: Outbox) -> bool:
+        """``feed`` where nothing but the newest event's prediction is wanted; the same answer.
+
+        False, and nothing changed, where there is no event, one is refused, or every prediction is needed.
+        """
+        if not len(table) or self.hello.reply == "event" or self._needs_every_prediction:
+            return False
+        prediction = self.pipeline.advance_last(table)
+        if prediction is None:
+            return False
+        self._note(table)
+        outbox.predict([self._encode_row(prediction)], 1)
+        return True
+
+    @property
+    def _needs_every_prediction(self) -> bool:
+        """Whether somebody reads the predictions of all events, whatever the client is sent."""
+        return bool(self.observer or self.tracker or self.hello.places)
 
     def _reply(
         self, events: FloatArray, predictions: FloatArray, outbox: Outbox, before: tuple[bytes, ...]
@@ -310,12 +331,16 @@ class PredictionStream:
             self.place_tracker.reset()
 
     def _record(self, table: FloatArray, predictions: FloatArray) -> None:
-        """Note events that were used: how many, the time of the last, for the trial and the observer."""
+        """Note events that were used, and give them to the observer."""
+        self._note(table)
+        if self.observer:
+            self.observer.events(EventColumns(table), PredictionColumns(predictions))
+
+    def _note(self, table: FloatArray) -> None:
+        """Note events that were used: how many, the time of the last, for the trial."""
         self.events += len(table)
         self._last_t = float(table[-1, 0])
         self._trial.add(table)
-        if self.observer:
-            self.observer.events(EventColumns(table), PredictionColumns(predictions))
 
     def _in_order(self, table: FloatArray) -> tuple[ErrorMessage | None, FloatArray]:
         """The error for the events that run backwards, and the events that do not."""

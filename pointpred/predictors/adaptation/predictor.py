@@ -220,6 +220,7 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
     )
     loop = staticmethod(loop_sharing(step, row_at, conclude))
     step = staticmethod(step)
+    follow = None  # what is stated at each motion is compared with the movement's end
     joint_compiled = False
     conclude = staticmethod(conclude)
     slots = correction.SLOTS

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import exp
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -66,6 +67,13 @@ def step(memory: FloatArray, motion: Row, coefficients: FloatArray) -> TenFloats
     )
 
 
+@law
+def follow(memory: FloatArray, motion: Row, coefficients: FloatArray) -> bool:
+    """Take one motion in without an answer: the network remembers nothing."""
+    accepted, _ = observation.follow(memory, AT, MotionRow(*motion))
+    return accepted
+
+
 class KinematicPredictor(Predictor):
     """Learned endpoint, region and time left from what the movement has shown so far.
 
@@ -106,6 +114,7 @@ class KinematicPredictor(Predictor):
     )
     loop = staticmethod(loop_sharing(step, row_at))
     step = staticmethod(step)
+    follow: ClassVar[Callable[..., bool] | None] = staticmethod(follow)
     states = observation.STATES
 
     def declare(self, **values: Any) -> None:

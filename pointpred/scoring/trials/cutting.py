@@ -10,8 +10,7 @@ from numpy.typing import NDArray
 from pointpred.columns import FloatArray
 from pointpred.compiled import law
 from pointpred.differentiators import sampling
-from pointpred.differentiators.differentiator import event_at
-from pointpred.rows import EventRow
+from pointpred.rows import EventRow, event_at
 
 ONSET_PX = 3.0
 """A movement has begun once the cursor has left this circle around the trial's first position for good."""

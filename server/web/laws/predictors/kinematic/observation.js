@@ -21,7 +21,7 @@ export function rewind(memory, at, again) {
     memory[at + head_target + i] = memory[at + head + i];
   }
 }
-export function observe(memory, at, m, out) {
+export function follow(memory, at, m) {
   const started = memory[at + $predictors_movement.KNOWN];
   const last_t = memory[at + $predictors_movement.T];
   const values_1 = $predictors_movement.follow(memory, at, m);
@@ -45,6 +45,16 @@ export function observe(memory, at, m, out) {
   const values_2 = $history.past(memory, at + HISTORY, point, $track.SPAN_S);
   const path_before = values_2[2];
   $track.advance(memory, here, point, m, (point[3] - path_before) / $track.SPAN_S);
+  return [true, point];
+}
+export function observe(memory, at, m, out) {
+  const values_1 = follow(memory, at, m);
+  const accepted = values_1[0];
+  const point = values_1[1];
+  if (!accepted) {
+    return [false, [0, 0, 0, 0]];
+  }
+  const here = at + TRACK;
   const frame = $features.frame_of(memory, here, point, m);
   if (frame[0] > 0) {
     $features.fill_shape(memory, here, point, frame, out);
