@@ -15,7 +15,7 @@ from pointpred.protocol.server_messages import Code
 from pointpred.server.sessions.lifecycle import SLOW, Close, Session, Work
 
 FRAMES = "pointpred.frames"
-"""The ASGI extension under which an application finds the ``FrameSocket`` of its connection, as ``socket``."""
+"""The ASGI extension in which an application finds the ``FrameSocket`` of its connection, as ``socket``."""
 FRAMES_AT_ONCE = 64
 """So many frames of one client are taken in before others have their turn, however many have come."""
 TICK_S = 1.0

@@ -112,7 +112,7 @@ class Service:
         self._open[session] = (connection, self._open[session][1])
         if self.stopping:
             session.stop(STOPS)
-            connection.wake()
+            connection.flush()
 
     def close_session(self, session: Session) -> None:
         """The connection of a session has ended."""

@@ -24,10 +24,15 @@ _short_binaries = [bytes((BINARY, size)) for size in range(SHORT_BYTES)]
 
 
 def frame_end(received: bytes, at: int) -> int:
-    """Where the masked frame that begins at ``at`` ends; 0 where its length has not come yet."""
+    """Where the frame that begins at ``at`` ends; 0 where its length has not come yet.
+
+    One that is not masked ends with its first two bytes: there the parser refuses it.
+    """
     come = len(received) - at
     if come < 2:
         return 0
+    if received[at + 1] < MASKED:
+        return at + 2
     size = received[at + 1] & ~MASKED
     if size < SHORT_BYTES:
         return at + 6 + size

@@ -159,11 +159,13 @@ class BoundedWebSocketProtocol(WebSocketsSansIOProtocol):
                 self._begin_turn()
                 break
             end = at + self._parser_bytes if self._parser_bytes else frame_end(data, at)
-            if end == 0 or (size < end <= at + READ_BYTES and not self._parser_bytes):
-                break  # the rest of the frame has not come
             message = None
-            if end <= size and not self._parser_bytes and self.conn.current_size is None:
-                message = whole_message(data, at, end)
+            if end == 0:
+                break  # the rest of its header has not come
+            if not self._parser_bytes and data[at] in WHOLE_MESSAGES and self.conn.current_size is None:
+                if size < end <= at + READ_BYTES:
+                    break  # the rest of the frame has not come
+                message = whole_message(data, at, end) if end <= size else None
             if message is not None:
                 messages.append(message)
                 at = end
