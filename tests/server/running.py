@@ -57,7 +57,7 @@ def running(prepare: Callable[[Service], None] = lambda service: None, **setting
     prepare(service)
     opened = listen("127.0.0.1", 0)
     up = threading.Event()
-    server = make_server(HostRule(), service, up.set)
+    server = make_server(HostRule("127.0.0.1", service.settings.allow_host), service, up.set)
     thread = threading.Thread(target=server.run, args=([opened],))
     thread.start()
     try:

@@ -15,12 +15,16 @@ import pytest
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection
 from websockets.sync.client import connect as dial
+from websockets.typing import Subprotocol
 
 from pointpred import build, run
 from pointpred.client import Connection, ServiceError, connect
 from pointpred.datasets import sample
 from pointpred.errors import SourceError
+from pointpred.protocol.client_messages import SUBPROTOCOL
+from pointpred.registry import RECOMMENDED
 from pointpred.server.recorder.recordings import listing
+from pointpred.server.workers.supervisor import SILENT_S
 from tests.server.listener import soon
 from tests.server.running import HELLO, PATIENCE_S
 from tests.server.serving_workers import Served, served
@@ -29,6 +33,8 @@ pytestmark = pytest.mark.skipif(not hasattr(socket, "send_fds"), reason="no desc
 
 CLIENTS = 20
 TOKEN = "open-sesame-9"
+ON_THE_WIRE = 9
+"""Columns of a prediction that are sent."""
 
 
 @pytest.fixture(scope="module")
@@ -41,10 +47,9 @@ def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
 
 
 def opened(service: Served, stack: ExitStack, count: int) -> list[Connection]:
+    """Sessions with the recommended predictor, which every worker has loaded."""
     return [
-        stack.enter_context(
-            connect(service.address, token=TOKEN, timeout_s=PATIENCE_S, predictor="switched", reply="event")
-        )
+        stack.enter_context(connect(service.address, token=TOKEN, timeout_s=PATIENCE_S, reply="event"))
         for _ in range(count)
     ]
 
@@ -56,14 +61,14 @@ def sessions(service: Served) -> list[float]:
 
 def test_sessions_are_spread_evenly_and_answered_as_by_one_process(service: Served) -> None:
     events = sample().rows(0)
-    expected = run(build("switched"), events)
+    expected = run(build(RECOMMENDED), events).table[:, :ON_THE_WIRE]
     with ExitStack() as stack:
         clients = opened(service, stack, CLIENTS)
         assert sessions(service) == [CLIENTS / 2, CLIENTS / 2]
         for client in clients:
             client.send(events)
         for client in clients:
-            np.testing.assert_array_equal(client.columns().table, expected.table)
+            np.testing.assert_array_equal(client.columns().table[:, :ON_THE_WIRE], expected)
         metrics = service.metrics(TOKEN)
     assert metrics["pointpred_events_total", ""] == CLIENTS * len(events)
     assert metrics["pointpred_sessions", ""] == CLIENTS
@@ -71,6 +76,26 @@ def test_sessions_are_spread_evenly_and_answered_as_by_one_process(service: Serv
     for who in ("0", "1", "supervisor"):
         assert metrics["process_resident_memory_bytes", who] > 2**20
     soon(lambda: sessions(service) == [0, 0], "every session is counted as ended")
+
+
+def test_a_person_goes_on_at_another_worker(service: Served) -> None:
+    """By the string alone: the predictions are those of one session."""
+    movements = [sample().rows(index) for index in range(4)]
+    pipeline, predicted, person = build(RECOMMENDED), [], ""
+    with ExitStack() as stack:
+        clients = opened(service, stack, 2)
+        assert sessions(service) == [1, 1]
+        for number, events in enumerate(movements):
+            client = clients[number % 2]
+            client.person(person)
+            client.send(events)
+            predicted.append(client.columns().table[:, :ON_THE_WIRE])
+            client.reset()
+            person = client.person()
+    for events, table in zip(movements, predicted, strict=True):
+        np.testing.assert_array_equal(table, run(pipeline, events).table[:, :ON_THE_WIRE])
+        pipeline.reset()
+    soon(lambda: sessions(service) == [0, 0], "both are counted as ended")
 
 
 def test_the_bound_on_sessions_is_one_for_all_workers(service: Served) -> None:
@@ -121,7 +146,7 @@ def test_a_worker_that_hangs_is_given_no_session(service: Served) -> None:
     soon(lambda: all(("process_open_fds", n) in service.metrics(TOKEN) for n in "01"), "both answer")
     os.kill(held, signal.SIGSTOP)
     try:
-        time.sleep(5.0)  # longer than the supervisor believes that it answers
+        time.sleep(SILENT_S + 1.0)
         with ExitStack() as stack:
             for client in opened(service, stack, 6):
                 client.send(sample().rows(2))
@@ -137,42 +162,47 @@ def test_names_of_recordings_are_unique_over_workers(service: Served) -> None:
     assert len(names) == len(set(names))
 
 
-def test_sigterm_sends_bye_to_the_sessions_of_all_workers(service: Served) -> None:
-    url = f"ws://127.0.0.1:{service.port}/v1/stream?token={TOKEN}"
+def assert_bye(sockets: list[ClientConnection]) -> None:
+    """Each session is told that the service stops."""
+    for one in sockets:
+        assert '"bye"' in one.recv(PATIENCE_S)
+        with pytest.raises(ConnectionClosed) as closed:
+            one.recv(PATIENCE_S)
+        assert closed.value.rcvd is not None
+        assert closed.value.rcvd.code == 1001
+
+
+def greeted(service: Served, stack: ExitStack, token: str, count: int) -> list[ClientConnection]:
+    url = f"ws://127.0.0.1:{service.port}/v1/stream?token={token}"
+    sockets = []
+    for _ in range(count):
+        sockets.append(stack.enter_context(dial(url, subprotocols=[Subprotocol(SUBPROTOCOL)])))
+        sockets[-1].send(HELLO)
+        assert '"welcome"' in sockets[-1].recv(PATIENCE_S)
+    return sockets
+
+
+def test_workers_end_with_a_supervisor_that_was_killed(service: Served) -> None:
+    children = service.children()
+    assert len(children) == 2
     with ExitStack() as stack:
-        sockets: list[ClientConnection] = []
-        for _ in range(6):
-            sockets.append(stack.enter_context(dial(url, subprotocols=["pointpred.v1"])))  # type: ignore[list-item]
-            sockets[-1].send(HELLO)
-            assert '"welcome"' in sockets[-1].recv(PATIENCE_S)
-        children = service.children()
-        service.process.send_signal(signal.SIGTERM)
-        for one in sockets:
-            assert '"bye"' in one.recv(PATIENCE_S)
-            with pytest.raises(ConnectionClosed) as closed:
-                one.recv(PATIENCE_S)
-            assert closed.value.rcvd is not None
-            assert closed.value.rcvd.code == 1001
-    assert service.process.wait(PATIENCE_S) == -signal.SIGTERM
-    assert not any(Path(f"/proc/{pid}").exists() for pid in children)
+        sockets = greeted(service, stack, TOKEN, 4)
+        service.stop(signal.SIGKILL)
+        assert_bye(sockets)
+    soon(lambda: not any(Path(f"/proc/{pid}").exists() for pid in children), "they end as well")
 
 
-def test_a_made_up_token_is_one_for_all_and_interrupting_is_clean() -> None:
-    with served("--workers", "2", "--host", "0.0.0.0") as service:
+def test_interrupting_sends_bye_to_the_sessions_of_all_workers() -> None:
+    """And a token that was made up is one for all."""
+    with served("--workers", "2", "--host", "0.0.0.0") as service, ExitStack() as stack:
         token = service.announced.partition("?token=")[2]
         assert len(token) > 20
-        for _ in range(4):
-            assert service.metrics(token)["pointpred_workers", ""] == 2
-        assert service.stop(signal.SIGINT) == 0
+        sockets = greeted(service, stack, token, 4)
+        assert service.metrics(token)["pointpred_workers", ""] == 2
+        service.process.send_signal(signal.SIGINT)
+        assert_bye(sockets)
+        assert service.process.wait(PATIENCE_S) == 0
         assert service.process.stdout is not None
         assert service.process.stdout.read() == "", "the address is announced once"
-        assert "stopped" in service.messages()
+        soon(lambda: "stopped" in service.messages(), "it says so")
         assert not any("Traceback" in message for message in service.messages())
-
-
-def test_workers_end_with_a_supervisor_that_was_killed() -> None:
-    with served("--workers", "2") as service:
-        children = service.children()
-        assert len(children) == 2
-        service.stop(signal.SIGKILL)
-        soon(lambda: not any(Path(f"/proc/{pid}").exists() for pid in children), "they end as well", 60.0)
