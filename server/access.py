@@ -46,7 +46,7 @@ class HostRule:
 
     def admits(self, header: str) -> bool:
         """Whether a request with this ``Host`` header is answered."""
-        name = _without_port(header.strip().lower())
+        name = _without_port(header.strip(" \t").lower())
         return name in self.names or (self.any_address and is_address(name))
 
 

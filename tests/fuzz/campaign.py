@@ -87,6 +87,8 @@ def fuzz(name: str, seconds: int) -> Run:
         artifacts.mkdir()
         limits = [f"-timeout={TIMEOUT_S}", f"-rss_limit_mb={MEMORY_MIB}", f"-artifact_prefix={artifacts}/"]
         log = atheris(name, f"-max_total_time={seconds}", "-print_final_stats=1", *limits, str(reached))
+        if not (executions := _statistic(log, "number_of_executed_units")):
+            raise SystemExit(f"{name} was not fuzzed:\n{log[-3000:]}")
         broken = sorted(artifacts.iterdir())
         for one in broken:
             BROKEN.mkdir(exist_ok=True)
@@ -97,7 +99,7 @@ def fuzz(name: str, seconds: int) -> Run:
             keep(name, small)
         return Run(
             seconds,
-            _statistic(log, "number_of_executed_units"),
+            executions,
             max((int(one) for one in REACHED.findall(log)), default=0),
             _statistic(log, "slowest_unit_time_sec"),
             _statistic(log, "peak_rss_mb"),

@@ -23,7 +23,7 @@ CORPUS = Path(__file__).parent / "corpus"
 
 
 def instrument(target: Target) -> None:
-    """Have the target's own code report its coverage; compiled laws cannot."""
+    """Have the target's own code report its coverage; instrumented laws could not be compiled."""
     for name, module in list(sys.modules.items()):
         if module is not None and name.startswith(target.modules):
             for function in functions_of(vars(module), name):

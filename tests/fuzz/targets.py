@@ -38,7 +38,7 @@ TARGETS = {
         Target(
             "client", session.check_client, session.client_seeds, ("pointpred.protocol", "pointpred.client")
         ),
-        Target("person", person.check, person.seeds, ("pointpred.person", "pointpred.predictors.adaptation")),
+        Target("person", person.check, person.seeds, ("pointpred.person",)),
         Target(
             "coefficients",
             files.check_coefficients,

@@ -105,6 +105,14 @@ def test_a_damaged_file_is_refused_or_read_as_it_was(tmp_path: Path) -> None:
             coefficients.read(path)
 
 
+def test_an_array_whose_header_is_no_python_is_refused(tmp_path: Path) -> None:
+    header = b"{'descr': '<f4', 'fortran_order': False, 'shape': (".ljust(117) + b"\n"
+    with zipfile.ZipFile(tmp_path / "open.npz", "w") as archive:
+        archive.writestr("mean.npy", b"\x93NUMPY\x01\x00" + len(header).to_bytes(2, "little") + header)
+    with pytest.raises(ParameterError, match=r"open\.npz"):
+        coefficients.read(tmp_path / "open.npz")
+
+
 def test_another_kind_of_file_is_refused(tmp_path: Path) -> None:
     np.save(tmp_path / "plain.npy", np.ones(3))
     for path in (tmp_path / "plain.npy", tmp_path, tmp_path / "none.npz"):

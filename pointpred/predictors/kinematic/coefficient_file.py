@@ -11,6 +11,7 @@ from functools import lru_cache
 from itertools import pairwise
 from math import prod
 from pathlib import Path
+from tokenize import TokenError
 from typing import Any
 
 import numpy as np
@@ -44,10 +45,12 @@ UNUSABLE = (
     EOFError,
     RuntimeError,
     SyntaxError,
+    MemoryError,
+    TokenError,
     zipfile.BadZipFile,
     zlib.error,
 )
-"""Errors of reading an invalid file."""
+"""Errors of reading an invalid file; numpy reads the header of an array with Python's own parser."""
 
 
 def write(

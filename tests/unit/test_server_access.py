@@ -1,0 +1,47 @@
+"""What decides who may connect, without a socket: odd names of hosts, and how a token is compared."""
+
+from __future__ import annotations
+
+import hmac
+from typing import Any
+
+import pytest
+
+from pointpred.server import access
+from pointpred.server.access import HostRule, has_token
+
+TOKEN = "a-token-of-24-characters"
+
+
+def shown(token: str) -> list[dict[str, Any]]:
+    """A token in the query, and one in the header."""
+    return [
+        {"query_string": b"token=" + token.encode(), "headers": []},
+        {"query_string": b"", "headers": [(b"authorization", b"Bearer " + token.encode())]},
+    ]
+
+
+@pytest.mark.parametrize(
+    "name", ["\xa0127.0.0.1", "127.0.0.1\x85", "\x1c[::1]:80", "local host", "localhost,localhost"]
+)
+def test_only_what_headers_may_stand_in_is_taken_from_a_name(name: str) -> None:
+    assert not HostRule().admits(name)
+    assert HostRule().admits(" 127.0.0.1\t")
+
+
+def test_a_token_is_compared_in_constant_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nothing but hmac's comparison admits: with one that refuses everything, the right token is refused."""
+    assert access.compare_digest is hmac.compare_digest
+    compared: list[tuple[bytes, bytes]] = []
+
+    def refuse(one: bytes, other: bytes) -> bool:
+        compared.append((one, other))
+        return False
+
+    assert all(has_token(scope, TOKEN) for scope in shown(TOKEN))
+    monkeypatch.setattr(access, "compare_digest", refuse)
+    for token in (TOKEN, TOKEN[:-1] + "x", "x" + TOKEN[1:], TOKEN[:3], "\xff"):
+        for scope in shown(token):
+            compared.clear()
+            assert not has_token(scope, TOKEN)
+            assert [other for _, other in compared] == [TOKEN.encode()]
