@@ -1,9 +1,9 @@
-"""Whether the time of a refusal tells how much of a guessed token is right: ``python -m benchmarks.token_time``.
+"""Whether the time of a refusal tells how much of a guess is right: ``python -m benchmarks.token_time``.
 
-Guesses that differ from the token in the first and in the last letter are checked in turns, in batches, by the
-function that the service uses. The difference of their medians stands beside its 95 % interval, resampled over
-the rounds. Beside it, one guess in both places shows what places in memory do, and a comparison letter by letter
-what the method would see. Writes ``pages/attacks/tokens.json``.
+Guesses that differ from the token in the first and in the last letter are checked in turns, in batches, by
+the function that the service uses. The difference of their medians stands beside its 95 % interval,
+resampled over the rounds. Beside it, one guess in both places shows what places in memory do, and a
+comparison letter by letter what the method would see. Writes ``pages/attacks/tokens.json``.
 """
 
 from __future__ import annotations
