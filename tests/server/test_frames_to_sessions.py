@@ -56,7 +56,11 @@ class Client:
         while self.reader.readline() != b"\r\n":
             pass
         self.socket.sendall(frame(TEXT, HELLO.encode()))
-        assert b"welcome" in self.receive()[1]
+        try:
+            assert b"welcome" in self.receive()[1]
+        except BaseException:
+            self.__exit__()
+            raise
 
     def __enter__(self) -> Self:
         return self
@@ -71,12 +75,16 @@ class Client:
                 self.socket.sendall(data[place : place + (piece or len(data))])
 
     def receive(self) -> tuple[int, bytes]:
-        """Opcode and data of the next frame."""
-        first, second = self.reader.read(2)
-        length = second & 0x7F
-        if length > 125:
-            length = int.from_bytes(self.reader.read(2 if length == 126 else 8), "big")
-        return first & 0xF, self.reader.read(length)
+        """Opcode and data of the next frame; pings, sent while something is compiled, are answered."""
+        while True:
+            first, second = self.reader.read(2)
+            length = second & 0x7F
+            if length > 125:
+                length = int.from_bytes(self.reader.read(2 if length == 126 else 8), "big")
+            data = self.reader.read(length)
+            if first & 0xF != PING:
+                return first & 0xF, data
+            self.send(frame(PONG, data))
 
     def predicted(self) -> float:
         """The time of the next answer, which is a prediction."""

@@ -108,3 +108,12 @@ def test_an_upload_is_mapped_or_refused_alike(tmp_path: Path) -> None:
     assert refusal.value.columns == ("at", "across", "up")
     document = open_body(body, {"columns": "t=at,x=across,y=up"})
     assert [row[1] for row in document["movements"][0]["rows"]] == X
+
+
+@pytest.mark.parametrize("kind", [pa.timestamp("us"), pa.timestamp("s"), pa.date32(), pa.duration("s")])
+def test_a_time_that_no_calendar_has_is_refused(tmp_path: Path, kind: Any) -> None:
+    far = {pa.date32(): 2**31 - 1, pa.timestamp("s"): 2**42}.get(kind, 2**62)
+    counts = pa.array([0] * (COUNT - 1) + [far], pa.int32() if kind == pa.date32() else pa.int64())
+    path = parquet(tmp_path, time=counts.cast(kind), x=X, y=Y)
+    with pytest.raises(RecordingError, match=r"study\.parquet.*'time'.*out of range"):
+        read_any(path)

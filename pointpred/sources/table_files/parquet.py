@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import pyarrow as pa
+import pyarrow.compute as pc
 
 from pointpred.errors import RecordingError
 from pointpred.sources.reading import AS_IS, Reading
@@ -35,12 +36,27 @@ def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
     while any(pa.types.is_struct(kind) for kind in table.schema.types):
         table = table.flatten()
     arrow_tables.check_names(path, table.column_names)
+    for name in table.column_names:
+        _check_times(path, name, table[name])
     columns = {name: _plain(table[name]) for name in table.column_names}
     unread = [name for name, column in columns.items() if column is None]
     notes = (f"columns left aside, for they hold no numbers or words: {', '.join(unread)}",) if unread else ()
     return ColumnTable(
         {name: column for name, column in columns.items() if column is not None}, "Parquet", notes
     )
+
+
+def _check_times(path: Path, name: str, column: Any) -> None:
+    """Raise RecordingError for a date or time that Python has not: Arrow counts further than its calendar."""
+    kind = column.type
+    if not pa.types.is_temporal(kind):
+        return
+    counts = column.cast(pa.int32() if kind.bit_width == 32 else pa.int64())
+    try:
+        for count in (pc.min(counts), pc.max(counts)):
+            count.cast(kind).as_py()
+    except (OverflowError, ValueError) as error:
+        raise RecordingError(f"{path}: column {name!r} holds a time out of range: {error}") from error
 
 
 def _plain(column: Any) -> Any:
