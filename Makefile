@@ -7,7 +7,7 @@ RUNS = .venv/.run
 READY = .venv/.ready
 INSTALL = -m pip install --quiet --disable-pip-version-check -c constraints.txt --editable
 
-.PHONY: run demo test check format bench page docs results train crossvalidate sample inputs audit fuzz fuzz-inputs clean help
+.PHONY: run demo test check format bench load load-short page docs results train crossvalidate sample inputs audit fuzz fuzz-inputs clean help
 
 help:  ## show these lines
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -32,8 +32,15 @@ format: $(READY)  ## format the code with ruff
 
 bench: $(READY)  ## measure the cost of each pipeline, and of the service
 	$(BIN)/python -m benchmarks.per_event
-	$(BIN)/python -m benchmarks.service
+	$(BIN)/python -m benchmarks.service $(if $(BEFORE),--before '$(BEFORE)')
 	$(BIN)/python -m pages
+
+load: $(READY)  ## measure delays under load, in 15 minutes; WORKERS=N of the second server (2), BEFORE=COMMIT adds a build
+	$(BIN)/python -m pages.load.measure $(if $(WORKERS),--workers '$(WORKERS)') $(if $(BEFORE),--before '$(BEFORE)')
+	$(BIN)/python -m pages
+
+load-short: $(READY)  ## print the same tables in three minutes, from shorter runs; writes nothing
+	$(BIN)/python -m pages.load.measure --short $(if $(WORKERS),--workers '$(WORKERS)') $(if $(BEFORE),--before '$(BEFORE)')
 
 page: $(READY)  ## translate the laws to JavaScript, into server/web/laws
 	$(BIN)/python -m translation

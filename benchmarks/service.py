@@ -1,127 +1,136 @@
-"""What the service costs: ``python -m benchmarks.service`` writes ``pages/costs/service.json``.
+"""What a message costs the service: ``python -m benchmarks.service`` writes ``pages/costs/service.json``.
 
-A server in a process of its own, a load generator in another, loopback between them. Prediction and echo
-take turns of a twentieth of a second, and the median ratio of neighbours counts. Of rounds that have no
-neighbour the quietest counts, because whatever else the machine does can only add. A round in which the
-load generator used more than 90 % of its processor is invalid: it then measures the generator.
+Servers on one core, the compiled load generator on another, loopback between them. Eight clients have one
+frame each under way. All that is compared takes turns of a twentieth of a second within one run; the cost is
+that of the quietest tenth of the turns, because whatever else the machine does can only add, and a ratio is
+the median of those of neighbouring turns. ``--before COMMIT`` measures another build as well.
 """
 
 from __future__ import annotations
 
+import argparse
+import itertools
 import json
 import os
 import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
-from typing import Any
+from collections.abc import Sequence
+from contextlib import ExitStack
+from datetime import UTC, datetime
 from urllib.error import HTTPError
 from urllib.request import urlopen
 
+import numpy as np
+
+from benchmarks.load.cores import LAST, on_cores
+from benchmarks.load.generator import Group, Plan, run
+from benchmarks.load.movements import hello, recording
+from benchmarks.load.servers import Server, checkout, echo, service
 from benchmarks.machine import machine
 from pages import PAGES
-from pages.arguments import parse
 from pages.data import Table, Tables, write
 
 FILE = PAGES / "costs" / "service.json"
-TURNS_SECONDS = 15.0
-ROUNDS, SECONDS = 5, 1.0
-PACED_ROUNDS, PACED_SECONDS = 10, 3.0
-SATURATED = 0.9
+TURN_S, ROUNDS, QUIET = 0.05, 40, 10.0
+"""The length of a turn, turns of each group, and the percentile of the turns that is used."""
+WARM = 4
+"""Rounds at the start that do not count."""
 CLIENTS = 8
+ENCODINGS, SIZES = ("binary", "json"), (1, 8, 32)
+PREDICTORS = ("hold", "switched", "kinematic", "kinematic-adaptive")
+PREDICTORS_BEFORE = ("switched", "kinematic")
+RAW, ASGI = "raw TCP echo", "bare ASGI echo"
+RATIOS = (("`switched`", ASGI), ("`kinematic`", "`switched`"), ("`kinematic-adaptive`", "`switched`"))
 TARGETS = (0, 1, 20, 100)
-PACED = (("one client at 1 kHz", 1, 1), ("20 clients at 1 kHz", 20, 1), ("10 clients at 8 kHz", 10, 8))
-"""What is told, clients, events a frame; each client sends 1000 frames a second."""
-
-Told = dict[str, float]
 
 
-@contextmanager
-def server() -> Iterator[dict[str, int]]:
-    """The server under measurement: its port and its process."""
-    command = [sys.executable, "-m", "benchmarks.service_server"]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
-        assert process.stdout is not None
-        try:
-            yield {"port": int(process.stdout.readline()), "pid": process.pid}
-        finally:
-            process.kill()
+Turns = dict[str, list[float]]
+"""The processor time of each turn by group, us a frame."""
 
 
-def load(where: dict[str, int], **plan: Any) -> Told | None:
-    """One round; ``None`` where the load generator saturated."""
-    words = json.dumps({**where, **plan})
-    command = [sys.executable, "-m", "benchmarks.service_load", words]
-    result: Told = json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout)
-    return result if result["own_share"] <= SATURATED else None
+def in_turns(groups: Sequence[Group]) -> tuple[Turns, float]:
+    """The turns of each group, and the load generator's share of its core."""
+    result = run(Plan(tuple(groups), turn=TURN_S, rounds=WARM + ROUNDS), LAST)
+    return {counts.name: counts.turns_us[WARM:] for counts in result.groups}, result.own_share
 
 
-def quietest(rounds: list[Told | None], by: str = "server_us") -> Told | None:
-    """The valid round with the least of something."""
-    return min((result for result in rounds if result), key=lambda result: result[by], default=None)
+def quiet(turns: Sequence[float]) -> str:
+    """The cost in the quietest tenth."""
+    return f"{np.percentile(turns, QUIET):.1f}"
 
 
-def cost_rows(where: dict[str, int]) -> list[tuple[str, ...]]:
-    """Processor time a message, with prediction in turns with the echo."""
-    rows = []
-    for encoding, size in ((encoding, size) for encoding in ("binary", "json") for size in (1, 8, 32)):
-        plan = {"path": "/v1/stream", "beside": "/v1/echo", "encoding": encoding, "size": size}
-        result = load(where, clients=CLIENTS, seconds=TURNS_SECONDS, **plan)
-        if result is None:
-            rows.append((encoding, f"{size}", "invalid: the load generator saturated", *[""] * 5))
-            continue
-        added, low, high = (100 * (result[name] - 1.0) for name in ("ratio", "ratio_low", "ratio_high"))
-        rate = 1e6 / result["server_us"]
-        rows.append(
-            (
-                encoding,
-                f"{size}",
-                f"{result['beside_us']:.1f}",
-                f"{result['server_us']:.1f}",
-                f"{added:+.0f} % ({low:+.0f} to {high:+.0f})",
-                f"{rate:.0f}",
-                f"{rate * size:.0f}",
-                f"{100 * result['own_share']:.0f} %",
-            )
-        )
-    return rows
+def ratio(turns: Turns, name: str, beside: str) -> str:
+    """What one costs beside another, with the quartiles."""
+    low, middle, high = np.percentile(np.divide(turns[name], turns[beside]), [25, 50, 75])
+    return f"{middle:.2f} ({low:.2f} to {high:.2f})"
 
 
-def target_rows(where: dict[str, int]) -> list[tuple[str, ...]]:
+def compared(one: Server, old: Server | None, encoding: str, size: int) -> tuple[Turns, float]:
+    """Echoes and sessions in turns, for frames of one kind."""
+    words = {"json": encoding == "json", "size": size, "clients": CLIENTS}
+    sessions = [(f"`{name}`", name, one) for name in PREDICTORS]
+    if old is not None:
+        sessions += [(f"`{name}`, before", name, old) for name in PREDICTORS_BEFORE]
+    with echo("raw") as raw, echo("asgi") as asgi:
+        groups = [Group(RAW, raw.port, raw.pids, "raw", **words)]
+        groups += [Group(ASGI, asgi.port, asgi.pids, "echo", **words)]
+        groups += [
+            Group(label, where.port, where.pids, greeting=(hello(name, encoding),), **words)
+            for label, name, where in sessions
+        ]
+        return in_turns(groups)
+
+
+def cost_tables(one: Server, old: Server | None) -> dict[str, Table]:
+    """Every server by encoding and frame, and the ratios of some."""
+    cells: dict[str, list[str]] = {}
+    ratios: dict[str, list[str]] = {}
+    for encoding, size in itertools.product(ENCODINGS, SIZES):
+        turns, share = compared(one, old, encoding, size)
+        for name, of_name in turns.items():
+            cells.setdefault(name, []).append(quiet(of_name))
+        ratios.setdefault("load generator, share of a core", []).append(f"{100 * share:.0f} %")
+        for name, beside in RATIOS:
+            ratios.setdefault(f"{name} / {beside}", []).append(ratio(turns, name, beside))
+    heads = [f"{encoding}, {size}" for encoding, size in itertools.product(ENCODINGS, SIZES)]
+    return {
+        "cost": Table.of(("us a frame", *heads), [(name, *some) for name, some in cells.items()]),
+        "ratios": Table.of(("ratio (quartiles)", *heads), [(name, *some) for name, some in ratios.items()]),
+    }
+
+
+def targets(count: int) -> str:
+    """So many targets, in rows of eight."""
+    size = {"width": 60.0, "height": 40.0}
+    listed = [{"id": str(i), "x": 200.0 * (i % 8), "y": 150.0 * (i // 8), **size} for i in range(count)]
+    return json.dumps({"type": "targets", "targets": listed})
+
+
+def target_table(one: Server) -> Table:
     """Processor time of a frame of one event, by the number of targets."""
-    rounds_of: dict[tuple[str, int], list[Told | None]] = {}
-    for _ in range(ROUNDS):
-        for encoding, count in ((encoding, count) for encoding in ("binary", "json") for count in TARGETS):
-            plan = {"path": "/v1/stream", "encoding": encoding, "size": 1, "targets": count}
-            result = load(where, clients=CLIENTS, seconds=SECONDS, **plan)
-            rounds_of.setdefault((encoding, count), []).append(result)
-    rows = []
-    for (encoding, count), rounds in rounds_of.items():
-        result = quietest(rounds)
-        words = "invalid: the load generator saturated" if result is None else f"{result['server_us']:.1f}"
-        rows.append((encoding, f"{count}", words))
-    return rows
-
-
-def paced_rows(where: dict[str, int]) -> list[tuple[str, ...]]:
-    """Round trips of clients that keep to the clock."""
-    rounds_of: dict[str, list[Told | None]] = {}
-    for _ in range(PACED_ROUNDS):
-        for name, clients, size in PACED:
-            plan = {"path": "/v1/stream", "encoding": "binary", "rate": 1000.0, "seconds": PACED_SECONDS}
-            rounds_of.setdefault(name, []).append(load(where, clients=clients, size=size, **plan))
-    rows = []
-    for name, _, size in PACED:
-        result = quietest(rounds_of[name], "p99_ms")
-        if result is None:
-            rows.append((name, f"{size}", *["invalid: the load generator saturated"], *[""] * 5))
-            continue
-        numbers = (f"{result['messages_per_s']:.0f}", f"{result['p50_ms']:.3f}", f"{result['p99_ms']:.3f}")
-        shares = (f"{100 * result['server_share']:.0f} %", f"{100 * result['own_share']:.0f} %")
-        rows.append((name, f"{size}", *numbers, *shares, f"{result['given_way']:.0f}"))
-    return rows
+    rows: dict[int, list[str]] = {count: [] for count in TARGETS}
+    for encoding in ENCODINGS:
+        greeting = hello("switched", encoding)
+        groups = [
+            Group(
+                f"{count}",
+                one.port,
+                one.pids,
+                clients=CLIENTS,
+                json=encoding == "json",
+                greeting=(greeting, targets(count)) if count else (greeting,),
+            )
+            for count in TARGETS
+        ]
+        turns, _ = in_turns(groups)
+        for count in TARGETS:
+            rows[count].append(quiet(turns[f"{count}"]))
+    return Table.of(
+        ("targets", *(f"{encoding}, us" for encoding in ENCODINGS)),
+        [(f"{count}", *cells) for count, cells in rows.items()],
+    )
 
 
 def ready_s(cache: str | None = None) -> float:
@@ -162,41 +171,21 @@ def start_rows() -> list[tuple[str, ...]]:
     return [("with the compile cache", f"{warm:.2f}"), ("the first ever", f"{cold:.1f}")]
 
 
-COST = (
-    "encoding",
-    "events a frame",
-    "echo, us",
-    "prediction, us",
-    "added (quartiles)",
-    "messages/s a core",
-    "events/s a core",
-    "load generator",
-)
-PACE = (
-    "load",
-    "events a frame",
-    "frames/s",
-    "p50 ms",
-    "p99 ms",
-    "server",
-    "load generator",
-    "times predictions gave way",
-)
-
-
-def main() -> None:
-    """Measure, print, and write the page."""
-    print("measuring the service beside an echo; this takes about three minutes", file=sys.stderr)
-    where_measured, tables = machine(load=True), {}
-    with server() as where:
-        tables["targets"] = Table.of(("encoding", "targets", "us a frame"), target_rows(where))
-        tables["cost"] = Table.of(COST, cost_rows(where))
-        tables["paced"] = Table.of(PACE, paced_rows(where))
+def main(before: str | None) -> None:
+    """Measure, and write the page's numbers."""
+    print("measuring what a message costs; this takes about three minutes", file=sys.stderr)
+    where = f"{machine(load=True)}; {datetime.now(UTC):%Y-%m-%d}"
+    with ExitStack() as stack:
+        stack.enter_context(on_cores(LAST))
+        one = stack.enter_context(service(raised=True))
+        old = stack.enter_context(service(root=checkout(before), raised=True)) if before else None
+        tables = {**cost_tables(one, old), "targets": target_table(one)}
     tables["start"] = Table.of(("start", "s until ready"), start_rows())
-    write(Tables(tables, where_measured), FILE)
+    write(Tables(tables, where, {"before": before or "", "recording": recording().name}), FILE)
     print(f"wrote {FILE}")
 
 
 if __name__ == "__main__":
-    parse(__doc__)
-    main()
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--before", metavar="COMMIT", help="another build to measure in turns with this one")
+    main(parser.parse_args().before)

@@ -19,6 +19,7 @@ from pages.intent import figure as intent_figure
 from pages.intent import page as intent
 from pages.kinematic import page as kinematic
 from pages.ktm import page as ktm
+from pages.load import figure as load_figure
 from pages.markdown import filled
 from pages.openapi import document as openapi
 from pages.predictors import page as predictors
@@ -62,7 +63,7 @@ PAGES_MADE: dict[str, tuple[str, Context]] = {
         f"docs/evidence/{name}.md": (name, measured(name))
         for name in (
             *("adaptation", "assistance", "camera", "desktop", "differentiators", "inputs"),
-            *("places", "regions", "simulation", "switched", "thesis", "transfer"),
+            *("load", "places", "regions", "simulation", "switched", "thesis", "transfer"),
         )
     },
     "docs/reference/commands.md": ("commands", commands.context),
@@ -114,6 +115,7 @@ def main() -> None:
         print(f"wrote {path}")
     results.save_figures()
     intent_figure.save()
+    load_figure.save()
     print(f"drew the results into {DOCS.relative_to(ROOT)}/figures")
 
 

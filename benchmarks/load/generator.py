@@ -19,8 +19,6 @@ SOURCES = Path(__file__).parent / "generator"
 BUILD = ROOT / "build" / "load"
 FLAGS = ("-std=c11", "-O2", "-Wall", "-Wextra")
 TEXT = 1
-LARGEST_LATENESS_MS = 0.5
-"""A run in which one frame of a hundred was sent later than this measures the generator."""
 
 
 class Group(msgspec.Struct, frozen=True):
@@ -113,11 +111,6 @@ class Run(msgspec.Struct, frozen=True):
 
     own_share: float
     groups: list[Counts]
-
-    @property
-    def in_time(self) -> bool:
-        """Whether the generator kept to its schedule."""
-        return all(group.late.p99_ms <= LARGEST_LATENESS_MS for group in self.groups)
 
 
 @cache

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator
 from functools import cache
 
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 from pages.sets import folder
 from pointpred.columns import FloatArray
 from pointpred.datasets import sample
+from pointpred.protocol.records import NO_COUNTS
 from pointpred.recording import Recording
 from pointpred.sources import read
 
@@ -18,7 +20,7 @@ SECONDS = 10.0
 """Movements of so many seconds are replayed; each client begins at another of them."""
 LONGEST_S = 5.0
 """Trials with longer pauses than this are left out."""
-SETS = ("humanmovemouse", "cryslacks", "gofitts_demo")
+SETS = ("kh2017", "freihaut2021", "cryslacks")
 """Sets of people, of which the first that the folder holds is used."""
 EVENTS = np.dtype(
     [
@@ -43,6 +45,15 @@ def recording() -> Recording:
     return read(files[0]) if files else sample()
 
 
+def hello(predictor: str, encoding: str = "binary", **fields: object) -> str:
+    """The first message of a session whose device is that of the recording."""
+    cpi = recording().provenance.cpi
+    device = {} if cpi is None else {"device": {"cpi": cpi}}
+    return json.dumps(
+        {"type": "hello", "version": 1, "predictor": predictor, "encoding": encoding, **device, **fields}
+    )
+
+
 def tables() -> Iterator[FloatArray]:
     """The trials, in an order that does not go person by person."""
     source = recording()
@@ -54,7 +65,10 @@ def tables() -> Iterator[FloatArray]:
 
 
 def resampled(table: FloatArray, rate_hz: float) -> FloatArray:
-    """A movement at another rate: positions between the recorded ones, counts that add up as recorded."""
+    """A movement at another rate: positions between the recorded ones, counts that add up as recorded.
+
+    Counts are NaN where the recording has none.
+    """
     t = table[:, 0]
     times = np.arange(t[0], t[-1], 1.0 / rate_hz)
     new = np.empty((len(times), 6))
@@ -62,7 +76,7 @@ def resampled(table: FloatArray, rate_hz: float) -> FloatArray:
     for column in (1, 2):
         new[:, column] = np.round(np.interp(times, t, table[:, column]), 2)
     for column in (3, 4):
-        counts = np.cumsum(np.nan_to_num(table[:, column]))
+        counts = np.cumsum(table[:, column])
         new[:, column] = np.diff(np.round(np.interp(times, t, counts)), prepend=0.0)
     new[:, 5] = table[np.searchsorted(t, times, side="right") - 1, 5]
     return new
@@ -86,8 +100,11 @@ def _packed(rows: FloatArray) -> NDArray[np.void]:
     events = np.zeros(len(rows), EVENTS)
     events["begin"][0] = 1
     for column, name in enumerate(("x", "y", "dx", "dy", "buttons"), 1):
-        events[name] = rows[:, column]
-    texts = [f",{x},{y},{dx:.0f},{dy:.0f},{buttons:.0f}]" for _, x, y, dx, dy, buttons in rows.tolist()]
+        events[name] = np.nan_to_num(rows[:, column], nan=NO_COUNTS)
+    texts = []
+    for _, x, y, dx, dy, buttons in rows.tolist():
+        counts = "null,null" if dx != dx or dy != dy else f"{dx:.0f},{dy:.0f}"
+        texts.append(f",{x},{y},{counts},{buttons:.0f}]")
     events["text"] = texts
     events["text_size"] = [len(text) for text in texts]
     return events

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import io
 import json
 import os
 import subprocess
 import sys
+import tarfile
 import tempfile
 import time
 from collections.abc import Iterator, Sequence
@@ -31,6 +33,16 @@ class Server(msgspec.Struct, frozen=True):
 
     port: int
     pids: tuple[int, ...]
+
+
+def checkout(commit: str) -> Path:
+    """The files of a commit of this repository, in the build folder."""
+    folder = ROOT / "build" / "load" / commit
+    command = ["git", "archive", commit]
+    archive = subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.PIPE).stdout
+    with tarfile.open(fileobj=io.BytesIO(archive)) as files:
+        files.extractall(folder, filter="tar")
+    return folder
 
 
 @contextmanager

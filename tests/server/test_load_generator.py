@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import os
 import shutil
-import signal
+import socket
 import threading
+import time
 from pathlib import Path
 
 import pytest
@@ -13,11 +14,12 @@ import pytest
 from benchmarks.load import movements
 from benchmarks.load.cores import ALL
 from benchmarks.load.generator import Counts, Group, Plan, built, run
-from benchmarks.load.servers import echo
 from tests.server.running import Running, running
 
 pytestmark = pytest.mark.skipif(shutil.which("cc") is None, reason="needs a C compiler: 'cc'")
 HELLO = '{"type":"hello","version":1,"predictor":"hold","encoding":"%s"}'
+STOP_AT_BYTES = 36 * 100
+"""A frame of one event has 36 bytes: the hundredth is kept waiting."""
 RATE_HZ, SIZE, CLIENTS, SECONDS = 250.0, 8, 2, 0.8
 
 
@@ -81,14 +83,21 @@ def test_what_a_session_refuses_and_how_it_ends_is_counted() -> None:
 def test_a_frame_that_could_not_be_answered_has_waited_since_it_was_due() -> None:
     """A server that stops for a while delays every frame due meanwhile, not only the one under way."""
     stopped_s = 0.4
-    with echo("raw", cores=ALL) as server:
-        timers = [
-            threading.Timer(after_s, os.kill, (server.pids[0], sign))
-            for after_s, sign in ((0.5, signal.SIGSTOP), (0.5 + stopped_s, signal.SIGCONT))
-        ]
-        for timer in timers:
-            timer.start()
-        (result,) = counted(Group("stopped", server.port, kind="raw", rate=RATE_HZ), seconds=1.2)
+
+    def echo(opened: socket.socket) -> None:
+        connection, received = opened.accept()[0], 0
+        with connection:
+            while data := connection.recv(2**16):
+                if received < STOP_AT_BYTES <= received + len(data):
+                    time.sleep(stopped_s)
+                received += len(data)
+                connection.sendall(data)
+
+    with socket.create_server(("127.0.0.1", 0)) as opened:
+        thread = threading.Thread(target=echo, args=(opened,))
+        thread.start()
+        (result,) = counted(Group("stopped", opened.getsockname()[1], kind="raw", rate=RATE_HZ), seconds=1.2)
+        thread.join()
     assert result.unanswered == 0
     assert result.sent == result.answered == RATE_HZ * 1.4
     assert result.delay.p90_ms > 1e3 * stopped_s / 3  # one frame in three was due while it stood still

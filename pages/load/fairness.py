@@ -1,0 +1,112 @@
+"""What clients notice of another one that costs as much as it may."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from urllib.error import HTTPError
+from urllib.request import Request, urlopen
+
+import msgspec
+
+from benchmarks.load.cores import LAST
+from benchmarks.load.generator import Group, Plan, run
+from benchmarks.load.movements import hello
+from benchmarks.load.servers import Server
+from pages.load.dear import Dear, dear_clients, upload
+
+RATES_HZ = (125.0, 1000.0)
+"""Two clients that are measured, with one event a frame."""
+TRIED_S, LEAST_RATE = 1.5, 0.1
+"""A client whose session is ended in this time tries half the rate next, down to this one."""
+
+
+class Beside(msgspec.Struct, frozen=True):
+    """What one kind of client did to the others; delays by the rate of the other client."""
+
+    name: str
+    sent_per_s: float
+    delays: dict[str, tuple[float, float, float]]
+    """p50, p99 and the largest, ms."""
+    server_share: float
+    answers: dict[str, int]
+    ended: bool
+    """Whether the service ended a session of that kind."""
+
+
+def group(server: Server, dear: Dear, rate: float) -> Group:
+    """A client of a kind."""
+    words = {"greeting": dear.greeting, "messages": dear.messages}
+    return Group(dear.name, server.port, kind="script", rate=rate, **words)
+
+
+def innocents(server: Server) -> tuple[Group, ...]:
+    """The clients that are measured."""
+    greeting = (hello("switched"),)
+    return tuple(
+        Group(f"{rate:g} Hz", server.port, server.pids, rate=rate, greeting=greeting) for rate in RATES_HZ
+    )
+
+
+def beside(server: Server, others: tuple[Group, ...], name: str, seconds: float) -> Beside:
+    """The innocent clients beside others."""
+    plan = Plan((*innocents(server), *others), seconds, warm=1.0, drain=2.0)
+    counts = run(plan, LAST).groups
+    ours, theirs = counts[: len(RATES_HZ)], counts[len(RATES_HZ) :]
+    return Beside(
+        name,
+        sum(one.sent for one in theirs) / (plan.seconds + plan.warm),
+        {one.name: (one.delay.p50_ms, one.delay.p99_ms, one.delay.max_ms) for one in ours},
+        sum(ours[0].server_s) / seconds,
+        {kind: count for one in theirs for kind, count in one.texts.items()},
+        any(one.closes for one in theirs),
+    )
+
+
+def allowed(server: Server, dear: Dear, seconds: float) -> Beside:
+    """Beside a client at the largest of ``dear.rate``, half of it, ... at which its session goes on."""
+    rate = dear.rate
+    while True:
+        others = (group(server, dear, rate),)
+        tried = run(Plan(others, TRIED_S, warm=0.1, drain=0.0), LAST).groups[0]
+        if not tried.closes and not (result := beside(server, others, dear.name, seconds)).ended:
+            return result
+        rate /= 2
+        if rate < LEAST_RATE:
+            raise SystemExit(f"{dear.name}: the service ends the session at any rate: {tried}")
+
+
+@contextmanager
+def uploads(server: Server) -> Iterator[None]:
+    """Somebody has recordings scored, one after another."""
+    over, body = threading.Event(), upload()
+    url = f"http://127.0.0.1:{server.port}/v1/score?predictors=switched,kinematic"
+
+    def post() -> None:
+        while not over.is_set():
+            try:
+                with urlopen(Request(url, body)) as answer:
+                    answer.read()
+            except HTTPError as error:
+                error.read()
+
+    thread = threading.Thread(target=post)
+    thread.start()
+    try:
+        yield
+    finally:
+        over.set()
+        thread.join()
+
+
+def fairness(server: Server, seconds: float) -> list[Beside]:
+    """Every kind of client, after nobody; all on one server."""
+    rows = [beside(server, (), "nobody", seconds)]
+    for dear in dear_clients():
+        rows.append(allowed(server, dear, seconds))
+        print(f"beside {dear.name}: {rows[-1].delays}", flush=True)
+    with uploads(server):
+        rows.append(beside(server, (), "recordings sent to `/v1/score`", seconds))
+    rows.append(beside(server, (), "nobody, afterwards", seconds))
+    return rows

@@ -1,0 +1,190 @@
+"""Measure the service under load: ``python -m pages.load.measure`` writes the page's numbers, in 15 minutes.
+
+It needs Linux, a C compiler and two cores: a server has the first, the load generator the last. With several
+workers all processes share both. ``--short`` takes about two minutes and prints its tables without writing
+the page; ``--before COMMIT`` measures another build of this repository in turns with this one.
+"""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+from contextlib import ExitStack
+from datetime import UTC, datetime
+from importlib.metadata import version
+from typing import Any
+
+from benchmarks.load.cores import ALL, LAST, on_cores
+from benchmarks.load.generator import built
+from benchmarks.load.movements import recording
+from benchmarks.load.servers import checkout, echo, service
+from benchmarks.machine import machine
+from pages.data import Table, keep
+from pages.load.curves import LOADS, Point, Series, curves, knee
+from pages.load.fairness import RATES_HZ, Beside, fairness
+from pages.load.overload import WINDOWS, Overload, overload
+from pages.rendering import shown
+
+PREDICTORS = ("switched", "kinematic", "kinematic-adaptive")
+PREDICTORS_BEFORE = ("switched", "kinematic")
+TODAY = "this build"
+FULL = {"rounds": 2, "seconds": 2.0, "overload": 60.0, "fairness": 4.0}
+SHORT = {"rounds": 1, "seconds": 0.6, "overload": 6.0, "fairness": 1.0}
+PACKAGES = ("uvicorn", "uvloop", "websockets", "numba", "msgspec")
+
+
+def several(stack: ExitStack, workers: int, before: str | None) -> list[Series]:
+    """Everything that is measured, its servers started."""
+    one = stack.enter_context(service())
+    series = [Series(TODAY, stack.enter_context(echo("asgi")), "")]
+    series += [Series(TODAY, one, name) for name in PREDICTORS]
+    if workers > 1:
+        more = stack.enter_context(service(cores=ALL, workers=workers))
+        series += [Series(TODAY, more, name, workers) for name in PREDICTORS]
+    if before is not None:
+        old = stack.enter_context(service(root=checkout(before)))
+        series += [Series(before, old, name) for name in PREDICTORS_BEFORE]
+    return series
+
+
+def notices(counted: dict[str, int]) -> str:
+    """What else a server answered."""
+    return ", ".join(f"{count} {name}" for name, count in sorted(counted.items())) or "-"
+
+
+CURVES = ("load", "build", "server", "what", "clients", "p50", "p99", "p99.9", "grows", "server, us a frame")
+CURVES += ("busiest process", "answers a frame", "generator", "generator late, p99", "other answers")
+
+
+def curve_table(points: Sequence[Point]) -> Table:
+    """Every point of every curve, delays in ms."""
+    rows = [
+        (
+            *(LOADS[p.size], p.build, p.where, p.name, f"{p.clients}"),
+            *(f"{value:.3f}" for value in (p.p50_ms, p.p99_ms, p.p999_ms)),
+            *("yes" if p.grows else "no", f"{p.server_us:.1f}", f"{100 * p.largest_share:.0f} %"),
+            *(f"{p.answers:.3f}", f"{100 * p.own_share:.0f} %", f"{p.late_ms:.3f}", notices(p.notices)),
+        )
+        for p in points
+    ]
+    return Table.of(CURVES, rows)
+
+
+def knee_table(points: Sequence[Point]) -> Table:
+    """The knee of each curve."""
+    rows = []
+    for key in dict.fromkeys((p.size, p.build, p.where, p.name) for p in points):
+        size, build, where, name = key
+        of_series = [p for p in points if (p.size, p.build, p.where, p.name) == key]
+        within, growing = knee(of_series)
+        at = [p.server_us for p in of_series if p.clients == within]
+        rows.append(
+            (
+                *(LOADS[size], name, where, build, f"{within}" if within else "none"),
+                f"{growing}" if growing else f"not up to {of_series[-1].clients}",
+                f"{at[0]:.1f}" if at else "-",
+            )
+        )
+    heads = ("load", "what", "server", "build", "clients with p99 under 1 ms", "the delay grows from")
+    return Table.of((*heads, "server, us a frame"), rows)
+
+
+def delay_tables(points: Sequence[Point]) -> dict[str, Table]:
+    """For each load and server the delays of this build: a row for each number of clients."""
+    tables = {}
+    for size in LOADS:
+        for where in dict.fromkeys(p.where for p in points):
+            some = [p for p in points if (p.size, p.build, p.where) == (size, TODAY, where)]
+            names = list(dict.fromkeys(p.name for p in some))
+            rows = []
+            for clients in dict.fromkeys(p.clients for p in some):
+                here = {p.name: p for p in some if p.clients == clients}
+                cells = [
+                    f"{here[n].p50_ms:.2f} / {here[n].p99_ms:.2f} / {here[n].p999_ms:.2f}"
+                    if n in here
+                    else "-"
+                    for n in names
+                ]
+                own = max(p.own_share for p in here.values())
+                late = max(p.late_ms for p in here.values())
+                rows.append((f"{clients}", *cells, f"{100 * own:.0f} %", f"{late:.2f}"))
+            key = f"{size} {'one core' if where == 'one core' else 'workers'}"
+            tables[key] = Table.of(("clients", *names, "generator", "generator late, p99"), rows)
+    return tables
+
+
+def overload_table(rows: Sequence[Overload], seconds: float) -> Table:
+    """The p99 of each part of the run."""
+    part = seconds / WINDOWS
+    heads = [f"{part * i:g} to {part * (i + 1):g} s" for i in range(WINDOWS)]
+    cells = [
+        (
+            row.build,
+            *(f"{value:.0f}" for value in row.p99_ms),
+            f"{100 * row.answered:.1f} %",
+            f"{row.answers:.2f}",
+            f"{row.server_us:.1f}",
+            notices(row.notices),
+        )
+        for row in rows
+    ]
+    last = ("frames answered", "answers a frame", "server, us a frame", "other answers")
+    return Table.of(("build", *heads, *last), cells)
+
+
+def fairness_table(rows: Sequence[Beside]) -> Table:
+    """p50, p99 and the largest delay of the innocent, beside each kind of other client."""
+    cells = [
+        (
+            row.name,
+            f"{row.sent_per_s:.0f}" if row.sent_per_s else "-",
+            *(" / ".join(f"{value:.2f}" for value in row.delays[f"{rate:g} Hz"]) for rate in RATES_HZ),
+            f"{100 * row.server_share:.0f} %",
+            notices(row.answers),
+        )
+        for row in rows
+    ]
+    rates = [f"client at {rate:g} Hz" for rate in RATES_HZ]
+    return Table.of(("beside", "messages/s", *rates, "server", "answers to the other"), cells)
+
+
+def measured(lengths: dict[str, Any], workers: int, before: str | None) -> dict[str, Table]:
+    """Everything."""
+    with ExitStack() as stack:
+        stack.enter_context(on_cores(LAST))
+        series = several(stack, workers, before)
+        points = curves(series, lengths["rounds"], lengths["seconds"])
+        switched = [one for one in series if one.predictor == "switched" and one.workers == 1]
+        return {
+            "curves": curve_table(points),
+            "knees": knee_table(points),
+            **delay_tables(points),
+            "overload": overload_table(overload(switched, lengths["overload"]), lengths["overload"]),
+            "fairness": fairness_table(fairness(switched[0].server, lengths["fairness"])),
+        }
+
+
+def main(words: argparse.Namespace) -> None:
+    """Measure, and write the page's numbers or print them."""
+    built()
+    where = machine(load=True)
+    date = f"{datetime.now(UTC):%Y-%m-%d}"
+    tables = measured(SHORT if words.short else FULL, words.workers, words.before)
+    versions = ", ".join(f"{name} {version(name)}" for name in PACKAGES)
+    if words.short:
+        for name, table in tables.items():
+            if name != "curves":
+                print(f"\n{name}\n\n{shown(table)}")
+        return
+    numbers = {"workers": words.workers, "recording": recording().name, "before": words.before or ""}
+    keep("load", tables, machine=f"{where}; {versions}; {date}", numbers=numbers)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--short", action="store_true", help="two minutes; prints and writes nothing")
+    parser.add_argument("--workers", type=int, default=2, help="of the second server; 1: none")
+    parser.add_argument("--before", metavar="COMMIT", help="another build to measure in turns with this one")
+    main(parser.parse_args())
