@@ -40,6 +40,8 @@ class Entry(msgspec.Struct, frozen=True):
     preset: dict[str, Any] = {}
 
 
+LONGEST_COMPARED = 64
+"""Characters of an unknown word that are compared with the known ones."""
 GAINS = {"gain_lambda": 48.0, "gain_xi": 1.6, "alpha": 0.0}
 """The differentiator's gains of every name that sets no others: one choice for ours and the baselines."""
 
@@ -221,7 +223,7 @@ def _entry(name: str) -> Entry:
 
 def _unknown(kind: str, field: str, name: object, known: list[str]) -> ParameterError:
     """The error for a word that names nothing, with a code such as ``unknown_predictor``."""
-    near = difflib.get_close_matches(str(name), known, 1)
+    near = difflib.get_close_matches(str(name)[:LONGEST_COMPARED], known, 1)
     hint = f"; did you mean {near[0]!r}?" if near else "."
     message = f"unknown {kind} {name!r}{hint} Known: {', '.join(known)}"
     return ParameterError(message, code=f"unknown_{kind.split()[0]}", field=field, value=name)

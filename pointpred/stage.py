@@ -231,6 +231,11 @@ class CompiledStage:
         """What finished movements taught: a view of the learned floats."""
         return self._memory[self._first - self.learned : self._first]
 
+    @property
+    def memory_bytes(self) -> int:
+        """Bytes of the memory."""
+        return self._memory.nbytes
+
     def remembered(self) -> bytes:
         """The memory as it is now, to be given back to ``recall``."""
         return self._memory.tobytes()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import logging
 import secrets
+import sys
 from concurrent.futures import ThreadPoolExecutor
 from typing import Protocol
 
@@ -25,6 +26,8 @@ from pointpred.server.settings import Settings
 
 log = logging.getLogger("pointpred.service")
 
+SWITCH_S = 5e-4
+"""The event loop waits no longer for a thread that computes: Python's own 5 ms would delay every answer."""
 LOST = 1006
 """The close code under which a lost connection is counted: a tab was closed, a process ended."""
 
@@ -153,6 +156,7 @@ class Service:
 
     def start(self) -> None:
         """Compile in the background: only the first start of an installation takes long."""
+        sys.setswitchinterval(SWITCH_S)
         if self.live is not None:
             self.live.start(asyncio.get_running_loop())
         self.compiler.start()

@@ -11,7 +11,7 @@ class TokenBucket:
         self._left = float(most)
         self._since = now
 
-    def take(self, count: int, now: float) -> bool:
+    def take(self, count: float, now: float) -> bool:
         """Take ``count`` out of the budget; False, and nothing taken, where it does not hold so many."""
         left = self._left
         if now != self._since:

@@ -15,11 +15,11 @@ from pointpred.protocol.client_messages import Assist, Configure, Hello
 from pointpred.protocol.decoding import check_numbers
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.frames import Frame
-from pointpred.protocol.server_messages import Cursor, ErrorMessage, Likely, encode
+from pointpred.protocol.server_messages import Cursor, Likely, encode
 from pointpred.regions import as_normal
 from pointpred.server.sessions.outbox import Outbox
 from pointpred.server.sessions.pipelines import NO_COEFFICIENTS, cpi_of, dpi_of
-from pointpred.server.sessions.prediction_stream import PredictionStream, SessionObserver
+from pointpred.server.sessions.prediction_stream import Finish, PredictionStream, SessionObserver
 from pointpred.transfer import ConstantGain, GuardedTransfer, SigmoidGain
 from pointpred.transfer.assistance import UNGUIDED
 
@@ -53,8 +53,8 @@ class AssistedStream(PredictionStream):
         self.added_px = 0.0
         self._guidance: tuple[float, ...] = ()  # the newest endpoint and its covariance
 
-    def feed(self, table: FloatArray, outbox: Outbox) -> tuple[ErrorMessage | None, int]:
-        """As ``PredictionStream.feed``, event by event: the prediction after each guides the next."""
+    def take_in(self, table: FloatArray, outbox: Outbox) -> Finish:
+        """As ``PredictionStream.take_in``, event by event: the prediction after each guides the next."""
         check_numbers(table)
         missing = np.isnan(table[:, 3])
         if missing.any():
@@ -62,19 +62,16 @@ class AssistedStream(PredictionStream):
             sentence = "assistance needs counts: dx and dy must be numbers"
             raise ProtocolError("bad_field", sentence, path, field="dx")
         error, used = self._in_order(table)
-        if len(used):
-            before = self._memories() if self.hello.places else ()
-            used, predictions = self._moved(used)
-            self._record(used, predictions)
-            self._reply(used, predictions, outbox, before)
-        return error, len(table) - len(used)
+        before = self._memories() if self.hello.places else ()
+        used, predictions = self._moved(used)
+        return self._decide(table, error, used, predictions, outbox, before)
 
     def feed_event(self, row: tuple[float, ...], outbox: Outbox) -> bool:
         """As ``PredictionStream.feed_event``: the one event of most frames, without a table."""
         if self.place is None or self.observer or self._trial.running or self.tracker or self.hello.places:
             return False
         t, x, y, dx, dy, buttons = row
-        if not (abs(x) <= LARGEST and abs(y) <= LARGEST):  # not used, but ``feed`` refuses them
+        if not (abs(x) <= LARGEST and abs(y) <= LARGEST):  # not used, but ``take_in`` refuses them
             return False
         memory, before = self.transfer.remembered(), (self.place, self.added_px)
         prediction: tuple[float, ...] | None = None

@@ -116,13 +116,18 @@ class Session:
         try:
             self._quota.check_size(frame)
             self._receive(frame, now)
-        except ProtocolError as error:
-            self.refuse(error.answer)
-            if error.close is not None:
-                self.end(error.close, error.answer.message)
-        except EventError as error:
-            self.refuse(bad_event(error))
+        except (ProtocolError, EventError) as error:
+            self.answer_error(error)
         self.check_unread()
+
+    def answer_error(self, error: ProtocolError | EventError) -> None:
+        """Send why a frame was not used, and end where it says so."""
+        if isinstance(error, EventError):
+            self.refuse(bad_event(error))
+            return
+        self.refuse(error.answer)
+        if error.close is not None:
+            self.end(error.close, error.answer.message)
 
     def _receive(self, frame: str | bytes, now: float) -> None:
         """Take in a frame of a size that is allowed; raises ProtocolError."""
@@ -147,6 +152,7 @@ class Session:
         self.work = None
         if self.state is not State.CLOSED:
             completion()
+            self.check_unread()
             if self._stop_reason is not None:
                 self.stop(self._stop_reason)
 

@@ -15,12 +15,17 @@ from pointpred.protocol.client_messages import Hello, Setting
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.server_messages import Code
 from pointpred.registry import build, takes
+from pointpred.server.sessions.costs import memory_of
 
 DPI = 96.0
 COEFFICIENTS = "coefficients"
 NO_COEFFICIENTS: Mapping[str, Path] = {}
 ELSEWHERE = {"cpi": "device.cpi", "dpi": "screen.dpi", "name": "predictor", "person": "person"}
 """What ``build`` takes besides parameters, and where in a hello it belongs."""
+PARAMETERS_MOST = 64
+"""Parameters of one message; no predictor takes half as many."""
+MEMORY_MOST = 2**20
+"""Bytes that the stages of a session remember: they are copied for each frame."""
 SUBSTEPS_MOST = 200
 """Sub-steps that one event may take in a session: they take some 15 us, an event without any takes 1 us."""
 
@@ -46,6 +51,7 @@ def pipeline_of(hello: Hello, coefficients: Mapping[str, Path] = NO_COEFFICIENTS
         settings = _settings(hello, coefficients)
         pipeline = build(hello.predictor, cpi=cpi_of(hello), dpi=dpi_of(hello), **settings)
         _check_substeps(pipeline)
+        _check_memory(pipeline)
     except ParameterError as error:
         raise _refusal(error, _path(error, hello)) from None
     try:
@@ -57,6 +63,9 @@ def pipeline_of(hello: Hello, coefficients: Mapping[str, Path] = NO_COEFFICIENTS
 
 def _settings(hello: Hello, coefficients: Mapping[str, Path]) -> dict[str, Any]:
     """The parameters of a hello, as ``build`` takes them; raises ParameterError or ProtocolError."""
+    if (count := len(hello.parameters)) > PARAMETERS_MOST:
+        sentence = f"at most {PARAMETERS_MOST} parameters, received {count}"
+        raise ProtocolError("too_many", sentence, "$.parameters")
     by_name = takes(hello.predictor, COEFFICIENTS)
     for name, place in ELSEWHERE.items():
         if name in hello.parameters:
@@ -102,6 +111,17 @@ def _check_substeps(pipeline: Pipeline) -> None:
             f"received step_s = {step_s!r} s with gap_s = {gap_s!r} s",
             field="step_s",
             value=step_s,
+        )
+
+
+def _check_memory(pipeline: Pipeline) -> None:
+    """Raise ParameterError where a pipeline remembers more than a session may: templates can."""
+    if (size := memory_of(pipeline)) > MEMORY_MOST:
+        raise ParameterError(
+            f"a session may remember at most {MEMORY_MOST} bytes, these parameters need {size}: "
+            "fewer templates, or a shorter longest_s, need less",
+            field="templates",
+            value=getattr(pipeline.predictor, "templates", None),
         )
 
 

@@ -12,14 +12,6 @@ from pointpred.server.sessions.outbox import Outbox
 from pointpred.server.sessions.target_tracker import within_bounds
 from pointpred.targets import PlaceChoice, PlaceChooser
 
-AT_ONCE = 160
-"""Events times places processed while other sessions wait: 0.25 ms, about 1 ms on a busy machine."""
-
-
-def places_take_long(events: int, places: int) -> bool:
-    """Whether reading so many places after so many events would keep other sessions waiting."""
-    return events * places > AT_ONCE
-
 
 class PlaceTracker:
     """Decides among the places of a person; what it proposes and retracts goes into the outbox."""

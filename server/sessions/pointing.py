@@ -39,6 +39,7 @@ from pointpred.protocol.server_messages import (
     Welcome,
 )
 from pointpred.server.sessions.assisted_stream import open_stream
+from pointpred.server.sessions.costs import AT_ONCE_S, BUILD_S, TARGET_S, TRIAL_EVENT_S, TRIAL_S
 from pointpred.server.sessions.lifecycle import (
     TRANSITIONS,
     TRIGGERS,
@@ -48,7 +49,7 @@ from pointpred.server.sessions.lifecycle import (
     bad_event,
 )
 from pointpred.server.sessions.pipelines import NO_COEFFICIENTS
-from pointpred.server.sessions.prediction_stream import PredictionStream, SessionObserver
+from pointpred.server.sessions.prediction_stream import Finish, PredictionStream, SessionObserver
 
 RECORD_BYTES = EVENT.itemsize
 CLOSED, STREAMING, MESSAGE = State.CLOSED, State.STREAMING, Trigger.MESSAGE
@@ -145,7 +146,7 @@ class PointingSession(Session):
         self._quota.take_events(len(frame) // RECORD_BYTES, now)
         if self.stream is None:
             raise _no_hello("a binary frame")
-        self._feed(self.stream, table_of_bytes(frame))
+        self._feed(self.stream, table_of_bytes(frame), now)
 
     @property
     def _open_stream(self) -> PredictionStream:
@@ -158,6 +159,7 @@ class PointingSession(Session):
         if message.version != VERSION:
             sentence = f"version must be {VERSION}, received {message.version}"
             raise ProtocolError("bad_field", sentence, "$.version")
+        self._quota.spend(BUILD_S, now)
         stream = open_stream(message, self._coefficients)
         stream.observer = self._observe(self.name, message) if self._observe else None
         self.stream = stream
@@ -171,13 +173,14 @@ class PointingSession(Session):
         stream, rows = self._open_stream, message.events
         self._quota.take_events(len(rows), now)
         if len(rows) != 1 or not stream.feed_event(event_row_of_json(rows[0]), self.outbox):
-            self._feed(stream, table_of_rows(rows))
+            self._feed(stream, table_of_rows(rows), now)
         elif self.state is not STREAMING:
             self.move(Trigger.EVENTS)
 
     def handle_targets(self, message: Targets, now: float) -> TargetsTaken:
         """Replace the set of targets."""
         self._quota.check_targets(message.targets)
+        self._quota.spend(TARGET_S * len(message.targets), now)
         self._open_stream.replace_targets(message.targets, self.outbox)
         self._targets = len(message.targets)
         self._weigh_events()
@@ -189,11 +192,13 @@ class PointingSession(Session):
         if message.action == "start":
             stream.start_trial(message.target)
             return
+        self._quota.spend(TRIAL_S + TRIAL_EVENT_S * stream.trial_events, now)
         scoring = stream.end_trial(message.target)
         self.work = lambda: partial(self.send, scoring())
 
     def handle_configure(self, message: Configure, now: float) -> Welcome:
         """Change the predictor, its parameters or the kind of reply."""
+        self._quota.spend(BUILD_S, now)
         self._open_stream.configure(message)
         self._weigh_events()
         return self._welcome()
@@ -204,6 +209,7 @@ class PointingSession(Session):
 
     def handle_person(self, message: Person, now: float) -> KnownPerson:
         """Send what is known of the person."""
+        self._quota.spend(BUILD_S, now)
         return KnownPerson(self._open_stream.person(message.person))
 
     def handle_enter(self, message: Enter, now: float) -> None:
@@ -238,13 +244,42 @@ class PointingSession(Session):
             self.stream.observer.close()
         super().end(code, reason)
 
-    def _feed(self, stream: PredictionStream, table: FloatArray) -> None:
-        error, dropped = stream.feed(table, self.outbox)
-        self.work, stream.work = stream.work, None
-        if len(table) and self.state is not STREAMING:
+    def _feed(self, stream: PredictionStream, table: FloatArray, now: float) -> None:
+        """Take in a frame of events, in another thread where that takes long."""
+        cost_s = stream.costs.of(len(table))
+        self._quota.spend(cost_s, now)
+        take_in = partial(self._take_in, stream, table, now)
+        if cost_s > AT_ONCE_S:
+            self.work = take_in
+        else:
+            take_in()()
+
+    def _take_in(self, stream: PredictionStream, table: FloatArray, now: float) -> Callable[[], None]:
+        """Predict, in any thread; returns what sends the answers, or what is wrong with the frame."""
+        try:
+            finish = stream.take_in(table, self.outbox)
+        except (ProtocolError, EventError) as error:
+            return partial(self._refuse_events, error, stream.refusal_s, now)
+        return partial(self._send_answers, finish, len(table), stream.refusal_s, now)
+
+    def _send_answers(self, finish: Finish, events: int, refusal_s: float, now: float) -> None:
+        error, dropped = finish()
+        if events and self.state is not STREAMING:
             self.move(Trigger.EVENTS)
         if error is not None:
             self.refuse(error, dropped)
+            self._spend(refusal_s, now)
+
+    def _refuse_events(self, error: ProtocolError | EventError, refusal_s: float, now: float) -> None:
+        self.answer_error(error)
+        self._spend(refusal_s, now)
+
+    def _spend(self, cost_s: float, now: float) -> None:
+        """Count what has been spent; the session ends where it is too much."""
+        try:
+            self._quota.spend(cost_s, now)
+        except ProtocolError as error:
+            self.answer_error(error)
 
     def _weigh_events(self) -> None:
         """What an event counts, with the targets and the settings in force."""

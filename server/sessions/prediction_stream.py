@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
 from typing import Protocol
@@ -19,17 +19,20 @@ from pointpred.protocol.decoding import check_numbers
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.frames import Frame, prediction_frames, row_encoder
 from pointpred.protocol.server_messages import ErrorMessage, Likely
-from pointpred.server.sessions.lifecycle import Work
+from pointpred.server.sessions.costs import REFUSED_BYTE_S, REFUSED_S, Costs, costs_of, memory_of
 from pointpred.server.sessions.outbox import Outbox
 from pointpred.server.sessions.pipelines import NO_COEFFICIENTS, cpi_of, dpi_of, pipeline_of
-from pointpred.server.sessions.place_tracker import PlaceTracker, places_take_long
-from pointpred.server.sessions.target_tracker import Changes, TargetTracker
+from pointpred.server.sessions.place_tracker import PlaceTracker
+from pointpred.server.sessions.target_tracker import TargetTracker
 from pointpred.server.sessions.trials import Scoring, TrialBuffer, with_outcome
-from pointpred.targets import PlaceChoice
 
 NEVER = float("-inf")
 NO_RESETS = np.zeros(100_000, np.bool_)
 """A frame resets nothing between its events; as long as the longest frame that settings allow."""
+
+
+Finish = Callable[[], tuple[ErrorMessage | None, int]]
+"""Sends the answers to a frame; returns the error for events that were dropped, and how many they are."""
 
 
 class SessionObserver(Protocol):
@@ -74,21 +77,23 @@ class PredictionStream:
         self.events = 0
         """Events taken in."""
         self.observer = observer
-        self.work: Work | None = None
-        """What is to be run before the next frame is taken in."""
+        self.costs = Costs(0.0, 0.0)
+        """What frames of events cost, with the settings in force."""
         self._binary = hello.encoding == "binary"
         self._encode_row = row_encoder(binary=self._binary)
         self._last_t = NEVER
         self._trial = TrialBuffer()
+        self._targets = 0
+        self._weigh()
 
-    def feed(self, table: FloatArray, outbox: Outbox) -> tuple[ErrorMessage | None, int]:
+    def take_in(self, table: FloatArray, outbox: Outbox) -> Finish:
         """Predict; events before the last one are dropped, the rest of the frame is used.
 
-        Returns the error for the dropped events, and how many they are. Raises ProtocolError, nothing
-        changed, where a number cannot be used.
+        Any thread may call it, while nothing else is asked of the stream; what it returns is to be called in
+        the session's own. Raises ProtocolError, nothing changed, where a number cannot be used.
         """
-        if self.feed_to_last(table, outbox):
-            return None, 0
+        if (last := self._last_prediction(table)) is not None:
+            return partial(self._send_last, table, last, outbox)
         error, used, count = None, table, len(table)
         before = self._memories() if self.hello.places else ()
         predictions = self.pipeline.advance_all(NO_RESETS[:count], table)
@@ -96,10 +101,31 @@ class PredictionStream:
             check_numbers(table)
             error, used = self._in_order(table)
             predictions = run(self.pipeline, EventColumns(used)).table
-        if len(used):
+        return self._decide(table, error, used, predictions, outbox, before)
+
+    def _decide(
+        self,
+        table: FloatArray,
+        error: ErrorMessage | None,
+        used: FloatArray,
+        predictions: FloatArray,
+        outbox: Outbox,
+        before: tuple[bytes, ...],
+    ) -> Finish:
+        """Decide after the events that were used, in any thread.
+
+        ``before``: the pipeline's memories before the events, where the client asked for places.
+        """
+        if not len(used):
+            return lambda: (error, len(table))
+        answer = self._answer(used, predictions, outbox, before)
+
+        def finish() -> tuple[ErrorMessage | None, int]:
             self._record(used, predictions)
-            self._reply(used, predictions, outbox, before)
-        return error, count - len(used)
+            answer()
+            return error, len(table) - len(used)
+
+        return finish
 
     def _memories(self) -> tuple[bytes, ...]:
         return tuple(one.remembered() for one in (self.pipeline.differentiator, self.pipeline.predictor))
@@ -117,10 +143,10 @@ class PredictionStream:
         return seen
 
     def feed_event(self, row: tuple[float, ...], outbox: Outbox) -> bool:
-        """``feed`` for the one event of most frames, without a table: the same steps, the same answer.
+        """``take_in`` for the one event of most frames, without a table: the same steps, the same answer.
 
         False, and nothing changed, where the event is refused, somebody observes, a trial runs, there are
-        targets or places are asked for: then ``feed`` has to be called.
+        targets or places are asked for: then ``take_in`` has to be called.
         """
         if self._trial.running or self._needs_every_prediction:
             return False
@@ -132,62 +158,50 @@ class PredictionStream:
         outbox.predict([self._encode_row(prediction)], 1)
         return True
 
-    def feed_to_last(self, table: FloatArray, outbox: Outbox) -> bool:
-        """``feed`` where nothing but the newest event's prediction is wanted; the same answer.
+    def _last_prediction(self, table: FloatArray) -> tuple[float, ...] | None:
+        """The newest event's prediction where nothing but that is wanted.
 
-        False, and nothing changed, where there is no event, one is refused, or every prediction is needed.
+        ``None``, and nothing changed, where there is no event, one is refused, or every prediction is needed.
         """
         if not len(table) or self.hello.reply == "event" or self._needs_every_prediction:
-            return False
-        prediction = self.pipeline.advance_last(table)
-        if prediction is None:
-            return False
+            return None
+        return self.pipeline.advance_last(table)
+
+    def _send_last(
+        self, table: FloatArray, prediction: tuple[float, ...], outbox: Outbox
+    ) -> tuple[ErrorMessage | None, int]:
         self._note(table)
         outbox.predict([self._encode_row(prediction)], 1)
-        return True
+        return None, 0
 
     @property
     def _needs_every_prediction(self) -> bool:
         """Whether somebody reads the predictions of all events, whatever the client is sent."""
         return bool(self.observer or self.tracker or self.hello.places)
 
-    def _reply(
+    def _answer(
         self, events: FloatArray, predictions: FloatArray, outbox: Outbox, before: tuple[bytes, ...]
-    ) -> None:
-        """Put the predictions into the outbox, after their choices; what takes long becomes ``work``.
-
-        ``before``: the pipeline's memories before the events, where the client asked for places.
-        """
-        follow = (
-            self._follow_places(events, predictions, outbox, before)
-            if self.tracker is None
-            else self._follow_targets(self.tracker, events, predictions, outbox, before)
-        )
-        if follow is None:
-            outbox.predict(*self._frames(predictions))
-        elif self._takes_long(len(events)):
-            self.work = follow
-        else:
-            follow()()
-
-    def _takes_long(self, events: int) -> bool:
-        """Whether deciding after so many events would keep other sessions waiting."""
-        reads_places = self.hello.places and places_take_long(events, len(self.pipeline.places))
-        return reads_places or (self.tracker is not None and self.tracker.takes_long(events))
+    ) -> Callable[[], None]:
+        """What puts the predictions into the outbox, after their choices."""
+        if self.tracker is not None:
+            return self._follow_targets(self.tracker, events, predictions, outbox, before)
+        if self.hello.places:
+            return self._follow_places(events, predictions, outbox, before)
+        return partial(outbox.predict, *self._frames(predictions))
 
     def _follow_places(
         self, events: FloatArray, predictions: FloatArray, outbox: Outbox, before: tuple[bytes, ...]
-    ) -> Work | None:
-        """How to decide among places, in any thread; ``None`` where the client did not ask for them."""
-        if not self.hello.places:
-            return None
+    ) -> Callable[[], None]:
+        """Decide among places; returns what sends that."""
         tracker = self.place_tracker = self.place_tracker or PlaceTracker(outbox, self.precision)
+        choices = tracker.follow(events, predictions, self._places_after(events, before))
+        frames = self._frames(predictions)
 
-        def send(choices: list[tuple[float, PlaceChoice]]) -> None:
+        def send() -> None:
             tracker.announce(choices)
-            outbox.predict(*self._frames(predictions))
+            outbox.predict(*frames)
 
-        return lambda: partial(send, tracker.follow(events, predictions, self._places_after(events, before)))
+        return send
 
     def _follow_targets(
         self,
@@ -196,19 +210,17 @@ class PredictionStream:
         predictions: FloatArray,
         outbox: Outbox,
         before: tuple[bytes, ...],
-    ) -> Work:
-        """How to decide among targets; any thread may run it."""
-        each, places = self.hello.reply == "event", self.hello.places
+    ) -> Callable[[], None]:
+        """Decide among targets; returns what sends that."""
+        seen = self._places_after(events, before) if self.hello.places else None
+        changes = tracker.follow(events, predictions, seen, each=self.hello.reply == "event")
+        frames = self._frames(predictions, changes.likely)
 
-        def send(changes: Changes) -> None:
+        def send() -> None:
             tracker.announce(changes.choices)
-            outbox.predict(*self._frames(predictions, changes.likely))
+            outbox.predict(*frames)
 
-        def follow() -> Changes:
-            seen = self._places_after(events, before) if places else None
-            return tracker.follow(events, predictions, seen, each=each)
-
-        return lambda: partial(send, follow())
+        return send
 
     def _frames(
         self, predictions: FloatArray, likely: list[list[Likely]] | None = None
@@ -251,6 +263,7 @@ class PredictionStream:
                 self.place_tracker.configure(message.precision)
         if self.observer:
             self.observer.configure(hello)
+        self._weigh()
 
     def _leave_places(self) -> None:
         if self.place_tracker:
@@ -266,6 +279,24 @@ class PredictionStream:
         self.tracker = tracker if targets else None
         if self.place_tracker:
             self.place_tracker.reset()
+        self._targets = len(targets)
+        self._weigh()
+
+    def _weigh(self) -> None:
+        """Note what frames cost from now on."""
+        hello = self.hello
+        self.costs = costs_of(
+            self.pipeline,
+            targets=self._targets,
+            places=hello.places,
+            assisted=hello.assist is not None,
+            each=hello.reply == "event",
+        )
+
+    @property
+    def refusal_s(self) -> float:
+        """What looking for the reason costs when events are refused, s."""
+        return REFUSED_S + REFUSED_BYTE_S * memory_of(self.pipeline)
 
     def reset(self) -> None:
         """Forget every event: the next one starts a movement."""
@@ -299,6 +330,11 @@ class PredictionStream:
         if self._window is not None:
             pipeline.enter(self._window.key, self._window.x, self._window.y)
         return pipeline
+
+    @property
+    def trial_events(self) -> int:
+        """Events of the trial that runs."""
+        return self._trial.count
 
     def start_trial(self, goal: Goal | None) -> None:
         """A movement starts at the next event; its events are kept until the trial ends."""

@@ -16,6 +16,11 @@ TARGETS_AN_EVENT = 64
 EVENTS_FOR_PLACES = 7
 """An event counts so many times more where the client asked for places: they are read after it."""
 
+USUAL = Limits()
+SHARE = 0.5
+"""Seconds of the processor that one session may use a second, by the costs of its messages; more in
+proportion where the service is started with more events a second than usual."""
+
 
 class Quota:
     """The limits of one session; every check raises ProtocolError."""
@@ -25,6 +30,8 @@ class Quota:
         self.events = TokenBucket(limits.max_events_per_s, now)
         self._weight = 1  # what an event counts
         self._messages = TokenBucket(MESSAGES_PER_S, now)
+        self._share = SHARE * max(1.0, limits.max_events_per_s / USUAL.max_events_per_s)
+        self._costs = TokenBucket(self._share, now)
 
     def check_size(self, frame: str | bytes) -> None:
         """The bytes of a frame; the session ends where it holds more."""
@@ -51,6 +58,12 @@ class Quota:
         """A message other than events; the session ends where there are more in a second."""
         if not self._messages.take(count, now):
             sentence = f"at most {MESSAGES_PER_S} messages a second beside events; a long one counts more"
+            raise ProtocolError("too_fast", sentence, close=1008)
+
+    def spend(self, cost_s: float, now: float) -> None:
+        """What a message costs, as ``costs`` has it; the session ends where they cost too much a second."""
+        if not self._costs.take(cost_s, now):
+            sentence = f"the messages of a session may take {self._share:g} s of the processor a second"
             raise ProtocolError("too_fast", sentence, close=1008)
 
     def take_invalid(self, frame: str, now: float) -> None:

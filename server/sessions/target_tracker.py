@@ -21,9 +21,6 @@ LIKELIEST = 5
 """Targets that are sent with a prediction."""
 PRECISION = next(bound for bound in Chooser.parameters if bound.name == "precision")
 
-AT_ONCE = 4096
-"""Events times targets that are processed while other sessions wait: about a millisecond."""
-
 
 def within_bounds(precision: float) -> float:
     """A share between 0 and 1, within the bounds of choosers."""
@@ -86,10 +83,6 @@ class TargetTracker:
         self.announce([(self._last_t, Change(id, 0.0, "retract")) for id in proposed if id is not None])
         self._chooser.reset()
         self._last_t = None
-
-    def takes_long(self, events: int) -> bool:
-        """Whether so many events would keep other sessions waiting."""
-        return events * len(self._targets) > AT_ONCE
 
     def follow(
         self,

@@ -38,20 +38,21 @@ class TrialBuffer:
     def add(self, table: FloatArray) -> None:
         """Add events while a trial runs."""
         if self.running:
-            self._count += len(table)
-            if self._count <= MOST_EVENTS:
+            self.count += len(table)
+            if self.count <= MOST_EVENTS:
                 self._numbers.frombytes(table.tobytes())
 
     def end(self, goal: Goal | None, pipeline: Pipeline, cpi: float | None, dpi: float) -> Scoring:
         """The function that scores the trial; any thread may run it: it shares nothing with the session."""
-        goal, count, numbers = goal or self.goal, self._count, self._numbers
+        goal, count, numbers = goal or self.goal, self.count, self._numbers
         self._forget()
         self.running = False
         return partial(_score, numbers, count, goal, pipeline.fresh(), cpi, dpi)
 
     def _forget(self, goal: Goal | None = None) -> None:
         self._numbers = array("d")
-        self._count = 0
+        self.count = 0
+        """Events of the running trial."""
         self.goal = goal
         """The target of the running trial, where its start named one."""
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from pointpred.server.sessions import target_tracker
+from pointpred.server.sessions import pointing
 from pointpred.server.sessions.target_tracker import LIKELIEST
 from tests.unit.talking import Talk, events, hello, packed
 
@@ -238,11 +238,11 @@ def test_a_frame_with_many_targets_is_work_aside_and_answered_the_same(
 ) -> None:
     rows, heard = reach(end=0.4), []
     frame = packed(*rows) if encoding == "binary" else events(*rows)
-    for at_once in (10**9, 41 * len(USUAL) - 1):
-        monkeypatch.setattr(target_tracker, "AT_ONCE", at_once)
+    for at_once_s in (1.0, 1e-5):
+        monkeypatch.setattr(pointing, "AT_ONCE_S", at_once_s)
         talk = talk_of(encoding)
         talk.session.receive(json.dumps(frame) if isinstance(frame, dict) else frame, 0.0)
-        assert (talk.session.work is None) == (at_once == 10**9)
+        assert (talk.session.work is None) == (at_once_s == 1.0)
         heard.append([*talk.hear(), *talk.say({"type": "reset"})])  # which waits for the work
     assert heard[0] == heard[1]
     assert choices([one for one in heard[1] if isinstance(one, dict)])[-2:] == [

@@ -1,0 +1,147 @@
+"""What a message may cost: at its limits, in a second, and where it is done."""
+
+from __future__ import annotations
+
+import json
+import sys
+from typing import Any
+
+import pytest
+
+from benchmarks.longest_messages import longest_messages, packed, session_before, targets, text
+from pointpred.predictors.ktm.predictor import TemplatePredictor
+from pointpred.server.sessions.quota import SHARE
+from tests.unit.talking import Talk, events, hello
+
+MESSAGES = longest_messages()
+CALLS_MOST = 6000
+"""Calls of functions, Python's and C's, on the event loop: a millisecond or two."""
+
+
+def calls(name: str) -> int:
+    """How many functions are called on the loop for a message."""
+    one = MESSAGES[name]
+    session_before(one).receive(one.frame, 1e4)  # what is imported and compiled once
+    session, count = session_before(one), 0
+
+    def note(frame: object, event: str, argument: object) -> None:
+        nonlocal count
+        count += event in ("call", "c_call")
+
+    before = sys.getprofile()
+    sys.setprofile(note)
+    try:
+        session.receive(one.frame, 1e4)
+        session.outbox.take()
+    finally:
+        sys.setprofile(before)
+    return count
+
+
+@pytest.mark.parametrize("name", list(MESSAGES))
+def test_no_message_at_its_limits_holds_the_loop(name: str) -> None:
+    assert calls(name) <= CALLS_MOST
+
+
+@pytest.mark.parametrize("name", ["hello, list of 5e-324", "events of 5e-324", "targets of 5e-324"])
+def test_numbers_that_take_long_to_decode_are_refused_before_they_are(name: str) -> None:
+    one = MESSAGES[name]
+    session = session_before(one)
+    session.receive(one.frame, 1e4)
+    (answer,) = session.outbox.take()
+    assert json.loads(answer)["code"] == "bad_field"
+    assert "exponents" in json.loads(answer)["message"]
+    assert session.close is None
+
+
+def test_ids_that_look_like_such_numbers_and_small_coordinates_are_taken() -> None:
+    talk = Talk()
+    many = [{"id": f"4e12{i}", "x": 6.123e-17, "y": 1e-9, "width": 1, "height": 1} for i in range(900)]
+    assert talk.say({"type": "targets", "targets": many}) == [{"type": "targets", "count": 900}]
+    assert len(talk.say(events(*[[i * 1e-3, 6.123e-17, 1.2e-16, None, None, 0] for i in range(1000)]))) == 1
+
+
+def test_at_most_64_parameters() -> None:
+    talk = Talk()
+    error = talk.error({"type": "configure", "parameters": {f"p{i}": 1 for i in range(65)}})
+    assert (error["code"], error["path"], error["recoverable"]) == ("too_many", "$.parameters", True)
+    assert "64" in error["message"]
+    assert "65" in error["message"]
+
+
+def test_a_session_remembers_at_most_a_megabyte() -> None:
+    talk = Talk()
+    error = talk.error(
+        {"type": "configure", "predictor": "ktm", "parameters": {"templates": 1000, "longest_s": 30.0}}
+    )
+    assert (error["code"], error["field"], error["path"]) == (
+        "bad_field",
+        "templates",
+        "$.parameters.templates",
+    )
+    assert TemplatePredictor(templates=1000, longest_s=30.0).memory_bytes > 2**20, "offline it may be more"
+    assert talk.goes_on()
+
+
+SECOND: dict[str, tuple[dict[str, Any], list[Any], Any]] = {
+    "targets": (hello(), [], targets(1000)),
+    "late events": (hello(), [packed(1, start_s=5.0)], packed(1)),
+}
+
+
+@pytest.mark.parametrize("kind", list(SECOND))
+def test_dear_messages_end_a_session_that_sends_too_many_a_second(kind: str) -> None:
+    greet, before, frame = SECOND[kind]
+    talk = Talk(greet=greet)
+    for one in before:
+        talk.say(one, 100.0)
+    sent, heard = 0, []
+    while talk.closed is None:
+        heard = talk.say(frame, 200.0)
+        sent += 1
+    assert talk.closed == 1008
+    assert heard[-1]["code"] == "too_fast"
+    assert f"{SHARE:g} s of the processor" in heard[-1]["message"]
+    assert {"targets": 150, "late events": 2000}[kind] < sent < 5000
+
+
+def test_a_page_may_register_a_thousand_targets_at_each_refresh_for_ever() -> None:
+    talk = Talk()
+    for k in range(120):
+        talk.say(targets(1000), 10.0 + k / 60)
+        assert talk.closed is None
+
+
+def test_a_clock_that_jumped_back_costs_no_connection() -> None:
+    talk = Talk()
+    talk.say(packed(1, start_s=1e4), 0.0)
+    for k in range(3000):
+        talk.say(packed(1), k / 1000)
+        assert talk.closed is None
+
+
+@pytest.mark.parametrize("encoding", ["json", "binary"])
+def test_a_long_assisted_frame_is_work_aside_and_answered_the_same(encoding: str) -> None:
+    rows = [[i * 1e-3, 0.0, 0.0, 3, 1, 0] for i in range(1024)]
+    heard = []
+    for size in (1024, 64):
+        talk = Talk(greet=hello("kinematic", encoding=encoding, assist={}, device={"cpi": 800}))
+        talk.session.receive(text(events(*rows[:1])), 0.0)
+        for place in range(1, 1024, size):
+            talk.session.receive(text(events(*rows[place : place + size])), 0.0)
+            assert (talk.session.work is not None) == (size == 1024)
+            if talk.session.work is not None:
+                talk.session.finish(talk.session.work())
+        heard.append(talk.hear()[-2:])
+    assert heard[0] == heard[1]
+
+
+def test_what_is_wrong_with_a_long_frame_is_answered_after_the_work() -> None:
+    talk = Talk(greet=hello(assist={}, device={"cpi": 800}))
+    rows = [[i * 1e-3, 0.0, 0.0, None if i == 700 else 3, None if i == 700 else 1, 0] for i in range(1024)]
+    talk.session.receive(text(events(*rows)), 0.0)
+    assert talk.session.work is not None
+    talk.session.finish(talk.session.work())
+    (error,) = talk.hear()
+    assert (error["code"], error["path"]) == ("bad_field", "$.events[700][3]")
+    assert talk.session.refusals == {"bad_field": 1}
