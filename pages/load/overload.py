@@ -31,7 +31,7 @@ def overload(series: Sequence[Series], seconds: float) -> list[Overload]:
     """``CLIENTS`` at 1 kHz, on each build."""
     rows = []
     for one in series:
-        plan = Plan((group(one, CLIENTS, 1),), seconds, warm=0.5, drain=20.0, window=seconds / WINDOWS)
+        plan = Plan((group(one, CLIENTS, 1),), seconds, warm=0.5, drain=10.0, window=seconds / WINDOWS)
         (counts,) = run(plan, LAST).groups
         rows.append(
             Overload(
