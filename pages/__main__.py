@@ -21,6 +21,7 @@ from pages.kinematic import page as kinematic
 from pages.ktm import page as ktm
 from pages.load import figure as load_figure
 from pages.markdown import filled
+from pages.monitoring import page as monitoring
 from pages.openapi import document as openapi
 from pages.predictors import page as predictors
 from pages.readme import page as readme
@@ -69,6 +70,7 @@ PAGES_MADE: dict[str, tuple[str, Context]] = {
     "docs/reference/commands.md": ("commands", commands.context),
     "docs/reference/errors.md": ("errors", errors.context),
     "docs/reference/licences.md": ("licences", measured("licences")),
+    "docs/reference/monitoring.md": ("monitoring", monitoring.context),
     "docs/reference/predictors.md": ("predictors", predictors.context),
     "docs/reference/settings.md": ("settings", settings.context),
 }

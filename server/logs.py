@@ -15,8 +15,21 @@ from pathlib import Path
 from typing import Any, Literal
 
 OWN = "pointpred"
-FIELDS = ("worker", "session", "code", "events", "error", "seconds")
-"""What an entry may hold beside its message; nothing that a pointer did."""
+FIELDS = {
+    "worker": "the number of the worker that wrote it, where there are several",
+    "session": "the random name of the session, which its recording has too; tells nothing of who it was",
+    "code": "why a session was closed (the close code) or a request refused (the error code)",
+    "events": "how many events the session has sent, when it closes",
+    "error": "types and places of an error, without its sentence, which may quote what a client sent",
+}
+"""What an entry may hold beside its message, with its meaning; nothing that a pointer did."""
+EVERY_ENTRY = {
+    "time": "when it was written: UTC, ISO 8601, to the millisecond",
+    "level": "`info`, `warning` or `error`",
+    "logger": "the part that wrote it; those of the service begin with `pointpred.`",
+    "message": "what happened, for people; the sentence may change",
+}
+"""What each entry holds."""
 
 
 def place_of(error: BaseException) -> str:

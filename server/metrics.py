@@ -20,13 +20,20 @@ class Metrics:
         PlatformCollector(registry=self.registry)
         self.delay = Histogram(
             "pointpred_event_to_prediction_seconds",
-            "From the newest frame to its prediction handed to the socket",
+            "From the newest frame, as the session takes it, to its prediction handed to the socket; "
+            "the time that a frame waits before is not in it",
             buckets=BUCKETS,
             registry=self.registry,
         )
         self.sessions = Gauge("pointpred_sessions", "Sessions now", registry=self.registry)
+        self.sessions_limit = Gauge(
+            "pointpred_sessions_limit", "Sessions that may be open at a time", registry=self.registry
+        )
         self.ended = Counter(
-            "pointpred_sessions_ended", "Sessions that ended, by close code", ["code"], registry=self.registry
+            "pointpred_sessions_ended",
+            "Sessions that ended, by close code; 1006: the connection was lost",
+            ["code"],
+            registry=self.registry,
         )
         self.events = Counter("pointpred_events", "Events taken in", registry=self.registry)
         self.frames = Counter("pointpred_frames", "Frames received", registry=self.registry)
@@ -40,21 +47,24 @@ class Metrics:
         )
         self.connections_refused = Counter(
             "pointpred_connections_refused",
-            "Connections and requests refused unheard, by error code",
+            "Connections and requests refused before anything was read, by error code: a foreign host or "
+            "origin, no token, too many sessions, a header that is too large, what is no request",
             ["code"],
             registry=self.registry,
         )
         self.dropped = Counter(
-            "pointpred_predictions_dropped", "Predictions that gave way to newer ones", registry=self.registry
+            "pointpred_predictions_dropped",
+            "Predictions that gave way to newer ones because a client did not read",
+            registry=self.registry,
         )
         self.lost = Counter(
             "pointpred_recorder_events_lost",
-            "Events that were to be recorded and were not",
+            "Events and ends of trials that could not be written: the disk was full or too slow",
             registry=self.registry,
         )
         self.failed = Counter(
             "pointpred_recordings_failed",
-            "Sessions whose recording ended with an error",
+            "Sessions whose recording ended with an error, which is in the log",
             registry=self.registry,
         )
         self.waiting = Gauge(

@@ -149,6 +149,8 @@ class Service:
 
     def update_metrics(self) -> None:
         """Count what the open sessions and the recorder have done since the last update."""
+        if self.peers is None:  # else the limit is one for all workers: the supervisor shows it
+            self.metrics.sessions_limit.set(self.settings.max_sessions)
         if (recorder := self.recorder) is not None:
             self.metrics.update_recorder(recorder.lost, recorder.failures, recorder.waiting)
         for session, (connection, counts) in self._open.items():

@@ -271,8 +271,8 @@ def _rows_of(frame: bytes) -> list[list[float]]:
     return rows
 
 
-def _message_of(frame: str) -> msgspec.Struct:
-    """The message of a text; raises SourceError."""
+def _message_of(frame: str) -> msgspec.Struct | None:
+    """The message of a text, ``None`` for a type that only newer services know; raises SourceError."""
     try:
         return decode_server_message(frame)
     except (msgspec.DecodeError, RecursionError) as error:

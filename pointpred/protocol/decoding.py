@@ -7,18 +7,18 @@ from collections.abc import Sequence
 from functools import reduce
 from itertools import islice
 from operator import or_
-from typing import Any
+from typing import Annotated, Any
 
 import msgspec
 import numpy as np
-from msgspec import Struct
+from msgspec import Meta, Struct
 
 from pointpred.columns import EventColumns, FloatArray
 from pointpred.events import LARGEST, LATEST_S
 from pointpred.protocol.client_messages import CLIENT_MESSAGES, ClientMessage, EventRow
 from pointpred.protocol.errors import ProtocolError, invalid_json, invalid_message
 from pointpred.protocol.records import EVENT, NONE, unpack_events
-from pointpred.protocol.server_messages import SERVER_MESSAGES
+from pointpred.protocol.server_messages import SERVER_MESSAGES, SERVER_TYPES
 
 
 def _any_of(kinds: tuple[type[Struct], ...]) -> Any:
@@ -58,9 +58,26 @@ def _check_exponents(text: str) -> None:
         raise ProtocolError("bad_field", sentence)
 
 
-def decode_server_message(text: str) -> Struct:
-    """A message from the server's JSON text; raises msgspec.DecodeError for what is none."""
-    message: Struct = _from_server.decode(text)
+class _AnyMessage(Struct):
+    """What every message has, those of newer services too."""
+
+    type: Annotated[str, Meta(min_length=1)]
+
+
+_any_from_server = msgspec.json.Decoder(_AnyMessage)
+
+
+def decode_server_message(text: str) -> Struct | None:
+    """A message from the server's JSON text; raises msgspec.DecodeError for what is none.
+
+    ``None`` for a type of message that is not known here: a newer service may send such.
+    """
+    try:
+        message: Struct = _from_server.decode(text)
+    except msgspec.ValidationError:
+        if _any_from_server.decode(text).type in SERVER_TYPES:
+            raise
+        return None
     return message
 
 

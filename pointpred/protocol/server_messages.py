@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal, get_args
 
 import msgspec
-from msgspec import UNSET, Struct, UnsetType
+from msgspec import UNSET, Meta, Struct, UnsetType
 
 from pointpred.events import NORMAL
 from pointpred.protocol.client_messages import Bye
@@ -29,6 +29,8 @@ Code = Literal[
     "internal",
     "columns",
 ]
+ReceivedCode = Annotated[str, Meta(extra_json_schema={"enum": list(get_args(Code))})]
+"""A code as a client reads it: a newer service may send further ones."""
 
 
 Scalar = bool | int | float | str | None
@@ -176,7 +178,7 @@ class ErrorMessage(ServerMessage, tag="error"):
     where it is a long text. Both are absent where they are not known.
     """
 
-    code: Code
+    code: ReceivedCode
     message: str
     path: str | None = None
     recoverable: bool = True
@@ -185,6 +187,8 @@ class ErrorMessage(ServerMessage, tag="error"):
 
 
 SERVER_MESSAGES: tuple[type[Struct], ...] = (*ServerMessage.__subclasses__(), Bye)
+SERVER_TYPES: tuple[str, ...] = tuple(str(kind.__struct_config__.tag) for kind in SERVER_MESSAGES)
+"""The types of message that the server may send, as they stand on the wire."""
 
 # Laws that run as plain Python answer in numpy's floats.
 encode = msgspec.json.Encoder(enc_hook=float).encode

@@ -95,7 +95,7 @@ class Session:
         """How the connection is to end, once the session is closed."""
         self.work: Work | None = None
         """What is to be run before the next frame is received."""
-        self.refusals: dict[Code, int] = {}
+        self.refusals: dict[str, int] = {}
         """What was refused, by error code: events that run backwards, frames for all else."""
         self.last_received = now
         """When the client last sent something."""

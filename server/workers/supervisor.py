@@ -73,7 +73,8 @@ class Supervisor:
         self._announced = self._ready = False
         self._counts = WorkerCounts(settings.workers)
         self._families = ServiceFamilies()
-        self._registry = _SupervisorMetrics()
+        self._registry = SupervisorMetrics()
+        self._registry.sessions_limit.set(self.settings.max_sessions)
         self._dispatcher = Dispatcher(listening, self._takers)
         self._restarts = [Restarts() for _ in range(settings.workers)]
         self._texts: set[asyncio.Task[None]] = set()
@@ -216,12 +217,15 @@ class Supervisor:
         worker.send(Text(text_of(self._families.merged())))
 
 
-class _SupervisorMetrics:
+class SupervisorMetrics:
     """What the supervisor counts itself."""
 
     def __init__(self) -> None:
         self.registry = CollectorRegistry()
         ProcessCollector(registry=self.registry)
+        self.sessions_limit = Gauge(
+            "pointpred_sessions_limit", "Sessions that may be open at a time", registry=self.registry
+        )
         self.workers = Gauge("pointpred_workers", "Workers that run now", registry=self.registry)
         self.restarts = Counter(
             "pointpred_worker_restarts",
