@@ -29,7 +29,7 @@ Code = Literal[
     "internal",
     "columns",
 ]
-ReceivedCode = Annotated[str, Meta(extra_json_schema={"enum": list(get_args(Code))})]
+ReceivedCode = Annotated[str, Meta(extra_json_schema={"enum": sorted(get_args(Code))})]
 """A code as a client reads it: a newer service may send further ones."""
 
 
