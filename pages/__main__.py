@@ -46,7 +46,7 @@ def several(**parts: str) -> Context:
     return lambda: {name: data.read(PAGES / f"{where}.json", data.Tables) for name, where in parts.items()}
 
 
-COSTS = ("events", "service", "devices", "first_start", "opening", "in_page")
+COSTS = ("events", "service", "proxies", "spread", "devices", "first_start", "opening", "in_page")
 PAGES_MADE: dict[str, tuple[str, Context]] = {
     "docs/evidence/results.md": ("results", results.context),
     "docs/evidence/intent.md": ("intent", intent.context),

@@ -12,6 +12,7 @@ import signal
 import socket
 import time
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 
 from prometheus_client import CollectorRegistry, Counter, Gauge
 from prometheus_client.process_collector import ProcessCollector
@@ -149,7 +150,9 @@ class Supervisor:
                     "every worker ends soon after its start: see the errors above; "
                     "--workers 1 serves from one process"
                 )
-            await asyncio.wait([asyncio.ensure_future(self._stopping.wait())], timeout=pause_s)
+            with suppress(TimeoutError):
+                async with asyncio.timeout(pause_s):
+                    await self._stopping.wait()
 
     def _report_end(self, worker: WorkerProcess, code: int, pause_s: float) -> None:
         how = f"by {signal.Signals(-code).name}" if code < 0 else f"with code {code}"

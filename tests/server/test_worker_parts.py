@@ -12,7 +12,9 @@ from pathlib import Path
 import pytest
 from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram
 
-from pointpred.errors import SourceError
+from pointpred.cli import live
+from pointpred.cli.serve import serve
+from pointpred.errors import ParameterError, SourceError
 from pointpred.server.compiling.alone import compiling_alone
 from pointpred.server.compiling.parts import Part
 from pointpred.server.listening import listen
@@ -124,6 +126,18 @@ def test_workers_that_end_at_once_are_not_started_for_ever(monkeypatch: pytest.M
     with pytest.raises(SourceError, match="every worker ends soon after its start"):
         asyncio.run(supervisor.run())
     assert not announced
+
+
+def test_a_system_that_hands_no_connections_over_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delattr(socket, "send_fds")
+    with pytest.raises(ParameterError, match="--workers 2: this system cannot hand connections"):
+        serve(workers=2, port=0)
+
+
+def test_a_device_is_served_by_one_process(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("POINTPRED_WORKERS", "2")
+    with pytest.raises(ParameterError, match="POINTPRED_WORKERS is 2, but a device is served from the one"):
+        live._page("127.0.0.1", 0)
 
 
 HOLDER = """
