@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import wraps
 from inspect import Parameter, Signature, signature
 from pathlib import Path
 from shutil import copyfileobj
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING, Annotated, Any, get_type_hints
+from typing import TYPE_CHECKING, Annotated, Any, Literal, get_type_hints, overload
 
 import typer
 
@@ -19,7 +19,7 @@ from pointpred.errors import ParameterError, PointpredError
 if TYPE_CHECKING:
     from pointpred.cli.progress import Advance
     from pointpred.recording import Recording
-    from pointpred.sources import Reading
+    from pointpred.sources import Reading, StoredRecording
 
 SAMPLE = "sample"
 """In the place of a file, unless there is one of that name: the embedded sample."""
@@ -83,7 +83,10 @@ def check_exists(value: Any) -> Any:
 
 
 def to_read(context: typer.Context, value: Any) -> Any:
-    """The recordings given: ``sample`` is the embedded one, ``-`` stdin, a pattern all files that fit it."""
+    """The recordings given: ``sample`` is the embedded one, ``-`` stdin, a pattern all files that fit it.
+
+    What lies at an address is copied to this machine first.
+    """
     if value is None:
         return None
     names = value if isinstance(value, list) else [value]
@@ -100,6 +103,10 @@ def _matches(context: typer.Context, value: Path) -> list[Path]:
     """The files that are meant by one argument; raises ParameterError where no file matches a pattern."""
     if str(value) == STDIN:
         return [_save_stdin(context)]
+    from pointpred.sources.files.addresses import address_in, local_copy
+
+    if address := address_in(value):
+        return [local_copy(address)]
     if value.exists() or not PATTERN.search(str(value)):
         return [value]
     files = sorted(Path(value.anchor).glob(str(value.relative_to(value.anchor))))
@@ -119,6 +126,10 @@ def _save_stdin(context: typer.Context) -> Path:
 
 def shown(file: Path) -> str:
     """How messages name a file: what came by stdin is ``-``."""
+    from pointpred.sources.files.addresses import address_of
+
+    if address := address_of(file):
+        return address
     spooled = file.name == SPOOLED and file.parent.name.startswith("pointpred-")
     return STDIN if spooled else str(file)
 
@@ -128,19 +139,33 @@ def is_sample(file: Path | None) -> bool:
     return file is not None and str(file) == SAMPLE and not file.exists()
 
 
-def recordings_in(file: Path, options: Reading, progress: Advance | None = None) -> list[Recording]:
+@overload
+def recordings_in(
+    file: Path, options: Reading, progress: Advance | None = None, *, stored: Literal[False] = False
+) -> list[Recording]: ...
+
+
+@overload
+def recordings_in(
+    file: Path, options: Reading, progress: Advance | None = None, *, stored: Literal[True]
+) -> list[Recording | StoredRecording]: ...
+
+
+def recordings_in(
+    file: Path, options: Reading, progress: Advance | None = None, *, stored: bool = False
+) -> Sequence[Recording | StoredRecording]:
     """The recordings of a file or folder, or the embedded sample; raises RecordingError.
 
-    ``progress`` is called before each file of a folder.
+    ``progress`` is called before each file of a folder. ``stored``: long files are not read into memory.
     """
     if is_sample(file):
         from pointpred.datasets import sample
 
         return [sample()]
-    from pointpred.sources import read_any
+    from pointpred.sources import open_any, read_any
 
     try:
-        return list(read_any(file, options, progress))
+        return (open_any if stored else read_any)(file, options, progress)
     except PointpredError as error:
         error.args = (str(error).replace(str(file), shown(file)),)
         raise

@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
-import msgspec
 import typer
 
 from pointpred.cli.coefficients import Coefficients, with_coefficients
+from pointpred.cli.executor_options import PANEL, ClusterAddress, Processes, Threads
 from pointpred.cli.output_files import check_targets, write_json
-from pointpred.cli.reading_options import Cpi, Dpi, recordings_in, shown, to_read, with_reading
+from pointpred.cli.reading_options import Cpi, Dpi, to_read, with_reading
+from pointpred.cli.score_inputs import Reasons, in_memory, in_memory_or_stored, leave_out
 from pointpred.console import remarks
-from pointpred.errors import ParameterError, PointpredError, RecordingError
+from pointpred.errors import ParameterError, RecordingError
 from pointpred.extras import require
 from pointpred.registry import REGISTRY, build
 
@@ -22,8 +23,6 @@ if TYPE_CHECKING:
     from pointpred.scoring import Unread
     from pointpred.sources import Reading
 
-Reasons = dict[str, str]
-"""Files that could not be read and recordings that could not be scored, and why."""
 WORST = 6
 """Trials with the largest errors that a report draws of each set."""
 
@@ -51,9 +50,16 @@ def score(
     targets: Annotated[
         bool, typer.Option("--targets", help="Score the choice of a target instead of the endpoint.")
     ] = False,
-    threads: Annotated[
-        int | None,
-        typer.Option(min=1, max=1024, help="Number of threads. Not given: one for each processor."),
+    threads: Threads = None,
+    processes: Processes = None,
+    cluster: ClusterAddress = None,
+    checkpoints: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FOLDER",
+            help="Keep the result of each chunk in this folder; the same command goes on from what is there.",
+            rich_help_panel=PANEL,
+        ),
     ] = None,
     seed: Annotated[int, typer.Option(min=0, help="Seed of the bootstrap intervals.")] = 0,
     coefficients: Coefficients = None,
@@ -77,6 +83,8 @@ def score(
       pointpred score session.csv --json - | jq '.sets[0].predictors'
 
       pointpred score --targets --predictors minimum-jerk
+
+      pointpred score million_samples.parquet --predictors switched --checkpoints done --cluster local
     """
     names = predictor_names(predictors)
     check_targets({"--json": json, "--report": report}, files or ())
@@ -88,36 +96,42 @@ def score(
         return
     if report is not None:
         require("report", "a report")  # before minutes of scoring
+    from pointpred.batch import score_in_chunks
     from pointpred.cli.progress import following
-    from pointpred.scoring import document
-    from pointpred.scoring import score as run
+    from pointpred.executors import open_executor
+    from pointpred.scoring import Document
+    from pointpred.scoring.scorer import scoring_with
+    from pointpred.scoring.summary.document import VERSION
 
-    with following() as progress:
-        recordings = _read(files, reading, reasons) if files else _sample()
-        scored = run(
-            recordings,
-            names,
-            threads=threads,
-            progress=progress,
-            cpi=cpi,
-            dpi=dpi,
-            seed=seed,
-            parameters=parameters,
-            failed=lambda recording, error: _left_out(reasons, recording.name, error),
-            worst=0 if report is None else WORST,
-        )
-    if report is not None and scored:
+    scoring = scoring_with(names, parameters=parameters, cpi=cpi, dpi=dpi, seed=seed)
+    sets, drawn = [], []
+    with (
+        open_executor(threads=threads, processes=processes, cluster=cluster) as executor,
+        following(events=True) as progress,
+    ):
+        sources = in_memory_or_stored(files, reading, reasons) if files else _sample()
+        for source in sources:
+            try:
+                scored = score_in_chunks(
+                    source, scoring, executor, checkpoints=checkpoints, progress=progress
+                )
+                sets.append(scored.summary())
+                if report is not None:
+                    drawn.append(scored.joined(WORST))
+            except Exception as error:  # whatever is wrong with one recording, the others are scored
+                leave_out(reasons, source.name, error)
+    if report is not None and drawn:
         from pointpred.report import write_report
 
-        write_report(scored, report)
-    scores = document(scored, _unread(reasons))
+        write_report(drawn, report)
+    scores = Document(VERSION, tuple(sets), tuple(_unread(reasons)))
     if json is not None:
         write_json(scores, json)
     if json is None or str(json) != "-":
         from pointpred.cli.tables import print_sets
 
         print_sets(scores.sets, drawn=report is not None)
-    if report is not None and scored:
+    if report is not None and drawn:
         remarks().print(f"report written: {report}", markup=False)
     if not any(one.trials for one in scores.sets):
         raise RecordingError("no trial could be scored; see the reasons above", code="nothing_scored")
@@ -140,9 +154,9 @@ def _score_targets(
     from pointpred.scoring.target_choice import TargetDocument
 
     reasons: Reasons = {}
-    recordings = _read(files, reading, reasons) if files else _sample()
+    recordings = in_memory(files, reading, reasons) if files else _sample()
     sets = target_summaries(
-        recordings, names, lambda one, error: _left_out(reasons, one.name, error), **settings
+        recordings, names, lambda one, error: leave_out(reasons, one.name, error), **settings
     )
     if json is not None:
         write_json(TargetDocument(VERSION, tuple(sets), tuple(_unread(reasons))), json)
@@ -178,44 +192,3 @@ def _sample() -> Iterator[Recording]:
 
     remarks().print("No recording given: scoring the embedded sample of simulated people.")
     yield sample()
-
-
-def _free_name(name: str, file: Path, names: Mapping[str, Path]) -> str:
-    """A name that no other recording has: with its folder before it where it is taken, then with a number."""
-    free, count = name, 1
-    while free in names:
-        folder = file.absolute() if file.is_dir() else file.absolute().parent
-        free = f"{folder.name}/{name}" + f"_{count}" * (count > 1)
-        count += 1
-    return free
-
-
-def _read(files: list[Path], reading: Reading, reasons: Reasons) -> Iterator[Recording]:
-    """The recordings one by one, so that only one is in memory; complains where a file cannot be read."""
-    names: dict[str, Path] = {}
-    for file in files:
-        try:
-            for recording in recordings_in(file, reading):
-                name = _free_name(recording.name, file, names)
-                if name != recording.name:
-                    first = shown(names[recording.name])
-                    note = f"{shown(file)} is called {name!r} here: {recording.name!r} is {first}"
-                    remarks().print(note, markup=False)
-                names[name] = file
-                yield msgspec.structs.replace(recording, name=name)
-        except (PointpredError, OSError) as error:
-            _left_out(reasons, shown(file), error)
-
-
-def read_all(files: list[Path], reading: Reading) -> list[Recording]:
-    """The recordings of files, each with a name of its own; complains where a file cannot be read."""
-    return list(_read(files, reading, {}))
-
-
-def _left_out(reasons: Reasons, name: str, error: Exception) -> None:
-    """Complain about a file that cannot be read or a recording that cannot be scored, and remember it."""
-    expected = isinstance(error, PointpredError | OSError)
-    reason = str(error) if expected else f"{type(error).__name__}: {error}"
-    reasons[name] = reason
-    message = reason if name in reason else f"{name}: {reason}"
-    remarks().print(f"left out: {message}", style="red", markup=False)

@@ -11,7 +11,7 @@ from rich.table import Table
 
 from pointpred.cli.output_files import check_targets, write_json
 from pointpred.cli.reading_options import to_read, with_reading
-from pointpred.cli.score import read_all
+from pointpred.cli.score_inputs import in_memory
 from pointpred.console import counted, plain, results
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.extras import require
@@ -78,7 +78,7 @@ def train(
     from pointpred.training.custom import train_custom
 
     with following() as advance:
-        recordings = [one for one in read_all(files, reading) if one.trials]
+        recordings = [one for one in in_memory(files, reading, {}) if one.trials]
         if not recordings:
             raise RecordingError("no recording to learn from could be read; see the reasons above")
         trained = train_custom(

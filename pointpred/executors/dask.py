@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from itertools import islice
@@ -23,6 +24,7 @@ class Cluster:
     def __init__(self, client: Any) -> None:
         self._client = client
         self.workers = sum(client.nthreads().values())
+        self.inner_threads = 1
 
     def each(self, function: Callable[[Item], Answer], items: Iterable[Item]) -> Iterator[tuple[int, Answer]]:
         """As every executor."""
@@ -67,7 +69,11 @@ def cluster(address: str, workers: int) -> Iterator[Cluster]:
     if address == LOCAL:
         with (
             local_cluster(
-                n_workers=workers, threads_per_worker=1, dashboard_address=None, memory_limit=0
+                n_workers=workers,
+                threads_per_worker=1,
+                dashboard_address="127.0.0.1:0",
+                memory_limit=0,
+                silence_logs=logging.ERROR,
             ) as local,
             client_of(local) as client,
         ):

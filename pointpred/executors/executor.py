@@ -17,6 +17,8 @@ class Executor(Protocol):
 
     workers: int
     """How many items are worked on at once."""
+    inner_threads: int
+    """How many threads the function may use where there is one item only."""
 
     def each(self, function: Callable[[Item], Answer], items: Iterable[Item]) -> Iterator[tuple[int, Answer]]:
         """The place of each item, from 0, and its answer, as they are done: in no particular order.

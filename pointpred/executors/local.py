@@ -18,6 +18,7 @@ class Caller:
     """No pool at all: the thread that asks does the work. A pool of one costs more than a short trial."""
 
     workers = 1
+    inner_threads = 1
 
     def each(self, function: Callable[[Item], Answer], items: Iterable[Item]) -> Iterator[tuple[int, Answer]]:
         """As every executor."""
@@ -30,6 +31,7 @@ class Pool:
     def __init__(self, pool: ThreadPoolExecutor | ProcessPoolExecutor, workers: int) -> None:
         self._pool = pool
         self.workers = workers
+        self.inner_threads = workers
 
     def each(self, function: Callable[[Item], Answer], items: Iterable[Item]) -> Iterator[tuple[int, Answer]]:
         """As every executor."""

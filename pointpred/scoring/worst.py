@@ -21,11 +21,7 @@ def worst_trials(
     The best is the one with the lowest mean error apart from ``hold``, which stands in where there is no
     other, or nothing to be better than. Trials in which the pipeline failed are left out.
     """
-    errors = _best(score)
-    failed = {(skip.user, skip.trial) for skip in errors.failed}
-    order = np.argsort(-errors.time_averaged, kind="stable").tolist()
-    names = [(one.trial.user, one.trial.trial) for one in score.trials]
-    chosen = [k for k in order if names[k] not in failed][:count]
+    errors, chosen = worst_of(score, count)
     return WorstTrials(
         errors.name,
         tuple(
@@ -38,6 +34,15 @@ def worst_trials(
             for k in chosen
         ),
     )
+
+
+def worst_of(score: SetScore, count: int) -> tuple[PredictorErrors, list[int]]:
+    """The set's best predictor, and the numbers of the trials on which it errs most, the worst first."""
+    errors = _best(score)
+    failed = {(skip.user, skip.trial) for skip in errors.failed}
+    order = np.argsort(-errors.time_averaged, kind="stable").tolist()
+    names = [(one.trial.user, one.trial.trial) for one in score.trials]
+    return errors, [k for k in order if names[k] not in failed][:count]
 
 
 def _best(score: SetScore) -> PredictorErrors:

@@ -2,8 +2,10 @@
 
 from pointpred.sources.conversion import Summary, convert, write_recordings
 from pointpred.sources.known_formats import FORMATS, Format, format_of
+from pointpred.sources.own.growing import write_in_parts
 from pointpred.sources.own.recordings import read, write
-from pointpred.sources.read_files import read_any
+from pointpred.sources.own.stored import StoredRecording
+from pointpred.sources.read_files import open_any, read_any
 from pointpred.sources.reading import Reading
 from pointpred.sources.trials.segmentation import Piece, cut_at_clicks, cut_at_pauses
 
@@ -12,13 +14,16 @@ __all__ = [
     "Format",
     "Piece",
     "Reading",
+    "StoredRecording",
     "Summary",
     "convert",
     "cut_at_clicks",
     "cut_at_pauses",
     "format_of",
+    "open_any",
     "read",
     "read_any",
     "write",
+    "write_in_parts",
     "write_recordings",
 ]

@@ -10,11 +10,13 @@ import msgspec
 
 from pointpred.errors import ColumnsError, MissingExtraError, RecordingError
 from pointpred.recording import Recording, Skip
+from pointpred.sources.files.addresses import address_in, local_copy
 from pointpred.sources.files.encodings import encoding_of, head_of
 from pointpred.sources.files.folders import list_files
 from pointpred.sources.files.names import readable_recording
 from pointpred.sources.known_formats import FORMATS, Format, format_of
 from pointpred.sources.own import recordings
+from pointpred.sources.own.stored import StoredRecording, stored
 from pointpred.sources.reading import AS_IS, Reading, TimeUnit
 from pointpred.sources.table_files import unsupported
 from pointpred.sources.trials.merge import join
@@ -39,6 +41,8 @@ def read_any(
 ) -> list[Recording]:
     """Read a recording of any known format, or every recording in a folder and the folders below it.
 
+    ``path`` may be an address of fsspec, such as ``s3://bucket/study.csv``: it is copied here first.
+
     A file's format is detected from its content. In a folder each own recording stays one; files of one
     foreign format (sessions, users) become one recording named after the folder they share. A file of no
     format is named in a note, one that cannot be read is a skip named after it; an error is raised only if
@@ -47,7 +51,7 @@ def read_any(
     Returns at least one recording; raises RecordingError naming the formats that were tried, ColumnsError
     for a table whose columns are not certain, and ParameterError for a keyword out of its bounds.
     """
-    path = Path(path)
+    path = _here(path)
     unused = {
         "columns": None if columns is None else dict(columns),
         "time_unit": time_unit,
@@ -60,6 +64,29 @@ def read_any(
     )
     parts = _folder(path, reading, progress) if path.is_dir() else [_file(path, reading)]
     return [readable_recording(recording) for recording in parts]
+
+
+def open_any(
+    path: str | Path, reading: Reading = AS_IS, progress: Progress | None = None
+) -> list[Recording | StoredRecording]:
+    """As ``read_any``, but the trials of a long Parquet file that pointpred wrote stay in the file.
+
+    Each person's and trial's rows must lie together there, and the trials file beside it must have the same
+    order, as ``write`` and ``write_in_parts`` do it; any other file is read into memory.
+    """
+    path = _here(path)
+    plain = msgspec.structs.replace(reading, cpi=AS_IS.cpi, dpi=AS_IS.dpi) == AS_IS
+    if plain and path.is_file() and path.suffix == ".parquet":
+        one = stored(path, recordings.trials_beside(path))
+        if one is not None:
+            return [one]
+    return list(read_any(path, reading, progress))
+
+
+def _here(path: str | Path) -> Path:
+    """A path, or the copy of what lies at an address."""
+    address = address_in(Path(path))
+    return Path(path) if address is None else local_copy(address)
 
 
 def _file(path: Path, reading: Reading) -> Recording:

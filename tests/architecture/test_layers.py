@@ -61,6 +61,7 @@ MAY_IMPORT = {
     "devices": MATHS | {"hid", "sources"},
     "console": set(),
     "datasets": PIPELINE | {"simulation", "sources"},
+    "batch": PIPELINE | {"executors", "scoring", "sources", "pointpred"},
     "training": PIPELINE | {"scoring", "sources", "pointpred"},
     "protocol": PIPELINE | {"targets", "scoring"},
     "server": PIPELINE | {"protocol", "targets", "simulation", "scoring", "sources", "datasets", "pointpred"},

@@ -121,7 +121,7 @@ def test_a_report_reads_each_recording_once(
         read.append(file)
         return read_any(file, *rest)
 
-    monkeypatch.setattr("pointpred.sources.read_any", counted)
+    monkeypatch.setattr("pointpred.sources.open_any", counted)
     report = tmp_path / "out.html"
     left = command("score", good, bad, "--predictors", "linear", "--report", report)
     assert left.code == 0

@@ -16,6 +16,7 @@ from pointpred.recording import Recording, Skip, Trial
 from pointpred.sources.reading import row_name
 from pointpred.sources.tables import arrow_tables
 from pointpred.sources.tables.column_table import IntArray
+from pointpred.sources.tables.header import Header
 from pointpred.sources.trials.conditions import TARGET, TRIAL_COLUMNS
 
 KEYS = ("dataset", "user", "trial")
@@ -45,6 +46,13 @@ def read_trials_table(
     if path is None:
         return TrialsTable([Trial(user, trial) for user, trial in keys])
     table, header = arrow_tables.read_table(path, lambda column: True)
+    return described(path, table, header, name, keys, sizes)
+
+
+def described(
+    path: Path, table: Any, header: Header, name: str, keys: Sequence[tuple[str, str]], sizes: IntArray
+) -> TrialsTable:
+    """``read_trials_table`` of the rows of a table that was read."""
     arrow_tables.need_columns(path, table.column_names, ("user", "trial"), table.column_names)
     arrow_tables.unbroken(
         path, table, (*TARGET, "n_samples", "clean", *(KEYS if header.rows is None else ()))
