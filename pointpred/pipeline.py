@@ -203,6 +203,24 @@ class Pipeline:
         return type(self)(self.name, self.differentiator.fresh(), self.predictor.fresh())
 
 
+def run_on(pipeline: Pipeline, columns: EventColumns, motions: FloatArray) -> PredictionColumns:
+    """``run`` where the motions of the events are known, as pipelines of one differentiator share them.
+
+    ``motions``: what a fresh differentiator with this one's parameters gives for ``columns``, whose first row
+    is marked ``begin``. The differentiator itself is left as it is. Raises what ``run`` raises.
+    """
+    memory = pipeline.predictor.remembered()
+    answers: FloatArray | None = None
+    try:
+        answers = pipeline.predictor.walk(columns.begin, motions)
+        if has_refusal(answers):
+            answers = None
+    finally:
+        if answers is None:
+            pipeline.predictor.recall(memory)
+    return run(pipeline, columns) if answers is None else PredictionColumns(answers)
+
+
 def run(pipeline: Pipeline, columns: EventColumns) -> PredictionColumns:
     """Consume a table of events and return a row of predictions for each.
 

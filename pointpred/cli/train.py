@@ -9,6 +9,7 @@ import msgspec
 import typer
 from rich.table import Table
 
+from pointpred.cli.executor_options import ClusterAddress, Processes, Threads
 from pointpred.cli.output_files import check_targets, write_json
 from pointpred.cli.reading_options import to_read, with_reading
 from pointpred.cli.score_inputs import in_memory
@@ -47,6 +48,9 @@ def train(
         typer.Option("--from-scratch", help="Do not start from the shipped coefficients; needs much data."),
     ] = False,
     seed: Annotated[int, typer.Option(min=0, help="Seed of everything that is drawn.")] = 1,
+    threads: Threads = None,
+    processes: Processes = None,
+    cluster: ClusterAddress = None,
     json: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Write the scores as JSON; - for stdout.")
     ] = None,
@@ -75,9 +79,13 @@ def train(
     coefficient_file.check_writable(out)
     require("train", "training")  # before minutes of reading
     from pointpred.cli.progress import following
+    from pointpred.executors import open_executor
     from pointpred.training.custom import train_custom
 
-    with following() as advance:
+    with (
+        open_executor(threads=threads, processes=processes, cluster=cluster) as executor,
+        following() as advance,
+    ):
         recordings = [one for one in in_memory(files, reading, {}) if one.trials]
         if not recordings:
             raise RecordingError("no recording to learn from could be read; see the reasons above")
@@ -87,6 +95,7 @@ def train(
             seed=seed,
             from_scratch=from_scratch,
             progress=advance or (lambda what, done, total: None),
+            executor=executor,
         )
     if json is not None:
         write_json(document(trained, out), json)

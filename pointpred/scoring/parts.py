@@ -13,7 +13,7 @@ from pointpred.pipeline import Pipeline
 from pointpred.predictors import KinematicPredictor
 from pointpred.recording import Recording, Skip
 from pointpred.scoring.measures.trial_measures import Claimed, TrialMeasures
-from pointpred.scoring.replay import Measured, Progress, measure
+from pointpred.scoring.replay import Measured, Progress, SharedMotions, measure
 from pointpred.scoring.results import ScoredTrial, SetScore
 from pointpred.scoring.trials import Prepared
 
@@ -53,12 +53,13 @@ def score_part(
     progress: Progress | None = None,
 ) -> ScoredPart:
     """Measure the trials of a part with every pipeline; ``clock``: the set's median duration, s."""
+    motions = SharedMotions(prepared) if threads == 1 else None
     return ScoredPart(
         prepared.trials,
         recording.skipped,
         prepared.skipped[len(recording.skipped) :],
         tuple(
-            measure(prepared, pipeline, clock, threads=threads, progress=progress)
+            measure(prepared, pipeline, clock, threads=threads, progress=progress, motions=motions)
             for pipeline in pipelines.values()
         ),
     )

@@ -17,6 +17,7 @@ import numpy as np
 import pointpred
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError, RecordingError
+from pointpred.executors import Executor
 from pointpred.extras import require
 from pointpred.pipeline import Pipeline
 from pointpred.predictors import KinematicPredictor
@@ -95,14 +96,15 @@ def train_custom(
     settings: Settings | None = None,
     variants: int = VARIANTS,
     progress: Progress = lambda what, done, total: None,
+    executor: Executor | None = None,
 ) -> TrainingResult:
     """Fit ``kinematic``'s coefficients to recordings, write them, and score them on what was held out.
 
     ``from_scratch``: begin with a network at random instead of the package's. The same recordings, seed and
-    settings write the same numbers on the same machine. The file is written last: an interruption leaves
-    none. Raises RecordingError for fewer than 50 movements, ParameterError for a recording in which nobody
-    moves, and, before any work, where ``path`` cannot be written or is the package's own file;
-    MissingExtraError where the extra ``train`` is not installed.
+    settings write the same numbers on the same machine, whatever the ``executor`` that collects examples. The
+    file is written last: an interruption leaves none. Raises RecordingError for fewer than 50 movements,
+    ParameterError for a recording in which nobody moves, and, before any work, where ``path`` cannot be
+    written or is the package's own file; MissingExtraError where the extra ``train`` is not installed.
     """
     require("train", "training")
     if path.resolve() == coefficient_file.OWN.resolve():
@@ -123,7 +125,7 @@ def train_custom(
         progress(what, count, steps)
 
     progress("reading movements", 0, steps)
-    data = training_data(material, seed, lambda _: None, variants, by_name=True)
+    data = training_data(material, seed, lambda _: None, variants, by_name=True, executor=executor)
     movements = sum(len(np.unique(part.trial)) for part in data.own)
     _check_enough(movements)  # some trials hold none
     if settings is None:

@@ -10,6 +10,8 @@ import msgspec
 import numpy as np
 
 from pointpred.errors import ParameterError
+from pointpred.executors import Executor
+from pointpred.executors.local import Caller
 from pointpred.recording import Recording
 from pointpred.training.examples import Examples, examples
 from pointpred.training.variants import varied
@@ -68,19 +70,54 @@ def numbered(recordings: list[Recording], *, by_name: bool = False) -> dict[str,
     return users
 
 
+class Collection(msgspec.Struct, frozen=True):
+    """One recording of which examples are made, as it is or in one of its variants."""
+
+    recording: Recording
+    number: int
+    users: dict[str, int]
+    seed: int
+    own: bool
+
+
 def training_data(
-    recordings: list[Recording], seed: int, log: Log, variants: int = VARIANTS, *, by_name: bool = False
+    recordings: list[Recording],
+    seed: int,
+    log: Log,
+    variants: int = VARIANTS,
+    *,
+    by_name: bool = False,
+    executor: Executor | None = None,
 ) -> TrainingData:
-    """Make the examples of recordings; ``by_name``: users of one name are one person in all of them."""
+    """Make the examples of recordings; ``by_name``: users of one name are one person in all of them.
+
+    ``executor``: where the recordings and their variants are worked on, by default here; the examples are the
+    same, bit for bit.
+    """
     users = numbered(recordings, by_name=by_name)
-    own, otherwise = [], []
-    for number, recording in enumerate(recordings):
-        own.append(examples(recording, number, users, seed))
-        for variant in range(variants):
-            seeds = seed + 1000 * (number + 1) + variant
-            otherwise.append(examples(varied(recording, seeds), number, users, seeds, own=False))
-        log(f"{recording.name}: {len(recording.trials)} trials, {len(own[-1].reach)} moments")
-    return TrainingData(tuple(recordings), tuple(own), tuple(otherwise), users)
+    collections = [
+        Collection(recording, number, users, seed if own else seed + 1000 * (number + 1) + variant, own)
+        for number, recording in enumerate(recordings)
+        for variant, own in [(0, True), *((variant, False) for variant in range(variants))]
+    ]
+    made = dict((executor or Caller()).each(collect, collections))
+    each = [
+        [made[number * (variants + 1) + k] for k in range(variants + 1)] for number in range(len(recordings))
+    ]
+    for recording, (own, *_) in zip(recordings, each, strict=True):
+        log(f"{recording.name}: {len(recording.trials)} trials, {len(own.reach)} moments")
+    return TrainingData(
+        tuple(recordings),
+        tuple(own for own, *_ in each),
+        tuple(one for _, *otherwise in each for one in otherwise),
+        users,
+    )
+
+
+def collect(one: Collection) -> Examples:
+    """The examples of one recording or variant."""
+    recording = one.recording if one.own else varied(one.recording, one.seed)
+    return examples(recording, one.number, one.users, one.seed, own=one.own)
 
 
 def read_sets(where: Path) -> list[Recording]:

@@ -11,6 +11,7 @@ import pytest
 
 from pointpred import EventColumns
 from pointpred.errors import ParameterError
+from pointpred.executors import open_executor
 from pointpred.predictors.kinematic import calibration as kinematic_calibration
 from pointpred.predictors.kinematic import coefficient_file, features
 from pointpred.predictors.kinematic import network as net
@@ -116,8 +117,10 @@ def test_the_law_computes_what_training_computes(material: data.TrainingData, tm
 
 def test_training_is_reproducible_to_the_byte(tmp_path: Path) -> None:
     files = []
-    for name in ("one.npz", "two.npz"):
-        made = data.training_data([reaches()], 1, lambda _: None, variants=1)
+    ways: dict[str, dict[str, int]] = {"one.npz": {"threads": 1}, "two.npz": {"processes": 2}}
+    for name, way in ways.items():
+        with open_executor(**way) as executor:
+            made = data.training_data([reaches()], 1, lambda _: None, variants=1, executor=executor)
         train.train(made, SMALL, tmp_path / name, lambda _: None)
         files.append((tmp_path / name).read_bytes())
     assert files[0] == files[1]
