@@ -239,10 +239,7 @@ COMMAND = (
 )
 
 
-@pytest.mark.parametrize("way", ["--threads", "--processes"])
-def test_killed_at_random_moments_it_goes_on_to_the_same_bytes(
-    way: str, short: Recording, tmp_path: Path
-) -> None:
+def test_killed_at_random_moments_it_goes_on_to_the_same_bytes(short: Recording, tmp_path: Path) -> None:
     samples, _ = write(short, tmp_path / "short.parquet")
     script = tmp_path / "run.py"
     script.write_text(COMMAND)
@@ -253,7 +250,7 @@ def test_killed_at_random_moments_it_goes_on_to_the_same_bytes(
             samples,
             "--predictors",
             "minimum-jerk",
-            way,
+            "--processes",
             "2",
             "--json",
             tmp_path / f"{name}.json",

@@ -59,7 +59,7 @@ def test_training_without_scipy_says_so_before_it_reads_anything(
     command: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     monkeypatch.setattr(extras, "find_spec", lambda name: None if name == "scipy" else name)
-    monkeypatch.setattr("pointpred.cli.train.read_all", lambda *_: pytest.fail("read first"))
+    monkeypatch.setattr("pointpred.cli.train.in_memory", lambda *_: pytest.fail("read first"))
     file = write(reaches(60), tmp_path / "me_samples.csv")[0]
     left = command("train", file, "--out", tmp_path / "me.npz")
     assert left.code == 1
