@@ -7,7 +7,7 @@ RUNS = .venv/.run
 READY = .venv/.ready
 INSTALL = -m pip install --quiet --disable-pip-version-check -c constraints.txt --editable
 
-.PHONY: run demo test check format bench load load-short page docs results train crossvalidate sample inputs audit fuzz fuzz-inputs clean help
+.PHONY: run demo test check format bench load load-short soak faults page docs results train crossvalidate sample inputs audit fuzz fuzz-inputs clean help
 
 help:  ## show these lines
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -41,6 +41,13 @@ load: $(READY)  ## measure delays under load, in 15 minutes; WORKERS=N of the se
 
 load-short: $(READY)  ## print the same tables in three minutes, from shorter runs; writes nothing
 	$(BIN)/python -m pages.load.measure --short $(if $(WORKERS),--workers '$(WORKERS)') $(if $(BEFORE),--before '$(BEFORE)')
+
+soak: $(READY)  ## mixed clients against a real service for MINUTES (60), every prediction compared
+	$(BIN)/python -m benchmarks.soak $(MINUTES)
+	$(BIN)/python -m pages
+
+faults: $(READY)  ## inject faults: full, read-only and slow disks, clocks, cut networks, signals, limits
+	$(BIN)/python -m pytest -q -m '' tests/faults tests/server/test_recorder_killed.py
 
 page: $(READY)  ## translate the laws to JavaScript, into server/web/laws
 	$(BIN)/python -m translation

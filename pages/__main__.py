@@ -28,6 +28,7 @@ from pages.readme import page as readme
 from pages.rendering import rendered
 from pages.results import page as results
 from pages.settings import page as settings
+from pages.soak import figure as soak_figure
 
 Context = Callable[[], dict[str, Any]]
 
@@ -64,7 +65,7 @@ PAGES_MADE: dict[str, tuple[str, Context]] = {
         f"docs/evidence/{name}.md": (name, measured(name))
         for name in (
             *("adaptation", "assistance", "camera", "desktop", "differentiators", "inputs"),
-            *("load", "places", "regions", "simulation", "switched", "thesis", "transfer"),
+            *("load", "places", "regions", "simulation", "soak", "switched", "thesis", "transfer"),
         )
     },
     "docs/reference/commands.md": ("commands", commands.context),
@@ -118,6 +119,7 @@ def main() -> None:
     results.save_figures()
     intent_figure.save()
     load_figure.save()
+    soak_figure.save()
     print(f"drew the results into {DOCS.relative_to(ROOT)}/figures")
 
 

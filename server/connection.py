@@ -127,6 +127,7 @@ class Connection:
         try:
             while stuck_s < STUCK_S + LINGER_S:
                 self._flush()
+                before = self._loop.time()
                 await asyncio.wait((self._over,), timeout=TICK_S)
                 if self._over.done():
                     self._over.result()
@@ -135,7 +136,8 @@ class Connection:
                 sent = self._sent
                 if stuck_s >= STUCK_S:
                     self.session.fail("slow", SLOW, 1013)
-                self.session.tick(self._loop.time())
+                now = self._loop.time()
+                self.session.tick(now, late_s=now - before - TICK_S)
         finally:
             self._end()
             self._socket.detach()

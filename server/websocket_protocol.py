@@ -40,6 +40,8 @@ FRAGMENTS_MOST = 64
 """Fragments of one message; our own clients send one."""
 CONTROL_FRAMES_PER_S = 100
 """Pings and pongs together."""
+LATE_S = 1.0
+"""A timer that is late by more than this shows that the process stood still."""
 PONG = bytes([0x80 | Opcode.PONG])
 
 
@@ -52,6 +54,7 @@ class BoundedWebSocketProtocol(WebSocketsSansIOProtocol):
 
     _upgrade_timer: asyncio.TimerHandle | None = None  # runs from the request on
     _abort_timer: asyncio.TimerHandle | None = None
+    _heard = True  # whether anything has come since the last ping
     _ended = False  # whether the client has been told why it ends: nothing more is received
     _pong: bytes | None = None  # the newest answer to a ping that has to wait
     _receiver: Receiver | None = None
@@ -143,6 +146,7 @@ class BoundedWebSocketProtocol(WebSocketsSansIOProtocol):
 
     def data_received(self, data: bytes) -> None:
         """Take in received data, no further than to the end of the session."""
+        self._heard = True
         if self._unparsed:
             data = self._unparsed + data
         if self._held or self._turn is not None:
@@ -300,9 +304,23 @@ class BoundedWebSocketProtocol(WebSocketsSansIOProtocol):
         else:
             self._refuse(None, close.reason, close.code)
 
+    def send_keepalive_ping(self) -> None:
+        """From now on something must come."""
+        self._heard = False
+        super().send_keepalive_ping()
+
     def keepalive_timeout(self) -> None:
-        """A client that leaves pings unanswered is gone."""
+        """A client that leaves a ping unanswered and sends nothing else is gone.
+
+        The answer may be behind frames that wait; and where this process stood still it may have come and
+        not been read.
+        """
         if self.close_sent:
+            return
+        now, patience_s = self.loop.time(), self.ping_timeout or 0.0
+        if self._heard or now - self.ping_sent_at > patience_s + LATE_S:
+            self._heard, self.ping_sent_at = False, now
+            self.pong_timer = self.loop.call_later(patience_s, self.keepalive_timeout)
             return
         super().keepalive_timeout()
         self._end(1011, "keepalive ping timeout", None)

@@ -16,13 +16,17 @@ class TokenBucket:
         left = self._left
         if now != self._since:
             if now > self._since:
-                left = min(self.most, left + (now - self._since) * self.most)
+                left = max(left, min(self.most, left + (now - self._since) * self.most))
             self._since = now
         self._left = left
         if count > left:
             return False
         self._left = left - count
         return True
+
+    def extend(self, seconds: float) -> None:
+        """Hold what comes in so many seconds, at most a minute's worth, until it is used."""
+        self._left = max(self._left, (1.0 + min(seconds, 60.0)) * self.most)
 
     def give_back(self, count: int) -> None:
         """Put back what was taken and not used."""

@@ -59,7 +59,7 @@ def prepare(folder: Path) -> bool:
     except OSError as error:
         raise SourceError(f"{folder}: cannot record there: {error.strerror}") from error
     if not os.access(folder, os.W_OK | os.X_OK):
-        raise SourceError(f"{folder}: cannot record there: this user may not write in it")
+        raise SourceError(f"{folder}: cannot record there: it is read-only, or not this user's")
     # Windows gives no such bits: who may look is decided by the lists of the folder above.
     return hasattr(os, "getuid") and bool(stat.S_IMODE(mode) & 0o077)
 

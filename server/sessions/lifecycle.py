@@ -18,6 +18,8 @@ Work = Callable[[], Callable[[], None]]
 """Takes long, and any thread may run it. It returns what is to be called in the thread of the session."""
 HELLO_S = 10.0
 """A client sends hello within this time."""
+LATE_S = 1.0
+"""A process that is late by more than this stood still: it was stopped, or the machine slept."""
 SLOW = "the answers are not read"
 FAILED = "the server failed; the session ends"
 
@@ -133,8 +135,15 @@ class Session:
         """Take in a frame of a size that is allowed; raises ProtocolError."""
         raise NotImplementedError
 
-    def tick(self, now: float) -> None:
-        """End a session that is silent for too long or whose answers are not read."""
+    def tick(self, now: float, late_s: float = 0.0) -> None:
+        """End a session that is silent for too long or whose answers are not read.
+
+        ``late_s``: how much later than it was due this is called. So long nobody could receive anything,
+        because the process stood still, and what came meanwhile comes all at once.
+        """
+        if late_s > LATE_S:
+            self.last_received += late_s
+            self._quota.extend(late_s)
         if self.waits_for_compiler:
             self.last_received = now
         silent_s = now - self.last_received

@@ -33,6 +33,12 @@ class Quota:
         self._share = SHARE * max(1.0, limits.max_events_per_s / USUAL.max_events_per_s)
         self._costs = TokenBucket(self._share, now)
 
+    def extend(self, seconds: float) -> None:
+        """So long nothing was received, and all of it comes now."""
+        self.events.extend(seconds)
+        self._messages.extend(seconds)
+        self._costs.extend(seconds)
+
     def check_size(self, frame: str | bytes) -> None:
         """The bytes of a frame; the session ends where it holds more."""
         most, size = self.limits.max_frame_bytes, len(frame)

@@ -38,7 +38,7 @@ class ViewingSession(Session):
         self._source = source
         self._send_status()
 
-    def tick(self, now: float) -> None:
+    def tick(self, now: float, late_s: float = 0.0) -> None:
         """Send how the reading goes, unless the last status is still unread."""
         if self.state is State.CLOSED:
             return

@@ -89,6 +89,10 @@ class WorkerProcess:
         """How long it has not answered."""
         return time.monotonic() - self.answered_at
 
+    def excuse(self, seconds: float) -> None:
+        """For so long nobody could hear it."""
+        self.answered_at += seconds
+
     def hand(self, connection: socket.socket) -> bool:
         """Give it a connection; False where it takes none now."""
         try:

@@ -43,6 +43,8 @@ SILENT_S = 3.0
 """A worker that has not answered for so long is given no connection while others answer."""
 HUNG_S = 60.0
 """A worker that has not answered for so long is killed and started again."""
+LATE_S = 1.0
+"""Where this process is late by more than this, it stood still itself, and heard no answer."""
 COLLECT_S = 1.0
 """So long the metrics wait for a worker; then those that it sent last are shown."""
 STOP_S = 12.0
@@ -173,9 +175,13 @@ class Supervisor:
     async def _watch(self) -> None:
         """Ask each worker for its metrics again and again; kill one that hangs."""
         while True:
+            before = time.monotonic()
             await asyncio.sleep(WATCH_S)
             await self._collect()
+            late_s = time.monotonic() - before - WATCH_S - COLLECT_S
             for worker in self.workers.values():
+                if late_s > LATE_S:
+                    worker.excuse(late_s)
                 if worker.started and worker.silent_s > HUNG_S:
                     log.error("worker %d has not answered for %g s and is killed", worker.number, HUNG_S)
                     worker.kill()

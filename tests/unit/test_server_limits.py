@@ -152,6 +152,18 @@ def test_a_refusal_takes_nothing_and_a_clock_that_stands_gives_nothing() -> None
     assert rate.take(5, -4.5)
 
 
+def test_what_comes_after_the_process_stood_still_is_within_the_budget() -> None:
+    rate = TokenBucket(10, 0.0)
+    assert rate.take(10, 0.0)
+    rate.extend(3.0)
+    assert rate.take(40, 4.0)
+    assert not rate.take(1, 4.0)
+    rate.extend(1e6)
+    assert rate.take(610, 5.0)
+    assert not rate.take(1, 5.0)
+    assert not rate.take(11, 6.0)
+
+
 def targets(count: int) -> dict[str, Any]:
     one = {"x": 0, "y": 0, "width": 1, "height": 1}
     return {"type": "targets", "targets": [{"id": str(i), **one} for i in range(count)]}

@@ -185,6 +185,14 @@ def test_a_silent_client_is_given_up(after: float, closed: int | None) -> None:
     assert [answer["code"] for answer in talk.hear()] == (["idle"] if closed else [])
 
 
+@pytest.mark.parametrize(("late_s", "closed"), [(0.5, 1008), (30.0, None), (29.8, 1008)])
+def test_time_in_which_the_process_stood_still_is_no_silence(late_s: float, closed: int | None) -> None:
+    talk = Talk()
+    talk.say(events(ROW), 5.0)
+    talk.session.tick(94.9, late_s=late_s)
+    assert talk.closed == closed
+
+
 def test_a_frame_that_is_refused_is_a_sign_of_life() -> None:
     talk = Talk(idle_s=1.0)
     talk.say("{", 1.5)

@@ -1,0 +1,100 @@
+"""What a soak must show, judged from what was seen."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import msgspec
+import numpy as np
+
+from benchmarks.soak.reports import delay_of
+from benchmarks.soak.usage import Usage
+
+MEMORY_MB, DELAY_SHARE = 2.0, 0.2
+WARM_S, WINDOW_S = 300.0, 300.0
+
+
+class Second(msgspec.Struct):
+    """One look at the service, and the delays since the one before."""
+
+    usage: Usage
+    delays: dict[int, int]
+
+
+class Verdict(msgspec.Struct):
+    """One thing that was wanted."""
+
+    wanted: str
+    seen: str
+    holds: bool
+
+
+def windows(seconds: list[Second]) -> tuple[list[Second], list[Second]]:
+    """The first and the last minutes that are compared: five each after five of warm-up, or a third each."""
+    lasted = seconds[-1].usage.at_s
+    warm, window = min(WARM_S, lasted / 3), min(WINDOW_S, lasted / 3)
+    first = [one for one in seconds if warm <= one.usage.at_s < warm + window]
+    last = [one for one in seconds if one.usage.at_s >= lasted - window]
+    return first, last
+
+
+def percentile_ms(seconds: list[Second], percent: float) -> float:
+    """A percentile of the delays, to 1 %; NaN where there are none."""
+    delays: Counter[int] = Counter()
+    for one in seconds:
+        delays.update(one.delays)
+    if not delays:
+        return float("nan")
+    bins = sorted(delays)
+    reached = np.cumsum([delays[number] for number in bins])
+    return 1e3 * delay_of(bins[int(np.searchsorted(reached, percent / 100 * reached[-1]))])
+
+
+def judge(
+    seconds: list[Second], wrong: list[str], counts: Counter[str], before: Usage, after: Usage, lost: int
+) -> list[Verdict]:
+    """Every verdict. ``before`` and ``after``: without clients; ``lost``: events that the recorder lost."""
+    first, last = windows(seconds)
+
+    def middle(part: list[Second], name: str) -> float:
+        return float(np.median([getattr(one.usage, name) for one in part]))
+
+    verdicts = []
+    memory = [middle(part, "memory_mb") for part in (first, last)]
+    verdicts.append(
+        Verdict(
+            f"memory grows by at most {MEMORY_MB:g} MB after warm-up",
+            f"{memory[0]:.1f} MB, then {memory[1]:.1f} MB",
+            memory[1] - memory[0] <= MEMORY_MB,
+        )
+    )
+    for name in ("threads", "descriptors"):
+        now, then = middle(first, name), middle(last, name)
+        rest, end = getattr(before, name), getattr(after, name)
+        allowed = max(1.0, 0.05 * now)  # how many connections there are at a moment is chance
+        seen = f"{now:g}, then {then:g}; without clients {rest} before, {end} after"
+        verdicts.append(
+            Verdict(
+                f"{name} are constant",
+                seen,
+                abs(then - now) <= allowed and (name == "threads" or end <= rest),
+            )
+        )
+    delay = [percentile_ms(part, 99) for part in (first, last)]
+    verdicts.append(
+        Verdict(
+            f"p99 of the last minutes is at most {DELAY_SHARE:.0%} above the first",
+            f"{delay[0]:.2f} ms, then {delay[1]:.2f} ms",
+            delay[1] <= (1 + DELAY_SHARE) * delay[0],
+        )
+    )
+    compared = counts["predictions compared"]
+    verdicts.append(
+        Verdict(
+            "every prediction and every recorded row is that of an offline run",
+            f"{compared} predictions and {counts['events sent']} events compared, {len(wrong)} complaints",
+            not wrong and compared > 0,
+        )
+    )
+    verdicts.append(Verdict("the recorder loses nothing", f"{lost} events lost", lost == 0))
+    return verdicts
