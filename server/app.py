@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import logging
 from collections.abc import AsyncIterator, Callable
 from typing import Any
 
@@ -23,6 +24,7 @@ from pointpred.server.endpoints import NO_DEVICE, LiveEndpoint, StreamEndpoint
 from pointpred.server.http_responses import (
     SECURITY_HEADERS,
     bad_request,
+    error_response,
     guard,
     http_error,
     json_response,
@@ -42,7 +44,10 @@ from pointpred.server.openapi import (
 )
 from pointpred.server.page import WEB, page
 from pointpred.server.service import Service
+from pointpred.server.uploads.process import Task
 from pointpred.server.uploads.receiving import UploadError, received_body
+
+log = logging.getLogger("pointpred.service")
 
 SCRIPT = "text/javascript"
 CLIENT_MODULE = 'export * from "./web/pointpred.js";\n'
@@ -208,23 +213,27 @@ def _live(request: Request) -> Response:
 
 async def _score(request: Request, predictors: str = "") -> Response:
     """The scores of a recording: the body is a file of text or Parquet; nothing is kept."""
-    from pointpred.server.uploads.recordings import score_body
-
-    service: Service = request.app.state.service
-    names = _names(predictors)
-    async with received_body(request, service) as body:
-        await service.compiler.until([*(names or REGISTRY), TRIALS])
-        async with service.scoring:  # one at a time: sessions go first
-            return json_response(await asyncio.to_thread(score_body, body, names, request.query_params))
+    return await _process(request, "score", _names(predictors))
 
 
 async def _recording(request: Request) -> Response:
     """The movements of a recording in any format of text, or Parquet, as rows; nothing is kept."""
-    from pointpred.server.uploads.recordings import open_body
+    return await _process(request, "open", ())
 
+
+async def _process(request: Request, task: Task, names: tuple[str, ...]) -> Response:
+    """Have an upload opened or scored by another process."""
     service: Service = request.app.state.service
-    async with received_body(request, service) as body, service.scoring:  # one at a time: sessions go first
-        return json_response(await asyncio.to_thread(open_body, body, request.query_params))
+    async with received_body(request, service) as body:
+        if task == "score":
+            await service.compiler.until([*(names or REGISTRY), TRIALS])
+        async with service.scoring:  # one at a time: sessions go first
+            query = dict(request.query_params)
+            outcome, response = await asyncio.to_thread(service.upload_process.run, task, body, names, query)
+    if outcome.failed is not None:
+        log.error("an upload failed", extra={"error": outcome.failed})
+        return error_response("internal", "the server failed", 500)
+    return Response(response, outcome.status, media_type="application/json")
 
 
 def _names(text: str) -> tuple[str, ...]:

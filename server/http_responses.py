@@ -8,12 +8,11 @@ import msgspec
 from fastapi import Request, Response
 from starlette.exceptions import HTTPException
 
-from pointpred.errors import ColumnsError, PointpredError
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.server_messages import Code, encode
 from pointpred.server.access import admits_origin, has_token, header, origin_advice
 from pointpred.server.endpoints import TOKEN_NEEDED
-from pointpred.server.uploads.receiving import UploadError
+from pointpred.server.refusals import refusal_of
 
 SECURITY_HEADERS = {
     "Content-Security-Policy": "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; "
@@ -79,15 +78,9 @@ async def server_error(request: Request, error: Exception) -> Response:
 
 async def bad_request(request: Request, error: Exception) -> Response:
     """422 for what cannot be used; 404 where a sample of that name is not there."""
-    if isinstance(error, ColumnsError):
-        shape = msgspec.to_builtins(ProtocolError("columns", str(error)).answer)
-        names = ("columns", "guess", "time_unit", "reason")
-        return json_response(shape | {name: getattr(error, name) for name in names}, 422)
-    status = 404 if request.url.path.startswith("/v1/samples/") else 422
-    if not isinstance(error, PointpredError):
-        return error_response("bad_field", str(error), status)
-    code: Code = "unknown_predictor" if error.code == "unknown_predictor" else "bad_field"
-    return error_response(code, str(error), status, field=error.field, value=error.value)
+    status, body = refusal_of(error)
+    missing = request.url.path.startswith("/v1/samples/")
+    return Response(body, 404 if missing else status, media_type="application/json")
 
 
 async def http_error(request: Request, error: Exception) -> Response:
@@ -111,8 +104,8 @@ async def http_error(request: Request, error: Exception) -> Response:
 
 async def upload_error(request: Request, error: Exception) -> Response:
     """An upload that is refused; the rest of its body is not read."""
-    assert isinstance(error, UploadError)
-    response = error_response(error.code, str(error), error.status)
-    if error.status == 408:
+    status, body = refusal_of(error)
+    response = Response(body, status, media_type="application/json")
+    if status == 408:
         response.headers["Connection"] = "close"
     return response

@@ -23,6 +23,7 @@ from pointpred.server.sessions.pointing import PointingSession
 from pointpred.server.sessions.prediction_stream import SessionObserver
 from pointpred.server.sessions.viewing import ViewingSession
 from pointpred.server.settings import Settings
+from pointpred.server.uploads.process import UploadProcess
 
 log = logging.getLogger("pointpred.service")
 
@@ -69,6 +70,8 @@ class Service:
         """Recordings that are received, wait to be scored or are scored."""
         self.scorer = ThreadPoolExecutor(1, "trials")
         """Scores the trials of sessions, one at a time."""
+        self.upload_process = UploadProcess()
+        """Opens and scores recordings."""
         self.live: LiveFeed | None = None
         """The attached device, where there is one."""
         self.peers: Peers | None = None
@@ -174,6 +177,7 @@ class Service:
 
     def shut_down(self) -> None:
         """Write what is recorded, and end the threads."""
+        self.upload_process.end()
         self.scorer.shutdown(wait=False, cancel_futures=True)
         if self.recorder is not None:
             self.recorder.close()

@@ -16,6 +16,7 @@ MOST_ROWS = 500_000
 MOST_COLUMNS = 32
 MOST_UNPACKED = 2**27
 """Bytes; reading needs a few times as many."""
+BATCH_ROWS = 2**14
 MOST_TEXT = 2**25
 """Bytes of unpacked text; reading it as JSON needs about twenty times as many."""
 NO_TEXT = "the recording is neither text nor Parquet; 'pointpred convert' reads other files"
@@ -64,6 +65,7 @@ def _check_parquet(body: bytes) -> None:
         size = sum(group.total_byte_size for group in groups)
         check_most("bytes", max(size, 8 * about.num_rows * about.num_columns), MOST_UNPACKED)
         text_columns = _text_columns(about.schema.to_arrow_schema())
+        _count_rows(file, text_columns)
         if text_columns:
             with pq.ParquetFile(file, read_dictionary=text_columns) as opened:
                 size += sum(_text_bytes(column) for column in opened.read(columns=text_columns).columns)
@@ -72,6 +74,22 @@ def _check_parquet(body: bytes) -> None:
         raise
     except UNREADABLE as error:
         raise RecordingError(f"the recording: {' '.join(str(error).split())}") from None
+
+
+def _count_rows(file: Any, text_columns: list[str]) -> None:
+    """Count the rows that a file really holds: what it declares may be false.
+
+    They are read in batches, a column at a time, so that no more is in memory than is allowed.
+    """
+    import pyarrow.parquet as pq
+
+    with pq.ParquetFile(file, read_dictionary=text_columns) as opened:
+        for column in range(opened.metadata.num_columns):
+            name = opened.metadata.schema.column(column).path
+            rows = 0
+            for batch in opened.iter_batches(BATCH_ROWS, columns=[name], use_threads=False):
+                rows += len(batch)
+                check_most("rows", rows, MOST_ROWS)
 
 
 def _text_columns(schema: Any) -> list[str]:

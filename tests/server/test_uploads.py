@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import gzip
 import io
+import signal
 import socket as socket_module
+import subprocess
+import sys
 import threading
 from collections.abc import Iterator
 from typing import Any
@@ -67,13 +70,41 @@ def test_a_small_file_of_many_rows_is_refused_before_it_is_unpacked(service: Run
 
 
 def test_a_small_file_of_long_words_is_refused_before_it_is_unpacked(
-    service: Running, monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     body = parquet(**columns(300_000, "x" * 1000))
     assert len(body) < 100_000
     monkeypatch.setattr(recordings, "read_any", lambda path, reading: pytest.fail("it was unpacked"))
-    message = refused(post(f"{service.url}/v1/score", content=body, timeout=PATIENCE_S), 413, "too_large")
-    assert f"{MOST_UNPACKED} bytes" in message
+    with pytest.raises(UploadError, match=f"{MOST_UNPACKED} bytes"):
+        score_body(body, ("hold",))
+
+
+def declaring(rows: int, body: bytes) -> bytes:
+    """The same Parquet file, whose footer says that it holds so many rows; its group of rows has them all."""
+    metadata = pq.read_metadata(io.BytesIO(body))
+    true = packed_number(metadata.num_rows)
+    false = packed_number(rows, len(true))
+    size = int.from_bytes(body[-8:-4], "little")
+    footer = body[-8 - size : -8]
+    return body[: -8 - size] + footer.replace(true, false, 1) + body[-8:]
+
+
+def packed_number(number: int, size: int = 0) -> bytes:
+    """A whole number as the footer of a Parquet file has it, in at least so many bytes."""
+    number, parts = 2 * number, []
+    while number > 127 or len(parts) < size - 1:
+        parts.append(number & 127 | 128)
+        number >>= 7
+    return bytes([*parts, number])
+
+
+def test_rows_are_counted_as_they_are_whatever_the_footer_says() -> None:
+    file = io.BytesIO()
+    pq.write_table(pa.table(columns(600_000)), file, compression="zstd", row_group_size=10**6)
+    body = declaring(100, file.getvalue())
+    assert pq.read_metadata(io.BytesIO(body)).num_rows == 100
+    with pytest.raises(UploadError, match=f"at most {MOST_ROWS} rows"):
+        check_unpacked(body)
 
 
 @pytest.mark.parametrize(
@@ -178,25 +209,63 @@ def test_an_upload_that_was_given_up_leaves_its_place(monkeypatch: pytest.Monkey
 
 
 def test_sessions_go_on_while_a_recording_is_scored(monkeypatch: pytest.MonkeyPatch) -> None:
-    scoring, held = threading.Event(), threading.Event()
-
-    def slow(body: bytes, names: tuple[str, ...], told: object) -> dict[str, Any]:
-        scoring.set()
-        assert held.wait(PATIENCE_S)
-        return {}
-
-    monkeypatch.setattr("pointpred.server.uploads.recordings.score_body", slow)
     with running() as here, here.greeted() as socket:
         options = {"content": CSV, "timeout": PATIENCE_S}
-        asking = threading.Thread(target=post, args=(f"{here.url}/v1/score",), kwargs=options)
+        assert post(f"{here.url}/v1/recording", **options).status_code == 200
+        process = here.service.upload_process._process
+        assert process is not None
+        process.send_signal(signal.SIGSTOP)  # it is at work for as long as we like
+        answers: list[Response] = []
+        asking = threading.Thread(target=lambda: answers.append(post(f"{here.url}/v1/recording", **options)))
         asking.start()
-        assert scoring.wait(PATIENCE_S)
+        soon(lambda: here.service.uploads == 1, "it has come")
         socket.send('{"type":"events","events":[[1,5,6,null,null,0]]}')
         assert '"prediction"' in str(socket.recv(PATIENCE_S))
         assert get(f"{here.url}/healthz", timeout=PATIENCE_S).status_code == 200
-        held.set()
+        process.send_signal(signal.SIGCONT)
         asking.join(PATIENCE_S)
-        assert not asking.is_alive()
+        assert [answer.status_code for answer in answers] == [200]
+
+
+def test_a_recording_that_takes_too_long_is_refused_and_the_next_one_is_taken(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    with running() as here:
+        options = {"content": CSV, "timeout": PATIENCE_S}
+        assert post(f"{here.url}/v1/recording", **options).status_code == 200
+        process = here.service.upload_process._process
+        assert process is not None
+        process.send_signal(signal.SIGSTOP)
+        monkeypatch.setattr("pointpred.server.uploads.process.SCORE_S", 0.2)
+        message = refused(post(f"{here.url}/v1/recording", **options), 413, "too_large")
+        assert "pointpred score" in message
+        monkeypatch.setattr("pointpred.server.uploads.process.SCORE_S", PATIENCE_S)
+        assert post(f"{here.url}/v1/recording", **options).status_code == 200
+
+
+def test_what_takes_more_memory_than_allowed_is_refused() -> None:
+    lines = (
+        "import sys; from pointpred.server.uploads import process\n"
+        "process.MEMORY_BYTES = 2**26; process._bound_memory(); bytearray(2**27)"
+    )
+    done = subprocess.run([sys.executable, "-c", lines], capture_output=True, text=True, check=False)
+    assert "MemoryError" in done.stderr
+
+
+def test_the_service_stops_beside_a_recording_that_is_being_scored() -> None:
+    with running() as here:
+        options = {"content": CSV, "timeout": PATIENCE_S}
+        assert post(f"{here.url}/v1/recording", **options).status_code == 200
+        process = here.service.upload_process._process
+        assert process is not None
+        process.send_signal(signal.SIGSTOP)
+        asking = threading.Thread(target=lambda: post(f"{here.url}/v1/recording", **options))
+        asking.daemon = True
+        asking.start()
+        soon(lambda: here.service.uploads == 1, "it has come")
+        here.service.upload_process.end()
+        asking.join(PATIENCE_S)
+        assert process.wait(PATIENCE_S) != 0
 
 
 def test_a_gzip_file_is_measured_as_it_is_unpacked() -> None:
