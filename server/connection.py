@@ -31,9 +31,12 @@ client has left. A client that sends more than this is read again after the wait
 
 
 class Refusal(NamedTuple):
-    """Why the protocol below has ended a connection; the client has been told."""
+    """Why the protocol below has ended a connection; the client has been told.
 
-    code: Code
+    ``code`` is ``None`` for what breaks the rules of WebSockets, for which there is no code of ours.
+    """
+
+    code: Code | None
     message: str
     close: int
 
@@ -168,8 +171,10 @@ class Connection:
     def disconnect(self, refusal: Refusal | None) -> None:
         """The client has left, or was refused by the protocol; what it sent before is still taken in."""
         self._left = True
-        if refusal is not None:
-            self.session.fail(*refusal)
+        if refusal is not None and refusal.code is None:
+            self.session.end(refusal.close, refusal.message)
+        elif refusal is not None and refusal.code is not None:
+            self.session.fail(refusal.code, refusal.message, refusal.close)
         if self._preparation is not None or not self._waiting:
             self._end()
 

@@ -6,7 +6,9 @@ import asyncio
 import errno
 import http.client
 import logging
+import signal
 import socket
+import threading
 import time
 from collections.abc import Callable
 
@@ -175,10 +177,19 @@ def web_config(hosts: HostRule, service: Service) -> uvicorn.Config:
     )
 
 
+def _stop_at_hangup(server: PointpredServer) -> None:
+    """Stop at SIGHUP, which a terminal that is closed sends, as at SIGTERM; ``nohup`` has it ignored."""
+    hangup = getattr(signal, "SIGHUP", None)
+    in_main_thread = threading.current_thread() is threading.main_thread()
+    if hangup is not None and in_main_thread and signal.getsignal(hangup) is signal.SIG_DFL:
+        signal.signal(hangup, server.handle_exit)
+
+
 def serve(opened: socket.socket, hosts: HostRule, service: Service, announce: Callable[[], None]) -> None:
     """Answer on a listening socket until interrupted; ``announce`` is called when the page can be opened."""
     server = make_server(hosts, service, announce)
     tune_collector()
+    _stop_at_hangup(server)
     try:
         with opened:
             server.run([opened])

@@ -365,7 +365,7 @@ class BoundedWebSocketProtocol(WebSocketsSansIOProtocol):
         self.stop_keepalive()
         self.queue.put_nowait({"type": "websocket.disconnect", "code": close, "reason": reason})
         if self._receiver is not None:
-            self._receiver.disconnect(None if refused is None else Refusal(refused, reason, close))
+            self._receiver.disconnect(Refusal(refused, reason, close))
         self._linger()
 
     def _linger(self) -> None:

@@ -73,7 +73,7 @@ def listing(folder: Path, *, counted: bool = True) -> list[Recorded]:
     try:
         for path in sorted(folder.iterdir()):
             matched = _file.fullmatch(path.name)
-            if matched is not None and not path.is_dir():
+            if matched is not None and path.is_file():  # a pipe would be waited for
                 sessions.setdefault(matched["name"], []).append(path)
     except OSError as error:
         raise SourceError(f"{folder}: cannot be listed: {error.strerror}") from error

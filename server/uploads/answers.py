@@ -9,10 +9,10 @@ import pyarrow.parquet  # noqa: F401 - loaded before the memory is bounded
 
 from pointpred.errors import PointpredError
 from pointpred.server.logs import place_of
-from pointpred.server.refusals import refusal_of
 from pointpred.server.uploads.process import TOO_DEAR, Order
 from pointpred.server.uploads.receiving import UploadError
 from pointpred.server.uploads.recordings import open_body, score_body
+from pointpred.server.uploads.refusals import refusal_of
 
 
 def answer(order: Order, body: bytes) -> tuple[int, bytes, str | None]:

@@ -118,3 +118,26 @@ def test_pings_of_a_client_that_does_not_read_leave_the_memory_flat(monkeypatch:
             part = mute.recv(2**16)
             assert part, "closed"
             heard += part
+
+
+@pytest.mark.parametrize(
+    ("frames", "close"),
+    [
+        pytest.param(
+            raw(Opcode.TEXT, b"\xff") + raw(Opcode.CLOSE, b"\x03\xe8"), 1007, id="text that is no UTF-8"
+        ),
+        pytest.param(b"\xf1\x80\0\0\0\0", 1002, id="reserved bits"),
+    ],
+)
+def test_what_breaks_the_rules_of_websockets_is_counted_by_its_code_and_logs_no_error(
+    frames: bytes, close: int, caplog: pytest.LogCaptureFixture
+) -> None:
+    with running() as here:
+        with here.greeted() as socket:
+            throw(socket, frames)
+            with pytest.raises(ConnectionClosed):
+                socket.recv(PATIENCE_S)
+        value = here.service.metrics.registry.get_sample_value
+        ended = partial(value, "pointpred_sessions_ended_total", {"code": str(close)})
+        soon(lambda: ended() == 1.0, "its session is over")
+    assert not [entry for entry in caplog.records if entry.levelno >= 30]

@@ -107,3 +107,8 @@ def test_every_file_is_closed_whatever_the_first_says(
     monkeypatch.undo()
     assert complained == opened
     files.close()
+
+
+def test_a_pipe_with_the_name_of_a_recording_is_not_waited_for(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "20260102T030405Z-one_samples.csv")
+    assert listing(tmp_path) == []

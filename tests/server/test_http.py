@@ -139,7 +139,7 @@ def talk(socket: ClientConnection, heard: list[str], then: Callable[[], None]) -
             then()
 
 
-@pytest.mark.parametrize("stop", [signal.SIGTERM, signal.SIGINT])
+@pytest.mark.parametrize("stop", [signal.SIGTERM, signal.SIGINT, signal.SIGHUP])
 def test_a_stopped_process_says_bye_in_the_middle_of_traffic(stop: signal.Signals) -> None:
     with started() as (process, address):
         url = address.replace("http", "ws") + "v1/stream"
