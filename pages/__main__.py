@@ -13,6 +13,7 @@ from typing import Any
 from pages import DOCS, PAGES, ROOT, data
 from pages.arguments import parse
 from pages.asyncapi import document as asyncapi
+from pages.attacks import page as attacks
 from pages.commands import page as commands
 from pages.errors import page as errors
 from pages.intent import figure as intent_figure
@@ -50,6 +51,7 @@ def several(**parts: str) -> Context:
 COSTS = ("events", "service", "proxies", "spread", "devices", "first_start", "opening", "in_page")
 PAGES_MADE: dict[str, tuple[str, Context]] = {
     "docs/evidence/results.md": ("results", results.context),
+    "docs/evidence/attacks.md": ("attacks", attacks.context),
     "docs/evidence/intent.md": ("intent", intent.context),
     "docs/evidence/kinematic.md": ("kinematic", kinematic.context),
     "docs/evidence/ktm.md": ("ktm", ktm.context),

@@ -19,10 +19,9 @@ import sys
 import tempfile
 from pathlib import Path
 
-import msgspec
-
 from benchmarks.machine import machine
 from pages import PAGES
+from pages.attacks.page import Run
 from pages.data import read, write
 from tests.fuzz.targets import TARGETS
 
@@ -34,23 +33,6 @@ KEPT_BYTES = 2**15
 TIMEOUT_S, MEMORY_MIB = 20, 2048
 """An input that takes longer, or a process that takes more, is a breach."""
 REACHED = re.compile(r"cov: (\d+)")
-
-
-class Run(msgspec.Struct, frozen=True):
-    """What a fuzzer did with one target."""
-
-    seconds: int
-    executions: int
-    edges: int
-    slowest_s: int
-    """The slowest input, in whole seconds."""
-    most_mib: int
-    """Of the whole process, which holds the compiler as well."""
-    kept: int
-    """Inputs in the corpus afterwards."""
-    breaches: int
-    date: str
-    machine: str
 
 
 def main() -> None:

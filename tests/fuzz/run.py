@@ -59,7 +59,10 @@ def main() -> None:
         sizes = (
             [] if any(one.startswith("-max_len") for one in options) else [f"-max_len={target.most_bytes}"]
         )
-        atheris.Setup([sys.argv[0], *sizes, *options, *folders], partial(one, target))
+        command = (
+            f"{sys.executable} -m tests.fuzz.run {name}"  # libFuzzer runs it again to make a corpus small
+        )
+        atheris.Setup([command, *sizes, *options, *folders], partial(one, target))
         atheris.Fuzz()
 
 

@@ -1,0 +1,67 @@
+"""The numbers of the attacks, one file a command that measures."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+
+from pages import PAGES
+from pages.data import Table, Tables, read, stored
+
+COLUMNS = (
+    "parser",
+    "inputs",
+    "seconds",
+    "edges",
+    "slowest input, s",
+    "memory, MB",
+    "inputs kept",
+    "breaches",
+)
+
+
+class Run(msgspec.Struct, frozen=True):
+    """What a fuzzer did with one parser."""
+
+    seconds: int
+    executions: int
+    edges: int
+    slowest_s: int
+    """The slowest input, in whole seconds."""
+    most_mib: int
+    """Of the whole process, which holds the compiler as well."""
+    kept: int
+    """Inputs in the corpus afterwards."""
+    breaches: int
+    date: str
+    machine: str
+
+
+def context() -> dict[str, Any]:
+    """Every table of the page."""
+    parts = ("tokens", "conformance", "attacked")
+    return {"fuzz": fuzzed(), **{part: stored("attacks", part) for part in parts}}
+
+
+def fuzzed() -> Tables:
+    """The runs of the fuzzer as a table, and their sums."""
+    runs = read(PAGES / "attacks" / "fuzz.json", dict[str, Run])
+    rows = [
+        [
+            name,
+            *map(
+                str,
+                (run.executions, run.seconds, run.edges, run.slowest_s, run.most_mib, run.kept, run.breaches),
+            ),
+        ]
+        for name, run in runs.items()
+    ]
+    sums = {
+        "executions": sum(run.executions for run in runs.values()),
+        "minutes": sum(run.seconds for run in runs.values()) // 60,
+        "breaches": sum(run.breaches for run in runs.values()),
+        "date": max(run.date for run in runs.values()),
+    }
+    machine = next(iter(runs.values())).machine
+    return Tables({"fuzz": Table.of(COLUMNS, rows)}, machine, sums)
