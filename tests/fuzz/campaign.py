@@ -85,7 +85,6 @@ def fuzz(name: str, seconds: int) -> Run:
             max((int(one) for one in REACHED.findall(log)), default=0),
             _statistic(log, "slowest_unit_time_sec"),
             _statistic(log, "peak_rss_mb"),
-            len(list((CORPUS / name).iterdir())) if (CORPUS / name).is_dir() else 0,
             len(broken),
             datetime.date.today().isoformat(),
             machine(),
