@@ -15,8 +15,8 @@ from tests.faults.service import Client, Running, service, wait_until_ready
 from tests.server.listener import soon
 
 FAILED = "pointpred_recordings_failed_total"
-ROOM = "320k"
-"""The size of the disk: some thousand events."""
+ROOM = "128k"
+"""The size of the disk: some hundred events."""
 
 
 def on_a_small_disk(own_mounts: list[str], folder: Path) -> list[str]:
