@@ -14,6 +14,8 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, Literal
 
+from pointpred.server.log_repeats import RepeatLimit
+
 OWN = "pointpred"
 FIELDS = {
     "worker": "the number of the worker that wrote it, where there are several",
@@ -102,6 +104,7 @@ def set_up(style: Literal["json", "text"] | None = None, worker: int | None = No
     style = style or ("text" if sys.stderr.isatty() else "json")
     handler = logging.StreamHandler(sys.stderr)
     handler.setFormatter(JsonLines() if style == "json" else PlainLines())
+    handler.addFilter(RepeatLimit())
     if worker is not None:
         handler.addFilter(_OfWorker(worker))
     logging.basicConfig(handlers=[handler], level=logging.WARNING, force=True)
