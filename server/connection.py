@@ -6,16 +6,23 @@ import asyncio
 from collections import deque
 from collections.abc import Callable, Coroutine, Sequence
 from concurrent.futures import Executor
-from functools import partial
+from itertools import islice
 from time import perf_counter
 from typing import Any, NamedTuple, Protocol
 
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import Code
+from pointpred.server.arrivals import Arrivals
 from pointpred.server.sessions.lifecycle import SLOW, Close, Session, Work
 
 FRAMES = "pointpred.frames"
 """The ASGI extension in which an application finds the ``FrameSocket`` of its connection, as ``socket``."""
+BEHIND_S = 0.1
+"""A client is told that the service is behind where its frames may have waited for so long,"""
+TELL_S = 1.0
+"""at most once in this time."""
+TOGETHER_S = 0.01
+"""Frames of events that have waited for so long are used as one; a service that keeps up answers each."""
 FRAMES_AT_ONCE = 64
 """So many frames of one client are taken in before others have their turn, however many have come."""
 TICK_S = 1.0
@@ -76,25 +83,41 @@ class FrameSocket(Protocol):
         """Read again."""
 
 
+Observe = Callable[[float, float], None]
+"""Takes how long a prediction took until it was handed over, in seconds: since its frame was taken in, and at
+most since that can have come."""
+
+
+class _Waiting(NamedTuple):
+    """A frame that waits."""
+
+    frame: Frame
+    received: float
+    """When it was read, on the loop's clock: enough for limits."""
+    came: float
+    """When it can have come at the earliest, on the clock of delays."""
+
+
 class Connection:
     """Runs a session over one accepted WebSocket.
 
     Frames go from the socket straight into the session, and its answers back, within one call of the event
-    loop. Every frame of a burst is answered. While the client does not read, its answers wait in the
-    session's outbox, where newer predictions replace older ones, and its frames are still taken in. Another
-    thread does the work of a session: its next frames wait for it, other sessions do not. The last frames of
-    a client that sends and leaves at once are taken in as well.
+    loop. Frames of events that have waited together are used as one. While the client does not read, its
+    answers wait in the session's outbox, where newer predictions replace older ones, and its frames are still
+    taken in. Another thread does the work of a session: its next frames wait for it, other sessions do not.
+    The last frames of a client that sends and leaves at once are taken in as well.
     """
 
     def __init__(
         self,
         session: Session,
         socket: FrameSocket,
-        observe_delay: Callable[[float], None],
+        arrivals: Arrivals,
+        observe: Observe = lambda taken_s, arrived_s: None,
         worker: Executor | None = None,
         prepare: Callable[[Frame], Coroutine[Any, Any, None] | None] | None = None,
     ) -> None:
-        """``observe_delay`` gets the seconds from the newest frame to its prediction handed to the socket.
+        """``arrivals`` is shared by the connections of an event loop. ``observe`` gets the delays.
 
         ``worker`` does the work of sessions; the loop's own executor where none is given. ``prepare``
         returns what a frame has to wait for, ``None`` where there is nothing; a client that leaves meanwhile
@@ -104,12 +127,13 @@ class Connection:
         self.frames = 0
         """Frames received."""
         self._socket = socket
-        self._observe_delay = observe_delay
+        self._arrivals = arrivals
+        self._observe_delays = observe
         self._worker = worker
         self._prepare = prepare
         self._loop = asyncio.get_running_loop()
         self._over: asyncio.Future[None] = self._loop.create_future()
-        self._waiting: deque[tuple[Frame, float]] = deque()  # frames that wait, and when they came
+        self._waiting: deque[_Waiting] = deque()
         self._waiting_bytes = 0
         self._working = False  # whether they wait for another thread,
         self._preparation: asyncio.Task[None] | None = None  # for what the first of them needs,
@@ -117,8 +141,10 @@ class Connection:
         self._left = False  # whether the client has
         self._unsent: deque[Frame] = deque()  # taken from the outbox
         self._sent = 0
-        self._received_at = 0.0
-        self._predicted_at: float | None = None  # when the frame came whose prediction is among the unsent
+        self._taken_at = self._came = 0.0  # when the newest frame was taken in, and can have come
+        self._predicting: tuple[float, float] | None = None  # both of the prediction among the unsent
+        self._paused_at: float | None = None  # since when nothing was read because frames had to wait
+        self._told_at = float("-inf")  # when the client was told that the service is behind
 
     async def run(self) -> Close | None:
         """Run until the session closes or the connection is lost; raises what broke.
@@ -151,15 +177,20 @@ class Connection:
         if self._over.done():
             return
         self.frames += len(frames)
+        read_at = perf_counter()  # the loop's own clock counts milliseconds
         now = self._loop.time()
+        came = self._arrivals.since(read_at, now)
+        if self._paused_at is not None:
+            came, self._paused_at = min(came, self._paused_at), None
         if len(frames) == 1 and not self._waiting and not self._working and self._prepare is None:
-            self._take(frames[0], now)  # most frames
-            return
-        self._waiting.extend((frame, now) for frame in frames)
-        self._waiting_bytes += sum(map(len, frames))
-        if len(self._waiting) > MOST_MESSAGES or self._waiting_bytes > MOST_BYTES:
-            self._socket.pause_frames()
-        self._take_waiting()
+            self._take(frames, now, read_at, came)  # most frames
+        else:
+            self._waiting.extend(_Waiting(frame, now, came) for frame in frames)
+            self._waiting_bytes += sum(map(len, frames))
+            if len(self._waiting) > MOST_MESSAGES or self._waiting_bytes > MOST_BYTES:
+                self._pause()
+            self._take_waiting()
+        self._arrivals.busy_until = perf_counter()
 
     def flush(self) -> None:
         """Send what can be sent now; the rest once the client reads again."""
@@ -184,32 +215,44 @@ class Connection:
         while socket.can_write and (unsent or outbox):
             if not unsent:
                 if outbox.waiting:
-                    self._predicted_at = self._received_at
+                    self._predicting = self._taken_at, self._came
                 unsent.extend(outbox.take())
             socket.write(unsent.popleft())
             self._sent += 1
-            if self._predicted_at is not None and not unsent:
-                self._observe_delay(perf_counter() - self._predicted_at)
-                self._predicted_at = None
+            if self._predicting is not None and not unsent:
+                self._observe(*self._predicting)
+                self._predicting = None
         if session.close is not None and socket.can_write:
             self._end()
 
-    def _take(self, frame: Frame, now: float) -> None:
-        """Give a frame to the session, send its answers, and have its work done."""
-        # The loop's own clock counts milliseconds: enough for limits, not for a delay.
-        self._received_at = perf_counter()
-        session = self.session
+    def _observe(self, taken_at: float, came: float) -> None:
+        """A prediction has been handed over."""
+        now = perf_counter()
+        self._observe_delays(now - taken_at, now - came)
+        if now - came > BEHIND_S and now - self._told_at >= TELL_S:
+            self._told_at = now
+            self.session.tell_behind(round(now - came, 3))
+
+    def _take(self, frames: Sequence[Frame], now: float, taken_at: float, came: float) -> int:
+        """Give the first of some frames to the session, or several together; send its answers; how many."""
+        self._taken_at, self._came = taken_at, came
+        session, taken = self.session, 1
         try:
-            session.receive(frame, now)
+            if len(frames) == 1:
+                session.receive(frames[0], now)
+            else:
+                taken = session.receive_together(frames, now)
             if session.work is not None:
                 self._start_work(session.work)
             self._flush()
         except Exception as error:
             self._fail(error)
+        return taken
 
     def _take_waiting(self) -> None:
         """Take in frames that wait, until one has to wait again or others have their turn."""
-        for _ in range(FRAMES_AT_ONCE):
+        taken = 0
+        while taken < FRAMES_AT_ONCE:
             if self._working or self._preparation or self._turn or self._over.done():
                 return
             if not self._waiting:
@@ -217,22 +260,31 @@ class Connection:
                     self._end()
                 self._socket.resume_frames()
                 return
-            frame, came = self._waiting.popleft()
-            self._waiting_bytes -= len(frame)
-            preparation = None if self._prepare is None else self._prepare(frame)
-            if preparation is None:
-                self._take(frame, came)
-            else:
+            first = self._waiting[0]
+            if self._prepare is not None and (preparation := self._prepare(first.frame)) is not None:
                 self._preparation = self._loop.create_task(preparation)
-                self._preparation.add_done_callback(partial(self._take_prepared, frame, came))
+                self._preparation.add_done_callback(self._take_prepared)
+                return
+            taken += self._take_first(FRAMES_AT_ONCE - taken)
         if self._waiting:
             self._turn = self._loop.call_soon(self._take_turn)
+
+    def _take_first(self, most: int) -> int:
+        """Take in the first of the frames that wait, or several that have waited long; returns how many."""
+        first, now = self._waiting[0], perf_counter()
+        if now - first.came < TOGETHER_S or self._prepare is not None:
+            most = 1
+        frames = [each.frame for each in islice(self._waiting, most)]
+        taken = self._take(frames, first.received, now, first.came)
+        for _ in range(taken):
+            self._waiting_bytes -= len(self._waiting.popleft().frame)
+        return taken
 
     def _take_turn(self) -> None:
         self._turn = None
         self._take_waiting()
 
-    def _take_prepared(self, frame: Frame, came: float, preparation: asyncio.Task[None]) -> None:
+    def _take_prepared(self, preparation: asyncio.Task[None]) -> None:
         """Take in a frame that has waited for what it needs, and then those behind it."""
         self._preparation = None
         if preparation.cancelled() or self._over.done():
@@ -240,12 +292,17 @@ class Connection:
         if error := preparation.exception():
             self._over.set_exception(error)
             return
-        self._take(frame, came)
+        self._take_first(most=1)
         self._take_waiting()
+
+    def _pause(self) -> None:
+        """Have nothing read until the frames that wait are taken in."""
+        self._paused_at = self._paused_at or perf_counter()
+        self._socket.pause_frames()
 
     def _start_work(self, work: Work) -> None:
         self._working = True
-        self._socket.pause_frames()
+        self._pause()
         self._loop.run_in_executor(self._worker, work).add_done_callback(self._finish_work)
 
     def _finish_work(self, done: asyncio.Future[Callable[[], None]]) -> None:

@@ -77,10 +77,12 @@ class StreamEndpoint:
     async def _serve(self, scope: Scope, send: Send) -> None:
         service = self.service
         session = service.open_session(asyncio.get_running_loop().time())
-        delay = service.metrics.delay.observe
         prepare = None if service.compiler.over else partial(self._prepare, session)
+        connection = Connection(
+            session, _socket(scope), service.arrivals, service.metrics.delays.observe, service.scorer, prepare
+        )
         try:
-            await self._run(Connection(session, _socket(scope), delay, service.scorer, prepare), send)
+            await self._run(connection, send)
         finally:
             service.close_session(session)
 
@@ -140,7 +142,7 @@ class LiveEndpoint(StreamEndpoint):
     async def _show(self, feed: LiveFeed, scope: Scope, send: Send) -> None:
         service = self.service
         viewer = service.open_viewer(asyncio.get_running_loop().time())
-        connection = Connection(viewer, _socket(scope), lambda seconds: None)  # it sends nothing to predict
+        connection = Connection(viewer, _socket(scope), service.arrivals)  # it sends nothing to predict
         try:
             feed.join(viewer, connection.flush)
             await self._run(connection, send)

@@ -2,13 +2,56 @@
 
 from __future__ import annotations
 
-from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram, generate_latest
+from bisect import bisect_left
+from collections.abc import Iterator
+from itertools import accumulate
+
+from prometheus_client import CollectorRegistry, Counter, Gauge, generate_latest
+from prometheus_client.core import HistogramMetricFamily
 from prometheus_client.platform_collector import PlatformCollector
 from prometheus_client.process_collector import ProcessCollector
+from prometheus_client.registry import Collector
 
 from pointpred.server.sessions.lifecycle import Session
 
 BUCKETS = (5e-5, 1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 1e-2, 2e-2, 5e-2, 0.1, 0.5, 1.0)
+
+
+class Delays(Collector):
+    """Two histograms of the delay of predictions, for one thread: in a fifth of the library's own time."""
+
+    def __init__(self) -> None:
+        self._taken, self._arrived = ([0] * (len(BUCKETS) + 1) for _ in range(2))
+        self._taken_s = self._arrived_s = 0.0
+
+    def observe(self, taken_s: float, arrived_s: float) -> None:
+        """Count a prediction: how long since its frame was taken in, and since that can have come."""
+        self._taken[bisect_left(BUCKETS, taken_s)] += 1
+        self._taken_s += taken_s
+        self._arrived[bisect_left(BUCKETS, arrived_s)] += 1
+        self._arrived_s += arrived_s
+
+    def collect(self) -> Iterator[HistogramMetricFamily]:
+        """Both, with the counts up to each bound."""
+        yield _histogram(
+            "pointpred_event_to_prediction_seconds",
+            "From the newest frame, as the session takes it, to its prediction handed to the socket; "
+            "the time that a frame waits before is not in it",
+            self._taken,
+            self._taken_s,
+        )
+        yield _histogram(
+            "pointpred_arrival_to_prediction_seconds",
+            "From the earliest time at which the oldest frame answered can have come, to the prediction "
+            "handed to the socket: an upper bound",
+            self._arrived,
+            self._arrived_s,
+        )
+
+
+def _histogram(name: str, meaning: str, counts: list[int], total_s: float) -> HistogramMetricFamily:
+    bounds = [*map(str, BUCKETS), "+Inf"]
+    return HistogramMetricFamily(name, meaning, list(zip(bounds, accumulate(counts), strict=True)), total_s)
 
 
 class Metrics:
@@ -18,13 +61,8 @@ class Metrics:
         self.registry = CollectorRegistry()
         ProcessCollector(registry=self.registry)
         PlatformCollector(registry=self.registry)
-        self.delay = Histogram(
-            "pointpred_event_to_prediction_seconds",
-            "From the newest frame, as the session takes it, to its prediction handed to the socket; "
-            "the time that a frame waits before is not in it",
-            buckets=BUCKETS,
-            registry=self.registry,
-        )
+        self.delays = Delays()
+        self.registry.register(self.delays)
         self.sessions = Gauge("pointpred_sessions", "Sessions now", registry=self.registry)
         self.sessions_limit = Gauge(
             "pointpred_sessions_limit", "Sessions that may be open at a time", registry=self.registry

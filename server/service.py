@@ -13,6 +13,7 @@ from pointpred.protocol.client_messages import Hello
 from pointpred.protocol.server_messages import Code
 from pointpred.registry import RECOMMENDED
 from pointpred.server.access import RefusedOrigins
+from pointpred.server.arrivals import Arrivals
 from pointpred.server.compiling.compiler import Compiler
 from pointpred.server.connection import Connection
 from pointpred.server.live_feed import LiveFeed
@@ -68,6 +69,8 @@ class Service:
         """Recordings are scored one at a time."""
         self.uploads = 0
         """Recordings that are received, wait to be scored or are scored."""
+        self.arrivals = Arrivals()
+        """How busy the event loop is, which all connections share."""
         self.scorer = ThreadPoolExecutor(1, "trials")
         """Scores the trials of sessions, one at a time."""
         self.upload_process = UploadProcess()

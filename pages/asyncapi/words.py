@@ -11,8 +11,9 @@ else before it is answered by an error. Every JSON message is one object with `t
 fields are errors. With `encoding: binary` in `hello`, events and predictions go as binary frames of packed
 records instead; everything else stays JSON. Positions are px with y growing downwards, times are seconds on
 the client's clock. A client that reads slowly gets the newest prediction only, and the number of those
-dropped. Proposals among targets (`choice`) go as text in either encoding; if more than 64 wait to be read,
-the client gets a summary: the end of the proposal it was sent, and the current one.
+dropped. While the service is behind, frames that have waited are answered once, and `slow` has `behind_s` at
+most once a second. Proposals among targets (`choice`) go as text in either encoding; if more than 64 wait to
+be read, the client gets a summary: the end of the proposal it was sent, and the current one.
 
 With `assist` in `hello` the service moves the cursor: events carry counts, the first one has the position of
 the cursor before it, and before each prediction `cursor`, as text in either encoding, has its current
@@ -39,7 +40,8 @@ CODES = {
     "too_fast": "too many events or other messages a second; the session ends",
     "too_many": "too many targets (the set stays as it was) or sessions (the session ends)",
     "idle": "no hello in time, or nothing was heard; the session ends",
-    "slow": "predictions or choices gave way to newer ones; not recoverable: nothing is read",
+    "slow": "predictions or choices gave way to newer ones; with behind_s: the service is behind; "
+    "not recoverable: nothing is read",
     "unauthorized": "no valid token; the session ends",
     "stopping": "the server stops; the session ends",
     "internal": "something failed in the server; the session ends",

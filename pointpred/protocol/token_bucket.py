@@ -28,6 +28,6 @@ class TokenBucket:
         """Hold what comes in so many seconds, at most a minute's worth, until it is used."""
         self._left = max(self._left, (1.0 + min(seconds, 60.0)) * self.most)
 
-    def give_back(self, count: int) -> None:
+    def give_back(self, count: float) -> None:
         """Put back what was taken and not used."""
         self._left += count

@@ -66,6 +66,10 @@ class AssistedStream(PredictionStream):
         used, predictions = self._moved(used)
         return self._decide(table, error, used, predictions, outbox, before)
 
+    def take_in_whole(self, table: FloatArray, outbox: Outbox) -> Finish | None:
+        """Frames are used one by one: the client is told for each where the cursor is."""
+        return None
+
     def feed_event(self, row: tuple[float, ...], outbox: Outbox) -> bool:
         """As ``PredictionStream.feed_event``: the one event of most frames, without a table."""
         if self.place is None or self.observer or self._trial.running or self.tracker or self.hello.places:

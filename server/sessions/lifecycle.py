@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from enum import StrEnum
 
 from msgspec import Struct
@@ -130,6 +130,16 @@ class Session:
         self.refuse(error.answer)
         if error.close is not None:
             self.end(error.close, error.answer.message)
+
+    def receive_together(self, frames: Sequence[str | bytes], now: float) -> int:
+        """Take in the first of frames that have waited, or several of them as one; returns how many."""
+        self.receive(frames[0], now)
+        return 1
+
+    def tell_behind(self, behind_s: float) -> None:
+        """Tell the client how long its frames have waited for the service."""
+        sentence = f"the service is behind: what is sent waits for {behind_s:.2g} s before it is used"
+        self.send(ErrorMessage("slow", sentence, behind_s=behind_s))
 
     def _receive(self, frame: str | bytes, now: float) -> None:
         """Take in a frame of a size that is allowed; raises ProtocolError."""

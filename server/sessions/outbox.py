@@ -26,7 +26,8 @@ class Outbox:
         """All predictions, dropped ones included."""
         self._notes: list[Frame | Choice] = []
         self._newest: list[Frame] = []
-        self._count = 0
+        self.waiting = 0
+        """How many predictions wait to be sent."""
         self._after = 0  # how many notes were there before the newest prediction
         self._choices = 0  # how many of the notes are choices
         self._dropped_choices = 0
@@ -45,27 +46,22 @@ class Outbox:
 
     def predict(self, frames: list[Frame], count: int) -> None:
         """Set the answer to the newest events, ``count`` predictions; unsent older ones are dropped."""
-        self.dropped += self._count
-        self.dropped_total += self._count
+        self.dropped += self.waiting
+        self.dropped_total += self.waiting
         self.predictions += count
-        self._newest, self._count, self._after = frames, count, len(self._notes)
+        self._newest, self.waiting, self._after = frames, count, len(self._notes)
 
     @property
     def full(self) -> bool:
         """Whether more waits than a client may leave unread."""
         return len(self._notes) > self.most_notes
 
-    @property
-    def waiting(self) -> int:
-        """How many predictions wait to be sent."""
-        return self._count
-
     def __bool__(self) -> bool:
         return bool(self._notes or self._newest)
 
     def take(self) -> list[Frame]:
         """Everything to send now, in order; then the outbox is empty."""
-        newest, self._newest, self._count = self._newest, [], 0
+        newest, self._newest, self.waiting = self._newest, [], 0
         if not self._notes and not self.dropped:
             return newest
         if self.dropped or self._dropped_choices:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any, ClassVar
+
+import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import EventError
@@ -30,7 +32,7 @@ from pointpred.protocol.decoding import (
     table_of_rows,
 )
 from pointpred.protocol.errors import ProtocolError
-from pointpred.protocol.records import EVENT, unpack_event
+from pointpred.protocol.records import EVENT, unpack_event, unpack_events
 from pointpred.protocol.server_messages import (
     KnownPerson,
     Limits,
@@ -98,6 +100,55 @@ class PointingSession(Session):
             ):
                 return
         Session.receive(self, frame, now)  # super() would cost as much as decoding the frame
+
+    def receive_together(self, frames: Sequence[str | bytes], now: float) -> int:
+        """Take in frames of events that have waited as one table: every event is used, the newest answered.
+
+        Only where nothing is wrong with any of them, and each ends later than the one before: the client
+        then knows which frames an answer is for.
+        """
+        parts, events, ended = [], 0, float("-inf")
+        for frame in frames:
+            table = self._usable_table(frame)
+            if table is None or not ended < table[-1, 0]:
+                break
+            events, ended = events + len(table), float(table[-1, 0])
+            if events > self.limits.max_events_per_frame:
+                break
+            parts.append(table)
+        if len(parts) > 1 and self._feed_whole(np.concatenate(parts), now):
+            return len(parts)
+        self.receive(frames[0], now)
+        return 1
+
+    def _usable_table(self, frame: str | bytes) -> FloatArray | None:
+        """The events of a frame of an allowed size; ``None`` for everything else."""
+        if self.stream is None or not frame or len(frame) > self.limits.max_frame_bytes:
+            return None
+        if isinstance(frame, bytes):
+            return None if len(frame) % RECORD_BYTES else unpack_events(frame)
+        try:
+            self._quota.check_size(frame)
+            message = decode_client_message(frame)
+        except ProtocolError:
+            return None
+        return table_of_rows(message.events) if isinstance(message, Events) and message.events else None
+
+    def _feed_whole(self, table: FloatArray, now: float) -> bool:
+        """Predict from several frames as one; False, and nothing taken, where one would be refused."""
+        stream = self.stream
+        if stream is None or self.state is CLOSED or self.work is not None:
+            return False
+        cost_s = stream.costs.of(len(table))
+        if cost_s > AT_ONCE_S or not self._quota.allow(len(table), cost_s, now):
+            return False
+        finish = stream.take_in_whole(table, self.outbox)
+        if finish is None:
+            self._quota.give_back(len(table), cost_s)
+            return False
+        self.last_received = max(now, self.last_received)
+        self._send_answers(finish, len(table), stream.refusal_s, now)
+        return True
 
     def _receive_event(self, stream: PredictionStream, frame: bytes, now: float) -> bool:
         """Predict from one packed event; False, and nothing taken, where there is more to do for it."""

@@ -92,16 +92,26 @@ class PredictionStream:
         Any thread may call it, while nothing else is asked of the stream; what it returns is to be called in
         the session's own. Raises ProtocolError, nothing changed, where a number cannot be used.
         """
+        if (finish := self.take_in_whole(table, outbox)) is not None:
+            return finish
+        # The pipeline finds that something is wrong, the protocol says where.
+        check_numbers(table)
+        error, used = self._in_order(table)
+        before = self._memories() if self.hello.places else ()
+        predictions = run(self.pipeline, EventColumns(used)).table
+        return self._decide(table, error, used, predictions, outbox, before)
+
+    def take_in_whole(self, table: FloatArray, outbox: Outbox) -> Finish | None:
+        """``take_in`` where nothing is wrong with any event; otherwise ``None``, and nothing has changed."""
+        if not len(table):
+            return None
         if (last := self._last_prediction(table)) is not None:
             return partial(self._send_last, table, last, outbox)
-        error, used, count = None, table, len(table)
         before = self._memories() if self.hello.places else ()
-        predictions = self.pipeline.advance_all(NO_RESETS[:count], table)
-        if predictions is None:  # the pipeline finds that something is wrong, the protocol says where
-            check_numbers(table)
-            error, used = self._in_order(table)
-            predictions = run(self.pipeline, EventColumns(used)).table
-        return self._decide(table, error, used, predictions, outbox, before)
+        predictions = self.pipeline.advance_all(NO_RESETS[: len(table)], table)
+        if predictions is None:
+            return None
+        return self._decide(table, None, table, predictions, outbox, before)
 
     def _decide(
         self,

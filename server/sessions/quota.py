@@ -60,6 +60,20 @@ class Quota:
             sentence += " with so many targets, or with places" if self._weight > 1 else ""
             raise ProtocolError("too_fast", sentence, close=1008)
 
+    def allow(self, count: int, cost_s: float, now: float) -> bool:
+        """``take_events`` and ``spend`` for several frames; False, and nothing taken, where it is too much."""
+        if not self.events.take(count * self._weight, now):
+            return False
+        if not self._costs.take(cost_s, now):
+            self.events.give_back(count * self._weight)
+            return False
+        return True
+
+    def give_back(self, count: int, cost_s: float) -> None:
+        """Put back what was taken for events that were not used."""
+        self.events.give_back(count * self._weight)
+        self._costs.give_back(cost_s)
+
     def take_message(self, now: float, count: int = 1) -> None:
         """A message other than events; the session ends where there are more in a second."""
         if not self._messages.take(count, now):

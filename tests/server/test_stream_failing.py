@@ -19,6 +19,7 @@ import pointpred.server.websocket_protocol
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import Limits
 from pointpred.server import listening
+from pointpred.server.arrivals import Arrivals
 from pointpred.server.connection import Connection
 from pointpred.server.logs import JsonLines, PlainLines
 from pointpred.server.sessions.lifecycle import Close
@@ -132,7 +133,7 @@ def test_a_slow_reader_goes_on_and_a_stuck_one_is_ended(
         socket = FakeSocket(write)
         socket.on_attach = come
         with suppress(TimeoutError):
-            await asyncio.wait_for(Connection(session, socket, lambda delay: None).run(), 2.0)
+            await asyncio.wait_for(Connection(session, socket, Arrivals()).run(), 2.0)
         assert session.outbox.dropped_total > 0
         return session.close
 
@@ -159,7 +160,7 @@ def test_what_a_client_sent_before_it_left_is_taken_in() -> None:
             socket.there.disconnect(None)
 
         socket.on_attach = come
-        await Connection(session, socket, lambda delay: None).run()
+        await Connection(session, socket, Arrivals()).run()
 
     asyncio.run(talk())
     assert len(heard) == 101

@@ -1,13 +1,17 @@
-"""Frames that wait for the compiler count against the limits at the time they came."""
+"""Frames that wait for the compiler, and count by the time they came, or for a busy service."""
 
 from __future__ import annotations
 
 import asyncio
+import json
 from collections.abc import Coroutine
 from typing import Any
 
+import pytest
+
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import Limits
+from pointpred.server.arrivals import Arrivals
 from pointpred.server.connection import Connection
 from pointpred.server.sessions.pointing import PointingSession
 from tests.server.fake_socket import FakeSocket
@@ -41,7 +45,7 @@ async def said(most: int) -> tuple[PointingSession, Connection]:
     talk = Connection(
         session,
         socket,
-        lambda delay: None,
+        Arrivals(),
         prepare=lambda frame: wait() if frame == HELLO and not compiled.is_set() else None,
     )
     await talk.run()
@@ -68,3 +72,48 @@ def test_waiting_is_not_silence() -> None:
     session.receive(EVENT % 1, 2.0)
     session.tick(301.0)
     assert session.close is None
+
+
+class Late(Arrivals):
+    """Everything can have waited for half a second."""
+
+    def since(self, now: float, turn: float) -> float:
+        return now - 0.5
+
+
+@pytest.mark.parametrize(("arrivals", "answers"), [(Arrivals(), 8), (Late(), 1)])
+def test_only_frames_that_have_waited_are_used_as_one(arrivals: Arrivals, answers: int) -> None:
+    session, socket, delays = asyncio.run(overloaded(arrivals, rounds=1))
+    predicted = [frame for frame in socket.written if '"prediction"' in str(frame)]
+    assert len(predicted) == len(delays) == answers
+    assert '"t":8.0' in str(predicted[-1])
+    assert session.events == 8
+
+
+def test_a_client_is_told_that_the_service_is_behind_at_most_once_a_second() -> None:
+    _, socket, delays = asyncio.run(overloaded(Late(), rounds=50))
+    told = [json.loads(frame) for frame in socket.written if '"slow"' in str(frame)]
+    assert len(delays) == 50
+    assert all(arrived >= 0.5 > taken for taken, arrived in delays)
+    (behind,) = told
+    assert behind["recoverable"]
+    assert 0.5 <= behind["behind_s"] < 60.0
+    assert behind["path"] is None
+
+
+async def overloaded(
+    arrivals: Arrivals, rounds: int
+) -> tuple[PointingSession, FakeSocket, list[tuple[float, float]]]:
+    """A session that gets eight frames at once, in so many rounds."""
+    delays: list[tuple[float, float]] = []
+    session, socket = PointingSession("late", Limits(), asyncio.get_running_loop().time()), FakeSocket()
+
+    def come() -> None:
+        socket.there.receive([HELLO])
+        for at in range(rounds):
+            socket.there.receive([EVENT % (8 * at + i) for i in range(1, 9)])
+        socket.there.disconnect(None)
+
+    socket.on_attach = come
+    await Connection(session, socket, arrivals, lambda taken, arrived: delays.append((taken, arrived))).run()
+    return session, socket, delays
