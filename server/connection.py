@@ -21,8 +21,8 @@ BEHIND_S = 0.1
 """A client is told that the service is behind where its frames may have waited for so long,"""
 TELL_S = 1.0
 """at most once in this time."""
-TOGETHER_S = 0.01
-"""Frames of events that have waited for so long are used as one; a service that keeps up answers each."""
+TOGETHER_S = 0.02
+"""Frames of events that have waited for so long, or for the work of another thread, are used as one."""
 FRAMES_AT_ONCE = 64
 """So many frames of one client are taken in before others have their turn, however many have come."""
 TICK_S = 1.0
@@ -96,6 +96,8 @@ class _Waiting(NamedTuple):
     """When it was read, on the loop's clock: enough for limits."""
     came: float
     """When it can have come at the earliest, on the clock of delays."""
+    waited: bool
+    """Whether that was so long before it was read that the service is behind."""
 
 
 class Connection:
@@ -138,6 +140,7 @@ class Connection:
         self._working = False  # whether they wait for another thread,
         self._preparation: asyncio.Task[None] | None = None  # for what the first of them needs,
         self._turn: asyncio.Handle | None = None  # or for the turn of others
+        self._late = False  # whether they have waited for another thread
         self._left = False  # whether the client has
         self._unsent: deque[Frame] = deque()  # taken from the outbox
         self._sent = 0
@@ -185,7 +188,8 @@ class Connection:
         if len(frames) == 1 and not self._waiting and not self._working and self._prepare is None:
             self._take(frames, now, read_at, came)  # most frames
         else:
-            self._waiting.extend(_Waiting(frame, now, came) for frame in frames)
+            waited = read_at - came >= TOGETHER_S
+            self._waiting.extend(_Waiting(frame, now, came, waited) for frame in frames)
             self._waiting_bytes += sum(map(len, frames))
             if len(self._waiting) > MOST_MESSAGES or self._waiting_bytes > MOST_BYTES:
                 self._pause()
@@ -256,6 +260,7 @@ class Connection:
             if self._working or self._preparation or self._turn or self._over.done():
                 return
             if not self._waiting:
+                self._late = False
                 if self._left:
                     self._end()
                 self._socket.resume_frames()
@@ -271,11 +276,11 @@ class Connection:
 
     def _take_first(self, most: int) -> int:
         """Take in the first of the frames that wait, or several that have waited long; returns how many."""
-        first, now = self._waiting[0], perf_counter()
-        if now - first.came < TOGETHER_S or self._prepare is not None:
+        first = self._waiting[0]
+        if not (first.waited or self._late) or self._prepare is not None:
             most = 1
         frames = [each.frame for each in islice(self._waiting, most)]
-        taken = self._take(frames, first.received, now, first.came)
+        taken = self._take(frames, first.received, perf_counter(), first.came)
         for _ in range(taken):
             self._waiting_bytes -= len(self._waiting.popleft().frame)
         return taken
@@ -307,7 +312,7 @@ class Connection:
 
     def _finish_work(self, done: asyncio.Future[Callable[[], None]]) -> None:
         """Use the result of the work, and take in the frames that waited for it."""
-        self._working = False
+        self._working, self._late = False, True
         if done.cancelled() or self._over.done():
             return
         try:

@@ -33,9 +33,10 @@ WAITING_BYTES = 2**15
 READ_BYTES = 2**14
 """Received data is parsed in pieces of this size: others have their turn in between, and little is parsed
 after the end of a session."""
-UNREAD_BYTES = 2**15
+UNREAD_BYTES = 2**16
 """What the kernel may hold unread of a session's events; it takes twice as much for its own records. A
-client whose events come faster than they are used has to wait with more."""
+client whose events come faster than they are used has to wait with more. Less than a packet of the loopback
+interface would stop a client again and again."""
 FRAGMENTS_MOST = 64
 """Fragments of one message; our own clients send one."""
 CONTROL_FRAMES_PER_S = 100

@@ -102,6 +102,9 @@ MESSAGES: dict[str, tuple[Struct, ...]] = {
             value=9,
         ),
         ErrorMessage("idle", "expected 'hello' within 10 s", recoverable=False),
+        ErrorMessage(
+            "slow", "the service is behind: what is sent waits for 0.12 s before it is used", behind_s=0.12
+        ),
     ),
     "goodbye": (Bye("the server stops"),),
 }

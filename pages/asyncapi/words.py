@@ -24,6 +24,7 @@ upgrade. A token is needed where one is set; one is generated for an address tha
 CLOSES = {
     1000: "after `bye`",
     1001: "the server stops, after its `bye`",
+    1007: "a text that is not UTF-8",
     1008: "no `hello` within 10 s, nothing heard for `idle_s`, over `max_events_per_s`, no valid token",
     1009: "a frame over `max_frame_bytes` or with more than `max_events_per_frame` events",
     1011: "something failed in the server",

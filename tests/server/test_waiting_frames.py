@@ -81,9 +81,12 @@ class Late(Arrivals):
         return now - 0.5
 
 
-@pytest.mark.parametrize(("arrivals", "answers"), [(Arrivals(), 8), (Late(), 1)])
-def test_only_frames_that_have_waited_are_used_as_one(arrivals: Arrivals, answers: int) -> None:
-    session, socket, delays = asyncio.run(overloaded(arrivals, rounds=1))
+@pytest.mark.parametrize(("together_s", "answers"), [(60.0, 8), (0.02, 1)])
+def test_only_frames_that_have_waited_are_used_as_one(
+    together_s: float, answers: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("pointpred.server.connection.TOGETHER_S", together_s)
+    session, socket, delays = asyncio.run(overloaded(Late(), rounds=1))
     predicted = [frame for frame in socket.written if '"prediction"' in str(frame)]
     assert len(predicted) == len(delays) == answers
     assert '"t":8.0' in str(predicted[-1])

@@ -20,10 +20,6 @@ def movement(first: int, count: int) -> list[tuple[float, float, float, int, int
     return [(1 + 1e-3 * k, k * k / 50, k / 3, k, 1, 0) for k in range(first, first + count)]
 
 
-def movement(first: int, count: int) -> list[tuple[float, float, float, int, int, int]]:
-    return [(1 + 1e-3 * k, k * k / 50, k / 3, k, 1, 0) for k in range(first, first + count)]
-
-
 def packed(first: int, count: int = 1) -> bytes:
     """Events of a movement, 1 ms apart."""
     return b"".join(struct.pack("<dddhhH", *row) for row in movement(first, count))
