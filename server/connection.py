@@ -140,7 +140,7 @@ class Connection:
         self._working = False  # whether they wait for another thread,
         self._preparation: asyncio.Task[None] | None = None  # for what the first of them needs,
         self._turn: asyncio.Handle | None = None  # or for the turn of others
-        self._late = False  # whether they have waited for another thread
+        self._late = False  # whether they have waited for the session's own work
         self._left = False  # whether the client has
         self._unsent: deque[Frame] = deque()  # taken from the outbox
         self._sent = 0
@@ -233,7 +233,7 @@ class Connection:
         """A prediction has been handed over."""
         now = perf_counter()
         self._observe_delays(now - taken_at, now - came)
-        if now - came > BEHIND_S and now - self._told_at >= TELL_S:
+        if now - came > BEHIND_S and now - self._told_at >= TELL_S and not self._late:
             self._told_at = now
             self.session.tell_behind(round(now - came, 3))
 

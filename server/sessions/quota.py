@@ -61,7 +61,7 @@ class Quota:
             raise ProtocolError("too_fast", sentence, close=1008)
 
     def allow(self, count: int, cost_s: float, now: float) -> bool:
-        """``take_events`` and ``spend`` for several frames; False, and nothing taken, where it is too much."""
+        """``take_events`` and ``spend`` for several frames; False, and nothing taken, for too much."""
         if not self.events.take(count * self._weight, now):
             return False
         if not self._costs.take(cost_s, now):

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import math
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
+import pytest
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Subprotocol
 
+import pointpred.server.connection
 from pointpred.protocol.client_messages import SUBPROTOCOL
 from pointpred.server.access import HostRule
 from pointpred.server.listening import listen, make_server
@@ -52,7 +55,10 @@ class Running:
 
 @contextmanager
 def running(prepare: Callable[[Service], None] = lambda service: None, **settings: Any) -> Iterator[Running]:
-    """Serve until the block ends; ``settings`` as for ``pointpred serve``, ``prepare`` before it begins."""
+    """Serve until the block ends; ``settings`` as for ``pointpred serve``, ``prepare`` before it begins.
+
+    Where others use the processors the service is behind; here it answers each frame as if it were not.
+    """
     service = Service(Settings(**settings))
     prepare(service)
     opened = listen("127.0.0.1", 0)
@@ -60,6 +66,9 @@ def running(prepare: Callable[[Service], None] = lambda service: None, **setting
     server = make_server(HostRule("127.0.0.1", service.settings.allow_host), service, up.set)
     thread = threading.Thread(target=server.run, args=([opened],))
     thread.start()
+    patch = pytest.MonkeyPatch()
+    patch.setattr(pointpred.server.connection, "TOGETHER_S", math.inf)
+    patch.setattr(pointpred.server.connection, "BEHIND_S", math.inf)
     try:
         assert up.wait(PATIENCE_S)
         yield Running(service, opened.getsockname()[1], server)
@@ -67,4 +76,5 @@ def running(prepare: Callable[[Service], None] = lambda service: None, **setting
         server.should_exit = True
         thread.join(PATIENCE_S)
         opened.close()
+        patch.undo()
         assert not thread.is_alive()

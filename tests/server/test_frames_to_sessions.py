@@ -104,9 +104,7 @@ class Client:
 
 @pytest.fixture(scope="module")
 def here() -> Iterator[Running]:
-    """A service that uses no frames together, however busy the machine is."""
-    with pytest.MonkeyPatch.context() as patch, running(max_sessions=1000) as service:
-        patch.setattr("pointpred.server.connection.TOGETHER_S", float("inf"))
+    with running(max_sessions=1000) as service:
         yield service
 
 
