@@ -20,8 +20,8 @@ from pointpred.server.live_feed import LiveFeed
 from pointpred.server.metrics import Metrics, SessionCounts
 from pointpred.server.recorder.writer import Recorder
 from pointpred.server.sessions.lifecycle import Session
+from pointpred.server.sessions.observer import SessionObserver
 from pointpred.server.sessions.pointing import PointingSession
-from pointpred.server.sessions.prediction_stream import SessionObserver
 from pointpred.server.sessions.viewing import ViewingSession
 from pointpred.server.settings import Settings
 from pointpred.server.uploads.process import UploadProcess

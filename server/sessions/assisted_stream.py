@@ -17,9 +17,10 @@ from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import Cursor, Likely, encode
 from pointpred.regions import as_normal
+from pointpred.server.sessions.observer import SessionObserver
 from pointpred.server.sessions.outbox import Outbox
 from pointpred.server.sessions.pipelines import NO_COEFFICIENTS, cpi_of, dpi_of
-from pointpred.server.sessions.prediction_stream import Finish, PredictionStream, SessionObserver
+from pointpred.server.sessions.prediction_stream import Finish, PredictionStream
 from pointpred.transfer import ConstantGain, GuardedTransfer, SigmoidGain
 from pointpred.transfer.assistance import UNGUIDED
 

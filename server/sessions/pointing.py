@@ -50,8 +50,9 @@ from pointpred.server.sessions.lifecycle import (
     Trigger,
     bad_event,
 )
+from pointpred.server.sessions.observer import SessionObserver
 from pointpred.server.sessions.pipelines import NO_COEFFICIENTS
-from pointpred.server.sessions.prediction_stream import Finish, PredictionStream, SessionObserver
+from pointpred.server.sessions.prediction_stream import Finish, PredictionStream
 
 RECORD_BYTES = EVENT.itemsize
 CLOSED, STREAMING, MESSAGE = State.CLOSED, State.STREAMING, Trigger.MESSAGE

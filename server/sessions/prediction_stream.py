@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
-from typing import Protocol
 
 import numpy as np
 from msgspec import structs
@@ -20,6 +19,7 @@ from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.frames import Frame, prediction_frames, row_encoder
 from pointpred.protocol.server_messages import ErrorMessage, Likely
 from pointpred.server.sessions.costs import REFUSED_BYTE_S, REFUSED_S, Costs, costs_of, memory_of
+from pointpred.server.sessions.observer import SessionObserver
 from pointpred.server.sessions.outbox import Outbox
 from pointpred.server.sessions.pipelines import NO_COEFFICIENTS, cpi_of, dpi_of, pipeline_of
 from pointpred.server.sessions.place_tracker import PlaceTracker
@@ -33,22 +33,6 @@ NO_RESETS = np.zeros(100_000, np.bool_)
 
 Finish = Callable[[], tuple[ErrorMessage | None, int]]
 """Sends the answers to a frame; returns the error for events that were dropped, and how many they are."""
-
-
-class SessionObserver(Protocol):
-    """Follows the events of a session, as a recorder does; no method may raise."""
-
-    def configure(self, hello: Hello) -> None:
-        """The predictor and its parameters from now on."""
-
-    def events(self, table: EventColumns, predictions: PredictionColumns) -> None:
-        """The events that the pipeline took in, and the prediction after each."""
-
-    def trial(self, action: str, target: Goal | None = None) -> None:
-        """A trial starts or ends."""
-
-    def close(self) -> None:
-        """The session has ended."""
 
 
 class PredictionStream:
