@@ -47,12 +47,13 @@ class StreamEndpoint:
             return
         try:
             await receive()  # websocket.connect
-            if await self._admit(scope, send):
-                await self._serve(scope, send)
+            with self.service.place_of_address(_address(scope)) as place:
+                if await self._admit(scope, send, place):
+                    await self._serve(scope, send)
         except ClientDisconnected:
             pass  # it left before it had a session
 
-    async def _admit(self, scope: Scope, send: Send) -> bool:
+    async def _admit(self, scope: Scope, send: Send, place: bool) -> bool:
         """Whether a session may begin; a client that is refused is told why, and counted."""
         service = self.service
         if not admits_origin(scope, service.settings.allow_origin):
@@ -67,6 +68,11 @@ class StreamEndpoint:
         if service.full:
             most = service.settings.max_sessions
             await self._refuse(send, "too_many", f"{most} sessions are open, which is the most", 1013)
+            return False
+        if not place:
+            most = service.settings.share
+            sentence = f"{most} sessions of this address are open, which is the most"
+            await self._refuse(send, "too_many", sentence, 1013)
             return False
         return True
 
@@ -125,8 +131,10 @@ class LiveEndpoint(StreamEndpoint):
             if self._nothing_attached(scope):
                 self.service.metrics.connections_refused.labels("out_of_place").inc()
                 await _send_not_found(scope, send)
-            elif await self._admit(scope, send) and (feed := self.service.live) is not None:
-                await self._show(feed, scope, send)
+                return
+            with self.service.place_of_address(_address(scope)) as place:
+                if await self._admit(scope, send, place) and (feed := self.service.live) is not None:
+                    await self._show(feed, scope, send)
         except ClientDisconnected:
             pass  # it left before it saw anything
 
@@ -155,6 +163,12 @@ def _socket(scope: Scope) -> FrameSocket:
     """The WebSocket of a connection, below ASGI: ``make_server`` has uvicorn use our protocol."""
     socket: FrameSocket = scope["extensions"][FRAMES]["socket"]
     return socket
+
+
+def _address(scope: Scope) -> str | None:
+    """Where a client connects from; as a proxy says, where one is trusted."""
+    client = scope.get("client")
+    return client[0] if client else None
 
 
 async def send_error(send: Send, code: Code, message: str, close: int) -> None:

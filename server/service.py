@@ -6,7 +6,10 @@ import asyncio
 import logging
 import secrets
 import sys
+from collections import Counter
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from typing import Protocol
 
 from pointpred.protocol.client_messages import Hello
@@ -23,7 +26,7 @@ from pointpred.server.sessions.lifecycle import Session
 from pointpred.server.sessions.observer import SessionObserver
 from pointpred.server.sessions.pointing import PointingSession
 from pointpred.server.sessions.viewing import ViewingSession
-from pointpred.server.settings import Settings
+from pointpred.server.settings import Settings, is_loopback
 from pointpred.server.uploads.process import UploadProcess
 
 log = logging.getLogger("pointpred.service")
@@ -79,6 +82,7 @@ class Service:
         """The attached device, where there is one."""
         self.peers: Peers | None = None
         """The other workers, where there are several."""
+        self._of_address: Counter[str] = Counter()  # connections of other machines
         self._open: dict[Session, tuple[Connection | None, SessionCounts]] = {}
 
     @property
@@ -92,6 +96,24 @@ class Service:
         """Whether no further session is admitted: the bound is one for all workers."""
         sessions = len(self._open) if self.peers is None else self.peers.sessions
         return sessions >= self.settings.max_sessions
+
+    @contextmanager
+    def place_of_address(self, address: str | None) -> Iterator[bool]:
+        """Whether an address may have one more session; it is counted until the block ends.
+
+        Sessions of this machine are not counted: one person may have many tabs, and a proxy that does not
+        pass addresses on has one for everybody.
+        """
+        if address is None or is_loopback(address):
+            yield True
+            return
+        self._of_address[address] += 1
+        try:
+            yield self._of_address[address] <= self.settings.share
+        finally:
+            self._of_address[address] -= 1
+            if not self._of_address[address]:
+                del self._of_address[address]
 
     def open_session(self, now: float) -> PointingSession:
         """A pointing session with a random name."""

@@ -87,6 +87,13 @@ class Settings(BaseSettings):
         description="Format of log entries; not given: text in a terminal, json elsewhere.",
     )
     max_sessions: int = Field(default=64, ge=1, le=100_000, description="Most sessions at a time.")
+    max_sessions_per_address: int | None = Field(
+        default=None,
+        ge=1,
+        le=100_000,
+        description="Most sessions of one other machine, in each worker; not given: half of --max-sessions. "
+        "Those of this machine have no share of their own.",
+    )
     max_events_per_s: int = Field(
         default=20_000, ge=1, le=10**8, description="Most events a second in one session."
     )
@@ -146,6 +153,12 @@ class Settings(BaseSettings):
         """What a session may do."""
         names = Limits.__struct_fields__
         return Limits(**{name: getattr(self, name) for name in names})
+
+    @property
+    def share(self) -> int:
+        """Most sessions of one other machine."""
+        given = self.max_sessions_per_address
+        return max(1, self.max_sessions // 2) if given is None else given
 
     def guarded(self) -> Settings:
         """The same, with a token made up where other machines can reach it, directly or by a proxy."""

@@ -69,6 +69,10 @@ def serve(
         str | None, typer.Option(help="json or text. Not given: text in a terminal, json elsewhere.")
     ] = None,
     max_sessions: Annotated[int | None, typer.Option(help="Most sessions at a time.")] = None,
+    max_sessions_per_address: Annotated[
+        int | None,
+        typer.Option(help="Most sessions of one other machine. Not given: half of --max-sessions."),
+    ] = None,
     max_events_per_s: Annotated[int | None, typer.Option(help="Most events a second in one session.")] = None,
     max_events_per_frame: Annotated[int | None, typer.Option(help="Most events in one frame.")] = None,
     max_frame_bytes: Annotated[int | None, typer.Option(help="Most bytes in one frame.")] = None,

@@ -6,7 +6,7 @@ import asyncio
 import json
 import logging
 import socket as socket_module
-from contextlib import suppress
+from contextlib import ExitStack, suppress
 
 import pytest
 from httpx2 import get
@@ -212,3 +212,22 @@ def test_an_endless_upload_is_cancelled_when_the_service_stops(
     (entry,) = (one for one in caplog.records if one.levelno >= logging.WARNING)
     assert entry.args == (1, 1), "requests that had not ended, seconds after the stop"
     assert entry.exc_info is None
+
+
+def test_an_address_of_another_machine_has_a_share_of_the_sessions(monkeypatch: pytest.MonkeyPatch) -> None:
+    with running(max_sessions=4) as here:
+        with ExitStack() as others:
+            for _ in range(4):
+                others.enter_context(here.greeted())  # this machine has no share of its own
+            soon(lambda: here.service.full, "every session is open")
+        soon(lambda: not here.service._open, "they are over")
+        monkeypatch.setattr("pointpred.server.endpoints._address", lambda scope: "192.0.2.7")
+        with here.greeted(), here.greeted():
+            with here.connect() as socket:
+                error = json.loads(socket.recv(PATIENCE_S))
+                assert (error["code"], error["message"][:2]) == ("too_many", "2 ")
+            monkeypatch.setattr("pointpred.server.endpoints._address", lambda scope: "192.0.2.8")
+            with here.greeted():
+                pass
+        soon(lambda: not here.service._open, "they are over")
+        assert not here.service._of_address
