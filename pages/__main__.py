@@ -67,7 +67,8 @@ PAGES_MADE: dict[str, tuple[str, Context]] = {
         f"docs/evidence/{name}.md": (name, measured(name))
         for name in (
             *("adaptation", "assistance", "camera", "desktop", "differentiators", "inputs"),
-            *("load", "places", "regions", "simulation", "soak", "switched", "thesis", "transfer"),
+            *("load", "places", "regions", "scale", "simulation", "soak"),
+            *("switched", "thesis", "transfer"),
         )
     },
     "docs/reference/commands.md": ("commands", commands.context),
