@@ -5,6 +5,8 @@ Almost every frame is a whole message in one piece. The parser of ``websockets``
 
 from __future__ import annotations
 
+from struct import Struct
+
 from websockets.frames import Opcode
 from websockets.speedups import apply_mask
 
@@ -19,6 +21,7 @@ MASKED = 0x80
 SHORT_BYTES, MIDDLE_BYTES = 126, 2**16
 """Payloads below these lengths have the length in one byte, or in two more bytes."""
 
+_middle_head, _long_head = Struct("!BBH"), Struct("!BBQ")
 _short_texts = [bytes((TEXT, size)) for size in range(SHORT_BYTES)]
 _short_binaries = [bytes((BINARY, size)) for size in range(SHORT_BYTES)]
 
@@ -70,7 +73,6 @@ def framed(frame: Frame) -> bytes:
     size = len(payload)
     if size < SHORT_BYTES:
         return heads[size] + payload
-    head = heads[0][:1]
     if size < MIDDLE_BYTES:
-        return head + b"\x7e" + size.to_bytes(2, "big") + payload
-    return head + b"\x7f" + size.to_bytes(8, "big") + payload
+        return _middle_head.pack(heads[0][0], 126, size) + payload
+    return _long_head.pack(heads[0][0], 127, size) + payload

@@ -60,7 +60,7 @@ class Welcome(ServerMessage, tag="welcome"):
     limits: Limits
 
 
-class Region(Struct):
+class Region(Struct, gc=False):
     """The law of the endpoint: scale matrix, px^2, and the degrees of freedom of a bivariate Student law.
 
     ``tail`` null: the law is normal and the matrix is its covariance.
@@ -79,7 +79,7 @@ class Likely(Struct):
     p: float
 
 
-class PredictionMessage(ServerMessage, tag="prediction"):
+class PredictionMessage(ServerMessage, tag="prediction", gc=False):
     """Where the movement will end as seen at ``t``; null fields where nothing is justified.
 
     ``targets``: the likeliest five, best first; absent from a session without targets.
