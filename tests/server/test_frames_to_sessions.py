@@ -182,6 +182,9 @@ GOOD = frame(TEXT, text(1))
         ),
         pytest.param(frame(TEXT, text(2)[:-3] + b"\xed\xa0\x80"), 1007, id="6.3 a surrogate"),
         pytest.param(frame(TEXT, text(2) + b"\xce"), 1007, id="6.6 half a character at the end"),
+        pytest.param(
+            frame(TEXT, text(2) + b"\xce") + frame(CLOSE, b""), 1007, id="6.6 half a character, and a close"
+        ),
         pytest.param(frame(TEXT, b"{\xf4\x90", fin=False) + frame(CONTINUED, b"}"), 1007, id="6.4 in two"),
         pytest.param(frame(CLOSE, b"a"), 1002, id="7.3.2 close with one byte"),
         pytest.param(frame(CLOSE, (1005).to_bytes(2, "big")), 1002, id="7.9.4 close with 1005"),
