@@ -51,8 +51,8 @@ class Refusal(NamedTuple):
 class Receiver(Protocol):
     """Takes what comes from a client; called by the event loop, nothing may raise."""
 
-    def receive(self, frames: Sequence[Frame]) -> None:
-        """Messages that came together."""
+    def receive(self, frames: Sequence[Frame], read_at: float | None = None) -> None:
+        """Messages that were read together, at this time of ``perf_counter``; ``None``: just now."""
 
     def flush(self) -> None:
         """The client reads again."""
@@ -175,20 +175,22 @@ class Connection:
             self._socket.detach()
         return None
 
-    def receive(self, frames: Sequence[Frame]) -> None:
-        """Take in messages that came together."""
+    def receive(self, frames: Sequence[Frame], read_at: float | None = None) -> None:
+        """Take in messages that were read together; those that waited for their turn were so before."""
         if self._over.done():
             return
         self.frames += len(frames)
-        read_at = perf_counter()  # the loop's own clock counts milliseconds
+        taken_at = perf_counter()  # the loop's own clock counts milliseconds
         now = self._loop.time()
-        came = self._arrivals.since(read_at, now)
+        came = self._arrivals.since(taken_at, now)
+        if read_at is not None and read_at < came:
+            came = read_at
         if self._paused_at is not None:
             came, self._paused_at = min(came, self._paused_at), None
         if len(frames) == 1 and not self._waiting and not self._working and self._prepare is None:
-            self._take(frames, now, read_at, came)  # most frames
+            self._take(frames, now, taken_at, came)  # most frames
         else:
-            waited = read_at - came >= TOGETHER_S
+            waited = taken_at - came >= TOGETHER_S
             self._waiting.extend(_Waiting(frame, now, came, waited) for frame in frames)
             self._waiting_bytes += sum(map(len, frames))
             if len(self._waiting) > MOST_MESSAGES or self._waiting_bytes > MOST_BYTES:

@@ -11,6 +11,7 @@ import asyncio
 import socket
 from asyncio.transports import BaseTransport
 from http import HTTPStatus
+from time import perf_counter
 
 from uvicorn.protocols.websockets.websockets_sansio_impl import WebSocketsSansIOProtocol
 from websockets.frames import Frame, Opcode
@@ -62,6 +63,7 @@ class BoundedWebSocketProtocol(WebSocketsSansIOProtocol):
     _detached = False  # whether there was a receiver, which takes nothing more
     _held = False  # whether the receiver takes nothing for now
     _unparsed = b""  # the beginning of a frame, or what waits for its turn
+    _read_at = 0.0  # when the first of it was read
     _turn: asyncio.Handle | None = None  # when that is parsed
     _parser_bytes = 0  # so many more bytes belong to the parser: it has begun to read a frame
     can_write = True
@@ -150,6 +152,8 @@ class BoundedWebSocketProtocol(WebSocketsSansIOProtocol):
         self._heard = True
         if self._unparsed:
             data = self._unparsed + data
+        else:
+            self._read_at = perf_counter()
         if self._held or self._turn is not None:
             self._unparsed = data
         else:
@@ -201,7 +205,7 @@ class BoundedWebSocketProtocol(WebSocketsSansIOProtocol):
         if not messages or self.close_sent or self._ended or self._detached:
             return
         if self._receiver is not None:
-            self._receiver.receive(messages)
+            self._receiver.receive(messages, self._read_at)
             return
         for message in messages:  # an application that uses ASGI's ``receive``
             kind = "text" if isinstance(message, str) else "bytes"
