@@ -30,7 +30,7 @@ CHECK_UNIT = "[Service]\nType=oneshot\nExecStart=/trial/check\nTimeoutStartSec=i
 CHECK = """#!/bin/bash
 exec >/trial/out.txt 2>&1
 url=http://127.0.0.1:8765
-answers() { for i in $(seq 600); do curl -s -f -m 5 -o /dev/null $url/$1 && return; sleep 1; done; return 1; }
+answers() { for i in $(seq $2); do curl -s -f -m 5 -o /dev/null $url/$1 && return; sleep 1; done; return 1; }
 check() { if "${@:2}"; then echo "passed: $1"; else echo "FAILED: $1"; fi; }
 main() { systemctl show -p MainPID --value pointpred; }
 active() { test "$(systemctl is-active pointpred)" = "$1"; }
@@ -43,7 +43,7 @@ confined() { touch /etc/here && ! nsenter -t $(main) -m touch /etc/there; }
 workers() { test $(pgrep -fc workers.worker) = 2; }
 logged() { journalctl -u pointpred -o cat | grep -q "$1"; }
 secret() { ! journalctl -u pointpred | grep -q TOKEN && ! systemctl show pointpred | grep -q TOKEN; }
-check "the service becomes ready" answers readyz
+check "the service becomes ready" answers readyz 900
 check "a session is predicted" /trial/session
 check "who has no token is refused" refused
 check "the session was recorded" recorded
@@ -54,7 +54,7 @@ check "it writes nowhere else" confined 2>/dev/null
 pkill -KILL -n -f workers.worker; sleep 5
 check "a killed worker is replaced" workers
 kill -KILL $(main); sleep 5
-check "the killed service is started again" answers healthz
+check "the killed service is started again" answers healthz 90
 before=$(date +%s.%N); systemctl stop pointpred
 echo "the stop took $(echo "$(date +%s.%N) - $before" | bc 2>/dev/null || true) s"
 check "it stopped by itself" active inactive
