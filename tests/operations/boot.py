@@ -27,7 +27,7 @@ exec /opt/python/bin/{python} -P {arguments} "$@"
 """
 TARGET = "[Unit]\nWants=pointpred.service check.service\nAllowIsolate=yes\n"
 CHECK_UNIT = "[Service]\nType=oneshot\nExecStart=/trial/check\nTimeoutStartSec=infinity\n"
-CHECK = """#!/bin/bash
+CHECK = r"""#!/bin/bash
 exec >/trial/out.txt 2>&1
 url=http://127.0.0.1:8765
 answers() { for i in $(seq $2); do curl -s -f -m 5 -o /dev/null $url/$1 && return; sleep 1; done; return 1; }
@@ -38,11 +38,12 @@ refused() { test "$(curl -s -o /dev/null -w '%{http_code}' $url/metrics)" = 401;
 recorded() { grep -q . /var/lib/pointpred/recordings/*_samples.csv; }
 private() { test "$(stat -c '%a %U' /var/lib/pointpred)" = "700 pointpred"; }
 bare() { grep -q '^CapBnd:.0*$' /proc/$(main)/status && grep -q '^NoNewPrivs:.1' /proc/$(main)/status; }
-filtered() { grep -q '^Seccomp:.2' /proc/$(main)/status; }
+filters() { sed -n 's/^Seccomp_filters:[[:space:]]*//p' /proc/$1/status; }
+filtered() { test "$(filters $(main))" -gt "$(filters 1)"; }  # the container has filters of its own
 confined() { touch /etc/here && ! nsenter -t $(main) -m touch /etc/there; }
 workers() { test $(pgrep -fc workers.worker) = 2; }
 logged() { journalctl -u pointpred -o cat | grep -q "$1"; }
-secret() { ! journalctl -u pointpred | grep -q TOKEN && ! systemctl show pointpred | grep -q TOKEN; }
+secret() { ! journalctl -u pointpred | grep -q SECRET && ! systemctl show pointpred | grep -q SECRET; }
 check "the service becomes ready" answers readyz 900
 check "a session is predicted" /trial/session
 check "who has no token is refused" refused
@@ -108,7 +109,7 @@ def files() -> dict[str, str]:
         "pointpred.service": (DEPLOY / "pointpred.service").read_text(),
         "trial.target": TARGET,
         "check.service": CHECK_UNIT,
-        "check": CHECK,
+        "check": CHECK.replace("SECRET", TOKEN),
         "session.py": SESSION,
         "session": LAUNCHER.format(python=python, arguments="/trial/session.py"),
         "pointpred": LAUNCHER.format(python=python, arguments="-m pointpred"),
