@@ -24,7 +24,9 @@ TELL_S = 1.0
 TOGETHER_S = 0.02
 """Frames of events that have waited for so long, or for the work of another thread, are used as one."""
 FRAMES_AT_ONCE = 64
-"""So many frames of one client are taken in before others have their turn, however many have come."""
+"""So many frames of one client are taken in before others have their turn, however many have come, ..."""
+TURN_S = 2e-3
+"""... and none after this time."""
 TICK_S = 1.0
 """How often a session is told that time passes."""
 STUCK_S = 10.0
@@ -257,8 +259,8 @@ class Connection:
 
     def _take_waiting(self) -> None:
         """Take in frames that wait, until one has to wait again or others have their turn."""
-        taken = 0
-        while taken < FRAMES_AT_ONCE:
+        taken, begun_at = 0, perf_counter()
+        while taken < FRAMES_AT_ONCE and perf_counter() - begun_at < TURN_S:
             if self._working or self._preparation or self._turn or self._over.done():
                 return
             if not self._waiting:
@@ -273,8 +275,9 @@ class Connection:
                 self._preparation.add_done_callback(self._take_prepared)
                 return
             taken += self._take_first(FRAMES_AT_ONCE - taken)
+        self._turn = self._loop.call_soon(self._take_turn)
         if self._waiting:
-            self._turn = self._loop.call_soon(self._take_turn)
+            self._pause()
 
     def _take_first(self, most: int) -> int:
         """Take in the first of the frames that wait, or several that have waited long; returns how many."""

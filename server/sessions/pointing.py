@@ -79,6 +79,7 @@ class PointingSession(Session):
         self._observe = observe
         self._coefficients = coefficients
         self._targets = 0  # how many are registered
+        self._apart = 0  # of so many frames it is known that they cannot all be joined
 
     @property
     def events(self) -> int:
@@ -108,19 +109,29 @@ class PointingSession(Session):
         Only where nothing is wrong with any of them, and each ends later than the one before: the client
         then knows which frames an answer is for.
         """
-        parts, events, ended = [], 0, float("-inf")
+        if self._apart:
+            self._apart -= 1
+        elif len(tables := self._joinable(frames)) > 1:
+            if self._feed_whole(np.concatenate(tables), now):
+                return len(tables)
+            self._apart = len(tables) - 1
+        self.receive(frames[0], now)
+        return 1
+
+    def _joinable(self, frames: Sequence[str | bytes]) -> list[FloatArray]:
+        """The events of the first of some frames, as far as one table of them is allowed and cheap."""
+        tables: list[FloatArray] = []
+        events, ended = 0, float("-inf")
         for frame in frames:
             table = self._usable_table(frame)
             if table is None or not ended < table[-1, 0]:
                 break
             events, ended = events + len(table), float(table[-1, 0])
-            if events > self.limits.max_events_per_frame:
+            dear = self._open_stream.costs.of(events) > AT_ONCE_S
+            if dear or events > self.limits.max_events_per_frame:
                 break
-            parts.append(table)
-        if len(parts) > 1 and self._feed_whole(np.concatenate(parts), now):
-            return len(parts)
-        self.receive(frames[0], now)
-        return 1
+            tables.append(table)
+        return tables
 
     def _usable_table(self, frame: str | bytes) -> FloatArray | None:
         """The events of a frame of an allowed size; ``None`` for everything else."""
@@ -141,7 +152,7 @@ class PointingSession(Session):
         if stream is None or self.state is CLOSED or self.work is not None:
             return False
         cost_s = stream.costs.of(len(table))
-        if cost_s > AT_ONCE_S or not self._quota.allow(len(table), cost_s, now):
+        if not self._quota.allow(len(table), cost_s, now):
             return False
         finish = stream.take_in_whole(table, self.outbox)
         if finish is None:

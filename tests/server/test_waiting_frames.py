@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import itertools
 import json
 from collections.abc import Coroutine
 from typing import Any
@@ -86,6 +87,7 @@ def test_only_frames_that_have_waited_are_used_as_one(
     together_s: float, answers: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("pointpred.server.connection.TOGETHER_S", together_s)
+    monkeypatch.setattr("pointpred.server.connection.TURN_S", 60.0)
     session, socket, delays = asyncio.run(overloaded(Late(), rounds=1))
     predicted = [frame for frame in socket.written if '"prediction"' in str(frame)]
     assert len(predicted) == len(delays) == answers
@@ -93,7 +95,10 @@ def test_only_frames_that_have_waited_are_used_as_one(
     assert session.events == 8
 
 
-def test_a_client_is_told_that_the_service_is_behind_at_most_once_a_second() -> None:
+def test_a_client_is_told_that_the_service_is_behind_at_most_once_a_second(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("pointpred.server.connection.TURN_S", 60.0)
     _, socket, delays = asyncio.run(overloaded(Late(), rounds=50))
     told = [json.loads(frame) for frame in socket.written if '"slow"' in str(frame)]
     assert len(delays) == 50
@@ -120,3 +125,35 @@ async def overloaded(
     socket.on_attach = come
     await Connection(session, socket, arrivals, lambda taken, arrived: delays.append((taken, arrived))).run()
     return session, socket, delays
+
+
+def test_others_have_their_turn_between_frames_that_take_long(monkeypatch: pytest.MonkeyPatch) -> None:
+    ticks = itertools.count()
+    monkeypatch.setattr("pointpred.server.connection.perf_counter", lambda: 1e-3 * next(ticks))
+    used = asyncio.run(taken_in_turns(60))
+    assert used[-1] == 60
+    assert len(set(used)) >= 20
+
+
+@pytest.mark.parametrize("count", [64, 65, 128])
+def test_a_client_is_read_again_and_its_end_noticed_whatever_has_waited(count: int) -> None:
+    assert asyncio.run(taken_in_turns(count))[-1] == count
+
+
+async def taken_in_turns(count: int) -> list[int]:
+    """How many of so many frames that came at once were used, at each turn of the loop; the client leaves."""
+    loop, used = asyncio.get_running_loop(), []
+    session, socket = PointingSession("long", Limits(), loop.time()), FakeSocket()
+    running = loop.create_task(Connection(session, socket, Arrivals()).run())
+    await asyncio.sleep(0)
+    socket.there.receive([HELLO])
+    there = socket.there
+    there.receive([EVENT % i for i in range(count)])
+    if session.events < count:
+        assert socket.paused, "what has not been used is waited for before more is read"
+    there.disconnect(None)
+    while not running.done():
+        used.append(session.events)
+        await asyncio.sleep(0)
+    assert not socket.paused
+    return used

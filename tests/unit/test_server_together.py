@@ -8,6 +8,7 @@ from collections.abc import Callable
 
 import pytest
 
+from pointpred.protocol.decoding import decode_client_message
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import Limits
 from pointpred.server.sessions.pointing import PointingSession
@@ -110,3 +111,28 @@ def test_limits_hold_for_frames_that_waited() -> None:
     assert apart.events == joined.events == 20
     many = greeted("hold", "binary", "frame", max_events_per_frame=12)
     assert len(together(many, frames)) == 4, "a table of frames is no longer than a frame may be"
+
+
+def test_as_many_frames_are_joined_as_one_turn_of_the_loop_may_take() -> None:
+    session = greeted("switched", "json", "frame", max_events_per_s=100_000)
+    assert len(together(session, [text(20 * k, 20) for k in range(50)])) <= 3
+    assert session.events == 1000
+    assert session.work is None
+
+
+def test_frames_that_cannot_be_joined_are_not_tried_again_and_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    decoded: list[Frame] = []
+
+    def decode(frame: str) -> object:
+        decoded.append(frame)
+        return decode_client_message(frame)
+
+    session = greeted("switched", "json", "frame")
+    session.receive(text(0), 1.0)
+    frames: list[Frame] = [text(10 + k) for k in range(63)]
+    frames.append(json.dumps({"type": "events", "events": [*movement(0, 1), *movement(90, 1)]}))
+    monkeypatch.setattr("pointpred.server.sessions.pointing.decode_client_message", decode)
+    together(session, frames)
+    assert session.refusals == {"out_of_order": 1}
+    assert session.events == 65
+    assert len(decoded) <= 3 * len(frames)
