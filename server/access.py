@@ -20,6 +20,8 @@ log = logging.getLogger("pointpred.service")
 
 LOOPBACK = frozenset({"127.0.0.1", "localhost", "::1"})
 WILDCARDS = frozenset({"0.0.0.0", "::"})
+MAPPED = "::ffff:"
+"""Before an IPv4 address on a socket for both kinds."""
 HOST = re.compile(r"(?:\[([0-9a-f:.]+)\]|([^\s:/@\[\]?#]+))(?::[0-9]{0,5})?")
 HOST_REFUSED = encode(ErrorMessage("unauthorized", "this host name is not served here"))
 ORIGIN = re.compile(r"https?://[a-z0-9._~%:\[\]-]{1,300}")
@@ -95,6 +97,11 @@ def _without_port(host: str) -> str:
     """The name or address in a ``Host`` header; empty, which no rule admits, where it is malformed."""
     match = HOST.fullmatch(host)
     return (match.group(1) or match.group(2)) if match else ""
+
+
+def usual_address(client: tuple[str, int] | None) -> tuple[str, int] | None:
+    """The address and port of a client; an IPv4 address as such, also on a socket for both kinds."""
+    return None if client is None else (client[0].removeprefix(MAPPED), client[1])
 
 
 def is_address(name: str) -> bool:

@@ -11,6 +11,7 @@ from httptools import HttpParserError, HttpParserUpgrade
 from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol
 
 from pointpred.protocol.server_messages import Code
+from pointpred.server.access import usual_address
 from pointpred.server.request_refusal import Refusal
 from pointpred.server.upgrade import check_upgrade, upgrade_request
 from pointpred.server.websocket_protocol import BoundedWebSocketProtocol
@@ -59,6 +60,7 @@ class BoundedHttpProtocol(HttpToolsProtocol):
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         """The first header is expected."""
         super().connection_made(transport)
+        self.client = usual_address(self.client)
         self._expect_header()
 
     def connection_lost(self, exc: Exception | None) -> None:

@@ -21,6 +21,7 @@ from websockets.protocol import State
 from pointpred.protocol.frames import Frame as Message
 from pointpred.protocol.server_messages import Code, ErrorMessage, encode
 from pointpred.protocol.token_bucket import TokenBucket
+from pointpred.server.access import usual_address
 from pointpred.server.connection import FRAMES, FRAMES_AT_ONCE, Receiver, Refusal
 from pointpred.server.upgrade import FrameReader
 from pointpred.server.websocket_frames import WHOLE_MESSAGES, frame_end, framed, whole_message
@@ -111,6 +112,7 @@ class BoundedWebSocketProtocol(WebSocketsSansIOProtocol):
     def connection_made(self, transport: BaseTransport) -> None:
         """Begin, with a bound on unsent data."""
         super().connection_made(transport)
+        self.client = usual_address(self.client)
         self.transport.set_write_buffer_limits(high=WAITING_BYTES)
         self._control_frames = TokenBucket(CONTROL_FRAMES_PER_S, self.loop.time())
 

@@ -54,16 +54,18 @@ class Running:
 
 
 @contextmanager
-def running(prepare: Callable[[Service], None] = lambda service: None, **settings: Any) -> Iterator[Running]:
+def running(
+    prepare: Callable[[Service], None] = lambda service: None, *, host: str = "127.0.0.1", **settings: Any
+) -> Iterator[Running]:
     """Serve until the block ends; ``settings`` as for ``pointpred serve``, ``prepare`` before it begins.
 
     Where others use the processors the service is behind; here it answers each frame as if it were not.
     """
-    service = Service(Settings(**settings))
+    service = Service(Settings(host=host, **settings))
     prepare(service)
-    opened = listen("127.0.0.1", 0)
+    opened = listen(host, 0)
     up = threading.Event()
-    server = make_server(HostRule("127.0.0.1", service.settings.allow_host), service, up.set)
+    server = make_server(HostRule(host, service.settings.allow_host), service, up.set)
     thread = threading.Thread(target=server.run, args=([opened],))
     thread.start()
     patch = pytest.MonkeyPatch()

@@ -7,6 +7,7 @@ import json
 import logging
 import socket as socket_module
 from contextlib import ExitStack, suppress
+from typing import Any
 
 import pytest
 from httpx2 import get
@@ -198,6 +199,22 @@ def test_the_header_timer_spares_later_requests_and_sessions(
         socket.send('{"type":"events","events":[[1,5,6,null,null,0]]}')
         assert json.loads(socket.recv(PATIENCE_S))["t"] == 1.0
     assert not [entry for entry in caplog.records if entry.levelno >= logging.WARNING]
+
+
+@pytest.mark.skipif(not socket_module.has_dualstack_ipv6(), reason="no socket for IPv4 and IPv6 here")
+@pytest.mark.parametrize(("shown", "admitted"), [("127.0.0.1", 3), ("192.0.2.7", 1), ("192.0.2.8:4711", 1)])
+def test_addresses_are_the_same_on_a_socket_for_ipv4_and_ipv6(shown: str, admitted: int) -> None:
+    """A proxy on this machine is believed, and sessions of this machine have no share of their own."""
+    settings: dict[str, Any] = {"token": TOKEN, "trust_proxy": ["127.0.0.1"], "max_sessions_per_address": 1}
+    headers = {"Authorization": f"Bearer {TOKEN}", "X-Forwarded-For": shown}
+    answers = []
+    with running(host="::", **settings) as here, ExitStack() as sessions:
+        for _ in range(3):
+            socket = sessions.enter_context(here.connect(additional_headers=headers))
+            with suppress(ConnectionClosed):
+                socket.send(HELLO)
+            answers.append(json.loads(socket.recv(PATIENCE_S))["type"])
+    assert answers == ["welcome"] * admitted + ["error"] * (3 - admitted)
 
 
 def test_an_endless_upload_is_cancelled_when_the_service_stops(
