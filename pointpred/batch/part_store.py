@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
 import shutil
 import tempfile
@@ -10,15 +11,12 @@ from pathlib import Path
 from typing import Protocol
 
 import numpy as np
-import pyarrow as pa
 
 from pointpred.batch import part_file
 from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.files import beside
 from pointpred.scoring.parts import PartOutcome, ScoredPart, outcome
-
-DAMAGED = (OSError, ValueError, pa.ArrowException)
 
 
 class PartStore(Protocol):
@@ -83,7 +81,8 @@ class MemoryStore:
 class FolderStore:
     """A file for each chunk, written whole and then renamed: a process that is killed leaves no half of one.
 
-    A file that is damaged counts as missing. What the folder holds belongs to its name: see ``digests``.
+    A file's name ends with a digest of its bytes: a damaged one counts as missing. What the folder holds
+    belongs to its name: see ``digests``.
     """
 
     packed = True
@@ -92,43 +91,50 @@ class FolderStore:
         self.folder = folder
         try:
             folder.mkdir(parents=True, exist_ok=True)
+            self._files = {path.name.partition(".")[0]: path for path in folder.iterdir()}
         except OSError as error:
             message = f"cannot keep checkpoints in {folder}: {error.strerror}; name another folder"
             raise ParameterError(message, field="checkpoints", value=str(folder)) from error
 
     def durations(self, number: int) -> FloatArray | None:
         """As every store."""
-        try:
-            data = self._file("durations", number).read_bytes()
-            return np.frombuffer(data[8:], np.float64) if _count(data) == len(data) - 8 else None
-        except DAMAGED:
-            return None
+        data = self._read("durations", number)
+        return None if data is None else np.frombuffer(data, np.float64)
 
     def put_durations(self, number: int, durations: FloatArray) -> None:
         """As every store."""
-        data = durations.tobytes()
-        self._write(self._file("durations", number), len(data).to_bytes(8, "little") + data)
+        self._write("durations", number, "f64", durations.tobytes())
 
     def outcome(self, number: int) -> PartOutcome | None:
         """As every store."""
-        try:
-            return part_file.decode_outcome(self._file("scores", number).read_bytes())
-        except DAMAGED:
-            return None
+        data = self._read("scores", number)
+        return None if data is None else part_file.decode_outcome(data)
 
     def part(self, number: int) -> ScoredPart:
-        """As every store."""
-        return part_file.decode(self._file("scores", number).read_bytes())
+        """As every store; raises ParameterError where the file is not as it was written."""
+        data = self._read("scores", number)
+        if data is None:
+            message = f"checkpoint {number} in {self.folder} has changed meanwhile; score once more"
+            raise ParameterError(message, field="checkpoints", value=str(self.folder))
+        return part_file.decode(data)
 
     def put(self, number: int, part: ScoredPart | bytes) -> None:
         """As every store."""
         data = part if isinstance(part, bytes) else part_file.encode(part)
-        self._write(self._file("scores", number), data)
+        self._write("scores", number, "arrow", data)
 
-    def _file(self, kind: str, number: int) -> Path:
-        return self.folder / f"{kind}-{number:06d}.{'f64' if kind == 'durations' else 'arrow'}"
+    def _read(self, kind: str, number: int) -> bytes | None:
+        """The bytes of a file; ``None`` where there is none or they are not those that were written."""
+        path = self._files.get(f"{kind}-{number:06d}")
+        try:
+            data = b"" if path is None else path.read_bytes()
+        except OSError:
+            return None
+        return data if path is not None and f".{_digest(data)}." in path.name else None
 
-    def _write(self, path: Path, data: bytes) -> None:
+    def _write(self, kind: str, number: int, suffix: str, data: bytes) -> None:
+        name = f"{kind}-{number:06d}"
+        path = self.folder / f"{name}.{_digest(data)}.{suffix}"
         part = beside(path, "part")
         try:
             with part.open("wb") as file:
@@ -136,10 +142,13 @@ class FolderStore:
                 file.flush()
                 os.fsync(file.fileno())
             part.replace(path)
+            if (damaged := self._files.get(name, path)) != path:
+                damaged.unlink(missing_ok=True)
         except OSError as error:
             part.unlink(missing_ok=True)
             message = f"cannot keep a checkpoint in {self.folder}: {error.strerror}"
             raise ParameterError(message, field="checkpoints", value=str(self.folder)) from error
+        self._files[name] = path
 
 
 def temporary_store() -> FolderStore:
@@ -150,5 +159,5 @@ def temporary_store() -> FolderStore:
     return store
 
 
-def _count(data: bytes) -> int:
-    return int.from_bytes(data[:8], "little")
+def _digest(data: bytes) -> str:
+    return hashlib.blake2b(data, digest_size=8).hexdigest()

@@ -187,12 +187,32 @@ def test_what_is_there_is_not_done_again_unless_something_differs(
         assert asked(short, seed=7) == 0  # the bootstrap's only
         assert asked(short, cpi=800.0) == 2 * chunks
         assert asked(msgspec.structs.replace(short, trials=short.trials[::-1])) == 2 * chunks
-        damaged = next((tmp_path / "done").rglob("scores-000002.arrow"))
-        for one in damaged.parents[1].rglob("scores-000002.arrow"):
+        for one in (tmp_path / "done").rglob("scores-000002.*"):
             one.write_bytes(one.read_bytes()[:-7])
         assert asked(short) == 1
+        assert asked(short) == 0
         assert asked(file) > 0
         assert asked(file) == 0
+
+
+@pytest.mark.parametrize("kind", ["durations", "scores"])
+def test_a_checkpoint_with_a_wrong_byte_counts_as_missing(
+    kind: str, short: Recording, tmp_path: Path
+) -> None:
+    with open_executor(threads=1) as executor:
+        scored = score_in_chunks(short, scoring_with(NAMES), executor, checkpoints=tmp_path)
+        whole, files = document(scored), len(list(tmp_path.rglob("*.*")))
+        (one,) = tmp_path.rglob(f"{kind}-000001.*")
+        damaged = bytearray(one.read_bytes())
+        damaged[len(damaged) // 2] ^= 0x10
+        one.write_bytes(damaged)
+        if kind == "scores":
+            with pytest.raises(ParameterError, match="score once more"):
+                scored.store.part(1)
+        counting = Counting(executor)
+        assert document(score_in_chunks(short, scoring_with(NAMES), counting, checkpoints=tmp_path)) == whole
+    assert counting.asked == 1
+    assert len(list(tmp_path.rglob("*.*"))) == files
 
 
 def test_progress_begins_with_what_was_done_and_ends_with_all(short: Recording, tmp_path: Path) -> None:
