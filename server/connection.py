@@ -220,11 +220,13 @@ class Connection:
     def _flush(self) -> None:
         session, socket, unsent = self.session, self._socket, self._unsent
         outbox = session.outbox
-        while socket.can_write and (unsent or outbox):
+        while socket.can_write:
             if not unsent:
                 if outbox.waiting:
                     self._predicting = self._taken_at, self._came
                 unsent.extend(outbox.take())
+                if not unsent:
+                    break
             socket.write(unsent.popleft())
             self._sent += 1
             if self._predicting is not None and not unsent:

@@ -21,9 +21,10 @@ MASKED = 0x80
 SHORT_BYTES, MIDDLE_BYTES = 126, 2**16
 """Payloads below these lengths have the length in one byte, or in two more bytes."""
 
+USUAL_BYTES = 1024
+"""Most payloads are shorter: the beginnings of their frames are made once."""
+
 _middle_head, _long_head = Struct("!BBH"), Struct("!BBQ")
-_short_texts = [bytes((TEXT, size)) for size in range(SHORT_BYTES)]
-_short_binaries = [bytes((BINARY, size)) for size in range(SHORT_BYTES)]
 
 
 def frame_end(received: bytes, at: int) -> int:
@@ -67,12 +68,21 @@ def whole_message(received: bytes, at: int, end: int) -> Frame | None:
 def framed(frame: Frame) -> bytes:
     """A message as the server sends it: one frame, not masked."""
     if isinstance(frame, str):
-        payload, heads = frame.encode(), _short_texts
-    else:
-        payload, heads = frame, _short_binaries
-    size = len(payload)
+        payload = frame.encode()
+        size = len(payload)
+        return (_text_heads[size] if size < USUAL_BYTES else _head(TEXT, size)) + payload
+    size = len(frame)
+    return (_binary_heads[size] if size < USUAL_BYTES else _head(BINARY, size)) + frame
+
+
+def _head(first: int, size: int) -> bytes:
+    """The beginning of a frame with a payload of this size."""
     if size < SHORT_BYTES:
-        return heads[size] + payload
+        return bytes((first, size))
     if size < MIDDLE_BYTES:
-        return _middle_head.pack(heads[0][0], 126, size) + payload
-    return _long_head.pack(heads[0][0], 127, size) + payload
+        return _middle_head.pack(first, SHORT_BYTES, size)
+    return _long_head.pack(first, SHORT_BYTES + 1, size)
+
+
+_text_heads = [_head(TEXT, size) for size in range(USUAL_BYTES)]
+_binary_heads = [_head(BINARY, size) for size in range(USUAL_BYTES)]

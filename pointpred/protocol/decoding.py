@@ -15,9 +15,9 @@ from msgspec import Meta, Struct
 
 from pointpred.columns import EventColumns, FloatArray
 from pointpred.events import LARGEST, LATEST_S
-from pointpred.protocol.client_messages import CLIENT_MESSAGES, ClientMessage, EventRow
+from pointpred.protocol.client_messages import CLIENT_MESSAGES, ClientMessage, EventRow, Events
 from pointpred.protocol.errors import ProtocolError, invalid_json, invalid_message
-from pointpred.protocol.records import EVENT, NONE, unpack_events
+from pointpred.protocol.records import EVENT, NONE, EventFloats, unpack_event, unpack_events
 from pointpred.protocol.server_messages import SERVER_MESSAGES, SERVER_TYPES
 
 
@@ -27,6 +27,7 @@ def _any_of(kinds: tuple[type[Struct], ...]) -> Any:
 
 
 _from_client = msgspec.json.Decoder(_any_of(CLIENT_MESSAGES))
+_events = msgspec.json.Decoder(Events)
 _from_server = msgspec.json.Decoder(_any_of(SERVER_MESSAGES))
 # At the end of a number, an exponent of three digits, or a positive one of two.
 _wide = re.compile(r"[eE](?<=[\d.][eE])([-+]?0*[1-9]\d\d|\+?0*[1-9]\d)\d*(?=[\s,\]}])", re.A)
@@ -34,6 +35,8 @@ EXTREME_MOST = 128
 """Numbers above 1e10 or below 1e-99 in one message: decoding one may take 8 us, and others take 20 ns."""
 SHORT = 1024
 """Characters of a message that may hold any numbers."""
+ONE_EVENT = 256
+"""Characters of a text with one event, and within the bytes that any service takes in one frame."""
 _most = (LATEST_S, LARGEST, LARGEST)
 
 
@@ -81,9 +84,16 @@ def decode_server_message(text: str) -> Struct | None:
     return message
 
 
-def event_row_of_json(row: EventRow) -> tuple[float, float, float, float, float, float]:
-    """One event of an ``events`` message as a row of the table."""
-    t, x, y, dx, dy, buttons = row
+def decode_event(frame: str | bytes) -> EventFloats | None:
+    """The event of a frame that holds one and no mistake; ``None`` for every other frame."""
+    if isinstance(frame, bytes):
+        return unpack_event(frame) if len(frame) == EVENT.itemsize else None
+    if len(frame) > ONE_EVENT or frame.count("[") != 2:
+        return None
+    try:
+        ((t, x, y, dx, dy, buttons),) = _events.decode(frame).events
+    except ValueError:  # of msgspec, and for text that is no UTF-8
+        return None
     return t, x, y, NONE if dx is None else dx, NONE if dy is None else dy, float(buttons)
 
 

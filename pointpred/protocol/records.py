@@ -20,6 +20,8 @@ NO_COUNTS = -32768
 
 NONE = float("nan")
 RecordArray = NDArray[np.void]
+EventFloats = tuple[float, float, float, float, float, float]
+"""A row of the table of ``EventColumns``."""
 _one_event = Struct("<dddhhH")
 _one_prediction = Struct("<dddddddBd")
 
@@ -47,7 +49,7 @@ def unpack_events(frame: bytes) -> FloatArray:
     return table
 
 
-def unpack_event(frame: bytes) -> tuple[float, float, float, float, float, float]:
+def unpack_event(frame: bytes) -> EventFloats:
     """The only event of a frame, as a row of the same table."""
     t, x, y, dx, dy, buttons = _one_event.unpack(frame)
     if dx == NO_COUNTS or dy == NO_COUNTS:

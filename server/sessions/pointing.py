@@ -25,14 +25,9 @@ from pointpred.protocol.client_messages import (
     Targets,
     TrialMark,
 )
-from pointpred.protocol.decoding import (
-    decode_client_message,
-    event_row_of_json,
-    table_of_bytes,
-    table_of_rows,
-)
+from pointpred.protocol.decoding import decode_client_message, decode_event, table_of_bytes, table_of_rows
 from pointpred.protocol.errors import ProtocolError
-from pointpred.protocol.records import EVENT, unpack_event, unpack_events
+from pointpred.protocol.records import EVENT, EventFloats, unpack_events
 from pointpred.protocol.server_messages import (
     KnownPerson,
     Limits,
@@ -94,12 +89,9 @@ class PointingSession(Session):
         if stream is not None and self.state is not CLOSED:
             if now > self.last_received:  # a frame that was kept waiting came before
                 self.last_received = now
-            # Most frames of a fast device, and cheap: one packed event with nothing wrong about it.
-            if (
-                len(frame) == RECORD_BYTES
-                and isinstance(frame, bytes)
-                and self._receive_event(stream, frame, now)
-            ):
+            # Most frames of a fast device, and cheap: one event with nothing wrong about it.
+            row = decode_event(frame)
+            if row is not None and self._receive_event(stream, row, now):
                 return
         Session.receive(self, frame, now)  # super() would cost as much as decoding the frame
 
@@ -162,13 +154,13 @@ class PointingSession(Session):
         self._send_answers(finish, len(table), stream.refusal_s, now)
         return True
 
-    def _receive_event(self, stream: PredictionStream, frame: bytes, now: float) -> bool:
-        """Predict from one packed event; False, and nothing taken, where there is more to do for it."""
+    def _receive_event(self, stream: PredictionStream, row: EventFloats, now: float) -> bool:
+        """Predict from one event; False, and nothing taken, where there is more to do for it."""
         rate = self._quota.events
         if not rate.take(1, now):
             return False
         try:
-            used = stream.feed_event(unpack_event(frame), self.outbox)
+            used = stream.feed_event(row, self.outbox)
         except EventError as error:
             self.refuse(bad_event(error))
             self.check_unread()
@@ -233,12 +225,8 @@ class PointingSession(Session):
 
     def handle_events(self, message: Events, now: float) -> None:
         """Predict from events in JSON."""
-        stream, rows = self._open_stream, message.events
-        self._quota.take_events(len(rows), now)
-        if len(rows) != 1 or not stream.feed_event(event_row_of_json(rows[0]), self.outbox):
-            self._feed(stream, table_of_rows(rows), now)
-        elif self.state is not STREAMING:
-            self.move(Trigger.EVENTS)
+        self._quota.take_events(len(message.events), now)
+        self._feed(self._open_stream, table_of_rows(message.events), now)
 
     def handle_targets(self, message: Targets, now: float) -> TargetsTaken:
         """Replace the set of targets."""
