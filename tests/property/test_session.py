@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pointpred import REGISTRY
-from pointpred.protocol.decoding import decode_server_message
+from pointpred.protocol.decoding import ONE_EVENT, decode_server_message
 from pointpred.protocol.server_messages import ErrorMessage, Limits, Score
 from pointpred.server.sessions.pointing import PointingSession
 from tests.unit.talking import NO_COUNTS, PREDICTION, events, hello, packed
@@ -160,3 +160,21 @@ def test_events_in_json_and_packed_give_the_same_predictions(
         (first,), (second,) = (map(check, session.outbox.take()) for session in (text, binary))
         assert isinstance(first, Score)
         assert first == second
+
+
+@given(
+    st.sampled_from(list(REGISTRY)),
+    st.lists(
+        st.lists(good_row | any_row, min_size=1, max_size=1).map(lambda rows: events(*rows)), max_size=6
+    ),
+)
+def test_one_event_is_answered_alike_in_a_short_text_and_a_long_one(
+    name: str, messages: list[dict[str, Any]]
+) -> None:
+    short, long = (PointingSession("s", Limits(), 0.0) for _ in range(2))
+    for session, blanks in ((short, 0), (long, ONE_EVENT)):
+        session.receive(json.dumps(hello(name)), 0.0)
+        for sent in messages:
+            session.receive(json.dumps(sent) + " " * blanks, 0.0)
+    assert short.outbox.take() == long.outbox.take()
+    assert (short.events, short.refusals, short.state) == (long.events, long.refusals, long.state)

@@ -9,7 +9,9 @@ from websockets.protocol import Protocol, Side
 
 from pointpred.server.websocket_frames import frame_end, framed, whole_message
 
-SIZES = some.one_of(some.integers(0, 130), some.sampled_from([125, 126, 127, 65535, 65536, 70_000]))
+SIZES = some.one_of(
+    some.integers(0, 130), some.sampled_from([125, 126, 127, 1023, 1024, 65535, 65536, 70_000])
+)
 
 
 @given(SIZES, some.binary(max_size=20), some.binary(max_size=20), some.booleans())
