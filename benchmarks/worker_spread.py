@@ -16,10 +16,8 @@ import time
 from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
-from typing import Any
 
 import numpy as np
-import uvloop
 
 from benchmarks.machine import machine
 from pages import PAGES
@@ -32,39 +30,6 @@ CLIENTS = 20
 PROCESSES = 2
 ROUNDS = 50
 GAPS_S = {"together": 0.0, "10 ms apart": 0.01}
-NAME = "a"
-
-
-class Named(asyncio.Protocol):
-    """Sends the name of its process to who connects."""
-
-    def connection_made(self, transport: Any) -> None:
-        """Send it."""
-        transport.write(NAME.encode())
-
-
-async def accept(listening: socket.socket) -> None:
-    """Accept connections."""
-    server = await asyncio.get_running_loop().create_server(Named, sock=listening)
-    print("ready", flush=True)
-    await server.serve_forever()
-
-
-async def receive(handing: socket.socket) -> None:
-    """Take connections that another process has accepted."""
-    loop, opened = asyncio.get_running_loop(), set()
-    handing.setblocking(False)
-
-    def take() -> None:
-        _, descriptors, _, _ = socket.recv_fds(handing, 1, 1)
-        connection = socket.socket(fileno=descriptors[0])
-        connection.setblocking(False)
-        task = loop.create_task(loop.connect_accepted_socket(Named, connection))
-        opened.add(task)
-
-    loop.add_reader(handing, take)
-    print("ready", flush=True)
-    await asyncio.Event().wait()
 
 
 class Process:
@@ -89,7 +54,7 @@ Way = Callable[[ExitStack], tuple[int, list[Process]]]
 
 def start(stack: ExitStack, kind: str, name: str, far: socket.socket) -> None:
     """A process of the benchmark, which names itself and takes connections from a socket."""
-    command = [sys.executable, "-m", "benchmarks.worker_spread", kind, name, str(far.fileno())]
+    command = [sys.executable, "-m", "benchmarks.worker_spread_process", kind, name, str(far.fileno())]
     process = stack.enter_context(
         subprocess.Popen(command, stdout=subprocess.PIPE, pass_fds=[far.fileno()], text=True)
     )
@@ -189,11 +154,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    if sys.argv[1:2] in (["accept"], ["receive"]):
-        NAME = sys.argv[2]
-        uvloop.run(
-            {"accept": accept, "receive": receive}[sys.argv[1]](socket.socket(fileno=int(sys.argv[3])))
-        )
-    else:
-        parse(__doc__)
-        main()
+    parse(__doc__)
+    main()

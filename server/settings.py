@@ -87,7 +87,7 @@ class Settings(BaseSettings):
         description="Format of log entries; not given: text in a terminal, json elsewhere.",
     )
     max_sessions: int = Field(default=64, ge=1, le=100_000, description="Most sessions at a time.")
-    max_sessions_per_address: int | None = Field(
+    max_per_address: int | None = Field(
         default=None,
         ge=1,
         le=100_000,
@@ -157,7 +157,7 @@ class Settings(BaseSettings):
     @property
     def share(self) -> int:
         """Most sessions of one other machine."""
-        given = self.max_sessions_per_address
+        given = self.max_per_address
         return max(1, self.max_sessions // 2) if given is None else given
 
     def guarded(self) -> Settings:

@@ -69,7 +69,7 @@ def serve(
         str | None, typer.Option(help="json or text. Not given: text in a terminal, json elsewhere.")
     ] = None,
     max_sessions: Annotated[int | None, typer.Option(help="Most sessions at a time.")] = None,
-    max_sessions_per_address: Annotated[
+    max_per_address: Annotated[
         int | None,
         typer.Option(help="Most sessions of one other machine. Not given: half of --max-sessions."),
     ] = None,

@@ -26,18 +26,21 @@ class SessionThread:
         self._failed = failed
         self._error: Exception | None = None
         self._thread = threading.Thread(target=self._run, name="device", daemon=True)
+        self._timer: threading.Timer | None = None
 
     def start(self, seconds: float | None) -> None:
         """Begin; end by itself after ``seconds``, unless they are ``None`` or more than a clock can count."""
         self._thread.start()
         if seconds is not None and seconds < threading.TIMEOUT_MAX:
-            timer = threading.Timer(seconds, self.stopping.set)
-            timer.daemon = True
-            timer.start()
+            self._timer = threading.Timer(seconds, self.stopping.set)
+            self._timer.daemon = True
+            self._timer.start()
 
     def stop(self) -> None:
         """End, and raise the error that ended it before."""
         self.stopping.set()
+        if self._timer is not None:
+            self._timer.cancel()
         self._thread.join()
         if self._error is not None:
             raise self._error

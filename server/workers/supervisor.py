@@ -49,7 +49,7 @@ COLLECT_S = 1.0
 """So long the metrics wait for a worker; then those that it sent last are shown."""
 STOP_S = 12.0
 """Seconds that workers have to end: two for ``bye``, the rest for requests and recordings."""
-SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+SIGNALS = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
 
 log = logging.getLogger("pointpred.service")
 

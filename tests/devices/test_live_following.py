@@ -23,8 +23,9 @@ def test_more_seconds_than_a_clock_counts_are_no_end(monkeypatch: pytest.MonkeyP
     raised: list[BaseException | None] = []
     monkeypatch.setattr(threading, "excepthook", lambda failure: raised.append(failure.exc_value))
     driven = following()
+    before = set(threading.enumerate())
     driven.start(seconds)
-    for timer in [thread for thread in threading.enumerate() if isinstance(thread, threading.Timer)]:
+    for timer in [one for one in set(threading.enumerate()) - before if isinstance(one, threading.Timer)]:
         timer.join(60.0)
     assert (raised, driven.stopping.is_set()) == ([], False)
     driven.stop()
@@ -35,6 +36,16 @@ def test_it_ends_by_itself_after_the_seconds_given() -> None:
     driven.start(0.01)
     assert driven.stopping.wait(60.0)
     driven.stop()
+
+
+def test_nothing_waits_for_the_seconds_of_a_session_that_was_stopped() -> None:
+    driven = following()
+    before = set(threading.enumerate())
+    driven.start(3600.0)
+    (timer,) = [one for one in set(threading.enumerate()) - before if isinstance(one, threading.Timer)]
+    driven.stop()
+    timer.join(60.0)
+    assert not timer.is_alive()
 
 
 def test_what_breaks_the_session_ends_it_and_is_raised_when_it_is_stopped() -> None:

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from pointpred.recording import Recording
@@ -79,6 +79,10 @@ def test_a_table_is_read_back_by_its_mapping(
     if header:
         writer.writerow([names[place] for place in order])
     writer.writerows([[row[place] for place in order] for row in rows])
+    # Where three digits follow every comma, the column may hold thousands, and is refused.
+    for place in (1, 2):
+        decimals = [str(row[place]).partition(",")[2] for row in rows if "," in str(row[place])]
+        assume(not decimals or any(len(digits) != 3 for digits in decimals))
     path = tmp_path_factory.mktemp("table") / "table.txt"
     path.write_bytes(text.getvalue().encode(encoding))
     fields = ("t", "x", "y", "user", "trial")

@@ -205,7 +205,7 @@ def test_the_header_timer_spares_later_requests_and_sessions(
 @pytest.mark.parametrize(("shown", "admitted"), [("127.0.0.1", 3), ("192.0.2.7", 1), ("192.0.2.8:4711", 1)])
 def test_addresses_are_the_same_on_a_socket_for_ipv4_and_ipv6(shown: str, admitted: int) -> None:
     """A proxy on this machine is believed, and sessions of this machine have no share of their own."""
-    settings: dict[str, Any] = {"token": TOKEN, "trust_proxy": ["127.0.0.1"], "max_sessions_per_address": 1}
+    settings: dict[str, Any] = {"token": TOKEN, "trust_proxy": ["127.0.0.1"], "max_per_address": 1}
     headers = {"Authorization": f"Bearer {TOKEN}", "X-Forwarded-For": shown}
     answers = []
     with running(host="::", **settings) as here, ExitStack() as sessions:
