@@ -134,7 +134,8 @@ class Connection:
         self._arrivals = arrivals
         self._observe_delays = observe
         self._worker = worker
-        self._prepare = prepare
+        self.prepare = prepare
+        """Set to ``None`` once no frame has to wait: then they are taken in faster, and may be joined."""
         self._loop = asyncio.get_running_loop()
         self._over: asyncio.Future[None] = self._loop.create_future()
         self._waiting: deque[_Waiting] = deque()
@@ -189,7 +190,7 @@ class Connection:
             came = read_at
         if self._paused_at is not None:
             came, self._paused_at = min(came, self._paused_at), None
-        if len(frames) == 1 and not self._waiting and not self._working and self._prepare is None:
+        if len(frames) == 1 and not self._waiting and not self._working and self.prepare is None:
             self._take(frames, now, taken_at, came)  # most frames
         else:
             waited = taken_at - came >= TOGETHER_S
@@ -272,7 +273,7 @@ class Connection:
                 self._socket.resume_frames()
                 return
             first = self._waiting[0]
-            if self._prepare is not None and (preparation := self._prepare(first.frame)) is not None:
+            if self.prepare is not None and (preparation := self.prepare(first.frame)) is not None:
                 self._preparation = self._loop.create_task(preparation)
                 self._preparation.add_done_callback(self._take_prepared)
                 return
@@ -284,7 +285,7 @@ class Connection:
     def _take_first(self, most: int) -> int:
         """Take in the first of the frames that wait, or several that have waited long; returns how many."""
         first = self._waiting[0]
-        if not (first.waited or self._late) or self._prepare is not None:
+        if not (first.waited or self._late) or self.prepare is not None:
             most = 1
         frames = [each.frame for each in islice(self._waiting, most)]
         taken = self._take(frames, first.received, perf_counter(), first.came)

@@ -83,10 +83,11 @@ class StreamEndpoint:
     async def _serve(self, scope: Scope, send: Send) -> None:
         service = self.service
         session = service.open_session(asyncio.get_running_loop().time())
-        prepare = None if service.compiler.over else partial(self._prepare, session)
         connection = Connection(
-            session, _socket(scope), service.arrivals, service.metrics.delays.observe, service.scorer, prepare
+            session, _socket(scope), service.arrivals, service.metrics.delays.observe, service.scorer
         )
+        if not service.compiler.over:
+            connection.prepare = partial(self._prepare, connection)
         try:
             await self._run(connection, send)
         finally:
@@ -107,11 +108,14 @@ class StreamEndpoint:
             session.fail()
             await send_error(send, "internal", FAILED, 1011)
 
-    def _prepare(self, session: Session, frame: Frame) -> Coroutine[Any, Any, None] | None:
+    def _prepare(self, connection: Connection, frame: Frame) -> Coroutine[Any, Any, None] | None:
         """Compile what a message needs before the session gets it; its first event would wait for it."""
         compiler = self.service.compiler
-        names = [] if compiler.over else compiler.missing(parts_for(frame))
-        return self._wait(session, names) if names else None
+        if compiler.over:
+            connection.prepare = None
+            return None
+        names = compiler.missing(parts_for(frame))
+        return self._wait(connection.session, names) if names else None
 
     async def _wait(self, session: Session, names: list[str]) -> None:
         session.waits_for_compiler = True

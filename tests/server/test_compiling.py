@@ -187,6 +187,12 @@ def test_a_message_waits_for_what_it_needs_and_answers_keep_their_order(
             assert answer["type"] == PREDICTION, answer
             assert answer["t"] > last
             last = answer["t"]
+        soon(lambda: here.service.compiler.over, "all is compiled")
+        socket.send(EVENT % 20)
+        assert json.loads(socket.recv(PATIENCE_S))["t"] == 20.0
+        ((connection, _),) = here.service._open.values()
+        assert connection is not None
+        assert connection.prepare is None, "what follows is not looked at any more"
 
 
 def test_what_is_compiled_is_told(here: Running, compiler: FakeWorkers) -> None:
