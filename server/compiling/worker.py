@@ -9,13 +9,11 @@ from __future__ import annotations
 import gc
 import os
 import subprocess
-import sys
 import threading
 from contextlib import suppress
-from pathlib import Path
 from queue import SimpleQueue
 
-import pointpred
+from pointpred.server.child_processes import command, environment
 
 LOW_PRIORITY = "low priority"
 """Instead of a name: run with low priority from now on; may be sent again."""
@@ -27,15 +25,12 @@ class Worker:
 
     def __init__(self) -> None:
         """Its input stays open while this process lives, however it ends."""
-        command = [sys.executable, "-P", "-m", "pointpred.server.compiling.worker"]
-        package = str(Path(pointpred.__file__).parent.parent)  # not one in the current folder
-        paths = os.pathsep.join(filter(None, (package, os.environ.get("PYTHONPATH"))))
         self.process = subprocess.Popen(
-            command,
+            command("pointpred.server.compiling.worker"),
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
-            env=os.environ | {"PYTHONPATH": paths},
+            env=environment(),
         )
 
     def compile(self, name: str) -> bool:

@@ -20,7 +20,7 @@ from typing import BinaryIO, Literal
 
 import msgspec
 
-import pointpred
+from pointpred.server.child_processes import command, environment
 from pointpred.server.uploads.receiving import UploadError
 
 SCORE_S = 60.0
@@ -103,15 +103,13 @@ class UploadProcess:
         if self._process is not None and self._process.poll() is not None:
             self._kill()
         if self._process is None:
-            package = str(Path(pointpred.__file__).parent.parent)  # not one in the current folder
-            paths = os.pathsep.join(filter(None, (package, os.environ.get("PYTHONPATH"))))
             self._process = subprocess.Popen(
-                [sys.executable, "-P", "-m", "pointpred.server.uploads.process"],
+                command("pointpred.server.uploads.process"),
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.DEVNULL,
                 # The other pools of Arrow reserve as much as is allowed before anything is read.
-                env=os.environ | {"PYTHONPATH": paths, "ARROW_DEFAULT_MEMORY_POOL": "system"},
+                env=environment() | {"ARROW_DEFAULT_MEMORY_POOL": "system"},
             )
             weakref.finalize(self, _close, self._process)
         return self._process

@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 import asyncio
-import os
 import socket
 import subprocess
-import sys
 import time
 from collections.abc import Callable, Coroutine
-from pathlib import Path
 from typing import Any
 
 import msgspec
 
-import pointpred
+from pointpred.server.child_processes import command, environment
 from pointpred.server.workers.counts import CONNECTIONS, TAKEN, WorkerCounts
 from pointpred.server.workers.messages import (
     LINE_BYTES,
@@ -59,7 +56,7 @@ class WorkerProcess:
         with far_control, far_connections:
             try:
                 process = await asyncio.create_subprocess_exec(
-                    *(sys.executable, "-P", "-m", "pointpred.server.workers.worker", *map(str, passed)),
+                    *command("pointpred.server.workers.worker", *map(str, passed)),
                     stdin=subprocess.DEVNULL,
                     pass_fds=passed,
                     env=environment(),
@@ -142,10 +139,3 @@ class WorkerProcess:
         if isinstance(message, Collected) and self._collected is not None:
             self._collected.set_result(None)
             self._collected = None
-
-
-def environment() -> dict[str, str]:
-    """For a process that imports this package, whatever the current folder holds."""
-    package = str(Path(pointpred.__file__).parent.parent)
-    paths = os.pathsep.join(filter(None, (package, os.environ.get("PYTHONPATH"))))
-    return os.environ | {"PYTHONPATH": paths}
