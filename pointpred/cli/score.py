@@ -91,6 +91,7 @@ def score(
     parameters = with_coefficients(names, coefficients)
     reasons: Reasons = {}
     if targets:
+        _check_alone({"--processes": processes, "--cluster": cluster, "--checkpoints": checkpoints})
         settings = {"threads": threads, "seed": seed, "cpi": cpi, "dpi": dpi, "parameters": parameters}
         _score_targets(files, reading, names, json, report, **settings)
         return
@@ -119,6 +120,8 @@ def score(
                 if report is not None:
                     drawn.append(scored.joined(WORST))
             except Exception as error:  # whatever is wrong with one recording, the others are scored
+                if isinstance(error, ParameterError) and error.field == "checkpoints":
+                    raise  # nothing is wrong with the recording
                 leave_out(reasons, source.name, error)
     if report is not None and drawn:
         from pointpred.report import write_report
@@ -135,6 +138,14 @@ def score(
         remarks().print(f"report written: {report}", markup=False)
     if not any(one.trials for one in scores.sets):
         raise RecordingError("no trial could be scored; see the reasons above", code="nothing_scored")
+
+
+def _check_alone(given: dict[str, object]) -> None:
+    """Raise ParameterError for what scoring the choice of a target does not do."""
+    for option, value in given.items():
+        if value is not None:
+            message = f"{option} does not go with --targets, which scores on threads: leave one out"
+            raise ParameterError(message, field=option, value=value)
 
 
 def _score_targets(

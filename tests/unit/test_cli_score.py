@@ -148,6 +148,24 @@ def test_a_bad_file_does_not_stop_the_good_one(command, good: Path, bad: Path) -
     assert "bad_samples.csv" in left.err
 
 
+def test_checkpoints_that_cannot_be_kept_are_no_fault_of_the_recordings(
+    command, good: Path, tmp_path: Path
+) -> None:
+    document = tmp_path / "scores.json"
+    left = command("score", good, "--predictors", "hold", "--checkpoints", good / "done", "--json", document)
+    assert left.code == 2
+    assert "cannot keep checkpoints" in left.err
+    assert "left out" not in left.err
+    assert not document.exists()
+
+
+@pytest.mark.parametrize("option", ["--processes=2", "--cluster=local", "--checkpoints=done"])
+def test_what_targets_do_not_do_is_refused(command, option: str) -> None:
+    left = command("score", "--targets", option)
+    assert left.code == 2
+    assert option.partition("=")[0] in left.err
+
+
 def test_without_files_the_sample_is_scored_and_named(command) -> None:
     left = command("score", "--predictors", "hold")
     assert left.code == 0
