@@ -27,6 +27,8 @@ FRAMES_AT_ONCE = 64
 """So many frames of one client are taken in before others have their turn, however many have come, ..."""
 TURN_S = 2e-3
 """... and none after this time."""
+DEAR_S = 1e-4
+"""After a frame that took so long others have their turn, also where frames are read singly, in fragments."""
 TICK_S = 1.0
 """How often a session is told that time passes."""
 STUCK_S = 10.0
@@ -190,16 +192,19 @@ class Connection:
             came = read_at
         if self._paused_at is not None:
             came, self._paused_at = min(came, self._paused_at), None
-        if len(frames) == 1 and not self._waiting and not self._working and self.prepare is None:
+        free = not (self._waiting or self._working or self._turn)
+        if free and len(frames) == 1 and self.prepare is None:
             self._take(frames, now, taken_at, came)  # most frames
         else:
             waited = taken_at - came >= TOGETHER_S
             self._waiting.extend(_Waiting(frame, now, came, waited) for frame in frames)
             self._waiting_bytes += sum(map(len, frames))
-            if len(self._waiting) > MOST_MESSAGES or self._waiting_bytes > MOST_BYTES:
+            if self._turn or len(self._waiting) > MOST_MESSAGES or self._waiting_bytes > MOST_BYTES:
                 self._pause()
             self._take_waiting()
-        self._arrivals.busy_until = perf_counter()
+        self._arrivals.busy_until = used_at = perf_counter()
+        if used_at - taken_at >= DEAR_S and self._turn is None:
+            self._turn = self._loop.call_soon(self._take_turn)
 
     def flush(self) -> None:
         """Send what can be sent now; the rest once the client reads again."""

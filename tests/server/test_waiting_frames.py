@@ -99,6 +99,7 @@ def test_a_client_is_told_that_the_service_is_behind_at_most_once_a_second(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr("pointpred.server.connection.TURN_S", 60.0)
+    monkeypatch.setattr("pointpred.server.connection.DEAR_S", 60.0)
     _, socket, delays = asyncio.run(overloaded(Late(), rounds=50))
     told = [json.loads(frame) for frame in socket.written if '"slow"' in str(frame)]
     assert len(delays) == 50
@@ -127,10 +128,13 @@ async def overloaded(
     return session, socket, delays
 
 
-def test_others_have_their_turn_between_frames_that_take_long(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("together", [True, False], ids=["together", "one by one, as in fragments"])
+def test_others_have_their_turn_between_frames_that_take_long(
+    together: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
     ticks = itertools.count()
     monkeypatch.setattr("pointpred.server.connection.perf_counter", lambda: 1e-3 * next(ticks))
-    used = asyncio.run(taken_in_turns(60))
+    used = asyncio.run(taken_in_turns(60, together=together))
     assert used[-1] == 60
     assert len(set(used)) >= 20
 
@@ -140,7 +144,7 @@ def test_a_client_is_read_again_and_its_end_noticed_whatever_has_waited(count: i
     assert asyncio.run(taken_in_turns(count))[-1] == count
 
 
-async def taken_in_turns(count: int) -> list[int]:
+async def taken_in_turns(count: int, *, together: bool = True) -> list[int]:
     """How many of so many frames that came at once were used, at each turn of the loop; the client leaves."""
     loop, used = asyncio.get_running_loop(), []
     session, socket = PointingSession("long", Limits(), loop.time()), FakeSocket()
@@ -148,7 +152,9 @@ async def taken_in_turns(count: int) -> list[int]:
     await asyncio.sleep(0)
     socket.there.receive([HELLO])
     there = socket.there
-    there.receive([EVENT % i for i in range(count)])
+    frames = [EVENT % i for i in range(count)]
+    for part in [frames] if together else [[one] for one in frames]:
+        there.receive(part)
     if session.events < count:
         assert socket.paused, "what has not been used is waited for before more is read"
     there.disconnect(None)
