@@ -120,7 +120,7 @@ def score(
                 if report is not None:
                     drawn.append(scored.joined(WORST))
             except Exception as error:  # whatever is wrong with one recording, the others are scored
-                if isinstance(error, ParameterError) and error.field == "checkpoints":
+                if isinstance(error, ParameterError) and error.field in ("checkpoints", "processes"):
                     raise  # nothing is wrong with the recording
                 leave_out(reasons, source.name, error)
     if report is not None and drawn:

@@ -25,6 +25,6 @@ class Executor(Protocol):
 
         Items are taken as workers become free. The first error that the function raises is raised here; items
         that were not begun are given up then, as when the caller stops. On processes and clusters, function,
-        items and answers are pickled.
+        items and answers are pickled, and ParameterError is raised where a process of a pool was killed.
         """
         ...

@@ -7,10 +7,12 @@ import os
 import signal
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, ThreadPoolExecutor, wait
+from concurrent.futures.process import BrokenProcessPool
 from itertools import islice
 from multiprocessing.connection import wait as wait_for
 from threading import Thread
 
+from pointpred.errors import ParameterError
 from pointpred.executors.executor import AHEAD, Answer, Item
 
 
@@ -49,6 +51,9 @@ class Pool:
                     place = waiting.pop(future)
                     add(1)
                     yield place, future.result()
+        except BrokenProcessPool as error:
+            message = "one of the processes was killed, perhaps because memory ran out: use fewer, or threads"
+            raise ParameterError(message, field="processes", value=self.workers) from error
         finally:
             for future in waiting:
                 future.cancel()

@@ -39,6 +39,14 @@ def test_every_item_is_answered_once_at_its_place(way: dict[str, Any]) -> None:
         assert dict(executor.each(broken, [7])) == {0: 7}  # an error is not the executor's end
 
 
+def test_a_process_that_is_killed_is_named_as_the_reason() -> None:
+    with open_executor(processes=1) as executor:
+        for _ in range(2):
+            with pytest.raises(ParameterError, match="was killed") as caught:
+                dict(executor.each(os._exit, [1]))
+            assert caught.value.field == "processes"
+
+
 def test_items_are_taken_as_workers_become_free() -> None:
     taken = 0
 
