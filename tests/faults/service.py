@@ -125,7 +125,8 @@ class Client:
     """A session whose every prediction is compared with an offline run, bit for bit."""
 
     def __init__(self, url: str, predictor: str = "linear", reply: str = "event") -> None:
-        patient = {"open_timeout": PATIENCE_S, "close_timeout": PATIENCE_S}
+        # Where a test fails, answers that nobody reads keep the close frame from being read.
+        patient = {"open_timeout": PATIENCE_S, "close_timeout": 10.0}
         self.sent: FloatArray = np.empty((0, 6))
         self._hello = {"type": "hello", "version": 1, "predictor": predictor, "encoding": "binary"}
         self._hello["reply"] = reply
@@ -151,7 +152,9 @@ class Client:
             answers = b""
             while len(answers) < len(table) * PREDICTION.itemsize:
                 answer = self.socket.recv(PATIENCE_S)
-                assert isinstance(answer, bytes), answer
+                if isinstance(answer, str):  # on a busy machine the service may be behind, and says so
+                    assert json.loads(answer).get("behind_s"), answer
+                    continue
                 answers += answer
             assert answers == expected
 
