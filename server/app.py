@@ -45,7 +45,7 @@ from pointpred.server.openapi import (
 from pointpred.server.page import WEB, page
 from pointpred.server.service import Service
 from pointpred.server.uploads.process import Task
-from pointpred.server.uploads.receiving import UploadError, received_body
+from pointpred.server.uploads.receiving import UploadError, received_body, turn
 
 log = logging.getLogger("pointpred.service")
 
@@ -227,7 +227,7 @@ async def _process(request: Request, task: Task, names: tuple[str, ...]) -> Resp
     async with received_body(request, service) as body:
         if task == "score":
             await service.compiler.until([*(names or REGISTRY), TRIALS])
-        async with service.scoring:  # one at a time: sessions go first
+        async with turn(request, service.scoring):  # one at a time: sessions go first
             query = dict(request.query_params)
             outcome, response = await asyncio.to_thread(service.upload_process.run, task, body, names, query)
     if outcome.failed is not None:

@@ -49,6 +49,28 @@ async def received_body(request: Request, counting: UploadCount) -> AsyncIterato
         counting.uploads -= 1
 
 
+@asynccontextmanager
+async def turn(request: Request, free: asyncio.Semaphore) -> AsyncIterator[None]:
+    """One at a time; raises UploadError where the client leaves before its turn. The body has been read."""
+    acquiring, leaving = asyncio.ensure_future(free.acquire()), asyncio.ensure_future(_disconnected(request))
+    try:
+        await asyncio.wait({acquiring, leaving}, return_when=asyncio.FIRST_COMPLETED)
+        if not acquiring.done():
+            raise UploadError("slow", "the connection was lost before the recording was processed", 400)
+        yield
+    finally:
+        leaving.cancel()
+        if acquiring.done():
+            free.release()
+        else:
+            acquiring.cancel()
+
+
+async def _disconnected(request: Request) -> None:
+    while (await request.receive())["type"] != "http.disconnect":
+        pass
+
+
 async def _in_time(request: Request) -> bytes:
     try:
         async with asyncio.timeout(READ_S):

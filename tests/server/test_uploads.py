@@ -227,6 +227,27 @@ def test_sessions_go_on_while_a_recording_is_scored(monkeypatch: pytest.MonkeyPa
         assert [answer.status_code for answer in answers] == [200]
 
 
+def test_a_client_that_leaves_before_its_turn_leaves_its_place() -> None:
+    """A page that is loaded again and again has its recording scored each time."""
+    with running() as here:
+        options = {"content": CSV, "timeout": PATIENCE_S}
+        assert post(f"{here.url}/v1/recording", **options).status_code == 200
+        process = here.service.upload_process._process
+        assert process is not None
+        process.send_signal(signal.SIGSTOP)
+        answers: list[Response] = []
+        asking = threading.Thread(target=lambda: answers.append(post(f"{here.url}/v1/recording", **options)))
+        asking.start()
+        soon(lambda: here.service.uploads == 1, "the first has come")
+        with begun(here, CSV):
+            soon(lambda: here.service.uploads == 2, "the second waits")
+        soon(lambda: here.service.uploads == 1, "the second has left")
+        process.send_signal(signal.SIGCONT)
+        asking.join(PATIENCE_S)
+        assert [answer.status_code for answer in answers] == [200]
+        assert post(f"{here.url}/v1/recording", **options).status_code == 200
+
+
 def test_a_recording_that_takes_too_long_is_refused_and_the_next_one_is_taken(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
