@@ -45,7 +45,7 @@ from pointpred.server.openapi import (
 from pointpred.server.page import WEB, page
 from pointpred.server.service import Service
 from pointpred.server.uploads.process import Task
-from pointpred.server.uploads.receiving import UploadError, received_body, turn
+from pointpred.server.uploads.receiving import UploadError, received_body, while_connected
 
 log = logging.getLogger("pointpred.service")
 
@@ -226,10 +226,13 @@ async def _process(request: Request, task: Task, names: tuple[str, ...]) -> Resp
     service: Service = request.app.state.service
     async with received_body(request, service) as body:
         if task == "score":
-            await service.compiler.until([*(names or REGISTRY), TRIALS])
-        async with turn(request, service.scoring):  # one at a time: sessions go first
+            await while_connected(request, service.compiler.until([*(names or REGISTRY), TRIALS]))
+        await while_connected(request, service.scoring.acquire())  # one at a time: sessions go first
+        try:
             query = dict(request.query_params)
             outcome, response = await asyncio.to_thread(service.upload_process.run, task, body, names, query)
+        finally:
+            service.scoring.release()
     if outcome.failed is not None:
         log.error("an upload failed", extra={"error": outcome.failed})
         return error_response("internal", "the server failed", 500)

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Awaitable
 from contextlib import asynccontextmanager
-from typing import Protocol
+from typing import Any, Protocol
 
 from fastapi import Request
 from starlette.requests import ClientDisconnect
@@ -49,21 +49,17 @@ async def received_body(request: Request, counting: UploadCount) -> AsyncIterato
         counting.uploads -= 1
 
 
-@asynccontextmanager
-async def turn(request: Request, free: asyncio.Semaphore) -> AsyncIterator[None]:
-    """One at a time; raises UploadError where the client leaves before its turn. The body has been read."""
-    acquiring, leaving = asyncio.ensure_future(free.acquire()), asyncio.ensure_future(_disconnected(request))
+async def while_connected(request: Request, waiting: Awaitable[Any]) -> None:
+    """Wait as long as the client is there; raises UploadError where it leaves. The body has been read."""
+    doing, leaving = asyncio.ensure_future(waiting), asyncio.ensure_future(_disconnected(request))
     try:
-        await asyncio.wait({acquiring, leaving}, return_when=asyncio.FIRST_COMPLETED)
-        if not acquiring.done():
+        await asyncio.wait({doing, leaving}, return_when=asyncio.FIRST_COMPLETED)
+        if not doing.done():
             raise UploadError("slow", "the connection was lost before the recording was processed", 400)
-        yield
+        doing.result()  # raises what went wrong
     finally:
         leaving.cancel()
-        if acquiring.done():
-            free.release()
-        else:
-            acquiring.cancel()
+        doing.cancel()
 
 
 async def _disconnected(request: Request) -> None:
