@@ -31,9 +31,13 @@ export async function read(address, options = {}) {
 }
 
 /** Uploads a table of samples. @param {string|Blob} body @param {object} columns how to read it: the query of the request */
-function upload(address, body, columns) {
+async function upload(address, body, columns) {
   const query = Object.keys(columns).length ? `?${new URLSearchParams(columns)}` : "";
-  return read(`${address}${query}`, { method: "POST", headers: { "Content-Type": "text/csv" }, body });
+  const leaving = new AbortController(); // browsers go on with the requests of a page that they keep for "back"
+  const abort = () => leaving.abort();
+  window.addEventListener("pagehide", abort);
+  const options = { method: "POST", headers: { "Content-Type": "text/csv" }, body, signal: leaving.signal };
+  return read(`${address}${query}`, options).finally(() => window.removeEventListener("pagehide", abort));
 }
 
 /** The scores of a recording, as `pointpred score --json` prints them. @param {string|Blob} body @param {object} columns */
