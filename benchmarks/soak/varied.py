@@ -8,6 +8,7 @@ import time
 from collections.abc import Awaitable, Callable
 from contextlib import suppress
 from pathlib import Path
+from typing import cast
 
 import msgspec
 import uvloop
@@ -104,8 +105,8 @@ async def come_and_go(link: Link, chance: random.Random) -> bool:
 
 async def never_read(link: Link, chance: random.Random) -> bool:
     """Sends, and reads nothing, until it is cut."""
-    transport, until = link.writer.transport, time.monotonic() + UNREAD_S
-    transport.pause_reading()  # type: ignore[attr-defined]
+    transport, until = cast(asyncio.Transport, link.writer.transport), time.monotonic() + UNREAD_S
+    transport.pause_reading()
     while time.monotonic() < until and not transport.is_closing():
         link.writer.write(link.client.frames(50, time.perf_counter(), a_frame=1))
         await asyncio.sleep(0.05)

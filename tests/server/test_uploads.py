@@ -175,6 +175,15 @@ def begun(here: Running, sent: bytes = CSV[:50]) -> socket_module.socket:
     return plain
 
 
+def stop_process(here: Running) -> subprocess.Popen[bytes]:
+    """The process that opens recordings, which stands still until it gets SIGCONT or is killed."""
+    assert post(f"{here.url}/v1/recording", content=CSV, timeout=PATIENCE_S).status_code == 200
+    process = here.service.upload_process._process
+    assert process is not None
+    process.send_signal(signal.SIGSTOP)
+    return process
+
+
 def test_a_slow_upload_holds_up_nobody(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(receiving, "READ_S", PATIENCE_S)
     with running() as here, begun(here):
@@ -211,10 +220,7 @@ def test_an_upload_that_was_given_up_leaves_its_place(monkeypatch: pytest.Monkey
 def test_sessions_go_on_while_a_recording_is_scored(monkeypatch: pytest.MonkeyPatch) -> None:
     with running() as here, here.greeted() as socket:
         options = {"content": CSV, "timeout": PATIENCE_S}
-        assert post(f"{here.url}/v1/recording", **options).status_code == 200
-        process = here.service.upload_process._process
-        assert process is not None
-        process.send_signal(signal.SIGSTOP)  # it is at work for as long as we like
+        process = stop_process(here)  # it is at work for as long as we like
         answers: list[Response] = []
         asking = threading.Thread(target=lambda: answers.append(post(f"{here.url}/v1/recording", **options)))
         asking.start()
@@ -231,10 +237,7 @@ def test_a_client_that_leaves_before_its_turn_leaves_its_place() -> None:
     """A page that is loaded again and again has its recording scored each time."""
     with running() as here:
         options = {"content": CSV, "timeout": PATIENCE_S}
-        assert post(f"{here.url}/v1/recording", **options).status_code == 200
-        process = here.service.upload_process._process
-        assert process is not None
-        process.send_signal(signal.SIGSTOP)
+        process = stop_process(here)
         answers: list[Response] = []
         asking = threading.Thread(target=lambda: answers.append(post(f"{here.url}/v1/recording", **options)))
         asking.start()
@@ -253,10 +256,7 @@ def test_a_recording_that_takes_too_long_is_refused_and_the_next_one_is_taken(
 ) -> None:
     with running() as here:
         options = {"content": CSV, "timeout": PATIENCE_S}
-        assert post(f"{here.url}/v1/recording", **options).status_code == 200
-        process = here.service.upload_process._process
-        assert process is not None
-        process.send_signal(signal.SIGSTOP)
+        stop_process(here)
         monkeypatch.setattr("pointpred.server.uploads.process.SCORE_S", 0.2)
         message = refused(post(f"{here.url}/v1/recording", **options), 413, "too_large")
         assert "pointpred score" in message
@@ -276,10 +276,7 @@ def test_what_takes_more_memory_than_allowed_is_refused() -> None:
 def test_the_service_stops_beside_a_recording_that_is_being_scored() -> None:
     with running() as here:
         options = {"content": CSV, "timeout": PATIENCE_S}
-        assert post(f"{here.url}/v1/recording", **options).status_code == 200
-        process = here.service.upload_process._process
-        assert process is not None
-        process.send_signal(signal.SIGSTOP)
+        process = stop_process(here)
         asking = threading.Thread(target=lambda: post(f"{here.url}/v1/recording", **options))
         asking.daemon = True
         asking.start()
