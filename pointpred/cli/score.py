@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 
 WORST = 6
 """Trials with the largest errors that a report draws of each set."""
+OUTSIDE = ("checkpoints", "cluster", "processes")
+"""Fields of errors that no recording is to blame for."""
 
 
 @with_reading
@@ -120,7 +122,7 @@ def score(
                 if report is not None:
                     drawn.append(scored.joined(WORST))
             except Exception as error:  # whatever is wrong with one recording, the others are scored
-                if isinstance(error, ParameterError) and error.field in ("checkpoints", "processes"):
+                if isinstance(error, ParameterError) and error.field in OUTSIDE:
                     raise  # nothing is wrong with the recording
                 leave_out(reasons, source.name, error)
     if report is not None and drawn:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import CancelledError
 from contextlib import contextmanager
 from itertools import islice
 from typing import Any
@@ -49,6 +50,9 @@ class Cluster:
                 add(1)
                 yield place, future.result()
                 del future  # the cluster forgets the answer
+        except (distributed.KilledWorker, CancelledError) as error:
+            message = f"the Dask cluster lost workers, perhaps for lack of memory, or its scheduler: {error}"
+            raise ParameterError(message, field="cluster") from error
         finally:
             if places:
                 self._client.cancel(list(places))

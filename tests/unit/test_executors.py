@@ -47,6 +47,13 @@ def test_a_process_that_is_killed_is_named_as_the_reason() -> None:
             assert caught.value.field == "processes"
 
 
+def test_a_cluster_that_loses_its_workers_is_named_as_the_reason() -> None:
+    with open_executor(cluster="local") as executor:
+        with pytest.raises(ParameterError, match="lost workers") as caught:
+            dict(executor.each(os._exit, [1]))
+        assert caught.value.field == "cluster"
+
+
 def test_items_are_taken_as_workers_become_free() -> None:
     taken = 0
 
