@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import threading
 import time
 from abc import ABC, abstractmethod
 from collections import deque
+from contextlib import suppress
+from queue import Empty, SimpleQueue
 from types import TracebackType
 from typing import Literal, Protocol, Self
 
@@ -44,10 +45,13 @@ class DeviceInfo(msgspec.Struct, frozen=True):
 
 
 class BoundedQueue:
-    """Reports passed from a reader thread to a consumer; when full, the oldest is dropped.
+    """Reports passed from one reader thread to one consumer; when full, the oldest is dropped.
 
     ``put`` never blocks and what it drops is counted in ``lost``. Holds at most ``most`` reports.
     Raises ParameterError when ``most`` is below 1.
+
+    The consumer takes no lock: Ctrl-C may raise KeyboardInterrupt at any point of ``take``, and a lock left
+    behind would block the reader for ever.
 
     >>> queue = BoundedQueue(2)
     >>> for t in (0.0, 0.1, 0.2):
@@ -62,44 +66,45 @@ class BoundedQueue:
         self.lost = 0
         self._most = most
         self._waiting: deque[Report] = deque()
-        self._filled = threading.Condition(threading.Lock())
+        self._wake: SimpleQueue[None] = SimpleQueue()
         self._closed = False
         self._failure: SourceError | None = None
 
     def put(self, report: Report) -> None:
         """Append one report; where there is no room, the oldest is dropped and counted."""
-        with self._filled:
-            if len(self._waiting) == self._most:
+        if len(self._waiting) >= self._most:
+            with suppress(IndexError):  # the consumer has just taken all
                 self._waiting.popleft()
                 self.lost += 1
-            self._waiting.append(report)
-            self._filled.notify()
+        self._waiting.append(report)
+        if self._wake.empty():
+            self._wake.put(None)
 
     def take(self, timeout_s: float) -> list[Report]:
         """Everything that waits, in order; waits at most ``timeout_s`` until there is something.
 
         Raises the failure that closed the queue once nothing waits any more.
         """
-        with self._filled:
-            if not self._waiting and not self._closed and timeout_s > 0:
-                until = time.monotonic() + timeout_s
-                while not self._waiting and not self._closed and (left := until - time.monotonic()) > 0:
-                    self._filled.wait(left)
-            taken = list(self._waiting)
-            self._waiting.clear()
-            if not taken and self._failure is not None:
-                raise self._failure
+        until = time.monotonic() + timeout_s
+        while not self._waiting and not self._closed and (left := until - time.monotonic()) > 0:
+            with suppress(Empty):
+                self._wake.get(timeout=left)
+        closed = self._closed  # read first: what was put before the end is taken
+        taken: list[Report] = []
+        with suppress(IndexError):  # the reader may drop one meanwhile
+            taken.extend(self._waiting.popleft() for _ in range(len(self._waiting)))
+        if closed and not taken and self._failure is not None:
+            raise self._failure
         return taken
 
     def close(self, failure: SourceError | None = None) -> None:
-        """Wake waiting consumers: no more reports will come, because of ``failure`` if not ``None``.
+        """Wake the consumer: no more reports will come, because of ``failure`` if not ``None``.
 
         What waits can still be taken.
         """
-        with self._filled:
-            self._closed = True
-            self._failure = self._failure or failure
-            self._filled.notify_all()
+        self._failure = self._failure or failure
+        self._closed = True
+        self._wake.put(None)
 
 
 class ClosedOnExit(ABC):

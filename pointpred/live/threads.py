@@ -5,6 +5,7 @@ from __future__ import annotations
 import signal
 import sys
 import threading
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from types import FrameType
@@ -13,8 +14,8 @@ from pointpred.live.session import LiveSession
 
 SWITCH_S = 0.0005
 """How long a thread may keep the interpreter while a report waits: drawing a view takes milliseconds."""
-LOOK_S = 0.5
-"""How often the main thread wakes up for signals: one that another thread received does not wake it."""
+LOOK_S = 0.1
+"""How often the main thread looks whether the end has come."""
 
 
 class SessionThread:
@@ -78,9 +79,13 @@ class ViewThread:
 
 
 def wait(stopping: threading.Event) -> None:
-    """Wait for the end on the main thread, where Python runs the handlers of signals."""
-    while not stopping.wait(LOOK_S):
-        pass
+    """Wait for the end on the main thread, where Python runs the handlers of signals.
+
+    It does not wait for the event itself: a handler may run while the event's lock is held, and it sets the
+    event.
+    """
+    while not stopping.is_set():
+        time.sleep(LOOK_S)
 
 
 @contextmanager

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import signal
+import sys
 import threading
+from contextlib import suppress
+from types import FrameType
 
 import pytest
 from hypothesis import given
@@ -61,6 +65,36 @@ def test_two_threads_lose_nothing_between_them() -> None:
     writer.join()
     assert got == list(range(many))
     assert queue.lost == 0
+
+
+def interrupt(number: int, frame: FrameType | None) -> None:
+    raise KeyboardInterrupt
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="it has no interval timers")
+def test_an_interrupted_consumer_never_blocks_the_reader() -> None:
+    """Ctrl-C arrives at any point of ``take``; the reader thread must be able to end afterwards."""
+    queue, stopping = BoundedQueue(), threading.Event()
+
+    def put() -> None:
+        while not stopping.wait(2e-4):
+            queue.put(report(0))
+
+    reader = threading.Thread(target=put, daemon=True)
+    reader.start()
+    before = signal.signal(signal.SIGALRM, interrupt)
+    try:
+        for number in range(3000):
+            with suppress(KeyboardInterrupt):
+                signal.setitimer(signal.ITIMER_REAL, 1e-5 * (1 + number % 60))
+                while True:
+                    queue.take(2e-4)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
+        signal.signal(signal.SIGALRM, before)
+    stopping.set()
+    reader.join(30.0)
+    assert not reader.is_alive()
 
 
 def test_a_queue_of_nothing_is_refused() -> None:
