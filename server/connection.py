@@ -27,7 +27,7 @@ FRAMES_AT_ONCE = 64
 """So many frames of one client are taken in before others have their turn, however many have come, ..."""
 TURN_S = 2e-3
 """... and none after this time."""
-DEAR_S = 1e-4
+COSTLY_S = 1e-4
 """After a frame that took so long others have their turn, also where frames are read singly, in fragments."""
 TICK_S = 1.0
 """How often a session is told that time passes."""
@@ -203,7 +203,7 @@ class Connection:
                 self._pause()
             self._take_waiting()
         self._arrivals.busy_until = used_at = perf_counter()
-        if used_at - taken_at >= DEAR_S and self._turn is None:
+        if used_at - taken_at >= COSTLY_S and self._turn is None:
             self._turn = self._loop.call_soon(self._take_turn)
 
     def flush(self) -> None:

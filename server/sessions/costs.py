@@ -24,7 +24,7 @@ REFUSED_S = 120e-6
 REFUSED_BYTE_S = 6e-10
 """... with copies of the memory of the stages."""
 
-_EVENT_S = 0.9e-6  # by the dearest predictor, where the last one is answered
+_EVENT_S = 0.9e-6  # by the slowest predictor, where the last one is answered
 _SUBSTEP_S = 20e-9
 _ASSISTED_S = 6e-6
 _ANSWER_S = 2e-6  # a prediction sent for each event,

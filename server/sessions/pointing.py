@@ -119,8 +119,8 @@ class PointingSession(Session):
             if table is None or not ended < table[-1, 0]:
                 break
             events, ended = events + len(table), float(table[-1, 0])
-            dear = self._open_stream.costs.of(events) > AT_ONCE_S
-            if dear or events > self.limits.max_events_per_frame:
+            costly = self._open_stream.costs.of(events) > AT_ONCE_S
+            if costly or events > self.limits.max_events_per_frame:
                 break
             tables.append(table)
         return tables

@@ -9,7 +9,7 @@ import pyarrow.parquet  # noqa: F401 - loaded before the memory is bounded
 
 from pointpred.errors import PointpredError
 from pointpred.server.logs import place_of
-from pointpred.server.uploads.process import TOO_DEAR, Order
+from pointpred.server.uploads.process import TOO_LARGE, Order
 from pointpred.server.uploads.receiving import UploadError
 from pointpred.server.uploads.recordings import open_body, score_body
 from pointpred.server.uploads.refusals import refusal_of
@@ -27,6 +27,6 @@ def answer(order: Order, body: bytes) -> tuple[int, bytes, str | None]:
     except (PointpredError, UploadError) as error:
         return *refusal_of(error), None
     except MemoryError:
-        return *refusal_of(UploadError("too_large", TOO_DEAR, 413)), None
+        return *refusal_of(UploadError("too_large", TOO_LARGE, 413)), None
     except Exception as error:
         return 500, b"", place_of(error)

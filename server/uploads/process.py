@@ -29,7 +29,7 @@ MEMORY_BYTES = 2**30
 """So much memory it may take, beyond the code."""
 NICENESS = 10
 END_S = 1.0
-TOO_DEAR = (
+TOO_LARGE = (
     f"a recording scored here may take {SCORE_S:g} s and {MEMORY_BYTES // 2**20} MiB of memory; "
     "'pointpred score' takes larger ones"
 )
@@ -80,7 +80,7 @@ class UploadProcess:
             self._kill()
             if self._ended:
                 raise UploadError("stopping", "the service stops", 503) from None
-            raise UploadError("too_large", TOO_DEAR, 413) from None
+            raise UploadError("too_large", TOO_LARGE, 413) from None
         finally:
             timer.cancel()
         return outcome, response

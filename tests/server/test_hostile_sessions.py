@@ -64,10 +64,10 @@ def test_a_burst_within_the_limits_is_answered(
 
 
 @pytest.mark.parametrize("predictor", ["switched", "hold"])
-def test_parameters_that_make_events_dear_are_refused_by_their_names(predictor: str) -> None:
-    dear = {"gap_s": 0.1, "step_s": 1e-5}
+def test_parameters_that_make_events_costly_are_refused_by_their_names(predictor: str) -> None:
+    costly = {"gap_s": 0.1, "step_s": 1e-5}
     with running() as here, here.connect() as socket:
-        socket.send(json.dumps({"type": "hello", "version": 1, "predictor": predictor, "parameters": dear}))
+        socket.send(json.dumps({"type": "hello", "version": 1, "predictor": predictor, "parameters": costly}))
         answer = told(socket)
         assert (answer["code"], answer["recoverable"]) == ("bad_field", True)
         assert answer["path"] == "$.parameters.step_s"

@@ -23,7 +23,7 @@ EVENT = '{"type":"events","events":[[%d,5,6,null,null,0]]}'
 FRAMES = [HELLO, *(EVENT % i for i in range(1, 9))]
 
 
-async def said(most: int) -> tuple[PointingSession, Connection]:
+async def session_after_frames(most: int) -> tuple[PointingSession, Connection]:
     """A session whose hello waits until all its frames have come, one a second."""
     loop = asyncio.get_running_loop()
     compiled = asyncio.Event()
@@ -43,25 +43,25 @@ async def said(most: int) -> tuple[PointingSession, Connection]:
     session, socket = PointingSession("early", Limits(max_events_per_s=most), loop.time()), FakeSocket(write)
     session.waits_for_compiler = True
     socket.on_attach = come
-    talk = Connection(
+    connection = Connection(
         session,
         socket,
         Arrivals(),
         prepare=lambda frame: wait() if frame == HELLO and not compiled.is_set() else None,
     )
-    await talk.run()
-    return session, talk
+    await connection.run()
+    return session, connection
 
 
-def in_no_time(talk: Coroutine[Any, Any, tuple[PointingSession, Connection]]) -> Any:
+def in_no_time(running: Coroutine[Any, Any, tuple[PointingSession, Connection]]) -> Any:
     with asyncio.Runner(loop_factory=HurriedLoop) as runner:
-        return runner.run(talk)
+        return runner.run(running)
 
 
 def test_frames_that_waited_are_not_a_burst() -> None:
-    session, talk = in_no_time(said(1))
+    session, connection = in_no_time(session_after_frames(1))
     assert session.refusals == {}
-    assert talk.frames == len(FRAMES)
+    assert connection.frames == len(FRAMES)
 
 
 def test_waiting_is_not_silence() -> None:
@@ -99,12 +99,12 @@ def test_a_client_is_told_that_the_service_is_behind_at_most_once_a_second(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr("pointpred.server.connection.TURN_S", 60.0)
-    monkeypatch.setattr("pointpred.server.connection.DEAR_S", 60.0)
+    monkeypatch.setattr("pointpred.server.connection.COSTLY_S", 60.0)
     _, socket, delays = asyncio.run(overloaded(Late(), rounds=50))
-    told = [json.loads(frame) for frame in socket.written if '"slow"' in str(frame)]
+    errors = [json.loads(frame) for frame in socket.written if '"slow"' in str(frame)]
     assert len(delays) == 50
     assert all(arrived >= 0.5 > taken for taken, arrived in delays)
-    (behind,) = told
+    (behind,) = errors
     assert behind["recoverable"]
     assert 0.5 <= behind["behind_s"] < 60.0
     assert behind["path"] is None

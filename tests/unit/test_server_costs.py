@@ -90,7 +90,7 @@ SECOND: dict[str, tuple[dict[str, Any], list[Any], Any]] = {
 
 
 @pytest.mark.parametrize("kind", list(SECOND))
-def test_dear_messages_end_a_session_that_sends_too_many_a_second(kind: str) -> None:
+def test_costly_messages_end_a_session_that_sends_too_many_a_second(kind: str) -> None:
     greet, before, frame = SECOND[kind]
     talk = Talk(greet=greet)
     for one in before:
