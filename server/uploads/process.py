@@ -7,6 +7,7 @@ what is loaded, and is killed where a recording takes too long; the next one sta
 
 from __future__ import annotations
 
+import logging
 import os
 import signal
 import subprocess
@@ -23,6 +24,8 @@ import msgspec
 from pointpred.server.child_processes import command, environment
 from pointpred.server.uploads.receiving import UploadError
 
+log = logging.getLogger("pointpred.service")
+
 SCORE_S = 60.0
 """So long a recording may take."""
 MEMORY_BYTES = 2**30
@@ -32,6 +35,10 @@ END_S = 1.0
 TOO_LARGE = (
     f"a recording scored here may take {SCORE_S:g} s and {MEMORY_BYTES // 2**20} MiB of memory; "
     "'pointpred score' takes larger ones"
+)
+ENDED = (
+    "the process that opens recordings ended unexpectedly; send the recording again, "
+    "and use 'pointpred score' if that happens again"
 )
 STATUS = Path("/proc/self/status")
 
@@ -66,13 +73,22 @@ class UploadProcess:
     def run(
         self, task: Task, body: bytes, predictors: tuple[str, ...], query: Mapping[str, str]
     ) -> tuple[Outcome, bytes]:
-        """The response to an upload; raises UploadError where it takes too much, or the service stops."""
+        """The response to an upload.
+
+        Raises UploadError where it takes too long, the service stops, or the process ends for another reason.
+        """
         with self._busy:
             return self._run(Order(task, len(body), predictors, dict(query)), body)
 
     def _run(self, order: Order, body: bytes) -> tuple[Outcome, bytes]:
         process = self._started()
-        timer = threading.Timer(SCORE_S, process.kill)
+        too_long = threading.Event()
+
+        def stop() -> None:
+            too_long.set()
+            process.kill()
+
+        timer = threading.Timer(SCORE_S, stop)
         timer.start()
         try:
             outcome, response = _ask(process, order, body)
@@ -80,7 +96,11 @@ class UploadProcess:
             self._kill()
             if self._ended:
                 raise UploadError("stopping", "the service stops", 503) from None
-            raise UploadError("too_large", TOO_LARGE, 413) from None
+            if too_long.is_set():
+                raise UploadError("too_large", TOO_LARGE, 413) from None
+            how = {"error": f"exit code {process.returncode}"}
+            log.error("the process that opens recordings ended unexpectedly", extra=how)
+            raise UploadError("internal", ENDED, 500) from None
         finally:
             timer.cancel()
         return outcome, response

@@ -264,6 +264,20 @@ def test_a_recording_that_takes_too_long_is_refused_and_the_next_one_is_taken(
         assert post(f"{here.url}/v1/recording", **options).status_code == 200
 
 
+def test_a_process_that_somebody_killed_is_not_the_fault_of_the_recording() -> None:
+    with running() as here:
+        options = {"content": CSV, "timeout": PATIENCE_S}
+        process = stop_process(here)
+        answers: list[Response] = []
+        asking = threading.Thread(target=lambda: answers.append(post(f"{here.url}/v1/recording", **options)))
+        asking.start()
+        soon(lambda: here.service.upload_process._busy.locked(), "it is being opened")
+        process.kill()
+        asking.join(PATIENCE_S)
+        assert "send the recording again" in refused(answers[0], 500, "internal")
+        assert post(f"{here.url}/v1/recording", **options).status_code == 200
+
+
 def test_what_takes_more_memory_than_allowed_is_refused() -> None:
     lines = (
         "import sys; from pointpred.server.uploads import process\n"

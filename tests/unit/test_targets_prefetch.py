@@ -1,4 +1,4 @@
-"""The prefetch policy: once a movement, never withdrawn, at entry at the latest, costlier with each firing."""
+"""The prefetch policy: once a movement, never withdrawn, at entry at the latest, each firing costs more."""
 
 from __future__ import annotations
 
@@ -102,7 +102,7 @@ def test_the_next_movement_arms_again_but_for_where_it_starts() -> None:
     assert page.move(0.6, 200.0, 0.0) == [0]
 
 
-def test_each_firing_makes_the_next_one_costlier() -> None:
+def test_each_firing_makes_the_next_one_cost_more() -> None:
     first, later = Page([NEAR, ASIDE]), Page([NEAR, ASIDE])
     for page, spent in ((first, 0.0), (later, 100.0)):
         page.move(0.0, 0.0, 0.0)
