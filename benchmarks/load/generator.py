@@ -152,9 +152,9 @@ def words(plan: Plan, folder: Path) -> str:
         of_group |= {"clients": group.clients, "rate": group.rate, "json": int(group.json)}
         of_group |= {"pids": ",".join(map(str, group.pids))}
         for name in ("greeting", "messages"):
-            if given := getattr(group, name):
+            if messages := getattr(group, name):
                 file = folder / f"{name}{number}"
-                file.write_bytes(packed(given))
+                file.write_bytes(packed(messages))
                 of_group[name] = file
         if group.kind != "script":
             file = folder / f"events-{group.rate:g}-{group.size}"

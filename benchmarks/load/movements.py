@@ -85,13 +85,13 @@ def resampled(table: FloatArray, rate_hz: float) -> FloatArray:
 @cache
 def track(rate_hz: float, size: int) -> NDArray[np.void]:
     """Movements at ``rate_hz``, each a whole number of frames of ``size`` events."""
-    parts, wanted = [], SECONDS * rate_hz
+    parts, missing = [], SECONDS * rate_hz
     for table in tables():
         rows = resampled(table, rate_hz)
         if whole := len(rows) // size * size:
             parts.append(_packed(rows[:whole]))
-            wanted -= whole
-        if wanted <= 0:
+            missing -= whole
+        if missing <= 0:
             break
     return np.concatenate(parts)
 

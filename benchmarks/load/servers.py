@@ -126,5 +126,5 @@ def processor_s(pid: int) -> float:
 
 def _family(pid: int) -> tuple[int, ...]:
     """A process and all that it started."""
-    started = " ".join(file.read_text() for file in Path(f"/proc/{pid}/task").glob("*/children")).split()
-    return (pid, *(one for child in started for one in _family(int(child))))
+    children = " ".join(file.read_text() for file in Path(f"/proc/{pid}/task").glob("*/children")).split()
+    return (pid, *(one for child in children for one in _family(int(child))))

@@ -113,7 +113,7 @@ class Soak:
 
     def watch(self, until_s: float) -> None:
         """Look once a second; raises RuntimeError where a process of clients has ended."""
-        told = 0.0
+        printed_at = 0.0
         while (at := time.monotonic() - self._begun) < until_s:
             time.sleep(1.0)
             with self._lock:
@@ -122,8 +122,8 @@ class Soak:
             ended = [name for name, one in zip(GROUPS, self._groups, strict=True) if one.poll() is not None]
             if ended:
                 raise RuntimeError(f"the clients '{ended[0]}' ended early")
-            if at - told >= PROGRESS_S:
-                told = at
+            if at - printed_at >= PROGRESS_S:
+                printed_at = at
                 self._tell(until_s - at)
 
     def _tell(self, left_s: float) -> None:
@@ -182,8 +182,8 @@ def tables_of(soak: Soak, verdicts: list[Verdict]) -> dict[str, Table]:
     ]
     return {
         "verdicts": Table.of(
-            ("wanted", "seen", "holds"),
-            [(one.wanted, one.seen, "yes" if one.holds else "no") for one in verdicts],
+            ("condition", "result", "holds"),
+            [(one.condition, one.result, "yes" if one.holds else "no") for one in verdicts],
         ),
         "counts": Table.of(("what", "how many"), [(name, str(n)) for name, n in sorted(soak.counts.items())]),
         "course": Table.of(("minute", "memory MB", "threads", "descriptors", "p50 ms", "p99 ms"), rows),
@@ -222,7 +222,7 @@ def main(minutes: float, file: Path = FILE) -> int:
     for line in soak.wrong[:20]:
         print(line, file=sys.stderr)
     for one in verdicts:
-        print(f"{'holds' if one.holds else 'FAILS'}: {one.wanted}: {one.seen}")
+        print(f"{'holds' if one.holds else 'FAILS'}: {one.condition}: {one.result}")
     print(f"wrote {file}")
     return 0 if all(one.holds for one in verdicts) else 1
 

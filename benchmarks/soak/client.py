@@ -48,7 +48,7 @@ class StreamClient:
     ) -> None:
         self.session = ""
         self.close_code = 0
-        self.refused: list[str] = []
+        self.errors: list[str] = []
         """Errors that an innocent client must not get."""
         self.behind = 0
         """How often the service said that answers gave way to newer ones."""
@@ -109,7 +109,7 @@ class StreamClient:
             if msgspec.json.decode(payload)["code"] == "slow":
                 self.behind += 1
             else:
-                self.refused.append(payload.decode())
+                self.errors.append(payload.decode())
         return b""
 
     def _answered(self, newest: float, now: float) -> None:

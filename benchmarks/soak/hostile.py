@@ -179,7 +179,7 @@ async def as_many_events_as_allowed(attack: Attack) -> None:
         await attack.read(0.01)
 
 
-async def dear_targets(attack: Attack) -> None:
+async def costly_targets(attack: Attack) -> None:
     """Many targets, replaced as often as messages are allowed."""
     await attack.begin()
     size = {"width": 20.0, "height": 20.0}
@@ -222,7 +222,7 @@ ATTACKS: tuple[Callable[[Attack], Awaitable[None]], ...] = (
     pings,
     too_many_events,
     as_many_events_as_allowed,
-    dear_targets,
+    costly_targets,
     no_upload,
     many_connections,
 )

@@ -23,29 +23,29 @@ from pointpred.sources.own.appended import VALUES
 CPI, DPI = 800.0, 96.0
 """The device and the screen that every client of the soak names."""
 ROWS_AT_ONCE = 100_000
-SENT, ANSWERED = 9, 6
-"""Numbers kept of a prediction and of an event."""
+PREDICTION_NUMBERS, EVENT_NUMBERS = 9, 6
+"""How many numbers of a prediction and of an event are stored."""
 
 
 class OfflineRun:
     """The events of one session, in order, and every answer to them.
 
-    ``kept`` names two files of raw floats, the events and the predictions that an offline run makes of them:
+    ``file`` names two files of raw floats, the events and the predictions that an offline run makes of them:
     a session of an hour does not fit in memory.
     """
 
-    def __init__(self, predictor: str, kept: Path) -> None:
+    def __init__(self, predictor: str, file: Path) -> None:
         self.answers = 0
         self.wrong: list[str] = []
-        self.kept = kept
+        self.file = file
         self.events = 0
         self._pipeline = build(predictor, cpi=CPI, dpi=DPI)
         self._waiting: list[FloatArray] = []
         self._answers: list[FloatArray] = []
         self._times = np.empty(0)
-        self._expected = np.empty((0, SENT))
+        self._expected = np.empty((0, PREDICTION_NUMBERS))
         self._last_answer = -np.inf
-        self._files = [path.open("wb") for path in paths(kept)]
+        self._files = [path.open("wb") for path in paths(file)]
 
     def sent(self, table: FloatArray) -> None:
         """Take in events that were sent."""
@@ -55,10 +55,10 @@ class OfflineRun:
     def answered(self, frame: str | bytes) -> float:
         """Take in a frame of predictions; returns the time of the newest."""
         if isinstance(frame, bytes):
-            rows = np.array(unpack_predictions(frame))[:, :SENT]
+            rows = np.array(unpack_predictions(frame))[:, :PREDICTION_NUMBERS]
         else:
             message = msgspec.json.decode(frame, type=PredictionMessage)
-            rows = np.array([row_of_prediction(message)[:SENT]])
+            rows = np.array([row_of_prediction(message)[:PREDICTION_NUMBERS]])
         self._answers.append(rows)
         return float(rows[-1, 0])
 
@@ -68,9 +68,9 @@ class OfflineRun:
             table = np.concatenate(self._waiting)
             self._waiting.clear()
             predictions = run(self._pipeline, EventColumns(table)).table
-            for file, rows in zip(self._files, (table, predictions[:, :SENT]), strict=True):
+            for file, rows in zip(self._files, (table, predictions[:, :PREDICTION_NUMBERS]), strict=True):
                 file.write(np.ascontiguousarray(rows).tobytes())
-            as_sent = np.array(unpack_predictions(pack_predictions(predictions)))[:, :SENT]
+            as_sent = np.array(unpack_predictions(pack_predictions(predictions)))[:, :PREDICTION_NUMBERS]
             self._times = np.concatenate([self._times, table[:, 0]])
             self._expected = np.concatenate([self._expected, as_sent])
         if not self._answers:
@@ -99,9 +99,9 @@ class OfflineRun:
             file.close()
 
 
-def paths(kept: Path) -> tuple[Path, Path]:
+def paths(file: Path) -> tuple[Path, Path]:
     """The files of events and predictions of an offline run."""
-    return kept.with_suffix(".events"), kept.with_suffix(".predictions")
+    return file.with_suffix(".events"), file.with_suffix(".predictions")
 
 
 def same(one: FloatArray, other: FloatArray) -> bool:
@@ -109,24 +109,25 @@ def same(one: FloatArray, other: FloatArray) -> bool:
     return one.shape == other.shape and np.array_equal(one, other, equal_nan=True)
 
 
-def difference(folder: Path, session: str, kept: Path, *, whole: bool) -> str | None:
+def difference(folder: Path, session: str, file: Path, *, whole: bool) -> str | None:
     """How a recorded session differs from what was sent and predicted offline; ``None`` where it does not.
 
     ``whole``: every event must be there; otherwise those up to some event, because the connection was cut.
     """
-    events, predictions = paths(kept)
-    count = events.stat().st_size // (8 * ANSWERED)
-    for part, file, width in (("samples", events, ANSWERED), ("predictions", predictions, SENT)):
-        recorded = list(folder.glob(f"*-{session}_{part}.csv"))
-        if not recorded:
+    events, predictions = paths(file)
+    count = events.stat().st_size // (8 * EVENT_NUMBERS)
+    parts = (("samples", events, EVENT_NUMBERS), ("predictions", predictions, PREDICTION_NUMBERS))
+    for part, path, width in parts:
+        recordings = list(folder.glob(f"*-{session}_{part}.csv"))
+        if not recordings:
             if whole and count:
                 return f"{part} of {session} are missing"
             continue
         rows = 0
         try:
-            with file.open("rb") as kept_rows:
-                for table in _recorded(recorded[0], part):
-                    expected = np.frombuffer(kept_rows.read(table.nbytes)).reshape(-1, width)
+            with path.open("rb") as expected_rows:
+                for table in _tables(recordings[0], part):
+                    expected = np.frombuffer(expected_rows.read(table.nbytes)).reshape(-1, width)
                     if not same(table, expected):
                         return f"{part} of {session} differ after row {rows}"
                     rows += len(table)
@@ -137,13 +138,13 @@ def difference(folder: Path, session: str, kept: Path, *, whole: bool) -> str | 
     return None
 
 
-def _recorded(file: Path, part: str) -> Iterator[FloatArray]:
+def _tables(file: Path, part: str) -> Iterator[FloatArray]:
     """The numbers of a recorded file, a block at a time."""
     columns = VALUES if part == "samples" else PREDICTED
     options = pacsv.ReadOptions(skip_rows=1 if part == "samples" else 0, block_size=1 << 22)
     kinds = {name: pa.string() if name == "phase" else pa.float64() for name in columns}
-    chosen = pacsv.ConvertOptions(include_columns=list(columns), column_types=kinds)
-    with pacsv.open_csv(file, options, convert_options=chosen) as reader:
+    conversion = pacsv.ConvertOptions(include_columns=list(columns), column_types=kinds)
+    with pacsv.open_csv(file, options, convert_options=conversion) as reader:
         for batch in reader:
             yield np.column_stack([_numbers(column) for column in batch.columns])
 

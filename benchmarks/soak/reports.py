@@ -88,14 +88,14 @@ class Reporter:
         ``whole``: the client left as it should, so every event is answered and recorded.
         """
         client.run.close()
-        wrong = client.run.wrong + client.refused
+        wrong = client.run.wrong + client.errors
         if whole and not client.run.complete:
             wrong.append(f"{client.session}: its last events were not answered")
         if client.session:
             if not self._endings.wait(client.session, PATIENCE_S):
                 wrong.append(f"{client.session}: the service has not ended it after {PATIENCE_S:g} s")
-            elif left := difference(self._folder, client.session, client.run.kept, whole=whole):
-                wrong.append(left)
+            elif message := difference(self._folder, client.session, client.run.file, whole=whole):
+                wrong.append(message)
         counts = Counter({"events sent": client.run.events, "predictions compared": client.run.answers})
         counts["sessions compared" if client.session else "sessions without a welcome"] = 1
         if not wrong:
@@ -111,7 +111,7 @@ def _forget(client: StreamClient, folder: Path) -> Counter[str]:
     An hour of them would take gigabytes.
     """
     bytes_of: Counter[str] = Counter()
-    for file in (client.run.kept, *paths(client.run.kept)):
+    for file in (client.run.file, *paths(client.run.file)):
         file.unlink()
     for file in folder.glob(f"*-{client.session}_*.csv") if client.session else ():
         bytes_of[f"bytes of {file.stem.rpartition('_')[2]}"] += file.stat().st_size

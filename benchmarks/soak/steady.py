@@ -64,7 +64,7 @@ def main(words: str) -> None:
     reporter = Reporter(plan)
     steady = [Steady(plan, number) for number in range(len(KINDS))]
     by_socket = {one.socket: one for one in steady}
-    told = time.perf_counter()
+    reported_at = time.perf_counter()
     while not reporter.stopping.is_set():
         now = time.perf_counter()
         for one in steady:
@@ -72,8 +72,8 @@ def main(words: str) -> None:
         pause = min(one.due for one in steady) - time.perf_counter()
         for ready in select.select(by_socket, [], [], max(0.0, pause))[0]:
             by_socket[ready].read()
-        if now - told >= 1.0:
-            told = now
+        if now - reported_at >= 1.0:
+            reported_at = now
             tell(reporter, steady)
     until = time.perf_counter() + END_S
     while not all(one.client.answered for one in steady) and time.perf_counter() < until:

@@ -156,7 +156,7 @@ async def play(plan: Plan, reporter: Reporter, number: int) -> None:
             link_writer.transport.abort()
         reporter.counts[script.__name__.replace("_", " ")] += 1
         if script is never_read:
-            client.refused.clear()
+            client.errors.clear()
         later.append(asyncio.create_task(asyncio.to_thread(reporter.conclude, client, whole=whole)))
     await asyncio.gather(*later)
 

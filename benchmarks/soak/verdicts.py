@@ -1,4 +1,4 @@
-"""What a soak must show, judged from what was seen."""
+"""What a soak must show, judged from its measurements."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ class Second(msgspec.Struct):
 
 
 class Verdict(msgspec.Struct):
-    """One thing that was wanted."""
+    """One condition, and whether the run meets it."""
 
-    wanted: str
-    seen: str
+    condition: str
+    result: str
     holds: bool
 
 
@@ -71,13 +71,13 @@ def judge(
     for name in ("threads", "descriptors"):
         now, then = middle(first, name), middle(last, name)
         rest, end = getattr(before, name), getattr(after, name)
-        allowed = max(1.0, 0.05 * now)  # how many connections there are at a moment is chance
-        seen = f"{now:g}, then {then:g}; without clients {rest} before, {end} after"
+        most = max(1.0, 0.05 * now)  # how many connections there are at a moment is chance
+        result = f"{now:g}, then {then:g}; without clients {rest} before, {end} after"
         verdicts.append(
             Verdict(
                 f"{name} are constant",
-                seen,
-                abs(then - now) <= allowed and (name == "threads" or end <= rest),
+                result,
+                abs(then - now) <= most and (name == "threads" or end <= rest),
             )
         )
     delay = [percentile_ms(part, 99) for part in (first, last)]

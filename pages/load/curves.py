@@ -117,14 +117,16 @@ def curves(series: Sequence[Series], rounds: int, seconds: float) -> list[Point]
     """Every series by the number of clients; of several rounds the one with the least p99."""
     points: list[Point] = []
     for size, numbers in CLIENTS.items():
-        left = list(series)
+        remaining = list(series)
         for clients in numbers:
-            if not left:
+            if not remaining:
                 break
-            runs = [[measured(one, clients, size, seconds) for one in left] for _ in range(rounds)]
+            runs = [[measured(one, clients, size, seconds) for one in remaining] for _ in range(rounds)]
             best = [min(some, key=lambda point: point.p99_ms) for some in zip(*runs, strict=True)]
             points += best
-            left = [one for one, point in zip(left, best, strict=True) if point.p99_ms < HOPELESS_MS]
+            remaining = [
+                one for one, point in zip(remaining, best, strict=True) if point.p99_ms < HOPELESS_MS
+            ]
             print(
                 f"{LOADS[size]}, {clients} clients: p99 " + ", ".join(f"{p.p99_ms:.2f}" for p in best),
                 flush=True,

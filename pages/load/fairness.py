@@ -14,12 +14,12 @@ from benchmarks.load.cores import LAST
 from benchmarks.load.generator import Group, Plan, run
 from benchmarks.load.movements import hello
 from benchmarks.load.servers import Server
-from pages.load.dear import Dear, dear_clients, upload
+from pages.load.costly import CostlyClient, costly_clients, upload
 
 RATES_HZ = (125.0, 1000.0)
 """Two clients that are measured, with one event a frame."""
-TRIED_S, LEAST_RATE = 1.5, 0.1
-"""A client whose session is ended in this time tries half the rate next, down to this one."""
+TRIAL_S, LEAST_RATE = 1.5, 0.1
+"""A client whose session is ended in this time uses half the rate next, down to this one."""
 
 
 class Beside(msgspec.Struct, frozen=True):
@@ -35,10 +35,10 @@ class Beside(msgspec.Struct, frozen=True):
     """Whether the service ended a session of that kind."""
 
 
-def group(server: Server, dear: Dear, rate: float) -> Group:
+def group(server: Server, client: CostlyClient, rate: float) -> Group:
     """A client of a kind."""
-    words = {"greeting": dear.greeting, "messages": dear.messages}
-    return Group(dear.name, server.port, kind="script", rate=rate, **words)
+    words = {"greeting": client.greeting, "messages": client.messages}
+    return Group(client.name, server.port, kind="script", rate=rate, **words)
 
 
 def innocents(server: Server) -> tuple[Group, ...]:
@@ -64,17 +64,17 @@ def beside(server: Server, others: tuple[Group, ...], name: str, seconds: float)
     )
 
 
-def allowed(server: Server, dear: Dear, seconds: float) -> Beside:
-    """Beside a client at the largest of ``dear.rate``, half of it, ... at which its session goes on."""
-    rate = dear.rate
+def beside_costly(server: Server, client: CostlyClient, seconds: float) -> Beside:
+    """Beside a client at the largest of ``client.rate``, half of it, ... at which its session goes on."""
+    rate = client.rate
     while True:
-        others = (group(server, dear, rate),)
-        tried = run(Plan(others, TRIED_S, warm=0.1, drain=0.0), LAST).groups[0]
-        if not tried.closes and not (result := beside(server, others, dear.name, seconds)).ended:
+        others = (group(server, client, rate),)
+        trial = run(Plan(others, TRIAL_S, warm=0.1, drain=0.0), LAST).groups[0]
+        if not trial.closes and not (result := beside(server, others, client.name, seconds)).ended:
             return result
         rate /= 2
         if rate < LEAST_RATE:
-            raise SystemExit(f"{dear.name}: the service ends the session at any rate: {tried}")
+            raise SystemExit(f"{client.name}: the service ends the session at any rate: {trial}")
 
 
 @contextmanager
@@ -103,9 +103,9 @@ def uploads(server: Server) -> Iterator[None]:
 def fairness(server: Server, seconds: float) -> list[Beside]:
     """Every kind of client, after nobody; all on one server."""
     rows = [beside(server, (), "nobody", seconds)]
-    for dear in dear_clients():
-        rows.append(allowed(server, dear, seconds))
-        print(f"beside {dear.name}: {rows[-1].delays}", flush=True)
+    for client in costly_clients():
+        rows.append(beside_costly(server, client, seconds))
+        print(f"beside {client.name}: {rows[-1].delays}", flush=True)
     with uploads(server):
         rows.append(beside(server, (), "recordings sent to `/v1/score`", seconds))
     rows.append(beside(server, (), "nobody, afterwards", seconds))

@@ -68,7 +68,7 @@ def decode(data: bytes) -> ScoredPart:
     scores = zip(*(cells[name] for name in SCORED), strict=True)
     trials = tuple(ScoredTrial(Trial(*one), *more) for one, more in zip(about, scores, strict=True))
     shapes = TrialMeasures.empty(len(trials))
-    found = header.outcome
+    totals = header.outcome
     measured = []
     for place, name in enumerate(header.predictors):
         arrays = [
@@ -79,12 +79,12 @@ def decode(data: bytes) -> ScoredPart:
             Measured(
                 name,
                 TrialMeasures(*arrays),
-                found.failed[place],
-                found.events[place],
-                found.seconds[place],
+                totals.failed[place],
+                totals.events[place],
+                totals.seconds[place],
             )
         )
-    return ScoredPart(trials, found.unread, found.unscored, tuple(measured))
+    return ScoredPart(trials, totals.unread, totals.unscored, tuple(measured))
 
 
 def _type(name: str) -> Any:

@@ -50,17 +50,17 @@ class ScoredSet(msgspec.Struct, frozen=True):
 
     def _worst(self, whole: SetScore, count: int) -> WorstTrials:
         """The worst trials; the chunks that hold them are read again."""
-        errors, chosen = worst_of(whole, count)
+        errors, numbers = worst_of(whole, count)
         ends = np.cumsum([len(self.store.part(number).trials) for number in range(len(self.chunks))])
-        drawn = []
-        for k in chosen:
+        worst = []
+        for k in numbers:
             number = int(np.searchsorted(ends, k, side="right"))
             prepared = prepare(
                 read(self.chunks[number]), cpi=self.scoring.cpi, dpi=self.scoring.dpi, threads=1
             )
             own = k - (int(ends[number - 1]) if number else 0)
             answers = answers_to(prepared, self.pipelines[errors.name], own)
-            drawn.append(
+            worst.append(
                 WorstTrial(whole.trials[k], prepared.rows(own), answers, float(errors.time_averaged[k]))
             )
-        return WorstTrials(errors.name, tuple(drawn))
+        return WorstTrials(errors.name, tuple(worst))

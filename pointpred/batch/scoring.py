@@ -63,11 +63,11 @@ def score_in_chunks(
     missing = [number for number in range(len(chunks)) if store.outcome(number) is None]
     run.each("", work, missing, store.put)
     outcomes = [one for number in range(len(chunks)) if (one := store.outcome(number)) is not None]
-    done = set_without_trials(whole, pipelines, outcomes, scoring.seed)
+    scores = set_without_trials(whole, pipelines, outcomes, scoring.seed)
     if checkpoints is not None:
-        untimed = (msgspec.structs.replace(one, us_per_event=float("nan")) for one in done.predictors)
-        done = msgspec.structs.replace(done, predictors=tuple(untimed))
-    return ScoredSet(done, chunks, store, scoring, pipelines)
+        untimed = (msgspec.structs.replace(one, us_per_event=float("nan")) for one in scores.predictors)
+        scores = msgspec.structs.replace(scores, predictors=tuple(untimed))
+    return ScoredSet(scores, chunks, store, scoring, pipelines)
 
 
 class _Run(msgspec.Struct, frozen=True):

@@ -31,21 +31,21 @@ class Cluster:
         """As every executor."""
         import distributed
 
-        finished: Any = distributed.as_completed
+        as_completed: Any = distributed.as_completed
         numbered = enumerate(items)
         places: dict[Any, int] = {}
-        done = finished([], raise_errors=False)
+        answers = as_completed([], raise_errors=False)
 
         def add(most: int) -> None:
             for place, item in islice(numbered, most):
                 future = self._client.submit(function, item, pure=False)
                 places[future] = place
-                done.add(future)
+                answers.add(future)
 
         try:
             add(AHEAD * self.workers)
             while places:
-                future = next(done)
+                future = next(answers)
                 place = places.pop(future)
                 add(1)
                 yield place, future.result()

@@ -20,26 +20,26 @@ def open_executor(
     """Threads, processes, or a Dask cluster by the address of its scheduler; it ends with the block.
 
     ``threads``, ``processes``: how many, at least 1. ``cluster``: ``"local"`` starts one with a worker a
-    processor on this machine. Nothing given: a thread a processor. Raises ParameterError where more than
+    processor on this machine. None of them: a thread a processor. Raises ParameterError where more than
     one is given, and what ``cluster`` raises.
 
     >>> with open_executor(threads=2) as executor:
     ...     sorted(executor.each(abs, [-3, 4]))
     [(0, 3), (1, 4)]
     """
-    given = {"threads": threads, "processes": processes, "cluster": cluster}
-    named = [name for name, value in given.items() if value is not None]
-    if len(named) > 1:
-        message = f"one of threads, processes and cluster at most, received {' and '.join(named)}"
-        raise ParameterError(message, field=named[1], value=given[named[1]])
+    choices = {"threads": threads, "processes": processes, "cluster": cluster}
+    names = [name for name, value in choices.items() if value is not None]
+    if len(names) > 1:
+        message = f"one of threads, processes and cluster at most, received {' and '.join(names)}"
+        raise ParameterError(message, field=names[1], value=choices[names[1]])
     for name, value in (("threads", threads), ("processes", processes)):
         if value is not None and value < 1:
             raise ParameterError(f"{name} must be at least 1, received {value}", field=name, value=value)
     processors = os.cpu_count() or 1
     if cluster is not None:
-        from pointpred.executors.dask import cluster as opened
+        from pointpred.executors.dask import cluster as open_cluster
 
-        with opened(cluster, processors) as one:
+        with open_cluster(cluster, processors) as one:
             yield one
     elif processes is not None:
         with pool_of_processes(processes) as workers:

@@ -24,7 +24,7 @@ MOVEMENTS = 150
 Message = str | bytes
 
 
-class Dear(msgspec.Struct, frozen=True):
+class CostlyClient(msgspec.Struct, frozen=True):
     """A client that sends these messages again and again; ``rate`` messages a second at most."""
 
     name: str
@@ -86,7 +86,7 @@ def person() -> str:
     return pipeline.person
 
 
-def dear_clients() -> list[Dear]:
+def costly_clients() -> list[CostlyClient]:
     """All of them."""
     known = person()
     rows = movement(4000)
@@ -98,14 +98,16 @@ def dear_clients() -> list[Dear]:
     far[:, 0] = 1e6
     unknown = {f"nothing{i}": 0 for i in range(3500)}
     return [
-        Dear("1,000 targets replaced", MESSAGES_PER_S, (hello("switched"),), (targets(0), targets(9))),
-        Dear(
+        CostlyClient(
+            "1,000 targets replaced", MESSAGES_PER_S, (hello("switched"),), (targets(0), targets(9))
+        ),
+        CostlyClient(
             "events with 1,000 targets",
             EVENTS_PER_S / 32,
             (hello("switched"), targets(0)),
             (RESET, *(pack_events(part) for part in frames(rows, 16))),
         ),
-        Dear(
+        CostlyClient(
             "`ktm` with 1,000 templates, frames of 2",
             EVENTS_PER_S / 2,
             (
@@ -114,34 +116,36 @@ def dear_clients() -> list[Dear]:
             ),
             (RESET, *packed[:1000]),
         ),
-        Dear("late events, frames of 8", EVENTS_PER_S / 8, (hello("switched"), pack_events(far)), (late,)),
-        Dear("JSON of 800 events", EVENTS_PER_S / 800, (hello("kinematic", "json"),), (RESET, *long)),
-        Dear("JSON that is cut off", MESSAGES_PER_S, (hello("switched"),), (long[0][:-9],)),
-        Dear(
+        CostlyClient(
+            "late events, frames of 8", EVENTS_PER_S / 8, (hello("switched"), pack_events(far)), (late,)
+        ),
+        CostlyClient("JSON of 800 events", EVENTS_PER_S / 800, (hello("kinematic", "json"),), (RESET, *long)),
+        CostlyClient("JSON that is cut off", MESSAGES_PER_S, (hello("switched"),), (long[0][:-9],)),
+        CostlyClient(
             "`configure`, another predictor",
             MESSAGES_PER_S,
             (hello("switched"),),
             tuple(text("configure", predictor=name) for name in ("kinematic", "ktm", "kinematic-adaptive")),
         ),
-        Dear(
+        CostlyClient(
             "`configure`, 3,500 unknown parameters",
             MESSAGES_PER_S,
             (hello("switched"),),
             (text("configure", parameters=unknown),),
         ),
-        Dear(
+        CostlyClient(
             "trials of 1,000 events, scored",
             EVENTS_PER_S / 1000 * 4,
             (hello("switched"),),
             (RESET, text("trial", action="start"), pack_events(rows[:1000]), text("trial", action="end")),
         ),
-        Dear(
+        CostlyClient(
             "a person replaced",
             MESSAGES_PER_S,
             (hello("kinematic-adaptive"),),
             (text("person", person=known),),
         ),
-        Dear(
+        CostlyClient(
             "events with places",
             EVENTS_PER_S / 8 / 64,
             (adaptive,),
