@@ -6,7 +6,9 @@ import hashlib
 import os
 import shutil
 import tempfile
+import time
 import weakref
+from contextlib import suppress
 from pathlib import Path
 from typing import Protocol
 
@@ -17,6 +19,11 @@ from pointpred.columns import FloatArray
 from pointpred.errors import ParameterError
 from pointpred.files import beside
 from pointpred.scoring.parts import PartOutcome, ScoredPart, outcome
+
+PART = "part"
+"""How the name of a file ends until it is written whole."""
+PART_AGE_S = 24 * 3600.0
+"""A part that was last written so long ago is of a run that was killed: writing one takes seconds."""
 
 
 class PartStore(Protocol):
@@ -91,6 +98,7 @@ class FolderStore:
         self.folder = folder
         try:
             folder.mkdir(parents=True, exist_ok=True)
+            _remove_old_parts(folder)
             self._files = {path.name.partition(".")[0]: path for path in folder.iterdir()}
         except OSError as error:
             message = f"cannot keep checkpoints in {folder}: {error.strerror}; name another folder"
@@ -135,7 +143,7 @@ class FolderStore:
     def _write(self, kind: str, number: int, suffix: str, data: bytes) -> None:
         name = f"{kind}-{number:06d}"
         path = self.folder / f"{name}.{_digest(data)}.{suffix}"
-        part = beside(path, "part")
+        part = beside(path, PART)
         try:
             with part.open("wb") as file:
                 file.write(data)
@@ -157,6 +165,15 @@ def temporary_store() -> FolderStore:
     store = FolderStore(folder)
     weakref.finalize(store, shutil.rmtree, folder, ignore_errors=True)
     return store
+
+
+def _remove_old_parts(folder: Path) -> None:
+    """Remove what killed runs were writing; younger parts may be of a run on this machine or another."""
+    oldest_s = time.time() - PART_AGE_S
+    for path in folder.glob(f".*.{PART}"):
+        with suppress(FileNotFoundError):  # another run removed or renamed it
+            if path.stat().st_mtime < oldest_s:
+                path.unlink()
 
 
 def _digest(data: bytes) -> str:
