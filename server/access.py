@@ -9,7 +9,7 @@ from __future__ import annotations
 import logging
 import re
 from collections.abc import Awaitable, Callable, Collection, Iterable, Mapping, MutableMapping
-from ipaddress import ip_address
+from ipaddress import IPv4Address, IPv6Address, IPv6Network, ip_address
 from secrets import compare_digest
 from typing import Any
 from urllib.parse import parse_qs
@@ -102,6 +102,23 @@ def _without_port(host: str) -> str:
 def usual_address(client: tuple[str, int] | None) -> tuple[str, int] | None:
     """The address and port of a client; an IPv4 address as such, also on a socket for both kinds."""
     return None if client is None else (client[0].removeprefix(MAPPED), client[1])
+
+
+def network_of(address: str) -> str:
+    """What sessions are counted by: an IPv4 address, or the /64 network of an IPv6 address.
+
+    One customer of a provider has a whole network of IPv6 addresses. The address of this machine, and what is
+    no address, are returned as they are.
+    """
+    try:
+        parsed = ip_address(address)
+    except ValueError:
+        return address
+    if isinstance(parsed, IPv6Address) and parsed.ipv4_mapped is not None:
+        parsed = parsed.ipv4_mapped
+    if isinstance(parsed, IPv4Address) or parsed.is_loopback:
+        return str(parsed)
+    return str(IPv6Network((int(parsed), 64), strict=False))
 
 
 def is_address(name: str) -> bool:

@@ -15,7 +15,7 @@ from typing import Protocol
 from pointpred.protocol.client_messages import Hello
 from pointpred.protocol.server_messages import Code
 from pointpred.registry import RECOMMENDED
-from pointpred.server.access import RefusedOrigins
+from pointpred.server.access import RefusedOrigins, network_of
 from pointpred.server.arrivals import Arrivals
 from pointpred.server.compiling.compiler import Compiler
 from pointpred.server.connection import Connection
@@ -82,7 +82,7 @@ class Service:
         """The attached device, where there is one."""
         self.peers: Peers | None = None
         """The other workers, where there are several."""
-        self._of_address: Counter[str] = Counter()  # connections of other machines
+        self._of_network: Counter[str] = Counter()  # connections of other machines
         self._open: dict[Session, tuple[Connection | None, SessionCounts]] = {}
 
     @property
@@ -104,16 +104,17 @@ class Service:
         Sessions of this machine are not counted: one person may have many tabs, and a proxy that does not
         pass addresses on has one for everybody.
         """
-        if address is None or is_loopback(address):
+        network = None if address is None else network_of(address)
+        if network is None or is_loopback(network):
             yield True
             return
-        self._of_address[address] += 1
+        self._of_network[network] += 1
         try:
-            yield self._of_address[address] <= self.settings.share
+            yield self._of_network[network] <= self.settings.share
         finally:
-            self._of_address[address] -= 1
-            if not self._of_address[address]:
-                del self._of_address[address]
+            self._of_network[network] -= 1
+            if not self._of_network[network]:
+                del self._of_network[network]
 
     def open_session(self, now: float) -> PointingSession:
         """A pointing session with a random name."""

@@ -71,7 +71,10 @@ def serve(
     max_sessions: Annotated[int | None, typer.Option(help="Most sessions at a time.")] = None,
     max_per_address: Annotated[
         int | None,
-        typer.Option(help="Most sessions of one other machine. Not given: half of --max-sessions."),
+        typer.Option(
+            help="Most sessions of one other machine, in each worker; of IPv6, of one /64 network. "
+            "Not given: half of --max-sessions."
+        ),
     ] = None,
     max_events_per_s: Annotated[int | None, typer.Option(help="Most events a second in one session.")] = None,
     max_events_per_frame: Annotated[int | None, typer.Option(help="Most events in one frame.")] = None,

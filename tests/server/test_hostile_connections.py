@@ -202,7 +202,10 @@ def test_the_header_timer_spares_later_requests_and_sessions(
 
 
 @pytest.mark.skipif(not socket_module.has_dualstack_ipv6(), reason="no socket for IPv4 and IPv6 here")
-@pytest.mark.parametrize(("shown", "admitted"), [("127.0.0.1", 3), ("192.0.2.7", 1), ("192.0.2.8:4711", 1)])
+@pytest.mark.parametrize(
+    ("shown", "admitted"),
+    [("127.0.0.1", 3), ("::1", 3), ("::ffff:127.0.0.1", 3), ("192.0.2.7", 1), ("192.0.2.8:4711", 1)],
+)
 def test_addresses_are_the_same_on_a_socket_for_ipv4_and_ipv6(shown: str, admitted: int) -> None:
     """A proxy on this machine is believed, and sessions of this machine have no share of their own."""
     settings: dict[str, Any] = {"token": TOKEN, "trust_proxy": ["127.0.0.1"], "max_per_address": 1}
@@ -247,4 +250,4 @@ def test_an_address_of_another_machine_has_a_share_of_the_sessions(monkeypatch: 
             with here.greeted():
                 pass
         soon(lambda: not here.service._open, "they are over")
-        assert not here.service._of_address
+        assert not here.service._of_network

@@ -8,7 +8,9 @@ from typing import Any
 import pytest
 
 from pointpred.server import access
-from pointpred.server.access import HostRule, has_token
+from pointpred.server.access import HostRule, has_token, network_of
+from pointpred.server.service import Service
+from pointpred.server.settings import Settings
 
 TOKEN = "a-token-of-24-characters"
 
@@ -45,3 +47,28 @@ def test_a_token_is_compared_in_constant_time(monkeypatch: pytest.MonkeyPatch) -
             compared.clear()
             assert not has_token(scope, TOKEN)
             assert [other for _, other in compared] == [TOKEN.encode()]
+
+
+@pytest.mark.parametrize(
+    ("address", "network"),
+    [
+        ("192.0.2.7", "192.0.2.7"),
+        ("::ffff:192.0.2.7", "192.0.2.7"),
+        ("::ffff:127.0.0.1", "127.0.0.1"),
+        ("2001:db8:1:2:3:4:5:6", "2001:db8:1:2::/64"),
+        ("2001:DB8:1:2::", "2001:db8:1:2::/64"),
+        ("fe80::1%eth0", "fe80::/64"),
+        ("::1", "::1"),
+        ("unknown", "unknown"),
+    ],
+)
+def test_sessions_count_by_the_network_that_one_customer_has(address: str, network: str) -> None:
+    assert network_of(address) == network
+
+
+def test_one_network_has_one_share_however_many_of_its_addresses_connect() -> None:
+    service = Service(Settings(host="0.0.0.0", token=TOKEN, max_per_address=1))
+    place = service.place_of_address
+    with place("2001:db8::1") as first, place("2001:db8::2") as second, place("2001:db8:0:1::1") as third:
+        assert (first, second, third) == (True, False, True)
+    service.shut_down()
