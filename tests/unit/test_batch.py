@@ -22,6 +22,7 @@ from pointpred.batch.part_store import FolderStore
 from pointpred.datasets import sample
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.executors import Executor, open_executor
+from pointpred.files import beside
 from pointpred.recording import Recording, Skip
 from pointpred.scoring import score, summarise
 from pointpred.scoring.scorer import scoring_with
@@ -244,6 +245,27 @@ def test_many_chunks_leave_memory_for_a_folder_that_goes_with_them(
     assert len(list(folder.glob("*.arrow"))) == len(scored.chunks)
     del scored
     assert not folder.exists()
+
+
+def test_opening_a_folder_removes_what_a_killed_run_was_writing_and_nothing_younger(tmp_path: Path) -> None:
+    """Another run may be writing into the same folder: what is younger than a day stays."""
+    store = FolderStore(tmp_path)
+    store.put_durations(1, np.array([0.5]))
+    names = [beside(tmp_path / f"scores-00000{k}.0123.arrow", "part") for k in range(2)]
+    for path in names:
+        path.write_bytes(b"half")
+    day_s = 24 * 3600
+    for path, age_s in (
+        (names[0], 1.1 * day_s),
+        (names[1], 0.9 * day_s),
+        (next(tmp_path.glob("d*")), 9 * day_s),
+    ):
+        now_s = path.stat().st_mtime
+        os.utime(path, (now_s - age_s, now_s - age_s))
+    durations = FolderStore(tmp_path).durations(1)
+    assert durations is not None
+    assert durations.tolist() == [0.5]
+    assert [path.exists() for path in names] == [False, True]
 
 
 def test_a_folder_that_cannot_be_written_is_said(short: Recording, tmp_path: Path) -> None:
