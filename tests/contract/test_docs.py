@@ -12,7 +12,34 @@ from pages import ROOT
 from pages.__main__ import everything, made
 from pages.markdown import filled
 from pointpred.differentiators import DIFFERENTIATORS, HomogeneousDifferentiator
+from pointpred.person import LARGEST
+from pointpred.protocol.decoding import EXTREME_MOST
+from pointpred.protocol.server_messages import Limits
 from pointpred.registry import REGISTRY, build, parameters
+from pointpred.server import connection, http_protocol, websocket_protocol
+from pointpred.server.sessions import lifecycle, outbox, pipelines, quota, trials
+from pointpred.server.settings import Settings
+
+CONSTANTS = {
+    "fragments of a message": websocket_protocol.FRAGMENTS_MOST,
+    "other messages a second": quota.MESSAGES_PER_S,
+    "pings and pongs a second": websocket_protocol.CONTROL_FRAMES_PER_S,
+    "parameters of a message": pipelines.PARAMETERS_MOST,
+    "numbers above 1e10 or below 1e-99 in a message, which are slow to decode": EXTREME_MOST,
+    "sub-steps of the differentiator for an event (`gap_s` / `step_s`)": pipelines.SUBSTEPS_MOST,
+    "memory of a session's stages, such as the templates of `ktm`": pipelines.MEMORY_MOST >> 20,
+    "characters of a person's string": LARGEST,
+    "events of a trial that is scored": trials.MOST_EVENTS,
+    "time until `hello`": lifecycle.HELLO_S,
+    "time in which a client reads nothing": connection.STUCK_S,
+    "answers that wait unread, predictions aside": outbox.Outbox().most_notes,
+    "choices that wait unread": outbox.MOST_CHOICES,
+    "time until the header of a request is complete": http_protocol.HEADER_S,
+    "header of a request": http_protocol.HEADER_BYTES >> 10,
+    "time until a request for a WebSocket is accepted": websocket_protocol.UPGRADE_S,
+    "requests that wait on one connection": http_protocol.PIPELINED,
+}
+"""Limits of the service that are no settings, by their rows in its guide."""
 
 PAGES = [
     ROOT / "README.md",
@@ -109,3 +136,15 @@ def test_every_correction_names_a_test_that_exists() -> None:
         assert named, f"no test is named in: {row}"
         for file, test in named:
             assert f"def {test}(" in (ROOT / file).read_text(encoding="utf-8"), f"{file} has no {test}"
+
+
+def test_the_limits_of_the_service_are_those_of_the_code() -> None:
+    page = (ROOT / "docs/guide/service.md").read_text(encoding="utf-8")
+    section = page.partition("\n## Limits\n")[2].partition("\n## ")[0]
+    rows = re.findall(r"^\| ([^|]+) \| ([\d,]+)[^|]*\| (?:`--([a-z-]+)`)?[^|]*\|", section, re.MULTILINE)
+    options = {
+        option.replace("-", "_"): float(number.replace(",", "")) for _, number, option in rows if option
+    }
+    assert options == {name: getattr(Settings(), name) for name in Limits.__struct_fields__}
+    constants = {name: float(number.replace(",", "")) for name, number, option in rows if not option}
+    assert {name: constants.get(name) for name in CONSTANTS} == CONSTANTS
