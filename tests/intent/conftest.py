@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Iterator
-from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from http.server import SimpleHTTPRequestHandler
 from pathlib import Path
 
 import pytest
 
+from tests.hosts import Silent, file_host
 from tests.intent.page import IntentPage
 from tests.server import page_browser
 
@@ -17,7 +16,7 @@ WEB = Path(__file__).parents[2] / "server" / "web"
 EMPTY = b'<!doctype html><title>a page</title><body style="margin:0">'
 
 
-class StaticHost(SimpleHTTPRequestHandler):
+class StaticHost(Silent, SimpleHTTPRequestHandler):
     """Files of the browser client below ``/pointpred/``, and an empty page at any other address."""
 
     def do_GET(self) -> None:
@@ -31,20 +30,12 @@ class StaticHost(SimpleHTTPRequestHandler):
         self.end_headers()
         self.wfile.write(EMPTY)
 
-    def log_message(self, format: str, *args: object) -> None:
-        """Say nothing."""
-
 
 @pytest.fixture(scope="session")
 def host() -> Iterator[str]:
     """The address of a static host."""
-    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(StaticHost, directory=str(WEB)))
-    thread = threading.Thread(target=server.serve_forever)
-    thread.start()
-    yield f"http://127.0.0.1:{server.server_port}"
-    server.shutdown()
-    thread.join()
-    server.server_close()
+    with file_host(WEB, StaticHost) as origin:
+        yield origin
 
 
 @pytest.fixture(scope="module")

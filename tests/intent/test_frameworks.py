@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import shutil
 import subprocess
-import threading
 from collections.abc import Iterator
-from functools import partial
-from http.server import ThreadingHTTPServer
 from pathlib import Path
 
 import pytest
 
+from tests.hosts import file_host
 from tests.intent.conftest import WEB, StaticHost
 from tests.intent.page import IntentPage
 from tests.server import browser
@@ -74,16 +72,11 @@ READY = """(async () => {
 @pytest.fixture
 def app(bundle: Path, visitor: Visitor) -> Iterator[IntentPage]:
     """A page with the bundle's exports as ``app``."""
-    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(StaticHost, directory=str(bundle)))
-    thread = threading.Thread(target=server.serve_forever)
-    thread.start()
-    page = IntentPage(visitor, f"http://127.0.0.1:{server.server_port}")
-    page.value("import('/pointpred/entry.js').then((app) => { window.app = app; })")
-    page.make("const root = document.createElement('div'); root.id = 'root'; document.body.append(root)")
-    yield page
-    server.shutdown()
-    thread.join()
-    server.server_close()
+    with file_host(bundle, StaticHost) as origin:
+        page = IntentPage(visitor, origin)
+        page.value("import('/pointpred/entry.js').then((app) => { window.app = app; })")
+        page.make("const root = document.createElement('div'); root.id = 'root'; document.body.append(root)")
+        yield page
 
 
 PLACE = "{ position: 'absolute', left: '600px', top: '500px', width: '100px', height: '60px' }"

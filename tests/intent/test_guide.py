@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from threading import Thread
 
 import pytest
 
 from tests.architecture.test_web import exports
+from tests.hosts import file_host
 from tests.intent.conftest import WEB
 from tests.server import browser
 from tests.server.page_browser import Visitor
@@ -28,25 +26,13 @@ def blocks(language: str, text: str = GUIDE) -> list[str]:
     return ["".join(line.removeprefix(indent) for line in block.splitlines(True)) for indent, block in found]
 
 
-class Quiet(SimpleHTTPRequestHandler):
-    """Serves a folder without a word."""
-
-    def log_message(self, format: str, *args: object) -> None:
-        """Requests are not printed."""
-
-
 @pytest.fixture
 def address(tmp_path: Path) -> Iterator[str]:
     """The folder that the first steps of the guide make, on a static host."""
     (tmp_path / "pointpred").symlink_to(WEB)
     (tmp_path / "cards.html").write_text(blocks("html")[0], "utf-8")
-    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(tmp_path)))
-    thread = Thread(target=server.serve_forever)
-    thread.start()
-    yield f"http://127.0.0.1:{server.server_port}/cards.html"
-    server.shutdown()
-    thread.join()
-    server.server_close()
+    with file_host(tmp_path) as origin:
+        yield f"{origin}/cards.html"
 
 
 @browser.needed

@@ -14,52 +14,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.fuzz.targets import TARGETS
+from tests.property.damage import damaged, edits
 
 CORPUS = Path(__file__).parents[1] / "fuzz" / "corpus"
-SPICE = (
-    b"\0",
-    b"\xff",
-    b"\n",
-    b'"',
-    b"[",
-    b"}",
-    b",",
-    b"-",
-    b"nan",
-    b"1e999",
-    b"9" * 25,
-    b"\xed\xa0\x80",
-    b"null",
-)
-
-edits = st.lists(
-    st.tuples(
-        st.sampled_from(["cut", "insert", "replace", "drop", "repeat"]),
-        st.floats(0, 1, exclude_max=True),
-        st.integers(1, 40),
-        st.one_of(st.sampled_from(SPICE), st.binary(max_size=4)),
-    ),
-    max_size=4,
-)
 
 
 @cache
 def seeds(name: str) -> list[bytes]:
     return TARGETS[name].seeds()
-
-
-def damaged(data: bytes, changes: list[tuple[str, float, int, bytes]]) -> bytes:
-    for what, where, length, new in changes:
-        at = int(where * len(data))
-        before, after = data[:at], data[at:]
-        data = {
-            "cut": before,
-            "insert": before + new + after,
-            "replace": before + new + after[len(new) :],
-            "drop": before + after[length:],
-            "repeat": data[: at + length] + after,
-        }[what]
-    return data
 
 
 @pytest.mark.parametrize("name", TARGETS)
@@ -75,7 +37,7 @@ def test_the_corpus_and_the_seeds_are_read_or_refused(name: str) -> None:
 @given(data=st.data())
 def test_damaged_seeds_and_any_bytes_are_read_or_refused(name: str, data: st.DataObject) -> None:
     given_bytes = data.draw(
-        st.one_of(st.builds(damaged, st.sampled_from(seeds(name)), edits), st.binary(max_size=200))
+        st.one_of(st.builds(damaged, st.sampled_from(seeds(name)), edits()), st.binary(max_size=200))
     )
     TARGETS[name].check(given_bytes)
 

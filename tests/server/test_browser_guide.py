@@ -3,19 +3,14 @@
 from __future__ import annotations
 
 import re
-import threading
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
-from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 
 from tests.architecture.tree import ROOT
+from tests.hosts import file_host
 from tests.server import browser
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, running
@@ -38,34 +33,13 @@ def blocks(language: str, of: str = "docs/guide/browser.md") -> list[str]:
     return re.findall(rf"```{language}\n(.*?)```", page, flags=re.DOTALL)
 
 
-class Quiet(SimpleHTTPRequestHandler):
-    """Says nothing of requests."""
-
-    def log_message(self, *_: Any) -> None:
-        pass
-
-
-@contextmanager
-def served(folder: Path) -> Iterator[str]:
-    """The files of a folder, as ``python3 -m http.server`` serves them; yields their origin."""
-    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(folder)))
-    thread = threading.Thread(target=server.serve_forever)
-    thread.start()
-    try:
-        yield f"http://127.0.0.1:{server.server_port}"
-    finally:
-        server.shutdown()
-        server.server_close()
-        thread.join()
-
-
 @pytest.mark.parametrize("goal", [1, 3])
 def test_a_card_lights_up_when_the_mouse_is_heading_for_it(tmp_path: Path, goal: int) -> None:
     (page_text,) = blocks("html")
     assert USUAL in page_text
     (tmp_path / "site").mkdir()
     with (
-        served(tmp_path / "site") as origin,
+        file_host(tmp_path / "site") as origin,
         running(allow_origin=(origin,)) as service,
         browser.running(tmp_path / "profile") as devtools,
     ):

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Iterator
-from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 
 import pytest
 
 from pointpred.server.demo import MOVEMENTS, write_demo
+from tests.hosts import file_host
 from tests.server import browser
 from tests.server.page_browser import Visitor
 
@@ -20,11 +18,6 @@ FOREIGN = "time,x,y\n" + "".join(f"{i / 50},{i * i},0\n" for i in range(40))
 HERE = "Predicted in this page."
 
 
-class Quiet(SimpleHTTPRequestHandler):
-    def log_message(self, *_: object) -> None:
-        """Say nothing of requests."""
-
-
 @pytest.fixture(scope="module")
 def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     """A static host that has the page far below its root."""
@@ -32,12 +25,8 @@ def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     folder = root / PREFIX
     folder.mkdir(parents=True)
     write_demo(folder)
-    with ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(root))) as server:
-        thread = threading.Thread(target=server.serve_forever)
-        thread.start()
-        yield f"http://127.0.0.1:{server.server_port}/{PREFIX}"
-        server.shutdown()
-        thread.join()
+    with file_host(root) as origin:
+        yield f"{origin}/{PREFIX}"
 
 
 @pytest.fixture

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import threading
 import time
 from collections.abc import Iterator
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from http.server import BaseHTTPRequestHandler
 from pathlib import Path
 
 import pytest
 
 from pointpred.server.page import WEB
+from tests.hosts import Silent, host
 from tests.server import browser, page_browser
 
 pytestmark = browser.needed
@@ -23,7 +23,7 @@ PAUSE_S = 0.6
 PAINTED = "performance.getEntriesByName('first-contentful-paint').map(({ startTime }) => startTime)"
 
 
-class Halting(BaseHTTPRequestHandler):
+class Halting(Silent, BaseHTTPRequestHandler):
     """Sends the page in two halves, which says itself when it was whole; its styles, and no program."""
 
     def do_GET(self) -> None:
@@ -42,18 +42,11 @@ class Halting(BaseHTTPRequestHandler):
             told = "<script>window.whole = performance.now()</script>"
             self.wfile.write(rest.replace(WHOLE, told + WHOLE).encode())
 
-    def log_message(self, *_: object) -> None:
-        """Say nothing of requests."""
-
 
 @pytest.fixture
 def halting() -> Iterator[str]:
-    with ThreadingHTTPServer(("127.0.0.1", 0), Halting) as server:
-        thread = threading.Thread(target=server.serve_forever)
-        thread.start()
-        yield f"http://127.0.0.1:{server.server_port}/"
-        server.shutdown()
-        thread.join()
+    with host(Halting) as origin:
+        yield f"{origin}/"
 
 
 @pytest.mark.parametrize("half", range(len(HALVES)))

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import hashlib
-import threading
 from collections.abc import Iterator
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from http.server import BaseHTTPRequestHandler
 from pathlib import Path
 
 import pytest
@@ -14,12 +13,13 @@ from pointpred.datasets import DataSet, RemoteFile, fetch, find, listing
 from pointpred.datasets.fetch import check_url
 from pointpred.errors import ParameterError, SourceError
 from pointpred.sources.known_formats import FORMATS
+from tests.hosts import Silent, host
 
 BODY = b"user,trial,t_s\n" * 9000
 DIGEST = hashlib.sha256(BODY).hexdigest()
 
 
-class Handler(BaseHTTPRequestHandler):
+class Handler(Silent, BaseHTTPRequestHandler):
     def do_GET(self) -> None:
         if self.path == "/missing.csv":
             self.send_error(404)
@@ -37,19 +37,11 @@ class Handler(BaseHTTPRequestHandler):
         self.end_headers()
         self.wfile.write(BODY)
 
-    def log_message(self, format: str, *args: object) -> None:
-        """Be silent."""
-
 
 @pytest.fixture(scope="module")
 def server() -> Iterator[str]:
-    serving = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
-    thread = threading.Thread(target=serving.serve_forever, kwargs={"poll_interval": 0.01})
-    thread.start()
-    yield f"http://127.0.0.1:{serving.server_address[1]}"
-    serving.shutdown()
-    thread.join()
-    serving.server_close()
+    with host(Handler) as origin:
+        yield origin
 
 
 def entry(url: str, sha256: str | None = DIGEST) -> DataSet:

@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-import threading
 import zipfile
 from collections.abc import Iterator
-from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
 
 import fsspec
 import numpy as np
@@ -21,6 +17,7 @@ from pointpred.datasets import sample
 from pointpred.errors import MissingExtraError, RecordingError
 from pointpred.sources import read_any, write
 from pointpred.sources.files import addresses
+from tests.hosts import file_host
 
 
 @pytest.fixture
@@ -33,15 +30,8 @@ def study(tmp_path: Path) -> Path:
 @pytest.fixture
 def web(study: Path) -> Iterator[str]:
     """The same folder by HTTP."""
-
-    class Quiet(SimpleHTTPRequestHandler):
-        def log_message(self, *_: Any) -> None:
-            pass
-
-    with ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(study))) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{server.server_port}"
-        server.shutdown()
+    with file_host(study) as origin:
+        yield origin
 
 
 def same(address: str, study: Path) -> bool:
