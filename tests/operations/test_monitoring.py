@@ -112,6 +112,25 @@ def test_an_expression_of_the_dashboard_names_metrics_that_exist(expression: str
     assert names_in(expression) <= listed_samples()
 
 
+def test_the_dashboard_has_what_the_schema_of_grafana_asks_for() -> None:
+    """Of grafana/grafana, kinds/dashboard/dashboard_kind.cue."""
+    assert DASHBOARD["schemaVersion"] == 39
+    variables = {one["name"]: one["type"] for one in DASHBOARD["templating"]["list"]}
+    assert variables == {"source": "datasource", "instance": "query"}
+    for panel in DASHBOARD["panels"]:
+        assert panel["type"] == "timeseries"
+        assert panel["title"]
+        place = panel["gridPos"]
+        assert min(place["x"], place["y"]) >= 0
+        assert min(place["w"], place["h"]) > 0
+        assert place["x"] + place["w"] <= 24
+        assert panel["datasource"] == {"type": "prometheus", "uid": "${source}"}
+        assert panel["fieldConfig"].keys() == {"defaults", "overrides"}
+        names = [target["refId"] for target in panel["targets"]]
+        assert names
+        assert len(set(names)) == len(names)
+
+
 def test_the_panels_of_the_dashboard_do_not_overlap() -> None:
     cells: set[tuple[int, int]] = set()
     for panel in DASHBOARD["panels"]:
