@@ -16,14 +16,20 @@ class Restarts:
     def __init__(self) -> None:
         self.failures = 0
 
-    def pause_s(self, lived_s: float) -> float:
+    def pause_s(self, lived_s: float, *, ordered: bool = False) -> float:
         """Seconds to wait before the next start, after a worker that lived for so long.
+
+        ``ordered``: whether somebody asked it to end, which is no failure.
 
         >>> restarts = Restarts()
         >>> [restarts.pause_s(1.0) for _ in range(4)], restarts.pause_s(90.0)
         ([0.25, 0.5, 1.0, 2.0], 0.25)
         """
-        self.failures = 1 if lived_s >= STEADY_S else self.failures + 1
+        if lived_s >= STEADY_S:
+            self.failures = 0
+        if ordered:
+            return FIRST_S
+        self.failures += 1
         return float(min(FIRST_S * 2 ** (self.failures - 1), LONGEST_S))
 
     @property

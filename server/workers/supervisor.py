@@ -51,6 +51,9 @@ STOP_S = 12.0
 """Seconds that workers have to end: two for ``bye``, the rest for requests and recordings."""
 SIGNALS = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
 
+ORDERED = (0, -signal.SIGTERM)
+"""Exit codes of a worker that somebody asked to end: one that serves ends its sessions first."""
+
 log = logging.getLogger("pointpred.service")
 
 
@@ -145,8 +148,9 @@ class Supervisor:
                 self._counts.clear(number)
                 if self._stopping.is_set():
                     return
-                pause_s = restarts.pause_s(time.monotonic() - worker.begun_at)
-                self._report_end(worker, code, pause_s)
+                ordered = code in ORDERED
+                pause_s = restarts.pause_s(time.monotonic() - worker.begun_at, ordered=ordered)
+                self._report_end(worker, code, pause_s, ordered=ordered)
             if not self.workers and all(each.hopeless for each in self._restarts):
                 raise SourceError(
                     "every worker ends soon after its start: see the errors above; "
@@ -156,15 +160,16 @@ class Supervisor:
                 async with asyncio.timeout(pause_s):
                     await self._stopping.wait()
 
-    def _report_end(self, worker: WorkerProcess, code: int, pause_s: float) -> None:
+    def _report_end(self, worker: WorkerProcess, code: int, pause_s: float, *, ordered: bool) -> None:
+        about = (worker.number, worker.pid)
+        if ordered:
+            self._registry.restarts.labels("stop").inc()
+            log.info("worker %d (process %d) was stopped; another one starts in %g s", *about, pause_s)
+            return
+        self._registry.restarts.labels("crash").inc()
         how = f"by {signal.Signals(-code).name}" if code < 0 else f"with code {code}"
-        self._registry.restarts.labels("stop" if code == 0 else "crash").inc()
-        level = logging.INFO if code == 0 else logging.ERROR
-        log.log(
-            level,
-            "worker %d (process %d) ended %s; its sessions are lost, another one starts in %g s",
-            *(worker.number, worker.pid, how, pause_s),
-        )
+        sentence = "worker %d (process %d) ended %s; its sessions are lost, another one starts in %g s"
+        log.error(sentence, *about, how, pause_s)
 
     def _takers(self) -> list[WorkerProcess]:
         """Who may be given a connection: ready workers that answer; else any that has started."""

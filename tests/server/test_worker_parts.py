@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import signal
 import socket
 import subprocess
 import sys
@@ -128,6 +129,32 @@ def test_workers_that_end_at_once_are_not_started_for_ever(monkeypatch: pytest.M
     assert not announced
 
 
+def test_workers_that_are_stopped_again_and_again_do_not_end_the_service(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(sys, "executable", "/bin/true")  # ends as a worker does that was asked to
+    monkeypatch.setattr(restarts, "FIRST_S", 0.001)
+    supervisor = Supervisor(listen("127.0.0.1", 0), Settings(workers=2), lambda: None)
+
+    def stops() -> float:
+        return (
+            supervisor._registry.registry.get_sample_value(
+                "pointpred_worker_restarts_total", {"reason": "stop"}
+            )
+            or 0.0
+        )
+
+    async def serve_for_a_while() -> None:
+        running = asyncio.create_task(supervisor.run())
+        while not running.done() and stops() <= 4 * restarts.MOST_FAILURES:
+            await asyncio.sleep(0.01)
+        if not running.done():
+            supervisor._stop(signal.SIGTERM)
+        assert await running is signal.SIGTERM
+
+    asyncio.run(serve_for_a_while())
+
+
 def test_a_system_that_hands_no_connections_over_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delattr(socket, "send_fds")
     with pytest.raises(ParameterError, match="--workers 2: this system cannot hand connections"):
@@ -188,3 +215,13 @@ def test_a_part_without_a_folder_is_compiled_all_the_same(tmp_path: Path) -> Non
         pass
     with compiling_alone(Part("any", lambda: None, ())):
         pass
+
+
+def test_workers_that_somebody_stops_are_no_failures() -> None:
+    one = restarts.Restarts()
+    one.pause_s(1.0)
+    assert [one.pause_s(1.0, ordered=True) for _ in range(6)] == [restarts.FIRST_S] * 6
+    assert not one.hopeless
+    assert one.pause_s(1.0) == 2 * restarts.FIRST_S, "the failures before and after are in a row"
+    one.pause_s(90.0, ordered=True)
+    assert one.pause_s(1.0) == restarts.FIRST_S

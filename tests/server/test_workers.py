@@ -140,6 +140,19 @@ def test_a_crash_ends_the_sessions_of_one_worker_only(service: Served) -> None:
     soon(lambda: sum(sessions(service)) == 0, "its sessions are not counted any more")
 
 
+def test_a_worker_that_somebody_stops_is_started_again_and_no_crash(service: Served) -> None:
+    soon(lambda: len(service.children()) == 2, "both run")
+    soon(lambda: all(("process_open_fds", n) in service.metrics(TOKEN) for n in "01"), "both answer")
+    crashes = service.metrics(TOKEN)["pointpred_worker_restarts_total", "crash"]
+    stopped, _ = service.children()
+    os.kill(stopped, signal.SIGTERM)
+    sentence = f"(process {stopped}) was stopped; another one starts"
+    soon(lambda: any(sentence in message for message in service.messages()), "it is logged")
+    metrics = service.metrics(TOKEN)
+    assert metrics["pointpred_worker_restarts_total", "stop"] == 1
+    assert metrics["pointpred_worker_restarts_total", "crash"] == crashes
+
+
 def test_a_worker_that_hangs_is_given_no_session(service: Served) -> None:
     soon(lambda: len(service.children()) == 2, "both run")
     held, _ = service.children()
