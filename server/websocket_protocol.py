@@ -140,9 +140,10 @@ class BoundedWebSocketProtocol(WebSocketsSansIOProtocol):
             self._upgrade_timer.cancel()
         if self._abort_timer is not None:
             self._abort_timer.cancel()
-        self._held, parsed = False, b""
+        parsed = b""
         while self._unparsed != parsed and not self._ended:
             parsed = self._unparsed
+            self._held = False  # the receiver may hold it again at each turn
             self._take_turn()
         self.can_write = True
         super().connection_lost(exc)

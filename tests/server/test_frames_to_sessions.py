@@ -8,12 +8,17 @@ from __future__ import annotations
 import json
 import socket
 import struct
-from collections.abc import Iterator
+import threading
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from typing import Self
 
 import pytest
 
+from pointpred.protocol.frames import Frame
+from pointpred.server.connection import Refusal
+from pointpred.server.websocket_protocol import BoundedWebSocketProtocol
+from tests.server.listener import soon
 from tests.server.running import HELLO, PATIENCE_S, Running, running
 
 MASK = b"\x01\x02\x03\x04"
@@ -202,3 +207,46 @@ def test_a_violation_ends_the_session_with_its_code(
     with Client(here.port) as other:
         other.send(frame(BINARY, packed(3)))
         assert other.predicted() == 3
+
+
+class Holding:
+    """A receiver that takes messages and wants no more for now, each time."""
+
+    def __init__(self, protocol: BoundedWebSocketProtocol) -> None:
+        self.protocol = protocol
+        self.messages = 0
+        self.left = False
+
+    def receive(self, frames: Sequence[Frame], read_at: float | None = None) -> None:
+        self.messages += len(frames)
+        self.protocol.pause_frames()
+
+    def flush(self) -> None:
+        """It sends nothing."""
+
+    def disconnect(self, refusal: Refusal | None) -> None:
+        self.left = True
+
+
+def test_what_was_read_before_a_connection_was_lost_is_taken_in() -> None:
+    """Also where the receiver holds reading at each turn."""
+    with running() as here, Client(here.port):
+        (session,) = here.service._open
+        connection, _ = here.service._open[session]
+        assert connection is not None
+        protocol = connection._socket
+        assert isinstance(protocol, BoundedWebSocketProtocol)
+        receiver, done = Holding(protocol), threading.Event()
+
+        def lose() -> None:
+            protocol.pause_frames()
+            protocol._receiver = receiver
+            protocol.data_received(frame(TEXT, text(1.0)) * 1000)
+            protocol.transport.abort()
+            protocol.loop.call_soon(protocol.loop.call_soon, done.set)
+
+        protocol.loop.call_soon_threadsafe(lose)
+        assert done.wait(PATIENCE_S)
+        soon(lambda: receiver.left, "it is lost")
+        assert receiver.messages == 1000
+        protocol.loop.call_soon_threadsafe(connection.disconnect, None)
