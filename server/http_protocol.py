@@ -77,9 +77,12 @@ class BoundedHttpProtocol(HttpToolsProtocol):
             return
         try:
             self.parser.feed_data(data)
-        except HttpParserUpgrade:
+        except HttpParserUpgrade as upgrade:
             if self._should_upgrade():
                 self.handle_websocket_upgrade()
+                early = data[upgrade.args[0] :]
+                if early and not self._refused and not self.transport.is_closing():
+                    self.transport.get_protocol().data_received(early)  # type: ignore[attr-defined]
         except HttpParserError:
             self._refuse(NO_HTTP)
         if self._header_timer is not None:

@@ -250,3 +250,12 @@ def test_what_was_read_before_a_connection_was_lost_is_taken_in() -> None:
         soon(lambda: receiver.left, "it is lost")
         assert receiver.messages == 1000
         protocol.loop.call_soon_threadsafe(connection.disconnect, None)
+
+
+def test_frames_in_one_packet_with_the_request_are_taken_in() -> None:
+    with running() as here, socket.create_connection(("127.0.0.1", here.port), PATIENCE_S) as plain:
+        plain.sendall(UPGRADE + frame(TEXT, HELLO.encode()) + frame(TEXT, text(1.0)))
+        received = b""
+        while b'"prediction"' not in received:
+            received += plain.recv(4096) or pytest.fail(f"closed after {received!r}")
+        assert received.startswith(b"HTTP/1.1 101 ")
