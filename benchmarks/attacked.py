@@ -7,7 +7,6 @@ processor that the service takes, and its memory. Writes ``pages/attacks/attacke
 
 from __future__ import annotations
 
-import datetime
 import gzip
 import json
 import multiprocessing
@@ -204,7 +203,7 @@ def main() -> None:
                 print(*rows[-1], sep=", ", flush=True)
         finally:
             service.terminate()
-    about = {"date": datetime.date.today().isoformat(), "seconds": SECONDS, "files": FILES}
+    about = {"seconds": SECONDS, "files": FILES}
     keep("attacks", {"attacked": Table.of(COLUMNS, rows)}, part="attacked", machine=where, numbers=about)
 
 

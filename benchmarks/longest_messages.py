@@ -10,7 +10,6 @@ from __future__ import annotations
 import json
 import time
 from collections.abc import Callable, Mapping, Sequence
-from datetime import UTC, datetime
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -195,10 +194,9 @@ if __name__ == "__main__":
         ),
         key=lambda row: -float(row[2]),
     )
-    day = datetime.now(UTC).date().isoformat()
     keep(
         "costs",
         {"longest_messages": Table.of(("message", "bytes", "on the loop, ms", "beside it, ms"), rows)},
         file=PAGES / "costs" / "longest_messages.json",
-        machine=f"{machine(load=True)}, {day}",
+        machine=machine(load=True),
     )

@@ -16,7 +16,6 @@ import sys
 import tempfile
 import time
 from contextlib import ExitStack
-from datetime import date
 from pathlib import Path
 from typing import Any
 
@@ -145,7 +144,7 @@ def main(wanted: list[str]) -> None:
     with ExitStack() as stack:
         given = os.environ.get("SCALE_FOLDER")
         folder = Path(given or stack.enter_context(tempfile.TemporaryDirectory()))
-        where = f"{machine(load=True)}, {date.today().isoformat()}"
+        where = machine(load=True)
         if not wanted or "rates" in wanted:
             keep("scale", {"rates": rates(folder)}, numbers={"rates_machine": where})
         if not wanted or "million" in wanted:

@@ -18,7 +18,6 @@ import tempfile
 import time
 from collections.abc import Sequence
 from contextlib import ExitStack
-from datetime import UTC, datetime
 from urllib.error import HTTPError
 from urllib.request import urlopen
 
@@ -174,7 +173,7 @@ def start_rows() -> list[tuple[str, ...]]:
 def main(before: str | None) -> None:
     """Measure, and write the page's numbers."""
     print("measuring what a message costs; this takes about three minutes", file=sys.stderr)
-    where = f"{machine(load=True)}; {datetime.now(UTC):%Y-%m-%d}"
+    where = machine(load=True)
     with ExitStack() as stack:
         stack.enter_context(on_cores(LAST))
         one = stack.enter_context(service(raised=True))

@@ -48,7 +48,17 @@ def several(**parts: str) -> Context:
     return lambda: {name: data.read(PAGES / f"{where}.json", data.Tables) for name, where in parts.items()}
 
 
-COSTS = ("events", "service", "proxies", "spread", "devices", "first_start", "opening", "in_page")
+COSTS = (
+    "events",
+    "service",
+    "longest_messages",
+    "proxies",
+    "spread",
+    "devices",
+    "first_start",
+    "opening",
+    "in_page",
+)
 PAGES_MADE: dict[str, tuple[str, Context]] = {
     "docs/evidence/results.md": ("results", results.context),
     "docs/evidence/attacks.md": ("attacks", attacks.context),

@@ -16,7 +16,6 @@ import time
 from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
-from datetime import UTC, datetime
 from pathlib import Path
 from urllib.request import urlopen
 
@@ -215,7 +214,6 @@ def main(minutes: float, file: Path = FILE) -> int:
     verdicts = judge(soak.seconds, soak.wrong, soak.counts, before, after, lost)
     numbers = {
         "minutes": soak.seconds[-1].usage.at_s / 60,
-        "date": datetime.now(UTC).date().isoformat(),
         "processor_share": soak.seconds[-1].usage.processor_s / soak.seconds[-1].usage.at_s,
     }
     write(Tables(tables_of(soak, verdicts), where, numbers), file)

@@ -10,7 +10,6 @@ from __future__ import annotations
 import argparse
 from collections.abc import Sequence
 from contextlib import ExitStack
-from datetime import UTC, datetime
 from importlib.metadata import version
 from typing import Any
 
@@ -170,7 +169,6 @@ def main(words: argparse.Namespace) -> None:
     """Measure, and write the page's numbers or print them."""
     built()
     where = machine(load=True)
-    date = f"{datetime.now(UTC):%Y-%m-%d}"
     tables = measured(SHORT if words.short else FULL, words.workers, words.before)
     versions = ", ".join(f"{name} {version(name)}" for name in PACKAGES)
     if words.short:
@@ -179,7 +177,7 @@ def main(words: argparse.Namespace) -> None:
                 print(f"\n{name}\n\n{shown(table)}")
         return
     numbers = {"workers": words.workers, "recording": recording().name, "before": words.before or "", **FULL}
-    write(Tables(tables, f"{where}; {versions}; {date}", numbers), FILE)
+    write(Tables(tables, f"{where}; {versions}", numbers), FILE)
     print(f"wrote {FILE}")
 
 

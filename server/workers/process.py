@@ -119,7 +119,9 @@ class WorkerProcess:
         try:
             while line := await reader.readline():
                 self._receive(from_worker.decode(line))
-        except (OSError, ValueError, msgspec.DecodeError):
+        except OSError:
+            pass  # it ended before it had read everything; a signal now would take its exit code from asyncio
+        except (ValueError, msgspec.DecodeError):
             self.kill()  # it is not what was started
         finally:
             code = await self._process.wait()

@@ -19,7 +19,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from benchmarks.machine import machine
+from benchmarks.machine import computer
 from pages import PAGES
 from pages.attacks.page import Run
 from pages.data import read, write
@@ -87,7 +87,7 @@ def fuzz(name: str, seconds: int) -> Run:
             _statistic(log, "peak_rss_mb"),
             len(broken),
             datetime.date.today().isoformat(),
-            machine(),
+            computer(),
         )
 
 

@@ -21,8 +21,10 @@ from pointpred.server.compiling.parts import Part
 from pointpred.server.listening import listen
 from pointpred.server.settings import Settings
 from pointpred.server.workers import restarts
+from pointpred.server.workers.counts import WorkerCounts
 from pointpred.server.workers.dispatcher import Dispatcher
 from pointpred.server.workers.families import Family, ServiceFamilies, families_of, text_of
+from pointpred.server.workers.process import WorkerProcess
 from pointpred.server.workers.supervisor import Supervisor
 from tests.server.running import PATIENCE_S
 
@@ -127,6 +129,21 @@ def test_workers_that_end_at_once_are_not_started_for_ever(monkeypatch: pytest.M
     with pytest.raises(SourceError, match="every worker ends soon after its start"):
         asyncio.run(supervisor.run())
     assert not announced
+
+
+def test_the_exit_code_of_a_worker_is_known_that_ends_before_it_has_read_anything(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    worker = tmp_path / "worker"
+    worker.write_text("#!/bin/sh\nkill -TERM $$\n")
+    worker.chmod(0o755)
+    monkeypatch.setattr(sys, "executable", str(worker))
+
+    async def ended() -> int:
+        process = WorkerProcess(0, WorkerCounts(1), lambda worker, message: None)
+        return await (await process.start(Settings().model_dump(mode="json"), 1))
+
+    assert {asyncio.run(ended()) for _ in range(20)} == {-signal.SIGTERM}
 
 
 def test_workers_that_are_stopped_again_and_again_do_not_end_the_service(
