@@ -3,20 +3,27 @@
 from __future__ import annotations
 
 import json
+import signal
+import threading
 from collections.abc import Iterator
 from typing import Any
 
 import pytest
+from httpx2 import Response, post
 
 from pointpred.datasets import sample
 from tests.server import browser
+from tests.server.listener import soon
 from tests.server.page_browser import Visitor
+from tests.server.running import PATIENCE_S, running
+from tests.server.test_uploads import CSV, stop_process
 
 pytestmark = browser.needed
 
 STATUS, READOUT, ROWS = "#circle-status", "#replay-readout", "#circle-scores tbody td"
 STATE = f"document.querySelector('{STATUS}').dataset.state"
 TABLE = "user,trial,t_s,x_px,y_px\n" + "".join(f"u,one,{i / 50},{i * i},0\n" for i in range(40))
+UPLOAD = "void import('/web/service/http.js').then((http) => http.score('user,trial,t_s,x_px,y_px'))"
 SILENT = """
 window.WebSocket = class { close() {} };
 window.WebSocket.OPEN = 1;
@@ -188,3 +195,22 @@ def test_a_score_stands_in_the_row_that_it_was_asked_for(visitor: Visitor, url: 
         "return [...body.rows].map((row) => row.cells[2].textContent); })"
     )
     assert texts == ["33.0", "–"]
+
+
+def test_a_page_that_is_left_gives_up_its_uploads(visitor: Visitor) -> None:
+    """Browsers keep a page for "back", and go on with its requests."""
+    with running() as here:
+        process = stop_process(here)
+        answers: list[Response] = []
+        options = {"content": CSV, "timeout": PATIENCE_S}
+        asking = threading.Thread(target=lambda: answers.append(post(f"{here.url}/v1/recording", **options)))
+        asking.start()
+        soon(lambda: here.service.uploads == 1, "somebody else's recording is being opened")
+        visitor.open(f"{here.url}/#live")
+        visitor.value(UPLOAD)
+        soon(lambda: here.service.uploads == 2, "the page's recording waits")
+        visitor.page.go("about:blank")
+        soon(lambda: here.service.uploads == 1, "the page has given up its place")
+        process.send_signal(signal.SIGCONT)
+        asking.join(PATIENCE_S)
+        assert [answer.status_code for answer in answers] == [200]
