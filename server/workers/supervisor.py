@@ -77,7 +77,7 @@ class Supervisor:
         """The running workers by number."""
         self._on_start, self._on_ready, self._on_compiling = on_start, on_ready, on_compiling
         self._announced = self._ready = False
-        self._counts = WorkerCounts(settings.workers)
+        self._counts = WorkerCounts(settings.workers, settings.max_sessions)
         self._families = ServiceFamilies()
         self._registry = SupervisorMetrics()
         self._registry.sessions_limit.set(self.settings.max_sessions)

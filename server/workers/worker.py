@@ -22,6 +22,7 @@ from pointpred.server.garbage import tune_collector
 from pointpred.server.http_protocol import BoundedHttpProtocol
 from pointpred.server.listening import PointpredServer, web_config
 from pointpred.server.logs import set_up
+from pointpred.server.network_counts import NetworkCounts
 from pointpred.server.service import Service
 from pointpred.server.settings import Settings
 from pointpred.server.workers.counts import CONNECTIONS, SESSIONS, TAKEN, WorkerCounts
@@ -213,8 +214,9 @@ def main(arguments: list[str]) -> None:
     settings = Settings(**begin.settings)
     set_up(settings.log_format, begin.number)
     service = Service(settings)
-    peers = OtherWorkers(begin.number, WorkerCounts(begin.workers, counted))
-    service.peers = peers
+    counts = WorkerCounts(begin.workers, settings.max_sessions, counted)
+    peers = OtherWorkers(begin.number, counts)
+    service.peers, service.networks = peers, NetworkCounts(counts.networks, begin.number)
     server = WorkerServer(web_config(HostRule(settings.host, settings.allow_host), service))
     server.announce, server.service = lambda: None, service
     server.prepare(control_socket, socket.socket(fileno=connections), peers)

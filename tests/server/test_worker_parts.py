@@ -140,7 +140,7 @@ def test_the_exit_code_of_a_worker_is_known_that_ends_before_it_has_read_anythin
     monkeypatch.setattr(sys, "executable", str(worker))
 
     async def ended() -> int:
-        process = WorkerProcess(0, WorkerCounts(1), lambda worker, message: None)
+        process = WorkerProcess(0, WorkerCounts(1, 1), lambda worker, message: None)
         return await (await process.start(Settings().model_dump(mode="json"), 1))
 
     assert {asyncio.run(ended()) for _ in range(20)} == {-signal.SIGTERM}

@@ -41,7 +41,8 @@ ON_THE_WIRE = 9
 def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
     """Two workers that record into one folder."""
     kept = tmp_path_factory.mktemp("kept")
-    with served("--workers", "2", "--token", TOKEN, "--max-sessions", "24", "--record", str(kept)) as one:
+    limits = ("--max-sessions", "24", "--trust-proxy", "127.0.0.1")
+    with served("--workers", "2", "--token", TOKEN, *limits, "--record", str(kept)) as one:
         one.wait_until_ready()
         yield one
 
@@ -104,6 +105,27 @@ def test_the_bound_on_sessions_is_one_for_all_workers(service: Served) -> None:
         with pytest.raises(ServiceError, match="24 sessions are open"):
             opened(service, stack, 1)
     soon(lambda: sessions(service) == [0, 0], "every session is counted as ended")
+
+
+def test_the_share_of_an_address_is_one_for_all_workers(service: Served) -> None:
+    """Half of the sessions; a second address has its own share."""
+    url = f"ws://127.0.0.1:{service.port}/v1/stream?token={TOKEN}"
+
+    def answer(stack: ExitStack, address: str) -> str:
+        headers = {"X-Forwarded-For": address}
+        one = stack.enter_context(
+            dial(url, subprotocols=[Subprotocol(SUBPROTOCOL)], additional_headers=headers)
+        )
+        with suppress(ConnectionClosed):
+            one.send(HELLO)
+        return str(one.recv(PATIENCE_S))
+
+    for _ in range(2):  # what is over is not counted
+        with ExitStack() as stack:
+            assert all('"welcome"' in answer(stack, "192.0.2.7") for _ in range(12))
+            assert "12 sessions of this address are open" in answer(stack, "192.0.2.7")
+            assert '"welcome"' in answer(stack, "192.0.2.8")
+        soon(lambda: sessions(service) == [0, 0], "every session is counted as ended")
 
 
 def test_the_token_is_asked_for_by_every_worker(service: Served) -> None:

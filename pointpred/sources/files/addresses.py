@@ -93,7 +93,7 @@ def _copy(address: str) -> Path:
 
 
 def _inside(folder: Path, name: str | PurePosixPath, address: str) -> Path:
-    """A file of this name in a folder; raises RecordingError where the name, as archives have it, leads out."""
+    """A file of this name in a folder; raises RecordingError where an archive's name leads out of it."""
     file = folder / name
     if not file.resolve().is_relative_to(folder.resolve()):
         message = f"{address}: the name {str(name)!r} leads out of its folder: expected names without '..'"
