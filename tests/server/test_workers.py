@@ -24,6 +24,7 @@ from pointpred.errors import SourceError
 from pointpred.protocol.client_messages import SUBPROTOCOL
 from pointpred.registry import RECOMMENDED
 from pointpred.server.recorder.recordings import listing
+from pointpred.server.workers.dispatcher import NO_FILES_S
 from pointpred.server.workers.supervisor import SILENT_S
 from tests.server.listener import soon
 from tests.server.running import HELLO, PATIENCE_S
@@ -188,6 +189,25 @@ def test_a_worker_that_hangs_is_given_no_session(service: Served) -> None:
                 assert len(client.columns())
     finally:
         os.kill(held, signal.SIGCONT)
+
+
+def test_a_worker_that_may_open_no_further_file_is_given_connections_again(service: Served) -> None:
+    resource = pytest.importorskip("resource")
+    soon(lambda: len(service.children()) == 2, "both run")
+    soon(lambda: all(("process_open_fds", n) in service.metrics(TOKEN) for n in "01"), "both answer")
+    soon(lambda: sessions(service) == [0, 0], "no session is left")
+    held, _ = service.children()
+    usual = resource.prlimit(held, resource.RLIMIT_NOFILE)
+    resource.prlimit(held, resource.RLIMIT_NOFILE, (3, usual[1]))
+    with ExitStack() as stack:
+        for _ in range(8):
+            stack.enter_context(socket.create_connection(("127.0.0.1", service.port)))
+        soon(lambda: sum("no further file" in message for message in service.messages()) == 3, "it is logged")
+        resource.prlimit(held, resource.RLIMIT_NOFILE, usual)
+    time.sleep(2 * NO_FILES_S)  # those that waited are over, and counted so
+    with ExitStack() as stack:
+        opened(service, stack, 8)
+        assert sessions(service) == [4, 4]
 
 
 def test_names_of_recordings_are_unique_over_workers(service: Served) -> None:
