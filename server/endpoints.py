@@ -19,7 +19,6 @@ from pointpred.protocol.server_messages import Code, ErrorMessage, encode
 from pointpred.server.access import Receive, Scope, Send, admits_origin, has_token, header
 from pointpred.server.compiling.parts import parts_for
 from pointpred.server.connection import FRAMES, LINGER_S, Connection, FrameSocket
-from pointpred.server.live_feed import LiveFeed
 from pointpred.server.logs import place_of
 from pointpred.server.service import Service
 from pointpred.server.sessions.lifecycle import FAILED, Session
@@ -47,14 +46,24 @@ class StreamEndpoint:
             return
         try:
             await receive()  # websocket.connect
-            with self.service.place_of_address(_address(scope)) as place:
-                if await self._admit(scope, send, place):
-                    await self._serve(scope, send)
+            await self._answer(scope, send)
         except ClientDisconnected:
             pass  # it left before it had a session
 
-    async def _admit(self, scope: Scope, send: Send, place: bool) -> bool:
-        """Whether a session may begin; a client that is refused is told why, and counted."""
+    async def _answer(self, scope: Scope, send: Send) -> None:
+        """Serve a client that may have a session; one that is refused is told why, and counted."""
+        if not await self._admit(scope, send):
+            return
+        with self.service.place_of_address(_address(scope)) as place:
+            if place:
+                await self._serve(scope, send)
+                return
+        most = self.service.settings.share
+        sentence = f"{most} sessions of this address are open, which is the most"
+        await self._refuse(send, "too_many", sentence, 1013)
+
+    async def _admit(self, scope: Scope, send: Send) -> bool:
+        """Whether a client may ask for a session, and the service has room for one."""
         service = self.service
         if not admits_origin(scope, service.settings.allow_origin):
             service.refuse_origin(header(scope, b"origin"))
@@ -68,11 +77,6 @@ class StreamEndpoint:
         if service.full:
             most = service.settings.max_sessions
             await self._refuse(send, "too_many", f"{most} sessions are open, which is the most", 1013)
-            return False
-        if not place:
-            most = service.settings.share
-            sentence = f"{most} sessions of this address are open, which is the most"
-            await self._refuse(send, "too_many", sentence, 1013)
             return False
         return True
 
@@ -136,9 +140,7 @@ class LiveEndpoint(StreamEndpoint):
                 self.service.metrics.connections_refused.labels("out_of_place").inc()
                 await _send_not_found(scope, send)
                 return
-            with self.service.place_of_address(_address(scope)) as place:
-                if await self._admit(scope, send, place) and (feed := self.service.live) is not None:
-                    await self._show(feed, scope, send)
+            await self._answer(scope, send)
         except ClientDisconnected:
             pass  # it left before it saw anything
 
@@ -151,8 +153,10 @@ class LiveEndpoint(StreamEndpoint):
             and has_token(scope, settings.token)
         )
 
-    async def _show(self, feed: LiveFeed, scope: Scope, send: Send) -> None:
+    async def _serve(self, scope: Scope, send: Send) -> None:
         service = self.service
+        if (feed := service.live) is None:
+            return
         viewer = service.open_viewer(asyncio.get_running_loop().time())
         connection = Connection(viewer, _socket(scope), service.arrivals)  # it sends nothing to predict
         try:

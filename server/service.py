@@ -6,11 +6,12 @@ import asyncio
 import logging
 import secrets
 import sys
-from collections import Counter
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from typing import Protocol
+
+import numpy as np
 
 from pointpred.protocol.client_messages import Hello
 from pointpred.protocol.server_messages import Code
@@ -21,6 +22,7 @@ from pointpred.server.compiling.compiler import Compiler
 from pointpred.server.connection import Connection
 from pointpred.server.live_feed import LiveFeed
 from pointpred.server.metrics import Metrics, SessionCounts
+from pointpred.server.network_counts import NetworkCounts
 from pointpred.server.recorder.writer import Recorder
 from pointpred.server.sessions.lifecycle import Session
 from pointpred.server.sessions.observer import SessionObserver
@@ -82,7 +84,8 @@ class Service:
         """The attached device, where there is one."""
         self.peers: Peers | None = None
         """The other workers, where there are several."""
-        self._of_network: Counter[str] = Counter()  # connections of other machines
+        self.networks = NetworkCounts(np.zeros((1, self.settings.max_sessions), np.int64))
+        """Sessions of other machines, those of the other workers included."""
         self._open: dict[Session, tuple[Connection | None, SessionCounts]] = {}
 
     @property
@@ -101,6 +104,7 @@ class Service:
     def place_of_address(self, address: str | None) -> Iterator[bool]:
         """Whether an address may have one more session; it is counted until the block ends.
 
+        To be asked where the service is not full, for a session that is opened at once.
         Sessions of this machine are not counted: one person may have many tabs, and a proxy that does not
         pass addresses on has one for everybody.
         """
@@ -108,13 +112,8 @@ class Service:
         if network is None or is_loopback(network):
             yield True
             return
-        self._of_network[network] += 1
-        try:
-            yield self._of_network[network] <= self.settings.share
-        finally:
-            self._of_network[network] -= 1
-            if not self._of_network[network]:
-                del self._of_network[network]
+        with self.networks.place(network) as sessions:
+            yield sessions <= self.settings.share
 
     def open_session(self, now: float) -> PointingSession:
         """A pointing session with a random name."""

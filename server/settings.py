@@ -91,7 +91,7 @@ class Settings(BaseSettings):
         default=None,
         ge=1,
         le=100_000,
-        description="Most sessions of one other machine, in each worker; of IPv6, of one /64 network. "
+        description="Most sessions of one other machine; of IPv6, of one /64 network. "
         "Not given: half of --max-sessions. Those of this machine have no share of their own.",
     )
     max_events_per_s: int = Field(

@@ -72,7 +72,7 @@ def serve(
     max_per_address: Annotated[
         int | None,
         typer.Option(
-            help="Most sessions of one other machine, in each worker; of IPv6, of one /64 network. "
+            help="Most sessions of one other machine; of IPv6, of one /64 network. "
             "Not given: half of --max-sessions."
         ),
     ] = None,

@@ -17,6 +17,10 @@ LOCAL = "local"
 """In the place of a scheduler's address: a cluster of processes on this machine."""
 PATIENCE_S = 15.0
 """How long a scheduler may take to answer."""
+WITHOUT_WORKERS_S = 60.0
+"""How long a cluster may have no workers while it has work: others may start in their place."""
+CHECK_S = 5.0
+"""How often it is asked for its workers while no answer comes."""
 
 
 class Cluster:
@@ -34,7 +38,7 @@ class Cluster:
         as_completed: Any = distributed.as_completed
         numbered = enumerate(items)
         places: dict[Any, int] = {}
-        answers = as_completed([], raise_errors=False)
+        answers = as_completed([], raise_errors=False, with_results=True)
 
         def add(most: int) -> None:
             for place, item in islice(numbered, most):
@@ -45,10 +49,13 @@ class Cluster:
         try:
             add(AHEAD * self.workers)
             while places:
-                future = next(answers)
+                self._wait(answers)
+                future, answer = next(answers)
                 place = places.pop(future)
                 add(1)
-                yield place, future.result()
+                if future.status in ("error", "cancelled"):
+                    future.result()  # raises
+                yield place, answer
                 del future  # the cluster forgets the answer
         except (distributed.KilledWorker, CancelledError) as error:
             message = f"the Dask cluster lost workers, perhaps for lack of memory, or its scheduler: {error}"
@@ -56,6 +63,21 @@ class Cluster:
         finally:
             if places:
                 self._client.cancel(list(places))
+
+    def _wait(self, answers: Any) -> None:
+        """Wait for an answer; raises ParameterError where the cluster has had no workers for long."""
+        arrived, without_s = answers.thread_condition, 0.0
+        while True:
+            with arrived:
+                if arrived.wait_for(answers.has_ready, timeout=CHECK_S):
+                    return
+            without_s = 0.0 if self._client.nthreads() else without_s + CHECK_S
+            if without_s >= WITHOUT_WORKERS_S:
+                message = (
+                    f"the Dask cluster lost workers, and no other came within {WITHOUT_WORKERS_S:g} s: "
+                    "start some with `dask worker`, then score again"
+                )
+                raise ParameterError(message, field="cluster")
 
 
 @contextmanager

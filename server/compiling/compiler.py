@@ -19,7 +19,7 @@ from pointpred.registry import RECOMMENDED, REGISTRY
 from pointpred.server.compiling.alone import compiling_alone
 from pointpred.server.compiling.order import PartQueue
 from pointpred.server.compiling.parts import FIRST, Part, parts
-from pointpred.server.compiling.worker import LOW_PRIORITY, Worker
+from pointpred.server.compiling.worker import LOW_PRIORITY, CompilerProcess
 from pointpred.server.logs import place_of
 
 log = logging.getLogger("pointpred.service")
@@ -43,7 +43,7 @@ class Compiler:
     """What is compiled, what is next, and who waits for it."""
 
     def __init__(
-        self, all: Sequence[Part] | None = None, start_worker: Callable[[], Worker] = Worker
+        self, all: Sequence[Part] | None = None, start_worker: Callable[[], CompilerProcess] = CompilerProcess
     ) -> None:
         self._queue = PartQueue(parts() if all is None else all, FIRST)
         self._start_worker = start_worker
@@ -51,7 +51,7 @@ class Compiler:
         self._loading = threading.Lock()
         self._waiting: set[tuple[asyncio.AbstractEventLoop, asyncio.Event]] = set()
         self._threads: list[threading.Thread] = []
-        self._workers: list[Worker] = []
+        self._workers: list[CompilerProcess] = []
         self._replacements = REPLACEMENTS
         self._alone = False  # whether parts are compiled by this process, without workers
         self._progress_lock = threading.Lock()
@@ -130,7 +130,7 @@ class Compiler:
 
     def _run(self) -> None:
         """One thread: part after part, with a worker where something is to be compiled."""
-        worker: Worker | None = None
+        worker: CompilerProcess | None = None
         while (part := self._next()) is not None:
             try:
                 if part.awaits:
@@ -146,7 +146,7 @@ class Compiler:
         if worker is not None:
             worker.end()
 
-    def _compile_missing(self, worker: Worker | None, part: Part) -> Worker | None:
+    def _compile_missing(self, worker: CompilerProcess | None, part: Part) -> CompilerProcess | None:
         """Compile a part, unless another process has done so meanwhile; returns as ``_compile`` does."""
         if self.stopped or not part.awaits:
             return worker
@@ -154,7 +154,7 @@ class Compiler:
         self._report()
         return self._compile(worker, part.name)
 
-    def _compile(self, worker: Worker | None, name: str) -> Worker | None:
+    def _compile(self, worker: CompilerProcess | None, name: str) -> CompilerProcess | None:
         """Have a worker compile a part; returns the worker, ``None`` where this thread has to compile."""
         while worker := worker or self._new_worker():
             if name not in FIRST:
@@ -166,7 +166,7 @@ class Compiler:
             self._log_lost_worker("a compiling process has ended")
         return None
 
-    def _new_worker(self) -> Worker | None:
+    def _new_worker(self) -> CompilerProcess | None:
         """A worker, which ends when all is done or the service stops; ``None`` where none can be started."""
         if self._alone:
             return None

@@ -20,7 +20,7 @@ LOW_PRIORITY = "low priority"
 NICENESS = 15
 
 
-class Worker:
+class CompilerProcess:
     """The process, as the serving one sees it."""
 
     def __init__(self) -> None:

@@ -1,6 +1,6 @@
-"""A table in memory that all workers share: how many sessions and connections each of them has.
+"""Tables in memory that all workers share: how many sessions and connections each of them has, and of whom.
 
-Each worker writes its own row, and reads the others': the bound on sessions holds for the whole service
+Each worker writes its own row, and reads the others': the bounds on sessions hold for the whole service
 without a message.
 """
 
@@ -18,17 +18,23 @@ COLUMNS = 3
 
 
 class WorkerCounts:
-    """Rows of whole numbers, one a worker; ``descriptor`` is the file behind them, for another process."""
+    """Rows of whole numbers, one a worker; ``descriptor`` is the file behind them, for another process.
 
-    def __init__(self, workers: int, descriptor: int | None = None) -> None:
-        size = workers * COLUMNS * np.dtype(np.int64).itemsize
+    ``networks`` has a column for each of the most sessions at a time: what ``NetworkCounts`` writes.
+    """
+
+    def __init__(self, workers: int, max_sessions: int, descriptor: int | None = None) -> None:
+        columns = COLUMNS + max_sessions
+        size = workers * columns * np.dtype(np.int64).itemsize
         self.descriptor = _anonymous_file(size) if descriptor is None else descriptor
         self._memory = mmap.mmap(self.descriptor, size)
-        self.rows = np.frombuffer(self._memory, np.int64).reshape(workers, COLUMNS)
+        table = np.frombuffer(self._memory, np.int64).reshape(workers, columns)
+        self.rows, self.networks = table[:, :COLUMNS], table[:, COLUMNS:]
 
     def clear(self, worker: int) -> None:
         """A worker has ended, and its connections with it."""
         self.rows[worker] = 0
+        self.networks[worker] = 0
 
     @property
     def sessions(self) -> int:

@@ -37,7 +37,6 @@ class WorkerProcess:
         self.started = False
         """Whether it answers requests."""
         self.ready = False
-        self.asked_to_stop = False
         self.answered_at = self.begun_at = time.monotonic()
         self._counts = counts
         self._observe = observe

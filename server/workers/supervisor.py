@@ -43,6 +43,8 @@ SILENT_S = 3.0
 """A worker that has not answered for so long is given no connection while others answer."""
 HUNG_S = 60.0
 """A worker that has not answered for so long is killed and started again."""
+START_S = 120.0
+"""The same for a worker that has not answered yet: it imports the package first."""
 LATE_S = 1.0
 """Where this process is late by more than this, it stood still itself, and heard no answer."""
 COLLECT_S = 1.0
@@ -77,7 +79,7 @@ class Supervisor:
         """The running workers by number."""
         self._on_start, self._on_ready, self._on_compiling = on_start, on_ready, on_compiling
         self._announced = self._ready = False
-        self._counts = WorkerCounts(settings.workers)
+        self._counts = WorkerCounts(settings.workers, settings.max_sessions)
         self._families = ServiceFamilies()
         self._registry = SupervisorMetrics()
         self._registry.sessions_limit.set(self.settings.max_sessions)
@@ -121,7 +123,6 @@ class Supervisor:
         """Stop every worker, and kill those that do not end."""
         self._stopping.set()
         for worker in self.workers.values():
-            worker.asked_to_stop = True
             worker.send(Stop())
         _, late = await asyncio.wait(keepers, timeout=STOP_S)
         if late:
@@ -142,6 +143,8 @@ class Supervisor:
                 log.error("worker %d cannot be started: %s", number, error.strerror)
             else:
                 self.workers[number] = worker
+                if self._stopping.is_set():  # meanwhile: the others have been asked already
+                    worker.send(Stop())
                 code = await running
                 del self.workers[number]
                 self._families.end(str(number))
@@ -187,8 +190,9 @@ class Supervisor:
             for worker in self.workers.values():
                 if late_s > LATE_S:
                     worker.excuse(late_s)
-                if worker.started and worker.silent_s > HUNG_S:
-                    log.error("worker %d has not answered for %g s and is killed", worker.number, HUNG_S)
+                most_s = HUNG_S if worker.started else START_S
+                if worker.silent_s > most_s:
+                    log.error("worker %d has not answered for %g s and is killed", worker.number, most_s)
                     worker.kill()
 
     async def _collect(self) -> None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import logging
 import signal
 import socket
 import sys
@@ -22,9 +23,11 @@ from pointpred.server.garbage import tune_collector
 from pointpred.server.http_protocol import BoundedHttpProtocol
 from pointpred.server.listening import PointpredServer, web_config
 from pointpred.server.logs import set_up
+from pointpred.server.network_counts import NetworkCounts
 from pointpred.server.service import Service
 from pointpred.server.settings import Settings
 from pointpred.server.workers.counts import CONNECTIONS, SESSIONS, TAKEN, WorkerCounts
+from pointpred.server.workers.dispatcher import NO_FILES_S
 from pointpred.server.workers.families import families_of
 from pointpred.server.workers.messages import (
     LINE_BYTES,
@@ -44,6 +47,8 @@ from pointpred.server.workers.messages import (
 
 AT_ONCE = 16
 """Connections taken before other work has its turn."""
+
+log = logging.getLogger("pointpred.service")
 
 
 class OtherWorkers:
@@ -133,8 +138,23 @@ class WorkerServer(PointpredServer):
                 _, descriptors, _, _ = socket.recv_fds(self._connections, 1, 1)
             except BlockingIOError:
                 return
+            if not descriptors:
+                log.error("a connection is lost: this process may open no further file")
+                self._count(taken=1)
+                self._wait_for_files()
+                return
             for descriptor in descriptors:
                 self._start(self._open(socket.socket(fileno=descriptor)))
+
+    def _wait_for_files(self) -> None:
+        """Take no connection for a moment: those that wait are not lost, and further ones go to others."""
+        loop = asyncio.get_running_loop()
+        loop.remove_reader(self._connections)
+        loop.call_later(NO_FILES_S, self._go_on)
+
+    def _go_on(self) -> None:
+        if not self.should_exit:
+            asyncio.get_running_loop().add_reader(self._connections, self._take_connections)
 
     async def _open(self, connection: socket.socket) -> None:
         """Answer on a connection."""
@@ -213,8 +233,9 @@ def main(arguments: list[str]) -> None:
     settings = Settings(**begin.settings)
     set_up(settings.log_format, begin.number)
     service = Service(settings)
-    peers = OtherWorkers(begin.number, WorkerCounts(begin.workers, counted))
-    service.peers = peers
+    counts = WorkerCounts(begin.workers, settings.max_sessions, counted)
+    peers = OtherWorkers(begin.number, counts)
+    service.peers, service.networks = peers, NetworkCounts(counts.networks, begin.number)
     server = WorkerServer(web_config(HostRule(settings.host, settings.allow_host), service))
     server.announce, server.service = lambda: None, service
     server.prepare(control_socket, socket.socket(fileno=connections), peers)

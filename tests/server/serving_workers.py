@@ -37,8 +37,8 @@ class Served:
         return int(self.address.rstrip("/").rpartition(":")[2])
 
     def children(self) -> list[int]:
-        """The process numbers of its workers, by their number."""
-        found = []
+        """The process numbers of its workers, the smallest first."""
+        children = []
         for folder in Path("/proc").iterdir():
             try:
                 line = (folder / "cmdline").read_bytes().split(b"\0")
@@ -47,8 +47,8 @@ class Served:
                 continue
             parent = status.rpartition(")")[2].split()[1]
             if b"pointpred.server.workers.worker" in line and int(parent) == self.process.pid:
-                found.append(int(folder.name))
-        return sorted(found)
+                children.append(int(folder.name))
+        return sorted(children)
 
     def metrics(self, token: str = "") -> dict[tuple[str, str], float]:
         """Every sample of ``/metrics``: by its name and the value of its label, if it has one."""

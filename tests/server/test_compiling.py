@@ -29,7 +29,7 @@ from pointpred.server.compiling.parts import (
     parts_for,
     predict,
 )
-from pointpred.server.compiling.worker import LOW_PRIORITY, Worker
+from pointpred.server.compiling.worker import LOW_PRIORITY, CompilerProcess
 from pointpred.server.service import Service
 from tests.server.compiler import Awaited, FakeWorkers
 from tests.server.listener import soon
@@ -302,7 +302,7 @@ def test_what_is_in_the_cache_needs_no_worker_and_is_not_spoken_of(caplog: pytes
 def test_a_service_that_stops_gives_up_what_is_compiled(monkeypatch: pytest.MonkeyPatch) -> None:
     started: list[subprocess.Popen[bytes]] = []
 
-    class Endless(Worker):
+    class Endless(CompilerProcess):
         def __init__(self) -> None:
             command = [sys.executable, "-c", "import sys, time; print(flush=True); time.sleep(600)"]
             self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
@@ -331,7 +331,7 @@ def test_until_ends_for_unknown_names_and_before_the_start() -> None:
 
 
 def test_a_worker_compiles_what_is_named_and_ends_with_who_asked() -> None:
-    worker = Worker()
+    worker = CompilerProcess()
     try:
         for name in (LOW_PRIORITY, LOW_PRIORITY, "no such part", "hold"):
             worker.compile(name)
@@ -348,7 +348,7 @@ def test_a_worker_compiles_what_is_named_and_ends_with_who_asked() -> None:
 
 
 def test_a_worker_that_has_ended_keeps_nobody_waiting() -> None:
-    worker = Worker()
+    worker = CompilerProcess()
     worker.kill()
     worker.process.wait()
     worker.compile("hold")

@@ -250,4 +250,5 @@ def test_an_address_of_another_machine_has_a_share_of_the_sessions(monkeypatch: 
             with here.greeted():
                 pass
         soon(lambda: not here.service._open, "they are over")
-        assert not here.service._of_network
+        with here.service.networks.place("192.0.2.7") as sessions:
+            assert sessions == 1, "those that are over are not counted"

@@ -9,6 +9,7 @@ import subprocess
 import sys
 import threading
 from pathlib import Path
+from typing import Any
 
 import pytest
 from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram
@@ -21,6 +22,7 @@ from pointpred.server.compiling.parts import Part
 from pointpred.server.listening import listen
 from pointpred.server.settings import Settings
 from pointpred.server.workers import restarts
+from pointpred.server.workers import supervisor as supervisor_module
 from pointpred.server.workers.counts import WorkerCounts
 from pointpred.server.workers.dispatcher import Dispatcher
 from pointpred.server.workers.families import Family, ServiceFamilies, families_of, text_of
@@ -131,16 +133,21 @@ def test_workers_that_end_at_once_are_not_started_for_ever(monkeypatch: pytest.M
     assert not announced
 
 
+def program(folder: Path, text: str) -> str:
+    """A file that runs, in the place of Python."""
+    file = folder / "worker"
+    file.write_text(text)
+    file.chmod(0o755)
+    return str(file)
+
+
 def test_the_exit_code_of_a_worker_is_known_that_ends_before_it_has_read_anything(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    worker = tmp_path / "worker"
-    worker.write_text("#!/bin/sh\nkill -TERM $$\n")
-    worker.chmod(0o755)
-    monkeypatch.setattr(sys, "executable", str(worker))
+    monkeypatch.setattr(sys, "executable", program(tmp_path, "#!/bin/sh\nkill -TERM $$\n"))
 
     async def ended() -> int:
-        process = WorkerProcess(0, WorkerCounts(1), lambda worker, message: None)
+        process = WorkerProcess(0, WorkerCounts(1, 1), lambda worker, message: None)
         return await (await process.start(Settings().model_dump(mode="json"), 1))
 
     assert {asyncio.run(ended()) for _ in range(20)} == {-signal.SIGTERM}
@@ -170,6 +177,52 @@ def test_workers_that_are_stopped_again_and_again_do_not_end_the_service(
         assert await running is signal.SIGTERM
 
     asyncio.run(serve_for_a_while())
+
+
+def test_a_worker_that_hangs_before_it_answers_is_killed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    monkeypatch.setattr(sys, "executable", program(tmp_path, "#!/bin/sh\nexec sleep 600\n"))
+    for name, seconds in (("START_S", 0.2), ("WATCH_S", 0.02), ("STOP_S", 0.2)):
+        monkeypatch.setattr(supervisor_module, name, seconds)
+    supervisor = Supervisor(listen("127.0.0.1", 0), Settings(workers=1), lambda: None)
+
+    async def serve_for_a_while() -> None:
+        running = asyncio.create_task(supervisor.run())
+        async with asyncio.timeout(PATIENCE_S):
+            while "ended by SIGKILL" not in caplog.text:
+                await asyncio.sleep(0.01)
+        supervisor._stop(signal.SIGTERM)
+        await running
+
+    asyncio.run(serve_for_a_while())
+    assert "has not answered for 0.2 s and is killed" in caplog.text
+
+
+STOPPED_ONLY_WHEN_ASKED = f"""#!{sys.executable}
+import socket, sys
+control = socket.socket(fileno=int(sys.argv[4]))
+while b'"stop"' not in control.recv(65536):
+    pass
+"""
+
+
+def test_a_worker_that_is_being_started_when_the_service_stops_is_asked_to_stop(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    monkeypatch.setattr(sys, "executable", program(tmp_path, STOPPED_ONLY_WHEN_ASKED))
+    monkeypatch.setattr(supervisor_module, "STOP_S", 5.0)
+    supervisor = Supervisor(listen("127.0.0.1", 0), Settings(workers=1), lambda: None)
+    start = WorkerProcess.start
+
+    async def start_and_stop(worker: WorkerProcess, *arguments: Any) -> Any:
+        supervisor._stop(signal.SIGTERM)
+        await asyncio.sleep(0.01)  # the others are asked now
+        return await start(worker, *arguments)
+
+    monkeypatch.setattr(WorkerProcess, "start", start_and_stop)
+    assert asyncio.run(supervisor.run()) is signal.SIGTERM
+    assert "were killed" not in caplog.text
 
 
 def test_a_system_that_hands_no_connections_over_is_told(monkeypatch: pytest.MonkeyPatch) -> None:

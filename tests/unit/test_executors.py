@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 import threading
 import time
@@ -11,7 +12,7 @@ from typing import Any
 import pytest
 
 from pointpred.errors import ParameterError
-from pointpred.executors import open_executor
+from pointpred.executors import dask, open_executor
 from pointpred.executors.executor import AHEAD
 
 WAYS: list[dict[str, Any]] = [{"threads": 1}, {"threads": 3}, {"processes": 2}, {"cluster": "local"}]
@@ -52,6 +53,25 @@ def test_a_cluster_that_loses_its_workers_is_named_as_the_reason() -> None:
         with pytest.raises(ParameterError, match="lost workers") as caught:
             dict(executor.each(os._exit, [1]))
         assert caught.value.field == "cluster"
+
+
+def test_a_cluster_without_workers_is_not_waited_for_for_ever(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A worker without a nanny that ends is not started again."""
+    distributed = pytest.importorskip("distributed")
+    monkeypatch.setattr(dask, "WITHOUT_WORKERS_S", 0.4)
+    monkeypatch.setattr(dask, "CHECK_S", 0.1)
+    with (
+        distributed.LocalCluster(
+            n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None
+        ) as local,
+        open_executor(cluster=local.scheduler_address) as executor,
+    ):
+        answers = executor.each(abs, itertools.repeat(-3))
+        assert next(answers) == (0, 3)
+        local.scale(0)
+        with pytest.raises(ParameterError, match=r"no other came within 0.4 s") as caught:
+            list(answers)
+    assert caught.value.field == "cluster"
 
 
 def test_items_are_taken_as_workers_become_free() -> None:

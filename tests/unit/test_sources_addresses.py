@@ -55,6 +55,22 @@ def test_a_file_and_the_trials_beside_it_are_read_from_memory_an_archive_and_the
     assert same("memory://addresses", study)  # a folder
 
 
+@pytest.mark.parametrize("name", ["study/../../outside.csv", "study//../outside.csv"])
+def test_nothing_is_written_outside_the_folder_of_the_copy(
+    study: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
+) -> None:
+    copies = tmp_path / "copies"
+    copies.mkdir()
+    monkeypatch.setattr(addresses, "_folder", lambda: str(copies))
+    with zipfile.ZipFile(study / "all.zip", "w") as archive:
+        archive.write(study / "study_samples.csv", "study/study_samples.csv")
+        archive.writestr(name, "t,x,y\n")
+    with pytest.raises(RecordingError, match=r"'\.\./.*outside.csv' leads out of its folder") as caught:
+        read_any(f"zip://study::{study / 'all.zip'}")
+    assert caught.value.value == name.removeprefix("study").lstrip("/")
+    assert not [path for path in copies.rglob("*") if path.is_file()]
+
+
 def test_the_command_line_names_the_address_and_not_the_copy(study: Path, web: str) -> None:
     (study / "empty.csv").touch()
     good, bad = f"{web}/study_samples.csv", f"{web}/empty.csv"

@@ -74,12 +74,14 @@ def _copy(address: str) -> Path:
     name = PurePosixPath(place.partition("?")[0].rstrip("/")).name
     if not name:
         raise RecordingError(f"{address}: names no file", value=address)
-    target = folder / name
+    target = _inside(folder, name, address)
     if not _is_web(system) and system.isdir(place):
-        for found in sorted(system.find(place)):
-            inner = target / PurePosixPath(found).relative_to(system._strip_protocol(place))
-            inner.parent.mkdir(parents=True, exist_ok=True)
-            system.get_file(found, str(inner))
+        top = system._strip_protocol(place)
+        names = sorted(system.find(place))
+        copies = [_inside(target, PurePosixPath(file).relative_to(top), address) for file in names]
+        for file, copy in zip(names, copies, strict=True):
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            system.get_file(file, str(copy))
         return target
     system.get_file(place, str(target))
     for beside in _trials_of(target):
@@ -88,6 +90,15 @@ def _copy(address: str) -> Path:
             system.get_file(other, str(beside))
             break
     return target
+
+
+def _inside(folder: Path, name: str | PurePosixPath, address: str) -> Path:
+    """A file of this name in a folder; raises RecordingError where an archive's name leads out of it."""
+    file = folder / name
+    if not file.resolve().is_relative_to(folder.resolve()):
+        message = f"{address}: the name {str(name)!r} leads out of its folder: expected names without '..'"
+        raise RecordingError(message, value=str(name))
+    return file
 
 
 def _trials_of(samples: Path) -> list[Path]:
