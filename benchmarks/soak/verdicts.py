@@ -65,11 +65,14 @@ def judge(
         return float(np.median([getattr(one.usage, name) for one in part]))
 
     verdicts = []
-    for name, whose in (("memory_mb", ""), ("uploads_mb", " of the process that opens recordings")):
+    for name, whose in (
+        ("memory_mb", "the process that serves"),
+        ("uploads_mb", "the process that opens recordings"),
+    ):
         memory = [middle(part, name) for part in (first, last)]
         verdicts.append(
             Verdict(
-                f"memory{whose or ' of the process that serves'} after warm-up",
+                f"memory of {whose} after warm-up",
                 f"at most {MEMORY_MB:+g} MB",
                 f"{memory[0]:.1f} MB, then {memory[1]:.1f} MB: {memory[1] - memory[0]:+.1f} MB",
                 memory[1] - memory[0] <= MEMORY_MB,
