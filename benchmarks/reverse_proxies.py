@@ -55,7 +55,11 @@ def configuration(name: str, folder: Path, port: int, services: list[int], *, tl
     for printed, served in zip((8765, 8766), services, strict=True):
         text = replaced(text, (f"127.0.0.1:{printed}", f"127.0.0.1:{served}"))
     if name == "nginx":
-        text = replaced(text, ("/var/log/nginx/pointpred.log", str(folder / "access.log")))
+        text = replaced(
+            text,
+            ("/var/log/nginx/pointpred.log", str(folder / "access.log")),
+            ("/var/log/nginx/pointpred-error.log", str(folder / "request-errors.log")),
+        )
         if tls:
             crt, key = certificate(folder)
             listening = ("443 ssl", f"127.0.0.1:{port} ssl")

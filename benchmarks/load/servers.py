@@ -19,6 +19,7 @@ from urllib.request import urlopen
 import msgspec
 
 from benchmarks.load.cores import FIRST, on_cores
+from benchmarks.processes import family
 from pages import ROOT
 
 PATIENCE_S = 600.0
@@ -56,7 +57,7 @@ def service(
         address = next(line.strip() for line in lines if line.startswith("http"))
         _wait_until_compiled(address)
         _wait_until_idle(process.pid)
-        yield Server(int(address.rstrip("/").rpartition(":")[2]), _family(process.pid))
+        yield Server(int(address.rstrip("/").rpartition(":")[2]), family(process.pid))
 
 
 @contextmanager
@@ -110,7 +111,7 @@ def _wait_until_compiled(address: str) -> None:
 def _wait_until_idle(pid: int) -> None:
     """Until what is loaded beside answering is loaded, and the processes that compile have ended."""
     used_s = 0.0
-    while abs((now_s := sum(map(processor_s, _family(pid)))) - used_s) > IDLE_S / 50:
+    while abs((now_s := sum(map(processor_s, family(pid)))) - used_s) > IDLE_S / 50:
         used_s = now_s
         time.sleep(IDLE_S)
 
@@ -122,9 +123,3 @@ def processor_s(pid: int) -> float:
         return sum(int(task.read_text().split()[0]) for task in tasks) / 1e9
     except (FileNotFoundError, ProcessLookupError):
         return 0.0
-
-
-def _family(pid: int) -> tuple[int, ...]:
-    """A process and all that it started."""
-    children = " ".join(file.read_text() for file in Path(f"/proc/{pid}/task").glob("*/children")).split()
-    return (pid, *(one for child in children for one in _family(int(child))))

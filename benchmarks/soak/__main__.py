@@ -17,14 +17,16 @@ from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from urllib.request import urlopen
+from urllib.request import Request, urlopen
 
 import msgspec
 
 from benchmarks.machine import machine
+from benchmarks.processes import family
 from benchmarks.soak.reports import Plan, Report
 from benchmarks.soak.usage import Usage, usage_of
 from benchmarks.soak.verdicts import Second, Verdict, judge, percentile_ms
+from benchmarks.soak.visitors import recording
 from pages import PAGES
 from pages.arguments import parse
 from pages.data import Table, Tables, write
@@ -45,7 +47,7 @@ POINTS = 120
 
 @contextmanager
 def service(recordings: Path, log: Path) -> Iterator[tuple[subprocess.Popen[str], int]]:
-    """A service that records, ready to answer; and its port."""
+    """A service that records, ready to answer and to open recordings; and its port."""
     command = [sys.executable, "-m", "pointpred", "serve", "--port", "0", "--record", str(recordings)]
     with log.open("w", encoding="utf-8") as errors:
         process = subprocess.Popen(
@@ -57,6 +59,10 @@ def service(recordings: Path, log: Path) -> Iterator[tuple[subprocess.Popen[str]
             if not address:
                 raise SystemExit(f"the service did not start: {log.read_text(encoding='utf-8')[-500:]}")
             while not _compiled(address):
+                time.sleep(0.2)
+            with urlopen(Request(f"{address}v1/score?predictors=hold", recording())) as answer:
+                answer.read()  # starts the process that opens recordings
+            while len(family(process.pid)) > 2:  # until those that compile have ended
                 time.sleep(0.2)
             yield process, int(address.rstrip("/").rpartition(":")[2])
         finally:
@@ -128,7 +134,8 @@ class Soak:
     def _tell(self, left_s: float) -> None:
         usage, recent = self.seconds[-1].usage, self.seconds[-int(PROGRESS_S) :]
         print(
-            f"{left_s / 60:5.1f} min left: memory {usage.memory_mb:.1f} MB, threads {usage.threads}, "
+            f"{left_s / 60:5.1f} min left: memory {usage.memory_mb:.1f} and {usage.uploads_mb:.1f} MB, "
+            f"threads {usage.threads}, "
             f"descriptors {usage.descriptors}, p99 {percentile_ms(recent, 99):.2f} ms, "
             f"{self.counts['sessions compared']} sessions compared, {self.counts['attacks']} attacks, "
             f"{len(self.wrong)} complaints",
@@ -171,6 +178,7 @@ def tables_of(soak: Soak, verdicts: list[Verdict]) -> dict[str, Table]:
         (
             f"{part[-1].usage.at_s / 60:.2f}",
             f"{max(one.usage.memory_mb for one in part):.1f}",
+            f"{max(one.usage.uploads_mb for one in part):.1f}",
             f"{max(one.usage.threads for one in part)}",
             f"{max(one.usage.descriptors for one in part)}",
             f"{percentile_ms(part, 50):.3f}",
@@ -181,11 +189,13 @@ def tables_of(soak: Soak, verdicts: list[Verdict]) -> dict[str, Table]:
     ]
     return {
         "verdicts": Table.of(
-            ("condition", "result", "holds"),
-            [(one.condition, one.result, "yes" if one.holds else "no") for one in verdicts],
+            ("condition", "wanted", "measured", "holds"),
+            [(one.condition, one.wanted, one.result, "yes" if one.holds else "no") for one in verdicts],
         ),
         "counts": Table.of(("what", "how many"), [(name, str(n)) for name, n in sorted(soak.counts.items())]),
-        "course": Table.of(("minute", "memory MB", "threads", "descriptors", "p50 ms", "p99 ms"), rows),
+        "course": Table.of(
+            ("minute", "memory MB", "uploads MB", "threads", "descriptors", "p50 ms", "p99 ms"), rows
+        ),
     }
 
 
@@ -220,7 +230,7 @@ def main(minutes: float, file: Path = FILE) -> int:
     for line in soak.wrong[:20]:
         print(line, file=sys.stderr)
     for one in verdicts:
-        print(f"{'holds' if one.holds else 'FAILS'}: {one.condition}: {one.result}")
+        print(f"{'holds' if one.holds else 'FAILS'}: {one.condition}, wanted {one.wanted}: {one.result}")
     print(f"wrote {file}")
     return 0 if all(one.holds for one in verdicts) else 1
 

@@ -163,16 +163,16 @@ async def pings(attack: Attack) -> None:
 async def too_many_events(attack: Attack) -> None:
     """More events a second than are allowed."""
     await attack.begin()
-    table, rate = events(7, 8000.0, 0, 1000), frame
+    table = events(7, 8000.0, 0, 1000)
     for turn in range(40):
-        attack.writer.write(rate(BINARY, pack_events(table)))
+        attack.writer.write(frame(BINARY, pack_events(table)))
         table[:, 0] += 0.125 * (turn + 1)
         await attack.writer.drain()
     await attack.read(8.0)
 
 
 async def as_many_events_as_allowed(attack: Attack) -> None:
-    """Frames of eight at 8 kHz for some seconds, which is within the limits."""
+    """8,000 events a second in frames of 80 for some seconds, which is within the limits."""
     await attack.begin()
     for turn in range(300):
         attack.writer.write(frame(BINARY, pack_events(events(5, 8000.0, 80 * turn, 80))))

@@ -15,8 +15,7 @@ COLUMNS = (
     "inputs",
     "seconds",
     "edges",
-    "slowest input, s",
-    "memory, MB",
+    "memory, MiB",
     "inputs kept",
     "breaches",
 )
@@ -28,8 +27,6 @@ class Run(msgspec.Struct, frozen=True):
     seconds: int
     executions: int
     edges: int
-    slowest_s: int
-    """The slowest input, in whole seconds."""
     most_mib: int
     """Of the whole process, which holds the compiler as well."""
     breaches: int
@@ -51,6 +48,8 @@ def fuzzed() -> Tables:
         "executions": sum(run.executions for run in runs.values()),
         "minutes": sum(run.seconds for run in runs.values()) // 60,
         "breaches": sum(run.breaches for run in runs.values()),
+        "largest": max(runs, key=lambda name: runs[name].most_mib),
+        "most_mib": max(run.most_mib for run in runs.values()),
         "date": max(run.date for run in runs.values()),
     }
     machine = next(iter(runs.values())).machine
@@ -60,4 +59,4 @@ def fuzzed() -> Tables:
 def _numbers(name: str, run: Run) -> tuple[int, ...]:
     """One line of the table, without its name."""
     kept = len(list((CORPUS / name).glob("*")))
-    return run.executions, run.seconds, run.edges, run.slowest_s, run.most_mib, kept, run.breaches
+    return run.executions, run.seconds, run.edges, run.most_mib, kept, run.breaches

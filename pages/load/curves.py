@@ -114,7 +114,7 @@ def measured(series: Series, clients: int, size: int, seconds: float) -> Point:
 
 
 def curves(series: Sequence[Series], rounds: int, seconds: float) -> list[Point]:
-    """Every series by the number of clients; of several rounds the one with the least p99."""
+    """Every series by the number of clients; of an odd number of rounds the one with the median p99."""
     points: list[Point] = []
     for size, numbers in CLIENTS.items():
         remaining = list(series)
@@ -122,16 +122,21 @@ def curves(series: Sequence[Series], rounds: int, seconds: float) -> list[Point]
             if not remaining:
                 break
             runs = [[measured(one, clients, size, seconds) for one in remaining] for _ in range(rounds)]
-            best = [min(some, key=lambda point: point.p99_ms) for some in zip(*runs, strict=True)]
-            points += best
+            middles = [middle(some) for some in zip(*runs, strict=True)]
+            points += middles
             remaining = [
-                one for one, point in zip(remaining, best, strict=True) if point.p99_ms < HOPELESS_MS
+                one for one, point in zip(remaining, middles, strict=True) if point.p99_ms < HOPELESS_MS
             ]
             print(
-                f"{LOADS[size]}, {clients} clients: p99 " + ", ".join(f"{p.p99_ms:.2f}" for p in best),
+                f"{LOADS[size]}, {clients} clients: p99 " + ", ".join(f"{p.p99_ms:.2f}" for p in middles),
                 flush=True,
             )
     return points
+
+
+def middle(runs: Sequence[Point]) -> Point:
+    """The run with the median p99; of an even number the longer one of the two."""
+    return sorted(runs, key=lambda point: point.p99_ms)[len(runs) // 2]
 
 
 def knee(points: Iterable[Point]) -> tuple[int, int | None]:

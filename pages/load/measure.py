@@ -1,7 +1,7 @@
-"""Measure the service under load: ``python -m pages.load.measure`` writes the page's numbers, in 15 minutes.
+"""Measure the service under load: ``python -m pages.load.measure`` writes the page's numbers in 15 minutes.
 
 It needs Linux, a C compiler and two cores: a server has the first, the load generator the last. With several
-workers all processes share both. ``--short`` takes about two minutes and prints its tables without writing
+workers all processes share both. ``--short`` takes about three minutes and prints its tables without writing
 the page; ``--before COMMIT`` measures another build of this repository in turns with this one.
 """
 
@@ -29,8 +29,9 @@ FILE = PAGES / "load" / "data.json"
 PREDICTORS = ("switched", "kinematic", "kinematic-adaptive")
 PREDICTORS_BEFORE = ("switched", "kinematic")
 TODAY = "this build"
-FULL = {"rounds": 2, "seconds": 1.6, "overload": 60.0, "fairness": 4.0}
+FULL = {"rounds": 3, "seconds": 1.2, "overload": 30.0, "fairness": 20.0}
 SHORT = {"rounds": 1, "seconds": 0.6, "overload": 6.0, "fairness": 1.0}
+SHOWN = "the round with the median p99 is shown"
 PACKAGES = ("uvicorn", "uvloop", "websockets", "numba", "msgspec")
 
 
@@ -120,17 +121,19 @@ def overload_table(rows: Sequence[Overload], seconds: float) -> Table:
     heads = [f"{part * i:g} to {part * (i + 1):g} s" for i in range(WINDOWS)]
     cells = [
         (
+            row.clients,
             row.build,
             *(f"{value:.0f}" for value in row.p99_ms),
             f"{100 * row.answered:.1f} %",
             f"{row.answers:.2f}",
             f"{row.server_us:.1f}",
+            f"{100 * row.own_share:.0f} %",
             notices(row.notices),
         )
         for row in rows
     ]
-    last = ("frames answered", "answers a frame", "server, us a frame", "other answers")
-    return Table.of(("build", *heads, *last), cells)
+    last = ("frames answered", "answers a frame", "server, us a frame", "generator", "other answers")
+    return Table.of(("clients", "build", *heads, *last), cells)
 
 
 def fairness_table(rows: Sequence[Beside]) -> Table:
@@ -155,13 +158,14 @@ def measured(lengths: dict[str, Any], workers: int, before: str | None) -> dict[
         stack.enter_context(on_cores(LAST))
         series = several(stack, workers, before)
         points = curves(series, lengths["rounds"], lengths["seconds"])
-        switched = [one for one in series if one.predictor == "switched" and one.workers == 1]
+        one_core = [one for one in series if one.workers == 1]
+        switched = next(one for one in one_core if one.predictor == "switched")
         return {
             "curves": curve_table(points),
             "knees": knee_table(points),
             **delay_tables(points),
-            "overload": overload_table(overload(switched, lengths["overload"]), lengths["overload"]),
-            "fairness": fairness_table(fairness(switched[0].server, lengths["fairness"])),
+            "overload": overload_table(overload(one_core, lengths["overload"]), lengths["overload"]),
+            "fairness": fairness_table(fairness(switched.server, lengths["fairness"])),
         }
 
 
@@ -176,7 +180,13 @@ def main(words: argparse.Namespace) -> None:
             if name != "curves":
                 print(f"\n{name}\n\n{shown(table)}")
         return
-    numbers = {"workers": words.workers, "recording": recording().name, "before": words.before or "", **FULL}
+    numbers = {
+        "workers": words.workers,
+        "recording": recording().name,
+        "before": words.before or "",
+        "shown": SHOWN,
+        **FULL,
+    }
     write(Tables(tables, f"{where}; {versions}", numbers), FILE)
     print(f"wrote {FILE}")
 
@@ -185,7 +195,7 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("--short", action="store_true", help="two minutes; prints and writes nothing")
+    parser.add_argument("--short", action="store_true", help="three minutes; prints and writes nothing")
     parser.add_argument("--workers", type=int, default=2, help="of the second server; 1: none")
     parser.add_argument("--before", metavar="COMMIT", help="another build to measure in turns with this one")
     main(parser.parse_args())

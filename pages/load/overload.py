@@ -1,4 +1,4 @@
-"""More clients than a core can serve, for a minute: whether the delay grows, and who is told."""
+"""As many clients as are wanted, and more than a core can serve: whether the delay grows, and who is told."""
 
 from __future__ import annotations
 
@@ -8,14 +8,17 @@ import msgspec
 
 from benchmarks.load.cores import LAST
 from benchmarks.load.generator import Plan, run
-from pages.load.curves import Series, group
+from pages.load.curves import LOADS, Series, group
 
-CLIENTS, WINDOWS = 60, 6
+CROWDS = (("switched", 60, 1), ("kinematic-adaptive", 50, 8))
+"""Predictor, clients, events a frame: the wanted number, and one beyond what a core can serve."""
+WINDOWS = 6
 
 
 class Overload(msgspec.Struct, frozen=True):
-    """A minute of too many clients."""
+    """Some time of too many clients."""
 
+    clients: str
     build: str
     p99_ms: list[float]
     """By part of the run."""
@@ -24,24 +27,30 @@ class Overload(msgspec.Struct, frozen=True):
     answers: float
     """Answers for each frame answered."""
     server_us: float
+    own_share: float
+    """The generator's share of its core."""
     notices: dict[str, int]
 
 
 def overload(series: Sequence[Series], seconds: float) -> list[Overload]:
-    """``CLIENTS`` at 1 kHz, on each build."""
+    """Every crowd, on each build that is measured with its predictor."""
     rows = []
-    for one in series:
-        plan = Plan((group(one, CLIENTS, 1),), seconds, warm=0.5, drain=10.0, window=seconds / WINDOWS)
-        (counts,) = run(plan, LAST).groups
-        rows.append(
-            Overload(
-                one.build,
-                [window.p99_ms for window in counts.windows[:WINDOWS]],
-                counts.answered / (counts.answered + counts.unanswered),
-                counts.answers / max(counts.answered, 1),
-                counts.server_us,
-                counts.texts | counts.closes,
+    for predictor, clients, size in CROWDS:
+        for one in (some for some in series if some.predictor == predictor):
+            plan = Plan((group(one, clients, size),), seconds, warm=0.5, drain=10.0, window=seconds / WINDOWS)
+            result = run(plan, LAST)
+            (counts,) = result.groups
+            rows.append(
+                Overload(
+                    f"{clients} of {one.name}, {LOADS[size]}",
+                    one.build,
+                    [window.p99_ms for window in counts.windows[:WINDOWS]],
+                    counts.answered / (counts.answered + counts.unanswered),
+                    counts.answers / max(counts.answered, 1),
+                    counts.server_us,
+                    result.own_share,
+                    counts.texts | counts.closes,
+                )
             )
-        )
-        print(rows[-1], flush=True)
+            print(rows[-1], flush=True)
     return rows

@@ -83,7 +83,6 @@ def fuzz(name: str, seconds: int) -> Run:
             seconds,
             executions,
             max((int(one) for one in REACHED.findall(log)), default=0),
-            _statistic(log, "slowest_unit_time_sec"),
             _statistic(log, "peak_rss_mb"),
             len(broken),
             datetime.date.today().isoformat(),

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import re
+
 from pydantic import ValidationError
 
 from pointpred.server.access import HostRule, admits_origin, has_token, is_origin, origin_advice
 from pointpred.server.settings import Settings
 from tests.fuzz.refusals import refused
 
+SERVED = (b"127.0.0.1", b"[127.0.0.1]", b"localhost", b"[::1]", b"lab.example")
+PORT = re.compile(rb":[0-9]*\Z")
 TOKEN = "a-token-of-24-characters"
 NAMES = ("host", "allow_host", "allow_origin", "token", "coefficients", "max_sessions", "port", "idle_s")
 
@@ -28,7 +32,7 @@ def check(data: bytes) -> str:
     scope = {"type": "http", "scheme": "http", "headers": headers, "query_string": query}
     rule = HostRule("127.0.0.1", ["lab.example"])
     if rule.admits(host.decode("latin-1")):
-        assert host.strip().lower().startswith((b"127.0.0.1", b"localhost", b"[::1]", b"lab.example"))
+        assert PORT.sub(b"", host.strip(b" \t").lower()) in SERVED
     if admits_origin(scope, ("https://lab.example",)):
         assert origin in (b"https://lab.example", b"http://" + host)
     if is_origin(texts[0]):
@@ -43,5 +47,6 @@ def seeds() -> list[bytes]:
         b"127.0.0.1\nlab.example,a.example\nhttps://lab.example\na-token-of-24-characters\n\n8\n9000\n60",
         b"localhost:8765\nhttp://localhost:8765\nBearer a-token-of-24-characters\ntoken=a-token",
         b"[::1]:80\nnull\nBasic x\ntoken=%61&token=b\nme=/nowhere/me.npz",
+        b"localhost.elsewhere.example:80",
         b'lab.example\nhttps://lab.example\n\n\n{"me": "/nowhere/me.npz"}',
     ]

@@ -14,7 +14,7 @@ from urllib.request import HTTPSHandler, Request, build_opener
 
 import numpy as np
 import pytest
-from websockets.exceptions import InvalidStatus
+from websockets.exceptions import InvalidStatus, WebSocketException
 from websockets.sync.client import connect as dial
 from websockets.typing import Origin, Subprotocol
 
@@ -158,6 +158,26 @@ def test_who_may_connect_and_how_sessions_are_spread(name: str, tls: bool, tmp_p
             for client in clients:
                 client.send(events)
                 np.testing.assert_array_equal(client.columns().table, expected.table)
+
+
+@pytest.mark.parametrize(("name", "tls"), KINDS[1::2])
+def test_one_address_has_fifty_connections_and_no_log_holds_a_token(
+    name: str, tls: bool, tmp_path: Path
+) -> None:
+    with proxied(name, tmp_path, tls=tls) as here:
+        with ExitStack() as stack:
+            for _ in range(50):
+                stack.enter_context(here.dial(here.origin))
+            with pytest.raises((WebSocketException, OSError)), here.dial(here.origin):
+                pass
+        soon(lambda: here.sessions() == [0, 0], "all have left")
+        with here.dial(here.origin):
+            pass
+        for number in range(2):
+            here.stop(number)
+        soon(lambda: here.get(f"/v1/predictors?token={TOKEN}")[0] in (502, 503), "no service answers")
+    written = {path.name: path.read_text() for path in tmp_path.iterdir()}
+    assert [file for file, text in written.items() if TOKEN in text] == []
 
 
 def example() -> Callable[..., list[PredictionColumns]]:

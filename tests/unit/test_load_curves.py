@@ -6,7 +6,7 @@ import msgspec
 import pytest
 
 from benchmarks.load.generator import Counts
-from pages.load.curves import Point, grows, knee
+from pages.load.curves import Point, grows, knee, middle
 
 QUIET = {"count": 8, "p50_ms": 0.1, "p90_ms": 0.1, "p99_ms": 0.2, "p999_ms": 0.3, "max_ms": 0.3}
 
@@ -54,3 +54,7 @@ def test_the_knee_ends_at_the_first_number_of_clients_beyond_the_bound() -> None
     assert knee(reversed(curve)) == (10, 40)
     assert knee(curve[:1]) == (1, None)
     assert knee([point(1, 3.0)]) == (0, None)
+
+
+def test_the_run_that_is_shown_is_neither_the_best_nor_the_worst() -> None:
+    assert middle([point(10, 0.9), point(10, 0.2), point(10, 7.0)]).p99_ms == 0.9
