@@ -36,6 +36,8 @@ CONSTANTS = {
     "choices that wait unread": outbox.MOST_CHOICES,
     "time until the header of a request is complete": http_protocol.HEADER_S,
     "header of a request": http_protocol.HEADER_BYTES >> 10,
+    "path and query of a request": http_protocol.TARGET_BYTES >> 10,
+    "time in which nothing of an HTTP response is read": http_protocol.UNREAD_S,
     "time until a request for a WebSocket is accepted": websocket_protocol.UPGRADE_S,
     "requests that wait on one connection": http_protocol.PIPELINED,
 }

@@ -6,13 +6,14 @@ import asyncio
 import json
 import logging
 import socket as socket_module
+import time
 from pathlib import Path
 
 import pytest
 
 from pointpred.protocol.client_messages import Hello
 from tests.server.listener import soon
-from tests.server.running import running
+from tests.server.running import PATIENCE_S, Running, running
 from tests.server.test_hostile_connections import half, refused
 
 UPGRADE = (
@@ -38,7 +39,10 @@ def answer(opened: socket_module.socket) -> bytes:
         pytest.param(LINE + UPGRADE + b"Cookie: " + b"x" * 60_000 + b"\r\n\r\n", 101, id="a cookie of 60 kB"),
         pytest.param(LINE + UPGRADE + b"X-More: a\r\n" * 200 + b"\r\n", 101, id="200 headers"),
         pytest.param(
-            b"GET /v1/stream?x=" + b"a" * 9000 + b" HTTP/1.1\r\n" + UPGRADE + b"\r\n", 101, id="a long path"
+            b"GET /v1/stream?x=" + b"a" * 4000 + b" HTTP/1.1\r\n" + UPGRADE + b"\r\n", 101, id="a long query"
+        ),
+        pytest.param(
+            b"GET /v1/stream?x=" + b"a" * 9000 + b" HTTP/1.1\r\n" + UPGRADE + b"\r\n", 414, id="one too long"
         ),
         pytest.param(LINE + UPGRADE + b"Cookie: " + b"x" * 100_000 + b"\r\n\r\n", 431, id="100 kB"),
         pytest.param(LINE + UPGRADE + b"X-More: a\r\n" * 2000 + b"\r\n", 431, id="2,000 headers"),
@@ -58,7 +62,7 @@ def test_every_request_for_a_websocket_is_answered_and_counted(request_bytes: by
             else:
                 heard = answer(opened)
                 assert heard.startswith(b"HTTP/1.1 %d " % status)
-                code = {431: "too_large", 405: "out_of_place"}.get(status)
+                code = {414: "too_large", 431: "too_large", 405: "out_of_place"}.get(status)
                 counted = [refused(here, one) or 0.0 for one in ("too_large", "out_of_place", "bad_field")]
                 assert sum(counted) == 1.0
                 assert code is None or refused(here, code) == 1.0
@@ -141,3 +145,87 @@ def test_the_service_stops_cleanly_beside_an_upgrade_that_was_refused(tmp_path: 
     opened.close()
     assert here.service.recorder is not None
     assert here.service.recorder.open("late", Hello(1)) is None, "it was closed"
+
+
+@pytest.mark.parametrize(
+    ("target", "status"),
+    [
+        (b"/metrics?" + b"&".join([b"a=1"] * 64), 401),
+        (b"/metrics?" + b"&".join([b"a=1"] * 65), 414),
+        (b"/metrics?" + b"&" * 30_000, 414),
+        (b"/metrics?a=" + b"b" * 4085, 401),
+        (b"/metrics?a=" + b"b" * 4086, 414),
+        (b"/" + b"%41" * 2000, 414),
+    ],
+    ids=["64 parameters", "65 parameters", "30,000 parameters", "4 KiB", "a byte more", "a long path"],
+)
+def test_a_long_query_is_refused_before_anything_reads_it(target: bytes, status: int) -> None:
+    request = b"GET " + target + b" HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\n\r\n"
+    with running(token=TOKEN) as here, half(here, request) as opened:
+        assert answer(opened).startswith(b"HTTP/1.1 %d " % status)
+        assert refused(here, "too_large") == (1.0 if status == 414 else None)
+
+
+FILE = b"GET /web/vendor/uPlot.esm.js HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"
+
+
+def reading_slowly(here: Running, sent: bytes, held: int = 4096) -> socket_module.socket:
+    """A client for which the kernel holds few bytes that it has not read."""
+    opened = socket_module.socket()
+    opened.setsockopt(socket_module.SOL_SOCKET, socket_module.SO_RCVBUF, held)
+    opened.settimeout(PATIENCE_S)
+    opened.connect(("127.0.0.1", here.port))
+    opened.sendall(sent)
+    return opened
+
+
+@pytest.mark.parametrize("sent", [FILE * 10, FILE * 2 + b"GET / HTT"], ids=["ten files", "half a request"])
+def test_a_client_that_reads_no_response_is_cut(sent: bytes, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("pointpred.server.http_protocol.UNREAD_S", 0.3)
+    with running() as here, reading_slowly(here, sent):
+        soon(lambda: refused(here, "slow") == 1.0, "it is noticed")
+        soon(lambda: not here.server.server_state.connections, "it is closed")
+        soon(lambda: not here.server.server_state.tasks, "nothing holds the file any more")
+
+
+def test_a_client_that_leaves_before_its_responses_is_no_error(caplog: pytest.LogCaptureFixture) -> None:
+    with running() as here:
+        with reading_slowly(here, FILE * 10) as opened:
+            assert opened.recv(1)
+        soon(lambda: not here.server.server_state.connections, "it has left")
+        soon(lambda: not here.server.server_state.tasks, "nothing holds the file any more")
+    assert not [entry for entry in caplog.records if entry.levelno >= logging.WARNING]
+
+
+def test_a_response_that_was_left_unread_when_its_connection_closed_is_cut(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The response has been written, and the part that the kernel did not take is small."""
+    monkeypatch.setattr("pointpred.server.http_protocol.UNREAD_S", 0.3)
+    monkeypatch.setattr("pointpred.server.app.CLIENT_MODULE", "/" * 500_000)
+    request = b"GET /pointpred.js HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\n\r\n"
+    with running() as here, reading_slowly(here, request):
+        soon(lambda: refused(here, "slow") == 1.0, "it is noticed")
+        soon(lambda: not here.server.server_state.connections, "it is closed")
+
+
+def test_a_client_that_reads_slowly_gets_its_response(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("pointpred.server.http_protocol.UNREAD_S", 0.8)
+    monkeypatch.setattr("pointpred.server.app.CLIENT_MODULE", "/" * 1_000_000)
+    request = b"GET /pointpred.js HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\n\r\n"
+    with running() as here, reading_slowly(here, request, 2**17) as opened:
+        heard = 0
+        while part := opened.recv(100_000, socket_module.MSG_WAITALL):
+            heard += len(part)
+            time.sleep(0.15)
+        assert heard > 1_000_000
+        assert refused(here, "slow") is None
+
+
+def test_a_websocket_is_not_opened_before_an_earlier_response_has_been_read() -> None:
+    """The rest of that response would wait for ever."""
+    with running() as here:
+        with reading_slowly(here, FILE * 2 + LINE + UPGRADE + b"\r\n") as opened:
+            soon(lambda: refused(here, "out_of_place") == 1.0, "it is refused")
+            assert b"HTTP/1.1 101 " not in answer(opened)
+        soon(lambda: not here.server.server_state.tasks, "nothing holds the file any more")
