@@ -55,11 +55,12 @@ class Order(msgspec.Struct):
 
 
 class Outcome(msgspec.Struct):
-    """The HTTP status, the bytes of the response, and where it failed, if it did."""
+    """The HTTP status, the bytes of the response, where it failed, if it did, and whether memory ran out."""
 
     status: int
     size: int
     failed: str | None = None
+    exhausted: bool = False
 
 
 class UploadProcess:
@@ -81,7 +82,11 @@ class UploadProcess:
             return self._run(Order(task, len(body), predictors, dict(query)), body)
 
     def _run(self, order: Order, body: bytes) -> tuple[Outcome, bytes]:
+        self._check_not_ended()
         process = self._started()
+        if self._ended:  # while it was started
+            self._kill()
+        self._check_not_ended()
         too_long = threading.Event()
 
         def stop() -> None:
@@ -94,8 +99,7 @@ class UploadProcess:
             outcome, response = _ask(process, order, body)
         except (OSError, EOFError, msgspec.DecodeError):
             self._kill()
-            if self._ended:
-                raise UploadError("stopping", "the service stops", 503) from None
+            self._check_not_ended()
             if too_long.is_set():
                 raise UploadError("too_large", TOO_LARGE, 413) from None
             how = {"error": f"exit code {process.returncode}"}
@@ -103,7 +107,13 @@ class UploadProcess:
             raise UploadError("internal", ENDED, 500) from None
         finally:
             timer.cancel()
+        if outcome.exhausted:  # it keeps most of what it took: the next recording begins with another one
+            self._kill()
         return outcome, response
+
+    def _check_not_ended(self) -> None:
+        if self._ended:
+            raise UploadError("stopping", "the service stops", 503) from None
 
     def end(self) -> None:
         """Kill it; a recording that is being scored is refused."""
@@ -171,8 +181,8 @@ def main() -> None:
     source: BinaryIO = sys.stdin.buffer
     while line := source.readline():
         order = msgspec.json.decode(line, type=Order)
-        status, response, failed = answer(order, source.read(order.size))
-        output.write(msgspec.json.encode(Outcome(status, len(response), failed)) + b"\n" + response)
+        outcome, response = answer(order, source.read(order.size))
+        output.write(msgspec.json.encode(outcome) + b"\n" + response)
         output.flush()
 
 
