@@ -62,7 +62,7 @@ TOO_MANY = Refusal(
 
 
 class BoundedHttpProtocol(HttpToolsProtocol):
-    """A connection that is closed where the client begins a request, or to read a response, and does not go on.
+    """A connection that is closed where the client begins a request, or to read a response, and stops there.
 
     The body of a request is bounded by what reads it; what of it is left after the response is bounded here.
     """

@@ -128,7 +128,7 @@ class PointpredServer(uvicorn.Server):
         for listening in (*self.servers, *(sockets or ())):
             listening.close()
         self.service.stop()
-        until = time.monotonic() + CLOSE_S
+        until = time.monotonic() + self.service.left_s(CLOSE_S)
         while self._has_websockets() and time.monotonic() < until:
             await asyncio.sleep(0.01)
         cancellations = _Cancellations()
@@ -137,7 +137,7 @@ class PointpredServer(uvicorn.Server):
         try:
             await super().shutdown(sockets)
             if cancelled := list(self.server_state.tasks):
-                await asyncio.wait(cancelled, timeout=CANCEL_S)
+                await asyncio.wait(cancelled, timeout=self.service.left_s(CANCEL_S))
         finally:
             library.removeFilter(cancellations)
         if cancellations.requests:
@@ -194,4 +194,4 @@ def serve(opened: socket.socket, hosts: HostRule, service: Service, announce: Ca
         with opened:
             server.run([opened])
     finally:
-        service.shut_down()  # again where uvicorn has done so: whatever breaks there, recordings are written
+        service.shut_down()  # where uvicorn has not done so: whatever breaks there, recordings are written

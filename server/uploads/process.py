@@ -31,7 +31,6 @@ SCORE_S = 60.0
 MEMORY_BYTES = 2**30
 """So much memory it may take, beyond the code."""
 NICENESS = 10
-END_S = 1.0
 TOO_LARGE = (
     f"a recording scored here may take {SCORE_S:g} s and {MEMORY_BYTES // 2**20} MiB of memory; "
     "'pointpred score' takes larger ones"
@@ -115,12 +114,12 @@ class UploadProcess:
         if self._ended:
             raise UploadError("stopping", "the service stops", 503) from None
 
-    def end(self) -> None:
-        """Kill it; a recording that is being scored is refused."""
+    def end(self, timeout_s: float = 1.0) -> None:
+        """Kill it, and wait for that; a recording that is being scored is refused."""
         self._ended = True
         if (process := self._process) is not None:
             process.kill()
-        if self._busy.acquire(timeout=END_S):  # the thread that waits for it notices at once
+        if self._busy.acquire(timeout=timeout_s):  # the thread that waits for it notices at once
             self._kill()
             self._busy.release()
 

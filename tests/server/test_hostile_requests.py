@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import json
 import logging
+import math
 import socket as socket_module
 import time
 from pathlib import Path
@@ -12,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from pointpred.protocol.client_messages import Hello
+from pointpred.server.recorder.writer import Recorder
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, Running, running
 from tests.server.test_hostile_connections import half, refused
@@ -164,6 +166,26 @@ def test_a_long_query_is_refused_before_anything_reads_it(target: bytes, status:
     with running(token=TOKEN) as here, half(here, request) as opened:
         assert answer(opened).startswith(b"HTTP/1.1 %d " % status)
         assert refused(here, "too_large") == (1.0 if status == 414 else None)
+
+
+def test_writing_recordings_may_take_what_a_client_that_hangs_has_left_of_the_time(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    seconds: list[float] = []
+    close = Recorder.close
+
+    def measured(self: Recorder, timeout_s: float = math.inf) -> bool:
+        seconds.append(timeout_s)
+        return close(self)
+
+    monkeypatch.setattr(Recorder, "close", measured)
+    monkeypatch.setattr("pointpred.server.service.STOP_TOTAL_S", 0.3)
+    monkeypatch.setattr("pointpred.server.listening.STOP_S", 1)
+    with running(record=tmp_path) as here:
+        opened = half(here, LINE + UPGRADE + b"\r\n")
+        assert opened.recv(4096).startswith(b"HTTP/1.1 101 ")
+    opened.close()
+    assert seconds == [0.0], "it was closed once, and no time was left"
 
 
 FILE = b"GET /web/vendor/uPlot.esm.js HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"

@@ -334,11 +334,10 @@ def test_after_a_recording_for_which_memory_ran_out_another_process_takes_the_ne
 def test_a_recording_that_comes_when_the_service_has_stopped_is_refused(
     when: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(process, "END_S", 0.0)
     uploads = UploadProcess()
 
     def command(module: str) -> list[str]:
-        uploads.end()
+        uploads.end(0.0)
         return [sys.executable, "-m", module]
 
     if when == "before":
