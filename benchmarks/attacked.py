@@ -95,6 +95,15 @@ def handshakes(port: int, until: float) -> None:
             one.recv(4096)
 
 
+def requests(port: int, until: float) -> None:
+    """The largest file, asked for again and again on connections of their own."""
+    while time.monotonic() < until:
+        with suppress(OSError), dial(port) as one:
+            one.sendall(LARGEST_FILE.replace(b"\r\n\r\n", b"\r\nConnection: close\r\n\r\n"))
+            while one.recv(65536):
+                pass
+
+
 def flood(port: int, until: float, frames: bytes, hello: bool = True) -> None:
     """Frames as fast as they are taken, and a new connection where it is ended."""
     greeting = Frame(Opcode.TEXT, HELLO.encode()).serialize(mask=True) if hello else b""
@@ -148,7 +157,19 @@ def bombs(port: int, until: float) -> None:
 
 
 ATTACKS: tuple[Callable[[int, float], None], ...] = (
-    *(silent, slow_headers, unread, long_queries, handshakes, pings, bad_text, nested, unknown, bombs),
+    *(
+        silent,
+        slow_headers,
+        unread,
+        long_queries,
+        handshakes,
+        requests,
+        pings,
+        bad_text,
+        nested,
+        unknown,
+        bombs,
+    ),
 )
 
 

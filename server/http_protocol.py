@@ -13,6 +13,7 @@ from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol, RequestResp
 
 from pointpred.protocol.server_messages import Code
 from pointpred.server.access import usual_address
+from pointpred.server.request_rates import REQUESTS_PER_S, RequestRates
 from pointpred.server.request_refusal import Refusal
 from pointpred.server.upgrade import check_upgrade, upgrade_request
 from pointpred.server.websocket_protocol import BoundedWebSocketProtocol
@@ -58,6 +59,11 @@ EARLY_UPGRADE = Refusal(
 NO_HTTP = Refusal(HTTPStatus.BAD_REQUEST, "bad_field", "expected an HTTP request")
 TOO_MANY = Refusal(
     HTTPStatus.TOO_MANY_REQUESTS, "too_many", f"at most {PIPELINED} requests may wait for their responses"
+)
+TOO_OFTEN = Refusal(
+    HTTPStatus.TOO_MANY_REQUESTS,
+    "too_fast",
+    f"at most {REQUESTS_PER_S} requests a second of one address are answered in the long run",
 )
 
 
@@ -145,6 +151,10 @@ class BoundedHttpProtocol(HttpToolsProtocol):
     def on_refusal(self, code: Code) -> None:
         """A request was refused before the application saw it."""
 
+    def take_request(self) -> bool:
+        """Whether one more request of this client is answered."""
+        return True
+
     def on_message_begin(self) -> None:
         """A request begins."""
         super().on_message_begin()
@@ -162,6 +172,8 @@ class BoundedHttpProtocol(HttpToolsProtocol):
             self._refuse(TOO_LONG)
         elif len(self.url) > TARGET_BYTES or self.url.count(b"&") >= TARGET_FIELDS:
             self._refuse(LONG_TARGET)
+        elif not self.take_request():
+            self._refuse(TOO_OFTEN)
         elif len(self.pipeline) >= PIPELINED:
             self._refuse(TOO_MANY)
         if not self._refused:
@@ -242,11 +254,22 @@ class BoundedHttpProtocol(HttpToolsProtocol):
         self._linger_timer = self.loop.call_later(LINGER_S, self.transport.abort)
 
 
-def counting(count: Callable[[Code], None]) -> type[BoundedHttpProtocol]:
+def counting(count: Callable[[Code], None], rates: RequestRates) -> type[BoundedHttpProtocol]:
     """The protocol, with ``count`` called with the code of each request that is refused here."""
 
     class CountingHttpProtocol(BoundedHttpProtocol):
-        """Counts what it refuses."""
+        """Counts what comes, and what it refuses."""
+
+        _network: str | None = None  # by which requests are counted
+
+        def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
+            """See whose requests come."""
+            super().connection_made(transport)
+            self._network = rates.counted_as(self.client[0]) if self.client is not None else None
+
+        def take_request(self) -> bool:
+            """Count it."""
+            return self._network is None or rates.take(self._network, self.loop.time())
 
         def on_refusal(self, code: Code) -> None:
             """Count it."""

@@ -20,6 +20,7 @@ from pointpred.server.access import WILDCARDS, HostRule
 from pointpred.server.app import create_app
 from pointpred.server.garbage import tune_collector
 from pointpred.server.http_protocol import counting
+from pointpred.server.request_rates import RequestRates
 from pointpred.server.service import Service
 from pointpred.server.websocket_protocol import BoundedWebSocketProtocol
 
@@ -166,7 +167,9 @@ def web_config(hosts: HostRule, service: Service) -> uvicorn.Config:
         log_config=None,
         log_level="warning",
         access_log=False,
-        http=counting(service.refuse_request),  # httptools, with bounds
+        http=counting(
+            service.refuse_request, RequestRates(service.settings.trust_proxy)
+        ),  # httptools, bounded
         ws=BoundedWebSocketProtocol,  # websockets-sansio, with bounds
         ws_max_size=FRAME_BYTES,
         ws_per_message_deflate=False,

@@ -9,11 +9,14 @@ import math
 import socket as socket_module
 import time
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from pointpred.protocol.client_messages import Hello
+from pointpred.server.access import usual_address as usual
 from pointpred.server.recorder.writer import Recorder
+from pointpred.server.request_rates import REQUESTS_AT_ONCE, REQUESTS_PER_S, RequestRates
 from tests.server.listener import soon
 from tests.server.running import PATIENCE_S, Running, running
 from tests.server.test_hostile_connections import half, refused
@@ -251,3 +254,41 @@ def test_a_websocket_is_not_opened_before_an_earlier_response_has_been_read() ->
             soon(lambda: refused(here, "out_of_place") == 1.0, "it is refused")
             assert b"HTTP/1.1 101 " not in answer(opened)
         soon(lambda: not here.server.server_state.tasks, "nothing holds the file any more")
+
+
+@pytest.mark.parametrize(
+    ("address", "settings", "answered"),
+    [
+        ("192.0.2.7", {}, 3),
+        ("::ffff:192.0.2.7", {}, 3),
+        ("2001:db8::7", {}, 3),
+        ("127.0.0.1", {}, 5),
+        ("192.0.2.7", {"trust_proxy": ["192.0.2.0/24"], "token": TOKEN}, 5),
+    ],
+)
+def test_requests_of_another_machine_are_limited(
+    address: str, settings: dict[str, Any], answered: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("pointpred.server.http_protocol.usual_address", lambda client: usual((address, 1)))
+    monkeypatch.setattr("pointpred.server.request_rates.REQUESTS_AT_ONCE", 3)
+    monkeypatch.setattr("pointpred.server.request_rates.REQUESTS_PER_S", 1e-6)
+    request = b"GET /healthz HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\n\r\n"
+    heard = []
+    with running(**settings) as here:
+        for sent in [request] * 4 + [LINE + UPGRADE + b"\r\n"]:
+            with half(here, sent) as opened:
+                heard.append(opened.recv(4096)[9:12])
+        assert heard == [b"200", b"200", b"200", b"200", b"101"][:answered] + [b"429"] * (5 - answered)
+        assert refused(here, "too_fast") == ((5.0 - answered) or None)
+
+
+def test_requests_are_admitted_again_and_old_networks_forgotten() -> None:
+    rates = RequestRates()
+    times = [at / 1000 for at in range(60_000)]
+    for neighbour in range(100):
+        assert rates.take(f"198.51.100.{neighbour}", 0.0)
+    admitted = sum(rates.take("192.0.2.7", now) for now in times)
+    assert admitted == pytest.approx(REQUESTS_AT_ONCE + 60 * REQUESTS_PER_S, abs=2)
+    assert rates.take("192.0.2.8", 60.0), "others are not limited by it"
+    assert rates.take("192.0.2.7", 111.0)
+    assert len(rates._full_at) == 1
