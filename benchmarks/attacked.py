@@ -41,6 +41,7 @@ UPGRADE = GET + (
     b"Upgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
     b"Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n"
 )
+LARGEST_FILE = b"GET /web/vendor/uPlot.esm.js HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"
 COLUMNS = ("attack", "p50 before, ms", "p50", "p99", "p50 after", "share of a processor", "memory, MB")
 
 
@@ -68,12 +69,39 @@ def slow_headers(port: int, until: float) -> None:
         time.sleep(0.5)
 
 
+def unread(port: int, until: float) -> None:
+    """Five hundred connections that ask for the largest file sixteen times and read nothing."""
+    opened = [dial(port) for _ in range(500)]
+    for one in opened:
+        one.sendall(LARGEST_FILE * 16)
+    time.sleep(max(0.0, until - time.monotonic()))
+    for one in opened:
+        one.close()
+
+
+def long_queries(port: int, until: float) -> None:
+    """Requests with 30,000 empty parameters."""
+    while time.monotonic() < until:
+        with suppress(OSError), dial(port) as one:
+            one.sendall(b"GET /metrics?" + b"&" * 30_000 + b" HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n")
+            one.recv(4096)
+
+
 def handshakes(port: int, until: float) -> None:
     """One upgrade after another, each left at once."""
     while time.monotonic() < until:
         with suppress(OSError), dial(port) as one:
             one.sendall(UPGRADE)
             one.recv(4096)
+
+
+def requests(port: int, until: float) -> None:
+    """The largest file, asked for again and again on connections of their own."""
+    while time.monotonic() < until:
+        with suppress(OSError), dial(port) as one:
+            one.sendall(LARGEST_FILE.replace(b"\r\n\r\n", b"\r\nConnection: close\r\n\r\n"))
+            while one.recv(65536):
+                pass
 
 
 def flood(port: int, until: float, frames: bytes, hello: bool = True) -> None:
@@ -129,7 +157,19 @@ def bombs(port: int, until: float) -> None:
 
 
 ATTACKS: tuple[Callable[[int, float], None], ...] = (
-    *(silent, slow_headers, handshakes, pings, bad_text, nested, unknown, bombs),
+    *(
+        silent,
+        slow_headers,
+        unread,
+        long_queries,
+        handshakes,
+        requests,
+        pings,
+        bad_text,
+        nested,
+        unknown,
+        bombs,
+    ),
 )
 
 

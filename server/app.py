@@ -33,6 +33,7 @@ from pointpred.server.http_responses import (
 )
 from pointpred.server.openapi import (
     METRICS,
+    NO_METRICS,
     NOT_READY,
     UPLOAD,
     Compiled,
@@ -78,7 +79,13 @@ def create_app(hosts: HostRule | None = None, service: Service | None = None) ->
     app.exception_handler(RequestValidationError)(bad_request)
     _add_read(app, "/healthz", _health, responses=OPEN, response_model=Health)
     _add_read(app, "/readyz", _ready, responses=OPEN | NOT_READY, response_model=Readiness)
-    _add_read(app, "/metrics", _metrics, responses=GUARDED | text_response(METRICS), response_class=Response)
+    _add_read(
+        app,
+        "/metrics",
+        _metrics,
+        responses=GUARDED | NO_METRICS | text_response(METRICS),
+        response_class=Response,
+    )
     _add_read(app, "/", _page, responses=GUARDED | text_response("text/html"), response_class=Response)
     _add_read(
         app,
@@ -154,7 +161,11 @@ def _compiling(request: Request) -> Response:
 async def _metrics(request: Request) -> Response:
     """Counters and histograms for Prometheus."""
     service: Service = request.app.state.service
-    return Response(await service.metrics_text(), media_type=METRICS)  # on the loop: sessions come and go
+    try:
+        text = await service.metrics_text()  # on the loop: sessions come and go
+    except TimeoutError:
+        return error_response("slow", "the metrics of all workers did not come in time: ask again", 503)
+    return Response(text, media_type=METRICS)
 
 
 def _page() -> Response:

@@ -6,12 +6,14 @@ import asyncio
 import logging
 from collections.abc import Callable
 from http import HTTPStatus
+from typing import Any
 
 from httptools import HttpParserError, HttpParserUpgrade
-from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol
+from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol, RequestResponseCycle
 
 from pointpred.protocol.server_messages import Code
 from pointpred.server.access import usual_address
+from pointpred.server.request_rates import REQUESTS_PER_S, RequestRates
 from pointpred.server.request_refusal import Refusal
 from pointpred.server.upgrade import check_upgrade, upgrade_request
 from pointpred.server.websocket_protocol import BoundedWebSocketProtocol
@@ -24,10 +26,16 @@ HEADER_BYTES = 2**16
 """No browser sends a longer one: names, values and the path together."""
 HEADER_LINES = 256
 """Headers of one request."""
+TARGET_BYTES = 2**12
+"""The path and the query of a request; a query of 64 kB would take tens of ms to read."""
+TARGET_FIELDS = 64
+"""Parameters of a query, each of which costs time, however short it is."""
 PIPELINED = 16
 """Further requests that wait for the first one's response; no browser sends one."""
 BODY_BYTES = 2**24
 """Bytes of a body that are thrown away after the response, until the connection idles for too long."""
+UNREAD_S = 10.0
+"""So long a client may read nothing of what is sent to it."""
 LINGER_S = 2.0
 """So long a client whose request is refused may take to read why ..."""
 LINGER_BYTES = 2**20
@@ -38,14 +46,29 @@ TOO_LONG = Refusal(
     "too_large",
     f"the header of a request holds at most {HEADER_BYTES} bytes in {HEADER_LINES} lines",
 )
+LONG_TARGET = Refusal(
+    HTTPStatus.REQUEST_URI_TOO_LONG,
+    "too_large",
+    f"the path and query of a request hold at most {TARGET_BYTES} bytes, and {TARGET_FIELDS} parameters",
+)
+EARLY_UPGRADE = Refusal(
+    HTTPStatus.BAD_REQUEST,
+    "out_of_place",
+    "a WebSocket is opened after the responses to earlier requests have been sent",
+)
 NO_HTTP = Refusal(HTTPStatus.BAD_REQUEST, "bad_field", "expected an HTTP request")
 TOO_MANY = Refusal(
     HTTPStatus.TOO_MANY_REQUESTS, "too_many", f"at most {PIPELINED} requests may wait for their responses"
 )
+TOO_OFTEN = Refusal(
+    HTTPStatus.TOO_MANY_REQUESTS,
+    "too_fast",
+    f"at most {REQUESTS_PER_S} requests a second of one address are answered in the long run",
+)
 
 
 class BoundedHttpProtocol(HttpToolsProtocol):
-    """A connection that is closed where the client begins a request and does not go on.
+    """A connection that is closed where the client begins a request, or to read a response, and stops there.
 
     The body of a request is bounded by what reads it; what of it is left after the response is bounded here.
     """
@@ -53,22 +76,39 @@ class BoundedHttpProtocol(HttpToolsProtocol):
     _header_timer: asyncio.TimerHandle | None = None  # runs while a header is incomplete
     _header_bytes = 0  # received while a header is incomplete
     _in_body = False
+    _running: RequestResponseCycle | None = None  # what is answered now; ``cycle`` is the newest request
     _refused = False  # nothing more is parsed
     _linger_timer: asyncio.TimerHandle | None = None  # runs while a client may read why it was refused
+    _unread_timer: asyncio.TimerHandle | None = None  # runs while the kernel does not take what is sent
     _unread = 0  # bytes that were thrown away
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         """The first header is expected."""
         super().connection_made(transport)
         self.client = usual_address(self.client)
+        self.transport.set_write_buffer_limits(high=0)  # writing pauses as soon as anything is left unsent
         self._expect_header()
 
     def connection_lost(self, exc: Exception | None) -> None:
         """Nothing is expected any more."""
         self._stop_header_timer()
+        self._stop_unread_timer()
         if self._linger_timer is not None:
             self._linger_timer.cancel()
+        if self._running is not None:
+            self._running.disconnected = True
+            self._running.message_event.set()
         super().connection_lost(exc)
+
+    def pause_writing(self) -> None:
+        """Something is left unsent; the client has some time to read."""
+        super().pause_writing()
+        self._expect_reading()
+
+    def resume_writing(self) -> None:
+        """Everything has been sent."""
+        self._stop_unread_timer()
+        super().resume_writing()
 
     def data_received(self, data: bytes) -> None:
         """Parse received data, and bound the length of a header that is not complete."""
@@ -94,10 +134,13 @@ class BoundedHttpProtocol(HttpToolsProtocol):
         """Hand the connection to a WebSocket, with the request that has been parsed."""
         url, fields = self.url, self.headers
         refusal = check_upgrade(self.parser.get_method(), self.parser.get_http_version(), url, fields)
+        if self.cycle is not None and not self.cycle.response_complete:
+            refusal = EARLY_UPGRADE  # nobody would tell that response to go on, or that the client has gone
         if refusal is not None:
             self._refuse(refusal)
         if self._refused:
             return
+        self._stop_unread_timer()  # from now on the bounds are those of a WebSocket
         self.connections.discard(self)
         protocol = BoundedWebSocketProtocol(self.config, self.server_state, self.app_state)
         protocol.connection_made(self.transport)
@@ -107,6 +150,10 @@ class BoundedHttpProtocol(HttpToolsProtocol):
 
     def on_refusal(self, code: Code) -> None:
         """A request was refused before the application saw it."""
+
+    def take_request(self) -> bool:
+        """Whether one more request of this client is answered."""
+        return True
 
     def on_message_begin(self) -> None:
         """A request begins."""
@@ -123,6 +170,10 @@ class BoundedHttpProtocol(HttpToolsProtocol):
         length = len(self.url) + sum(len(name) + len(value) + 4 for name, value in self.headers)
         if length > HEADER_BYTES or len(self.headers) > HEADER_LINES:
             self._refuse(TOO_LONG)
+        elif len(self.url) > TARGET_BYTES or self.url.count(b"&") >= TARGET_FIELDS:
+            self._refuse(LONG_TARGET)
+        elif not self.take_request():
+            self._refuse(TOO_OFTEN)
         elif len(self.pipeline) >= PIPELINED:
             self._refuse(TOO_MANY)
         if not self._refused:
@@ -143,6 +194,10 @@ class BoundedHttpProtocol(HttpToolsProtocol):
         if not self._refused:
             super().on_message_complete()
 
+    def _start_asgi_task(self, cycle: RequestResponseCycle, app: Any) -> None:
+        self._running = cycle
+        super()._start_asgi_task(cycle, app)
+
     def _expect_header(self) -> None:
         self._header_bytes = 0
         self._header_timer = self.loop.call_later(HEADER_S, self.transport.close)
@@ -151,6 +206,24 @@ class BoundedHttpProtocol(HttpToolsProtocol):
         if self._header_timer is not None:
             self._header_timer.cancel()
             self._header_timer = None
+
+    def _expect_reading(self) -> None:
+        """Look after a while whether the client has read anything."""
+        unsent = self.transport.get_write_buffer_size()
+        self._unread_timer = self.loop.call_later(UNREAD_S, self._check_reading, unsent)
+
+    def _check_reading(self, before: int) -> None:
+        if self.transport.get_write_buffer_size() < before:
+            self._expect_reading()
+            return
+        log.info("a response was not read for %g s", UNREAD_S, extra={"code": "slow"})
+        self.on_refusal("slow")
+        self.transport.abort()
+
+    def _stop_unread_timer(self) -> None:
+        if self._unread_timer is not None:
+            self._unread_timer.cancel()
+            self._unread_timer = None
 
     def _throw_away(self, count: int, most: int) -> None:
         self._unread += count
@@ -181,11 +254,22 @@ class BoundedHttpProtocol(HttpToolsProtocol):
         self._linger_timer = self.loop.call_later(LINGER_S, self.transport.abort)
 
 
-def counting(count: Callable[[Code], None]) -> type[BoundedHttpProtocol]:
+def counting(count: Callable[[Code], None], rates: RequestRates) -> type[BoundedHttpProtocol]:
     """The protocol, with ``count`` called with the code of each request that is refused here."""
 
     class CountingHttpProtocol(BoundedHttpProtocol):
-        """Counts what it refuses."""
+        """Counts what comes, and what it refuses."""
+
+        _network: str | None = None  # by which requests are counted
+
+        def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
+            """See whose requests come."""
+            super().connection_made(transport)
+            self._network = rates.counted_as(self.client[0]) if self.client is not None else None
+
+        def take_request(self) -> bool:
+            """Count it."""
+            return self._network is None or rates.take(self._network, self.loop.time())
 
         def on_refusal(self, code: Code) -> None:
             """Count it."""

@@ -20,6 +20,7 @@ from pointpred.server.access import WILDCARDS, HostRule
 from pointpred.server.app import create_app
 from pointpred.server.garbage import tune_collector
 from pointpred.server.http_protocol import counting
+from pointpred.server.request_rates import RequestRates
 from pointpred.server.service import Service
 from pointpred.server.websocket_protocol import BoundedWebSocketProtocol
 
@@ -128,7 +129,7 @@ class PointpredServer(uvicorn.Server):
         for listening in (*self.servers, *(sockets or ())):
             listening.close()
         self.service.stop()
-        until = time.monotonic() + CLOSE_S
+        until = time.monotonic() + self.service.left_s(CLOSE_S)
         while self._has_websockets() and time.monotonic() < until:
             await asyncio.sleep(0.01)
         cancellations = _Cancellations()
@@ -137,7 +138,7 @@ class PointpredServer(uvicorn.Server):
         try:
             await super().shutdown(sockets)
             if cancelled := list(self.server_state.tasks):
-                await asyncio.wait(cancelled, timeout=CANCEL_S)
+                await asyncio.wait(cancelled, timeout=self.service.left_s(CANCEL_S))
         finally:
             library.removeFilter(cancellations)
         if cancellations.requests:
@@ -166,7 +167,9 @@ def web_config(hosts: HostRule, service: Service) -> uvicorn.Config:
         log_config=None,
         log_level="warning",
         access_log=False,
-        http=counting(service.refuse_request),  # httptools, with bounds
+        http=counting(
+            service.refuse_request, RequestRates(service.settings.trust_proxy)
+        ),  # httptools, bounded
         ws=BoundedWebSocketProtocol,  # websockets-sansio, with bounds
         ws_max_size=FRAME_BYTES,
         ws_per_message_deflate=False,
@@ -194,4 +197,4 @@ def serve(opened: socket.socket, hosts: HostRule, service: Service, announce: Ca
         with opened:
             server.run([opened])
     finally:
-        service.shut_down()  # again where uvicorn has done so: whatever breaks there, recordings are written
+        service.shut_down()  # where uvicorn has not done so: whatever breaks there, recordings are written

@@ -86,7 +86,8 @@ class Metrics:
         self.connections_refused = Counter(
             "pointpred_connections_refused",
             "Connections and requests refused before anything was read, by error code: a foreign host or "
-            "origin, no token, too many sessions, a header that is too large, what is no request",
+            "origin, no token, too many sessions or requests, a header or query that is too large, what is "
+            "no request, a response that is not read",
             ["code"],
             registry=self.registry,
         )

@@ -106,6 +106,9 @@ def text_response(kind: str) -> Responses:
 
 
 NOT_READY: Responses = {503: {"model": Readiness, "description": "Not yet, or no more."}}
+NO_METRICS: Responses = {
+    503: {"model": Error, "description": "The metrics of all workers did not come in time."}
+}
 PARQUET = "application/vnd.apache.parquet"
 UPLOAD: dict[str, Any] = {
     "parameters": TABLE_PARAMETERS,

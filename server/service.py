@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import asyncio
 import logging
+import math
 import secrets
 import sys
+import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
@@ -38,6 +40,12 @@ SWITCH_S = 5e-4
 LOST = 1006
 """The close code under which a lost connection is counted: a tab was closed, a process ended."""
 
+STOP_TOTAL_S = 8.0
+"""Seconds in which everything has ended after the stop, recordings included; the process ends within ten."""
+END_UPLOADS_S = 1.0
+"""Seconds of them that the process of uploads may take."""
+WRITE_S = 5.0
+"""Seconds of them that recordings may take to be written."""
 STOPS = "the server stops"
 """What sessions are told."""
 
@@ -56,7 +64,7 @@ class Peers(Protocol):
         """How many sessions this worker has."""
 
     async def metrics(self) -> bytes:
-        """The metrics of all workers, in the exposition format."""
+        """The metrics of all workers, in the exposition format; raises TimeoutError."""
 
 
 class Service:
@@ -86,6 +94,8 @@ class Service:
         """The other workers, where there are several."""
         self.networks = NetworkCounts(np.zeros((1, self.settings.max_sessions), np.int64))
         """Sessions of other machines, those of the other workers included."""
+        self._stop_by = math.inf  # when everything has to have ended
+        self._shut_down = False
         self._open: dict[Session, tuple[Connection | None, SessionCounts]] = {}
 
     @property
@@ -169,7 +179,10 @@ class Service:
         self.origins.add(origin)
 
     async def metrics_text(self) -> bytes:
-        """The metrics in the exposition format, those of all workers where there are several."""
+        """The metrics in the exposition format, those of all workers where there are several.
+
+        Raises TimeoutError where these do not come.
+        """
         if self.peers is not None:
             return await self.peers.metrics()
         self.update_metrics()
@@ -193,6 +206,8 @@ class Service:
 
     def stop(self, reason: str = STOPS) -> None:
         """Send bye to every session; new ones are refused."""
+        if not self.stopping:
+            self._stop_by = time.monotonic() + STOP_TOTAL_S
         self.stopping = True
         self.compiler.stop()
         for session, (connection, _) in list(self._open.items()):
@@ -200,12 +215,19 @@ class Service:
             if connection is not None:
                 connection.flush()
 
+    def left_s(self, most: float) -> float:
+        """Seconds that a step of stopping may take: at most so many, and no more than are left."""
+        return max(0.0, min(most, self._stop_by - time.monotonic()))
+
     def shut_down(self) -> None:
-        """Write what is recorded, and end the threads."""
-        self.upload_process.end()
+        """Write what is recorded, and end the threads; once."""
+        if self._shut_down:
+            return
+        self.upload_process.end(self.left_s(END_UPLOADS_S))
         self.scorer.shutdown(wait=False, cancel_futures=True)
         if self.recorder is not None:
-            self.recorder.close()
+            self.recorder.close(self.left_s(WRITE_S))
+        self._shut_down = True
 
     def _observe(self, name: str, hello: Hello) -> SessionObserver | None:
         return self.recorder.open(name, hello) if self.recorder else None

@@ -9,24 +9,27 @@ import pyarrow.parquet  # noqa: F401 - loaded before the memory is bounded
 
 from pointpred.errors import PointpredError
 from pointpred.server.logs import place_of
-from pointpred.server.uploads.process import TOO_LARGE, Order
+from pointpred.server.uploads.process import TOO_LARGE, Order, Outcome
 from pointpred.server.uploads.receiving import UploadError
 from pointpred.server.uploads.recordings import open_body, score_body
 from pointpred.server.uploads.refusals import refusal_of
 
 
-def answer(order: Order, body: bytes) -> tuple[int, bytes, str | None]:
-    """The status, the response, and where it failed, ``None`` where it did not."""
+def answer(order: Order, body: bytes) -> tuple[Outcome, bytes]:
+    """What came of an upload, and the response to it."""
     try:
         result: Any = (
             open_body(body, order.query)
             if order.task == "open"
             else score_body(body, order.predictors, order.query)
         )
-        return 200, msgspec.json.encode(result), None
+        response = msgspec.json.encode(result)
     except (PointpredError, UploadError) as error:
-        return *refusal_of(error), None
+        status, response = refusal_of(error)
+        return Outcome(status, len(response)), response
     except MemoryError:
-        return *refusal_of(UploadError("too_large", TOO_LARGE, 413)), None
+        status, response = refusal_of(UploadError("too_large", TOO_LARGE, 413))
+        return Outcome(status, len(response), exhausted=True), response
     except Exception as error:
-        return 500, b"", place_of(error)
+        return Outcome(500, 0, place_of(error)), b""
+    return Outcome(200, len(response)), response

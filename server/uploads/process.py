@@ -31,7 +31,6 @@ SCORE_S = 60.0
 MEMORY_BYTES = 2**30
 """So much memory it may take, beyond the code."""
 NICENESS = 10
-END_S = 1.0
 TOO_LARGE = (
     f"a recording scored here may take {SCORE_S:g} s and {MEMORY_BYTES // 2**20} MiB of memory; "
     "'pointpred score' takes larger ones"
@@ -55,11 +54,12 @@ class Order(msgspec.Struct):
 
 
 class Outcome(msgspec.Struct):
-    """The HTTP status, the bytes of the response, and where it failed, if it did."""
+    """The HTTP status, the bytes of the response, where it failed, if it did, and whether memory ran out."""
 
     status: int
     size: int
     failed: str | None = None
+    exhausted: bool = False
 
 
 class UploadProcess:
@@ -81,7 +81,11 @@ class UploadProcess:
             return self._run(Order(task, len(body), predictors, dict(query)), body)
 
     def _run(self, order: Order, body: bytes) -> tuple[Outcome, bytes]:
+        self._check_not_ended()
         process = self._started()
+        if self._ended:  # while it was started
+            self._kill()
+        self._check_not_ended()
         too_long = threading.Event()
 
         def stop() -> None:
@@ -94,8 +98,7 @@ class UploadProcess:
             outcome, response = _ask(process, order, body)
         except (OSError, EOFError, msgspec.DecodeError):
             self._kill()
-            if self._ended:
-                raise UploadError("stopping", "the service stops", 503) from None
+            self._check_not_ended()
             if too_long.is_set():
                 raise UploadError("too_large", TOO_LARGE, 413) from None
             how = {"error": f"exit code {process.returncode}"}
@@ -103,14 +106,20 @@ class UploadProcess:
             raise UploadError("internal", ENDED, 500) from None
         finally:
             timer.cancel()
+        if outcome.exhausted:  # it keeps most of what it took: the next recording begins with another one
+            self._kill()
         return outcome, response
 
-    def end(self) -> None:
-        """Kill it; a recording that is being scored is refused."""
+    def _check_not_ended(self) -> None:
+        if self._ended:
+            raise UploadError("stopping", "the service stops", 503) from None
+
+    def end(self, timeout_s: float = 1.0) -> None:
+        """Kill it, and wait for that; a recording that is being scored is refused."""
         self._ended = True
         if (process := self._process) is not None:
             process.kill()
-        if self._busy.acquire(timeout=END_S):  # the thread that waits for it notices at once
+        if self._busy.acquire(timeout=timeout_s):  # the thread that waits for it notices at once
             self._kill()
             self._busy.release()
 
@@ -171,8 +180,8 @@ def main() -> None:
     source: BinaryIO = sys.stdin.buffer
     while line := source.readline():
         order = msgspec.json.decode(line, type=Order)
-        status, response, failed = answer(order, source.read(order.size))
-        output.write(msgspec.json.encode(Outcome(status, len(response), failed)) + b"\n" + response)
+        outcome, response = answer(order, source.read(order.size))
+        output.write(msgspec.json.encode(outcome) + b"\n" + response)
         output.flush()
 
 

@@ -49,8 +49,8 @@ LATE_S = 1.0
 """Where this process is late by more than this, it stood still itself, and heard no answer."""
 COLLECT_S = 1.0
 """So long the metrics wait for a worker; then those that it sent last are shown."""
-STOP_S = 12.0
-"""Seconds that workers have to end: two for ``bye``, the rest for requests and recordings."""
+STOP_S = 10.0
+"""Seconds that workers have to end, which end by themselves in less."""
 SIGNALS = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
 
 ORDERED = (0, -signal.SIGTERM)

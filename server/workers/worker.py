@@ -45,6 +45,8 @@ from pointpred.server.workers.messages import (
     to_worker,
 )
 
+METRICS_S = 5.0
+"""Seconds that the supervisor may take to send the metrics of all workers."""
 AT_ONCE = 16
 """Connections taken before other work has its turn."""
 
@@ -77,12 +79,13 @@ class OtherWorkers:
         self._row[TAKEN] += taken
 
     async def metrics(self) -> bytes:
-        """The metrics of all workers, in the exposition format."""
+        """The metrics of all workers, in the exposition format; raises TimeoutError."""
         assert self.ask is not None
         text: asyncio.Future[str] = asyncio.get_running_loop().create_future()
         self._texts.append(text)
         send(self.ask, AskText())
-        return (await text).encode()
+        async with asyncio.timeout(METRICS_S):
+            return (await text).encode()
 
     def take_text(self, text: str) -> None:
         """The supervisor's answer to the earliest request."""

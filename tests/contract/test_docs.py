@@ -16,7 +16,7 @@ from pointpred.person import LARGEST
 from pointpred.protocol.decoding import EXTREME_MOST
 from pointpred.protocol.server_messages import Limits
 from pointpred.registry import REGISTRY, build, parameters
-from pointpred.server import connection, http_protocol, websocket_protocol
+from pointpred.server import connection, http_protocol, request_rates, websocket_protocol
 from pointpred.server.sessions import lifecycle, outbox, pipelines, quota, trials
 from pointpred.server.settings import Settings
 
@@ -36,7 +36,11 @@ CONSTANTS = {
     "choices that wait unread": outbox.MOST_CHOICES,
     "time until the header of a request is complete": http_protocol.HEADER_S,
     "header of a request": http_protocol.HEADER_BYTES >> 10,
+    "path and query of a request": http_protocol.TARGET_BYTES >> 10,
+    "time in which nothing of an HTTP response is read": http_protocol.UNREAD_S,
     "time until a request for a WebSocket is accepted": websocket_protocol.UPGRADE_S,
+    "requests of one other machine a second, in the long run": request_rates.REQUESTS_PER_S,
+    "requests of one other machine at once": request_rates.REQUESTS_AT_ONCE,
     "requests that wait on one connection": http_protocol.PIPELINED,
 }
 """Limits of the service that are no settings, by their rows in its guide."""

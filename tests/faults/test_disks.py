@@ -3,20 +3,29 @@
 from __future__ import annotations
 
 import errno
+import socket
 import subprocess
 import sys
+import time
 from contextlib import ExitStack
 from pathlib import Path
+from urllib.parse import urlsplit
 
 import pytest
 
+from benchmarks.soak.client import upgrade
 from tests.faults.conftest import ERROR, HANG, Faults
 from tests.faults.service import Client, Running, service, wait_until_ready
 from tests.server.listener import soon
+from tests.server.running import PATIENCE_S
 
 FAILED = "pointpred_recordings_failed_total"
 ROOM = "128k"
 """The size of the disk: some hundred events."""
+
+HALF_AN_UPLOAD = (
+    b"POST /v1/score HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 9\r\nExpect: 100-continue\r\n\r\n"
+)
 
 
 def on_a_small_disk(own_mounts: list[str], folder: Path) -> list[str]:
@@ -113,7 +122,9 @@ def test_a_disk_that_hangs_or_fails_holds_up_no_session(faults: Faults, tmp_path
 
 
 @pytest.mark.slow
-def test_a_service_stops_in_time_although_its_disk_hangs(faults: Faults, tmp_path: Path) -> None:
+def test_a_service_stops_within_ten_seconds_although_a_disk_a_client_and_a_request_hang(
+    faults: Faults, tmp_path: Path
+) -> None:
     with ExitStack() as opened:
         running = opened.enter_context(service(tmp_path, environment=faults.environment))
         wait_until_ready(running)
@@ -123,8 +134,19 @@ def test_a_service_stops_in_time_although_its_disk_hangs(faults: Faults, tmp_pat
         faults.set(HANG, 1)
         client.exchange(100)
         soon(lambda: faults.held_up, "the disk hangs")
+        port = urlsplit(running.address).port or 0
+        for sent in (upgrade(port), HALF_AN_UPLOAD):
+            hanging = opened.enter_context(socket.create_connection(("127.0.0.1", port), PATIENCE_S))
+            hanging.sendall(sent)
+        assert hanging.recv(100).startswith(b"HTTP/1.1 100 "), "the body is expected"
+        begun = time.monotonic()
         assert running.stop() in {0, -15}
-        assert running.errors() == ["the recorder could not write everything within 5 s"]
+        took = time.monotonic() - begun
+        assert took < 10.0
+        recorder, requests = sorted(running.errors()), running.log.read_text()
+        assert len(recorder) == 1
+        assert recorder[0].startswith("the recorder could not write everything within ")
+        assert "requests were cancelled" in requests
         assert len(client.recorded(running)) == 100
 
 

@@ -36,7 +36,9 @@ def test_a_service_that_is_stopped_answers_and_records_what_it_has(tmp_path: Pat
         for client in clients:
             client.exchange(50)
             client.send(300)  # on the way while the service stops
+        begun = time.monotonic()
         assert running.stop() in {0, -signal.SIGTERM}
+        assert time.monotonic() - begun < 10.0
         for client in clients:
             answered, byes = 50, 0
             for answer in until_closed(client):

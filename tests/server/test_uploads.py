@@ -21,8 +21,9 @@ from httpx2 import Response, get, post
 
 from pointpred.errors import RecordingError
 from pointpred.server.compiling.compiler import Compiler
-from pointpred.server.uploads import limits, receiving, recordings
+from pointpred.server.uploads import limits, process, receiving, recordings
 from pointpred.server.uploads.limits import MOST_ROWS, MOST_UNPACKED, check_unpacked
+from pointpred.server.uploads.process import UploadProcess
 from pointpred.server.uploads.receiving import UploadError
 from pointpred.server.uploads.recordings import score_body
 from pointpred.sources import Reading
@@ -304,6 +305,49 @@ def test_what_takes_more_memory_than_allowed_is_refused() -> None:
     )
     done = subprocess.run([sys.executable, "-c", lines], capture_output=True, text=True, check=False)
     assert "MemoryError" in done.stderr
+
+
+OUT_OF_MEMORY = """
+from pointpred.server.uploads import answers, process
+
+def run_out(*arguments):
+    raise MemoryError
+
+answers.open_body = run_out
+process.main()
+"""
+
+
+def test_after_a_recording_for_which_memory_ran_out_another_process_takes_the_next(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    with running() as here:
+        options = {"content": CSV, "timeout": PATIENCE_S}
+        with monkeypatch.context() as patch:
+            command = [sys.executable, "-c", OUT_OF_MEMORY]
+            patch.setattr("pointpred.server.uploads.process.command", lambda module: command)
+            refused(post(f"{here.url}/v1/recording", **options), 413, "too_large")
+        assert post(f"{here.url}/v1/recording", **options).status_code == 200
+
+
+@pytest.mark.parametrize("when", ["before", "while its process is started"])
+def test_a_recording_that_comes_when_the_service_has_stopped_is_refused(
+    when: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    uploads = UploadProcess()
+
+    def command(module: str) -> list[str]:
+        uploads.end(0.0)
+        return [sys.executable, "-m", module]
+
+    if when == "before":
+        uploads.end()
+    else:
+        monkeypatch.setattr(process, "command", command)
+    with pytest.raises(UploadError) as refusal:
+        uploads.run("open", CSV, (), {})
+    assert (refusal.value.status, refusal.value.code) == (503, "stopping")
+    assert uploads._process is None
 
 
 def test_the_service_stops_beside_a_recording_that_is_being_scored() -> None:

@@ -8,10 +8,12 @@ import socket
 import subprocess
 import sys
 import threading
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import pytest
+from httpx2 import get
 from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram
 
 from pointpred.cli import live
@@ -28,7 +30,9 @@ from pointpred.server.workers.dispatcher import Dispatcher
 from pointpred.server.workers.families import Family, ServiceFamilies, families_of, text_of
 from pointpred.server.workers.process import WorkerProcess
 from pointpred.server.workers.supervisor import Supervisor
-from tests.server.running import PATIENCE_S
+from pointpred.server.workers.worker import OtherWorkers
+from tests.server.listener import soon
+from tests.server.running import PATIENCE_S, running
 
 pytestmark = pytest.mark.skipif(not hasattr(socket, "send_fds"), reason="no descriptors are passed here")
 
@@ -295,3 +299,34 @@ def test_workers_that_somebody_stops_are_no_failures() -> None:
     assert one.pause_s(1.0) == 2 * restarts.FIRST_S, "the failures before and after are in a row"
     one.pause_s(90.0, ordered=True)
     assert one.pause_s(1.0) == restarts.FIRST_S
+
+
+def test_metrics_of_workers_that_do_not_come_are_refused_and_not_waited_for(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("pointpred.server.workers.worker.METRICS_S", 0.1)
+    peers = OtherWorkers(0, WorkerCounts(1))
+    near, far = socket.socketpair()
+    with near, far, running(lambda service: setattr(service, "peers", peers)) as here:
+
+        class Slow:
+            """Hears everything and answers late."""
+
+            def is_closing(self) -> bool:
+                return False
+
+            def write(self, message: bytes) -> None:
+                near.sendall(message)
+
+        peers.ask = cast(asyncio.StreamWriter, Slow())
+        answer = get(f"{here.url}/metrics", timeout=PATIENCE_S)
+        assert (answer.status_code, answer.json()["code"]) == (503, "slow")
+        monkeypatch.setattr("pointpred.server.workers.worker.METRICS_S", PATIENCE_S)
+        with ThreadPoolExecutor(1) as other:
+            asked = other.submit(get, f"{here.url}/metrics", timeout=PATIENCE_S)
+            far.settimeout(PATIENCE_S)
+            far.recv(100)
+            soon(lambda: len(peers._texts) == 2, "both were asked for")
+            peers.take_text("late")
+            here.server.servers[0].get_loop().call_soon_threadsafe(peers.take_text, "in time")
+            assert asked.result(PATIENCE_S).text == "in time"
