@@ -8,7 +8,6 @@ import secrets
 import sys
 from collections import Counter
 from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from typing import Protocol
 
@@ -28,6 +27,7 @@ from pointpred.server.sessions.pointing import PointingSession
 from pointpred.server.sessions.viewing import ViewingSession
 from pointpred.server.settings import Settings, is_loopback
 from pointpred.server.uploads.process import UploadProcess
+from pointpred.server.work_threads import WorkThreads
 
 log = logging.getLogger("pointpred.service")
 
@@ -74,8 +74,8 @@ class Service:
         """Recordings that are received, wait to be scored or are scored."""
         self.arrivals = Arrivals()
         """How busy the event loop is, which all connections share."""
-        self.scorer = ThreadPoolExecutor(1, "trials")
-        """Scores the trials of sessions, one at a time."""
+        self.work_threads = WorkThreads()
+        """Do what takes sessions long, beside the event loop."""
         self.upload_process = UploadProcess()
         """Opens and scores recordings."""
         self.live: LiveFeed | None = None
@@ -204,7 +204,7 @@ class Service:
     def shut_down(self) -> None:
         """Write what is recorded, and end the threads."""
         self.upload_process.end()
-        self.scorer.shutdown(wait=False, cancel_futures=True)
+        self.work_threads.shut_down()
         if self.recorder is not None:
             self.recorder.close()
 

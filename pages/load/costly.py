@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import json
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -76,6 +77,7 @@ def templates() -> tuple[bytes, ...]:
     return tuple(pack_events(part) for part in frames(rows, 1000))
 
 
+@cache
 def person() -> str:
     """What `kinematic-adaptive` knows after many movements: its places among it."""
     pipeline = build("kinematic-adaptive")
@@ -106,6 +108,12 @@ def costly_clients() -> list[CostlyClient]:
             EVENTS_PER_S / 32,
             (hello("switched"), targets(0)),
             (RESET, *(pack_events(part) for part in frames(rows, 16))),
+        ),
+        CostlyClient(
+            "events with 1,000 targets, frames of 1,000",
+            1.0,
+            (hello("switched"), targets(0)),
+            (RESET, pack_events(rows[:1000])),
         ),
         CostlyClient(
             "`ktm` with 1,000 templates, frames of 2",

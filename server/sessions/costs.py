@@ -12,7 +12,9 @@ from pointpred.differentiators import HomogeneousDifferentiator
 from pointpred.pipeline import Pipeline
 
 AT_ONCE_S = 1e-3
-"""What costs more is done by another thread, while other sessions go on."""
+"""What costs more is done by another thread, while other sessions go on, ..."""
+SLICE_S = 2.5e-3
+"""... in slices of so much: between two of them other sessions have their turn."""
 TARGET_S = 2e-6
 """A target that is registered."""
 BUILD_S = 250e-6
@@ -43,6 +45,11 @@ class Costs(NamedTuple):
     def of(self, events: int) -> float:
         """Of a frame with so many events, s."""
         return self.frame_s + events * self.event_s
+
+    def slices_of(self, events: int) -> list[slice]:
+        """Parts of a frame with so many events, none of which costs much more than ``SLICE_S``."""
+        most = max(1, int(SLICE_S / self.event_s))
+        return [slice(first, min(first + most, events)) for first in range(0, events, most)]
 
 
 def costs_of(pipeline: Pipeline, *, targets: int, places: bool, assisted: bool, each: bool) -> Costs:

@@ -48,6 +48,8 @@ from pointpred.server.sessions.lifecycle import (
 from pointpred.server.sessions.observer import SessionObserver
 from pointpred.server.sessions.pipelines import NO_COEFFICIENTS
 from pointpred.server.sessions.prediction_stream import Finish, PredictionStream
+from pointpred.server.sessions.trials import Scoring
+from pointpred.server.sessions.work import Completion, Slices, Work, result_of
 
 RECORD_BYTES = EVENT.itemsize
 CLOSED, STREAMING, MESSAGE = State.CLOSED, State.STREAMING, Trigger.MESSAGE
@@ -245,7 +247,7 @@ class PointingSession(Session):
             return
         self._quota.spend(TRIAL_S + TRIAL_EVENT_S * stream.trial_events, now)
         scoring = stream.end_trial(message.target)
-        self.work = lambda: partial(self.send, scoring())
+        self.work = Work(self._score(scoring), divided=False)
 
     def handle_configure(self, message: Configure, now: float) -> Welcome:
         """Change the predictor, its parameters or the kind of reply."""
@@ -299,19 +301,25 @@ class PointingSession(Session):
         """Take in a frame of events, in another thread where that takes long."""
         cost_s = stream.costs.of(len(table))
         self._quota.spend(cost_s, now)
-        take_in = partial(self._take_in, stream, table, now)
         if cost_s > AT_ONCE_S:
-            self.work = take_in
+            self.work = Work(self._take_in(stream, table, now))
+        elif (finish := stream.take_in_last(table, self.outbox)) is not None:  # most frames, and fast
+            self._send_answers(finish, len(table), stream.refusal_s, now)
         else:
-            take_in()()
+            result_of(self._take_in(stream, table, now))()
 
-    def _take_in(self, stream: PredictionStream, table: FloatArray, now: float) -> Callable[[], None]:
-        """Predict, in any thread; returns what sends the answers, or what is wrong with the frame."""
+    def _take_in(self, stream: PredictionStream, table: FloatArray, now: float) -> Slices[Completion]:
+        """Predict, in any thread; what comes of it sends the answers, or what is wrong with the frame."""
         try:
-            finish = stream.take_in(table, self.outbox)
+            finish = yield from stream.take_in(table, self.outbox)
         except (ProtocolError, EventError) as error:
             return partial(self._refuse_events, error, stream.refusal_s, now)
         return partial(self._send_answers, finish, len(table), stream.refusal_s, now)
+
+    def _score(self, scoring: Scoring) -> Slices[Completion]:
+        """Score a trial, in any thread; what comes of it sends the score."""
+        yield  # all of it is one slice
+        return partial(self.send, scoring())
 
     def _send_answers(self, finish: Finish, events: int, refusal_s: float, now: float) -> None:
         error, dropped = finish()
