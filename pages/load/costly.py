@@ -66,6 +66,7 @@ def targets(first: int, count: int = 1000) -> str:
     return text("targets", targets=[{**place, "width": 20, "height": 20} for place in places])
 
 
+@cache
 def templates() -> tuple[bytes, ...]:
     """1,000 movements of 15 events with pauses between, within one second's allowance of events."""
     k = np.arange(15)
@@ -98,6 +99,9 @@ def costly_clients() -> list[CostlyClient]:
     adaptive = hello("kinematic-adaptive", person=known, places=True)
     far = movement(1)
     far[:, 0] = 1e6
+    moved = rows.copy()
+    moved[:, 3:5] = 1.0
+    substeps = {"gap_s": 0.2, "step_s": 0.001}
     unknown = {f"nothing{i}": 0 for i in range(3500)}
     return [
         CostlyClient(
@@ -123,6 +127,18 @@ def costly_clients() -> list[CostlyClient]:
                 *templates(),
             ),
             (RESET, *packed[:1000]),
+        ),
+        CostlyClient(
+            "`kinematic-adaptive`, frames of 1",
+            EVENTS_PER_S,
+            (hello("kinematic-adaptive", person=known),),
+            (RESET, *(pack_events(part) for part in frames(rows, 1))),
+        ),
+        CostlyClient(
+            "assisted with 200 sub-steps, frames of 1",
+            EVENTS_PER_S,
+            (hello("switched", parameters=substeps, assist={}, device={"cpi": 800}),),
+            (RESET, *(pack_events(part) for part in frames(moved, 1))),
         ),
         CostlyClient(
             "late events, frames of 8", EVENTS_PER_S / 8, (hello("switched"), pack_events(far)), (late,)

@@ -11,6 +11,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import EventError
+from pointpred.person import portable
 from pointpred.protocol.client_messages import (
     VERSION,
     Bye,
@@ -36,7 +37,7 @@ from pointpred.protocol.server_messages import (
     Welcome,
 )
 from pointpred.server.sessions.assisted_stream import open_stream
-from pointpred.server.sessions.costs import AT_ONCE_S, BUILD_S, TARGET_S, TRIAL_EVENT_S, TRIAL_S
+from pointpred.server.sessions.costs import AT_ONCE_S, BUILD_S, PERSON_S, TARGET_S, TRIAL_EVENT_S, TRIAL_S
 from pointpred.server.sessions.lifecycle import (
     TRANSITIONS,
     TRIGGERS,
@@ -158,8 +159,12 @@ class PointingSession(Session):
 
     def _receive_event(self, stream: PredictionStream, row: EventFloats, now: float) -> bool:
         """Predict from one event; False, and nothing taken, where there is more to do for it."""
-        rate = self._quota.events
+        rate, costs = self._quota.events, self._quota.costs
         if not rate.take(1, now):
+            return False
+        costs.left -= stream.costs.single_s  # by hand, and refilled where it has to be: most frames come here
+        if costs.left < 0.0 and not costs.take(0.0, now):
+            self._give_back(stream)
             return False
         try:
             used = stream.feed_event(row, self.outbox)
@@ -168,11 +173,16 @@ class PointingSession(Session):
             self.check_unread()
             return True
         if not used:
-            rate.give_back(1)
+            self._give_back(stream)
             return False
         if self.state is not STREAMING:
             self.move(Trigger.EVENTS)
         return True
+
+    def _give_back(self, stream: PredictionStream) -> None:
+        """Put back what was taken for one event that was not used."""
+        self._quota.events.give_back(1)
+        self._quota.costs.give_back(stream.costs.single_s)
 
     def _receive(self, frame: str | bytes, now: float) -> None:
         if isinstance(frame, bytes):
@@ -216,7 +226,7 @@ class PointingSession(Session):
         if message.version != VERSION:
             sentence = f"version must be {VERSION}, received {message.version}"
             raise ProtocolError("bad_field", sentence, "$.version")
-        self._quota.spend(BUILD_S, now)
+        self._quota.spend(PERSON_S if message.person else BUILD_S, now)
         stream = open_stream(message, self._coefficients)
         stream.observer = self._observe(self.name, message) if self._observe else None
         self.stream = stream
@@ -251,8 +261,10 @@ class PointingSession(Session):
 
     def handle_configure(self, message: Configure, now: float) -> Welcome:
         """Change the predictor, its parameters or the kind of reply."""
-        self._quota.spend(BUILD_S, now)
-        self._open_stream.configure(message)
+        stream = self._open_stream
+        stays = portable(stream.pipeline.predictor) and (message.parameters or message.predictor)
+        self._quota.spend(PERSON_S if stays else BUILD_S, now)
+        stream.configure(message)
         self._weigh_events()
         return self._welcome()
 
@@ -262,7 +274,7 @@ class PointingSession(Session):
 
     def handle_person(self, message: Person, now: float) -> KnownPerson:
         """Send what is known of the person."""
-        self._quota.spend(BUILD_S, now)
+        self._quota.spend(PERSON_S if message.person else BUILD_S, now)
         return KnownPerson(self._open_stream.person(message.person))
 
     def handle_enter(self, message: Enter, now: float) -> None:

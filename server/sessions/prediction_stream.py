@@ -62,7 +62,7 @@ class PredictionStream:
         self.events = 0
         """Events taken in."""
         self.observer = observer
-        self.costs = Costs(0.0, 0.0)
+        self.costs = Costs(0.0, 0.0, 0.0)
         """What frames of events cost, with the settings in force."""
         self._binary = hello.encoding == "binary"
         self._encode_row = row_encoder(binary=self._binary)
