@@ -19,7 +19,7 @@ TARGET_S = 2e-6
 """A target that is registered."""
 BUILD_S = 250e-6
 """A pipeline that is built: by ``hello``, ``configure`` and ``person``, ..."""
-PERSON_S = 1.1e-3
+PERSON_S = 1.2e-3
 """... and one that gets to know a person with many places and habits."""
 TRIAL_S, TRIAL_EVENT_S = 1e-3, 1e-6
 """The end of a trial, and each event of it."""
