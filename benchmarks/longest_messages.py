@@ -17,6 +17,7 @@ import numpy as np
 from benchmarks.machine import machine
 from pages.arguments import parse
 from pages.data import PAGES, Table, keep
+from pages.load.costly import person, templates
 from pointpred.protocol.records import EVENT
 from pointpred.protocol.server_messages import Limits
 from pointpred.server.sessions.pointing import PointingSession
@@ -87,9 +88,10 @@ def listed(number: str) -> str:
 
 def longest_messages() -> dict[str, Longest]:
     """Every kind of message at its limits, by name."""
-    fast, person = {"predictor": "kinematic"}, {"predictor": "kinematic-adaptive"}
+    fast, new = {"predictor": "kinematic"}, {"predictor": "kinematic-adaptive"}
+    known = {**new, "person": person()}
     assisted, counts = {"assist": {}, "device": {"cpi": 800}}, {"dx": 1}
-    places, each = {**person, "places": True}, {"reply": "event"}
+    places, each = {**known, "places": True}, {"reply": "event"}
     substeps = {"parameters": {"gap_s": 0.2, "step_s": 0.001}}
     ktm = {"predictor": "ktm", "parameters": {"templates": 1000}}
     thousand, whole = targets(1000), LIMITS.max_events_per_frame
@@ -97,6 +99,7 @@ def longest_messages() -> dict[str, Longest]:
     row = [0, 0, 0, None, None, 0]
     return {
         "hello": Longest(None, (), text({"type": "hello", "version": 1})),
+        "hello, person": Longest(None, (), text({"type": "hello", "version": 1, **known})),
         "hello, unknown parameters": Longest(None, (), parameters("hello", 1)),
         "hello, long name": Longest(
             None, (), longest(lambda n: text({"type": "hello", "version": 1, "predictor": "x" * n}))
@@ -108,10 +111,15 @@ def longest_messages() -> dict[str, Longest]:
         "configure, last is wrong": Longest({}, (), parameters("configure", {})),
         "configure, last is NaN": Longest({}, (), parameters("configure", float("nan"))),
         "configure, ktm": Longest({}, (), text({"type": "configure", **ktm})),
-        "person": Longest(person, (), text({"type": "person", "person": "1." + "A" * 16000})),
-        "forget": Longest(person, (), text({"type": "forget"})),
-        "enter": Longest(person, (), text({"type": "enter", "key": "x" * 1024})),
-        "reset": Longest(ktm, (), text({"type": "reset"})),
+        "configure, the person stays": Longest(
+            known, (), text({"type": "configure", "parameters": {"sequence": 0}})
+        ),
+        "person": Longest(new, (), text({"type": "person", "person": known["person"]})),
+        "person, refused": Longest(new, (), text({"type": "person", "person": "1." + "A" * 16000})),
+        "person, asked": Longest(known, (), text({"type": "person"})),
+        "forget": Longest(known, (), text({"type": "forget"})),
+        "enter": Longest(known, (), text({"type": "enter", "key": "x" * 1024})),
+        "reset": Longest(ktm, templates(), text({"type": "reset"})),
         "reset, targets": Longest(fast, (thousand,), text({"type": "reset"})),
         "targets": Longest({}, (), thousand),
         "targets, again": Longest(fast, (thousand,), thousand),
@@ -126,7 +134,8 @@ def longest_messages() -> dict[str, Longest]:
         "events, one late": Longest(fast, (packed(1, start_s=5.0),), packed(1, start_s=4.0)),
         "events, substeps": Longest(substeps, (), packed(whole, step_s=0.19)),
         "events, assisted": Longest(assisted, (), events(whole, **counts)),
-        "events, templates": Longest(ktm, (), packed(2)),
+        "events, templates": Longest(ktm, templates(), packed(2, start_s=1e3)),
+        "events, one with templates": Longest(ktm, templates(), packed(1, start_s=1e3)),
         "events, places": Longest(places, (), packed(whole)),
         "events, 8 with places": Longest(places, (), packed(8)),
         "events, targets": Longest(fast, (thousand,), packed(whole)),

@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 from collections import deque
 from collections.abc import Callable, Coroutine, Sequence
-from concurrent.futures import Executor
 from itertools import islice
 from time import perf_counter
 from typing import Any, NamedTuple, Protocol
@@ -13,7 +12,9 @@ from typing import Any, NamedTuple, Protocol
 from pointpred.protocol.frames import Frame
 from pointpred.protocol.server_messages import Code
 from pointpred.server.arrivals import Arrivals
-from pointpred.server.sessions.lifecycle import SLOW, Close, Session, Work
+from pointpred.server.sessions.lifecycle import SLOW, Close, Session
+from pointpred.server.sessions.work import Completion, Work
+from pointpred.server.work_threads import WorkThreads
 
 FRAMES = "pointpred.frames"
 """The ASGI extension in which an application finds the ``FrameSocket`` of its connection, as ``socket``."""
@@ -120,12 +121,12 @@ class Connection:
         socket: FrameSocket,
         arrivals: Arrivals,
         observe: Observe = lambda taken_s, arrived_s: None,
-        worker: Executor | None = None,
+        threads: WorkThreads | None = None,
         prepare: Callable[[Frame], Coroutine[Any, Any, None] | None] | None = None,
     ) -> None:
         """``arrivals`` is shared by the connections of an event loop. ``observe`` gets the delays.
 
-        ``worker`` does the work of sessions; the loop's own executor where none is given. ``prepare``
+        ``threads`` do the work of sessions; the loop's own executor where none are given. ``prepare``
         returns what a frame has to wait for, ``None`` where there is nothing; a client that leaves meanwhile
         cancels it. Limits count frames that waited by the time they came.
         """
@@ -135,7 +136,7 @@ class Connection:
         self._socket = socket
         self._arrivals = arrivals
         self._observe_delays = observe
-        self._worker = worker
+        self._threads = threads
         self.prepare = prepare
         """Set to ``None`` once no frame has to wait: then they are taken in faster, and may be joined."""
         self._loop = asyncio.get_running_loop()
@@ -220,7 +221,7 @@ class Connection:
             self.session.end(refusal.close, refusal.message)
         elif refusal is not None and refusal.code is not None:
             self.session.fail(refusal.code, refusal.message, refusal.close)
-        if self._preparation is not None or not self._waiting:
+        if self._preparation is not None or not (self._waiting or self._working):
             self._end()
 
     def _flush(self) -> None:
@@ -321,9 +322,13 @@ class Connection:
     def _start_work(self, work: Work) -> None:
         self._working = True
         self._pause()
-        self._loop.run_in_executor(self._worker, work).add_done_callback(self._finish_work)
+        if self._threads is None:
+            done = self._loop.run_in_executor(None, work)
+        else:
+            done = asyncio.wrap_future(self._threads.submit(work), loop=self._loop)
+        done.add_done_callback(self._finish_work)
 
-    def _finish_work(self, done: asyncio.Future[Callable[[], None]]) -> None:
+    def _finish_work(self, done: asyncio.Future[Completion]) -> None:
         """Use the result of the work, and take in the frames that waited for it."""
         self._working, self._late = False, True
         if done.cancelled() or self._over.done():

@@ -88,7 +88,7 @@ class StreamEndpoint:
         service = self.service
         session = service.open_session(asyncio.get_running_loop().time())
         connection = Connection(
-            session, _socket(scope), service.arrivals, service.metrics.delays.observe, service.scorer
+            session, _socket(scope), service.arrivals, service.metrics.delays.observe, service.work_threads
         )
         if not service.compiler.over:
             connection.prepare = partial(self._prepare, connection)

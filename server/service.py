@@ -9,7 +9,6 @@ import secrets
 import sys
 import time
 from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from typing import Protocol
 
@@ -32,6 +31,7 @@ from pointpred.server.sessions.pointing import PointingSession
 from pointpred.server.sessions.viewing import ViewingSession
 from pointpred.server.settings import Settings, is_loopback
 from pointpred.server.uploads.process import UploadProcess
+from pointpred.server.work_threads import WorkThreads
 
 log = logging.getLogger("pointpred.service")
 
@@ -84,8 +84,8 @@ class Service:
         """Recordings that are received, wait to be scored or are scored."""
         self.arrivals = Arrivals()
         """How busy the event loop is, which all connections share."""
-        self.scorer = ThreadPoolExecutor(1, "trials")
-        """Scores the trials of sessions, one at a time."""
+        self.work_threads = WorkThreads()
+        """Do what takes sessions long, beside the event loop."""
         self.upload_process = UploadProcess()
         """Opens and scores recordings."""
         self.live: LiveFeed | None = None
@@ -224,7 +224,7 @@ class Service:
         if self._shut_down:
             return
         self.upload_process.end(self.left_s(END_UPLOADS_S))
-        self.scorer.shutdown(wait=False, cancel_futures=True)
+        self.work_threads.shut_down()
         if self.recorder is not None:
             self.recorder.close(self.left_s(WRITE_S))
         self._shut_down = True

@@ -14,7 +14,7 @@ from benchmarks.soak.visitors import VISITORS
 
 MEMORY_MB, DELAY_SHARE = 2.0, 0.2
 WARM_S, WINDOW_S = 300.0, 300.0
-POOL_THREADS = min(32, (os.cpu_count() or 1) + 4) + 1 + VISITORS
+POOL_THREADS = min(32, (os.cpu_count() or 1) + 4) + 2 + VISITORS
 """Threads that are kept once they were needed: asyncio's, that of costly frames, one for each file sent."""
 
 

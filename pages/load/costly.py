@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import json
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -65,6 +66,7 @@ def targets(first: int, count: int = 1000) -> str:
     return text("targets", targets=[{**place, "width": 20, "height": 20} for place in places])
 
 
+@cache
 def templates() -> tuple[bytes, ...]:
     """1,000 movements of 15 events with pauses between, within one second's allowance of events."""
     k = np.arange(15)
@@ -76,6 +78,7 @@ def templates() -> tuple[bytes, ...]:
     return tuple(pack_events(part) for part in frames(rows, 1000))
 
 
+@cache
 def person() -> str:
     """What `kinematic-adaptive` knows after many movements: its places among it."""
     pipeline = build("kinematic-adaptive")
@@ -96,6 +99,9 @@ def costly_clients() -> list[CostlyClient]:
     adaptive = hello("kinematic-adaptive", person=known, places=True)
     far = movement(1)
     far[:, 0] = 1e6
+    moved = rows.copy()
+    moved[:, 3:5] = 1.0
+    substeps = {"gap_s": 0.2, "step_s": 0.001}
     unknown = {f"nothing{i}": 0 for i in range(3500)}
     return [
         CostlyClient(
@@ -108,6 +114,12 @@ def costly_clients() -> list[CostlyClient]:
             (RESET, *(pack_events(part) for part in frames(rows, 16))),
         ),
         CostlyClient(
+            "events with 1,000 targets, frames of 1,000",
+            1.0,
+            (hello("switched"), targets(0)),
+            (RESET, pack_events(rows[:1000])),
+        ),
+        CostlyClient(
             "`ktm` with 1,000 templates, frames of 2",
             EVENTS_PER_S / 2,
             (
@@ -115,6 +127,18 @@ def costly_clients() -> list[CostlyClient]:
                 *templates(),
             ),
             (RESET, *packed[:1000]),
+        ),
+        CostlyClient(
+            "`kinematic-adaptive`, frames of 1",
+            EVENTS_PER_S,
+            (hello("kinematic-adaptive", person=known),),
+            (RESET, *(pack_events(part) for part in frames(rows, 1))),
+        ),
+        CostlyClient(
+            "assisted with 200 sub-steps, frames of 1",
+            EVENTS_PER_S,
+            (hello("switched", parameters=substeps, assist={}, device={"cpi": 800}),),
+            (RESET, *(pack_events(part) for part in frames(moved, 1))),
         ),
         CostlyClient(
             "late events, frames of 8", EVENTS_PER_S / 8, (hello("switched"), pack_events(far)), (late,)

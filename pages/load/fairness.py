@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import cache
 from urllib.error import HTTPError
 from urllib.request import Request, urlopen
 
@@ -14,16 +15,16 @@ from benchmarks.load.cores import LAST
 from benchmarks.load.generator import Group, Plan, run
 from benchmarks.load.movements import hello
 from benchmarks.load.servers import Server
-from pages.load.costly import CostlyClient, costly_clients, upload
+from pages.load.costly import CostlyClient, costly_clients, person, targets, upload
 
-RATES_HZ = (125.0, 1000.0)
-"""Two clients that are measured, with one event a frame."""
+FRAMES_HZ = 25.0
+"""Costly frames a second of a client that is measured, few enough to leave the core to the others."""
 TRIAL_S, LEAST_RATE = 1.5, 0.1
 """A client whose session is ended in this time uses half the rate next, down to this one."""
 
 
 class Beside(msgspec.Struct, frozen=True):
-    """What one kind of client did to the others; delays by the rate of the other client."""
+    """What one kind of client did to the others; delays by the name of the other client."""
 
     name: str
     sent_per_s: float
@@ -41,19 +42,40 @@ def group(server: Server, client: CostlyClient, rate: float) -> Group:
     return Group(client.name, server.port, kind="script", rate=rate, **words)
 
 
-def innocents(server: Server) -> tuple[Group, ...]:
+class Innocent(msgspec.Struct, frozen=True):
+    """A client that is measured."""
+
+    name: str
+    rate: float
+    size: int
+    greeting: tuple[str | bytes, ...]
+
+
+@cache
+def innocents() -> tuple[Innocent, ...]:
+    """Two clients with one event a frame, and two whose frames go to the thread of the costly ones."""
+    plain, adaptive = hello("switched"), hello("kinematic-adaptive", person=person(), places=True)
+    return (
+        Innocent("125 Hz", 125.0, 1, (plain,)),
+        Innocent("1000 Hz", 1000.0, 1, (plain,)),
+        Innocent("8 events with 1,000 targets", FRAMES_HZ, 8, (plain, targets(0))),
+        Innocent("16 events with places", FRAMES_HZ, 16, (adaptive,)),
+    )
+
+
+def measured(server: Server) -> tuple[Group, ...]:
     """The clients that are measured."""
-    greeting = (hello("switched"),)
     return tuple(
-        Group(f"{rate:g} Hz", server.port, server.pids, rate=rate, greeting=greeting) for rate in RATES_HZ
+        Group(one.name, server.port, server.pids, rate=one.rate, size=one.size, greeting=one.greeting)
+        for one in innocents()
     )
 
 
 def beside(server: Server, others: tuple[Group, ...], name: str, seconds: float) -> Beside:
     """The innocent clients beside others."""
-    plan = Plan((*innocents(server), *others), seconds, warm=1.0, drain=2.0)
+    plan = Plan((*measured(server), *others), seconds, warm=1.0, drain=2.0)
     counts = run(plan, LAST).groups
-    ours, theirs = counts[: len(RATES_HZ)], counts[len(RATES_HZ) :]
+    ours, theirs = counts[: len(innocents())], counts[len(innocents()) :]
     return Beside(
         name,
         sum(one.sent for one in theirs) / (plan.seconds + plan.warm),

@@ -21,7 +21,7 @@ from benchmarks.machine import machine
 from pages import PAGES
 from pages.data import Table, Tables, write
 from pages.load.curves import LOADS, Point, Series, curves, knee
-from pages.load.fairness import RATES_HZ, Beside, fairness
+from pages.load.fairness import Beside, fairness, innocents
 from pages.load.overload import WINDOWS, Overload, overload
 from pages.rendering import shown
 
@@ -142,14 +142,14 @@ def fairness_table(rows: Sequence[Beside]) -> Table:
         (
             row.name,
             f"{row.sent_per_s:.0f}" if row.sent_per_s else "-",
-            *(" / ".join(f"{value:.2f}" for value in row.delays[f"{rate:g} Hz"]) for rate in RATES_HZ),
+            *(" / ".join(f"{value:.2f}" for value in row.delays[one.name]) for one in innocents()),
             f"{100 * row.server_share:.0f} %",
             notices(row.answers),
         )
         for row in rows
     ]
-    rates = [f"client at {rate:g} Hz" for rate in RATES_HZ]
-    return Table.of(("beside", "messages/s", *rates, "server", "answers to the other"), cells)
+    clients = [f"client at {one.name}" if one.size == 1 else one.name for one in innocents()]
+    return Table.of(("beside", "messages/s", *clients, "server", "answers to the other"), cells)
 
 
 def measured(lengths: dict[str, Any], workers: int, before: str | None) -> dict[str, Table]:

@@ -8,26 +8,27 @@ class TokenBucket:
 
     def __init__(self, most: float, now: float) -> None:
         self.most = float(most)
-        self._left = float(most)
+        self.left = float(most)
+        """What it held when it was last refilled, less what was taken since."""
         self._since = now
 
     def take(self, count: float, now: float) -> bool:
         """Take ``count`` out of the budget; False, and nothing taken, where it does not hold so many."""
-        left = self._left
+        left = self.left
         if now != self._since:
             if now > self._since:
                 left = max(left, min(self.most, left + (now - self._since) * self.most))
             self._since = now
-        self._left = left
+        self.left = left
         if count > left:
             return False
-        self._left = left - count
+        self.left = left - count
         return True
 
     def extend(self, seconds: float) -> None:
         """Hold what comes in so many seconds, at most a minute's worth, until it is used."""
-        self._left = max(self._left, (1.0 + min(seconds, 60.0)) * self.most)
+        self.left = max(self.left, (1.0 + min(seconds, 60.0)) * self.most)
 
     def give_back(self, count: float) -> None:
         """Put back what was taken and not used."""
-        self._left += count
+        self.left += count

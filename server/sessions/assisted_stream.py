@@ -21,6 +21,7 @@ from pointpred.server.sessions.observer import SessionObserver
 from pointpred.server.sessions.outbox import Outbox
 from pointpred.server.sessions.pipelines import NO_COEFFICIENTS, cpi_of, dpi_of
 from pointpred.server.sessions.prediction_stream import Finish, PredictionStream
+from pointpred.server.sessions.work import Slices
 from pointpred.transfer import ConstantGain, GuardedTransfer, SigmoidGain
 from pointpred.transfer.assistance import UNGUIDED
 
@@ -54,7 +55,7 @@ class AssistedStream(PredictionStream):
         self.added_px = 0.0
         self._guidance: tuple[float, ...] = ()  # the newest endpoint and its covariance
 
-    def take_in(self, table: FloatArray, outbox: Outbox) -> Finish:
+    def take_in(self, table: FloatArray, outbox: Outbox) -> Slices[Finish]:
         """As ``PredictionStream.take_in``, event by event: the prediction after each guides the next."""
         check_numbers(table)
         missing = np.isnan(table[:, 3])
@@ -63,12 +64,16 @@ class AssistedStream(PredictionStream):
             sentence = "assistance needs counts: dx and dy must be numbers"
             raise ProtocolError("bad_field", sentence, path, field="dx")
         error, used = self._in_order(table)
-        before = self._memories() if self.hello.places else ()
-        used, predictions = self._moved(used)
-        return self._decide(table, error, used, predictions, outbox, before)
+        before = self._memories_for_places()
+        used, predictions = yield from self._moved(used)
+        return (yield from self._decide(table, error, used, predictions, outbox, before))
 
     def take_in_whole(self, table: FloatArray, outbox: Outbox) -> Finish | None:
         """Frames are used one by one: the client is told for each where the cursor is."""
+        return None
+
+    def take_in_last(self, table: FloatArray, outbox: Outbox) -> Finish | None:
+        """Every prediction is needed, to guide the next report."""
         return None
 
     def feed_event(self, row: tuple[float, ...], outbox: Outbox) -> bool:
@@ -110,7 +115,7 @@ class AssistedStream(PredictionStream):
         self.transfer.reset()
         self._guidance = ()
 
-    def _moved(self, table: FloatArray) -> tuple[FloatArray, FloatArray]:
+    def _moved(self, table: FloatArray) -> Slices[tuple[FloatArray, FloatArray]]:
         """The events where the cursor is, and their predictions; raises EventError.
 
         Nothing has changed then, nor where a law fails.
@@ -120,13 +125,16 @@ class AssistedStream(PredictionStream):
         before = self.place, self.added_px, self._guidance
         moved, predictions, complete = table.copy(), np.empty((len(table), 10)), False
         try:
-            for i, (t, x, y, dx, dy, buttons) in enumerate(table.tolist()):
-                place = self._step(t, x, y, dx, dy)
-                answer = None if place is None else self.pipeline.advance((t, *place, dx, dy, buttons))
-                if place is None or answer is None:
-                    raise EventError(f"t = {t!r} s with counts {dx!r}, {dy!r} cannot be used")
-                moved[i, 1:3], predictions[i] = place, answer
-                self._guide(answer)
+            for part in self.costs.slices_of(len(table)):
+                if part.start:
+                    yield
+                for i, (t, x, y, dx, dy, buttons) in enumerate(table[part].tolist(), part.start):
+                    place = self._step(t, x, y, dx, dy)
+                    answer = None if place is None else self.pipeline.advance((t, *place, dx, dy, buttons))
+                    if place is None or answer is None:
+                        raise EventError(f"t = {t!r} s with counts {dx!r}, {dy!r} cannot be used")
+                    moved[i, 1:3], predictions[i] = place, answer
+                    self._guide(answer)
             complete = True
         finally:
             if not complete:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from enum import StrEnum
 
 from msgspec import Struct
@@ -13,9 +13,8 @@ from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.server_messages import Code, ErrorMessage, Limits, ServerMessage, encode
 from pointpred.server.sessions.outbox import Outbox
 from pointpred.server.sessions.quota import Quota
+from pointpred.server.sessions.work import Completion, Work
 
-Work = Callable[[], Callable[[], None]]
-"""Takes long, and any thread may run it. It returns what is to be called in the thread of the session."""
 HELLO_S = 10.0
 """A client sends hello within this time."""
 LATE_S = 1.0
@@ -166,7 +165,7 @@ class Session:
             self.fail("idle", f"nothing was received for {self.limits.idle_s:g} s", 1008)
         self.check_unread()
 
-    def finish(self, completion: Callable[[], None]) -> None:
+    def finish(self, completion: Completion) -> None:
         """Use the result of ``work``."""
         self.work = None
         if self.state is not State.CLOSED:

@@ -10,6 +10,7 @@ from pointpred.protocol.server_messages import Choice, PlaceSquare
 from pointpred.rows import event_of, prediction_of
 from pointpred.server.sessions.outbox import Outbox
 from pointpred.server.sessions.target_tracker import within_bounds
+from pointpred.server.sessions.work import Slices
 from pointpred.targets import PlaceChoice, PlaceChooser
 
 
@@ -29,17 +30,26 @@ class PlaceTracker:
         self._chooser.configure(precision=within_bounds(precision))
 
     def follow(
-        self, events: FloatArray, predictions: FloatArray, seen: Sequence[tuple[Place, ...]]
-    ) -> list[tuple[float, PlaceChoice]]:
-        """Decide after events, their predictions, and the places as they were after each.
+        self,
+        events: FloatArray,
+        predictions: FloatArray,
+        parts: Sequence[slice],
+        seen: Sequence[tuple[Place, ...]],
+    ) -> Slices[list[tuple[float, PlaceChoice]]]:
+        """Decide after events, their predictions, and the places as they were after each, part by part.
 
         Returns the choices with their times, to be announced; any thread may run it.
         """
-        choices = [
-            (row[0], choice)
-            for row, answer, places in zip(events.tolist(), predictions.tolist(), seen, strict=True)
-            for choice in self._chooser.update(places, prediction_of(tuple(answer)), event_of(tuple(row)))
-        ]
+        choices: list[tuple[float, PlaceChoice]] = []
+        for part in parts:
+            if part.start:
+                yield
+            rows = zip(events[part].tolist(), predictions[part].tolist(), seen[part], strict=True)
+            choices += [
+                (row[0], choice)
+                for row, answer, places in rows
+                for choice in self._chooser.update(places, prediction_of(tuple(answer)), event_of(tuple(row)))
+            ]
         self._last_t = float(events[-1, 0])
         return choices
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from pointpred.columns import FloatArray
 from pointpred.errors import EventError
+from pointpred.person import portable
 from pointpred.protocol.client_messages import (
     VERSION,
     Bye,
@@ -36,7 +37,7 @@ from pointpred.protocol.server_messages import (
     Welcome,
 )
 from pointpred.server.sessions.assisted_stream import open_stream
-from pointpred.server.sessions.costs import AT_ONCE_S, BUILD_S, TARGET_S, TRIAL_EVENT_S, TRIAL_S
+from pointpred.server.sessions.costs import AT_ONCE_S, BUILD_S, PERSON_S, TARGET_S, TRIAL_EVENT_S, TRIAL_S
 from pointpred.server.sessions.lifecycle import (
     TRANSITIONS,
     TRIGGERS,
@@ -48,6 +49,8 @@ from pointpred.server.sessions.lifecycle import (
 from pointpred.server.sessions.observer import SessionObserver
 from pointpred.server.sessions.pipelines import NO_COEFFICIENTS
 from pointpred.server.sessions.prediction_stream import Finish, PredictionStream
+from pointpred.server.sessions.trials import Scoring
+from pointpred.server.sessions.work import Completion, Slices, Work, result_of
 
 RECORD_BYTES = EVENT.itemsize
 CLOSED, STREAMING, MESSAGE = State.CLOSED, State.STREAMING, Trigger.MESSAGE
@@ -156,8 +159,12 @@ class PointingSession(Session):
 
     def _receive_event(self, stream: PredictionStream, row: EventFloats, now: float) -> bool:
         """Predict from one event; False, and nothing taken, where there is more to do for it."""
-        rate = self._quota.events
+        rate, costs = self._quota.events, self._quota.costs
         if not rate.take(1, now):
+            return False
+        costs.left -= stream.costs.single_s  # by hand, and refilled where it has to be: most frames come here
+        if costs.left < 0.0 and not costs.take(0.0, now):
+            self._give_back(stream)
             return False
         try:
             used = stream.feed_event(row, self.outbox)
@@ -166,11 +173,16 @@ class PointingSession(Session):
             self.check_unread()
             return True
         if not used:
-            rate.give_back(1)
+            self._give_back(stream)
             return False
         if self.state is not STREAMING:
             self.move(Trigger.EVENTS)
         return True
+
+    def _give_back(self, stream: PredictionStream) -> None:
+        """Put back what was taken for one event that was not used."""
+        self._quota.events.give_back(1)
+        self._quota.costs.give_back(stream.costs.single_s)
 
     def _receive(self, frame: str | bytes, now: float) -> None:
         if isinstance(frame, bytes):
@@ -214,7 +226,7 @@ class PointingSession(Session):
         if message.version != VERSION:
             sentence = f"version must be {VERSION}, received {message.version}"
             raise ProtocolError("bad_field", sentence, "$.version")
-        self._quota.spend(BUILD_S, now)
+        self._quota.spend(PERSON_S if message.person else BUILD_S, now)
         stream = open_stream(message, self._coefficients)
         stream.observer = self._observe(self.name, message) if self._observe else None
         self.stream = stream
@@ -245,12 +257,14 @@ class PointingSession(Session):
             return
         self._quota.spend(TRIAL_S + TRIAL_EVENT_S * stream.trial_events, now)
         scoring = stream.end_trial(message.target)
-        self.work = lambda: partial(self.send, scoring())
+        self.work = Work(self._score(scoring), divided=False)
 
     def handle_configure(self, message: Configure, now: float) -> Welcome:
         """Change the predictor, its parameters or the kind of reply."""
-        self._quota.spend(BUILD_S, now)
-        self._open_stream.configure(message)
+        stream = self._open_stream
+        stays = portable(stream.pipeline.predictor) and (message.parameters or message.predictor)
+        self._quota.spend(PERSON_S if stays else BUILD_S, now)
+        stream.configure(message)
         self._weigh_events()
         return self._welcome()
 
@@ -260,7 +274,7 @@ class PointingSession(Session):
 
     def handle_person(self, message: Person, now: float) -> KnownPerson:
         """Send what is known of the person."""
-        self._quota.spend(BUILD_S, now)
+        self._quota.spend(PERSON_S if message.person else BUILD_S, now)
         return KnownPerson(self._open_stream.person(message.person))
 
     def handle_enter(self, message: Enter, now: float) -> None:
@@ -299,19 +313,25 @@ class PointingSession(Session):
         """Take in a frame of events, in another thread where that takes long."""
         cost_s = stream.costs.of(len(table))
         self._quota.spend(cost_s, now)
-        take_in = partial(self._take_in, stream, table, now)
         if cost_s > AT_ONCE_S:
-            self.work = take_in
+            self.work = Work(self._take_in(stream, table, now))
+        elif (finish := stream.take_in_last(table, self.outbox)) is not None:  # most frames, and fast
+            self._send_answers(finish, len(table), stream.refusal_s, now)
         else:
-            take_in()()
+            result_of(self._take_in(stream, table, now))()
 
-    def _take_in(self, stream: PredictionStream, table: FloatArray, now: float) -> Callable[[], None]:
-        """Predict, in any thread; returns what sends the answers, or what is wrong with the frame."""
+    def _take_in(self, stream: PredictionStream, table: FloatArray, now: float) -> Slices[Completion]:
+        """Predict, in any thread; what comes of it sends the answers, or what is wrong with the frame."""
         try:
-            finish = stream.take_in(table, self.outbox)
+            finish = yield from stream.take_in(table, self.outbox)
         except (ProtocolError, EventError) as error:
             return partial(self._refuse_events, error, stream.refusal_s, now)
         return partial(self._send_answers, finish, len(table), stream.refusal_s, now)
+
+    def _score(self, scoring: Scoring) -> Slices[Completion]:
+        """Score a trial, in any thread; what comes of it sends the score."""
+        yield  # all of it is one slice
+        return partial(self.send, scoring())
 
     def _send_answers(self, finish: Finish, events: int, refusal_s: float, now: float) -> None:
         error, dropped = finish()

@@ -25,6 +25,7 @@ from pointpred.server.sessions.pipelines import NO_COEFFICIENTS, cpi_of, dpi_of,
 from pointpred.server.sessions.place_tracker import PlaceTracker
 from pointpred.server.sessions.target_tracker import TargetTracker
 from pointpred.server.sessions.trials import Scoring, TrialBuffer, with_outcome
+from pointpred.server.sessions.work import Slices, result_of
 
 NEVER = float("-inf")
 NO_RESETS = np.zeros(100_000, np.bool_)
@@ -61,7 +62,7 @@ class PredictionStream:
         self.events = 0
         """Events taken in."""
         self.observer = observer
-        self.costs = Costs(0.0, 0.0)
+        self.costs = Costs(0.0, 0.0, 0.0)
         """What frames of events cost, with the settings in force."""
         self._binary = hello.encoding == "binary"
         self._encode_row = row_encoder(binary=self._binary)
@@ -70,32 +71,41 @@ class PredictionStream:
         self._targets = 0
         self._weigh()
 
-    def take_in(self, table: FloatArray, outbox: Outbox) -> Finish:
+    def take_in(self, table: FloatArray, outbox: Outbox) -> Slices[Finish]:
         """Predict; events before the last one are dropped, the rest of the frame is used.
 
-        Any thread may call it, while nothing else is asked of the stream; what it returns is to be called in
-        the session's own. Raises ProtocolError, nothing changed, where a number cannot be used.
+        Any thread may run each slice, while nothing else is asked of the stream; what comes of them is to be
+        called in the session's own. Raises ProtocolError, nothing changed, where a number cannot be used.
         """
-        if (finish := self.take_in_whole(table, outbox)) is not None:
+        if (finish := self.take_in_last(table, outbox)) is not None:
             return finish
+        before = self._memories_for_places()
+        if (predictions := self._predict_whole(table)) is not None:
+            return (yield from self._decide(table, None, table, predictions, outbox, before))
         # The pipeline finds that something is wrong, the protocol says where.
         check_numbers(table)
         error, used = self._in_order(table)
-        before = self._memories() if self.hello.places else ()
         predictions = run(self.pipeline, EventColumns(used)).table
-        return self._decide(table, error, used, predictions, outbox, before)
+        return (yield from self._decide(table, error, used, predictions, outbox, before))
 
     def take_in_whole(self, table: FloatArray, outbox: Outbox) -> Finish | None:
         """``take_in`` where nothing is wrong with any event; otherwise ``None``, and nothing has changed."""
-        if not len(table):
+        if (finish := self.take_in_last(table, outbox)) is not None:
+            return finish
+        before = self._memories_for_places()
+        if (predictions := self._predict_whole(table)) is None:
             return None
-        if (last := self._last_prediction(table)) is not None:
-            return partial(self._send_last, table, last, outbox)
-        before = self._memories() if self.hello.places else ()
-        predictions = self.pipeline.advance_all(NO_RESETS[: len(table)], table)
-        if predictions is None:
+        return result_of(self._decide(table, None, table, predictions, outbox, before))
+
+    def take_in_last(self, table: FloatArray, outbox: Outbox) -> Finish | None:
+        """``take_in_whole`` where nothing but the newest event's prediction is wanted."""
+        if (last := self._last_prediction(table)) is None:
             return None
-        return self._decide(table, None, table, predictions, outbox, before)
+        return partial(self._send_last, table, last, outbox)
+
+    def _predict_whole(self, table: FloatArray) -> FloatArray | None:
+        """Every prediction; ``None``, and nothing changed, where an event is refused or there is none."""
+        return self.pipeline.advance_all(NO_RESETS[: len(table)], table) if len(table) else None
 
     def _decide(
         self,
@@ -105,14 +115,14 @@ class PredictionStream:
         predictions: FloatArray,
         outbox: Outbox,
         before: tuple[bytes, ...],
-    ) -> Finish:
+    ) -> Slices[Finish]:
         """Decide after the events that were used, in any thread.
 
         ``before``: the pipeline's memories before the events, where the client asked for places.
         """
         if not len(used):
             return lambda: (error, len(table))
-        answer = self._answer(used, predictions, outbox, before)
+        answer = yield from self._answer(used, predictions, outbox, before)
 
         def finish() -> tuple[ErrorMessage | None, int]:
             self._record(used, predictions)
@@ -121,23 +131,29 @@ class PredictionStream:
 
         return finish
 
-    def _memories(self) -> tuple[bytes, ...]:
+    def _memories_for_places(self) -> tuple[bytes, ...]:
+        """What ``_places_after`` needs of the pipeline before the events; nothing without places."""
+        if not self.hello.places:
+            return ()
         return tuple(one.remembered() for one in (self.pipeline.differentiator, self.pipeline.predictor))
 
-    def _places_after(self, table: FloatArray, before: tuple[bytes, ...]) -> list[tuple[Place, ...]]:
+    def _places_after(self, table: FloatArray, before: tuple[bytes, ...]) -> Slices[list[tuple[Place, ...]]]:
         """Take in events again that are known to be good, one by one, for the places after each."""
         for stage, memory in zip(
             (self.pipeline.differentiator, self.pipeline.predictor), before, strict=True
         ):
             stage.recall(memory)
         seen = []
-        for row in table.tolist():
-            self.pipeline.advance(tuple(row))
-            seen.append(self.pipeline.places)
+        for part in self.costs.slices_of(len(table)):
+            if part.start:
+                yield
+            for row in table[part].tolist():
+                self.pipeline.advance(tuple(row))
+                seen.append(self.pipeline.places)
         return seen
 
     def feed_event(self, row: tuple[float, ...], outbox: Outbox) -> bool:
-        """``take_in`` for the one event of most frames, without a table: the same steps, the same answer.
+        """``take_in`` of the one event of most frames, without a table: the same steps, the same answer.
 
         False, and nothing changed, where the event is refused, somebody observes, a trial runs, there are
         targets or places are asked for: then ``take_in`` has to be called.
@@ -175,43 +191,24 @@ class PredictionStream:
 
     def _answer(
         self, events: FloatArray, predictions: FloatArray, outbox: Outbox, before: tuple[bytes, ...]
-    ) -> Callable[[], None]:
+    ) -> Slices[Callable[[], None]]:
         """What puts the predictions into the outbox, after their choices."""
+        parts, likely = self.costs.slices_of(len(events)), None
+        announce: Callable[[], None] | None = None
+        seen = (yield from self._places_after(events, before)) if self.hello.places else None
         if self.tracker is not None:
-            return self._follow_targets(self.tracker, events, predictions, outbox, before)
-        if self.hello.places:
-            return self._follow_places(events, predictions, outbox, before)
-        return partial(outbox.predict, *self._frames(predictions))
-
-    def _follow_places(
-        self, events: FloatArray, predictions: FloatArray, outbox: Outbox, before: tuple[bytes, ...]
-    ) -> Callable[[], None]:
-        """Decide among places; returns what sends that."""
-        tracker = self.place_tracker = self.place_tracker or PlaceTracker(outbox, self.precision)
-        choices = tracker.follow(events, predictions, self._places_after(events, before))
-        frames = self._frames(predictions)
+            each = self.hello.reply == "event"
+            changes = yield from self.tracker.follow(events, predictions, parts, seen, each=each)
+            announce, likely = partial(self.tracker.announce, changes.choices), changes.likely
+        elif seen is not None:
+            tracker = self.place_tracker = self.place_tracker or PlaceTracker(outbox, self.precision)
+            choices = yield from tracker.follow(events, predictions, parts, seen)
+            announce = partial(tracker.announce, choices)
+        frames = self._frames(predictions, likely)
 
         def send() -> None:
-            tracker.announce(choices)
-            outbox.predict(*frames)
-
-        return send
-
-    def _follow_targets(
-        self,
-        tracker: TargetTracker,
-        events: FloatArray,
-        predictions: FloatArray,
-        outbox: Outbox,
-        before: tuple[bytes, ...],
-    ) -> Callable[[], None]:
-        """Decide among targets; returns what sends that."""
-        seen = self._places_after(events, before) if self.hello.places else None
-        changes = tracker.follow(events, predictions, seen, each=self.hello.reply == "event")
-        frames = self._frames(predictions, changes.likely)
-
-        def send() -> None:
-            tracker.announce(changes.choices)
+            if announce is not None:
+                announce()
             outbox.predict(*frames)
 
         return send

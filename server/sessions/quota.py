@@ -31,13 +31,13 @@ class Quota:
         self._weight = 1  # what an event counts
         self._messages = TokenBucket(MESSAGES_PER_S, now)
         self._share = SHARE * max(1.0, limits.max_events_per_s / USUAL.max_events_per_s)
-        self._costs = TokenBucket(self._share, now)
+        self.costs = TokenBucket(self._share, now)
 
     def extend(self, seconds: float) -> None:
         """So long nothing was received, and all of it comes now."""
         self.events.extend(seconds)
         self._messages.extend(seconds)
-        self._costs.extend(seconds)
+        self.costs.extend(seconds)
 
     def check_size(self, frame: str | bytes) -> None:
         """The bytes of a frame; the session ends where it holds more."""
@@ -64,7 +64,7 @@ class Quota:
         """``take_events`` and ``spend`` for several frames; False, and nothing taken, for too much."""
         if not self.events.take(count * self._weight, now):
             return False
-        if not self._costs.take(cost_s, now):
+        if not self.costs.take(cost_s, now):
             self.events.give_back(count * self._weight)
             return False
         return True
@@ -72,7 +72,7 @@ class Quota:
     def give_back(self, count: int, cost_s: float) -> None:
         """Put back what was taken for events that were not used."""
         self.events.give_back(count * self._weight)
-        self._costs.give_back(cost_s)
+        self.costs.give_back(cost_s)
 
     def take_message(self, now: float, count: int = 1) -> None:
         """A message other than events; the session ends where there are more in a second."""
@@ -82,7 +82,7 @@ class Quota:
 
     def spend(self, cost_s: float, now: float) -> None:
         """What a message costs, as ``costs`` has it; the session ends where they cost too much a second."""
-        if not self._costs.take(cost_s, now):
+        if not self.costs.take(cost_s, now):
             sentence = f"the messages of a session may take {self._share:g} s of the processor a second"
             raise ProtocolError("too_fast", sentence, close=1008)
 

@@ -13,6 +13,7 @@ from pointpred.protocol.client_messages import Goal, Target
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.server_messages import Choice, Likely
 from pointpred.server.sessions.outbox import Outbox
+from pointpred.server.sessions.work import Slices
 from pointpred.targets import Choice as Change
 from pointpred.targets import Chooser
 from pointpred.targets import Target as Rectangle
@@ -88,24 +89,28 @@ class TargetTracker:
         self,
         table: FloatArray,
         predictions: FloatArray,
+        parts: Sequence[slice],
         seen: Sequence[Sequence[Place]] | None = None,
         *,
         each: bool,
-    ) -> Changes:
-        """Decide after events and their predictions; any thread may run it.
+    ) -> Slices[Changes]:
+        """Decide after events and their predictions, part by part; any thread may run it.
 
         ``seen``: the person's places after each event, where they count; at the event where they change, the
         weights change. ``each``: the likeliest targets after each event, otherwise after the last.
         """
         changes: list[tuple[float, Change]] = []
         likely: list[list[tuple[Hashable, float]]] = []
-        for places, part in _parts(seen, len(table)):
-            if places is not None:
-                self.expect(places)
-            last = part.stop - part.start if each else int(part.stop == len(table))
-            made, named = self._chooser.follow(table[part], predictions[part], most=LIKELIEST, last=last)
-            changes += made
-            likely += named
+        for whole in parts:
+            if whole.start:
+                yield
+            for places, part in _runs(seen, whole):
+                if places is not None:
+                    self.expect(places)
+                last = part.stop - part.start if each else int(part.stop == len(table))
+                made, named = self._chooser.follow(table[part], predictions[part], most=LIKELIEST, last=last)
+                changes += made
+                likely += named
         self._last_t = float(table[-1, 0])
         return Changes(changes, [[Likely(str(id), p) for id, p in one] for one in likely])
 
@@ -135,18 +140,18 @@ class TargetTracker:
         return min(around, key=lambda one: sum(distance(one))).id if around else None
 
 
-def _parts(
-    seen: Sequence[Sequence[Place]] | None, count: int
+def _runs(
+    seen: Sequence[Sequence[Place]] | None, part: slice
 ) -> Iterator[tuple[Sequence[Place] | None, slice]]:
     """Runs of events, each begun where what is known before a movement changes, and their places.
 
     The places are in the order of their numbers, so that sums of shares do not depend on the likeliest now.
     """
     if seen is None:
-        yield None, slice(0, count)
+        yield None, part
         return
-    ordered = [sorted(places, key=lambda place: place.id) for places in seen]
+    ordered = [sorted(places, key=lambda place: place.id) for places in seen[part]]
     known = [[(place.x, place.y, place.before, place.spread) for place in places] for places in ordered]
-    starts = [i for i in range(count) if i == 0 or known[i] != known[i - 1]]
-    for start, stop in pairwise([*starts, count]):
-        yield ordered[start], slice(start, stop)
+    starts = [i for i in range(len(known)) if i == 0 or known[i] != known[i - 1]]
+    for start, stop in pairwise([*starts, len(known)]):
+        yield ordered[start], slice(part.start + start, part.start + stop)

@@ -11,10 +11,12 @@ import struct
 import threading
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
+from pathlib import Path
 from typing import Self
 
 import pytest
 
+from benchmarks.longest_messages import targets
 from pointpred.protocol.frames import Frame
 from pointpred.server.connection import Refusal
 from pointpred.server.websocket_protocol import BoundedWebSocketProtocol
@@ -259,3 +261,13 @@ def test_frames_in_one_packet_with_the_request_are_taken_in() -> None:
         while b'"prediction"' not in received:
             received += plain.recv(4096) or pytest.fail(f"closed after {received!r}")
         assert received.startswith(b"HTTP/1.1 101 ")
+
+
+def test_events_at_work_when_their_client_closes_are_recorded(tmp_path: Path) -> None:
+    with running(record=tmp_path) as here, Client(here.port) as client:
+        client.socket.sendall(frame(TEXT, targets(1000).encode()))
+        assert b"targets" in client.receive()[1]
+        client.socket.sendall(frame(BINARY, packed(0.0, 100)) + frame(CLOSE, b"\x03\xe8"))
+        soon(lambda: not here.service._open, "the session is over")
+    (samples,) = tmp_path.glob("*_samples.csv")
+    assert samples.read_text().count(",5,6,1,1,0\n") == 100

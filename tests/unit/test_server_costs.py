@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from benchmarks.longest_messages import longest_messages, packed, session_before, targets, text
+from pages.data import stored
 from pointpred.predictors.ktm.predictor import TemplatePredictor
 from pointpred.server.sessions.quota import SHARE
 from tests.unit.talking import Talk, events, hello
@@ -41,6 +42,13 @@ def calls(name: str) -> int:
 @pytest.mark.parametrize("name", list(MESSAGES))
 def test_no_message_at_its_limits_holds_the_loop(name: str) -> None:
     assert calls(name) <= CALLS_MOST
+
+
+def test_no_message_at_its_limits_held_the_loop_for_2_ms_when_it_was_measured() -> None:
+    table = stored("costs", "longest_messages").tables["longest_messages"]
+    at = table.columns.index("on the loop, ms")
+    assert len(table.rows) > 40
+    assert [row[0] for row in table.rows if float(row[at]) >= 2.0] == []
 
 
 @pytest.mark.parametrize("name", ["hello, list of 5e-324", "events of 5e-324", "targets of 5e-324"])
@@ -83,18 +91,24 @@ def test_a_session_remembers_at_most_a_megabyte() -> None:
     assert talk.goes_on()
 
 
-SECOND: dict[str, tuple[dict[str, Any], list[Any], Any]] = {
-    "targets": (hello(), [], targets(1000)),
-    "late events": (hello(), [packed(1, start_s=5.0)], packed(1)),
+ADAPTIVE = hello("kinematic-adaptive")
+KNOWN = hello(**dict(MESSAGES["configure, the person stays"].hello or {}))
+SECOND: dict[str, tuple[dict[str, Any], list[Any], Any, int, int]] = {
+    "targets": (hello(), [], targets(1000), 150, 500),
+    "late events": (hello(), [packed(1, start_s=5.0)], packed(1), 2000, 5000),
+    "person": (ADAPTIVE, [], MESSAGES["person"].frame, 400, 490),
+    "configure": (KNOWN, [], MESSAGES["configure, the person stays"].frame, 400, 490),
+    "one event": (hello("ktm", parameters={"templates": 1000}), [targets(0)], packed(1), 9000, 12_000),
 }
+"""What is sent first, and again and again, and how often it may come in a second, at least and at most."""
 
 
 @pytest.mark.parametrize("kind", list(SECOND))
 def test_costly_messages_end_a_session_that_sends_too_many_a_second(kind: str) -> None:
-    greet, before, frame = SECOND[kind]
+    greet, before, frame, least, most = SECOND[kind]
     talk = Talk(greet=greet)
     for one in before:
-        talk.say(one, 100.0)
+        talk.say(one, 200.0)
     sent, heard = 0, []
     while talk.closed is None:
         heard = talk.say(frame, 200.0)
@@ -102,7 +116,7 @@ def test_costly_messages_end_a_session_that_sends_too_many_a_second(kind: str) -
     assert talk.closed == 1008
     assert heard[-1]["code"] == "too_fast"
     assert f"{SHARE:g} s of the processor" in heard[-1]["message"]
-    assert {"targets": 150, "late events": 2000}[kind] < sent < 5000
+    assert least < sent < most
 
 
 def test_a_page_may_register_a_thousand_targets_at_each_refresh_for_ever() -> None:
