@@ -26,7 +26,7 @@ from pointpred.server.websocket_protocol import BoundedWebSocketProtocol
 
 FRAME_BYTES = 2**20
 """The framework's own limit lies above every limit of ours, so that our error goes out first."""
-UNREAD_BYTES = 2**16
+SEND_BUFFER_BYTES = 2**16
 """What the kernel may hold unread for a client: more would be old predictions."""
 CLOSE_S = 2.0
 """Seconds that clients have to close: closing earlier would reset the connection, and lose the ``bye``."""
@@ -84,7 +84,7 @@ def _bind(host: str, port: int) -> socket.socket:
     opened = socket.socket(family, kind, protocol)
     try:
         opened.setsockopt(socket.SOL_SOCKET, REUSE, 1)
-        opened.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, UNREAD_BYTES)  # connections inherit it
+        opened.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, SEND_BUFFER_BYTES)  # connections inherit it
         opened.bind(address)
         opened.listen(socket.SOMAXCONN)
     except OSError:

@@ -35,7 +35,7 @@ WAITING_BYTES = 2**15
 READ_BYTES = 2**14
 """Received data is parsed in pieces of this size: others have their turn in between, and little is parsed
 after the end of a session."""
-UNREAD_BYTES = 2**16
+RECEIVE_BUFFER_BYTES = 2**16
 """What the kernel may hold unread of a session's events; it takes twice as much for its own records. A
 client whose events come faster than they are used has to wait with more. Less than a packet of the loopback
 interface would stop a client again and again."""
@@ -79,7 +79,7 @@ class BoundedWebSocketProtocol(WebSocketsSansIOProtocol):
         """Give messages to a receiver from now on; ASGI's ``receive`` gives none any more."""
         self._receiver = receiver
         kernel = self.transport.get_extra_info("socket")
-        kernel.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, UNREAD_BYTES)
+        kernel.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, RECEIVE_BUFFER_BYTES)
         while not self.queue.empty():
             early = self.queue.get_nowait()
             if early["type"] == "websocket.receive":
