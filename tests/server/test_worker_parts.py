@@ -305,7 +305,7 @@ def test_metrics_of_workers_that_do_not_come_are_refused_and_not_waited_for(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr("pointpred.server.workers.worker.METRICS_S", 0.1)
-    peers = OtherWorkers(0, WorkerCounts(1))
+    peers = OtherWorkers(0, WorkerCounts(1, 1))
     near, far = socket.socketpair()
     with near, far, running(lambda service: setattr(service, "peers", peers)) as here:
 
