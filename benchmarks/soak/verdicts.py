@@ -15,7 +15,7 @@ from benchmarks.soak.visitors import VISITORS
 MEMORY_MB, DELAY_SHARE = 2.0, 0.2
 WARM_S, WINDOW_S = 300.0, 300.0
 POOL_THREADS = min(32, (os.cpu_count() or 1) + 4) + 2 + VISITORS
-"""Threads that are kept once they were needed: asyncio's, those of costly frames and of trials, one for each file sent."""
+"""Threads that stay once they were needed: asyncio's, two for costly frames and trials, one a file sent."""
 
 
 class Second(msgspec.Struct):
