@@ -75,7 +75,9 @@ def configuration(name: str, folder: Path, port: int, services: list[int], *, tl
         crt, key = certificate(folder)
         pem = folder / "lab.pem"
         pem.write_text(crt.read_text() + key.read_text())
-        return replaced(text, (":443", f"127.0.0.1:{port}"), ("/etc/haproxy/lab.example.pem", str(pem)))
+        return replaced(
+            text, ("bind :443", f"bind 127.0.0.1:{port}"), ("/etc/haproxy/lab.example.pem", str(pem))
+        )
     return re.sub(r"bind :443 .*", f"bind 127.0.0.1:{port}", text)
 
 

@@ -54,6 +54,8 @@ class Proxied:
         self.services, self.port = services, port
         self.origin = f"{'https' if tls else 'http'}://localhost:{port}"
         self._trust = ssl.create_default_context(cafile=folder / "lab.crt") if tls else None
+        if self._trust is not None:
+            self._trust.maximum_version = ssl.TLSVersion.TLSv1_2  # see pointpred/client/connection.py
 
     def get(self, path: str, **headers: str) -> tuple[int, bytes]:
         """The status and the body of an answer."""
