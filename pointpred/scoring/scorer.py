@@ -105,7 +105,7 @@ def score(
     for recording in recordings:
         try:
             scores.append(_score(recording, scoring, threads, progress, worst))
-        except Exception as error:
+        except Exception as error:  # as the caller asked: raised, or passed on and the others are scored
             if failed is None:
                 raise
             failed(recording, error)

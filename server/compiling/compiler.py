@@ -139,7 +139,7 @@ class Compiler:
                 if not self.stopped:
                     with self._loading:
                         part.run()
-            except Exception as error:
+            except Exception as error:  # logged; the other parts are compiled all the same
                 self.failed.add(part.name)
                 log.error("%s could not be compiled", part.name, extra={"error": place_of(error)})
             self._finish(part)

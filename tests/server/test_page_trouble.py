@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import json
 import signal
-import threading
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import pytest
-from httpx2 import Response, post
+from httpx2 import post
 
 from pointpred.datasets import sample
 from tests.server import browser
@@ -199,12 +199,9 @@ def test_a_score_stands_in_the_row_that_it_was_asked_for(visitor: Visitor, url: 
 
 def test_a_page_that_is_left_gives_up_its_uploads(visitor: Visitor) -> None:
     """Browsers keep a page for "back", and go on with its requests."""
-    with running() as here:
+    with ThreadPoolExecutor(1) as other, running() as here:
         process = stop_process(here)
-        answers: list[Response] = []
-        options = {"content": CSV, "timeout": PATIENCE_S}
-        asking = threading.Thread(target=lambda: answers.append(post(f"{here.url}/v1/recording", **options)))
-        asking.start()
+        answer = other.submit(post, f"{here.url}/v1/recording", content=CSV, timeout=PATIENCE_S)
         soon(lambda: here.service.uploads == 1, "somebody else's recording is being opened")
         visitor.open(f"{here.url}/#live")
         visitor.value(UPLOAD)
@@ -212,5 +209,4 @@ def test_a_page_that_is_left_gives_up_its_uploads(visitor: Visitor) -> None:
         visitor.page.go("about:blank")
         soon(lambda: here.service.uploads == 1, "the page has given up its place")
         process.send_signal(signal.SIGCONT)
-        asking.join(PATIENCE_S)
-        assert [answer.status_code for answer in answers] == [200]
+        assert answer.result(PATIENCE_S).status_code == 200

@@ -11,6 +11,7 @@ import subprocess
 import sys
 import threading
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
@@ -221,36 +222,30 @@ def test_an_upload_that_was_given_up_leaves_its_place(monkeypatch: pytest.Monkey
 
 
 def test_sessions_go_on_while_a_recording_is_scored(monkeypatch: pytest.MonkeyPatch) -> None:
-    with running() as here, here.greeted() as socket:
+    with ThreadPoolExecutor(1) as other, running() as here, here.greeted() as socket:
         options = {"content": CSV, "timeout": PATIENCE_S}
         process = stop_process(here)  # it is at work for as long as we like
-        answers: list[Response] = []
-        asking = threading.Thread(target=lambda: answers.append(post(f"{here.url}/v1/recording", **options)))
-        asking.start()
+        answer = other.submit(post, f"{here.url}/v1/recording", **options)
         soon(lambda: here.service.uploads == 1, "it has come")
         socket.send('{"type":"events","events":[[1,5,6,null,null,0]]}')
         assert '"prediction"' in str(socket.recv(PATIENCE_S))
         assert get(f"{here.url}/healthz", timeout=PATIENCE_S).status_code == 200
         process.send_signal(signal.SIGCONT)
-        asking.join(PATIENCE_S)
-        assert [answer.status_code for answer in answers] == [200]
+        assert answer.result(PATIENCE_S).status_code == 200
 
 
 def test_a_client_that_leaves_before_its_turn_leaves_its_place() -> None:
     """A page that is loaded again and again has its recording scored each time."""
-    with running() as here:
+    with ThreadPoolExecutor(1) as other, running() as here:
         options = {"content": CSV, "timeout": PATIENCE_S}
         process = stop_process(here)
-        answers: list[Response] = []
-        asking = threading.Thread(target=lambda: answers.append(post(f"{here.url}/v1/recording", **options)))
-        asking.start()
+        answer = other.submit(post, f"{here.url}/v1/recording", **options)
         soon(lambda: here.service.uploads == 1, "the first has come")
         with begun(here, CSV):
             soon(lambda: here.service.uploads == 2, "the second waits")
         soon(lambda: here.service.uploads == 1, "the second has left")
         process.send_signal(signal.SIGCONT)
-        asking.join(PATIENCE_S)
-        assert [answer.status_code for answer in answers] == [200]
+        assert answer.result(PATIENCE_S).status_code == 200
         assert post(f"{here.url}/v1/recording", **options).status_code == 200
 
 
@@ -285,16 +280,13 @@ def test_a_recording_that_takes_too_long_is_refused_and_the_next_one_is_taken(
 
 
 def test_a_process_that_somebody_killed_is_not_the_fault_of_the_recording() -> None:
-    with running() as here:
+    with ThreadPoolExecutor(1) as other, running() as here:
         options = {"content": CSV, "timeout": PATIENCE_S}
         process = stop_process(here)
-        answers: list[Response] = []
-        asking = threading.Thread(target=lambda: answers.append(post(f"{here.url}/v1/recording", **options)))
-        asking.start()
+        answer = other.submit(post, f"{here.url}/v1/recording", **options)
         soon(lambda: here.service.upload_process._busy.locked(), "it is being opened")
         process.kill()
-        asking.join(PATIENCE_S)
-        assert "send the recording again" in refused(answers[0], 500, "internal")
+        assert "send the recording again" in refused(answer.result(PATIENCE_S), 500, "internal")
         assert post(f"{here.url}/v1/recording", **options).status_code == 200
 
 
